@@ -1,0 +1,137 @@
+//! Closed intervals of rational numbers whose ends may be unbounded.
+
+use crate::{Rational, Rounding};
+
+/// One end of an [`Interval`].
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Endpoint {
+    /// The interval ends here, and contains this number.
+    Finite(Rational),
+    /// The interval has no end on this side.
+    Unbounded,
+}
+
+impl Endpoint {
+    /// The number, when there is one.
+    pub fn value(&self) -> Option<&Rational> {
+        match self {
+            Endpoint::Finite(value) => Some(value),
+            Endpoint::Unbounded => None,
+        }
+    }
+
+    /// A decimal of at most `digits` significant digits, or `unbounded`.
+    pub fn to_decimal(&self, digits: usize, rounding: Rounding, unbounded: &str) -> String {
+        self.value().map_or_else(|| unbounded.to_owned(), |value| value.to_decimal(digits, rounding))
+    }
+}
+
+impl From<Option<Rational>> for Endpoint {
+    fn from(value: Option<Rational>) -> Self {
+        value.map_or(Endpoint::Unbounded, Endpoint::Finite)
+    }
+}
+
+/// A non-empty closed interval; either end may be unbounded.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Interval {
+    lower: Endpoint,
+    upper: Endpoint,
+}
+
+impl Interval {
+    /// The interval between two ends, or `None` when the lower one is above the upper one.
+    pub fn new(lower: Endpoint, upper: Endpoint) -> Option<Self> {
+        let ordered = match (lower.value(), upper.value()) {
+            (Some(lower), Some(upper)) => lower <= upper,
+            _ => true,
+        };
+        ordered.then_some(Interval { lower, upper })
+    }
+
+    /// `[centre - radius, centre + radius]`, or `None` for a negative radius.
+    pub fn around(centre: &Rational, radius: &Rational) -> Option<Self> {
+        Interval::new(Endpoint::Finite(centre - radius), Endpoint::Finite(centre + radius))
+    }
+
+    /// The lower end.
+    pub fn lower(&self) -> &Endpoint {
+        &self.lower
+    }
+
+    /// The upper end.
+    pub fn upper(&self) -> &Endpoint {
+        &self.upper
+    }
+
+    /// Both ends, when both are finite.
+    pub fn ends(&self) -> Option<(&Rational, &Rational)> {
+        Some((self.lower.value()?, self.upper.value()?))
+    }
+
+    /// Whether the number lies in the interval, ends included.
+    pub fn contains(&self, number: &Rational) -> bool {
+        self.lower.value().is_none_or(|lower| lower <= number)
+            && self.upper.value().is_none_or(|upper| number <= upper)
+    }
+
+    /// Whether every number of `other` lies in this interval.
+    pub fn contains_interval(&self, other: &Interval) -> bool {
+        let below = match (&self.lower, &other.lower) {
+            (Endpoint::Unbounded, _) => true,
+            (_, Endpoint::Unbounded) => false,
+            (Endpoint::Finite(own), Endpoint::Finite(others)) => own <= others,
+        };
+        let above = match (&self.upper, &other.upper) {
+            (Endpoint::Unbounded, _) => true,
+            (_, Endpoint::Unbounded) => false,
+            (Endpoint::Finite(own), Endpoint::Finite(others)) => others <= own,
+        };
+        below && above
+    }
+
+    /// Upper minus lower end, or `None` when an end is unbounded.
+    pub fn width(&self) -> Option<Rational> {
+        self.ends().map(|(lower, upper)| upper - lower)
+    }
+
+    /// The centre, or `None` when an end is unbounded.
+    pub fn midpoint(&self) -> Option<Rational> {
+        self.ends().map(|(lower, upper)| (lower + upper).half())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn interval(lower: Option<i64>, upper: Option<i64>) -> Option<Interval> {
+        Interval::new(lower.map(Rational::from).into(), upper.map(Rational::from).into())
+    }
+
+    #[test]
+    fn ends_are_ordered() {
+        assert!(interval(Some(2), Some(1)).is_none());
+        assert!(interval(Some(1), Some(1)).is_some());
+        assert!(interval(Some(2), None).is_some());
+        assert!(Interval::around(&Rational::one(), &Rational::from(-1)).is_none());
+    }
+
+    #[test]
+    fn containment_respects_unbounded_ends() {
+        let all = interval(None, None).unwrap();
+        let right = interval(Some(0), None).unwrap();
+        let unit = interval(Some(0), Some(1)).unwrap();
+        assert!(all.contains_interval(&right) && right.contains_interval(&unit));
+        assert!(!right.contains_interval(&all) && !unit.contains_interval(&right));
+        assert!(unit.contains(&Rational::one()) && !unit.contains(&Rational::from(2)));
+        assert!(right.contains(&Rational::from(2)) && !right.contains(&Rational::from(-1)));
+    }
+
+    #[test]
+    fn width_and_midpoint_need_both_ends() {
+        assert_eq!(interval(Some(1), Some(4)).unwrap().midpoint(), Some(Rational::ratio(5, 2)));
+        assert_eq!(interval(Some(1), Some(4)).unwrap().width(), Some(Rational::from(3)));
+        assert_eq!(interval(Some(1), None).unwrap().width(), None);
+    }
+}

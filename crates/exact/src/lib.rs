@@ -1,0 +1,29 @@
+//! Exact numbers: the only arithmetic that decides anything in boundfit.
+//!
+//! A [`Rational`] is read from decimal text or a fraction ([`Reading::read`]), computed with exactly,
+//! and leaves either exactly (its [`Display`](std::fmt::Display) form `p/q`), as a decimal rounded in a
+//! stated direction ([`Rational::to_decimal`]), or as the nearest binary64 ([`Rational::to_f64`]), which
+//! is the one door to floating point.
+//!
+//! ```
+//! use boundfit_exact::{Limits, Rational, Reading, Rounding};
+//!
+//! let epsilon = Reading::Decimal.read("5e-4", &Limits::default())?;
+//! assert_eq!(epsilon, Rational::ratio(1, 2000));
+//! let third = Rational::ratio(1, 3);
+//! assert_eq!(third.to_decimal(3, Rounding::Up), "0.334");
+//! # Ok::<(), boundfit_exact::ParseNumberError>(())
+//! ```
+
+mod binary64;
+mod decimal;
+mod interval;
+mod number;
+mod parse;
+mod sum;
+
+pub use decimal::Rounding;
+pub use interval::{Endpoint, Interval};
+pub use number::{Integer, Rational, Sign};
+pub use parse::{Limits, ParseNumberError, ParseNumberErrorKind, Reading};
+pub use sum::Sum;
