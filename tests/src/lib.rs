@@ -1,1 +1,4 @@
+//! What the end-to-end and cross-crate tests share: generators with fixed seeds and a brute-force oracle.
 
+pub mod generate;
+pub mod oracle;

@@ -1,1 +1,52 @@
+//! Exact intersection of half-planes in the plane.
+//!
+//! A [`System`] of linear inequalities is intersected by [`envelope::intersect`] (fast) or [`clipping::intersect`]
+//! (the definition, step by step); both return the same [`Region`], one of ten kinds, with the half-planes active at
+//! every vertex. A [`Polyhedron`] keeps system and region together and answers questions about them, each answer
+//! with a proof that [`Farkas::verify`], [`BoundProof::verify`] or [`UnboundedProof::verify`] recomputes.
+//!
+//! Everything is exact: there is no tolerance, no floating point and no bounding box around unbounded sets.
+//!
+//! ```
+//! use boundfit_exact::Rational;
+//! use boundfit_geometry::{Inequality, Polyhedron, RegionKind, Support, System};
+//!
+//! let row = |a1: i64, a2: i64, b: i64| Inequality::new(a1.into(), a2.into(), b.into());
+//! let system: System = [row(-1, 0, 0), row(0, -1, 0), row(2, 3, 6)].into_iter().collect();
+//! let triangle = Polyhedron::intersect(system);
+//! assert_eq!(triangle.region().kind(), RegionKind::Polygon);
+//! assert_eq!(triangle.region().area(), Some(Rational::from(3)));
+//! let Support::Bounded { proof, .. } = triangle.support(&[Rational::one(), Rational::one()]) else {
+//!     unreachable!("a triangle is bounded")
+//! };
+//! assert_eq!(proof.value, Rational::from(3));
+//! assert_eq!(proof.verify(triangle.system()), Ok(()));
+//! ```
 
+mod bounds;
+pub mod clipping;
+pub mod constructions;
+pub mod envelope;
+mod fan;
+mod half_plane;
+mod invariants;
+mod measures;
+mod point;
+mod polyhedron;
+pub mod predicates;
+mod projective;
+mod proof;
+mod region;
+mod system;
+
+pub use half_plane::{Constraint, HalfPlane, Inequality};
+pub use invariants::InvariantViolation;
+pub use point::{Direction, Point};
+pub use polyhedron::{Face, Membership, Polyhedron, Redundancy, Support};
+pub use projective::{Branch, inverse_line_image};
+pub use proof::{BoundProof, Farkas, Multiplier, ProofError, UnboundedProof, verify_membership};
+pub use region::{
+    Boundary, EmptyRegion, HalfPlaneRegion, LineRegion, PointRegion, PolygonRegion, RayRegion, Region,
+    RegionKind, SegmentRegion, StripRegion, UnboundedPolygonRegion, Vertex,
+};
+pub use system::System;

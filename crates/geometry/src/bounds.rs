@@ -1,0 +1,266 @@
+//! The two envelopes of a system and the walk along them.
+//!
+//! A half-plane with `a2 > 0` bounds θ2 from above by a linear function of θ1, one with `a2 < 0` from below, and one
+//! with `a2 = 0` bounds θ1. The region lies between the lower envelope of the upper bounds, which is concave, and the
+//! upper envelope of the lower bounds, which is convex. Their gap is concave: the θ1 where it is not negative form an
+//! interval, and one walk from left to right finds both of its ends. (The two envelopes are dual to the two hulls of
+//! Andrew's monotone chain; de Berg et al., *Computational Geometry*, §§ 4.2 and 11.5.)
+
+use std::cmp::Ordering;
+use std::ops::RangeInclusive;
+
+use boundfit_exact::{Integer, Sign};
+
+use crate::half_plane::HalfPlane;
+use crate::predicates::middle_is_implied;
+
+/// A half-plane together with its index.
+pub(crate) type Facet<'a> = (usize, &'a HalfPlane);
+
+/// A value of θ1 as `numerator / denominator`, `denominator > 0`, not reduced: it is only ever compared.
+#[derive(Debug, Clone)]
+struct Abscissa {
+    numerator: Integer,
+    denominator: Integer,
+}
+
+impl Abscissa {
+    fn new(numerator: Integer, denominator: Integer) -> Self {
+        if denominator.is_negative() {
+            Abscissa { numerator: -numerator, denominator: -denominator }
+        } else {
+            Abscissa { numerator, denominator }
+        }
+    }
+
+    /// Where two boundaries that are not parallel meet.
+    fn of_meeting(f: &HalfPlane, g: &HalfPlane) -> Self {
+        Abscissa::new(f.b() * g.a2() - g.b() * f.a2(), f.a1() * g.a2() - g.a1() * f.a2())
+    }
+
+    /// Where a boundary with `a2 = 0` stands.
+    fn of_vertical((_, half_plane): &Facet) -> Self {
+        Abscissa::new(half_plane.b().clone(), half_plane.a1().clone())
+    }
+
+    fn compare(&self, other: &Self) -> Ordering {
+        (&self.numerator * &other.denominator).cmp(&(&other.numerator * &self.denominator))
+    }
+}
+
+/// The distance `constant + slope·θ1`, up to a positive factor, from a lower bound of θ2 up to an upper bound.
+struct Gap {
+    constant: Integer,
+    slope: Integer,
+}
+
+impl Gap {
+    fn between(lower: &HalfPlane, upper: &HalfPlane) -> Self {
+        Gap {
+            constant: upper.a2() * lower.b() - lower.a2() * upper.b(),
+            slope: upper.a1() * lower.a2() - lower.a1() * upper.a2(),
+        }
+    }
+
+    fn sign_at(&self, theta1: &Abscissa) -> Sign {
+        (&self.constant * &theta1.denominator + &self.slope * &theta1.numerator).sign()
+    }
+
+    /// The sign for θ1 towards minus infinity.
+    fn sign_far_left(&self) -> Sign {
+        match self.slope.sign() {
+            Sign::Zero => self.constant.sign(),
+            Sign::Negative => Sign::Positive,
+            Sign::Positive => Sign::Negative,
+        }
+    }
+
+    /// Where the gap closes; its slope must not be zero.
+    fn root(&self) -> Abscissa {
+        Abscissa::new(-&self.constant, self.slope.clone())
+    }
+}
+
+/// One bound of θ2 that is piecewise linear in θ1; its pieces from left to right.
+#[derive(Debug, Default)]
+struct Envelope<'a> {
+    pieces: Vec<Facet<'a>>,
+}
+
+impl<'a> Envelope<'a> {
+    /// Adds the half-plane that is next by angle; those before it that it makes superfluous go.
+    fn push(&mut self, facet: Facet<'a>) {
+        while let [.., (_, before), (_, last)] = self.pieces.as_slice()
+            && middle_is_implied(before, last, facet.1)
+        {
+            self.pieces.pop();
+        }
+        self.pieces.push(facet);
+    }
+
+    /// Where a piece gives way to the next, unless it is the last.
+    fn end_of(&self, piece: usize) -> Option<Abscissa> {
+        let (_, next) = self.pieces.get(piece + 1)?;
+        Some(Abscissa::of_meeting(self.pieces[piece].1, next))
+    }
+
+    /// The piece in force just right of `left`.
+    fn first_after(&self, left: Option<&Abscissa>) -> usize {
+        let over = |piece: &usize| {
+            left.is_some_and(|left| {
+                self.end_of(*piece).is_some_and(|end| end.compare(left) != Ordering::Greater)
+            })
+        };
+        (0..self.pieces.len()).find(|piece| !over(piece)).unwrap_or(0)
+    }
+
+    /// The pieces in force between two abscissas; empty for an empty envelope.
+    fn between(&self, left: Option<&Abscissa>, right: Option<&Abscissa>) -> &[Facet<'a>] {
+        if self.pieces.is_empty() {
+            return &[];
+        }
+        let first = self.first_after(left);
+        let mut last = self.pieces.len() - 1;
+        while last > first
+            && let (Some(right), Some(start)) = (right, self.end_of(last - 1))
+            && start.compare(right) != Ordering::Less
+        {
+            last -= 1;
+        }
+        &self.pieces[first..=last]
+    }
+}
+
+/// The bounds that a system puts on θ2 as a function of θ1, and on θ1 itself.
+#[derive(Debug, Default)]
+pub(crate) struct Bounds<'a> {
+    upper: Envelope<'a>,
+    lower: Envelope<'a>,
+    left: Option<Facet<'a>>,
+    right: Option<Facet<'a>>,
+}
+
+/// The pieces of both envelopes between which the region lies.
+struct Overlap {
+    upper: RangeInclusive<usize>,
+    lower: RangeInclusive<usize>,
+    reaches_left: bool,
+    reaches_right: bool,
+}
+
+impl<'a> Bounds<'a> {
+    /// Adds a half-plane; they must come in angular order, one of each direction.
+    pub(crate) fn push(&mut self, facet: Facet<'a>) {
+        let (_, half_plane) = facet;
+        match (half_plane.a2().sign(), half_plane.a1().is_positive()) {
+            (Sign::Positive, _) => self.upper.push(facet),
+            (Sign::Negative, _) => self.lower.push(facet),
+            (Sign::Zero, true) => self.right = Some(facet),
+            (Sign::Zero, false) => self.left = Some(facet),
+        }
+    }
+
+    /// The half-planes on the boundary of the region in angular order, or `None` when the region is empty. Some may
+    /// only touch it in a vertex. Cost: linear.
+    pub(crate) fn facets(mut self) -> Option<Vec<Facet<'a>>> {
+        // The angular order runs along the upper bounds from right to left.
+        self.upper.pieces.reverse();
+        let left = self.left.as_ref().map(Abscissa::of_vertical);
+        let right = self.right.as_ref().map(Abscissa::of_vertical);
+        if let (Some(left), Some(right)) = (&left, &right)
+            && left.compare(right) == Ordering::Greater
+        {
+            return None;
+        }
+        let (upper, lower) = if self.upper.pieces.is_empty() || self.lower.pieces.is_empty() {
+            let range = |envelope: &Envelope<'a>| envelope.between(left.as_ref(), right.as_ref()).to_vec();
+            (range(&self.upper), range(&self.lower))
+        } else {
+            let overlap = self.overlap(left, right.as_ref())?;
+            self.left = self.left.filter(|_| overlap.reaches_left);
+            self.right = self.right.filter(|_| overlap.reaches_right);
+            (self.upper.pieces[overlap.upper].to_vec(), self.lower.pieces[overlap.lower].to_vec())
+        };
+        Some(self.right.into_iter().chain(upper.into_iter().rev()).chain(self.left).chain(lower).collect())
+    }
+
+    /// Walks along both envelopes: first to where the gap opens, then to where it closes.
+    fn overlap(&self, left: Option<Abscissa>, right: Option<&Abscissa>) -> Option<Overlap> {
+        let mut at = Position {
+            upper: self.upper.first_after(left.as_ref()),
+            lower: self.lower.first_after(left.as_ref()),
+        };
+        let mut start = left;
+        let mut reaches_left = start.is_some();
+        loop {
+            let gap = self.gap(&at);
+            let sign = start.as_ref().map_or_else(|| gap.sign_far_left(), |start| gap.sign_at(start));
+            if sign != Sign::Negative {
+                break;
+            }
+            if !gap.slope.is_positive() {
+                // The gap is concave: it never opens again.
+                return None;
+            }
+            reaches_left = false;
+            let end = self.end_of(&at, right);
+            if end.as_ref().is_none_or(|end| gap.root().compare(end) != Ordering::Greater) {
+                break;
+            }
+            start = end;
+            self.advance(&mut at, start.as_ref()?, right)?;
+        }
+        let (first_upper, first_lower) = (at.upper, at.lower);
+        let reaches_right = loop {
+            let gap = self.gap(&at);
+            let Some(end) = self.end_of(&at, right) else {
+                break false;
+            };
+            if gap.sign_at(&end) == Sign::Negative {
+                break false;
+            }
+            if self.advance(&mut at, &end, right).is_none() {
+                break true;
+            }
+        };
+        Some(Overlap {
+            upper: first_upper..=at.upper,
+            lower: first_lower..=at.lower,
+            reaches_left,
+            reaches_right,
+        })
+    }
+
+    fn gap(&self, at: &Position) -> Gap {
+        Gap::between(self.lower.pieces[at.lower].1, self.upper.pieces[at.upper].1)
+    }
+
+    /// Where the next piece begins or θ1 ends, whichever comes first.
+    fn end_of(&self, at: &Position, right: Option<&Abscissa>) -> Option<Abscissa> {
+        [self.upper.end_of(at.upper), self.lower.end_of(at.lower), right.cloned()]
+            .into_iter()
+            .flatten()
+            .min_by(Abscissa::compare)
+    }
+
+    /// Goes on to the pieces that follow `end`; `None` where θ1 ends.
+    fn advance(&self, at: &mut Position, end: &Abscissa, right: Option<&Abscissa>) -> Option<()> {
+        if right.is_some_and(|right| end.compare(right) != Ordering::Less) {
+            return None;
+        }
+        let ends_here = |abscissa: Option<Abscissa>| {
+            abscissa.is_some_and(|abscissa| abscissa.compare(end) == Ordering::Equal)
+        };
+        let (upper_ends, lower_ends) =
+            (ends_here(self.upper.end_of(at.upper)), ends_here(self.lower.end_of(at.lower)));
+        at.upper += usize::from(upper_ends);
+        at.lower += usize::from(lower_ends);
+        Some(())
+    }
+}
+
+/// A piece of each envelope.
+struct Position {
+    upper: usize,
+    lower: usize,
+}

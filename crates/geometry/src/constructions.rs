@@ -1,0 +1,69 @@
+//! Exact constructions. Nothing here decides; a construction that does not exist is `None`.
+
+use boundfit_exact::Rational;
+
+use crate::half_plane::{HalfPlane, Inequality};
+use crate::point::{Direction, Point};
+
+/// The common point of two boundaries, unless they are parallel (Cramer's rule).
+pub fn meet(f: &HalfPlane, g: &HalfPlane) -> Option<Point> {
+    Point::from_homogeneous(
+        f.b() * g.a2() - g.b() * f.a2(),
+        f.a1() * g.b() - g.a1() * f.b(),
+        f.a1() * g.a2() - g.a1() * f.a2(),
+    )
+}
+
+/// The point of the boundary that is nearest to the origin.
+pub fn foot(half_plane: &HalfPlane) -> Point {
+    let (a1, a2, b) = (half_plane.a1(), half_plane.a2(), half_plane.b());
+    Point::from_homogeneous(a1 * b, a2 * b, a1 * a1 + a2 * a2).expect("half-plane with a zero normal")
+}
+
+/// The direction from one point to another, unless they are equal.
+pub fn direction_between(from: &Point, to: &Point) -> Option<Direction> {
+    let ((fx, fy, fw), (tx, ty, tw)) = (from.homogeneous(), to.homogeneous());
+    Direction::new(tx * fw - fx * tw, ty * fw - fy * tw)
+}
+
+/// The mean of one or more points; the origin for none.
+pub fn mean<'a>(points: impl ExactSizeIterator<Item = &'a Point> + Clone) -> Point {
+    let count = Rational::from(points.len());
+    let mean_of = |coordinate: fn(&Point) -> Rational| {
+        let total: Rational = points.clone().map(coordinate).sum();
+        total.checked_div(&count).unwrap_or_default()
+    };
+    Point::new(&mean_of(Point::theta1), &mean_of(Point::theta2))
+}
+
+/// The point reached from `start` by one step of each direction.
+pub fn translated<'a>(start: &Point, steps: impl IntoIterator<Item = &'a Direction>) -> Point {
+    let [mut theta1, mut theta2] = start.coordinates();
+    for step in steps {
+        theta1 = theta1 + Rational::from(step.dx());
+        theta2 = theta2 + Rational::from(step.dy());
+    }
+    Point::new(&theta1, &theta2)
+}
+
+/// `c1·θ1 + c2·θ2` at a point.
+pub fn value_of(form: &[Rational; 2], point: &Point) -> Rational {
+    &form[0] * point.theta1() + &form[1] * point.theta2()
+}
+
+/// The multipliers `(s, t)` with `s·f.a + t·g.a = form`, unless the two normals are parallel.
+pub fn combination(f: &Inequality, g: &Inequality, form: &[Rational; 2]) -> Option<[Rational; 2]> {
+    let minor = |u: &[Rational; 2], v: &[Rational; 2]| &u[0] * &v[1] - &u[1] * &v[0];
+    let determinant = minor(&f.a, &g.a);
+    Some([minor(form, &g.a).checked_div(&determinant)?, minor(&f.a, form).checked_div(&determinant)?])
+}
+
+/// The multiplier `s` with `s·f.a = form` when the two are parallel and `f.a` is not zero.
+pub fn multiple(f: &Inequality, form: &[Rational; 2]) -> Option<Rational> {
+    form[0].checked_div(&f.a[0]).or_else(|| form[1].checked_div(&f.a[1]))
+}
+
+/// The mid-point between the nearest points to the origin of two parallel boundaries.
+pub fn between_parallels(f: &HalfPlane, g: &HalfPlane) -> Point {
+    mean([foot(f), foot(g)].iter())
+}

@@ -1,0 +1,180 @@
+//! Intersection in O(n log n): sort the half-planes by angle, take two envelopes, walk along both.
+//! ([`crate::bounds`] has the envelopes and the walk.)
+
+use std::cmp::Ordering;
+
+use boundfit_exact::Rational;
+
+use crate::bounds::{Bounds, Facet};
+use crate::constructions::meet;
+use crate::fan::NormalFan;
+use crate::half_plane::{Constraint, HalfPlane};
+use crate::predicates::{Side, Turn, by_angle, by_tightness, normal_turn, side};
+use crate::proof::{Farkas, Multiplier};
+use crate::region::{
+    Boundary, EmptyRegion, HalfPlaneRegion, Region, Vertex, from_chain, from_line, from_parallels,
+};
+use crate::system::System;
+
+/// The region of a system, by the two envelopes. Exact. Cost: O(n log n), also when the region is empty.
+///
+/// The result equals that of [`crate::clipping::intersect`] in every part.
+pub fn intersect(system: &System) -> Region {
+    let sorted = SortedHalfPlanes::new(system);
+    let prefix = first_never(system).unwrap_or(system.len());
+    match sorted.facets(prefix) {
+        None => {
+            let last = sorted.first_contradiction(prefix);
+            let before = sorted.region(&sorted.facets(last).unwrap_or_default(), last);
+            let certificate = NormalFan::of(system, &before).contradiction(system, last);
+            Region::Empty(EmptyRegion { certificate })
+        }
+        Some(_) if prefix < system.len() => {
+            let multipliers = vec![Multiplier { index: prefix, value: Rational::one() }];
+            Region::Empty(EmptyRegion { certificate: Farkas::new(multipliers) })
+        }
+        Some(facets) => sorted.region(&facets, prefix),
+    }
+}
+
+fn first_never(system: &System) -> Option<usize> {
+    system.constraints().iter().position(|constraint| *constraint == Constraint::Never)
+}
+
+/// The half-planes of a system in angular order; of those with the same direction, the tightest first.
+struct SortedHalfPlanes<'a> {
+    sorted: Vec<Facet<'a>>,
+}
+
+impl<'a> SortedHalfPlanes<'a> {
+    fn new(system: &'a System) -> Self {
+        let mut sorted: Vec<Facet<'a>> = system.half_planes().collect();
+        sorted.sort_by(|(i, f), (j, g)| by_angle(f, g).then_with(|| by_tightness(f, g)).then(i.cmp(j)));
+        SortedHalfPlanes { sorted }
+    }
+
+    /// The half-planes on the boundary of the region of the first `prefix` inequalities, by angle; `None` when
+    /// that region is empty.
+    fn facets(&self, prefix: usize) -> Option<Vec<Facet<'a>>> {
+        let mut bounds = Bounds::default();
+        let mut last: Option<&HalfPlane> = None;
+        for &(index, half_plane) in &self.sorted {
+            let new_direction = last.is_none_or(|last| normal_turn(last, half_plane) != Turn::None);
+            if index < prefix && new_direction {
+                bounds.push((index, half_plane));
+                last = Some(half_plane);
+            }
+        }
+        bounds.facets()
+    }
+
+    /// The index of the inequality that first contradicts those before it. Emptiness is monotone, so a binary search
+    /// finds it; the angular order is reused.
+    fn first_contradiction(&self, infeasible_prefix: usize) -> usize {
+        let (mut feasible, mut infeasible) = (0, infeasible_prefix);
+        while infeasible - feasible > 1 {
+            let middle = feasible + (infeasible - feasible) / 2;
+            if self.facets(middle).is_some() { feasible = middle } else { infeasible = middle }
+        }
+        feasible
+    }
+
+    /// The region of the first `prefix` inequalities, from its facets.
+    fn region(&self, facets: &[Facet<'a>], prefix: usize) -> Region {
+        let count = facets.len();
+        let follower = |position: usize| facets[(position + 1) % count].1;
+        // Neighbours meet in a corner unless the region goes on between them.
+        let is_corner = |&position: &usize| normal_turn(facets[position].1, follower(position)) == Turn::Left;
+        let gaps: Vec<usize> = (0..count).filter(|position| !is_corner(position)).collect();
+        let rays = match gaps.as_slice() {
+            [] if count == 0 => return Region::Plane,
+            [] => None,
+            [_] if count == 1 => {
+                return Region::HalfPlane(HalfPlaneRegion { boundary: self.boundary(facets[0].1, prefix) });
+            }
+            [gap] => {
+                let outgoing = facets[*gap].1.normal().turned_left();
+                let incoming = follower(*gap).normal().turned_right();
+                Some((outgoing, incoming))
+            }
+            _ if facets[0].1.opposite() == *facets[1].1 => {
+                let mut line = self.boundary(facets[0].1, prefix);
+                line.active.extend(self.boundary(facets[1].1, prefix).active);
+                line.active.sort_unstable();
+                return from_line(line);
+            }
+            _ => {
+                return from_parallels(
+                    self.boundary(facets[0].1, prefix),
+                    self.boundary(facets[1].1, prefix),
+                );
+            }
+        };
+        let start = gaps.first().map_or(0, |gap| gap + 1);
+        let (mut vertices, vertex_after) = self.chain(facets, start, gaps.is_empty());
+        self.attach_active(facets, &vertex_after, prefix, &mut vertices);
+        from_chain(vertices, rays)
+    }
+
+    /// The distinct corners in the order of the boundary, and for each facet which of them follows it.
+    fn chain(&self, facets: &[Facet<'a>], start: usize, closed: bool) -> (Vec<Vertex>, Vec<Option<usize>>) {
+        let count = facets.len();
+        let mut vertices: Vec<Vertex> = Vec::new();
+        let mut vertex_after = vec![None; count];
+        let corners = if closed { count } else { count - 1 };
+        for position in (0..corners).map(|step| (start + step) % count) {
+            let Some(point) = meet(facets[position].1, facets[(position + 1) % count].1) else { continue };
+            if vertices.last().is_none_or(|last| last.point != point) {
+                vertices.push(Vertex { point, active: Vec::new() });
+            }
+            vertex_after[position] = Some(vertices.len() - 1);
+        }
+        if closed && vertices.len() > 1 && vertices[0].point == vertices[vertices.len() - 1].point {
+            vertices.pop();
+            for vertex in vertex_after.iter_mut().flatten() {
+                *vertex %= vertices.len();
+            }
+        }
+        (vertices, vertex_after)
+    }
+
+    /// Enters every half-plane at the vertices through which its boundary passes. Its normal lies between those of
+    /// two neighbouring facets, and it can touch the region only where they meet.
+    fn attach_active(
+        &self,
+        facets: &[Facet<'a>],
+        vertex_after: &[Option<usize>],
+        prefix: usize,
+        vertices: &mut [Vertex],
+    ) {
+        let count = facets.len();
+        for &(index, half_plane) in self.sorted.iter().filter(|(index, _)| *index < prefix) {
+            let upto = facets.partition_point(|(_, facet)| by_angle(facet, half_plane) != Ordering::Greater);
+            let position = (upto + count - 1) % count;
+            let facet = facets[position].1;
+            if half_plane == facet {
+                let around = [vertex_after[(position + count - 1) % count], vertex_after[position]];
+                for vertex in around.into_iter().flatten() {
+                    vertices[vertex].active.push(index);
+                }
+            } else if normal_turn(facet, half_plane) != Turn::None
+                && let Some(vertex) = vertex_after[position]
+                && side(half_plane, &vertices[vertex].point) == Side::Boundary
+            {
+                vertices[vertex].active.push(index);
+            }
+        }
+        for vertex in vertices {
+            vertex.active.sort_unstable();
+            vertex.active.dedup();
+        }
+    }
+
+    /// A whole line of the boundary with the half-planes that coincide with it.
+    fn boundary(&self, half_plane: &HalfPlane, prefix: usize) -> Boundary {
+        let same = self.sorted.iter().filter(|(index, other)| *index < prefix && *other == half_plane);
+        let mut active: Vec<usize> = same.map(|(index, _)| *index).collect();
+        active.sort_unstable();
+        Boundary { half_plane: half_plane.clone(), active }
+    }
+}

@@ -1,0 +1,221 @@
+//! The normal fan of a region: its irredundant half-planes by the angle of their normals.
+//!
+//! Neighbours in the fan meet in a vertex of the region unless the region goes on between them. Every linear form
+//! therefore finds its maximum, and the proof of it, between two neighbours (linear programming duality).
+
+use std::cmp::Ordering;
+
+use boundfit_exact::{Rational, Sign};
+
+use crate::constructions::{combination, direction_between, multiple};
+use crate::half_plane::HalfPlane;
+use crate::point::{Direction, Point};
+use crate::predicates::{Turn, approach, by_angle, direction_by_angle, normal_turn, turn};
+use crate::proof::{Farkas, Multiplier};
+use crate::region::{Region, Vertex};
+use crate::system::System;
+
+/// The maximum of a linear form, as the fan sees it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum FanSupport {
+    /// At most two multipliers that add up to the form, and the right-hand side they give.
+    Bounded { value: Rational, multipliers: Vec<Multiplier> },
+    /// No non-negative combination of the region's half-planes gives the form.
+    Unbounded,
+}
+
+/// A minimal set of half-planes whose intersection is the region, sorted by angle.
+///
+/// Of coinciding half-planes the one with the lowest index is taken. Where lower-dimensional regions leave a
+/// choice, it is made by a rule that does not depend on how the region was found.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct NormalFan {
+    spokes: Vec<usize>,
+}
+
+impl NormalFan {
+    /// The fan of a non-empty region of this system. Cost: the size of the region and of its active sets.
+    pub(crate) fn of(system: &System, region: &Region) -> Self {
+        let mut spokes = match region {
+            Region::Empty(_) | Region::Plane => Vec::new(),
+            Region::Point(region) => point_generators(system, &region.vertex.active),
+            Region::Segment(region) => {
+                let [start, end] = &region.ends;
+                direction_between(&start.point, &end.point)
+                    .map(|along| {
+                        let ends = [(start, along.reversed()), (end, along.clone())];
+                        flat_generators(system, &start.active, &along, &ends)
+                    })
+                    .unwrap_or_default()
+            }
+            Region::Ray(region) => {
+                let ends = [(&region.apex, region.direction.reversed())];
+                flat_generators(system, &region.apex.active, &region.direction, &ends)
+            }
+            Region::Line(region) => {
+                let along = region.boundary.half_plane.normal().turned_left();
+                flat_generators(system, &region.boundary.active, &along, &[])
+            }
+            Region::Polygon(region) => {
+                let vertices = &region.vertices;
+                let next = vertices.iter().cycle().skip(1);
+                vertices.iter().zip(next).filter_map(|(from, to)| edge(system, from, &to.point)).collect()
+            }
+            Region::UnboundedPolygon(region) => {
+                let chain: Vec<&Vertex> = region.chain().collect();
+                let edges = chain.windows(2).filter_map(|pair| edge(system, pair[0], &pair[1].point));
+                let incoming = with_normal(system, &chain[0].active, &region.incoming.turned_left());
+                let last = chain[chain.len() - 1];
+                let outgoing = with_normal(system, &last.active, &region.outgoing.turned_right());
+                incoming.into_iter().chain(edges).chain(outgoing).collect()
+            }
+            Region::Strip(_) | Region::HalfPlane(_) => {
+                region.boundaries().iter().filter_map(|boundary| boundary.active.first().copied()).collect()
+            }
+        };
+        spokes.sort_by(|&f, &g| by_angle(normal_of(system, f), normal_of(system, g)));
+        NormalFan { spokes }
+    }
+
+    /// Indices of the irredundant half-planes, by angle.
+    pub(crate) fn indices(&self) -> &[usize] {
+        &self.spokes
+    }
+
+    /// The maximum of a form over the region. Cost: logarithmic in the number of irredundant half-planes.
+    pub(crate) fn support(&self, system: &System, form: &[Rational; 2]) -> FanSupport {
+        let Some(direction) = Direction::from_rational(form) else {
+            return FanSupport::Bounded { value: Rational::zero(), multipliers: Vec::new() };
+        };
+        let Some((before, after)) = self.neighbours(system, &direction) else {
+            return FanSupport::Unbounded;
+        };
+        let (f, g) = (&system.inequalities()[before], &system.inequalities()[after]);
+        let (turn_in, turn_out) = (
+            turn(&normal_of(system, before).normal(), &direction),
+            turn(&direction, &normal_of(system, after).normal()),
+        );
+        let taken = if turn_in == Turn::None {
+            multiple(f, form).map(|value| vec![Multiplier { index: before, value }])
+        } else if turn_in == Turn::Left
+            && turn_out == Turn::Left
+            && normal_turn(normal_of(system, before), normal_of(system, after)) == Turn::Left
+        {
+            combination(f, g, form).map(|[s, t]| {
+                vec![Multiplier { index: before, value: s }, Multiplier { index: after, value: t }]
+            })
+        } else {
+            None
+        };
+        let Some(mut multipliers) = taken else { return FanSupport::Unbounded };
+        multipliers.sort_by_key(|multiplier| multiplier.index);
+        let value = multipliers.iter().map(|m| &system.inequalities()[m.index].b * &m.value).sum();
+        FanSupport::Bounded { value, multipliers }
+    }
+
+    /// The proof that nothing of this fan's region satisfies one more inequality. The region must not be empty and
+    /// the inequality must exclude all of it.
+    pub(crate) fn contradiction(&self, system: &System, index: usize) -> Farkas {
+        let [a1, a2] = &system.inequalities()[index].a;
+        let mut multipliers = match self.support(system, &[-a1, -a2]) {
+            FanSupport::Bounded { multipliers, .. } => multipliers,
+            FanSupport::Unbounded => Vec::new(),
+        };
+        multipliers.push(Multiplier { index, value: Rational::one() });
+        Farkas::new(multipliers)
+    }
+
+    /// The irredundant half-planes whose normals come last at or before, and first after, a direction.
+    fn neighbours(&self, system: &System, direction: &Direction) -> Option<(usize, usize)> {
+        let count = self.spokes.len();
+        if count == 0 {
+            return None;
+        }
+        let after = self.spokes.partition_point(|&index| {
+            direction_by_angle(direction, normal_of(system, index)) != Ordering::Less
+        });
+        Some((self.spokes[(after + count - 1) % count], self.spokes[after % count]))
+    }
+}
+
+/// The half-plane of an index that came from an active set: those have a normal.
+fn normal_of(system: &System, index: usize) -> &HalfPlane {
+    system.half_plane(index).expect("an active inequality without a normal")
+}
+
+/// The lowest active index whose outward normal has this direction.
+fn with_normal(system: &System, active: &[usize], normal: &Direction) -> Option<usize> {
+    active.iter().copied().find(|&index| turn(&normal_of(system, index).normal(), normal) == Turn::None)
+}
+
+/// The lowest index of a half-plane that bounds the edge from a vertex to the next one counter-clockwise.
+fn edge(system: &System, from: &Vertex, to: &Point) -> Option<usize> {
+    with_normal(system, &from.active, &direction_between(&from.point, to)?.turned_right())
+}
+
+/// Generators of a region inside a line: the line from both sides, and at each end one half-plane that cuts it
+/// there. `ends` gives each end with the direction in which the region stops.
+fn flat_generators(
+    system: &System,
+    active: &[usize],
+    along: &Direction,
+    ends: &[(&Vertex, Direction)],
+) -> Vec<usize> {
+    let carriers = [along.turned_left(), along.turned_right()];
+    let carriers = carriers.iter().filter_map(|normal| with_normal(system, active, normal));
+    let stops = ends.iter().filter_map(|(vertex, outward)| {
+        vertex
+            .active
+            .iter()
+            .copied()
+            .find(|&index| approach(normal_of(system, index), outward) == Sign::Positive)
+    });
+    carriers.chain(stops).collect()
+}
+
+/// A minimal subset of the half-planes through a point whose intersection is the point alone: normals that
+/// positively span the plane. The lowest index is tried first, completed by its nearest partners around the
+/// opposite direction.
+fn point_generators(system: &System, active: &[usize]) -> Vec<usize> {
+    let mut by_direction: Vec<usize> = active.to_vec();
+    by_direction.sort_by(|&f, &g| by_angle(normal_of(system, f), normal_of(system, g)).then(f.cmp(&g)));
+    by_direction.dedup_by(|g, f| normal_turn(normal_of(system, *f), normal_of(system, *g)) == Turn::None);
+    let Some(&first) = by_direction.iter().min() else { return Vec::new() };
+
+    let own = normal_of(system, first).normal();
+    let opposite = own.reversed();
+    let mut chosen = vec![first];
+    chosen.extend(with_normal(system, active, &opposite));
+    // The partners strictly left and strictly right of `first` that lie nearest to its opposite.
+    for (side, further) in [(Turn::Left, Turn::Left), (Turn::Right, Turn::Right)] {
+        let partner = by_direction
+            .iter()
+            .copied()
+            .filter(|&index| turn(&own, &normal_of(system, index).normal()) == side)
+            .reduce(|best, index| {
+                let closer = normal_turn(normal_of(system, best), normal_of(system, index)) == further;
+                if closer { index } else { best }
+            });
+        chosen.extend(partner);
+    }
+    // With an opposite pair among them, one of the four may be superfluous.
+    for index in chosen.clone().into_iter().rev() {
+        let rest: Vec<usize> = chosen.iter().copied().filter(|&other| other != index).collect();
+        if chosen.len() > 3 && positively_span(system, &rest) {
+            chosen = rest;
+        }
+    }
+    chosen
+}
+
+/// Whether no open half-plane contains all normals, nor a closed one with nothing on its other side: whether
+/// consecutive normals are always less than a half turn apart.
+fn positively_span(system: &System, indices: &[usize]) -> bool {
+    let mut sorted = indices.to_vec();
+    sorted.sort_by(|&f, &g| by_angle(normal_of(system, f), normal_of(system, g)));
+    let next = sorted.iter().cycle().skip(1);
+    sorted
+        .iter()
+        .zip(next)
+        .all(|(&f, &g)| normal_turn(normal_of(system, f), normal_of(system, g)) == Turn::Left)
+}

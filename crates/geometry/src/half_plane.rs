@@ -1,0 +1,124 @@
+//! Linear inequalities as given, and the half-planes they stand for.
+
+use boundfit_exact::{Integer, Rational};
+
+use crate::point::Direction;
+
+/// `a1·θ1 + a2·θ2 ≤ b` with the coefficients as given. Multipliers of proofs refer to this form.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Inequality {
+    /// The coefficients of θ1 and θ2.
+    pub a: [Rational; 2],
+    /// The right-hand side.
+    pub b: Rational,
+}
+
+impl Inequality {
+    /// `a1·θ1 + a2·θ2 ≤ b`.
+    pub fn new(a1: Rational, a2: Rational, b: Rational) -> Self {
+        Inequality { a: [a1, a2], b }
+    }
+
+    /// The half-plane that the inequality describes; a zero normal leaves `0 ≤ b`, which holds always or never.
+    pub fn constraint(&self) -> Constraint {
+        let [a1, a2] = &self.a;
+        let common = a1.denominator().lcm(&a2.denominator()).lcm(&self.b.denominator());
+        let scaled = |value: &Rational| value.numerator() * common.div_rem_floor(&value.denominator()).0;
+        match HalfPlane::new(scaled(a1), scaled(a2), scaled(&self.b)) {
+            Some(half_plane) => Constraint::HalfPlane(half_plane),
+            None if self.b.is_negative() => Constraint::Never,
+            None => Constraint::Always,
+        }
+    }
+
+    /// `b - a·θ` at a point: negative where the inequality is violated, in the units of `b`.
+    pub fn slack(&self, theta: &[Rational; 2]) -> Rational {
+        &self.b - &self.a[0] * &theta[0] - &self.a[1] * &theta[1]
+    }
+}
+
+/// What an inequality says about the plane.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Constraint {
+    /// The inequality cuts the plane.
+    HalfPlane(HalfPlane),
+    /// `0 ≤ b` with `b ≥ 0`: true everywhere.
+    Always,
+    /// `0 ≤ b` with `b < 0`: true nowhere.
+    Never,
+}
+
+/// The half-plane `a1·θ1 + a2·θ2 ≤ b` with coprime integers `(a1, a2, b)` and a non-zero normal.
+///
+/// Equal half-planes have equal triples.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct HalfPlane {
+    a1: Integer,
+    a2: Integer,
+    b: Integer,
+}
+
+impl HalfPlane {
+    /// The half-plane of an integer inequality, or `None` for a zero normal.
+    pub fn new(a1: Integer, a2: Integer, b: Integer) -> Option<Self> {
+        if a1.is_zero() && a2.is_zero() {
+            return None;
+        }
+        let divisor = a1.gcd(&a2).gcd(&b);
+        let reduced = |value: Integer| value.div_rem_floor(&divisor).0;
+        Some(HalfPlane { a1: reduced(a1), a2: reduced(a2), b: reduced(b) })
+    }
+
+    /// First coefficient of the outward normal.
+    pub fn a1(&self) -> &Integer {
+        &self.a1
+    }
+
+    /// Second coefficient of the outward normal.
+    pub fn a2(&self) -> &Integer {
+        &self.a2
+    }
+
+    /// The right-hand side.
+    pub fn b(&self) -> &Integer {
+        &self.b
+    }
+
+    /// The half-plane on the other side of the same line.
+    pub fn opposite(&self) -> Self {
+        HalfPlane { a1: -&self.a1, a2: -&self.a2, b: -&self.b }
+    }
+
+    /// The direction of the outward normal `(a1, a2)`.
+    pub fn normal(&self) -> Direction {
+        // A half-plane has a non-zero normal by construction.
+        Direction::new(self.a1.clone(), self.a2.clone()).expect("half-plane with a zero normal")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn inequality(a1: Rational, a2: Rational, b: Rational) -> Constraint {
+        Inequality::new(a1, a2, b).constraint()
+    }
+
+    #[test]
+    fn the_same_half_plane_has_one_form() {
+        let half = Rational::ratio(1, 2);
+        let third = Rational::ratio(1, 3);
+        let left = inequality(half.clone(), third.clone(), Rational::one());
+        let right = inequality(Rational::from(30), Rational::from(20), Rational::from(60));
+        assert_eq!(left, right);
+        assert_ne!(left, inequality(-half, -third, -Rational::one()));
+    }
+
+    #[test]
+    fn a_zero_normal_is_a_truth_value() {
+        let zero = Rational::zero;
+        assert_eq!(inequality(zero(), zero(), zero()), Constraint::Always);
+        assert_eq!(inequality(zero(), zero(), Rational::ratio(1, 7)), Constraint::Always);
+        assert_eq!(inequality(zero(), zero(), Rational::ratio(-1, 7)), Constraint::Never);
+    }
+}

@@ -1,0 +1,116 @@
+//! Points and directions in homogeneous integer coordinates.
+
+use boundfit_exact::{Integer, Rational};
+
+/// A point of the plane, kept as the primitive integer triple `(x : y : w)` with `w > 0`.
+///
+/// Equal points have equal triples, so `==` is equality in the plane.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Point {
+    x: Integer,
+    y: Integer,
+    w: Integer,
+}
+
+impl Point {
+    /// The point with the given coordinates.
+    pub fn new(theta1: &Rational, theta2: &Rational) -> Self {
+        let w = theta1.denominator().lcm(&theta2.denominator());
+        let scaled = |value: &Rational| {
+            let (factor, _) = w.div_rem_floor(&value.denominator());
+            value.numerator() * factor
+        };
+        Point { x: scaled(theta1), y: scaled(theta2), w }
+    }
+
+    /// The point `(x / w, y / w)`, or `None` when `w` is 0.
+    pub fn from_homogeneous(x: Integer, y: Integer, w: Integer) -> Option<Self> {
+        if w.is_zero() {
+            return None;
+        }
+        let divisor = x.gcd(&y).gcd(&w);
+        let divisor = if w.is_negative() { -divisor } else { divisor };
+        let reduced = |value: Integer| value.div_rem_floor(&divisor).0;
+        Some(Point { x: reduced(x), y: reduced(y), w: reduced(w) })
+    }
+
+    /// The origin.
+    pub fn origin() -> Self {
+        Point { x: Integer::zero(), y: Integer::zero(), w: Integer::one() }
+    }
+
+    /// First coordinate.
+    pub fn theta1(&self) -> Rational {
+        Rational::new(self.x.clone(), self.w.clone()).unwrap_or_default()
+    }
+
+    /// Second coordinate.
+    pub fn theta2(&self) -> Rational {
+        Rational::new(self.y.clone(), self.w.clone()).unwrap_or_default()
+    }
+
+    /// Both coordinates.
+    pub fn coordinates(&self) -> [Rational; 2] {
+        [self.theta1(), self.theta2()]
+    }
+
+    /// The primitive triple `(x, y, w)`, `w > 0`.
+    pub fn homogeneous(&self) -> (&Integer, &Integer, &Integer) {
+        (&self.x, &self.y, &self.w)
+    }
+}
+
+/// A direction: a primitive integer vector, never zero.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Direction {
+    dx: Integer,
+    dy: Integer,
+}
+
+impl Direction {
+    /// The direction of a vector, or `None` for the zero vector.
+    pub fn new(dx: Integer, dy: Integer) -> Option<Self> {
+        let divisor = dx.gcd(&dy);
+        if divisor.is_zero() {
+            return None;
+        }
+        Some(Direction { dx: dx.div_rem_floor(&divisor).0, dy: dy.div_rem_floor(&divisor).0 })
+    }
+
+    /// The direction of a rational vector, or `None` for the zero vector.
+    pub fn from_rational(vector: &[Rational; 2]) -> Option<Self> {
+        let [x, y] = vector;
+        Direction::new(x.numerator() * y.denominator(), y.numerator() * x.denominator())
+    }
+
+    /// First component.
+    pub fn dx(&self) -> &Integer {
+        &self.dx
+    }
+
+    /// Second component.
+    pub fn dy(&self) -> &Integer {
+        &self.dy
+    }
+
+    /// The opposite direction.
+    pub fn reversed(&self) -> Self {
+        Direction { dx: -&self.dx, dy: -&self.dy }
+    }
+
+    /// A quarter turn counter-clockwise.
+    pub fn turned_left(&self) -> Self {
+        Direction { dx: -&self.dy, dy: self.dx.clone() }
+    }
+
+    /// A quarter turn clockwise.
+    pub fn turned_right(&self) -> Self {
+        Direction { dx: self.dy.clone(), dy: -&self.dx }
+    }
+
+    /// Of the two opposite directions along the same line, the one whose first non-zero component is positive.
+    pub fn of_line(&self) -> Self {
+        let negative = if self.dx.is_zero() { self.dy.is_negative() } else { self.dx.is_negative() };
+        if negative { self.reversed() } else { self.clone() }
+    }
+}

@@ -1,0 +1,274 @@
+//! A system together with its region, and the questions one asks about them.
+
+use boundfit_exact::{Endpoint, Interval, Rational};
+
+use crate::constructions::{foot, value_of};
+use crate::fan::{FanSupport, NormalFan};
+use crate::point::{Direction, Point};
+use crate::predicates::{Turn, turn};
+use crate::proof::{BoundProof, Farkas, Multiplier, UnboundedProof};
+use crate::region::Region;
+use crate::system::System;
+use crate::{clipping, envelope};
+
+/// A system of inequalities and the region that it describes.
+#[derive(Debug, Clone)]
+pub struct Polyhedron {
+    system: System,
+    region: Region,
+    fan: NormalFan,
+}
+
+/// The maximum of a linear form over a region.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Support {
+    /// There is no point to take the maximum over.
+    Empty(Farkas),
+    /// The form grows without end.
+    Unbounded(UnboundedProof),
+    /// The maximum is attained.
+    Bounded {
+        /// The value and why it cannot be exceeded.
+        proof: BoundProof,
+        /// All points that attain it.
+        face: Face,
+    },
+}
+
+/// Where a linear form attains its maximum.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Face {
+    /// In one vertex.
+    Vertex(Point),
+    /// Along an edge.
+    Segment([Point; 2]),
+    /// Along an unbounded edge.
+    Ray {
+        /// Where the edge starts.
+        apex: Point,
+        /// In which direction it goes on.
+        direction: Direction,
+    },
+    /// Along a whole line.
+    Line {
+        /// The point of the line nearest to the origin.
+        point: Point,
+        /// Along the line; the first non-zero component is positive.
+        direction: Direction,
+    },
+    /// Everywhere: the form is zero.
+    Whole,
+}
+
+/// Why an inequality could be left out.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Redundancy {
+    /// It is `0 ≤ b` with `b ≥ 0`.
+    Always,
+    /// It describes the same half-plane as this irredundant one.
+    SameAs(usize),
+    /// Positive multiples of at most two irredundant inequalities add up to it, with a right-hand side smaller by
+    /// `slack ≥ 0`. Slack 0 means that its boundary touches the region.
+    Dominated {
+        /// The multipliers of the irredundant inequalities.
+        by: Vec<Multiplier>,
+        /// What is left, in the units of the inequality's right-hand side.
+        slack: Rational,
+    },
+    /// The region is empty without it.
+    EmptyWithout,
+}
+
+/// How a point lies with respect to a system.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Membership {
+    /// The smallest slack `b - a·θ` over all inequalities: negative outside, zero on the boundary. `None` without
+    /// inequalities.
+    pub slack: Option<Rational>,
+    /// The first inequality with that slack.
+    pub tightest: Option<usize>,
+}
+
+impl Membership {
+    /// Whether the point belongs to the region.
+    pub fn is_inside(&self) -> bool {
+        self.slack.as_ref().is_none_or(|slack| !slack.is_negative())
+    }
+}
+
+impl Polyhedron {
+    /// Intersects the half-planes of a system with the fast algorithm. Exact. Cost: O(n log n).
+    pub fn intersect(system: System) -> Self {
+        let region = envelope::intersect(&system);
+        Polyhedron::from_parts(system, region)
+    }
+
+    /// Intersects the half-planes of a system by clipping. Exact, and equal to [`Polyhedron::intersect`].
+    /// Cost: inequalities times vertices.
+    pub fn by_clipping(system: System) -> Self {
+        let region = clipping::intersect(&system);
+        Polyhedron::from_parts(system, region)
+    }
+
+    fn from_parts(system: System, region: Region) -> Self {
+        let fan = NormalFan::of(&system, &region);
+        Polyhedron { system, region, fan }
+    }
+
+    /// The inequalities.
+    pub fn system(&self) -> &System {
+        &self.system
+    }
+
+    /// Their intersection.
+    pub fn region(&self) -> &Region {
+        &self.region
+    }
+
+    /// The maximum of `form·θ` over the region, with its proof. Exact. Cost: linear in the number of vertices.
+    pub fn support(&self, form: &[Rational; 2]) -> Support {
+        if let Some(certificate) = self.region.certificate() {
+            return Support::Empty(certificate.clone());
+        }
+        match self.fan.support(&self.system, form) {
+            FanSupport::Bounded { value, multipliers } => {
+                let (face, attained_at) = self.face(form, &value);
+                let form = form.clone();
+                Support::Bounded { proof: BoundProof { form, value, multipliers, attained_at }, face }
+            }
+            FanSupport::Unbounded => Support::Unbounded(UnboundedProof {
+                form: form.clone(),
+                point: self.region.witness().unwrap_or_else(Point::origin),
+                ray: self.growing_ray(form),
+            }),
+        }
+    }
+
+    /// The box of the region: the range of θ1 and of θ2, or `None` when it is empty.
+    pub fn bounding_box(&self) -> Option<[Interval; 2]> {
+        let (zero, one) = (Rational::zero(), Rational::one());
+        let range = |form: [Rational; 2]| {
+            let upper = self.maximum(&form)?;
+            let lower = match self.maximum(&form.map(|c| -c))? {
+                Endpoint::Finite(value) => Endpoint::Finite(-value),
+                Endpoint::Unbounded => Endpoint::Unbounded,
+            };
+            Interval::new(lower, upper)
+        };
+        Some([range([one.clone(), zero.clone()])?, range([zero, one])?])
+    }
+
+    /// The width `max form·θ - min form·θ`, in the units of the form; `None` when the region is empty or unbounded
+    /// that way.
+    pub fn width(&self, form: &[Rational; 2]) -> Option<Rational> {
+        let opposite = [-&form[0], -&form[1]];
+        match (self.maximum(form)?, self.maximum(&opposite)?) {
+            (Endpoint::Finite(upper), Endpoint::Finite(lower)) => Some(upper + lower),
+            _ => None,
+        }
+    }
+
+    /// Indices of a minimal set of inequalities with the same region, ascending. Of those that coincide, the first is
+    /// kept. For an empty region: those of the certificate.
+    pub fn irredundant(&self) -> Vec<usize> {
+        let mut indices = match self.region.certificate() {
+            Some(certificate) => certificate.multipliers().iter().map(|m| m.index).collect(),
+            None => self.fan.indices().to_vec(),
+        };
+        indices.sort_unstable();
+        indices
+    }
+
+    /// For every inequality, why it could be left out, or `None` when it is one of [`Polyhedron::irredundant`].
+    /// Exact. Cost: O(n log n).
+    pub fn redundancies(&self) -> Vec<Option<Redundancy>> {
+        let irredundant = self.irredundant();
+        (0..self.system.len())
+            .map(|index| irredundant.binary_search(&index).is_err().then(|| self.reason(index)))
+            .collect()
+    }
+
+    fn reason(&self, index: usize) -> Redundancy {
+        if self.region.is_empty() {
+            return Redundancy::EmptyWithout;
+        }
+        let inequality = &self.system.inequalities()[index];
+        let FanSupport::Bounded { value, multipliers } = self.fan.support(&self.system, &inequality.a) else {
+            // Not reached: the region satisfies the inequality, so its form is bounded there.
+            return Redundancy::Dominated { by: Vec::new(), slack: Rational::zero() };
+        };
+        let constraints = self.system.constraints();
+        match multipliers.as_slice() {
+            [] => Redundancy::Always,
+            [only] if constraints[only.index] == constraints[index] => Redundancy::SameAs(only.index),
+            _ => Redundancy::Dominated { by: multipliers, slack: &inequality.b - value },
+        }
+    }
+
+    /// Whether a point satisfies every inequality, and with how much to spare. Exact. Cost: linear.
+    pub fn membership(&self, theta: &[Rational; 2]) -> Membership {
+        let slacks = self.system.inequalities().iter().map(|inequality| inequality.slack(theta));
+        let tightest = slacks.enumerate().reduce(|best, next| if next.1 < best.1 { next } else { best });
+        let (tightest, slack) = tightest.unzip();
+        Membership { slack, tightest }
+    }
+
+    fn maximum(&self, form: &[Rational; 2]) -> Option<Endpoint> {
+        if self.region.is_empty() {
+            return None;
+        }
+        Some(match self.fan.support(&self.system, form) {
+            FanSupport::Bounded { value, .. } => Endpoint::Finite(value),
+            FanSupport::Unbounded => Endpoint::Unbounded,
+        })
+    }
+
+    /// The points of the region where the form has the value of its maximum, and one of them.
+    fn face(&self, form: &[Rational; 2], value: &Rational) -> (Face, Point) {
+        let Some(direction) = Direction::from_rational(form) else {
+            return (Face::Whole, self.region.witness().unwrap_or_else(Point::origin));
+        };
+        let attaining: Vec<&Point> = self
+            .region
+            .vertices()
+            .iter()
+            .map(|vertex| vertex.point())
+            .filter(|point| value_of(form, point) == *value)
+            .collect();
+        match attaining.as_slice() {
+            [one, other, ..] => (Face::Segment([(*one).clone(), (*other).clone()]), (*one).clone()),
+            [apex] => {
+                let apex = (*apex).clone();
+                let along = self.region.rays().into_iter().find(|ray| along(form, ray).is_zero());
+                match along {
+                    Some(direction) => (Face::Ray { apex: apex.clone(), direction }, apex),
+                    None => (Face::Vertex(apex.clone()), apex),
+                }
+            }
+            [] => {
+                let faces_it = |normal: &Direction| turn(normal, &direction) == Turn::None;
+                let boundary = self.region.boundaries().iter().find(|b| faces_it(&b.half_plane().normal()));
+                // A line is kept from one side only; the form may look at it from the other.
+                let boundary = boundary.or(self.region.boundaries().first());
+                let point = boundary.map_or_else(Point::origin, |boundary| foot(boundary.half_plane()));
+                (Face::Line { point: point.clone(), direction: direction.turned_left().of_line() }, point)
+            }
+        }
+    }
+
+    /// A recession direction along which a form grows that the region does not bound.
+    fn growing_ray(&self, form: &[Rational; 2]) -> Direction {
+        let lines = self.region.lines().into_iter().flat_map(|line| [line.reversed(), line]);
+        self.region
+            .rays()
+            .into_iter()
+            .chain(lines)
+            .find(|direction| along(form, direction).is_positive())
+            .expect("a form without a bound grows along a recession direction")
+    }
+}
+
+/// `form·direction`.
+fn along(form: &[Rational; 2], direction: &Direction) -> Rational {
+    &form[0] * Rational::from(direction.dx()) + &form[1] * Rational::from(direction.dy())
+}

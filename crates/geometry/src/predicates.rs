@@ -1,0 +1,188 @@
+//! Exact decisions. Nothing here makes a new point or number that outlives the question.
+
+use std::cmp::Ordering;
+
+use boundfit_exact::{Integer, Sign};
+
+use crate::half_plane::HalfPlane;
+use crate::point::{Direction, Point};
+
+/// Where a point lies with respect to a half-plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// `a·θ < b`.
+    Inside,
+    /// `a·θ = b`.
+    Boundary,
+    /// `a·θ > b`.
+    Outside,
+}
+
+/// How the direction `v` is reached from the direction `u`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Turn {
+    /// The same direction.
+    None,
+    /// Counter-clockwise by less than a half turn.
+    Left,
+    /// A half turn.
+    Half,
+    /// Clockwise by less than a half turn.
+    Right,
+}
+
+/// On which side of the half-plane's boundary the point lies.
+pub fn side(half_plane: &HalfPlane, point: &Point) -> Side {
+    let (x, y, w) = point.homogeneous();
+    match (half_plane.a1() * x + half_plane.a2() * y).cmp(&(half_plane.b() * w)) {
+        Ordering::Less => Side::Inside,
+        Ordering::Equal => Side::Boundary,
+        Ordering::Greater => Side::Outside,
+    }
+}
+
+/// The sign of `a·d`: whether moving in a direction leads towards the boundary and beyond (positive), along it
+/// (zero) or away from it (negative).
+pub fn approach(half_plane: &HalfPlane, direction: &Direction) -> Sign {
+    (half_plane.a1() * direction.dx() + half_plane.a2() * direction.dy()).sign()
+}
+
+/// How `v` is reached from `u`.
+pub fn turn(u: &Direction, v: &Direction) -> Turn {
+    turn_between((u.dx(), u.dy()), (v.dx(), v.dy()))
+}
+
+/// How the outward normal of `g` is reached from that of `f`.
+pub fn normal_turn(f: &HalfPlane, g: &HalfPlane) -> Turn {
+    turn_between((f.a1(), f.a2()), (g.a1(), g.a2()))
+}
+
+fn turn_between(u: (&Integer, &Integer), v: (&Integer, &Integer)) -> Turn {
+    match (u.0 * v.1).cmp(&(u.1 * v.0)) {
+        Ordering::Greater => Turn::Left,
+        Ordering::Less => Turn::Right,
+        // Parallel vectors are never zero, so one comparison of signs tells them apart.
+        Ordering::Equal if u.0.sign() == v.0.sign() && u.1.sign() == v.1.sign() => Turn::None,
+        Ordering::Equal => Turn::Half,
+    }
+}
+
+/// Compares outward normals by their angle in [0, 2π) from the positive θ1 axis.
+pub fn by_angle(f: &HalfPlane, g: &HalfPlane) -> Ordering {
+    angle_order((f.a1(), f.a2()), (g.a1(), g.a2()))
+}
+
+/// Compares a direction with an outward normal by angle in [0, 2π).
+pub fn direction_by_angle(u: &Direction, g: &HalfPlane) -> Ordering {
+    angle_order((u.dx(), u.dy()), (g.a1(), g.a2()))
+}
+
+fn angle_order(u: (&Integer, &Integer), v: (&Integer, &Integer)) -> Ordering {
+    // Angles in [0, π) come before those in [π, 2π); within each half the cross product decides.
+    let lower_half = |(x, y): (&Integer, &Integer)| y.is_negative() || (y.is_zero() && x.is_negative());
+    lower_half(u).cmp(&lower_half(v)).then_with(|| (u.1 * v.0).cmp(&(u.0 * v.1)))
+}
+
+/// Of two half-planes with the same direction of normal, `Less` when `f` lies inside `g`.
+pub fn by_tightness(f: &HalfPlane, g: &HalfPlane) -> Ordering {
+    let size = |h: &HalfPlane| h.a1().abs() + h.a2().abs();
+    (f.b() * size(g)).cmp(&(g.b() * size(f)))
+}
+
+/// Whether, of three half-planes with normals in this angular order within a half turn, the middle one is
+/// implied by the other two: whether the corner of `f` and `h` lies in `g`.
+pub fn middle_is_implied(f: &HalfPlane, g: &HalfPlane, h: &HalfPlane) -> bool {
+    let minor = |(p, q): (&HalfPlane, &HalfPlane)| p.a1() * q.a2() - p.a2() * q.a1();
+    // The corner of f and h has weight minor(f, h) > 0; Cramer's rule expands its slack along g.
+    let (fg, gh, fh) = (minor((f, g)), minor((g, h)), minor((f, h)));
+    f.b() * gh + h.b() * fg <= g.b() * fh
+}
+
+/// Compares two points by θ1.
+pub fn by_theta1(p: &Point, q: &Point) -> Ordering {
+    let ((px, _, pw), (qx, _, qw)) = (p.homogeneous(), q.homogeneous());
+    (px * qw).cmp(&(qx * pw))
+}
+
+/// Compares two points by θ1, then by θ2.
+pub fn lexicographic(p: &Point, q: &Point) -> Ordering {
+    let ((_, py, pw), (_, qy, qw)) = (p.homogeneous(), q.homogeneous());
+    by_theta1(p, q).then_with(|| (py * qw).cmp(&(qy * pw)))
+}
+
+/// On which side of the line through `p` and `q`, in that order, `r` lies: `Positive` is to the left.
+pub fn orientation(p: &Point, q: &Point, r: &Point) -> Sign {
+    let (px, py, pw) = p.homogeneous();
+    let (qx, qy, qw) = q.homogeneous();
+    let (rx, ry, rw) = r.homogeneous();
+    (rx * (py * qw - pw * qy) + ry * (pw * qx - px * qw) + rw * (px * qy - py * qx)).sign()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn half_plane(a1: i64, a2: i64, b: i64) -> HalfPlane {
+        HalfPlane::new(a1.into(), a2.into(), b.into()).unwrap()
+    }
+
+    fn point(x: i64, y: i64, w: i64) -> Point {
+        Point::from_homogeneous(x.into(), y.into(), w.into()).unwrap()
+    }
+
+    #[test]
+    fn sides_of_a_half_plane() {
+        let h = half_plane(1, 2, 3);
+        assert_eq!(side(&h, &point(1, 1, 1)), Side::Boundary);
+        assert_eq!(side(&h, &point(1, 1, 2)), Side::Inside);
+        assert_eq!(side(&h, &point(-5, -5, -2)), Side::Outside);
+    }
+
+    #[test]
+    fn angles_go_once_around() {
+        let normals = [(1, 0), (2, 1), (1, 1), (0, 3), (-1, 1), (-1, 0), (-2, -1), (0, -1), (1, -1), (5, -1)];
+        for (i, &(a, b)) in normals.iter().enumerate() {
+            for (j, &(c, d)) in normals.iter().enumerate() {
+                assert_eq!(by_angle(&half_plane(a, b, 0), &half_plane(c, d, 1)), i.cmp(&j));
+            }
+        }
+        assert_eq!(by_angle(&half_plane(1, 2, 0), &half_plane(2, 4, 1)), Ordering::Equal);
+    }
+
+    #[test]
+    fn turns() {
+        let direction = |x: i64, y: i64| Direction::new(x.into(), y.into()).unwrap();
+        let east = direction(1, 0);
+        for (x, y, expected) in [
+            (3, 0, Turn::None),
+            (1, 1, Turn::Left),
+            (-1, 1, Turn::Left),
+            (-2, 0, Turn::Half),
+            (0, -1, Turn::Right),
+        ] {
+            assert_eq!(turn(&east, &direction(x, y)), expected);
+        }
+    }
+
+    #[test]
+    fn tightness_ignores_scale() {
+        assert_eq!(by_tightness(&half_plane(2, 4, 3), &half_plane(1, 2, 2)), Ordering::Less);
+        assert_eq!(by_tightness(&half_plane(2, 4, 5), &half_plane(1, 2, 2)), Ordering::Greater);
+    }
+
+    #[test]
+    fn the_middle_half_plane_is_implied_when_it_contains_the_corner() {
+        let (f, h) = (half_plane(1, 0, 1), half_plane(0, 1, 1));
+        assert!(middle_is_implied(&f, &half_plane(1, 1, 2), &h));
+        assert!(middle_is_implied(&f, &half_plane(1, 1, 3), &h));
+        assert!(!middle_is_implied(&f, &half_plane(2, 2, 3), &h));
+    }
+
+    #[test]
+    fn orientation_of_three_points() {
+        let (o, e, n) = (point(0, 0, 1), point(3, 0, 2), point(0, 1, 7));
+        assert_eq!(orientation(&o, &e, &n), Sign::Positive);
+        assert_eq!(orientation(&o, &n, &e), Sign::Negative);
+        assert_eq!(orientation(&o, &e, &point(9, 0, 1)), Sign::Zero);
+    }
+}
