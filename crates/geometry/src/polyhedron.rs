@@ -21,6 +21,7 @@ pub struct Polyhedron {
 
 /// The maximum of a linear form over a region.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[allow(clippy::large_enum_variant, reason = "built once per question and taken apart at once")]
 pub enum Support {
     /// There is no point to take the maximum over.
     Empty(Farkas),
