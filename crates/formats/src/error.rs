@@ -1,0 +1,197 @@
+//! What can be wrong with an input file, and where.
+
+use std::fmt;
+use std::io;
+
+use boundfit_exact::ParseNumberError;
+use thiserror::Error;
+
+/// The longest piece of a file that an error message repeats.
+const LONGEST_QUOTE: usize = 40;
+
+/// Where in a file something is wrong. The parts that make no sense for a problem are `None`.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Place {
+    /// Line of the file, from 1.
+    pub line: Option<u64>,
+    /// Column of the table, from 1, with its name when there is a header.
+    pub column: Option<(usize, Option<String>)>,
+    /// The text found there.
+    pub text: Option<String>,
+}
+
+/// An input file that cannot be used.
+#[derive(Debug, Error)]
+#[error("{file}{place}: {problem}{}", Expected(.problem))]
+pub struct InputError {
+    /// The file, as it was named.
+    pub file: String,
+    /// Where in the file.
+    pub place: Box<Place>,
+    /// What is wrong there.
+    #[source]
+    pub problem: Problem,
+}
+
+/// What is wrong with an input file.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum Problem {
+    /// The operating system reports an error.
+    #[error("cannot read: {0}")]
+    Io(#[from] io::Error),
+    /// A directory was named.
+    #[error("is a directory")]
+    IsDirectory,
+    /// There is nothing in the file.
+    #[error("the file is empty")]
+    Empty,
+    /// The file ends after its header.
+    #[error("the file has a header but no data rows")]
+    NoRows,
+    /// The file is in an encoding with two bytes per character.
+    #[error("the text is UTF-16")]
+    Utf16,
+    /// A cell is not valid UTF-8.
+    #[error("invalid UTF-8 at byte {position} of the cell")]
+    NotUtf8 {
+        /// Offset in the cell, from 0.
+        position: usize,
+    },
+    /// A line without end.
+    #[error("the line is longer than {limit} bytes (the limit)")]
+    LineTooLong {
+        /// The longest line that is read.
+        limit: usize,
+    },
+    /// A row with more or fewer cells than the first one.
+    #[error("the row has {found} cells where the first row has {expected}")]
+    RaggedRow {
+        /// Cells in this row.
+        found: usize,
+        /// Cells in the first row.
+        expected: usize,
+    },
+    /// A column that the table does not have.
+    #[error("there is no column {wanted:?}")]
+    UnknownColumn {
+        /// The column asked for.
+        wanted: String,
+        /// The columns there are.
+        available: Vec<String>,
+    },
+    /// A column name that occurs more than once.
+    #[error("there are several columns {wanted:?}")]
+    AmbiguousColumn {
+        /// The column asked for.
+        wanted: String,
+    },
+    /// A row range beyond the last row.
+    #[error("rows {first}..{last} were asked for, but the file has {total} data rows")]
+    RowsBeyondEnd {
+        /// First row asked for.
+        first: usize,
+        /// Last row asked for.
+        last: usize,
+        /// Data rows in the file.
+        total: usize,
+    },
+    /// A cell that is not a number.
+    #[error("not a number: {0}")]
+    NotANumber(#[from] ParseNumberError),
+    /// An error bound below zero.
+    #[error("the error bound is negative")]
+    NegativeErrorBound,
+    /// An H-representation without its `begin` line.
+    #[error("there is no line \"begin\"")]
+    NoBegin,
+    /// A V-representation where an H-representation belongs.
+    #[error("this is a V-representation")]
+    VRepresentation,
+    /// The line after `begin` is not of the form `rows columns type`.
+    #[error("the size line is not understood")]
+    BadSizeLine,
+    /// A polyhedron that is not in the plane.
+    #[error("the matrix has {0} columns, so it is not about the plane")]
+    NotThePlane(usize),
+    /// More or fewer numbers than announced.
+    #[error("{rows} rows of 3 numbers were announced, but there are {found} numbers before \"end\"")]
+    CountMismatch {
+        /// Rows announced.
+        rows: usize,
+        /// Numbers found.
+        found: usize,
+    },
+    /// The file stops before `end`.
+    #[error("the file stops before the line \"end\"; {rows} rows were announced and {found} numbers found")]
+    NoEnd {
+        /// Rows announced.
+        rows: usize,
+        /// Numbers found.
+        found: usize,
+    },
+    /// A `linearity` line that does not list rows of the matrix.
+    #[error("the linearity line does not list rows of the matrix")]
+    BadLinearity,
+}
+
+impl Problem {
+    /// What would be accepted instead, where that can be said.
+    fn expected(&self) -> Option<String> {
+        Some(match self {
+            Problem::IsDirectory => "a file, or - for standard input".to_owned(),
+            Problem::Empty | Problem::NoRows => "at least one row of numbers".to_owned(),
+            Problem::Utf16 | Problem::NotUtf8 { .. } => "text in UTF-8".to_owned(),
+            Problem::UnknownColumn { available, .. } => {
+                let quoted: Vec<String> = available.iter().map(|name| quote(name)).collect();
+                format!("one of {} or a number from 1 to {}", quoted.join(", "), available.len())
+            }
+            Problem::AmbiguousColumn { .. } => "a name that occurs once, or the column's number".to_owned(),
+            Problem::NotANumber(_) => "a decimal such as 1.30e-2 or a fraction such as 7/19".to_owned(),
+            Problem::NegativeErrorBound => "a number that is at least 0".to_owned(),
+            Problem::NoBegin | Problem::VRepresentation => "an H-representation: begin, rows, end".to_owned(),
+            Problem::BadSizeLine => "\"ROWS 3 integer\", \"ROWS 3 rational\" or \"ROWS 3 real\"".to_owned(),
+            Problem::NotThePlane(_) => "3 columns: b, -a1, -a2".to_owned(),
+            Problem::BadLinearity => "\"linearity COUNT ROW...\" with rows counted from 1".to_owned(),
+            _ => return None,
+        })
+    }
+}
+
+/// The part of a message that says what would be accepted.
+struct Expected<'a>(&'a Problem);
+
+impl fmt::Display for Expected<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0.expected() {
+            Some(expected) => write!(f, " (expected {expected})"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(line) = self.line {
+            write!(f, ": line {line}")?;
+        }
+        if let Some((number, name)) = &self.column {
+            write!(f, ", column {number}")?;
+            if let Some(name) = name {
+                write!(f, " ({name})")?;
+            }
+        }
+        if let Some(text) = &self.text {
+            write!(f, ": {}", quote(text))?;
+        }
+        Ok(())
+    }
+}
+
+/// A text in quotes, cut where it is long, with control characters made visible.
+fn quote(text: &str) -> String {
+    match text.char_indices().nth(LONGEST_QUOTE) {
+        Some((end, _)) => format!("{:?}...", &text[..end]),
+        None => format!("{text:?}"),
+    }
+}

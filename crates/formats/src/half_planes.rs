@@ -1,0 +1,85 @@
+//! Half-planes from a file: cdd's H-representation, or a table with columns a1, a2, b.
+
+use std::io::{Cursor, Read};
+
+use boundfit_geometry::{Inequality, System};
+
+use crate::error::{InputError, Place};
+use crate::ine::parse_ine;
+use crate::source::Source;
+use crate::table::{ColumnSelector, TableOptions, read_table};
+
+/// The two file formats.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HalfPlaneFormat {
+    /// cdd and lrs: rows `b -a1 -a2` between `begin` and `end`.
+    Ine,
+    /// A table with columns a1, a2, b.
+    Csv,
+}
+
+impl HalfPlaneFormat {
+    /// The format that a file name announces, if it announces one.
+    pub fn of_name(name: &str) -> Option<Self> {
+        let (_, extension) = name.rsplit_once('.')?;
+        match extension.to_ascii_lowercase().as_str() {
+            "ine" => Some(HalfPlaneFormat::Ine),
+            "csv" | "tsv" => Some(HalfPlaneFormat::Csv),
+            _ => None,
+        }
+    }
+}
+
+/// Which row of the file an inequality of the system comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RowOrigin {
+    /// The row, from 1.
+    pub row: usize,
+    /// Whether this is the other direction of a row that is an equation.
+    pub reversed: bool,
+}
+
+/// The half-planes of a file.
+#[derive(Debug, Clone)]
+pub struct HalfPlaneFile {
+    /// The inequalities; an equation gives two.
+    pub system: System,
+    /// Where each inequality of the system comes from.
+    pub origins: Vec<RowOrigin>,
+    /// How many rows the file has.
+    pub rows: usize,
+    /// SHA-256 of the file's bytes, in hexadecimal.
+    pub sha256: String,
+}
+
+/// Reads half-planes `a1·θ1 + a2·θ2 ≤ b`. The format follows from the file's name, else from its contents (a line
+/// `begin` makes it an H-representation).
+///
+/// # Errors
+/// The first thing wrong, with its place.
+pub fn read_half_planes(source: Source, options: &TableOptions) -> Result<HalfPlaneFile, InputError> {
+    let format = HalfPlaneFormat::of_name(source.name());
+    let (name, mut bytes) = source.watched();
+    let mut content = Vec::new();
+    if let Err(error) = bytes.read_to_end(&mut content) {
+        let place = Place { line: Some(bytes.line()), ..Place::default() };
+        return Err(Source::error(&name, place, bytes.problem(error)));
+    }
+    let has_begin = || content.split(|&byte| byte == b'\n').any(|line| line.trim_ascii() == b"begin");
+    let is_ine = format.map_or_else(has_begin, |format| format == HalfPlaneFormat::Ine);
+    if is_ine {
+        return parse_ine(&name, &content, bytes.sha256(), options);
+    }
+    let columns = [("a1", 1), ("a2", 2), ("b", 3)].map(|(name, at)| ColumnSelector::name_at(name, at));
+    let table = read_table(Source::new(name, Cursor::new(content)), &columns, options)?;
+    let inequalities = table.rows.iter().map(|row| {
+        let [a1, a2, b] = [0, 1, 2].map(|column| row.numbers[column].clone());
+        Inequality::new(a1, a2, b)
+    });
+    Ok(HalfPlaneFile {
+        system: inequalities.collect(),
+        origins: table.rows.iter().map(|row| RowOrigin { row: row.row, reversed: false }).collect(),
+        rows: table.rows_total,
+        sha256: table.sha256,
+    })
+}
