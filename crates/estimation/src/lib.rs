@@ -1,1 +1,54 @@
+//! Bounded-error (set-membership) estimation of a model that is linear in two parameters,
+//!
+//! ```text
+//! y_i = φ_i1·θ1 + φ_i2·θ2 + e_i,   |e_i| ≤ ε_i          (line model: φ_i = (x_i, 1))
+//! ```
+//!
+//! with nothing else known about the errors. [`fit`] computes, exactly: the least-squares estimate and its uncertainty
+//! intervals (EUI), the feasible parameter set (FPS) with its vertices, the parameter uncertainty intervals (PUI) with
+//! the readings that prove them, the central estimate, the smallest error bound ε_min with its minimax estimate, and
+//! gain and offset of the inverse line.
+//!
+//! Definitions follow Milanese and Vicino, "Optimal estimation theory for dynamic systems with set membership
+//! uncertainty: an overview", *Automatica* 27 (1991).
+//!
+//! ```
+//! use boundfit_estimation::{ErrorBound, Measurement, Measurements, Model, Problem, fit};
+//! use boundfit_exact::Rational;
+//!
+//! let readings = [(1, 1), (2, 3), (3, 4)];
+//! let rows = readings.iter().zip(1..).map(|(&(x, y), row)| Measurement {
+//!     row,
+//!     regressor: [Rational::from(x), Rational::one()],
+//!     response: Rational::from(y),
+//!     epsilon: Rational::ratio(1, 2),
+//! });
+//! let bound = ErrorBound::Uniform(Rational::ratio(1, 2));
+//! let model = Model::Line { x: "x".to_owned() };
+//! let measurements = Measurements::new(model, "y".to_owned(), bound, rows.collect());
+//! let fit = fit(&Problem { measurements, conditions: Vec::new() });
+//! assert_eq!(fit.minimax.as_ref().unwrap().least, Rational::ratio(1, 4));
+//! ```
 
+mod bounds;
+mod condition;
+mod fit;
+mod float_least_squares;
+mod fps;
+mod hulls;
+mod inverse;
+mod least_growth;
+mod least_squares;
+mod measurements;
+mod minimax;
+
+pub use bounds::{Central, ParameterBound, ParameterInterval};
+pub use condition::{Condition, ParseConditionError, ParseConditionErrorKind};
+pub use fit::{Fit, Problem, fit};
+pub use float_least_squares::{FloatEstimate, FloatLeastSquares};
+pub use fps::{BoundName, Fps};
+pub use inverse::{Inverse, InverseParameter};
+pub use least_growth::{GrowingInequality, LeastGrowth, least_growth};
+pub use least_squares::{LeastSquares, SingularRegressors};
+pub use measurements::{Columns, EpsilonColumn, ErrorBound, Measurement, Measurements, Model};
+pub use minimax::{Minimax, MinimaxProof};

@@ -1,0 +1,221 @@
+//! Prior knowledge of the parameters as linear inequalities: `theta1 >= 0`, `2*theta1 - theta2 <= 1/3`.
+
+use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading};
+use boundfit_geometry::Inequality;
+use thiserror::Error;
+
+/// A linear inequality in θ1 and θ2, as text and in ≤ form.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Condition {
+    text: String,
+    inequality: Inequality,
+}
+
+/// Why a text is not a condition, and where.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("{kind} at byte {position} (expected a linear inequality such as \"2*theta1 - theta2 <= 1/3\")")]
+pub struct ParseConditionError {
+    /// Offset in the text, from 0.
+    pub position: usize,
+    /// What is wrong there.
+    pub kind: ParseConditionErrorKind,
+}
+
+/// What is wrong with a text that should be a condition.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum ParseConditionErrorKind {
+    /// Neither a number nor theta1 nor theta2.
+    #[error("neither a number nor theta1 nor theta2")]
+    NotATerm,
+    /// A number that is not one.
+    #[error("not a number: {0}")]
+    NotANumber(ParseNumberErrorKind),
+    /// No `<=` or `>=` where one belongs.
+    #[error("neither <= nor >= nor another term")]
+    NoRelation,
+    /// A strict inequality or an equation.
+    #[error("only <= and >= are closed half-planes; two conditions make an equation")]
+    WrongRelation,
+    /// A second `<=` or `>=`.
+    #[error("a second relation")]
+    SecondRelation,
+}
+
+impl Condition {
+    /// Reads a condition: sums of numbers, `theta1`, `theta2` and `number*theta1`, with `<=` or `>=` between them.
+    /// `θ1`, `θ2`, `≤`, `≥` and a missing `*` are understood. Exact as `reading` says.
+    ///
+    /// # Errors
+    /// With the byte position where the text stops making sense.
+    pub fn parse(text: &str, reading: Reading, limits: &Limits) -> Result<Self, ParseConditionError> {
+        let mut parser = Parser { text, position: 0, reading, limits };
+        let left = parser.sum()?;
+        let at_most = parser.relation()?;
+        let right = parser.sum()?;
+        if !parser.rest().is_empty() {
+            return Err(parser.error(ParseConditionErrorKind::SecondRelation));
+        }
+        let sign = if at_most { Rational::one() } else { -Rational::one() };
+        let [a1, a2, b] = [0, 1, 2].map(|i| (&left[i] - &right[i]) * &sign);
+        Ok(Condition { text: text.trim().to_owned(), inequality: Inequality::new(a1, a2, -b) })
+    }
+
+    /// The condition as it was written.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The condition in ≤ form.
+    pub fn inequality(&self) -> &Inequality {
+        &self.inequality
+    }
+}
+
+struct Parser<'a> {
+    text: &'a str,
+    position: usize,
+    reading: Reading,
+    limits: &'a Limits,
+}
+
+impl<'a> Parser<'a> {
+    /// Coefficients of θ1, θ2 and 1.
+    fn sum(&mut self) -> Result<[Rational; 3], ParseConditionError> {
+        let mut total = [Rational::zero(), Rational::zero(), Rational::zero()];
+        let mut first = true;
+        loop {
+            let negative = self.take(&["-"]).is_some();
+            let signed = negative || self.take(&["+"]).is_some();
+            if !first && !signed {
+                return Ok(total);
+            }
+            let (column, value) = self.term()?;
+            total[column] = &total[column] + if negative { -value } else { value };
+            first = false;
+        }
+    }
+
+    fn term(&mut self) -> Result<(usize, Rational), ParseConditionError> {
+        if let Some(column) = self.parameter() {
+            return Ok((column, Rational::one()));
+        }
+        let factor = self.number()?;
+        let starred = self.take(&["*"]).is_some();
+        match self.parameter() {
+            Some(column) => Ok((column, factor)),
+            None if starred => Err(self.error(ParseConditionErrorKind::NotATerm)),
+            None => Ok((2, factor)),
+        }
+    }
+
+    fn parameter(&mut self) -> Option<usize> {
+        let found = self.take(&["theta1", "θ1", "theta2", "θ2"])?;
+        Some(if found.ends_with('1') { 0 } else { 1 })
+    }
+
+    fn number(&mut self) -> Result<Rational, ParseConditionError> {
+        let rest = self.rest();
+        let length = number_length(rest);
+        if length == 0 {
+            return Err(self.error(ParseConditionErrorKind::NotATerm));
+        }
+        let value = self.reading.read(&rest[..length], self.limits).map_err(|error| ParseConditionError {
+            position: self.position + error.position,
+            kind: ParseConditionErrorKind::NotANumber(error.kind),
+        })?;
+        self.position += length;
+        Ok(value)
+    }
+
+    /// Whether the relation is `<=`.
+    fn relation(&mut self) -> Result<bool, ParseConditionError> {
+        if let Some(found) = self.take(&["<=", "=<", "≤", ">=", "=>", "≥"]) {
+            return Ok(["<=", "=<", "≤"].contains(&found));
+        }
+        let wrong = self.rest().starts_with(['<', '>', '=']);
+        let kind =
+            if wrong { ParseConditionErrorKind::WrongRelation } else { ParseConditionErrorKind::NoRelation };
+        Err(self.error(kind))
+    }
+
+    fn take(&mut self, words: &[&'static str]) -> Option<&'static str> {
+        let rest = self.rest();
+        let found = words.iter().copied().find(|word| rest.starts_with(word))?;
+        self.position += found.len();
+        Some(found)
+    }
+
+    /// What follows the white space at the current position.
+    fn rest(&mut self) -> &'a str {
+        let rest = &self.text[self.position..];
+        let trimmed = rest.trim_start();
+        self.position += rest.len() - trimmed.len();
+        trimmed
+    }
+
+    fn error(&self, kind: ParseConditionErrorKind) -> ParseConditionError {
+        ParseConditionError { position: self.position, kind }
+    }
+}
+
+/// How far an unsigned number reaches from the start of a text: digits, points, a slash, and exponents with a sign.
+fn number_length(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let mut length = 0;
+    while let Some(&byte) = bytes.get(length) {
+        let exponent_sign =
+            matches!(byte, b'+' | b'-') && matches!(bytes[..length].last(), Some(b'e' | b'E'));
+        let number = byte.is_ascii_digit() || matches!(byte, b'.' | b'/') || exponent_sign;
+        let exponent = matches!(byte, b'e' | b'E') && length > 0;
+        if !number && !exponent {
+            break;
+        }
+        length += 1;
+    }
+    length
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ParseConditionErrorKind as Kind;
+    use super::*;
+
+    fn parse(text: &str) -> Result<Inequality, ParseConditionError> {
+        Condition::parse(text, Reading::Decimal, &Limits::default()).map(|condition| condition.inequality)
+    }
+
+    #[test]
+    fn conditions_become_inequalities_in_at_most_form() {
+        let ratio = Rational::ratio;
+        for (text, a1, a2, b) in [
+            ("theta1 >= 0", ratio(-1, 1), ratio(0, 1), ratio(0, 1)),
+            ("2*theta1 - theta2 <= 1/3", ratio(2, 1), ratio(-1, 1), ratio(1, 3)),
+            ("θ1≤2.5e-3", ratio(1, 1), ratio(0, 1), ratio(1, 400)),
+            ("1 - theta1 + 2 >= -3 theta2 + theta1", ratio(2, 1), ratio(-3, 1), ratio(3, 1)),
+            ("-1/2*theta2+theta2 >= 1e+2", ratio(0, 1), ratio(-1, 2), ratio(-100, 1)),
+            ("0*theta1 <= -1", ratio(0, 1), ratio(0, 1), ratio(-1, 1)),
+            ("0 <= theta2", ratio(0, 1), ratio(-1, 1), ratio(0, 1)),
+        ] {
+            assert_eq!(parse(text), Ok(Inequality::new(a1, a2, b)), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_a_condition_is_refused_with_its_place() {
+        for (text, position, kind) in [
+            ("", 0, Kind::NotATerm),
+            ("theta1", 6, Kind::NoRelation),
+            ("theta1 > 0", 7, Kind::WrongRelation),
+            ("theta1 = 0", 7, Kind::WrongRelation),
+            ("theta1 <= ", 10, Kind::NotATerm),
+            ("theta3 >= 0", 0, Kind::NotATerm),
+            ("2*3 >= 0", 2, Kind::NotATerm),
+            ("0 <= theta1 <= 1", 12, Kind::SecondRelation),
+            ("theta1 * 2 <= 1", 7, Kind::NoRelation),
+            ("1.2.3 <= theta1", 3, Kind::NotANumber(ParseNumberErrorKind::UnexpectedCharacter('.'))),
+            ("1e999999 <= theta1", 2, Kind::NotANumber(ParseNumberErrorKind::ExponentTooLarge(10_000))),
+        ] {
+            assert_eq!(parse(text), Err(ParseConditionError { position, kind }), "{text}");
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! Readings: what was measured, under which model, with which error bound.
+
+use boundfit_exact::Rational;
+use boundfit_formats::{ColumnSelector, InputError, Problem, Source, Table, TableOptions, read_table};
+
+/// One reading.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Measurement {
+    /// Number of the data row in the file, from 1.
+    pub row: usize,
+    /// φ = (φ1, φ2); (x, 1) for the line model.
+    pub regressor: [Rational; 2],
+    /// y.
+    pub response: Rational,
+    /// The bound on the error of this reading; not negative.
+    pub epsilon: Rational,
+}
+
+/// How the regressors come from the columns.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Model {
+    /// y = θ1·x + θ2 + e.
+    Line {
+        /// The column of x.
+        x: String,
+    },
+    /// y = φ1·θ1 + φ2·θ2 + e.
+    TwoRegressors {
+        /// The columns of φ1 and φ2.
+        regressors: [String; 2],
+    },
+}
+
+/// Where the error bounds come from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ErrorBound {
+    /// The same for every reading.
+    Uniform(Rational),
+    /// One per reading, from a column of this name.
+    PerRow(String),
+}
+
+/// The readings of a fit.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Measurements {
+    model: Model,
+    response: String,
+    error_bound: ErrorBound,
+    rows: Vec<Measurement>,
+    rows_total: usize,
+    sha256: Option<String>,
+}
+
+/// The error bound as it is asked for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum EpsilonColumn {
+    /// The same number for every reading; not negative.
+    Uniform(Rational),
+    /// A column.
+    Column(ColumnSelector),
+}
+
+/// Which columns of a table are what.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Columns {
+    /// x, or φ1.
+    pub first: ColumnSelector,
+    /// φ2; `None` for the line model.
+    pub second: Option<ColumnSelector>,
+    /// y.
+    pub response: ColumnSelector,
+    /// ε.
+    pub epsilon: EpsilonColumn,
+}
+
+impl Measurements {
+    /// Readings that do not come from a file.
+    pub fn new(model: Model, response: String, error_bound: ErrorBound, rows: Vec<Measurement>) -> Self {
+        let rows_total = rows.len();
+        Measurements { model, response, error_bound, rows, rows_total, sha256: None }
+    }
+
+    /// Reads the columns of a table.
+    ///
+    /// # Errors
+    /// The first thing wrong with the file, a negative error bound included.
+    pub fn read(source: Source, columns: &Columns, options: &TableOptions) -> Result<Self, InputError> {
+        let mut selectors = vec![columns.first.clone()];
+        selectors.extend(columns.second.clone());
+        selectors.push(columns.response.clone());
+        if let EpsilonColumn::Column(epsilon) = &columns.epsilon {
+            selectors.push(epsilon.clone());
+        }
+        let table = read_table(source, &selectors, options)?;
+        let mut names = table.names.iter().map(|name| name_of_column(name));
+        let mut name = || names.next().unwrap_or_default();
+        let first = name();
+        let model = match columns.second {
+            None => Model::Line { x: first },
+            Some(_) => Model::TwoRegressors { regressors: [first, name()] },
+        };
+        let response = name();
+        let error_bound = match &columns.epsilon {
+            EpsilonColumn::Uniform(epsilon) => ErrorBound::Uniform(epsilon.clone()),
+            EpsilonColumn::Column(_) => ErrorBound::PerRow(name()),
+        };
+        let mut rows = Vec::with_capacity(table.rows.len());
+        for position in 0..table.rows.len() {
+            rows.push(measurement(&table, position, &model, &error_bound)?);
+        }
+        let (rows_total, sha256) = (table.rows_total, Some(table.sha256));
+        Ok(Measurements { model, response, error_bound, rows, rows_total, sha256 })
+    }
+
+    /// The model.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// The name of the response.
+    pub fn response(&self) -> &str {
+        &self.response
+    }
+
+    /// Where the error bounds come from.
+    pub fn error_bound(&self) -> &ErrorBound {
+        &self.error_bound
+    }
+
+    /// The readings that are fitted.
+    pub fn rows(&self) -> &[Measurement] {
+        &self.rows
+    }
+
+    /// How many data rows the file has.
+    pub fn rows_total(&self) -> usize {
+        self.rows_total
+    }
+
+    /// SHA-256 of the file's bytes in hexadecimal, when the readings come from a file.
+    pub fn sha256(&self) -> Option<&str> {
+        self.sha256.as_deref()
+    }
+}
+
+/// A column without a header is named by its number.
+fn name_of_column(name: &str) -> String {
+    if name.bytes().all(|byte| byte.is_ascii_digit()) { format!("col{name}") } else { name.to_owned() }
+}
+
+fn measurement(
+    table: &Table,
+    position: usize,
+    model: &Model,
+    error_bound: &ErrorBound,
+) -> Result<Measurement, InputError> {
+    let row = &table.rows[position];
+    let mut numbers = row.numbers.iter().cloned();
+    let mut next = || numbers.next().unwrap_or_default();
+    let regressor = match model {
+        Model::Line { .. } => [next(), Rational::one()],
+        Model::TwoRegressors { .. } => [next(), next()],
+    };
+    let response = next();
+    let epsilon = match error_bound {
+        ErrorBound::Uniform(epsilon) => epsilon.clone(),
+        ErrorBound::PerRow(_) => next(),
+    };
+    if epsilon.is_negative() {
+        let place = Box::new(table.place(position, table.positions.len() - 1));
+        return Err(InputError { file: table.file.clone(), place, problem: Problem::NegativeErrorBound });
+    }
+    Ok(Measurement { row: row.row, regressor, response, epsilon })
+}

@@ -1,0 +1,152 @@
+//! ε_min, the smallest error bound for which the FPS is not empty, and its minimiser.
+
+use boundfit_exact::Rational;
+use boundfit_geometry::{Inequality, Multiplier, RegionKind, System, envelope};
+
+use crate::condition::Condition;
+use crate::fps::{BoundName, conditions_by_name, strip};
+use crate::hulls::minimum_from_hulls;
+use crate::least_growth::{GrowingInequality, LeastGrowth, least_growth};
+use crate::measurements::{ErrorBound, Measurement, Measurements, Model};
+
+/// The least error bound that some θ meets, and such a θ: the minimax (Chebyshev, projection) estimate.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Minimax {
+    /// Under a uniform error bound ε_min; under an error bound per reading the smallest factor s for which the bounds
+    /// s·ε_i leave something.
+    pub least: Rational,
+    /// A minimiser: the only one when `unique`, else a point in the relative interior of all of them.
+    pub theta: [Rational; 2],
+    /// Whether there is no other minimiser.
+    pub unique: bool,
+    /// Why nothing smaller will do; empty when `least` is 0.
+    pub proof: MinimaxProof,
+}
+
+/// Proof that the least error bound is not smaller: positive multiples of at most three half-planes
+/// a·θ ≤ b + s·growth, whose growth is 1 (uniform bound), ε_i (bound per reading) or 0 (condition), with
+/// Σ λ·a = 0, Σ λ·growth = 1 and Σ λ·b = -least. At any smaller bound they are a Farkas certificate of emptiness.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MinimaxProof {
+    /// The half-planes with their multipliers.
+    pub multipliers: Vec<(BoundName, Rational)>,
+}
+
+impl MinimaxProof {
+    /// Recomputes the proof from readings and conditions. Exact.
+    pub fn verify(&self, measurements: &Measurements, conditions: &[Condition], least: &Rational) -> bool {
+        if self.multipliers.is_empty() {
+            return least.is_zero();
+        }
+        let growing = Growing::new(measurements, conditions);
+        let mut form = [Rational::zero(), Rational::zero()];
+        let (mut growth, mut value) = (Rational::zero(), Rational::zero());
+        for (name, multiplier) in &self.multipliers {
+            let Some(index) = growing.names.iter().position(|own| own == name) else { return false };
+            let GrowingInequality { at_zero, growth: own } = &growing.inequalities[index];
+            form = [&form[0] + &at_zero.a[0] * multiplier, &form[1] + &at_zero.a[1] * multiplier];
+            growth = growth + own * multiplier;
+            value = value + &at_zero.b * multiplier;
+        }
+        self.multipliers.len() <= 3
+            && self.multipliers.iter().all(|(_, multiplier)| multiplier.is_positive())
+            && form.iter().all(Rational::is_zero)
+            && growth == Rational::one()
+            && value == -least
+    }
+}
+
+impl Minimax {
+    /// The least error bound of readings under conditions; `None` when no bound, however large, leaves anything.
+    ///
+    /// Exact. For a line under a uniform bound and no conditions from the two hulls, O(N log N); otherwise by
+    /// [`least_growth`].
+    pub fn new(measurements: &Measurements, conditions: &[Condition]) -> Option<Self> {
+        let of_hulls = matches!(measurements.model(), Model::Line { .. })
+            && matches!(measurements.error_bound(), ErrorBound::Uniform(_))
+            && conditions.is_empty();
+        if of_hulls {
+            Minimax::from_hulls(measurements)
+        } else {
+            Minimax::in_general(measurements, conditions)
+        }
+    }
+
+    /// The same by the general method alone, for any model, error bound and conditions.
+    pub fn in_general(measurements: &Measurements, conditions: &[Condition]) -> Option<Self> {
+        let growing = Growing::new(measurements, conditions);
+        let LeastGrowth::From { t, multipliers, .. } = least_growth(&growing.inequalities) else {
+            return None;
+        };
+        let multipliers = if t.is_zero() { Vec::new() } else { multipliers };
+        let named = |Multiplier { index, value }: Multiplier| (growing.names[index], value);
+        let mut multipliers: Vec<_> = multipliers.into_iter().map(named).collect();
+        multipliers.sort();
+        Some(growing.minimisers(t, MinimaxProof { multipliers }))
+    }
+
+    fn from_hulls(measurements: &Measurements) -> Option<Self> {
+        let rows = measurements.rows();
+        let minimum = minimum_from_hulls(rows)?;
+        let named = |(position, is_lower, multiplier): (usize, bool, Rational)| {
+            let row = rows[position].row;
+            (if is_lower { BoundName::Lower(row) } else { BoundName::Upper(row) }, multiplier)
+        };
+        let mut multipliers: Vec<_> = minimum.proof.into_iter().map(named).collect();
+        multipliers.sort();
+        if minimum.epsilon.is_zero() {
+            multipliers.clear();
+        }
+        let growing =
+            Growing::of_rows(minimum.extreme.iter().map(|&position| &rows[position]), |_| Rational::one());
+        Some(growing.minimisers(minimum.epsilon, MinimaxProof { multipliers }))
+    }
+}
+
+/// The half-planes of readings and conditions as functions of the error bound.
+struct Growing {
+    names: Vec<BoundName>,
+    inequalities: Vec<GrowingInequality>,
+}
+
+impl Growing {
+    fn new(measurements: &Measurements, conditions: &[Condition]) -> Self {
+        let mut growing = match measurements.error_bound() {
+            ErrorBound::Uniform(_) => Growing::of_rows(measurements.rows().iter(), |_| Rational::one()),
+            ErrorBound::PerRow(_) => Growing::of_rows(measurements.rows().iter(), |row| row.epsilon.clone()),
+        };
+        for (name, at_zero) in conditions_by_name(conditions) {
+            growing.names.push(name);
+            growing.inequalities.push(GrowingInequality { at_zero, growth: Rational::zero() });
+        }
+        growing
+    }
+
+    fn of_rows<'a>(
+        rows: impl Iterator<Item = &'a Measurement>,
+        growth: impl Fn(&Measurement) -> Rational,
+    ) -> Self {
+        let zero = Rational::zero();
+        let (names, inequalities) = rows
+            .flat_map(|row| {
+                let growth = growth(row);
+                strip(row, &zero)
+                    .map(|(name, at_zero)| (name, GrowingInequality { at_zero, growth: growth.clone() }))
+            })
+            .unzip();
+        Growing { names, inequalities }
+    }
+
+    /// The answer for a least bound: all minimisers are the region that it leaves.
+    fn minimisers(&self, least: Rational, proof: MinimaxProof) -> Minimax {
+        let at_least = |growing: &GrowingInequality| {
+            let [a1, a2] = growing.at_zero.a.clone();
+            Inequality::new(a1, a2, &growing.at_zero.b + &growing.growth * &least)
+        };
+        let system: System = self.inequalities.iter().map(at_least).collect();
+        let region = envelope::intersect(&system);
+        // At its own least bound the set is not empty.
+        let theta = region.witness().expect("empty set at the least error bound").coordinates();
+        Minimax { least, theta, unique: region.kind() == RegionKind::Point, proof }
+    }
+}
