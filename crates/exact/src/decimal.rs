@@ -38,7 +38,7 @@ impl Rational {
             Rounding::Up => Some(self.is_positive()),
         };
         let magnitude = self.abs();
-        let mut exponent = decimal_exponent(&magnitude);
+        let mut exponent = exponent_of(&magnitude);
         let (mut significand, exact) = significand(&magnitude, exponent, digits, away_from_zero);
         if significand == Integer::power_of_ten(digits as u32) {
             significand = Integer::power_of_ten(digits as u32 - 1);
@@ -49,10 +49,15 @@ impl Rational {
         let sign = if self.is_negative() { "-" } else { "" };
         format!("{sign}{}", place_point(text, exponent, exact))
     }
+
+    /// The power of ten that the first significant digit weighs, `floor(log10 |self|)`, or `None` for 0. Exact.
+    pub fn decimal_exponent(&self) -> Option<i64> {
+        (!self.is_zero()).then(|| exponent_of(&self.abs()))
+    }
 }
 
 /// `floor(log10(magnitude))` of a positive number.
-fn decimal_exponent(magnitude: &Rational) -> i64 {
+fn exponent_of(magnitude: &Rational) -> i64 {
     let (numerator, denominator) = (magnitude.numerator(), magnitude.denominator());
     let bits = numerator.bits() as f64 - denominator.bits() as f64;
     // The estimate is off by less than one either way; the comparison below decides exactly.
@@ -180,6 +185,16 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn the_decimal_exponent_is_that_of_the_first_digit() {
+        for (text, exponent) in
+            [("1", 0), ("-9.99", 0), ("10", 1), ("0.1", -1), ("0.0999", -2), ("1e-300", -300)]
+        {
+            assert_eq!(value(text).decimal_exponent(), Some(exponent), "{text}");
+        }
+        assert_eq!(Rational::zero().decimal_exponent(), None);
     }
 
     #[test]

@@ -1,0 +1,302 @@
+//! The JSON report of a fit, schema `boundfit/fit/1`.
+
+use std::collections::BTreeMap;
+
+use boundfit_estimation::{
+    BoundName, ErrorBound, Fit, FloatEstimate, InverseParameter, Model, ParameterBound, ParameterInterval,
+    Problem,
+};
+use boundfit_exact::{Endpoint, Interval, Rational, Reading};
+use boundfit_geometry::Multiplier;
+use serde::Serialize;
+
+use crate::region::{BoundJson, IntervalJson, RegionJson, TermJson};
+use crate::style::{Number, Style};
+
+#[derive(Serialize)]
+struct FitJson {
+    schema: &'static str,
+    input: InputJson,
+    least_squares: Option<LeastSquaresJson>,
+    eui: Option<[RangeJson; 2]>,
+    fps: RegionJson<ActiveJson>,
+    pui: Option<[IntervalJson; 2]>,
+    central: Option<CentralJson>,
+    epsilon_min: Option<Number>,
+    inverse: Option<BTreeMap<&'static str, InverseJson>>,
+    minimax: Option<MinimaxJson>,
+    tightness: Option<Number>,
+    area_centroid: Option<[Number; 2]>,
+    reasons: BTreeMap<&'static str, String>,
+}
+
+#[derive(Serialize)]
+struct InputJson {
+    rows: usize,
+    rows_total: usize,
+    reading: &'static str,
+    sha256: Option<String>,
+    model: &'static str,
+    x: Vec<String>,
+    y: String,
+    epsilon: Option<Number>,
+    epsilon_column: Option<String>,
+    r#where: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct LeastSquaresJson {
+    theta: [Number; 2],
+    in_fps: bool,
+    guaranteed_error: Option<[Number; 2]>,
+    binary64: BTreeMap<&'static str, Option<FloatJson>>,
+}
+
+#[derive(Serialize)]
+struct FloatJson {
+    theta: [f64; 2],
+    distance: [Number; 2],
+}
+
+#[derive(Serialize)]
+struct RangeJson {
+    lower: Option<Number>,
+    upper: Option<Number>,
+}
+
+#[derive(Serialize)]
+struct ActiveJson {
+    row: Option<usize>,
+    bound: String,
+}
+
+#[derive(Serialize)]
+struct CentralJson {
+    theta: [Number; 2],
+    guaranteed_error: [Number; 2],
+}
+
+#[derive(Serialize)]
+struct InverseJson {
+    exact_range: Vec<RangeJson>,
+    box_range: Vec<RangeJson>,
+    eui_range: Option<Vec<RangeJson>>,
+    central: Option<Number>,
+    least_squares: Option<Number>,
+}
+
+#[derive(Serialize)]
+struct MinimaxJson {
+    theta: [Number; 2],
+    unique: bool,
+    epsilon: Option<Number>,
+    epsilon_factor: Option<Number>,
+    proof: Vec<TermJson>,
+}
+
+/// The report as JSON, with a line end. What is null has an entry in `reasons`.
+pub fn fit_json(problem: &Problem, fit: &Fit, reading: Reading, style: &Style) -> String {
+    let report = FitJson {
+        schema: "boundfit/fit/1",
+        input: input(problem, reading, style),
+        least_squares: least_squares(fit, style),
+        eui: fit.least_squares.as_ref().ok().map(|ls| ls.eui.each_ref().map(|eui| range(eui, style))),
+        fps: fps(problem, fit, style),
+        pui: fit
+            .pui
+            .as_ref()
+            .filter(|_| has_bounded_end(fit))
+            .map(|pui| pui.each_ref().map(|interval| parameter_interval(fit, interval, style))),
+        central: fit.central.as_ref().map(|central| CentralJson {
+            theta: numbers(&central.theta, style),
+            guaranteed_error: central.guaranteed_error.each_ref().map(|error| style.upper_number(error)),
+        }),
+        epsilon_min: uniform_minimum(problem, fit).map(|epsilon| style.upper_number(epsilon)),
+        inverse: fit.inverse.as_ref().map(|inverse| {
+            let parameters = [("gain", &inverse.gain), ("offset", &inverse.offset)];
+            parameters
+                .into_iter()
+                .map(|(name, parameter)| (name, inverse_parameter(parameter, style)))
+                .collect()
+        }),
+        minimax: minimax(problem, fit, style),
+        tightness: fit.tightness().map(|tightness| style.number(&tightness)),
+        area_centroid: fit
+            .fps
+            .polyhedron()
+            .region()
+            .area_centroid()
+            .map(|point| numbers(&point.coordinates(), style)),
+        reasons: reasons(problem, fit),
+    };
+    to_text(&report)
+}
+
+/// Indented JSON with a line end.
+pub(crate) fn to_text(report: &impl Serialize) -> String {
+    // The report types hold strings, numbers and lists only: there is nothing in them that cannot be written.
+    let mut text = serde_json::to_string_pretty(report).expect("a report that is not JSON");
+    text.push('\n');
+    text
+}
+
+/// A multiple of a named half-plane in JSON.
+pub(crate) fn term(name: BoundName, multiplier: &Rational, style: &Style) -> TermJson {
+    let ActiveJson { row, bound } = active(name);
+    TermJson { row, bound, multiplier: style.number(multiplier) }
+}
+
+fn active(name: BoundName) -> ActiveJson {
+    match name {
+        BoundName::Upper(row) => ActiveJson { row: Some(row), bound: "upper".to_owned() },
+        BoundName::Lower(row) => ActiveJson { row: Some(row), bound: "lower".to_owned() },
+        BoundName::Where(number) => ActiveJson { row: None, bound: format!("where:{number}") },
+    }
+}
+
+fn input(problem: &Problem, reading: Reading, style: &Style) -> InputJson {
+    let measurements = &problem.measurements;
+    let (model, x) = match measurements.model() {
+        Model::Line { x } => ("line", vec![x.clone()]),
+        Model::TwoRegressors { regressors } => ("two-regressors", regressors.to_vec()),
+    };
+    let (epsilon, epsilon_column) = match measurements.error_bound() {
+        ErrorBound::Uniform(epsilon) => (Some(style.number(epsilon)), None),
+        ErrorBound::PerRow(column) => (None, Some(column.clone())),
+    };
+    InputJson {
+        rows: measurements.rows().len(),
+        rows_total: measurements.rows_total(),
+        reading: reading.name(),
+        sha256: measurements.sha256().map(ToOwned::to_owned),
+        model,
+        x,
+        y: measurements.response().to_owned(),
+        epsilon,
+        epsilon_column,
+        r#where: problem.conditions.iter().map(|condition| condition.text().to_owned()).collect(),
+    }
+}
+
+fn least_squares(fit: &Fit, style: &Style) -> Option<LeastSquaresJson> {
+    let estimate = fit.least_squares.as_ref().ok()?;
+    let float = |float: &Option<FloatEstimate>| {
+        float.as_ref().map(|float| FloatJson {
+            theta: float.theta,
+            distance: float.distance.each_ref().map(|distance| style.upper_number(distance)),
+        })
+    };
+    let float = fit.float_least_squares.as_ref().map(|floats| {
+        BTreeMap::from([("qr", float(&floats.qr)), ("pseudo_inverse", float(&floats.pseudo_inverse))])
+    });
+    Some(LeastSquaresJson {
+        theta: numbers(&estimate.theta, style),
+        in_fps: fit.least_squares_slack().is_some_and(|(slack, _)| !slack.is_negative()),
+        guaranteed_error: fit
+            .least_squares_guaranteed_error()
+            .map(|error| error.each_ref().map(|error| style.upper_number(error))),
+        binary64: float.unwrap_or_default(),
+    })
+}
+
+fn fps(problem: &Problem, fit: &Fit, style: &Style) -> RegionJson<ActiveJson> {
+    let contradiction = fit.contradiction(problem.measurements.error_bound());
+    let farkas = contradiction
+        .map(|terms| terms.iter().map(|(name, multiplier)| term(*name, multiplier, style)).collect());
+    let name = |indices: &[usize]| indices.iter().map(|&index| active(fit.fps.name(index))).collect();
+    RegionJson::new(fit.fps.polyhedron().region(), style, name, farkas)
+}
+
+fn has_bounded_end(fit: &Fit) -> bool {
+    fit.pui_intervals()
+        .iter()
+        .flatten()
+        .any(|interval| interval.lower() != &Endpoint::Unbounded || interval.upper() != &Endpoint::Unbounded)
+}
+
+fn parameter_interval(fit: &Fit, interval: &ParameterInterval, style: &Style) -> IntervalJson {
+    let bound = |bound: &ParameterBound, number: &dyn Fn(&Rational) -> Number| match bound {
+        ParameterBound::Unbounded(_) => BoundJson { value: None, active: Vec::new() },
+        ParameterBound::Bounded { value, proof } => {
+            let named = |m: &Multiplier| term(fit.fps.name(m.index), &m.value, style);
+            BoundJson { value: Some(number(value)), active: proof.multipliers.iter().map(named).collect() }
+        }
+    };
+    IntervalJson {
+        lower: bound(&interval.lower, &|value| style.lower_number(value)),
+        upper: bound(&interval.upper, &|value| style.upper_number(value)),
+    }
+}
+
+/// ε_min exists under a uniform error bound only.
+fn uniform_minimum<'a>(problem: &Problem, fit: &'a Fit) -> Option<&'a Rational> {
+    let uniform = matches!(problem.measurements.error_bound(), ErrorBound::Uniform(_));
+    fit.minimax.as_ref().filter(|_| uniform).map(|minimax| &minimax.least)
+}
+
+fn minimax(problem: &Problem, fit: &Fit, style: &Style) -> Option<MinimaxJson> {
+    let minimax = fit.minimax.as_ref()?;
+    let least = Some(style.upper_number(&minimax.least));
+    let (epsilon, epsilon_factor) =
+        if uniform_minimum(problem, fit).is_some() { (least, None) } else { (None, least) };
+    let proof = minimax.proof.multipliers.iter().map(|(name, m)| term(*name, m, style)).collect();
+    let theta = numbers(&minimax.theta, style);
+    Some(MinimaxJson { theta, unique: minimax.unique, epsilon, epsilon_factor, proof })
+}
+
+fn inverse_parameter(parameter: &InverseParameter, style: &Style) -> InverseJson {
+    let ranges =
+        |intervals: &Vec<Interval>| intervals.iter().map(|interval| range(interval, style)).collect();
+    InverseJson {
+        exact_range: ranges(&parameter.exact_range),
+        box_range: ranges(&parameter.box_range),
+        eui_range: parameter.eui_range.as_ref().map(ranges),
+        central: parameter.central.as_ref().map(|value| style.number(value)),
+        least_squares: parameter.least_squares.as_ref().map(|value| style.number(value)),
+    }
+}
+
+fn range(interval: &Interval, style: &Style) -> RangeJson {
+    RangeJson {
+        lower: interval.lower().value().map(|value| style.lower_number(value)),
+        upper: interval.upper().value().map(|value| style.upper_number(value)),
+    }
+}
+
+fn numbers(theta: &[Rational; 2], style: &Style) -> [Number; 2] {
+    theta.each_ref().map(|value| style.number(value))
+}
+
+/// Why each part that is null is null.
+fn reasons(problem: &Problem, fit: &Fit) -> BTreeMap<&'static str, String> {
+    let mut reasons = BTreeMap::new();
+    let region = fit.fps.polyhedron().region();
+    let without_fps =
+        || if region.is_empty() { "the FPS is empty" } else { "the FPS is unbounded" }.to_owned();
+    if let Err(singular) = &fit.least_squares {
+        reasons.insert("least_squares", singular.to_string());
+        reasons.insert("eui", singular.to_string());
+    }
+    if !has_bounded_end(fit) {
+        reasons.insert("pui", if region.is_empty() { without_fps() } else { "no end is bounded".to_owned() });
+    }
+    if fit.central.is_none() {
+        reasons.insert("central", without_fps());
+    }
+    if fit.tightness().is_none() {
+        let flat = region.is_bounded() && !region.is_empty();
+        reasons.insert("tightness", if flat { "the PUI box has no area".to_owned() } else { without_fps() });
+    }
+    if fit.minimax.is_none() {
+        reasons.insert("minimax", "no error bound, however large, leaves a feasible parameter".to_owned());
+    }
+    if uniform_minimum(problem, fit).is_none() {
+        let per_row = matches!(problem.measurements.error_bound(), ErrorBound::PerRow(_));
+        let reason = if per_row { "every reading has its own error bound" } else { "see minimax" };
+        reasons.insert("epsilon_min", reason.to_owned());
+    }
+    if fit.inverse.is_none() {
+        reasons.insert("inverse", "the model is not a line".to_owned());
+    }
+    reasons
+}

@@ -1,0 +1,19 @@
+//! boundfit's answers as text for people and JSON for programs.
+//!
+//! Every printed decimal is rounded from an exact value in a direction that [`Style`] fixes: interval ends outward, error
+//! bounds upward, all other numbers to nearest. JSON carries the exact value beside every decimal.
+
+mod advice;
+mod fit_json;
+mod fit_text;
+mod polygon_json;
+mod polygon_text;
+mod region;
+mod style;
+mod text;
+
+pub use fit_json::fit_json;
+pub use fit_text::fit_text;
+pub use polygon_json::polygon_json;
+pub use polygon_text::polygon_text;
+pub use style::{EndRounding, Style};

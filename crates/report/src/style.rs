@@ -1,0 +1,178 @@
+//! How numbers are shown.
+
+use boundfit_exact::{Endpoint, Interval, Rational, Rounding};
+use serde::Serialize;
+
+/// In which direction the ends of intervals and the error bounds are rounded.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum EndRounding {
+    /// Away from the inside: the printed interval contains the exact one.
+    #[default]
+    Outward,
+    /// To the nearest decimal, as papers print them: the printed interval may be too narrow by half a unit of its last
+    /// digit.
+    Nearest,
+}
+
+/// How numbers are shown.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Style {
+    /// Significant digits of decimals.
+    pub digits: usize,
+    /// How ends of intervals and error bounds are rounded.
+    pub ends: EndRounding,
+    /// Whether text shows exact fractions in place of decimals.
+    pub exact: bool,
+}
+
+impl Default for Style {
+    /// Five digits, ends outward, decimals.
+    fn default() -> Self {
+        Style { digits: 5, ends: EndRounding::Outward, exact: false }
+    }
+}
+
+/// A number in JSON: `{"exact": "p/q", "decimal": "1.8194e-3"}`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub(crate) struct Number {
+    exact: String,
+    decimal: String,
+}
+
+impl Style {
+    /// Both forms of a number that is neither an end of an interval nor an error bound.
+    pub(crate) fn number(&self, value: &Rational) -> Number {
+        self.rounded(value, Rounding::Nearest)
+    }
+
+    /// Both forms of a lower end.
+    pub(crate) fn lower_number(&self, value: &Rational) -> Number {
+        self.rounded(value, self.directed(Rounding::Down))
+    }
+
+    /// Both forms of an upper end or an error bound.
+    pub(crate) fn upper_number(&self, value: &Rational) -> Number {
+        self.rounded(value, self.directed(Rounding::Up))
+    }
+
+    /// A given number as text, in full: its decimal when that is exact, else its fraction.
+    pub(crate) fn given_text(&self, value: &Rational) -> String {
+        const MOST: usize = 20;
+        self.exact_decimal(value, MOST.max(self.digits))
+            .filter(|_| !self.exact)
+            .unwrap_or_else(|| value.to_string())
+    }
+
+    /// An error bound as text, with the exact value behind it when the decimal is rounded.
+    pub(crate) fn upper_text_with_exact(&self, value: &Rational) -> String {
+        match self.exact_decimal(value, self.digits) {
+            _ if self.exact => value.to_string(),
+            Some(decimal) => decimal,
+            None => format!("{} (exactly {value})", self.upper_text(value)),
+        }
+    }
+
+    /// This style with as many more digits as it takes to tell the ends of an interval apart: when one unit of the last
+    /// digit is wider than the interval, one digit beyond the first that differs.
+    pub(crate) fn resolving(&self, interval: &Interval) -> Style {
+        const MOST: usize = 1000;
+        let Some((lower, upper)) = interval.ends() else { return self.clone() };
+        let magnitude = upper.abs().max(lower.abs()).decimal_exponent();
+        let Some((magnitude, width)) = magnitude.zip((upper - lower).decimal_exponent()) else {
+            return self.clone();
+        };
+        let first_that_differs = usize::try_from(magnitude - width + 1).unwrap_or(0);
+        let digits =
+            if first_that_differs > self.digits { (first_that_differs + 1).min(MOST) } else { self.digits };
+        Style { digits, ..self.clone() }
+    }
+
+    /// One style for each of two parameters, resolving their ranges when these are known.
+    pub(crate) fn resolving_both(&self, ranges: Option<&[Interval; 2]>) -> [Style; 2] {
+        [0, 1].map(|axis| ranges.map_or_else(|| self.clone(), |ranges| self.resolving(&ranges[axis])))
+    }
+
+    /// The decimal of a value that so many digits hold exactly.
+    fn exact_decimal(&self, value: &Rational, digits: usize) -> Option<String> {
+        let decimal = value.to_decimal(digits, Rounding::Down);
+        (decimal == value.to_decimal(digits, Rounding::Up)).then_some(decimal)
+    }
+
+    /// A number as text.
+    pub(crate) fn text(&self, value: &Rational) -> String {
+        self.choose(self.number(value))
+    }
+
+    /// A lower end as text.
+    pub(crate) fn lower_text(&self, value: &Rational) -> String {
+        self.choose(self.lower_number(value))
+    }
+
+    /// An upper end or an error bound as text.
+    pub(crate) fn upper_text(&self, value: &Rational) -> String {
+        self.choose(self.upper_number(value))
+    }
+
+    /// An interval as text: `[1.5, 2]`, `(-inf, 2]`.
+    pub(crate) fn interval_text(&self, interval: &Interval) -> String {
+        let lower = match interval.lower() {
+            Endpoint::Finite(value) => format!("[{}", self.lower_text(value)),
+            Endpoint::Unbounded => "(-inf".to_owned(),
+        };
+        let upper = match interval.upper() {
+            Endpoint::Finite(value) => format!("{}]", self.upper_text(value)),
+            Endpoint::Unbounded => "inf)".to_owned(),
+        };
+        format!("{lower}, {upper}")
+    }
+
+    /// A union of intervals as text.
+    pub(crate) fn union_text(&self, intervals: &[Interval]) -> String {
+        let intervals: Vec<String> = intervals.iter().map(|interval| self.interval_text(interval)).collect();
+        if intervals.is_empty() { "-".to_owned() } else { intervals.join(" or ") }
+    }
+
+    fn directed(&self, outward: Rounding) -> Rounding {
+        match self.ends {
+            EndRounding::Outward => outward,
+            EndRounding::Nearest => Rounding::Nearest,
+        }
+    }
+
+    fn rounded(&self, value: &Rational, rounding: Rounding) -> Number {
+        Number { exact: value.to_string(), decimal: value.to_decimal(self.digits, rounding) }
+    }
+
+    fn choose(&self, number: Number) -> String {
+        if self.exact { number.exact } else { number.decimal }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn interval(lower: Rational, upper: Rational) -> Interval {
+        Interval::new(Endpoint::Finite(lower), Endpoint::Finite(upper)).unwrap()
+    }
+
+    #[test]
+    fn narrow_intervals_get_the_digits_to_tell_their_ends_apart() {
+        let style = Style::default();
+        let wide = interval(Rational::ratio(21, 11726), Rational::ratio(70, 37871));
+        assert_eq!(style.resolving(&wide), style);
+        let base = Rational::ratio(17, 10);
+        let narrow = interval(base.clone(), &base + Rational::ratio(3, 1_000_000_000));
+        assert_eq!(style.resolving(&narrow).interval_text(&narrow), "[1.7, 1.700000003]");
+        assert_eq!(style.resolving(&interval(base.clone(), base)), style);
+    }
+
+    #[test]
+    fn given_numbers_are_shown_in_full() {
+        let style = Style::default();
+        assert_eq!(style.given_text(&Rational::ratio(373_923_265, 1_000_000_000)), "0.373923265");
+        assert_eq!(style.given_text(&Rational::ratio(1, 3)), "1/3");
+        assert_eq!(style.upper_text_with_exact(&Rational::ratio(1, 3)), "0.33334 (exactly 1/3)");
+        assert_eq!(style.upper_text_with_exact(&Rational::ratio(1, 4)), "0.25");
+    }
+}
