@@ -1,0 +1,63 @@
+//! Writing the answer: to standard output, or to a file whole or not at all.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::Builder;
+
+use crate::exit::Failure;
+
+/// Writes a text to a file, or to standard output without one. A reader of standard output that has gone away is no
+/// error.
+pub(crate) fn write(text: &str, file: Option<&str>) -> Result<(), Failure> {
+    match file {
+        Some(file) => write_file(text, Path::new(file))
+            .map_err(|error| Failure::data(format_args!("{file}: cannot write: {error}"))),
+        None => match io::stdout().write_all(text.as_bytes()).and_then(|()| io::stdout().flush()) {
+            Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+                Err(Failure::data(format_args!("standard output: cannot write: {error}")))
+            }
+            _ => Ok(()),
+        },
+    }
+}
+
+/// Writes to a temporary file beside the target and renames it, so that the target is never half written.
+fn write_file(text: &str, file: &Path) -> io::Result<()> {
+    // A link is written through, and a device or pipe is written to: neither may be replaced.
+    let target = fs::canonicalize(file).unwrap_or_else(|_| file.to_owned());
+    let existing = fs::metadata(&target).ok();
+    if existing.as_ref().is_some_and(|metadata| metadata.is_dir()) {
+        return Err(io::Error::other("is a directory"));
+    }
+    if existing.as_ref().is_some_and(|metadata| !metadata.is_file()) {
+        return fs::OpenOptions::new().write(true).open(&target)?.write_all(text.as_bytes());
+    }
+    let directory = match target.parent() {
+        Some(parent) if parent != Path::new("") => parent.to_owned(),
+        _ => PathBuf::from("."),
+    };
+    let mut builder = Builder::new();
+    let permissions = existing.map(|metadata| metadata.permissions()).or_else(new_file_permissions);
+    if let Some(permissions) = permissions {
+        builder.permissions(permissions);
+    }
+    let mut temporary = builder.prefix(".boundfit-").tempfile_in(directory)?;
+    temporary.write_all(text.as_bytes())?;
+    temporary.as_file().sync_all()?;
+    temporary.persist(&target)?;
+    Ok(())
+}
+
+/// What any program asks for when it creates a file; the user's mask applies.
+#[cfg(unix)]
+fn new_file_permissions() -> Option<fs::Permissions> {
+    use std::os::unix::fs::PermissionsExt;
+    Some(fs::Permissions::from_mode(0o666))
+}
+
+#[cfg(not(unix))]
+fn new_file_permissions() -> Option<fs::Permissions> {
+    None
+}
