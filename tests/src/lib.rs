@@ -2,3 +2,5 @@
 
 pub mod generate;
 pub mod oracle;
+pub mod program;
+pub mod shape;
