@@ -3,4 +3,5 @@
 pub mod generate;
 pub mod oracle;
 pub mod program;
+pub mod readings;
 pub mod shape;

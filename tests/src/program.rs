@@ -1,4 +1,4 @@
-//! The `boundfit` program, built once per test run and started as a user would start it.
+//! The `boundfit` program, started as a user would start it.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -21,12 +21,13 @@ pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("tests/ has a parent").to_owned()
 }
 
-/// The program's file, built on first use.
+/// The program's file. Cargo builds it along with the tests of this package, beside the folder with their programs.
 pub fn binary() -> &'static Path {
     static BINARY: OnceLock<PathBuf> = OnceLock::new();
     BINARY.get_or_init(|| {
-        let build = escargot::CargoBuild::new().manifest_path(root().join("Cargo.toml")).package("boundfit");
-        build.bin("boundfit").current_target().run().expect("boundfit builds").path().to_owned()
+        let own = std::env::current_exe().expect("a running test has a file");
+        let folder = own.ancestors().nth(2).expect("tests are built two folders deep");
+        folder.join(format!("boundfit-for-tests{}", std::env::consts::EXE_SUFFIX))
     })
 }
 

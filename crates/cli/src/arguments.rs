@@ -10,7 +10,7 @@ use clap_complete::Shell;
 ///
 /// All results are exact rational numbers with proofs; decimals are only how they are shown.
 #[derive(Debug, Parser)]
-#[command(name = "boundfit", version, max_term_width = 100)]
+#[command(name = "boundfit", bin_name = "boundfit", version, max_term_width = 100)]
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) command: Command,

@@ -1,29 +1,5 @@
 //! The `boundfit` program.
 
-mod arguments;
-mod commands;
-mod exit;
-mod output;
-
-use std::process::ExitCode;
-
-use clap::Parser;
-
-use crate::arguments::{Arguments, Command};
-use crate::exit::Exit;
-
-fn main() -> ExitCode {
-    let result = match Arguments::parse().command {
-        Command::Fit(arguments) => commands::fit::run(&arguments),
-        Command::Polygon(arguments) => commands::polygon::run(&arguments),
-        Command::Completions { shell } => commands::completions::run(shell),
-        Command::Man { topic } => commands::man::run(topic.as_deref()),
-    };
-    match result {
-        Ok(exit) => exit.into(),
-        Err(failure) => failure.report(),
-    }
+fn main() -> std::process::ExitCode {
+    boundfit::main()
 }
-
-/// A failure that ends the program.
-type CommandResult = Result<Exit, exit::Failure>;

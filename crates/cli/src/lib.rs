@@ -1,0 +1,31 @@
+//! The command line of boundfit as a library, so that tests can start it from a program of their own.
+
+mod arguments;
+mod commands;
+mod exit;
+mod output;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use crate::arguments::{Arguments, Command};
+use crate::exit::Exit;
+
+/// Runs the command that the program's arguments ask for and gives the exit status: 0 an answer, 1 bad data or
+/// I/O, 2 bad usage, 3 an empty set.
+pub fn main() -> ExitCode {
+    let result = match Arguments::parse().command {
+        Command::Fit(arguments) => commands::fit::run(&arguments),
+        Command::Polygon(arguments) => commands::polygon::run(&arguments),
+        Command::Completions { shell } => commands::completions::run(shell),
+        Command::Man { topic } => commands::man::run(topic.as_deref()),
+    };
+    match result {
+        Ok(exit) => exit.into(),
+        Err(failure) => failure.report(),
+    }
+}
+
+/// A failure that ends the program.
+type CommandResult = Result<Exit, exit::Failure>;

@@ -1,0 +1,79 @@
+//! Generated readings, the same on every run.
+
+use boundfit_estimation::{Condition, ErrorBound, Measurement, Measurements, Model, Problem};
+use boundfit_exact::{Limits, Rational, Reading};
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+
+/// A rational number with a small numerator; ties and zeros are frequent.
+pub fn small_rational(rng: &mut ChaCha8Rng) -> Rational {
+    let denominator = [1, 1, 2, 10, 1000][rng.random_range(0..5)];
+    Rational::ratio(rng.random_range(-20..=20), denominator)
+}
+
+/// One to twelve readings of a line or of two regressors, under a uniform error bound or one per reading, some with
+/// conditions; repeated x, repeated rows and exact fits occur.
+pub fn problem(rng: &mut ChaCha8Rng) -> Problem {
+    let line = rng.random_bool(0.6);
+    let uniform = rng.random_bool(0.6);
+    let count = rng.random_range(1..=12);
+    let slope = small_rational(rng);
+    let epsilon = Rational::ratio(rng.random_range(0..=40), [1, 8, 100][rng.random_range(0..3)]);
+    let mut rows: Vec<Measurement> = Vec::new();
+    for row in 1..=count {
+        let regressor = match rows.last().filter(|_| rng.random_bool(0.2)) {
+            Some(last) => last.regressor.clone(),
+            None if line => [small_rational(rng), Rational::one()],
+            None => [small_rational(rng), small_rational(rng)],
+        };
+        let noise = Rational::ratio(rng.random_range(-10..=10), 8);
+        let response = &slope * &regressor[0] + &regressor[1] * Rational::from(2) + noise;
+        let epsilon = if uniform { epsilon.clone() } else { Rational::ratio(rng.random_range(0..=16), 8) };
+        rows.push(Measurement { row, regressor, response, epsilon });
+    }
+    let model = if line {
+        Model::Line { x: "x".to_owned() }
+    } else {
+        Model::TwoRegressors { regressors: ["u".to_owned(), "v".to_owned()] }
+    };
+    let error_bound =
+        if uniform { ErrorBound::Uniform(epsilon) } else { ErrorBound::PerRow("eps".to_owned()) };
+    let conditions = (0..rng.random_range(0..=3_usize).saturating_sub(1)).map(|_| condition(rng)).collect();
+    Problem { measurements: Measurements::new(model, "y".to_owned(), error_bound, rows), conditions }
+}
+
+fn condition(rng: &mut ChaCha8Rng) -> Condition {
+    let relation = ["<=", ">="][rng.random_range(0..2)];
+    let [a, b, c] = [0; 3].map(|_| rng.random_range(-4..=4));
+    parse_condition(&format!("{a}*theta1 + {b}*theta2 {relation} {c}").replace("+ -", "- "))
+}
+
+/// A condition from its text.
+///
+/// # Panics
+/// When the text is not a condition.
+pub fn parse_condition(text: &str) -> Condition {
+    Condition::parse(text, Reading::Decimal, &Limits::default()).expect(text)
+}
+
+/// The problem with other rows.
+pub fn with_rows(problem: &Problem, rows: Vec<Measurement>) -> Problem {
+    rebuilt(problem, rows, problem.measurements.error_bound().clone())
+}
+
+/// The problem with its error bounds multiplied (per row) or replaced (uniform).
+pub fn with_error_bound(problem: &Problem, bound: &Rational) -> Problem {
+    let old = &problem.measurements;
+    let uniform = matches!(old.error_bound(), ErrorBound::Uniform(_));
+    let epsilon = |row: &Measurement| if uniform { bound.clone() } else { &row.epsilon * bound };
+    let rows = old.rows().iter().map(|row| Measurement { epsilon: epsilon(row), ..row.clone() }).collect();
+    let error_bound = if uniform { ErrorBound::Uniform(bound.clone()) } else { old.error_bound().clone() };
+    rebuilt(problem, rows, error_bound)
+}
+
+/// The problem with other rows and error bounds.
+pub fn rebuilt(problem: &Problem, rows: Vec<Measurement>, error_bound: ErrorBound) -> Problem {
+    let old = &problem.measurements;
+    let measurements = Measurements::new(old.model().clone(), old.response().to_owned(), error_bound, rows);
+    Problem { measurements, conditions: problem.conditions.clone() }
+}
