@@ -16,10 +16,10 @@ fn ends(interval: &Interval) -> [Option<Rational>; 2] {
     [interval.lower().value().cloned(), interval.upper().value().cloned()]
 }
 
-/// The set and everything read off it, without the names of rows.
-fn outcome(
-    fit: &Fit,
-) -> (RegionKind, Vec<[Rational; 2]>, Option<[[Option<Rational>; 2]; 2]>, Option<Rational>) {
+/// The set and what is read off it, without the names of rows: kind, vertices, PUI, least error bound.
+type Outcome = (RegionKind, Vec<[Rational; 2]>, Option<[[Option<Rational>; 2]; 2]>, Option<Rational>);
+
+fn outcome(fit: &Fit) -> Outcome {
     let region = fit.fps.polyhedron().region();
     (
         region.kind(),

@@ -1,0 +1,71 @@
+//! The examples of the README, run as they stand. `SNAPSHOTS=overwrite cargo test` rewrites what they print.
+
+use std::fs;
+use std::process::Command;
+
+use boundfit_tests::program::{binary, root};
+
+/// What a shell prints for a command line of the README, the status added when it is not 0.
+fn output_of(command: &str) -> String {
+    // The program is on nobody's path here; these functions stand in for an installed one and for `cargo run`.
+    let script = format!(
+        "boundfit() {{ \"$BOUNDFIT\" \"$@\"; }}\ncargo() {{ shift 3; \"$BOUNDFIT\" \"$@\"; }}\n{command}\n"
+    );
+    let output =
+        Command::new("sh").args(["-c", &script]).env("BOUNDFIT", binary()).current_dir(root()).output().unwrap();
+    let mut text = String::from_utf8(output.stdout).unwrap() + &String::from_utf8(output.stderr).unwrap();
+    if let Some(status @ 1..) = output.status.code() {
+        text.push_str(&format!("(exit status {status})\n"));
+    }
+    text
+}
+
+/// The README with the output of every command in a `console` block replaced, and how many commands there were.
+fn rerun(readme: &str) -> (String, usize) {
+    let mut result = String::new();
+    let mut commands = 0;
+    let mut in_block = false;
+    for line in readme.lines() {
+        match line.strip_prefix("$ ") {
+            _ if line.starts_with("```") => in_block = line == "```console",
+            Some(command) if in_block => {
+                commands += 1;
+                result.push_str(&format!("{line}\n{}", output_of(command)));
+                continue;
+            }
+            _ if in_block => continue,
+            _ => {}
+        }
+        result.push_str(line);
+        result.push('\n');
+    }
+    (result, commands)
+}
+
+#[test]
+fn every_example_prints_what_the_readme_says() {
+    let path = root().join("README.md");
+    let readme = fs::read_to_string(&path).unwrap();
+    let (rerun, commands) = rerun(&readme);
+    assert!(commands >= 6, "only {commands} examples");
+    if std::env::var_os("SNAPSHOTS").is_some_and(|action| action == "overwrite") {
+        fs::write(&path, &rerun).unwrap();
+        return;
+    }
+    for (number, (said, printed)) in (1..).zip(readme.lines().zip(rerun.lines())) {
+        assert_eq!(said, printed, "README.md line {number}: left is what it says, right what is printed");
+    }
+    assert_eq!(readme.lines().count(), rerun.lines().count());
+}
+
+#[test]
+fn the_readme_begins_with_the_two_commands_that_set_everything_up() {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let commands: Vec<&str> = readme
+        .lines()
+        .filter(|line| line.starts_with("cargo ") || line.starts_with("$ cargo "))
+        .map(|line| line.trim_start_matches("$ "))
+        .collect();
+    let main_job = "cargo run --release -- fit fixtures/transducer/transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3";
+    assert_eq!(commands[..2], [main_job, "cargo test --workspace"]);
+}
