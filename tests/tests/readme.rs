@@ -11,8 +11,12 @@ fn output_of(command: &str) -> String {
     let script = format!(
         "boundfit() {{ \"$BOUNDFIT\" \"$@\"; }}\ncargo() {{ shift 3; \"$BOUNDFIT\" \"$@\"; }}\n{command}\n"
     );
-    let output =
-        Command::new("sh").args(["-c", &script]).env("BOUNDFIT", binary()).current_dir(root()).output().unwrap();
+    let output = Command::new("sh")
+        .args(["-c", &script])
+        .env("BOUNDFIT", binary())
+        .current_dir(root())
+        .output()
+        .unwrap();
     let mut text = String::from_utf8(output.stdout).unwrap() + &String::from_utf8(output.stderr).unwrap();
     if let Some(status @ 1..) = output.status.code() {
         text.push_str(&format!("(exit status {status})\n"));

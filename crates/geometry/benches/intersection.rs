@@ -30,9 +30,13 @@ fn intersection(criterion: &mut Criterion) {
     for (name, systems) in [("all extreme", all_extreme as fn(i64) -> System), ("few extreme", few_extreme)] {
         for count in [46, 1_000, 10_000] {
             let system = systems(count);
-            group.bench_with_input(BenchmarkId::new(format!("fast, {name}"), count), &system, |bencher, system| {
-                bencher.iter(|| envelope::intersect(system));
-            });
+            group.bench_with_input(
+                BenchmarkId::new(format!("fast, {name}"), count),
+                &system,
+                |bencher, system| {
+                    bencher.iter(|| envelope::intersect(system));
+                },
+            );
             // Clipping takes time proportional to half-planes times vertices.
             if count <= 1_000 || name == "few extreme" {
                 let id = BenchmarkId::new(format!("clipping, {name}"), count);

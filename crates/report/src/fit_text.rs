@@ -181,8 +181,7 @@ impl<'a> Writer<'a> {
         let region = self.fit.fps.polyhedron().region();
         let name =
             |indices: &[usize]| indices.iter().map(|&index| self.fit.fps.name(index).to_string()).collect();
-        let mut text =
-            format!("Feasible parameter set (FPS): {}", region_text(region, self.style, &self.theta, name));
+        let mut text = format!("Feasible parameter set (FPS): {}", region_text(region, &self.theta, name));
         if region.is_empty() {
             text.push_str(&self.emptiness());
         }
@@ -270,10 +269,13 @@ impl<'a> Writer<'a> {
                 }
             }
         }
-        if let Some(tightness) = fit.tightness() {
-            lines.push(("tightness", format!("the FPS fills {} of its PUI box", style.text(&tightness))));
+        let region = fit.fps.polyhedron().region();
+        if let Some(area) = region.area().filter(|_| !region.is_empty()) {
+            let of_box =
+                fit.tightness().map(|tightness| format!(", {} of its PUI box", style.text(&tightness)));
+            lines.push(("area", style.text(&area) + &of_box.unwrap_or_default()));
         }
-        if let Some(centroid) = fit.fps.polyhedron().region().area_centroid() {
+        if let Some(centroid) = region.area_centroid() {
             lines.push(("centroid", point_text(&centroid.coordinates(), &self.theta)));
         }
         lines.extend(self.least_squares_remarks());

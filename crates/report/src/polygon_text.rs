@@ -17,7 +17,7 @@ pub fn polygon_text(file: &HalfPlaneFile, polyhedron: &Polyhedron, name: &str, s
     let styles = style.resolving_both(bounds.as_ref());
     let names = |indices: &[usize]| rows_of(file, indices).iter().map(ToString::to_string).collect();
     let mut text =
-        format!("Half-planes of {name}, {rows}\n\nRegion: {}", region_text(region, style, &styles, names));
+        format!("Half-planes of {name}, {rows}\n\nRegion: {}", region_text(region, &styles, names));
     if let Some(certificate) = region.certificate() {
         let products = products(file, certificate.multipliers(), style);
         let right_hand_side = |m: &Multiplier| &polyhedron.system().inequalities()[m.index].b * &m.value;
@@ -30,6 +30,9 @@ pub fn polygon_text(file: &HalfPlaneFile, polyhedron: &Polyhedron, name: &str, s
         };
         text.push('\n');
         text.push_str(&table(&["", "range"], vec![row(0), row(1)]));
+    }
+    if let Some(area) = region.area().filter(|_| !region.is_empty()) {
+        text.push_str(&format!("  area      {}\n", style.text(&area)));
     }
     if let Some(centroid) = region.area_centroid() {
         text.push_str(&format!("  centroid  {}\n", point_text(&centroid.coordinates(), &styles)));

@@ -105,7 +105,6 @@ pub(crate) fn direction_text(direction: &Direction) -> String {
 /// names of active half-planes.
 pub(crate) fn region_text(
     region: &Region,
-    style: &Style,
     styles: &[Style; 2],
     name: impl Fn(&[usize]) -> Vec<String>,
 ) -> String {
@@ -117,11 +116,6 @@ pub(crate) fn region_text(
         }
         kind => kind.name().to_owned(),
     };
-    if region.kind() == RegionKind::Polygon
-        && let Some(area) = region.area()
-    {
-        text.push_str(&format!(", area {}", style.text(&area)));
-    }
     text.push('\n');
     if !vertices.is_empty() {
         let row = |(number, vertex): (usize, &Vertex)| {
