@@ -1,5 +1,7 @@
 //! Intersection in O(n log n): sort the half-planes by angle, take two envelopes, walk along both.
-//! ([`crate::bounds`] has the envelopes and the walk.)
+//!
+//! A half-plane with `a2 > 0` bounds θ2 from above by a linear function of θ1, one with `a2 < 0` from below. The region lies
+//! between the two envelopes of these bounds.
 
 use std::cmp::Ordering;
 
