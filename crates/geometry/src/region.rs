@@ -320,6 +320,7 @@ impl Region {
     }
 
     /// A point in the relative interior of the region, the same however the region was found; `None` when empty.
+    /// Exact; made of at most three vertices, so that its size does not grow with their number.
     pub fn witness(&self) -> Option<Point> {
         match self {
             Region::Empty(_) => None,
@@ -331,8 +332,10 @@ impl Region {
             }
             Region::HalfPlane(region) => Some(translated(&foot(&region.boundary.half_plane), &self.rays())),
             _ => {
-                let centre = mean(self.vertices().iter().map(Vertex::point));
-                Some(translated(&centre, &self.rays()))
+                // Three corners of a strictly convex chain are not on one line: their mean is inside.
+                let vertices = self.vertices();
+                let spread = vertices.iter().step_by(vertices.len().div_ceil(3).max(1)).map(Vertex::point);
+                Some(translated(&mean(spread), &self.rays()))
             }
         }
     }

@@ -1,0 +1,11 @@
+//! What a polyhedron says about itself is true: supports, redundancies, measures and their proofs on generated
+//! systems of half-planes.
+
+mod large;
+mod measures;
+mod membership;
+mod projective;
+mod proofs;
+mod redundancy;
+mod reordering;
+mod support;
