@@ -1,0 +1,21 @@
+//! Linear programs in two free variables, as bounded-error estimation poses them, and the referee of their answers.
+//!
+//! [`Program`] is `min c·θ` subject to `a·θ ≤ b`. [`exact_simplex`] solves it in rational arithmetic with a proof of
+//! every outcome; it shares nothing with the polygon engine and is its independent witness. [`Solver`] is one interface
+//! to floating-point solvers, which receive the program rounded to binary64. [`Referee`] says, exactly and with a named
+//! reason, what an answer is worth, whoever gave it.
+
+mod outcome;
+mod program;
+mod referee;
+mod simplex;
+mod solvers;
+mod standard_form;
+mod verdict;
+
+pub use outcome::{ExactOutcome, Multiplier, Optimum, Outcome};
+pub use program::{FloatProgram, Program, Row, pui_objectives, spread_objectives};
+pub use referee::{BoundClaim, Claimed, End, Referee, RefereeRow};
+pub use simplex::exact_simplex;
+pub use solvers::{Solver, solve_guarded, solver_named, solvers};
+pub use verdict::{Judgement, Proof, Verdict, Violation};

@@ -1,0 +1,77 @@
+//! Linear programs in two free variables.
+
+use boundfit_exact::Rational;
+
+/// `a·θ ≤ b`, exactly.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Row {
+    /// The coefficients of θ1 and θ2.
+    pub a: [Rational; 2],
+    /// The right-hand side.
+    pub b: Rational,
+}
+
+impl Row {
+    /// `b - a·θ`: negative where the row is violated.
+    pub fn slack(&self, theta: &[Rational; 2]) -> Rational {
+        &self.b - &self.a[0] * &theta[0] - &self.a[1] * &theta[1]
+    }
+}
+
+/// `min objective·θ` subject to the rows; θ is free. The objective is one of the directions of the rows' units.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Program<'a> {
+    /// The constraints.
+    pub rows: &'a [Row],
+    /// The form to be minimised.
+    pub objective: [Rational; 2],
+}
+
+/// A program as a floating-point solver receives it: every number rounded to the nearest binary64.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FloatProgram {
+    /// `[a1, a2, b]` of each row.
+    pub rows: Vec<[f64; 3]>,
+    /// The form to be minimised.
+    pub objective: [f64; 2],
+}
+
+impl FloatProgram {
+    /// Rounds a program. The referee judges answers against the rounded rows too.
+    pub fn new(program: &Program<'_>) -> Self {
+        let rows = program.rows.iter().map(|Row { a: [a1, a2], b }| [a1.to_f64(), a2.to_f64(), b.to_f64()]);
+        FloatProgram { rows: rows.collect(), objective: program.objective.each_ref().map(Rational::to_f64) }
+    }
+
+    /// Whether every number is finite: solvers are not asked otherwise.
+    pub fn is_finite(&self) -> bool {
+        self.rows.iter().flatten().chain(&self.objective).all(|value| value.is_finite())
+    }
+
+    /// The rounded rows, taken exactly; `None` when one is not finite.
+    pub fn exact_rows(&self) -> Option<Vec<Row>> {
+        let exact = |row: &[f64; 3]| {
+            let [a1, a2, b] = row.map(Rational::from_f64);
+            Some(Row { a: [a1?, a2?], b: b? })
+        };
+        self.rows.iter().map(exact).collect()
+    }
+}
+
+/// The objectives of the four programs behind the parameter uncertainty intervals: θ1, -θ1, θ2, -θ2.
+pub fn pui_objectives() -> [[Rational; 2]; 4] {
+    let unit = |theta1: i64, theta2: i64| [Rational::from(theta1), Rational::from(theta2)];
+    [unit(1, 0), unit(-1, 0), unit(0, 1), unit(0, -1)]
+}
+
+/// `count` objectives spread evenly around the circle, (sin 2πk/n, cos 2πk/n) for k = 0, 1, …, as binary64 numbers
+/// taken exactly; the axes are exact.
+pub fn spread_objectives(count: usize) -> Vec<[Rational; 2]> {
+    let direction = |k: usize| {
+        let angle = std::f64::consts::TAU * k as f64 / count as f64;
+        // Sines and cosines of quarter turns come out as 1e-16 where they are 0.
+        let clean = |value: f64| if value.abs() < 1e-12 { 0.0 } else { value };
+        [angle.sin(), angle.cos()].map(|value| Rational::from_f64(clean(value)).unwrap_or_default())
+    };
+    (0..count).map(direction).collect()
+}

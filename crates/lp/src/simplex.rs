@@ -1,0 +1,128 @@
+//! The exact simplex: programs in two free variables, solved on their dual.
+//!
+//! The dual of `min c·θ, a_k·θ ≤ b_k` is `min Σ b_k·λ_k, Σ λ_k·a_k = -c, λ ≥ 0`: two equations, one column per row. Its
+//! prices are a point θ, its λ the multipliers that prove the optimum; where it is unbounded its ray is a Farkas
+//! certificate, and where it is infeasible the proof of that is a direction in which the objective falls.
+
+use boundfit_exact::{Integer, Rational};
+
+use crate::outcome::{ExactOutcome, Multiplier};
+use crate::program::{Program, Row};
+use crate::standard_form::{Column, End, solve};
+
+/// Solves a program exactly, with a proof of the outcome. Cost: linear in the number of rows per pivot.
+pub fn exact_simplex(program: &Program<'_>) -> ExactOutcome {
+    let columns: Vec<Column> = program.rows.iter().map(column).collect();
+    let [c1, c2] = &program.objective;
+    match solve(&columns, &[-c1, -c2]) {
+        End::Optimal { basis, prices } => {
+            let value = c1 * &prices[0] + c2 * &prices[1];
+            let rows = basis.iter().map(|(row, _)| *row).collect();
+            ExactOutcome::Optimal { theta: prices, value, multipliers: positive(basis), basis: rows }
+        }
+        End::Unbounded { combination } => ExactOutcome::Infeasible { multipliers: positive(combination) },
+        // No multipliers: the objective falls along the prices. Whether there is a point to start from is a question
+        // about the rows alone, which a zero objective asks.
+        End::OutOfReach { prices: ray } => match solve(&columns, &[Rational::zero(), Rational::zero()]) {
+            End::Optimal { prices: theta, .. } => ExactOutcome::Unbounded { theta, ray },
+            End::Unbounded { combination } => ExactOutcome::Infeasible { multipliers: positive(combination) },
+            // Not reached: λ = 0 meets a zero target.
+            End::OutOfReach { .. } => ExactOutcome::Infeasible { multipliers: Vec::new() },
+        },
+    }
+}
+
+fn column(row: &Row) -> Column {
+    let Row { a: [a1, a2], b } = row;
+    let scale = a1.denominator().lcm(&a2.denominator()).lcm(&b.denominator());
+    let whole =
+        |value: &Rational| -> Integer { value.numerator() * scale.div_rem_floor(&value.denominator()).0 };
+    Column { entries: [whole(a1), whole(a2)], cost: whole(b), scale: scale.clone() }
+}
+
+/// The multipliers that are not 0, by row.
+fn positive(columns: Vec<(usize, Rational)>) -> Vec<Multiplier> {
+    let positive = columns.into_iter().filter(|(_, value)| !value.is_zero());
+    let mut multipliers: Vec<Multiplier> = positive.map(|(row, value)| Multiplier { row, value }).collect();
+    multipliers.sort_by_key(|multiplier| multiplier.row);
+    multipliers
+}
+
+impl ExactOutcome {
+    /// Recomputes the proof from the program. Exact; one pass over the rows.
+    pub fn verify(&self, program: &Program<'_>) -> bool {
+        let feasible = |theta: &[Rational; 2]| program.rows.iter().all(|row| !row.slack(theta).is_negative());
+        let product = |u: &[Rational; 2], v: &[Rational; 2]| &u[0] * &v[0] + &u[1] * &v[1];
+        match self {
+            ExactOutcome::Optimal { theta, value, multipliers, .. } => {
+                let Some((form, bound)) = combine(program, multipliers, 2) else { return false };
+                feasible(theta)
+                    && product(&program.objective, theta) == *value
+                    && form == program.objective.each_ref().map(|c| -c)
+                    && bound == -value
+            }
+            ExactOutcome::Infeasible { multipliers } => combine(program, multipliers, 3)
+                .is_some_and(|(form, bound)| form.iter().all(Rational::is_zero) && bound.is_negative()),
+            ExactOutcome::Unbounded { theta, ray } => {
+                feasible(theta)
+                    && program.rows.iter().all(|row| !product(&row.a, ray).is_positive())
+                    && product(&program.objective, ray).is_negative()
+            }
+        }
+    }
+}
+
+/// The combination of at most `most` rows with positive multipliers, or `None` when they are not that.
+fn combine(
+    program: &Program<'_>,
+    multipliers: &[Multiplier],
+    most: usize,
+) -> Option<([Rational; 2], Rational)> {
+    let mut form = [Rational::zero(), Rational::zero()];
+    let mut bound = Rational::zero();
+    for Multiplier { row, value } in multipliers {
+        let Row { a, b } = program.rows.get(*row).filter(|_| value.is_positive())?;
+        form = [&form[0] + &a[0] * value, &form[1] + &a[1] * value];
+        bound = bound + b * value;
+    }
+    (multipliers.len() <= most).then_some((form, bound))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rows(rows: &[[i64; 3]]) -> Vec<Row> {
+        rows.iter().map(|&[a1, a2, b]| Row { a: [a1.into(), a2.into()], b: b.into() }).collect()
+    }
+
+    #[test]
+    fn each_outcome_by_hand() {
+        let triangle = rows(&[[-1, 0, 0], [0, -1, 0], [2, 3, 6]]);
+        let minus_sum = Program { rows: &triangle, objective: [Rational::from(-1), Rational::from(-1)] };
+        let outcome = exact_simplex(&minus_sum);
+        let ExactOutcome::Optimal { theta, value, .. } = &outcome else { panic!("{outcome:?}") };
+        assert_eq!((theta, value), (&[Rational::from(3), Rational::zero()], &Rational::from(-3)));
+        assert!(outcome.verify(&minus_sum));
+
+        let strip = rows(&[[1, 0, 1], [-1, 0, 0]]);
+        let along = Program { rows: &strip, objective: [Rational::zero(), Rational::one()] };
+        assert!(matches!(exact_simplex(&along), ExactOutcome::Unbounded { .. }));
+        assert!(exact_simplex(&along).verify(&along));
+        let across = Program { rows: &strip, objective: [Rational::one(), Rational::zero()] };
+        assert!(matches!(exact_simplex(&across), ExactOutcome::Optimal { .. }));
+        assert!(exact_simplex(&across).verify(&across));
+
+        let empty = rows(&[[1, 0, -1], [-1, 0, 0]]);
+        let along = Program { rows: &empty, objective: [Rational::zero(), Rational::one()] };
+        assert!(matches!(exact_simplex(&along), ExactOutcome::Infeasible { .. }));
+        assert!(exact_simplex(&along).verify(&along));
+
+        let free = Program { rows: &[], objective: [Rational::one(), Rational::zero()] };
+        assert!(exact_simplex(&free).verify(&free));
+        let never = rows(&[[0, 0, -1]]);
+        let never = Program { rows: &never, objective: [Rational::one(), Rational::zero()] };
+        assert!(matches!(exact_simplex(&never), ExactOutcome::Infeasible { .. }));
+        assert!(exact_simplex(&never).verify(&never));
+    }
+}

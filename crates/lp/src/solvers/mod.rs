@@ -1,0 +1,60 @@
+//! Floating-point solvers behind one trait, one file each. A new solver is a file here and a line in [`solvers`].
+
+mod clarabel;
+#[cfg(feature = "highs")]
+mod highs;
+mod microlp;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::mpsc;
+use std::thread;
+use std::time::Duration;
+
+use crate::outcome::Outcome;
+use crate::program::FloatProgram;
+
+/// A solver of programs in two free variables.
+pub trait Solver: Send + Sync {
+    /// The name on the command line.
+    fn name(&self) -> &'static str;
+
+    /// The version of the library behind it.
+    fn version(&self) -> &'static str;
+
+    /// Minimises. Rounded, as the solver works; it may fail, crash or never end: see [`solve_guarded`].
+    fn solve(&self, program: &FloatProgram) -> Outcome;
+}
+
+/// All solvers of this build; the first is the default.
+pub fn solvers() -> Vec<Box<dyn Solver>> {
+    vec![
+        Box::new(microlp::Microlp),
+        Box::new(clarabel::Clarabel),
+        #[cfg(feature = "highs")]
+        Box::new(highs::Highs),
+    ]
+}
+
+/// The solver with a name.
+pub fn solver_named(name: &str) -> Option<Box<dyn Solver>> {
+    solvers().into_iter().find(|solver| solver.name() == name)
+}
+
+/// Lets a solver work on a thread of its own, for at most `limit`: a crash or an endless loop becomes
+/// [`Outcome::Failed`]. A solver that does not end is left behind.
+pub fn solve_guarded(name: &str, program: &FloatProgram, limit: Duration) -> Outcome {
+    let Some(solver) = solver_named(name) else {
+        return Outcome::Failed(format!("there is no solver {name}"));
+    };
+    if !program.is_finite() {
+        return Outcome::Failed("the program does not fit into binary64".to_owned());
+    }
+    let (sender, receiver) = mpsc::channel();
+    let program = program.clone();
+    thread::spawn(move || {
+        let answer = catch_unwind(AssertUnwindSafe(|| solver.solve(&program)));
+        // The receiver may have given up.
+        let _ = sender.send(answer.unwrap_or_else(|_| Outcome::Failed("the solver crashed".to_owned())));
+    });
+    receiver.recv_timeout(limit).unwrap_or_else(|_| Outcome::Failed(format!("no answer within {limit:?}")))
+}

@@ -1,0 +1,197 @@
+//! The revised simplex method in exact arithmetic, for programs with two equations and many columns:
+//! `min cost·λ` subject to `Σ λ_k·column_k = target`, `λ ≥ 0`.
+//!
+//! Bland's rule (1977): of the columns that improve, the one with the smallest index enters; of those that block, the
+//! one with the smallest index leaves. It cannot cycle.
+
+use boundfit_exact::{Integer, Rational};
+
+/// A column with its cost, times a positive integer that makes everything whole. Scaling a column scales its λ only.
+#[derive(Debug, Clone)]
+pub(crate) struct Column {
+    pub(crate) entries: [Integer; 2],
+    pub(crate) cost: Integer,
+    /// The factor.
+    pub(crate) scale: Integer,
+}
+
+/// How the method ended.
+#[derive(Debug)]
+pub(crate) enum End {
+    /// Optimal: the basic columns with their λ (of the unscaled columns), and the prices.
+    Optimal { basis: Vec<(usize, Rational)>, prices: [Rational; 2] },
+    /// The target is out of reach: `prices·column ≤ 0` for all columns, `prices·target > 0`.
+    OutOfReach { prices: [Rational; 2] },
+    /// The cost falls without end along this combination of columns, whose sum is 0.
+    Unbounded { combination: Vec<(usize, Rational)> },
+}
+
+/// A basic variable: a column of the program or the artificial unit column of an equation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Basic {
+    Column(usize),
+    Artificial(usize),
+}
+
+/// Which costs count.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Phase {
+    /// Artificial columns cost 1, others nothing.
+    Reach,
+    /// The program's own costs; artificial columns stay at 0.
+    Cost,
+}
+
+/// Solves the program. Exact; it always ends.
+pub(crate) fn solve(columns: &[Column], target: &[Rational; 2]) -> End {
+    let mut tableau = Tableau::new(columns, target);
+    // The first phase is bounded below by 0, so that it ends in an optimum.
+    tableau.run(Phase::Reach);
+    if tableau.artificial_rows().any(|row| tableau.values[row].is_positive()) {
+        return End::OutOfReach { prices: tableau.prices(Phase::Reach) };
+    }
+    match tableau.run(Phase::Cost) {
+        Some(combination) => End::Unbounded { combination },
+        None => End::Optimal { basis: tableau.basic_columns(), prices: tableau.prices(Phase::Cost) },
+    }
+}
+
+struct Tableau<'a> {
+    columns: &'a [Column],
+    basis: [Basic; 2],
+    /// Inverse of the matrix of basic columns.
+    inverse: [[Rational; 2]; 2],
+    /// λ of the basic columns.
+    values: [Rational; 2],
+}
+
+impl<'a> Tableau<'a> {
+    /// Starts from the artificial columns, whose signs make their values non-negative.
+    fn new(columns: &'a [Column], target: &[Rational; 2]) -> Self {
+        let sign = |value: &Rational| if value.is_negative() { -Rational::one() } else { Rational::one() };
+        Tableau {
+            columns,
+            basis: [Basic::Artificial(0), Basic::Artificial(1)],
+            inverse: [[sign(&target[0]), Rational::zero()], [Rational::zero(), sign(&target[1])]],
+            values: target.each_ref().map(Rational::abs),
+        }
+    }
+
+    /// Pivots until nothing improves; returns the combination along which the cost falls without end, if there is one.
+    fn run(&mut self, phase: Phase) -> Option<Vec<(usize, Rational)>> {
+        while let Some(entering) = self.entering(phase) {
+            let column = &self.columns[entering].entries;
+            let change = self.inverse.each_ref().map(|row| dot(row, column));
+            match self.leaving(phase, &change) {
+                Some(row) => self.pivot(row, entering, &change),
+                None => return Some(self.combination(entering, &change)),
+            }
+        }
+        None
+    }
+
+    /// The first column with a negative reduced cost. Decided in integers: this is the loop over all columns.
+    fn entering(&self, phase: Phase) -> Option<usize> {
+        let prices = self.prices(phase);
+        let weight = prices[0].denominator().lcm(&prices[1].denominator());
+        let [p, q] =
+            prices.each_ref().map(|price| price.numerator() * weight.div_rem_floor(&price.denominator()).0);
+        let basic = |index: usize| self.basis.contains(&Basic::Column(index));
+        (0..self.columns.len()).find(|&index| {
+            let Column { entries: [a, b], cost, .. } = &self.columns[index];
+            let priced = &p * a + &q * b;
+            let improves = match phase {
+                Phase::Reach => priced.is_positive(),
+                Phase::Cost => cost * &weight < priced,
+            };
+            improves && !basic(index)
+        })
+    }
+
+    /// The row that blocks first when the entering column grows and `change` is taken from the basic values.
+    fn leaving(&self, phase: Phase, change: &[Rational; 2]) -> Option<usize> {
+        let mut best: Option<(usize, Rational)> = None;
+        for row in [0, 1] {
+            let stays_at_zero = phase == Phase::Cost && matches!(self.basis[row], Basic::Artificial(_));
+            let blocks = change[row].is_positive() || (stays_at_zero && !change[row].is_zero());
+            let Some(ratio) = self.values[row].checked_div(&change[row]).filter(|_| blocks) else { continue };
+            let sooner = best.as_ref().is_none_or(|(other, least)| {
+                ratio < *least || (ratio == *least && self.basis[row].rank() < self.basis[*other].rank())
+            });
+            if sooner {
+                best = Some((row, ratio));
+            }
+        }
+        best.map(|(row, _)| row)
+    }
+
+    fn pivot(&mut self, row: usize, entering: usize, change: &[Rational; 2]) {
+        let other = 1 - row;
+        let quotient = |value: &Rational| value.checked_div(&change[row]).unwrap_or_default();
+        let scaled = self.inverse[row].each_ref().map(&quotient);
+        let step = quotient(&self.values[row]);
+        self.inverse[other] = [0, 1].map(|i| &self.inverse[other][i] - &change[other] * &scaled[i]);
+        self.values[other] = &self.values[other] - &change[other] * &step;
+        self.inverse[row] = scaled;
+        self.values[row] = step;
+        self.basis[row] = Basic::Column(entering);
+    }
+
+    /// Prices π with π·column = cost for the basic columns.
+    fn prices(&self, phase: Phase) -> [Rational; 2] {
+        let costs = self.basis.map(|basic| match (basic, phase) {
+            (Basic::Artificial(_), Phase::Reach) => Rational::one(),
+            (Basic::Column(index), Phase::Cost) => Rational::from(&self.columns[index].cost),
+            _ => Rational::zero(),
+        });
+        [0, 1].map(|i| &costs[0] * &self.inverse[0][i] + &costs[1] * &self.inverse[1][i])
+    }
+
+    fn artificial_rows(&self) -> impl Iterator<Item = usize> {
+        let basis = self.basis;
+        (0..2).filter(move |&row| matches!(basis[row], Basic::Artificial(_)))
+    }
+
+    /// The basic columns with their λ, in terms of the unscaled columns.
+    fn basic_columns(&self) -> Vec<(usize, Rational)> {
+        let values = self.basis.iter().zip(&self.values);
+        values
+            .filter_map(|(basic, value)| Some((basic.column()?, self.unscaled(basic.column()?, value))))
+            .collect()
+    }
+
+    /// One unit of the entering column and what cancels it.
+    fn combination(&self, entering: usize, change: &[Rational; 2]) -> Vec<(usize, Rational)> {
+        let entered = (entering, self.unscaled(entering, &Rational::one()));
+        let basic = self.basis.iter().zip(change).filter_map(|(basic, change)| {
+            let index = basic.column()?;
+            (!change.is_zero()).then(|| (index, self.unscaled(index, &-change)))
+        });
+        std::iter::once(entered).chain(basic).collect()
+    }
+
+    fn unscaled(&self, index: usize, value: &Rational) -> Rational {
+        value * Rational::from(&self.columns[index].scale)
+    }
+}
+
+impl Basic {
+    fn column(self) -> Option<usize> {
+        match self {
+            Basic::Column(index) => Some(index),
+            Basic::Artificial(_) => None,
+        }
+    }
+
+    /// Bland's order: artificial columns leave first.
+    fn rank(self) -> (bool, usize) {
+        match self {
+            Basic::Artificial(row) => (false, row),
+            Basic::Column(index) => (true, index),
+        }
+    }
+}
+
+fn dot(row: &[Rational; 2], column: &[Integer; 2]) -> Rational {
+    &row[0] * Rational::from(&column[0]) + &row[1] * Rational::from(&column[1])
+}

@@ -1,0 +1,115 @@
+//! What an answer is worth.
+
+use boundfit_exact::Rational;
+
+use crate::outcome::Multiplier;
+
+/// The worth of a claim, from best to worst. Everything from [`Verdict::Loose`] on refutes it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Verdict {
+    /// The claim is the truth.
+    Exact,
+    /// The claim is the binary64 nearest to the truth, or this many units in the last place away, at most
+    /// [`Verdict::MOST_ULPS`].
+    Rounded {
+        /// Steps between neighbouring binary64 numbers from the nearest one.
+        ulps: u64,
+    },
+    /// Too wide, or its point outside, by no more than the tolerance.
+    WithinTolerance,
+    /// Nothing was claimed.
+    NoAnswer,
+    /// The bound is too wide by more than the tolerance: safe, but not the bound.
+    Loose,
+    /// The claimed point violates a row by more than the tolerance.
+    InfeasiblePoint,
+    /// The bound cuts off feasible parameters.
+    Unsafe,
+    /// The lower end is above the upper end.
+    InvertedInterval,
+    /// Not the status of the program: empty claimed feasible, bounded claimed unbounded, and so on.
+    WrongStatus,
+}
+
+impl Verdict {
+    /// How many units in the last place still count as rounding.
+    pub const MOST_ULPS: u64 = 4;
+
+    /// The name in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Verdict::Exact => "exact",
+            Verdict::Rounded { .. } => "rounded",
+            Verdict::WithinTolerance => "within tolerance",
+            Verdict::NoAnswer => "no answer",
+            Verdict::Loose => "loose",
+            Verdict::InfeasiblePoint => "infeasible point",
+            Verdict::Unsafe => "unsafe",
+            Verdict::WrongStatus => "wrong status",
+            Verdict::InvertedInterval => "inverted interval",
+        }
+    }
+
+    /// Whether the claim is refuted.
+    pub fn is_refutation(self) -> bool {
+        self >= Verdict::Loose
+    }
+}
+
+/// A row that a claimed point violates.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Violation {
+    /// The row.
+    pub row: usize,
+    /// By how much, in the units of its right-hand side.
+    pub by: Rational,
+}
+
+/// What shows that a claimed status is wrong.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Proof {
+    /// These rows add up to `0 ≤ negative`: there is no feasible point.
+    Infeasible(Vec<Multiplier>),
+    /// A feasible point.
+    FeasiblePoint([Rational; 2]),
+    /// These rows add up to the bound: the program is bounded.
+    Bound(Vec<Multiplier>),
+    /// From this feasible point the form goes on for ever in this direction.
+    Ray {
+        /// The point.
+        theta: [Rational; 2],
+        /// The direction.
+        ray: [Rational; 2],
+    },
+}
+
+/// The referee's finding about one end of one interval.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Judgement {
+    /// What the claim is worth.
+    pub verdict: Verdict,
+    /// The true end; `None` when there is none.
+    pub exact: Option<Rational>,
+    /// The claimed end.
+    pub claimed: Option<Rational>,
+    /// How far the claim is outside (positive) or inside (negative) of the true end.
+    pub excess: Option<Rational>,
+    /// The excess in units of the true interval's width, when that is neither 0 nor infinite.
+    pub excess_in_widths: Option<Rational>,
+    /// The smallest τ for which the claimed point lies in FPS(ε + τ). `None` without a point, and when the point
+    /// violates a condition, which no τ relaxes.
+    pub tau: Option<Rational>,
+    /// The smallest factor by which some ε must grow for the claimed point, less 1: τ in units of ε.
+    pub tau_in_epsilon: Option<Rational>,
+    /// The row that the claimed point violates most, in units of its error bound.
+    pub violation: Option<Violation>,
+    /// A feasible point that an unsafe bound cuts off.
+    pub witness: Option<[Rational; 2]>,
+    /// What shows that a status is wrong.
+    pub proof: Option<Proof>,
+    /// Whether the rows with the largest duals prove the true end: the digits were wrong, the basis was not. `None`
+    /// without duals.
+    pub repairable: Option<bool>,
+    /// The solver's own reason for giving no answer.
+    pub reason: Option<String>,
+}
