@@ -1,10 +1,13 @@
 //! The command line.
 
-use boundfit_exact::Reading;
-use boundfit_formats::{ColumnSelector, Header, RowRange};
+use boundfit_estimation::{Columns, Condition, EpsilonColumn, Measurements, Problem};
+use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_formats::{ColumnSelector, Header, RowRange, Source, TableOptions};
 use boundfit_report::{EndRounding, Style};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+
+use crate::exit::Failure;
 
 /// Exact bounded-error (set-membership) estimation in two parameters, and exact polygons from half-planes.
 ///
@@ -20,6 +23,8 @@ pub(crate) struct Arguments {
 #[allow(clippy::large_enum_variant, reason = "one per run")]
 pub(crate) enum Command {
     Fit(FitArguments),
+    Check(CheckArguments),
+    BenchSolvers(BenchSolversArguments),
     Polygon(PolygonArguments),
     /// Print a completion script for a shell
     #[command(after_help = "Example:\n  boundfit completions bash > /etc/bash_completion.d/boundfit")]
@@ -59,26 +64,99 @@ Exit status:
 #[derive(Debug, Args)]
 #[command(after_help = FIT_EXAMPLES)]
 pub(crate) struct FitArguments {
-    /// A table of readings (separated by commas, semicolons or tabs), or - for standard input
-    pub(crate) data: String,
-    /// Column of x by header name or number from 1; two for the model y = theta1*COL + theta2*COL2 + e
-    #[arg(long, value_name = "COL[,COL2]", value_parser = parse_regressors, required = true)]
-    pub(crate) x: Regressors,
-    /// Column of y
-    #[arg(long, value_name = "COL", value_parser = parse_column, required = true)]
-    pub(crate) y: ColumnSelector,
     #[command(flatten)]
-    pub(crate) epsilon: EpsilonArguments,
-    /// Use data rows A to B only, counted from 1 without the header
-    #[arg(long, value_name = "A..B", value_parser = parse_rows)]
-    pub(crate) rows: Option<AskedRows>,
-    /// A linear inequality that the parameters are known to satisfy, such as '2*theta1 - theta2 <= 1/3'
-    #[arg(long = "where", value_name = "CONDITION", allow_hyphen_values = true)]
-    pub(crate) conditions: Vec<String>,
-    #[command(flatten)]
-    pub(crate) table: TableArguments,
+    pub(crate) data: DataArguments,
+    /// Leave out the line about what an LP solver makes of the same data
+    #[arg(long)]
+    pub(crate) no_lp: bool,
     #[command(flatten)]
     pub(crate) output: OutputArguments,
+}
+
+const CHECK_EXAMPLES: &str = "\
+Examples:
+  Every solver of this build against the exact answer:
+    boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3
+  The PUI that some other program printed:
+    boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 \\
+      --claim-pui 1.7909e-3,1.8484e-3,2.2596e-2,2.2807e-2
+  The hull of 16 LP optimisers, the set itself, and the half-planes behind the 16 optima:
+    boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --directions 16
+
+Exit status:
+  0  no claim is refuted
+  1  bad data, or a file that cannot be read or written
+  2  bad usage
+  4  a claim is refuted";
+
+/// Judge LP answers about the same fit: is each end of the parameter uncertainty intervals right?
+///
+/// Solvers of this build and claims from elsewhere are compared with the exact answer. A verdict is exact, rounded (the
+/// nearest double, give or take 4 units in the last place), within tolerance, loose (too wide), infeasible point, unsafe
+/// (cuts off feasible parameters), wrong status or inverted interval, judged against the data as written and against the
+/// doubles that a solver receives.
+#[derive(Debug, Args)]
+#[command(after_help = CHECK_EXAMPLES)]
+pub(crate) struct CheckArguments {
+    #[command(flatten)]
+    pub(crate) data: DataArguments,
+    /// Judge this solver; repeatable. All of this build when neither this nor a claim is given
+    #[arg(long = "solver", value_name = "NAME")]
+    pub(crate) solvers: Vec<String>,
+    /// Judge the claims in this JSON file; repeatable
+    #[arg(long = "claim", value_name = "FILE")]
+    pub(crate) claims: Vec<String>,
+    /// Judge these ends of the intervals; inf and -inf claim an unbounded end; repeatable
+    #[arg(long = "claim-pui", value_name = "LO1,HI1,LO2,HI2", allow_hyphen_values = true)]
+    pub(crate) claimed_pui: Vec<String>,
+    /// Compare the set with the optimisers of linear programs in N directions
+    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "16",
+          value_parser = clap::value_parser!(u16).range(3..=10000))]
+    pub(crate) directions: Option<u16>,
+    /// How much too wide a bound may be, in widths of the interval, and how far outside a point, in units of eps
+    #[arg(long, value_name = "NUM", default_value = "1e-6", allow_hyphen_values = true)]
+    pub(crate) tolerance: String,
+    /// Seconds that a solver may work on one program
+    #[arg(long, value_name = "SECONDS", default_value_t = 60, value_parser = clap::value_parser!(u64).range(1..=86400))]
+    pub(crate) time_limit: u64,
+    #[command(flatten)]
+    pub(crate) output: OutputArguments,
+}
+
+/// Run every solver over a folder of cases and print who is right on which, as a Markdown table
+///
+/// A case is NAME.csv with columns x and y, and NAME.json with the error bound as text under "eps".
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  boundfit bench-solvers fixtures/hard-lp")]
+pub(crate) struct BenchSolversArguments {
+    /// The folder
+    pub(crate) folder: String,
+    /// Write to this file instead of standard output: whole or not at all
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<String>,
+}
+
+/// Which readings are fitted, and how.
+#[derive(Debug, Args)]
+pub(crate) struct DataArguments {
+    /// A table of readings (separated by commas, semicolons or tabs), or - for standard input
+    data: String,
+    /// Column of x by header name or number from 1; two for the model y = theta1*COL + theta2*COL2 + e
+    #[arg(long, value_name = "COL[,COL2]", value_parser = parse_regressors, required = true)]
+    x: Regressors,
+    /// Column of y
+    #[arg(long, value_name = "COL", value_parser = parse_column, required = true)]
+    y: ColumnSelector,
+    #[command(flatten)]
+    epsilon: EpsilonArguments,
+    /// Use data rows A to B only, counted from 1 without the header
+    #[arg(long, value_name = "A..B", value_parser = parse_rows)]
+    rows: Option<AskedRows>,
+    /// A linear inequality that the parameters are known to satisfy, such as '2*theta1 - theta2 <= 1/3'
+    #[arg(long = "where", value_name = "CONDITION", allow_hyphen_values = true)]
+    conditions: Vec<String>,
+    #[command(flatten)]
+    pub(crate) table: TableArguments,
 }
 
 /// The error bound.
@@ -197,6 +275,57 @@ pub(crate) struct Regressors {
 pub(crate) struct AskedRows {
     pub(crate) text: String,
     pub(crate) range: RowRange,
+}
+
+impl DataArguments {
+    /// The file in the words of reports.
+    pub(crate) fn file_name(&self) -> &str {
+        if self.data == "-" { "standard input" } else { &self.data }
+    }
+
+    /// The row range in the user's words.
+    pub(crate) fn rows_asked(&self) -> Option<&str> {
+        self.rows.as_ref().map(|rows| rows.text.as_str())
+    }
+
+    /// Reads the problem.
+    pub(crate) fn problem(&self, reading: Reading) -> Result<Problem, Failure> {
+        let limits = Limits::default();
+        let epsilon = match (&self.epsilon.eps, &self.epsilon.eps_column) {
+            (Some(eps), _) => EpsilonColumn::Uniform(error_bound(eps, reading, &limits)?),
+            (None, Some(column)) => EpsilonColumn::Column(column.clone()),
+            (None, None) => return Err(Failure::Usage("'--eps' or '--eps-column' is missing".to_owned())),
+        };
+        let condition = |text: &String| {
+            Condition::parse(text, reading, &limits)
+                .map_err(|error| Failure::value("--where <CONDITION>", text, error))
+        };
+        let conditions = self.conditions.iter().map(condition).collect::<Result<_, _>>()?;
+        let columns = Columns {
+            first: self.x.first.clone(),
+            second: self.x.second.clone(),
+            response: self.y.clone(),
+            epsilon,
+        };
+        let options = TableOptions {
+            header: self.table.header(),
+            delimiter: self.table.delimiter(),
+            rows: self.rows.as_ref().map(|rows| rows.range),
+            reading,
+            limits,
+        };
+        let source = Source::open(&self.data).map_err(Failure::data)?;
+        let measurements = Measurements::read(source, &columns, &options).map_err(Failure::data)?;
+        Ok(Problem { measurements, conditions })
+    }
+}
+
+fn error_bound(text: &str, reading: Reading, limits: &Limits) -> Result<Rational, Failure> {
+    let expected = "expected a number that is at least 0, such as 0.5e-3 or 1/2000";
+    let refuse =
+        |problem: String| Failure::value("--eps <NUM>", text, format_args!("{problem} ({expected})"));
+    let value = reading.read(text, limits).map_err(|error| refuse(format!("not a number: {error}")))?;
+    if value.is_negative() { Err(refuse("negative".to_owned())) } else { Ok(value) }
 }
 
 impl TableArguments {

@@ -16,6 +16,8 @@ pub(crate) enum Exit {
     Answer = 0,
     /// Status 3: the set is empty, and the answer proves it.
     Empty = 3,
+    /// Status 4: a claim is refuted.
+    Refuted = 4,
 }
 
 impl From<Exit> for ExitCode {

@@ -13,10 +13,12 @@ use crate::arguments::{Arguments, Command};
 use crate::exit::Exit;
 
 /// Runs the command that the program's arguments ask for and gives the exit status: 0 an answer, 1 bad data or
-/// I/O, 2 bad usage, 3 an empty set.
+/// I/O, 2 bad usage, 3 an empty set, 4 a refuted claim.
 pub fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Fit(arguments) => commands::fit::run(&arguments),
+        Command::Check(arguments) => commands::check::run(&arguments),
+        Command::BenchSolvers(arguments) => commands::bench_solvers::run(&arguments),
         Command::Polygon(arguments) => commands::polygon::run(&arguments),
         Command::Completions { shell } => commands::completions::run(shell),
         Command::Man { topic } => commands::man::run(topic.as_deref()),

@@ -4,6 +4,8 @@
 //! bounds upward, all other numbers to nearest. JSON carries the exact value beside every decimal.
 
 mod advice;
+mod check_json;
+mod check_text;
 mod fit_json;
 mod fit_text;
 mod polygon_json;
@@ -12,6 +14,8 @@ mod region;
 mod style;
 mod text;
 
+pub use check_json::check_json;
+pub use check_text::{check_text, conformance_table, verdict_line};
 pub use fit_json::fit_json;
 pub use fit_text::fit_text;
 pub use polygon_json::polygon_json;

@@ -1,5 +1,7 @@
 //! One file per command.
 
+pub(crate) mod bench_solvers;
+pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod fit;
 pub(crate) mod man;

@@ -1,0 +1,97 @@
+//! The set beside what linear programs in many directions see of it.
+//!
+//! The optimisers of the programs are vertices of the set, so that their hull lies inside it: an *inner* approximation.
+//! The programs' values bound the set by one half-plane per direction: an *outer* approximation.
+
+use boundfit_estimation::{Fps, Problem};
+use boundfit_exact::{Rational, Sign};
+use boundfit_geometry::predicates::{lexicographic, orientation};
+use boundfit_geometry::{Inequality, Point, Polyhedron, System};
+use boundfit_lp::{ExactOutcome, Program, exact_simplex, spread_objectives};
+
+use crate::rows::ProgramRows;
+
+/// Vertices and area of one set.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Approximation {
+    /// Counter-clockwise.
+    pub vertices: Vec<[Rational; 2]>,
+    /// The area; `None` when it is infinite.
+    pub area: Option<Rational>,
+}
+
+/// The exact set between its inner and its outer approximation. Exact: the programs are solved by the exact simplex.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Directions {
+    /// How many directions.
+    pub count: usize,
+    /// How many of them the set does not bound.
+    pub unbounded: usize,
+    /// The hull of the optimisers; `None` when the set is empty.
+    pub inner: Option<Approximation>,
+    /// The set itself.
+    pub exact: Approximation,
+    /// The intersection of the supporting half-planes; `None` when the set is empty.
+    pub outer: Option<Approximation>,
+}
+
+/// Solves a program in each of `count` directions spread around the circle. Cost: `count` exact simplex runs.
+pub fn directions(problem: &Problem, rows: &ProgramRows, count: usize) -> Directions {
+    let plain = rows.plain();
+    let mut optimisers = Vec::new();
+    let mut supporting = System::default();
+    let (mut unbounded, mut empty) = (0, false);
+    for objective in spread_objectives(count) {
+        match exact_simplex(&Program { rows: &plain, objective: objective.clone() }) {
+            ExactOutcome::Optimal { theta, value, .. } => {
+                optimisers.push(Point::new(&theta[0], &theta[1]));
+                let [a1, a2] = objective;
+                supporting.push(Inequality::new(-a1, -a2, -value));
+            }
+            ExactOutcome::Unbounded { .. } => unbounded += 1,
+            ExactOutcome::Infeasible { .. } => empty = true,
+        }
+    }
+    let exact = Fps::new(&problem.measurements, &problem.conditions);
+    Directions {
+        count,
+        unbounded,
+        inner: (!empty).then(|| hull(optimisers)),
+        exact: approximation(exact.polyhedron()),
+        outer: (!empty).then(|| approximation(&Polyhedron::intersect(supporting))),
+    }
+}
+
+fn approximation(polyhedron: &Polyhedron) -> Approximation {
+    let region = polyhedron.region();
+    let vertices = region.vertices().iter().map(|vertex| vertex.point().coordinates()).collect();
+    Approximation { vertices, area: region.area() }
+}
+
+/// The convex hull of points (Andrew's monotone chain) and its area.
+fn hull(mut points: Vec<Point>) -> Approximation {
+    points.sort_by(lexicographic);
+    points.dedup();
+    let chain = |points: &mut dyn Iterator<Item = &Point>| {
+        let mut chain: Vec<Point> = Vec::new();
+        for point in points {
+            while let [.., before, last] = chain.as_slice()
+                && orientation(before, last, point) != Sign::Positive
+            {
+                chain.pop();
+            }
+            chain.push(point.clone());
+        }
+        chain.pop();
+        chain
+    };
+    let corners = if points.len() < 2 {
+        points
+    } else {
+        [chain(&mut points.iter()), chain(&mut points.iter().rev())].concat()
+    };
+    let vertices: Vec<[Rational; 2]> = corners.iter().map(Point::coordinates).collect();
+    let next = vertices.iter().cycle().skip(1);
+    let doubled: Rational = vertices.iter().zip(next).map(|(p, q)| &p[0] * &q[1] - &p[1] * &q[0]).sum();
+    Approximation { vertices, area: Some(doubled.half()) }
+}

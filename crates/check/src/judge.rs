@@ -1,0 +1,93 @@
+//! Running and judging all answers.
+
+use std::time::Duration;
+
+use boundfit_estimation::Problem;
+use boundfit_exact::{Rational, Reading};
+use boundfit_lp::{Judgement, Referee, Verdict};
+
+use crate::answer::{Answer, SourceError, answer_of};
+use crate::directions::{Directions, directions};
+use crate::rows::ProgramRows;
+
+/// What is to be checked, and how.
+#[derive(Debug, Clone)]
+pub struct CheckOptions {
+    /// Solvers to run, by name.
+    pub solvers: Vec<String>,
+    /// Answers from elsewhere.
+    pub answers: Vec<Answer>,
+    /// What still counts as within tolerance: of bounds in widths of the interval, of points in units of ε.
+    pub tolerance: Rational,
+    /// The longest that a solver may work on one program.
+    pub time_limit: Duration,
+    /// How many directions to compare the set in; none when `None`.
+    pub directions: Option<usize>,
+}
+
+/// One answer, judged against one reading of the data.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct JudgedAnswer {
+    /// Who gave the answer.
+    pub source: String,
+    /// The data that it is judged against.
+    pub reading: Reading,
+    /// By parameter, then lower and upper end.
+    pub bounds: [[Judgement; 2]; 2],
+}
+
+impl JudgedAnswer {
+    /// The worst of the four verdicts.
+    pub fn worst(&self) -> Verdict {
+        self.bounds.iter().flatten().map(|judgement| judgement.verdict).max().unwrap_or(Verdict::NoAnswer)
+    }
+}
+
+/// Everything that was found.
+#[derive(Debug, Clone)]
+pub struct Check {
+    /// Every answer: against the data as read, then against the binary64 numbers that a solver receives, unless these
+    /// overflow or are the same, or the source did not work with them.
+    pub answers: Vec<JudgedAnswer>,
+    /// The set beside its approximations by linear programs.
+    pub directions: Option<Directions>,
+    /// The rows, for their names.
+    pub rows: ProgramRows,
+}
+
+impl Check {
+    /// The worst verdict against the data as read; `None` without answers.
+    pub fn worst(&self, reading: Reading) -> Option<Verdict> {
+        self.answers.iter().filter(|answer| answer.reading == reading).map(JudgedAnswer::worst).max()
+    }
+}
+
+/// Runs the solvers and judges their answers and those from elsewhere. The answers are floating point, the judgement is
+/// exact. `reading` says how the problem's numbers were read.
+///
+/// # Errors
+/// When this build lacks a solver asked for.
+pub fn check(problem: &Problem, reading: Reading, options: &CheckOptions) -> Result<Check, SourceError> {
+    let rows = ProgramRows::new(problem);
+    let mut answers = options.answers.clone();
+    for name in &options.solvers {
+        answers.push(answer_of(name, &rows, options.time_limit)?);
+    }
+    let as_read = Referee::new(rows.rows().to_vec(), options.tolerance.clone());
+    let rounded =
+        rows.in_binary64().filter(|rounded| reading == Reading::Decimal && rounded.rows() != rows.rows());
+    let received = rounded.map(|rounded| Referee::new(rounded.rows().to_vec(), options.tolerance.clone()));
+    let judged = |answer: &Answer, referee: &Referee, reading: Reading| JudgedAnswer {
+        source: answer.source.clone(),
+        reading,
+        bounds: [0, 1].map(|axis| referee.judge_interval(axis, &answer.claims[axis])),
+    };
+    let mut judged_answers = Vec::new();
+    for answer in &answers {
+        judged_answers.push(judged(answer, &as_read, reading));
+        let received = received.as_ref().filter(|_| !answer.exact_input);
+        judged_answers.extend(received.map(|referee| judged(answer, referee, Reading::Binary64)));
+    }
+    let directions = options.directions.map(|count| directions(problem, &rows, count));
+    Ok(Check { answers: judged_answers, directions, rows })
+}

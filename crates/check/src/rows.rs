@@ -1,0 +1,66 @@
+//! A fit's half-planes as the rows of linear programs.
+
+use boundfit_estimation::{BoundName, Problem};
+use boundfit_exact::Rational;
+use boundfit_lp::{FloatProgram, Program, RefereeRow, Row};
+
+/// The rows of M·θ ≤ b with M = [Φ; -Φ] and b = [y; -y] + ε, then the conditions.
+#[derive(Debug, Clone)]
+pub struct ProgramRows {
+    rows: Vec<RefereeRow>,
+    names: Vec<BoundName>,
+}
+
+impl ProgramRows {
+    /// The rows of a problem: all upper bounds, all lower bounds, all conditions.
+    pub fn new(problem: &Problem) -> Self {
+        let readings = problem.measurements.rows();
+        let upper = readings.iter().map(|reading| {
+            let row = Row { a: reading.regressor.clone(), b: &reading.response + &reading.epsilon };
+            (BoundName::Upper(reading.row), RefereeRow { row, epsilon: Some(reading.epsilon.clone()) })
+        });
+        let lower = readings.iter().map(|reading| {
+            let a = reading.regressor.each_ref().map(|phi| -phi);
+            let row = Row { a, b: &reading.epsilon - &reading.response };
+            (BoundName::Lower(reading.row), RefereeRow { row, epsilon: Some(reading.epsilon.clone()) })
+        });
+        let conditions = (1..).zip(&problem.conditions).map(|(number, condition)| {
+            let inequality = condition.inequality();
+            let row = Row { a: inequality.a.clone(), b: inequality.b.clone() };
+            (BoundName::Where(number), RefereeRow { row, epsilon: None })
+        });
+        let (names, rows) = upper.chain(lower).chain(conditions).unzip();
+        ProgramRows { rows, names }
+    }
+
+    /// The rows with their error bounds.
+    pub fn rows(&self) -> &[RefereeRow] {
+        &self.rows
+    }
+
+    /// The rows alone.
+    pub fn plain(&self) -> Vec<Row> {
+        self.rows.iter().map(|row| row.row.clone()).collect()
+    }
+
+    /// The name of a row.
+    ///
+    /// # Panics
+    /// When there is no such row.
+    pub fn name(&self, row: usize) -> BoundName {
+        self.names[row]
+    }
+
+    /// The rows as a float solver receives them, taken exactly: every number rounded to the nearest binary64. `None`
+    /// when one overflows.
+    pub fn in_binary64(&self) -> Option<ProgramRows> {
+        let plain = self.plain();
+        let program = Program { rows: &plain, objective: [Rational::zero(), Rational::zero()] };
+        let rounded = FloatProgram::new(&program).exact_rows()?;
+        let rows = rounded
+            .into_iter()
+            .zip(&self.rows)
+            .map(|(row, RefereeRow { epsilon, .. })| RefereeRow { row, epsilon: epsilon.clone() });
+        Some(ProgramRows { rows: rows.collect(), names: self.names.clone() })
+    }
+}

@@ -1,0 +1,69 @@
+//! `boundfit bench-solvers`.
+
+use std::fs;
+use std::path::Path;
+use std::time::Duration;
+
+use boundfit_check::{Check, CheckOptions, check, source_names};
+use boundfit_estimation::{Columns, EpsilonColumn, Measurements, Problem};
+use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_formats::{ColumnSelector, Source, TableOptions};
+use boundfit_report::conformance_table;
+
+use crate::CommandResult;
+use crate::arguments::BenchSolversArguments;
+use crate::exit::{Exit, Failure};
+use crate::output;
+
+/// Runs every solver on every case of a folder and prints the worst verdict of each as a Markdown table.
+pub(crate) fn run(arguments: &BenchSolversArguments) -> CommandResult {
+    let folder = &arguments.folder;
+    let entries = fs::read_dir(folder)
+        .map_err(|error| Failure::data(format_args!("{folder}: cannot read: {error}")))?;
+    let mut names: Vec<String> = entries
+        .filter_map(|entry| {
+            entry.ok()?.file_name().into_string().ok()?.strip_suffix(".csv").map(ToOwned::to_owned)
+        })
+        .collect();
+    names.sort();
+    if names.is_empty() {
+        return Err(Failure::data(format_args!("{folder}: there is no case NAME.csv with NAME.json")));
+    }
+    let mut cases = Vec::new();
+    for name in names {
+        let judged = judged_case(Path::new(folder), &name)?;
+        cases.push((name, judged));
+    }
+    output::write(&conformance_table(&cases), arguments.output.as_deref())?;
+    Ok(Exit::Answer)
+}
+
+/// A case: `NAME.csv` with columns x and y, and `"eps"` in `NAME.json`.
+fn judged_case(folder: &Path, name: &str) -> Result<Check, Failure> {
+    let json = folder.join(format!("{name}.json"));
+    let fail = |problem: String| Failure::data(format_args!("{}: {problem}", json.display()));
+    let text = fs::read_to_string(&json).map_err(|error| fail(format!("cannot read: {error}")))?;
+    let case: serde_json::Value = serde_json::from_str(&text).map_err(|error| fail(error.to_string()))?;
+    let epsilon = case["eps"].as_str().ok_or_else(|| fail("there is no text \"eps\"".to_owned()))?;
+    let epsilon =
+        Reading::Decimal.read(epsilon, &Limits::default()).map_err(|error| fail(error.to_string()))?;
+    let columns = Columns {
+        first: ColumnSelector::name_or_number("x"),
+        second: None,
+        response: ColumnSelector::name_or_number("y"),
+        epsilon: EpsilonColumn::Uniform(epsilon),
+    };
+    let csv = folder.join(format!("{name}.csv"));
+    let source = Source::open(&csv.to_string_lossy()).map_err(Failure::data)?;
+    let measurements =
+        Measurements::read(source, &columns, &TableOptions::default()).map_err(Failure::data)?;
+    let problem = Problem { measurements, conditions: Vec::new() };
+    let options = CheckOptions {
+        solvers: source_names(),
+        answers: Vec::new(),
+        tolerance: Rational::ratio(1, 1_000_000),
+        time_limit: Duration::from_secs(60),
+        directions: None,
+    };
+    check(&problem, Reading::Decimal, &options).map_err(Failure::data)
+}

@@ -1,0 +1,171 @@
+//! The JSON report of a check, schema `boundfit/check/1`.
+
+use boundfit_check::{Approximation, Check, Directions, JudgedAnswer, ProgramRows};
+use boundfit_exact::{Rational, Reading};
+use boundfit_lp::{End, Judgement, Multiplier, Proof, Verdict};
+use serde::Serialize;
+
+use crate::fit_json::{term, to_text};
+use crate::region::TermJson;
+use crate::style::{Number, Style};
+
+#[derive(Serialize)]
+struct CheckJson {
+    schema: &'static str,
+    claims: Vec<ClaimJson>,
+    worst: Option<&'static str>,
+    directions: Option<DirectionsJson>,
+}
+
+#[derive(Serialize)]
+struct ClaimJson {
+    source: String,
+    reading: &'static str,
+    bounds: Vec<BoundJson>,
+    verdict: &'static str,
+}
+
+#[derive(Serialize)]
+struct BoundJson {
+    target: &'static str,
+    end: &'static str,
+    claimed: Option<Number>,
+    verdict: &'static str,
+    ulps: Option<u64>,
+    exact: Option<Number>,
+    excess: Option<Number>,
+    excess_in_widths: Option<Number>,
+    tau: Option<Number>,
+    tau_in_epsilon: Option<Number>,
+    row: Option<usize>,
+    bound: Option<String>,
+    violation: Option<Number>,
+    witness: Option<[Number; 2]>,
+    proof: Option<ProofJson>,
+    repairable: Option<bool>,
+    reason: Option<String>,
+}
+
+#[derive(Serialize)]
+struct ProofJson {
+    shows: &'static str,
+    rows: Vec<TermJson>,
+    theta: Option<[Number; 2]>,
+    ray: Option<[Number; 2]>,
+}
+
+#[derive(Serialize)]
+struct DirectionsJson {
+    count: usize,
+    unbounded: usize,
+    inner: Option<ApproximationJson>,
+    exact: ApproximationJson,
+    outer: Option<ApproximationJson>,
+}
+
+#[derive(Serialize)]
+struct ApproximationJson {
+    vertices: Vec<[Number; 2]>,
+    area: Option<Number>,
+}
+
+/// The report as JSON, with a line end. `reading` is that of the data; `worst` is against it.
+pub fn check_json(check: &Check, reading: Reading, style: &Style) -> String {
+    let report = CheckJson {
+        schema: "boundfit/check/1",
+        claims: check.answers.iter().map(|answer| claim(answer, &check.rows, style)).collect(),
+        worst: check.worst(reading).map(Verdict::name),
+        directions: check.directions.as_ref().map(|found| directions(found, style)),
+    };
+    to_text(&report)
+}
+
+fn claim(answer: &JudgedAnswer, rows: &ProgramRows, style: &Style) -> ClaimJson {
+    let mut bounds = Vec::new();
+    for (axis, target) in ["theta1", "theta2"].into_iter().enumerate() {
+        for (end, name) in [(End::Lower, "lower"), (End::Upper, "upper")] {
+            bounds.push(bound(target, name, &answer.bounds[axis][end as usize], rows, style));
+        }
+    }
+    ClaimJson {
+        source: answer.source.clone(),
+        reading: answer.reading.name(),
+        bounds,
+        verdict: answer.worst().name(),
+    }
+}
+
+fn bound(
+    target: &'static str,
+    end: &'static str,
+    judgement: &Judgement,
+    rows: &ProgramRows,
+    style: &Style,
+) -> BoundJson {
+    let number = |value: &Option<Rational>| value.as_ref().map(|value| style.number(value));
+    let violated = judgement.violation.as_ref().map(|violation| {
+        let TermJson { row, bound, multiplier } = term(rows.name(violation.row), &violation.by, style);
+        (row, bound, multiplier)
+    });
+    let (row, bound, violation) = match violated {
+        Some((row, bound, by)) => (row, Some(bound), Some(by)),
+        None => (None, None, None),
+    };
+    BoundJson {
+        target,
+        end,
+        claimed: number(&judgement.claimed),
+        verdict: judgement.verdict.name(),
+        ulps: match judgement.verdict {
+            Verdict::Rounded { ulps } => Some(ulps),
+            _ => None,
+        },
+        exact: judgement
+            .exact
+            .as_ref()
+            .map(|exact| if end == "lower" { style.lower_number(exact) } else { style.upper_number(exact) }),
+        excess: number(&judgement.excess),
+        excess_in_widths: number(&judgement.excess_in_widths),
+        tau: judgement.tau.as_ref().map(|tau| style.upper_number(tau)),
+        tau_in_epsilon: judgement.tau_in_epsilon.as_ref().map(|tau| style.upper_number(tau)),
+        row,
+        bound,
+        violation,
+        witness: judgement.witness.as_ref().map(|theta| numbers(theta, style)),
+        proof: judgement.proof.as_ref().map(|found| proof(found, rows, style)),
+        repairable: judgement.repairable,
+        reason: judgement.reason.clone(),
+    }
+}
+
+fn proof(proof: &Proof, rows: &ProgramRows, style: &Style) -> ProofJson {
+    let terms = |multipliers: &[Multiplier]| {
+        multipliers.iter().map(|m| term(rows.name(m.row), &m.value, style)).collect()
+    };
+    let (shows, rows, theta, ray) = match proof {
+        Proof::Infeasible(multipliers) => ("infeasible", terms(multipliers), None, None),
+        Proof::Bound(multipliers) => ("bounded", terms(multipliers), None, None),
+        Proof::FeasiblePoint(theta) => ("feasible", Vec::new(), Some(theta), None),
+        Proof::Ray { theta, ray } => ("unbounded", Vec::new(), Some(theta), Some(ray)),
+    };
+    let pair = |pair: Option<&[Rational; 2]>| pair.map(|pair| numbers(pair, style));
+    ProofJson { shows, rows, theta: pair(theta), ray: pair(ray) }
+}
+
+fn directions(found: &Directions, style: &Style) -> DirectionsJson {
+    let approximation = |found: &Approximation| ApproximationJson {
+        vertices: found.vertices.iter().map(|vertex| numbers(vertex, style)).collect(),
+        area: found.area.as_ref().map(|area| style.number(area)),
+    };
+    DirectionsJson {
+        count: found.count,
+        unbounded: found.unbounded,
+        inner: found.inner.as_ref().map(approximation),
+        exact: approximation(&found.exact),
+        outer: found.outer.as_ref().map(approximation),
+    }
+}
+
+fn numbers(theta: &[Rational; 2], style: &Style) -> [Number; 2] {
+    theta.each_ref().map(|value| style.number(value))
+}
