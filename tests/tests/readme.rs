@@ -29,7 +29,20 @@ fn rerun(readme: &str) -> (String, usize) {
     let mut result = String::new();
     let mut commands = 0;
     let mut in_block = false;
+    let mut in_output = false;
     for line in readme.lines() {
+        // What stands between these comments is what the command prints, as Markdown.
+        let output = line.strip_prefix("<!-- output of: ").and_then(|rest| rest.strip_suffix(" -->"));
+        if let Some(command) = output {
+            commands += 1;
+            in_output = true;
+            result.push_str(&format!("{line}\n{}", output_of(command)));
+            continue;
+        }
+        in_output &= line != "<!-- end of output -->";
+        if in_output {
+            continue;
+        }
         match line.strip_prefix("$ ") {
             _ if line.starts_with("```") => in_block = line == "```console",
             Some(command) if in_block => {

@@ -16,7 +16,7 @@ const ENDS: [(usize, End, &str); 4] = [
 
 /// The report as text. `reading` is that of the data.
 pub fn check_text(check: &Check, file: &str, reading: Reading, style: &Style) -> String {
-    let mut text = format!("LP answers about {file}, judged exactly\n\n");
+    let mut text = format!("LP answers about {file}, judged exactly\n");
     let styles = resolving(check, reading, style);
     let mut rows = Vec::new();
     let mut reasons = Vec::new();
@@ -39,6 +39,9 @@ pub fn check_text(check: &Check, file: &str, reading: Reading, style: &Style) ->
     }
     if let Some(exact) = exact_row(check, reading, &styles) {
         rows.push(exact);
+    }
+    if !rows.is_empty() {
+        text.push('\n');
     }
     let header = ["source", "judged by", ENDS[0].2, ENDS[1].2, ENDS[2].2, ENDS[3].2];
     text.push_str(&table(&header, rows));
