@@ -5,6 +5,8 @@ use boundfit_exact::{Limits, Rational, Reading};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
+use crate::generate::seeded;
+
 /// A rational number with a small numerator; ties and zeros are frequent.
 pub fn small_rational(rng: &mut ChaCha8Rng) -> Rational {
     let denominator = [1, 1, 2, 10, 1000][rng.random_range(0..5)];
@@ -76,4 +78,25 @@ pub fn rebuilt(problem: &Problem, rows: Vec<Measurement>, error_bound: ErrorBoun
     let old = &problem.measurements;
     let measurements = Measurements::new(old.model().clone(), old.response().to_owned(), error_bound, rows);
     Problem { measurements, conditions: problem.conditions.clone() }
+}
+
+/// A line sampled at `count` places with four decimals, with uniform noise below the error bound: the benchmarks' data.
+pub fn noisy_line(count: i64) -> Problem {
+    let mut rng = seeded(7);
+    let epsilon = Rational::ratio(1, 4);
+    let rows = (0..count).map(|k| {
+        let x = (k - count / 2) * 100_000 / count;
+        Measurement {
+            row: k as usize + 1,
+            regressor: [Rational::ratio(x, 10_000), Rational::one()],
+            response: Rational::ratio(18 * x + 227_000 + rng.random_range(-2000..=2000), 10_000),
+            epsilon: epsilon.clone(),
+        }
+    });
+    let model = Model::Line { x: "x".to_owned() };
+    let bound = ErrorBound::Uniform(epsilon.clone());
+    Problem {
+        measurements: Measurements::new(model, "y".to_owned(), bound, rows.collect()),
+        conditions: Vec::new(),
+    }
 }
