@@ -75,7 +75,8 @@ impl Style {
     /// This style with as many more digits as it takes to tell the ends of an interval apart: when one unit of the last
     /// digit is wider than the interval, one digit beyond the first that differs.
     pub(crate) fn resolving(&self, interval: &Interval) -> Style {
-        const MOST: usize = 1000;
+        // Beyond this many digits a reader is better served by the exact fraction.
+        const MOST: usize = 40;
         let Some((lower, upper)) = interval.ends() else { return self.clone() };
         let magnitude = upper.abs().max(lower.abs()).decimal_exponent();
         let Some((magnitude, width)) = magnitude.zip((upper - lower).decimal_exponent()) else {
@@ -164,7 +165,9 @@ mod tests {
         let base = Rational::ratio(17, 10);
         let narrow = interval(base.clone(), &base + Rational::ratio(3, 1_000_000_000));
         assert_eq!(style.resolving(&narrow).interval_text(&narrow), "[1.7, 1.700000003]");
-        assert_eq!(style.resolving(&interval(base.clone(), base)), style);
+        assert_eq!(style.resolving(&interval(base.clone(), base.clone())), style);
+        let hopeless = Rational::new(1.into(), boundfit_exact::Integer::power_of_ten(9_999)).unwrap();
+        assert_eq!(style.resolving(&interval(base.clone(), &base + &hopeless)), style);
     }
 
     #[test]
