@@ -83,8 +83,8 @@ impl Style {
             return self.clone();
         };
         let first_that_differs = usize::try_from(magnitude - width + 1).unwrap_or(0);
-        let digits =
-            if first_that_differs > self.digits { (first_that_differs + 1).min(MOST) } else { self.digits };
+        let resolves = first_that_differs > self.digits && first_that_differs < MOST;
+        let digits = if resolves { first_that_differs + 1 } else { self.digits };
         Style { digits, ..self.clone() }
     }
 

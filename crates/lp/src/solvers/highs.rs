@@ -19,7 +19,7 @@ impl Solver for Highs {
 
     fn solve(&self, program: &FloatProgram) -> Outcome {
         let mut problem = RowProblem::default();
-        let theta = program.objective.map(|cost| problem.add_column(cost, ..));
+        let theta = program.objective.map(|cost| problem.add_column::<f64, _>(cost, ..));
         for [a1, a2, b] in &program.rows {
             problem.add_row(..=*b, [(theta[0], *a1), (theta[1], *a2)]);
         }

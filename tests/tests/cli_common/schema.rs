@@ -1,0 +1,100 @@
+//! The shape of a JSON report, from a template that reads like the report.
+
+use serde_json::Value;
+
+/// What `boundfit fit --format json` promises. `text`, `count`, `flag` and `number` stand for values, a key with `?`
+/// may be null, a list of one stands for any number of such items, a list of two for exactly two.
+pub const FIT: &str = r#"{
+  "schema": "text",
+  "input": {"rows": "count", "rows_total": "count", "reading": "text", "sha256": "text"},
+  "least_squares?": {"theta": ["number", "number"], "in_fps": "flag"},
+  "eui?": [{"lower": "number", "upper": "number"}, {"lower": "number", "upper": "number"}],
+  "fps": {
+    "kind": "text",
+    "vertices": [{"theta": ["number", "number"], "active": [{"row?": "count", "bound": "text"}]}],
+    "rays": [["number", "number"]],
+    "lines": [["number", "number"]],
+    "witness?": ["number", "number"],
+    "area?": "number",
+    "certificate?": {"farkas": [{"row?": "count", "bound": "text", "multiplier": "number"}]}
+  },
+  "pui?": [
+    {"lower": {"value?": "number", "active": [{"row?": "count", "bound": "text", "multiplier": "number"}]},
+     "upper": {"value?": "number", "active": [{"row?": "count", "bound": "text", "multiplier": "number"}]}},
+    {"lower": {"value?": "number", "active": [{"row?": "count", "bound": "text", "multiplier": "number"}]},
+     "upper": {"value?": "number", "active": [{"row?": "count", "bound": "text", "multiplier": "number"}]}}
+  ],
+  "central?": {"theta": ["number", "number"], "guaranteed_error": ["number", "number"]},
+  "epsilon_min?": "number",
+  "inverse?": {
+    "gain": {
+      "exact_range": [{"lower?": "number", "upper?": "number"}],
+      "box_range": [{"lower?": "number", "upper?": "number"}],
+      "central?": "number", "least_squares?": "number"},
+    "offset": {
+      "exact_range": [{"lower?": "number", "upper?": "number"}],
+      "box_range": [{"lower?": "number", "upper?": "number"}],
+      "central?": "number", "least_squares?": "number"}
+  }
+}"#;
+
+/// What `boundfit polygon --format json` promises.
+pub const POLYGON: &str = r#"{
+  "schema": "text",
+  "region": {
+    "kind": "text",
+    "vertices": [{"theta": ["number", "number"], "active": ["count"]}],
+    "rays": [["number", "number"]],
+    "lines": [["number", "number"]],
+    "witness?": ["number", "number"],
+    "area?": "number",
+    "certificate?": {"farkas": [{"row": "count", "bound": "text", "multiplier": "number"}]}
+  },
+  "redundant": ["count"],
+  "bounds?": [
+    {"lower": {"value?": "number", "active": [{"row": "count", "bound": "text", "multiplier": "number"}]},
+     "upper": {"value?": "number", "active": [{"row": "count", "bound": "text", "multiplier": "number"}]}},
+    {"lower": {"value?": "number", "active": [{"row": "count", "bound": "text", "multiplier": "number"}]},
+     "upper": {"value?": "number", "active": [{"row": "count", "bound": "text", "multiplier": "number"}]}}
+  ]
+}"#;
+
+/// Checks that a report has every key of a template, with the type that stands there. It may have more keys.
+pub fn check_schema(report: &Value, template: &str) {
+    check(report, &serde_json::from_str(template).unwrap(), "report");
+}
+
+fn check(value: &Value, template: &Value, path: &str) {
+    match template {
+        Value::Object(fields) => {
+            for (key, template) in fields {
+                let (name, may_be_null) = match key.strip_suffix('?') {
+                    Some(name) => (name, true),
+                    None => (key.as_str(), false),
+                };
+                let path = format!("{path}.{name}");
+                let value = value.get(name).unwrap_or_else(|| panic!("{path} is missing"));
+                if !(may_be_null && value.is_null()) {
+                    check(value, template, &path);
+                }
+            }
+        }
+        Value::Array(templates) => {
+            let items = value.as_array().unwrap_or_else(|| panic!("{path} is not a list: {value}"));
+            assert!(templates.len() == 1 || templates.len() == items.len(), "{path}: {value}");
+            for (index, (item, template)) in items.iter().zip(templates.iter().cycle()).enumerate() {
+                check(item, template, &format!("{path}[{index}]"));
+            }
+        }
+        template => {
+            let fits = match template.as_str().unwrap() {
+                "text" => value.is_string(),
+                "count" => value.is_u64(),
+                "flag" => value.is_boolean(),
+                "number" => value["exact"].is_string() && value["decimal"].is_string(),
+                other => panic!("{other} in the template"),
+            };
+            assert!(fits, "{path} is not a {template}: {value}");
+        }
+    }
+}

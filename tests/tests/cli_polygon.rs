@@ -1,0 +1,278 @@
+//! `boundfit polygon`: both file formats, all kinds of region, and every proof recomputed from the file alone.
+
+mod cli_common;
+
+use std::collections::BTreeSet;
+
+use boundfit_tests::program::root;
+use serde_json::{Value, json};
+
+use cli_common::half_plane_files::{h_representation, shape, system, with_rows};
+use cli_common::numbers::{check_numbers, exact, pair, rational, whole};
+use cli_common::regions::check_region;
+use cli_common::schema::{POLYGON, check_schema};
+use cli_common::{
+    boundfit, boundfit_with_input, directory_with, fixture, printed, printed_with_input, report,
+};
+
+/// A table of half-planes, which of its rows are equations, and the kind of its region.
+struct Case {
+    kind: &'static str,
+    csv: String,
+    equations: &'static [usize],
+}
+
+fn case(kind: &'static str, rows: &str, equations: &'static [usize]) -> Case {
+    Case { kind, csv: format!("a1,a2,b\n{}\n", rows.replace(' ', "\n")), equations }
+}
+
+/// Every kind of region, some in several ways.
+fn cases() -> Vec<Case> {
+    vec![
+        Case { kind: "polygon", csv: fixture("polygon/house.csv"), equations: &[] },
+        Case { kind: "empty", csv: fixture("polygon/empty.csv"), equations: &[] },
+        case("polygon", "-1,0,1/3 0,-1,1/7 2,3,0.6", &[]),
+        case("empty", "0,0,-1 1,0,1", &[]),
+        case("empty", "1,0,1 1,0,2", &[1, 2]),
+        case("point", "1,2,3 2,1,3", &[1, 2]),
+        case("point", "1,0,0 -1,0,0 0,1,0 0,-1,0 1,1,0", &[]),
+        case("segment", "1,1,2 -1,0,0 0,-1,0 2,2,4 1,0,5", &[1, 4]),
+        case("segment", "-3,0,1 0,-1,0 0,1,1/3", &[1]),
+        case("ray", "1,-1,0 -1,0,1", &[1]),
+        case("line", "3,-6,1", &[1]),
+        case("line", "0,1,5 0,-1,-5 0,2,11", &[]),
+        case("unbounded-polygon", "-1,0,0 0,-1,0 -1,-1,-1", &[]),
+        case("unbounded-polygon", "-1,0,0 1,0,2 0,-1,0 -1,-1,-1", &[]),
+        case("strip", "1,2,3 -1,-2,1/2 2,4,9", &[]),
+        case("half-plane", "-2,4,1 -1,2,1 0,0,0", &[]),
+        case("plane", "0,0,0 0,0,7", &[]),
+    ]
+}
+
+/// Runs every case and hands it to a check with the report on its H-representation.
+fn for_each_region(check: impl Fn(&Case, &Value)) {
+    for case in cases() {
+        println!("{} {:?}", case.kind, case.csv);
+        check(&case, &answer(&h_representation(&case.csv, case.equations)));
+    }
+}
+
+/// The report on half-planes from standard input.
+fn answer(input: &str) -> Value {
+    report(&root(), "polygon -", input.as_bytes())
+}
+
+#[test]
+fn every_kind_of_region_is_reached() {
+    for_each_region(|case, report| {
+        check_schema(report, POLYGON);
+        assert_eq!(report["schema"], "boundfit/polygon/1");
+        assert_eq!(report["region"]["kind"], case.kind);
+        assert_eq!(report["input"]["rows"], case.csv.lines().count() - 1);
+        assert!(case.kind == "plane" || check_numbers(report, 5) > 0);
+    });
+    let kinds: BTreeSet<&str> = cases().iter().map(|case| case.kind).collect();
+    assert_eq!(kinds.len(), 10, "{kinds:?}");
+}
+
+#[test]
+fn the_region_and_its_proofs_follow_from_the_file() {
+    for_each_region(|case, report| {
+        let system = system(&case.csv, case.equations);
+        check_region(&report["region"], &system);
+        if case.kind == "empty" {
+            assert!(report["bounds"].is_null());
+        } else {
+            system.check_bounds(&report["bounds"], &report["region"]);
+        }
+    });
+}
+
+/// Without the redundant rows the region stays what it is; without any other row as well it does not.
+#[test]
+fn the_redundant_rows_are_those_that_can_be_left_out_together() {
+    for_each_region(|case, report| {
+        let redundant = report["redundant"].as_array().unwrap();
+        let region_of = |keep: &dyn Fn(usize) -> bool| {
+            let rows: Vec<usize> = (1..case.csv.lines().count()).filter(|row| keep(*row)).collect();
+            let is_equation = |position: &usize| case.equations.contains(&rows[*position - 1]);
+            let equations: Vec<usize> = (1..=rows.len()).filter(is_equation).collect();
+            shape(&answer(&h_representation(&with_rows(&case.csv, keep), &equations))["region"])
+        };
+        let needed = |row: usize| !redundant.contains(&json!(row));
+        assert_eq!(region_of(&needed), shape(&report["region"]));
+        for left_out in (1..case.csv.lines().count()).filter(|row| needed(*row)) {
+            let region = region_of(&|row| needed(row) && row != left_out);
+            assert_ne!(region, shape(&report["region"]), "without row {left_out}");
+        }
+    });
+}
+
+fn without_hash(mut report: Value) -> Value {
+    report["input"]["sha256"].take();
+    report
+}
+
+#[test]
+fn both_formats_give_the_same_answer() {
+    let directory = root();
+    let table = without_hash(report(&directory, "polygon fixtures/polygon/house.csv", b""));
+    for file in ["house.ine", "house-with-comments.ine"] {
+        let other = without_hash(report(&directory, &format!("polygon fixtures/polygon/{file}"), b""));
+        assert_eq!(other, table, "{file}");
+    }
+    for case in cases().iter().filter(|case| case.equations.is_empty()) {
+        let matrix = without_hash(answer(&h_representation(&case.csv, &[])));
+        assert_eq!(matrix, without_hash(answer(&case.csv)), "{}", case.csv);
+    }
+}
+
+#[test]
+fn the_format_follows_from_the_name_or_else_from_the_contents() {
+    let (table, matrix) = (fixture("polygon/house.csv"), fixture("polygon/house.ine"));
+    let (table, matrix) = (table.as_bytes(), matrix.as_bytes());
+    let directory = directory_with(&[
+        ("table.csv", table),
+        ("table.txt", table),
+        ("table", table),
+        ("matrix.ine", matrix),
+        ("matrix.INE", matrix),
+        ("matrix.txt", matrix),
+        ("matrix", matrix),
+    ]);
+    for (name, bytes) in [("table", table), ("matrix", matrix)] {
+        let expected = printed_with_input(directory.path(), "polygon - --format json", bytes);
+        for suffix in [".csv", ".ine", ".INE", ".txt", ""] {
+            let file = format!("{name}{suffix}");
+            if directory.path().join(&file).exists() {
+                let line = format!("polygon {file} --format json");
+                assert_eq!(printed(directory.path(), &line), expected, "{file}");
+            }
+        }
+    }
+    let wrong = directory_with(&[("matrix.csv", matrix), ("table.ine", table)]);
+    assert_eq!(boundfit(wrong.path(), "polygon matrix.csv").status, 1);
+    assert_eq!(boundfit(wrong.path(), "polygon table.ine").status, 1);
+}
+
+#[test]
+fn the_number_types_of_an_h_representation_mean_the_same_numbers() {
+    let matrix = |kind: &str, half: &str| format!("begin\n3 3 {kind}\n{half} 1 0\n1 0 1\n1 -1 -1\nend\n");
+    let region = |kind: &str, half: &str| answer(&matrix(kind, half))["region"].clone();
+    let expected = region("rational", "1/2");
+    assert_eq!(expected["vertices"][0]["theta"][0]["exact"], "-1/2");
+    for (kind, half) in [("real", "0.5"), ("real", "5e-1"), ("real", ".5"), ("rational", "2/4")] {
+        assert_eq!(region(kind, half), expected, "{kind} {half}");
+    }
+    let whole = region("integer", "3");
+    assert_eq!(whole, region("rational", "3/1"));
+    assert_eq!(whole, region("real", "3.00"));
+}
+
+#[test]
+fn columns_are_found_by_name_or_without_a_header_by_place() {
+    let named = without_hash(answer("a1,a2,b\n-1,0,0\n0,-1,0\n2,3,6\n"));
+    for table in [
+        "-1,0,0\n0,-1,0\n2,3,6\n",
+        "b,a2,a1\n0,0,-1\n0,-1,0\n6,3,2\n",
+        "name;b;a1;a2\nleft;0;-1;0\nbelow;0;0;-1\n'roof, right';6;2;3\n",
+        "a1\ta2\tb\n-1\t0\t0\n0\t-1\t0\n2\t3\t6\n",
+        "\u{feff}a1,a2,b\r\n-1,0,0\r\n\r\n0,-1,0\r\n2,3,6",
+    ] {
+        assert_eq!(without_hash(answer(table)), named, "{table:?}");
+    }
+}
+
+#[test]
+fn equations_of_an_h_representation_are_redundant_like_other_rows() {
+    let report = report(&root(), "polygon fixtures/polygon/segment.ine", b"");
+    let segment = &report["region"];
+    assert_eq!((&segment["kind"], &report["redundant"]), (&json!("segment"), &json!([4, 5])));
+    let ends = [0, 1].map(|end| &segment["vertices"][end]);
+    assert_eq!(ends.map(|end| pair(&end["theta"])), [[whole(0), whole(2)], [whole(2), whole(0)]]);
+    assert_eq!(ends.map(|end| &end["active"]), [&json!([1, 2, 4]), &json!([1, 3, 4])]);
+}
+
+#[test]
+fn an_equation_is_one_row_that_proves_both_ways() {
+    let report = answer("linearity 1 1\nbegin\n2 3 integer\n-3 2 0\n0 0 1\nend\n");
+    let ray = &report["region"];
+    assert_eq!(ray["kind"], "ray");
+    assert_eq!(ray["vertices"][0]["active"], json!([1, 2]));
+    assert_eq!(pair(&ray["vertices"][0]["theta"]), [rational("3/2"), whole(0)]);
+    assert_eq!(report["redundant"], json!([]));
+    let [lower, upper] = ["lower", "upper"].map(|end| &report["bounds"][0][end]);
+    assert_eq!((exact(&lower["value"]), exact(&upper["value"])), (rational("3/2"), rational("3/2")));
+    let half = json!({"exact": "1/2", "decimal": "0.5"});
+    assert_eq!(lower["active"], json!([{"row": 1, "bound": "upper", "multiplier": half}]));
+    assert_eq!(upper["active"], json!([{"row": 1, "bound": "lower", "multiplier": half}]));
+    // The older word for the same thing.
+    let older = answer("equality 1 1\nbegin\n2 3 integer\n-3 2 0\n0 0 1\nend\n");
+    assert_eq!(without_hash(older), without_hash(report));
+}
+
+#[test]
+fn the_text_says_why_rows_are_redundant() {
+    let text = printed(&root(), "polygon fixtures/polygon/house.csv");
+    let (_, why) = text.split_once("Redundant rows:").unwrap();
+    let expected = " 6, 7, 8, 9\n\
+        \x20 row  why\n\
+        \x20 6    the same half-plane as row 2\n\
+        \x20 7    touches the region; implied by 0.5 * (row 4) + 0.5 * (row 5)\n\
+        \x20 8    implied by 0.5 * (row 4) + 0.5 * (row 5) with 1 to spare\n\
+        \x20 9    holds everywhere\n";
+    assert_eq!(why, expected);
+    let text = printed_with_input(&root(), "polygon -", b"a1,a2,b\n1,0,1\n");
+    assert!(text.ends_with("\nNo row is redundant.\n"), "{text}");
+}
+
+#[test]
+fn the_text_lists_vertices_and_ranges() {
+    let text = printed(&root(), "polygon fixtures/polygon/house.ine");
+    let (region, rest) = text.split_once("\n\n").unwrap().1.split_once("\n\n").unwrap();
+    let expected = "Region: polygon with 5 vertices\n\
+        \x20 vertex  theta1  theta2  active\n\
+        \x20 1       0       0       1, 3\n\
+        \x20 2       4       0       2, 3, 6\n\
+        \x20 3       4       2       2, 5, 6\n\
+        \x20 4       2       4       4, 5, 7\n\
+        \x20 5       0       2       1, 4";
+    assert_eq!(region, expected);
+    assert!(rest.starts_with("          range\n  theta1  [0, 4]\n  theta2  [0, 4]\n"), "{rest}");
+}
+
+#[test]
+fn an_empty_region_is_an_answer_of_its_own_status() {
+    let run = boundfit(&root(), "polygon fixtures/polygon/empty.csv");
+    assert_eq!((run.status, run.stderr.as_str()), (3, ""));
+    let (_, region) = run.stdout.split_once("\n\n").unwrap();
+    let expected = "Region: empty\n\
+        \x20 Proof: 1 * (row 1) + 1 * (row 2) + 1 * (row 3) gives 0 <= -1.\n\
+        \n\
+        Redundant rows: 4\n\
+        \x20 row  why\n\
+        \x20 4    the region is empty without it\n";
+    assert_eq!(region, expected);
+    let report = report(&root(), "polygon fixtures/polygon/empty.csv", b"");
+    let one = json!({"exact": "1", "decimal": "1"});
+    let term = |row: usize| json!({"row": row, "bound": "upper", "multiplier": one});
+    assert_eq!(report["region"]["certificate"], json!({"farkas": [term(1), term(2), term(3)]}));
+    assert_eq!(report["redundant"], json!([4]));
+}
+
+#[test]
+fn binary64_takes_the_number_that_a_float_program_would_receive() {
+    let table = b"a1,a2,b\n1,0,0.1\n";
+    let vertex = |reading: &str| {
+        let line = format!("polygon - --format json --reading {reading}");
+        let report: Value = serde_json::from_str(&boundfit_with_input(&root(), &line, table).stdout).unwrap();
+        (report["input"]["reading"].clone(), exact(&report["bounds"][0]["upper"]["value"]))
+    };
+    assert_eq!(vertex("decimal"), (json!("decimal"), rational("1/10")));
+    assert_eq!(vertex("binary64"), (json!("binary64"), rational("3602879701896397/36028797018963968")));
+}
+
+#[test]
+fn no_row_at_all_leaves_the_plane() {
+    assert_eq!(answer("begin\n0 3 integer\nend\n")["region"]["kind"], "plane");
+}
