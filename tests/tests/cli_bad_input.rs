@@ -32,7 +32,7 @@ fn tables_of_the_wrong_shape() {
             ("empty.csv", &format!(": the file is empty {at_least_one}")),
             ("blank.csv", &format!(": the file is empty {at_least_one}")),
             ("header-only.csv", &format!(": the file has a header but no data rows {at_least_one}")),
-            ("row-too-short.csv", ": line 3: the row has 1 cells where the first row has 2"),
+            ("row-too-short.csv", ": line 3: the row has 1 cell where the first row has 2"),
             ("row-too-long.csv", ": line 3: the row has 3 cells where the first row has 2"),
             (
                 "same-name-twice.csv",
@@ -41,7 +41,7 @@ fn tables_of_the_wrong_shape() {
         ],
     );
     // The ragged row counts even where its cells are not asked for.
-    let message = ": line 3: the row has 1 cells where the first row has 2";
+    let message = ": line 3: the row has 1 cell where the first row has 2";
     refuses_files("fit", "--x x --y y --eps 1 --rows 1..1", &[("row-too-short.csv", message)]);
     // Told apart by number, the columns can be used.
     printed(&root(), "fit fixtures/bad-input/same-name-twice.csv --x 2 --y y --eps 1");
@@ -74,15 +74,16 @@ fn cells_that_are_not_numbers() {
     for (row, (cell, problem, byte)) in (1..).zip(cases) {
         let options = format!("--x x --y y --eps 1 --rows {row}..{row}");
         let line = row + 1;
-        let message = format!(
-            ": line {line}, column 2 (y): {cell:?}: not a number: {problem} at byte {byte} {A_NUMBER}"
-        );
+        let verdict = if problem.ends_with("(the limit)") {
+            format!("refused: {problem} at byte {byte}")
+        } else {
+            format!("not a number: {problem} at byte {byte} {A_NUMBER}")
+        };
+        let message = format!(": line {line}, column 2 (y): {cell:?}: {verdict}");
         refuses_files("fit", &options, &[("numbers.csv", &message)]);
         // Without a header the column has no name.
         let directory = directory_with(&[("table.csv", format!("1;2\n{cell};3\n").as_bytes())]);
-        let message = format!(
-            "table.csv: line 2, column 1: {cell:?}: not a number: {problem} at byte {byte} {A_NUMBER}"
-        );
+        let message = format!("table.csv: line 2, column 1: {cell:?}: {verdict}");
         refuses(directory.path(), "fit table.csv --x 1 --y 2 --eps 1", 1, &message);
     }
 }
@@ -97,9 +98,7 @@ fn numbers_without_end() {
         ("matrix.ine", format!("begin\n1 3 integer\n1 {digits} 0\nend\n").as_bytes()),
     ]);
     let message = |place: &str, byte: usize| {
-        format!(
-            "{place}: {quoted}: not a number: more than 10000 digits (the limit) at byte {byte} {A_NUMBER}"
-        )
+        format!("{place}: {quoted}: refused: more than 10000 digits (the limit) at byte {byte}")
     };
     let fit = "--x x --y y --eps 1";
     let path = directory.path();
@@ -131,10 +130,8 @@ fn a_line_without_end() {
 #[test]
 fn numbers_beyond_binary64() {
     let options = "--x x --y y --eps 1 --reading binary64";
-    let message = format!(
-        ": line 3, column 2 (y): \"1e400\": not a number: overflows binary64, beginning at byte 0 {A_NUMBER}"
-    );
-    refuses_files("fit", options, &[("beyond-binary64.csv", &message)]);
+    let message = ": line 3, column 2 (y): \"1e400\": refused: overflows binary64";
+    refuses_files("fit", options, &[("beyond-binary64.csv", message)]);
     printed(&root(), "fit fixtures/bad-input/beyond-binary64.csv --x x --y y --eps 1");
 }
 
@@ -171,7 +168,7 @@ fn error_bounds_below_zero() {
     let message = format!("{place}: the error bound is negative (expected a number that is at least 0)");
     refuses_files("fit", "--x x --y y --eps-column eps", &[("negative-bound.csv", &message)]);
     let expected = "(expected a number that is at least 0, such as 0.5e-3 or 1/2000)";
-    let message = format!("invalid value \"-1\" for '--eps <NUM>': negative {expected}");
+    let message = format!("invalid value '-1' for '--eps <NUM>': negative {expected}");
     refuses_options(2, &[("--x Vz --y z --eps -1", &message), ("--x Vz --y z --eps=-1", &message)]);
 }
 
@@ -179,7 +176,7 @@ fn error_bounds_below_zero() {
 fn h_representations_that_are_not_what_they_announce() {
     let whole = "(expected an H-representation: begin, rows, end)";
     let size = "the size line is not understood (expected \"ROWS 3 integer\", \"ROWS 3 rational\" or \"ROWS 3 real\")";
-    let linearity = "the linearity line does not list rows of the matrix (expected \"linearity COUNT ROW...\" with rows counted from 1)";
+    let linearity = "this does not list rows of the matrix to come (expected \"linearity COUNT ROW...\" before begin, with rows counted from 1)";
     refuses_files(
         "polygon",
         "",
@@ -255,4 +252,30 @@ fn too_few_readings_are_no_error() {
             assert!(text.lines().any(|own| own == line), "{line}\n{text}");
         }
     }
+}
+
+#[test]
+fn lines_are_counted_as_editors_count_them() {
+    for (table, line) in [
+        ("x,y\r\n1,2\r\n2,abc\r\n", 3),
+        ("x,y\n1,2\n\n\n2,abc\n", 5),
+        ("\r\n\r\nx,y\r\n1,2\r\n\r\n2,abc\r\n", 6),
+        ("x,y\r1,2\r2,abc\r", 3),
+        ("\u{feff}x,y\n\"1\",2\n  \n2,abc\n", 4),
+        ("x,y,note\n1,2,\"two\nlines\"\n2,abc,\n", 4),
+    ] {
+        let directory = directory_with(&[("table.csv", table.as_bytes())]);
+        let message = format!(
+            "table.csv: line {line}, column 2 (y): \"abc\": not a number: unexpected character 'a' at byte 0 {A_NUMBER}"
+        );
+        refuses(directory.path(), "fit table.csv --x x --y y --eps 1", 1, &message);
+    }
+}
+
+#[test]
+fn equations_announced_too_late() {
+    let late = "begin\n3 3 integer\n1 -1 -1\n0 1 0\n0 0 1\nend\nlinearity 1 1\n";
+    let directory = directory_with(&[("late.ine", late.as_bytes())]);
+    let message = "late.ine: line 7, column 1: \"linearity\": this does not list rows of the matrix to come (expected \"linearity COUNT ROW...\" before begin, with rows counted from 1)";
+    refuses(directory.path(), "polygon late.ine", 1, message);
 }

@@ -98,7 +98,7 @@ mod unix {
     fn permissions_are_kept_and_new_ones_are_the_usual_ones() {
         let directory = directory_with(&[("answer", b"old"), ("plain", b"")]);
         let file = directory.path().join("answer");
-        for kept in [0o640, 0o600, 0o755] {
+        for kept in [0o640, 0o600, 0o755, 0o664] {
             fs::set_permissions(&file, fs::Permissions::from_mode(kept)).unwrap();
             writes(FIT_TRANSDUCER, 0, &file);
             assert_eq!(mode(&file), kept, "{kept:o}");
@@ -123,6 +123,19 @@ mod unix {
         assert_eq!(
             (files_in(directory.path()), files_in(folder.path())),
             (vec!["target".into()], vec!["link".into()])
+        );
+    }
+
+    #[test]
+    fn a_link_to_a_file_that_is_not_there_yet_is_written_through() {
+        let folder = tempfile::tempdir().unwrap();
+        let link = folder.path().join("link");
+        symlink("target", &link).unwrap();
+        writes(FIT_TRANSDUCER, 0, &link);
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(
+            fs::read_to_string(folder.path().join("target")).unwrap(),
+            printed(&root(), FIT_TRANSDUCER)
         );
     }
 
@@ -307,7 +320,7 @@ fn an_empty_set_is_an_answer_with_its_proof() {
     assert_eq!((run.status, run.stderr.as_str()), (3, ""));
     let expected = "Feasible parameter set (FPS): empty\n\
         \x20 No theta meets every bound. These contradict each other: 4 lower, 29 upper, 34 upper.\n\
-        \x20 Proof: 1/2 * (4 lower) + 2155/6598 * (29 upper) + 572/3299 * (34 upper) gives 0 <= -1.4847.\n\
+        \x20 Proof: 1/2 * (4 lower) + 2155/6598 * (29 upper) + 572/3299 * (34 upper) gives 0 <= -1.4846.\n\
         \x20 The error bound would have to grow by 1.4847, to at least 1.9847 (exactly 130949/65980).\n";
     assert!(run.stdout.contains(expected), "{}", run.stdout);
     let report = report(&root(), line, b"");

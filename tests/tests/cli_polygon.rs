@@ -218,8 +218,8 @@ fn the_text_says_why_rows_are_redundant() {
     let expected = " 6, 7, 8, 9\n\
         \x20 row  why\n\
         \x20 6    the same half-plane as row 2\n\
-        \x20 7    touches the region; implied by 0.5 * (row 4) + 0.5 * (row 5)\n\
-        \x20 8    implied by 0.5 * (row 4) + 0.5 * (row 5) with 1 to spare\n\
+        \x20 7    touches the region; implied by 1/2 * (row 4) + 1/2 * (row 5)\n\
+        \x20 8    implied by 1/2 * (row 4) + 1/2 * (row 5) with 1 to spare\n\
         \x20 9    holds everywhere\n";
     assert_eq!(why, expected);
     let text = printed_with_input(&root(), "polygon -", b"a1,a2,b\n1,0,1\n");

@@ -4,6 +4,7 @@ use boundfit_estimation::{Columns, Condition, EpsilonColumn, Measurements, Probl
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Header, RowRange, Source, TableOptions};
 use boundfit_report::{EndRounding, Style};
+use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
@@ -31,13 +32,25 @@ pub(crate) enum Command {
     Completions {
         /// The shell
         shell: Shell,
+        #[command(flatten)]
+        file: FileArguments,
     },
     /// Print the manual page (roff) of the program or of one of its commands
     #[command(after_help = "Example:\n  boundfit man fit > boundfit-fit.1")]
     Man {
         /// A command; the program itself when left out
         topic: Option<String>,
+        #[command(flatten)]
+        file: FileArguments,
     },
+}
+
+/// Where a text goes.
+#[derive(Debug, Args)]
+pub(crate) struct FileArguments {
+    /// Write to this file instead of standard output: whole or not at all
+    #[arg(short, long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    pub(crate) output: Option<String>,
 }
 
 const FIT_EXAMPLES: &str = "\
@@ -131,9 +144,11 @@ pub(crate) struct CheckArguments {
 pub(crate) struct BenchSolversArguments {
     /// The folder
     pub(crate) folder: String,
-    /// Write to this file instead of standard output: whole or not at all
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<String>,
+    /// A Markdown table, or JSON with the verdicts of every case
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+    #[command(flatten)]
+    pub(crate) file: FileArguments,
 }
 
 /// Which readings are fitted, and how.
@@ -216,9 +231,8 @@ pub(crate) struct OutputArguments {
     /// Text for people or JSON for programs
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(crate) format: Format,
-    /// Write to this file instead of standard output: whole or not at all
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<String>,
+    #[command(flatten)]
+    pub(crate) file: FileArguments,
     /// Significant digits of decimals
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=1000))]
     digits: u16,
@@ -382,9 +396,14 @@ fn parse_regressors(text: &str) -> Result<Regressors, String> {
 }
 
 fn parse_rows(text: &str) -> Result<AskedRows, String> {
+    // A row number too large to be counted is beyond the end of any file.
+    let number = |text: &str| {
+        let digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+        digits.then(|| text.parse().unwrap_or(usize::MAX))
+    };
     let range = text
         .split_once("..")
-        .and_then(|(first, last)| RowRange::new(first.trim().parse().ok()?, last.trim().parse().ok()?));
+        .and_then(|(first, last)| RowRange::new(number(first.trim())?, number(last.trim())?));
     match range {
         Some(range) => Ok(AskedRows { text: text.to_owned(), range }),
         None => Err("expected FIRST..LAST with 1 <= FIRST <= LAST, such as 14..36".to_owned()),

@@ -4,11 +4,6 @@ use std::fmt::Display;
 use std::io::Write;
 use std::process::ExitCode;
 
-use clap::CommandFactory;
-use clap::error::ErrorKind;
-
-use crate::arguments::Arguments;
-
 /// An answer was found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Exit {
@@ -41,24 +36,24 @@ impl Failure {
         Failure::Data(problem.to_string())
     }
 
-    /// A bad value of an option.
+    /// A bad value of an option. A long value is cut.
     pub(crate) fn value(option: &str, value: &str, problem: impl Display) -> Self {
-        Failure::Usage(format!("invalid value {value:?} for '{option}': {problem}"))
+        const LONGEST: usize = 60;
+        let shown = match value.char_indices().nth(LONGEST) {
+            Some((end, _)) => format!("{}...", &value[..end]),
+            None => value.to_owned(),
+        };
+        Failure::Usage(format!("invalid value '{}' for '{option}': {problem}", shown.escape_debug()))
     }
 
     /// Writes the message to standard error and gives the status.
     pub(crate) fn report(self) -> ExitCode {
-        match self {
-            Failure::Data(message) => {
-                // Nothing is left to do when even the message cannot be written.
-                let _ = writeln!(std::io::stderr(), "error: {message}");
-                ExitCode::from(1)
-            }
-            Failure::Usage(message) => {
-                let error = Arguments::command().error(ErrorKind::ValueValidation, message);
-                let _ = error.print();
-                ExitCode::from(2)
-            }
-        }
+        let (message, hint, status) = match self {
+            Failure::Data(message) => (message, "", 1),
+            Failure::Usage(message) => (message, "\n\nFor more information, try '--help'.", 2),
+        };
+        // Nothing is left to do when even the message cannot be written.
+        let _ = writeln!(std::io::stderr(), "error: {message}{hint}");
+        ExitCode::from(status)
     }
 }

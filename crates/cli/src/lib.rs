@@ -20,8 +20,8 @@ pub fn main() -> ExitCode {
         Command::Check(arguments) => commands::check::run(&arguments),
         Command::BenchSolvers(arguments) => commands::bench_solvers::run(&arguments),
         Command::Polygon(arguments) => commands::polygon::run(&arguments),
-        Command::Completions { shell } => commands::completions::run(shell),
-        Command::Man { topic } => commands::man::run(topic.as_deref()),
+        Command::Completions { shell, file } => commands::completions::run(shell, &file),
+        Command::Man { topic, file } => commands::man::run(topic.as_deref(), &file),
     };
     match result {
         Ok(exit) => exit.into(),

@@ -8,10 +8,10 @@ use tempfile::Builder;
 
 use crate::exit::Failure;
 
-/// Writes a text to a file, or to standard output without one. A reader of standard output that has gone away is no
-/// error.
+/// Writes a text to a file, or to standard output without one or for `-`. A reader of standard output that has gone
+/// away is no error.
 pub(crate) fn write(text: &str, file: Option<&str>) -> Result<(), Failure> {
-    match file {
+    match file.filter(|file| *file != "-") {
         Some(file) => write_file(text, Path::new(file))
             .map_err(|error| Failure::data(format_args!("{file}: cannot write: {error}"))),
         None => match io::stdout().write_all(text.as_bytes()).and_then(|()| io::stdout().flush()) {
@@ -26,9 +26,9 @@ pub(crate) fn write(text: &str, file: Option<&str>) -> Result<(), Failure> {
 /// Writes to a temporary file beside the target and renames it, so that the target is never half written.
 fn write_file(text: &str, file: &Path) -> io::Result<()> {
     // A link is written through, and a device or pipe is written to: neither may be replaced.
-    let target = fs::canonicalize(file).unwrap_or_else(|_| file.to_owned());
+    let target = resolved(file);
     let existing = fs::metadata(&target).ok();
-    if existing.as_ref().is_some_and(|metadata| metadata.is_dir()) {
+    if existing.as_ref().is_some_and(fs::Metadata::is_dir) {
         return Err(io::Error::other("is a directory"));
     }
     if existing.as_ref().is_some_and(|metadata| !metadata.is_file()) {
@@ -39,15 +39,38 @@ fn write_file(text: &str, file: &Path) -> io::Result<()> {
         _ => PathBuf::from("."),
     };
     let mut builder = Builder::new();
-    let permissions = existing.map(|metadata| metadata.permissions()).or_else(new_file_permissions);
-    if let Some(permissions) = permissions {
+    if let Some(permissions) = new_file_permissions() {
         builder.permissions(permissions);
     }
-    let mut temporary = builder.prefix(".boundfit-").tempfile_in(directory)?;
+    // The library's message goes on with the name of the temporary file, which says nothing to the user.
+    let plain = |error: io::Error| {
+        let message = error.to_string();
+        io::Error::new(error.kind(), message.split(" at path ").next().unwrap_or_default().to_owned())
+    };
+    let mut temporary = builder.prefix(".boundfit-").tempfile_in(directory).map_err(plain)?;
     temporary.write_all(text.as_bytes())?;
+    if let Some(metadata) = existing {
+        // The user's mask was applied on creation; a file that is replaced keeps what it had.
+        temporary.as_file().set_permissions(metadata.permissions())?;
+    }
     temporary.as_file().sync_all()?;
-    temporary.persist(&target)?;
+    temporary.persist(&target).map_err(|error| plain(error.error))?;
     Ok(())
+}
+
+/// The file behind any links, which need not exist yet.
+fn resolved(file: &Path) -> PathBuf {
+    /// As many links as the kernel follows.
+    const MOST_LINKS: usize = 40;
+    if let Ok(target) = fs::canonicalize(file) {
+        return target;
+    }
+    let mut target = file.to_owned();
+    for _ in 0..MOST_LINKS {
+        let Ok(next) = fs::read_link(&target) else { break };
+        target = target.parent().map_or_else(|| next.clone(), |folder| folder.join(&next));
+    }
+    target
 }
 
 /// What any program asks for when it creates a file; the user's mask applies.

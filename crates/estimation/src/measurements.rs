@@ -1,7 +1,7 @@
 //! Readings: what was measured, under which model, with which error bound.
 
 use boundfit_exact::Rational;
-use boundfit_formats::{ColumnSelector, InputError, Problem, Source, Table, TableOptions, read_table};
+use boundfit_formats::{ColumnSelector, InputError, Source, TableOptions, TableRow, read_table};
 
 /// One reading.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -89,10 +89,10 @@ impl Measurements {
         selectors.extend(columns.second.clone());
         selectors.push(columns.response.clone());
         if let EpsilonColumn::Column(epsilon) = &columns.epsilon {
-            selectors.push(epsilon.clone());
+            selectors.push(epsilon.clone().non_negative());
         }
         let table = read_table(source, &selectors, options)?;
-        let mut names = table.names.iter().map(|name| name_of_column(name));
+        let mut names = table.names.iter().cloned();
         let mut name = || names.next().unwrap_or_default();
         let first = name();
         let model = match columns.second {
@@ -104,10 +104,7 @@ impl Measurements {
             EpsilonColumn::Uniform(epsilon) => ErrorBound::Uniform(epsilon.clone()),
             EpsilonColumn::Column(_) => ErrorBound::PerRow(name()),
         };
-        let mut rows = Vec::with_capacity(table.rows.len());
-        for position in 0..table.rows.len() {
-            rows.push(measurement(&table, position, &model, &error_bound)?);
-        }
+        let rows = table.rows.iter().map(|row| measurement(row, &model, &error_bound)).collect();
         let (rows_total, sha256) = (table.rows_total, Some(table.sha256));
         Ok(Measurements { model, response, error_bound, rows, rows_total, sha256 })
     }
@@ -143,18 +140,7 @@ impl Measurements {
     }
 }
 
-/// A column without a header is named by its number.
-fn name_of_column(name: &str) -> String {
-    if name.bytes().all(|byte| byte.is_ascii_digit()) { format!("col{name}") } else { name.to_owned() }
-}
-
-fn measurement(
-    table: &Table,
-    position: usize,
-    model: &Model,
-    error_bound: &ErrorBound,
-) -> Result<Measurement, InputError> {
-    let row = &table.rows[position];
+fn measurement(row: &TableRow, model: &Model, error_bound: &ErrorBound) -> Measurement {
     let mut numbers = row.numbers.iter().cloned();
     let mut next = || numbers.next().unwrap_or_default();
     let regressor = match model {
@@ -166,9 +152,5 @@ fn measurement(
         ErrorBound::Uniform(epsilon) => epsilon.clone(),
         ErrorBound::PerRow(_) => next(),
     };
-    if epsilon.is_negative() {
-        let place = Box::new(table.place(position, table.positions.len() - 1));
-        return Err(InputError { file: table.file.clone(), place, problem: Problem::NegativeErrorBound });
-    }
-    Ok(Measurement { row: row.row, regressor, response, epsilon })
+    Measurement { row: row.row, regressor, response, epsilon }
 }

@@ -1,5 +1,7 @@
 //! Numbers from text: decimals, scientific notation and fractions, each read as the exact rational it spells.
 
+use std::fmt;
+
 use thiserror::Error;
 
 use crate::{Integer, Rational};
@@ -58,7 +60,7 @@ impl Reading {
 
 /// Why a text is not a number, and where.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("{kind} at byte {position}")]
+#[error("{kind}{}", At(.kind, *.position))]
 pub struct ParseNumberError {
     /// Offset of the offending byte in the text, from 0.
     pub position: usize,
@@ -97,8 +99,28 @@ pub enum ParseNumberErrorKind {
     #[error("zero denominator")]
     ZeroDenominator,
     /// A number beyond the largest binary64.
-    #[error("overflows binary64, beginning")]
+    #[error("overflows binary64")]
     Binary64Overflow,
+}
+
+impl ParseNumberErrorKind {
+    /// Whether the text is a number, but beyond what is accepted.
+    pub fn is_limit(&self) -> bool {
+        use ParseNumberErrorKind::{Binary64Overflow, ExponentTooLarge, TooManyDigits};
+        matches!(self, TooManyDigits(_) | ExponentTooLarge(_) | Binary64Overflow)
+    }
+}
+
+/// The place, unless the number as a whole is meant.
+struct At<'a>(&'a ParseNumberErrorKind, usize);
+
+impl fmt::Display for At<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            At(ParseNumberErrorKind::Binary64Overflow, _) => Ok(()),
+            At(_, position) => write!(f, " at byte {position}"),
+        }
+    }
 }
 
 struct Scanner<'a> {

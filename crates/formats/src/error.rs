@@ -52,11 +52,13 @@ pub enum Problem {
     /// The file is in an encoding with two bytes per character.
     #[error("the text is UTF-16")]
     Utf16,
-    /// A cell is not valid UTF-8.
-    #[error("invalid UTF-8 at byte {position} of the cell")]
+    /// A cell or line is not valid UTF-8.
+    #[error("invalid UTF-8 at byte {position} of the {unit}")]
     NotUtf8 {
-        /// Offset in the cell, from 0.
+        /// Offset in the unit, from 0.
         position: usize,
+        /// `cell` or `line`.
+        unit: &'static str,
     },
     /// A line without end.
     #[error("the line is longer than {limit} bytes (the limit)")]
@@ -65,7 +67,7 @@ pub enum Problem {
         limit: usize,
     },
     /// A row with more or fewer cells than the first one.
-    #[error("the row has {found} cells where the first row has {expected}")]
+    #[error("the row has {} where the first row has {expected}", cells(*.found))]
     RaggedRow {
         /// Cells in this row.
         found: usize,
@@ -77,8 +79,10 @@ pub enum Problem {
     UnknownColumn {
         /// The column asked for.
         wanted: String,
-        /// The columns there are.
+        /// The names in the header; none without one.
         available: Vec<String>,
+        /// How many columns there are, when a number may be given instead of a name.
+        numbers: Option<usize>,
     },
     /// A column name that occurs more than once.
     #[error("there are several columns {wanted:?}")]
@@ -96,8 +100,8 @@ pub enum Problem {
         /// Data rows in the file.
         total: usize,
     },
-    /// A cell that is not a number.
-    #[error("not a number: {0}")]
+    /// A cell that is not a number, or one beyond a limit.
+    #[error("{verdict}: {0}", verdict = if .0.kind.is_limit() { "refused" } else { "not a number" })]
     NotANumber(#[from] ParseNumberError),
     /// An error bound below zero.
     #[error("the error bound is negative")]
@@ -130,8 +134,8 @@ pub enum Problem {
         /// Numbers found.
         found: usize,
     },
-    /// A `linearity` line that does not list rows of the matrix.
-    #[error("the linearity line does not list rows of the matrix")]
+    /// A `linearity` line that does not list rows of the matrix, or comes after it.
+    #[error("this does not list rows of the matrix to come")]
     BadLinearity,
 }
 
@@ -142,17 +146,26 @@ impl Problem {
             Problem::IsDirectory => "a file, or - for standard input".to_owned(),
             Problem::Empty | Problem::NoRows => "at least one row of numbers".to_owned(),
             Problem::Utf16 | Problem::NotUtf8 { .. } => "text in UTF-8".to_owned(),
-            Problem::UnknownColumn { available, .. } => {
-                let quoted: Vec<String> = available.iter().map(|name| quote(name)).collect();
-                format!("one of {} or a number from 1 to {}", quoted.join(", "), available.len())
+            Problem::UnknownColumn { available, numbers, .. } => {
+                const MOST: usize = 10;
+                let mut names: Vec<String> = available.iter().take(MOST).map(|name| quote(name)).collect();
+                if available.len() > MOST {
+                    names.push(format!("{} more", available.len() - MOST));
+                }
+                let names = (!names.is_empty()).then(|| format!("one of {}", names.join(", ")));
+                let number = numbers.map(|numbers| format!("a number from 1 to {numbers}"));
+                names.into_iter().chain(number).collect::<Vec<_>>().join(" or ")
             }
             Problem::AmbiguousColumn { .. } => "a name that occurs once, or the column's number".to_owned(),
+            Problem::NotANumber(error) if error.kind.is_limit() => return None,
             Problem::NotANumber(_) => "a decimal such as 1.30e-2 or a fraction such as 7/19".to_owned(),
             Problem::NegativeErrorBound => "a number that is at least 0".to_owned(),
             Problem::NoBegin | Problem::VRepresentation => "an H-representation: begin, rows, end".to_owned(),
             Problem::BadSizeLine => "\"ROWS 3 integer\", \"ROWS 3 rational\" or \"ROWS 3 real\"".to_owned(),
             Problem::NotThePlane(_) => "3 columns: b, -a1, -a2".to_owned(),
-            Problem::BadLinearity => "\"linearity COUNT ROW...\" with rows counted from 1".to_owned(),
+            Problem::BadLinearity => {
+                "\"linearity COUNT ROW...\" before begin, with rows counted from 1".to_owned()
+            }
             _ => return None,
         })
     }
@@ -186,6 +199,11 @@ impl fmt::Display for Place {
         }
         Ok(())
     }
+}
+
+/// `1 cell`, `2 cells`.
+fn cells(count: usize) -> String {
+    format!("{count} {}", if count == 1 { "cell" } else { "cells" })
 }
 
 /// A text in quotes, cut where it is long, with control characters made visible.

@@ -65,7 +65,8 @@ pub fn read_half_planes(source: Source, options: &TableOptions) -> Result<HalfPl
         let place = Place { line: Some(bytes.line()), ..Place::default() };
         return Err(Source::error(&name, place, bytes.problem(error)));
     }
-    let has_begin = || content.split(|&byte| byte == b'\n').any(|line| line.trim_ascii() == b"begin");
+    let has_begin =
+        || content.split(|&byte| byte == b'\n').any(|line| line.trim_ascii().starts_with(b"begin"));
     let is_ine = format.map_or_else(has_begin, |format| format == HalfPlaneFormat::Ine);
     if is_ine {
         return parse_ine(&name, &content, bytes.sha256(), options);

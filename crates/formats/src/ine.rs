@@ -30,12 +30,16 @@ pub(crate) fn parse_ine(
     sha256: String,
     options: &TableOptions,
 ) -> Result<HalfPlaneFile, InputError> {
+    if content.starts_with(&[0xff, 0xfe]) || content.starts_with(&[0xfe, 0xff]) {
+        return Err(Source::error(file, Place::default(), Problem::Utf16));
+    }
+    let content = content.strip_prefix(b"\xef\xbb\xbf").unwrap_or(content);
     let text = std::str::from_utf8(content).map_err(|error| {
         let before = &content[..error.valid_up_to()];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count() as u64;
         let start = before.iter().rposition(|&byte| byte == b'\n').map_or(0, |position| position + 1);
         let place = Place { line: Some(line), ..Place::default() };
-        Source::error(file, place, Problem::NotUtf8 { position: before.len() - start })
+        Source::error(file, place, Problem::NotUtf8 { position: before.len() - start, unit: "line" })
     })?;
     if text.trim().is_empty() {
         return Err(Source::error(file, Place::default(), Problem::Empty));
@@ -46,7 +50,10 @@ pub(crate) fn parse_ine(
 
 impl<'a> Parser<'a> {
     fn parse(&self, sha256: String) -> Result<HalfPlaneFile, InputError> {
-        let begin = self.lines.iter().position(|(_, line)| line.trim() == "begin");
+        let begin = self.lines.iter().position(|(line, text)| {
+            let mut words = words(*line, text);
+            words.next().is_some_and(|word| word.text == "begin") && words.next().is_none()
+        });
         let Some(begin) = begin else {
             return Err(Source::error(self.file, Place::default(), Problem::NoBegin));
         };
@@ -58,6 +65,10 @@ impl<'a> Parser<'a> {
         let rows = self.size(&mut tokens, body[0].0)?;
         let numbers = self.numbers(&mut tokens, rows)?;
         let equations = self.equations(head, rows)?;
+        // cdd wants it before the matrix; passing over it would change the set.
+        if let Some(late) = tokens.find(|token| ["linearity", "equality"].contains(&token.text)) {
+            return Err(self.error(late, Problem::BadLinearity));
+        }
 
         let mut system = System::default();
         let mut origins = Vec::new();
@@ -151,4 +162,29 @@ fn words(line: u64, text: &str) -> impl Iterator<Item = Token<'_>> {
         line,
         column: 1 + word.as_ptr() as usize - text.as_ptr() as usize,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(text: &str) -> Result<HalfPlaneFile, InputError> {
+        parse_ine("test.ine", text.as_bytes(), String::new(), &TableOptions::default())
+    }
+
+    #[test]
+    fn a_byte_order_mark_and_comments_change_nothing() {
+        let plain = "linearity 1 1\nbegin\n2 3 integer\n1 -1 -1\n0 1 0\nend\n";
+        let expected = parse(plain).unwrap();
+        assert_eq!((expected.system.len(), expected.rows), (3, 2));
+        let commented = plain.replace("begin", "begin * the matrix").replace("0 1 0", "0 1 0 * theta1");
+        for text in [format!("\u{feff}{plain}"), commented, plain.replace('\n', "\r\n")] {
+            let file = parse(&text).unwrap();
+            assert_eq!(
+                (file.system, file.origins),
+                (expected.system.clone(), expected.origins.clone()),
+                "{text:?}"
+            );
+        }
+    }
 }

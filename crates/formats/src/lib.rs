@@ -8,6 +8,7 @@
 mod error;
 mod half_planes;
 mod ine;
+mod lines;
 mod source;
 mod table;
 

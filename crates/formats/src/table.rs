@@ -6,6 +6,7 @@ use boundfit_exact::{Limits, Rational, Reading};
 use csv::{ByteRecord, ReaderBuilder};
 
 use crate::error::{InputError, Place, Problem};
+use crate::lines::LineCounter;
 use crate::source::{Source, WatchedReader};
 
 /// How a column is asked for.
@@ -14,23 +15,32 @@ pub struct ColumnSelector {
     text: String,
     /// Where the column is when there is no header, from 1.
     position: Option<usize>,
+    non_negative: bool,
 }
 
 impl ColumnSelector {
     /// A header name, or a number from 1.
     pub fn name_or_number(text: &str) -> Self {
-        let text = text.trim();
-        let digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-        ColumnSelector { text: text.to_owned(), position: digits.then(|| text.parse().unwrap_or(usize::MAX)) }
+        let mut selector =
+            ColumnSelector { text: text.trim().to_owned(), position: None, non_negative: false };
+        if selector.is_number() {
+            selector.position = Some(selector.text.parse().unwrap_or(usize::MAX));
+        }
+        selector
     }
 
     /// A header name, or a position from 1 in a table without a header.
     pub fn name_at(name: &str, position: usize) -> Self {
-        ColumnSelector { text: name.to_owned(), position: Some(position) }
+        ColumnSelector { text: name.to_owned(), position: Some(position), non_negative: false }
+    }
+
+    /// The same column, in which every number must be at least 0.
+    pub fn non_negative(self) -> Self {
+        ColumnSelector { non_negative: true, ..self }
     }
 
     fn is_number(&self) -> bool {
-        self.position.is_some_and(|position| position.to_string() == self.text)
+        !self.text.is_empty() && self.text.bytes().all(|byte| byte.is_ascii_digit())
     }
 }
 
@@ -93,29 +103,14 @@ pub struct TableRow {
 /// The columns asked for, as numbers.
 #[derive(Debug, Clone)]
 pub struct Table {
-    /// The file, as it was named.
-    pub file: String,
-    /// The names of the columns asked for; their numbers in a table without a header.
+    /// The names of the columns asked for; `col1` and so on where there is none.
     pub names: Vec<String>,
-    /// Where those columns are, from 1.
-    pub positions: Vec<usize>,
     /// The rows wanted.
     pub rows: Vec<TableRow>,
     /// How many data rows the file has.
     pub rows_total: usize,
     /// SHA-256 of the file's bytes, in hexadecimal.
     pub sha256: String,
-}
-
-impl Table {
-    /// The place of a cell, for messages.
-    pub fn place(&self, row: usize, column: usize) -> Place {
-        Place {
-            line: self.rows.get(row).map(|row| row.line),
-            column: self.positions.get(column).map(|position| (*position, self.names.get(column).cloned())),
-            text: self.rows.get(row).and_then(|row| row.numbers.get(column)).map(ToString::to_string),
-        }
-    }
 }
 
 /// Reads the columns asked for from comma-, semicolon- or tab-separated text, with or without a header, quotes, a byte
@@ -139,17 +134,19 @@ pub fn read_table(
         return Err(Source::error(&file, Place::default(), Problem::Utf16));
     }
     let delimiter = options.delimiter.unwrap_or_else(|| detect_delimiter(&start));
-    let input = Cursor::new(start).chain(bytes);
+    let input = LineCounter::new(Cursor::new(start).chain(bytes));
     let reader =
         ReaderBuilder::new().has_headers(false).flexible(true).delimiter(delimiter).from_reader(input);
-    TableReader { file, columns, options, reader }.read()
+    TableReader { file, columns, options, reader, line: 1 }.read()
 }
 
 struct TableReader<'a> {
     file: String,
     columns: &'a [ColumnSelector],
     options: &'a TableOptions,
-    reader: csv::Reader<io::Chain<Cursor<Vec<u8>>, WatchedReader>>,
+    reader: csv::Reader<LineCounter<io::Chain<Cursor<Vec<u8>>, WatchedReader>>>,
+    /// The line on which the current record starts.
+    line: u64,
 }
 
 impl TableReader<'_> {
@@ -161,31 +158,32 @@ impl TableReader<'_> {
         let width = record.len();
         let names = self.header_names(&record)?;
         let has_header = names.is_some();
-        let positions = self.resolve(names.as_deref(), width, line_of(&record))?;
-        let names: Vec<String> = positions
-            .iter()
-            .map(|position| {
-                names.as_ref().map_or_else(|| position.to_string(), |names| names[position - 1].clone())
-            })
-            .collect();
+        let positions = self.resolve(names.as_deref(), width, self.line)?;
+        let name_of = |position: &usize| {
+            let given =
+                names.as_ref().map(|names| names[position - 1].clone()).filter(|name| !name.is_empty());
+            given.unwrap_or_else(|| format!("col{position}"))
+        };
         let mut table = Table {
-            file: self.file.clone(),
-            names,
-            positions,
+            names: positions.iter().map(name_of).collect(),
             rows: Vec::new(),
             rows_total: 0,
             sha256: String::new(),
         };
+        let places: Vec<(usize, Option<String>)> = positions
+            .iter()
+            .map(|&position| (position, names.as_ref().map(|names| names[position - 1].clone())))
+            .collect();
         let mut more = !has_header || self.next(&mut record)?;
         while more {
             if record.len() != width {
-                let place = Place { line: Some(line_of(&record)), ..Place::default() };
+                let place = Place { line: Some(self.line), ..Place::default() };
                 return Err(self.error(place, Problem::RaggedRow { found: record.len(), expected: width }));
             }
             table.rows_total += 1;
             if self.options.rows.is_none_or(|rows| rows.contains(table.rows_total)) {
-                let row = self.row(&record, &table, has_header)?;
-                table.rows.push(row);
+                let numbers = self.numbers(&record, &places)?;
+                table.rows.push(TableRow { row: table.rows_total, line: self.line, numbers });
             }
             more = self.next(&mut record)?;
         }
@@ -198,7 +196,7 @@ impl TableReader<'_> {
             let problem = Problem::RowsBeyondEnd { first, last, total: table.rows_total };
             return Err(self.error(Place::default(), problem));
         }
-        table.sha256 = self.reader.get_ref().get_ref().1.sha256();
+        table.sha256 = self.reader.get_ref().get_ref().get_ref().1.sha256();
         Ok(table)
     }
 
@@ -207,9 +205,13 @@ impl TableReader<'_> {
         loop {
             match self.reader.read_byte_record(record) {
                 Ok(true) if record.len() == 1 && record[0].trim_ascii().is_empty() => {}
-                Ok(more) => return Ok(more),
+                Ok(more) => {
+                    let start = record.position().map_or(0, csv::Position::byte);
+                    self.line = self.reader.get_mut().line_at(start);
+                    return Ok(more);
+                }
                 Err(error) => {
-                    let bytes = &self.reader.get_ref().get_ref().1;
+                    let bytes = &self.reader.get_ref().get_ref().get_ref().1;
                     let place = Place { line: Some(bytes.line()), ..Place::default() };
                     let problem = bytes.problem(io::Error::from(error));
                     return Err(self.error(place, problem));
@@ -218,21 +220,31 @@ impl TableReader<'_> {
         }
     }
 
-    fn row(&self, record: &ByteRecord, table: &Table, has_header: bool) -> Result<TableRow, InputError> {
-        let line = line_of(record);
-        let mut numbers = Vec::with_capacity(table.positions.len());
-        for (position, name) in table.positions.iter().zip(&table.names) {
-            let cell = &record[position - 1];
+    /// The numbers of a record in the columns asked for.
+    fn numbers(
+        &self,
+        record: &ByteRecord,
+        places: &[(usize, Option<String>)],
+    ) -> Result<Vec<Rational>, InputError> {
+        let mut numbers = Vec::with_capacity(places.len());
+        for (place, column) in places.iter().zip(self.columns) {
+            let cell = &record[place.0 - 1];
             let fail = |problem| {
                 let text = String::from_utf8_lossy(cell).into_owned();
-                let column = Some((*position, has_header.then(|| name.clone())));
-                self.error(Place { line: Some(line), column, text: Some(text) }, problem)
+                self.error(
+                    Place { line: Some(self.line), column: Some(place.clone()), text: Some(text) },
+                    problem,
+                )
             };
             let text = decode(cell).map_err(fail)?;
             let number = self.options.reading.read(text, &self.options.limits);
-            numbers.push(number.map_err(|error| fail(error.into()))?);
+            let number = number.map_err(|error| fail(error.into()))?;
+            if column.non_negative && number.is_negative() {
+                return Err(fail(Problem::NegativeErrorBound));
+            }
+            numbers.push(number);
         }
-        Ok(TableRow { row: table.rows_total, line, numbers })
+        Ok(numbers)
     }
 
     /// The names in the first record, when it is a header.
@@ -257,7 +269,7 @@ impl TableReader<'_> {
             decode(cell).map(|name| name.trim().to_owned()).map_err(|problem| {
                 let text = String::from_utf8_lossy(cell).into_owned();
                 let column = Some((index + 1, None));
-                self.error(Place { line: Some(line_of(record)), column, text: Some(text) }, problem)
+                self.error(Place { line: Some(self.line), column, text: Some(text) }, problem)
             })
         });
         names.collect::<Result<_, _>>().map(Some)
@@ -265,7 +277,6 @@ impl TableReader<'_> {
 
     /// The positions, from 1, of the columns asked for.
     fn resolve(&self, names: Option<&[String]>, width: usize, line: u64) -> Result<Vec<usize>, InputError> {
-        let numbers: Vec<String> = (1..=width).map(|number| number.to_string()).collect();
         let find = |column: &ColumnSelector| {
             let fail = |problem| self.error(Place { line: Some(line), ..Place::default() }, problem);
             let mut matches =
@@ -278,8 +289,12 @@ impl TableReader<'_> {
                     .filter(|position| (1..=width).contains(position))
                     .filter(|_| names.is_none() || column.is_number())
                     .ok_or_else(|| {
-                        let available = names.unwrap_or(&numbers).to_vec();
-                        fail(Problem::UnknownColumn { wanted: column.text.clone(), available })
+                        let numbered = column.position.is_none() || column.is_number();
+                        fail(Problem::UnknownColumn {
+                            wanted: column.text.clone(),
+                            available: names.unwrap_or_default().to_vec(),
+                            numbers: numbered.then_some(width),
+                        })
                     }),
             }
         };
@@ -291,12 +306,9 @@ impl TableReader<'_> {
     }
 }
 
-fn line_of(record: &ByteRecord) -> u64 {
-    record.position().map_or(1, csv::Position::line)
-}
-
 fn decode(cell: &[u8]) -> Result<&str, Problem> {
-    std::str::from_utf8(cell).map_err(|error| Problem::NotUtf8 { position: error.valid_up_to() })
+    std::str::from_utf8(cell)
+        .map_err(|error| Problem::NotUtf8 { position: error.valid_up_to(), unit: "cell" })
 }
 
 /// Whether a cell of the first row is a name rather than a number, a failed number or a missing one.

@@ -211,14 +211,14 @@ fn contrary(proof: &Proof, rows: &ProgramRows, style: &Style) -> String {
     let products = |multipliers: &[Multiplier]| {
         let products: Vec<String> = multipliers
             .iter()
-            .map(|m| format!("{} * ({})", style.text(&m.value), rows.name(m.row)))
+            .map(|m| format!("{} * ({})", style.proof_text(&m.value), rows.name(m.row)))
             .collect();
         products.join(" + ")
     };
     match proof {
         Proof::Infeasible(multipliers) => {
             let sum: Rational = multipliers.iter().map(|m| &rows.rows()[m.row].row.b * &m.value).sum();
-            format!("the set is empty: {} gives 0 <= {}", products(multipliers), style.text(&sum))
+            format!("the set is empty: {} gives 0 <= {}", products(multipliers), style.upper_text(&sum))
         }
         Proof::Bound(multipliers) => format!("it is bounded, by {}", products(multipliers)),
         Proof::FeasiblePoint(theta) => format!("{} is feasible", point(theta, style)),

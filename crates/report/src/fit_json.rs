@@ -94,7 +94,8 @@ struct MinimaxJson {
     proof: Vec<TermJson>,
 }
 
-/// The report as JSON, with a line end. What is null has an entry in `reasons`.
+/// The report as JSON, with a line end. A main part that is null (least squares, EUI, PUI, central, ε_min, minimax,
+/// inverse, tightness) has an entry in `reasons`.
 pub fn fit_json(problem: &Problem, fit: &Fit, reading: Reading, style: &Style) -> String {
     let report = FitJson {
         schema: "boundfit/fit/1",
@@ -161,7 +162,7 @@ fn input(problem: &Problem, reading: Reading, style: &Style) -> InputJson {
         Model::TwoRegressors { regressors } => ("two-regressors", regressors.to_vec()),
     };
     let (epsilon, epsilon_column) = match measurements.error_bound() {
-        ErrorBound::Uniform(epsilon) => (Some(style.number(epsilon)), None),
+        ErrorBound::Uniform(epsilon) => (Some(style.upper_number(epsilon)), None),
         ErrorBound::PerRow(column) => (None, Some(column.clone())),
     };
     InputJson {

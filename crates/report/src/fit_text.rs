@@ -198,10 +198,16 @@ impl<'a> Writer<'a> {
         let names: Vec<String> = terms.iter().map(|(name, _)| name.to_string()).collect();
         let plural = if names.len() == 1 { "cannot hold" } else { "contradict each other" };
         let mut text = format!("  No theta meets every bound. These {plural}: {}.\n", names.join(", "));
-        let products: Vec<String> =
-            terms.iter().map(|(name, multiplier)| format!("{multiplier} * ({name})")).collect();
+        let products: Vec<String> = terms
+            .iter()
+            .map(|(name, multiplier)| format!("{} * ({name})", self.style.proof_text(multiplier)))
+            .collect();
         let sum = self.sum_of(&terms);
-        text.push_str(&format!("  Proof: {} gives 0 <= {}.\n", products.join(" + "), self.style.text(&sum)));
+        text.push_str(&format!(
+            "  Proof: {} gives 0 <= {}.\n",
+            products.join(" + "),
+            self.style.upper_text(&sum)
+        ));
         text.push_str(&match (&self.fit.minimax, error_bound) {
             (None, _) => "  A larger error bound would not help.\n".to_owned(),
             (Some(minimax), ErrorBound::Uniform(epsilon)) => format!(
@@ -238,7 +244,7 @@ impl<'a> Writer<'a> {
                 let ParameterBound::Bounded { value, proof } = end else { continue };
                 let value = if is_lower { style.lower_text(value) } else { style.upper_text(value) };
                 let product = |m: &boundfit_geometry::Multiplier| {
-                    format!("{} * ({})", self.style.text(&m.value), self.fit.fps.name(m.index))
+                    format!("{} * ({})", self.style.proof_text(&m.value), self.fit.fps.name(m.index))
                 };
                 let products: Vec<String> = proof.multipliers.iter().map(product).collect();
                 rows.push(vec![format!("{parameter} {relation}"), value, products.join(" + ")]);

@@ -14,7 +14,7 @@ mod region;
 mod style;
 mod text;
 
-pub use check_json::check_json;
+pub use check_json::{check_json, conformance_json};
 pub use check_text::{check_text, conformance_table, verdict_line};
 pub use fit_json::fit_json;
 pub use fit_text::fit_text;

@@ -22,7 +22,7 @@ pub fn polygon_text(file: &HalfPlaneFile, polyhedron: &Polyhedron, name: &str, s
         let products = products(file, certificate.multipliers(), style);
         let right_hand_side = |m: &Multiplier| &polyhedron.system().inequalities()[m.index].b * &m.value;
         let sum: Rational = certificate.multipliers().iter().map(right_hand_side).sum();
-        text.push_str(&format!("  Proof: {products} gives 0 <= {}.\n", style.text(&sum)));
+        text.push_str(&format!("  Proof: {products} gives 0 <= {}.\n", style.upper_text(&sum)));
     }
     if let Some(bounds) = &bounds {
         let row = |axis: usize| {
@@ -58,7 +58,10 @@ fn redundancy(file: &HalfPlaneFile, polyhedron: &Polyhedron, style: &Style) -> S
         };
         let reason = match reason {
             Redundancy::Always => "holds everywhere".to_owned(),
-            Redundancy::SameAs(other) => format!("the same half-plane as row {}", file.origins[*other].row),
+            Redundancy::SameAs(other) => {
+                let RowOrigin { row, reversed } = file.origins[*other];
+                format!("the same half-plane as row {row}{}", if reversed { " (>=)" } else { "" })
+            }
             Redundancy::EmptyWithout => "the region is empty without it".to_owned(),
             Redundancy::Dominated { by, slack } if slack.is_zero() => {
                 format!("touches the region; implied by {}", products(file, by, style))
@@ -79,7 +82,7 @@ fn products(file: &HalfPlaneFile, multipliers: &[Multiplier], style: &Style) -> 
     let product = |multiplier: &Multiplier| {
         let RowOrigin { row, reversed } = file.origins[multiplier.index];
         let sign = if reversed { "-" } else { "" };
-        format!("{sign}{} * (row {row})", style.text(&multiplier.value))
+        format!("{sign}{} * (row {row})", style.proof_text(&multiplier.value))
     };
     let products: Vec<String> = multipliers.iter().map(product).collect();
     products.join(" + ")

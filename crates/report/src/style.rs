@@ -3,6 +3,9 @@
 use boundfit_exact::{Endpoint, Interval, Rational, Rounding};
 use serde::Serialize;
 
+/// The longest fraction that text reports show without being asked for exact numbers.
+const LONGEST_FRACTION: usize = 80;
+
 /// In which direction the ends of intervals and the error bounds are rounded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum EndRounding {
@@ -60,7 +63,17 @@ impl Style {
         const MOST: usize = 20;
         self.exact_decimal(value, MOST.max(self.digits))
             .filter(|_| !self.exact)
-            .unwrap_or_else(|| value.to_string())
+            .unwrap_or_else(|| self.proof_text(value))
+    }
+
+    /// A multiplier of a proof as text: exact, since rounded ones prove nothing, unless too long to read.
+    pub(crate) fn proof_text(&self, value: &Rational) -> String {
+        let exact = value.to_string();
+        if exact.len() <= LONGEST_FRACTION || self.exact {
+            exact
+        } else {
+            format!("about {}", self.text(value))
+        }
     }
 
     /// An error bound as text, with the exact value behind it when the decimal is rounded.
@@ -68,6 +81,7 @@ impl Style {
         match self.exact_decimal(value, self.digits) {
             _ if self.exact => value.to_string(),
             Some(decimal) => decimal,
+            None if value.to_string().len() > LONGEST_FRACTION => self.upper_text(value),
             None => format!("{} (exactly {value})", self.upper_text(value)),
         }
     }

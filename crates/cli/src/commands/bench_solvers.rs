@@ -8,14 +8,14 @@ use boundfit_check::{Check, CheckOptions, check, source_names};
 use boundfit_estimation::{Columns, EpsilonColumn, Measurements, Problem};
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Source, TableOptions};
-use boundfit_report::conformance_table;
+use boundfit_report::{conformance_json, conformance_table};
 
 use crate::CommandResult;
-use crate::arguments::BenchSolversArguments;
+use crate::arguments::{BenchSolversArguments, Format};
 use crate::exit::{Exit, Failure};
 use crate::output;
 
-/// Runs every solver on every case of a folder and prints the worst verdict of each as a Markdown table.
+/// Runs every solver on every case of a folder and prints the worst verdict of each.
 pub(crate) fn run(arguments: &BenchSolversArguments) -> CommandResult {
     let folder = &arguments.folder;
     let entries = fs::read_dir(folder)
@@ -34,7 +34,11 @@ pub(crate) fn run(arguments: &BenchSolversArguments) -> CommandResult {
         let judged = judged_case(Path::new(folder), &name)?;
         cases.push((name, judged));
     }
-    output::write(&conformance_table(&cases), arguments.output.as_deref())?;
+    let report = match arguments.format {
+        Format::Text => conformance_table(&cases),
+        Format::Json => conformance_json(&cases),
+    };
+    output::write(&report, arguments.file.output.as_deref())?;
     Ok(Exit::Answer)
 }
 

@@ -28,7 +28,7 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
         Format::Json => check_json(&check, reading, &style),
         Format::Text => check_text(&check, arguments.data.file_name(), reading, &style),
     };
-    output::write(&report, arguments.output.output.as_deref())?;
+    output::write(&report, arguments.output.file.output.as_deref())?;
     Ok(if check.worst(reading).is_some_and(Verdict::is_refutation) { Exit::Refuted } else { Exit::Answer })
 }
 

@@ -29,7 +29,7 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
             if arguments.no_lp { report } else { report + &lp_line(&problem, reading)? }
         }
     };
-    output::write(&report, arguments.output.output.as_deref())?;
+    output::write(&report, arguments.output.file.output.as_deref())?;
     Ok(if fit.fps.polyhedron().region().is_empty() { Exit::Empty } else { Exit::Answer })
 }
 

@@ -4,12 +4,12 @@ use clap::CommandFactory;
 use clap_mangen::Man;
 
 use crate::CommandResult;
-use crate::arguments::Arguments;
+use crate::arguments::{Arguments, FileArguments};
 use crate::exit::{Exit, Failure};
 use crate::output;
 
 /// Prints the manual page of the program or of one of its commands.
-pub(crate) fn run(topic: Option<&str>) -> CommandResult {
+pub(crate) fn run(topic: Option<&str>, file: &FileArguments) -> CommandResult {
     let mut program = Arguments::command();
     program.build();
     let command = match topic {
@@ -25,6 +25,6 @@ pub(crate) fn run(topic: Option<&str>) -> CommandResult {
     };
     let mut page = Vec::new();
     Man::new(command).render(&mut page).map_err(Failure::data)?;
-    output::write(&String::from_utf8(page).map_err(Failure::data)?, None)?;
+    output::write(&String::from_utf8(page).map_err(Failure::data)?, file.output.as_deref())?;
     Ok(Exit::Answer)
 }

@@ -29,6 +29,6 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
         Format::Json => polygon_json(&file, &polyhedron, reading, &style),
         Format::Text => polygon_text(&file, &polyhedron, &name, &style),
     };
-    output::write(&report, arguments.output.output.as_deref())?;
+    output::write(&report, arguments.output.file.output.as_deref())?;
     Ok(if polyhedron.region().is_empty() { Exit::Empty } else { Exit::Answer })
 }
