@@ -61,42 +61,64 @@ macro_rules! exact_operators {
 
 macro_rules! exact_type {
     ($type:ident, $inner:ident) => {
-        exact_operators!($type: Add add, Sub sub, Mul mul);
-
         impl Neg for $type {
             type Output = $type;
-            fn neg(self) -> $type { $type(-self.0) }
+            fn neg(self) -> $type {
+                $type(-self.0)
+            }
         }
         impl Neg for &$type {
             type Output = $type;
-            fn neg(self) -> $type { $type(-&self.0) }
+            fn neg(self) -> $type {
+                $type(-&self.0)
+            }
         }
         impl $type {
             /// The number 0.
-            pub fn zero() -> Self { $type($inner::zero()) }
+            pub fn zero() -> Self {
+                $type($inner::zero())
+            }
             /// The number 1.
-            pub fn one() -> Self { $type($inner::one()) }
+            pub fn one() -> Self {
+                $type($inner::one())
+            }
             /// Whether the number is 0.
-            pub fn is_zero(&self) -> bool { self.0.is_zero() }
+            pub fn is_zero(&self) -> bool {
+                self.0.is_zero()
+            }
             /// Whether the number is less than, equal to or greater than 0.
             pub fn sign(&self) -> Sign {
-                if self.0.is_zero() { Sign::Zero }
-                else if self.0.is_negative() { Sign::Negative }
-                else { Sign::Positive }
+                if self.0.is_zero() {
+                    Sign::Zero
+                } else if self.0.is_negative() {
+                    Sign::Negative
+                } else {
+                    Sign::Positive
+                }
             }
             /// Whether the number is less than 0.
-            pub fn is_negative(&self) -> bool { self.0.is_negative() }
+            pub fn is_negative(&self) -> bool {
+                self.0.is_negative()
+            }
             /// Whether the number is greater than 0.
-            pub fn is_positive(&self) -> bool { self.0.is_positive() }
+            pub fn is_positive(&self) -> bool {
+                self.0.is_positive()
+            }
             /// The absolute value.
-            pub fn abs(&self) -> Self { $type(self.0.abs()) }
+            pub fn abs(&self) -> Self {
+                $type(self.0.abs())
+            }
         }
         impl fmt::Debug for $type {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result { write!(f, "{}", self.0) }
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "{}", self.0)
+            }
         }
         /// The exact value: `n`, or `p/q` in lowest terms.
         impl fmt::Display for $type {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result { self.0.fmt(f) }
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                self.0.fmt(f)
+            }
         }
         impl std::iter::Sum for $type {
             fn sum<I: Iterator<Item = $type>>(numbers: I) -> $type {
@@ -108,6 +130,85 @@ macro_rules! exact_type {
 
 exact_type!(Integer, BigInt);
 exact_type!(Rational, BigRational);
+exact_operators!(Integer: Add add, Sub sub, Mul mul);
+
+macro_rules! rational_operators {
+    ($($trait:ident $method:ident $function:ident),*) => {$(
+        impl $trait<&Rational> for &Rational {
+            type Output = Rational;
+            fn $method(self, other: &Rational) -> Rational { $function(self, other) }
+        }
+        impl $trait<Rational> for &Rational {
+            type Output = Rational;
+            fn $method(self, other: Rational) -> Rational { $function(self, &other) }
+        }
+        impl $trait<&Rational> for Rational {
+            type Output = Rational;
+            fn $method(self, other: &Rational) -> Rational { $function(&self, other) }
+        }
+        impl $trait<Rational> for Rational {
+            type Output = Rational;
+            fn $method(self, other: Rational) -> Rational { $function(&self, &other) }
+        }
+    )*};
+}
+
+rational_operators!(Add add sum_of, Sub sub difference_of, Mul mul product_of);
+
+/// Numerators and denominators of two numbers, when all four fit into 64 bits.
+fn small_terms(left: &Rational, right: &Rational) -> Option<[i128; 4]> {
+    let [a, b] = [left.0.numer().to_i64()?, left.0.denom().to_i64()?];
+    let [c, d] = [right.0.numer().to_i64()?, right.0.denom().to_i64()?];
+    Some([a, b, c, d].map(i128::from))
+}
+
+/// A fraction of machine integers in lowest terms; the denominator is positive. The library's own reduction takes its
+/// greatest common divisor on big integers, which costs ten times as much.
+fn reduced(numerator: i128, denominator: i128) -> Rational {
+    let divisor = greatest_common_divisor(numerator.unsigned_abs(), denominator.unsigned_abs()) as i128;
+    Rational(BigRational::new_raw((numerator / divisor).into(), (denominator / divisor).into()))
+}
+
+/// Euclid's algorithm; `right` is not 0.
+fn greatest_common_divisor(left: u128, right: u128) -> u128 {
+    let (mut left, mut right) = (left, right);
+    while right > u128::from(u64::MAX) || left > u128::from(u64::MAX) {
+        if right == 0 {
+            return left;
+        }
+        (left, right) = (right, left % right);
+    }
+    // Division of 64 bits is many times faster than of 128.
+    let (mut left, mut right) = (left as u64, right as u64);
+    while right != 0 {
+        (left, right) = (right, left % right);
+    }
+    u128::from(left)
+}
+
+fn sum_of(left: &Rational, right: &Rational) -> Rational {
+    match small_terms(left, right) {
+        Some([a, b, c, d]) if b == d => reduced(a + c, b),
+        // Both products stay below 2^126.
+        Some([a, b, c, d]) => reduced(a * d + c * b, b * d),
+        None => Rational(&left.0 + &right.0),
+    }
+}
+
+fn difference_of(left: &Rational, right: &Rational) -> Rational {
+    match small_terms(left, right) {
+        Some([a, b, c, d]) if b == d => reduced(a - c, b),
+        Some([a, b, c, d]) => reduced(a * d - c * b, b * d),
+        None => Rational(&left.0 - &right.0),
+    }
+}
+
+fn product_of(left: &Rational, right: &Rational) -> Rational {
+    match small_terms(left, right) {
+        Some([a, b, c, d]) => reduced(a * c, b * d),
+        None => Rational(&left.0 * &right.0),
+    }
+}
 
 macro_rules! from_primitive {
     ($($primitive:ty),*) => {$(
@@ -188,7 +289,14 @@ impl Integer {
 impl Rational {
     /// `numerator / denominator` in lowest terms, or `None` when the denominator is 0.
     pub fn new(numerator: Integer, denominator: Integer) -> Option<Self> {
-        (!denominator.is_zero()).then(|| Rational(BigRational::new(numerator.0, denominator.0)))
+        match (numerator.0.to_i64(), denominator.0.to_i64()) {
+            (_, Some(0)) => None,
+            (Some(numerator), Some(denominator)) => {
+                let sign = i128::from(denominator.signum());
+                Some(reduced(i128::from(numerator) * sign, i128::from(denominator) * sign))
+            }
+            _ => Some(Rational(BigRational::new(numerator.0, denominator.0))),
+        }
     }
 
     /// `numerator / denominator` for literals.
@@ -211,7 +319,7 @@ impl Rational {
 
     /// The quotient, or `None` when the divisor is 0.
     pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
-        (!divisor.is_zero()).then(|| Rational(&self.0 / &divisor.0))
+        divisor.recip().map(|reciprocal| self * reciprocal)
     }
 
     /// `1 / self`, or `None` for 0.
@@ -248,6 +356,36 @@ mod tests {
         assert_eq!(a.checked_div(&Rational::zero()), None);
         assert_eq!(b.half(), a);
         assert_eq!((-&a).sign(), Sign::Negative);
+    }
+
+    #[test]
+    fn small_and_big_arithmetic_agree() {
+        // The library's operators are the reference for numbers on both sides of the 64-bit boundary.
+        let edges =
+            [0, 1, -1, 2, 3, -6, 97, i64::MAX, i64::MIN, i64::MAX - 1, i64::MIN + 1, 1 << 62, -(1 << 40)];
+        let mut numbers = Vec::new();
+        for numerator in edges {
+            for denominator in [1, 2, 3, 6, 1_000_000_007, i64::MAX, i64::MAX - 1] {
+                let small = Rational::ratio(numerator, denominator);
+                numbers.push(Rational(&small.0 * BigRational::from_integer(BigInt::from(1_u128 << 70))));
+                numbers.push(small);
+            }
+        }
+        for left in &numbers {
+            for right in &numbers {
+                assert_eq!((left + right).0, &left.0 + &right.0);
+                assert_eq!((left - right).0, &left.0 - &right.0);
+                assert_eq!((left * right).0, &left.0 * &right.0);
+                let quotient = left.checked_div(right).map(|quotient| quotient.0);
+                assert_eq!(quotient, (!right.is_zero()).then(|| &left.0 / &right.0));
+                let product = left * right;
+                assert_eq!(BigRational::new(product.0.numer().clone(), product.0.denom().clone()), product.0);
+                let made = Rational::new(left.numerator(), right.numerator());
+                let expected = (!right.is_zero())
+                    .then(|| BigRational::new(left.0.numer().clone(), right.0.numer().clone()));
+                assert_eq!(made.map(|made| made.0), expected);
+            }
+        }
     }
 
     #[test]
