@@ -112,7 +112,7 @@ pub fn parse_claim_file(text: &str, name: &str) -> Result<Answer, ClaimError> {
     Ok(Answer { source, exact_input: false, claims })
 }
 
-/// Reads `LO1,HI1,LO2,HI2`. `inf` and `-inf` claim that an end is unbounded.
+/// Reads `LO1,HI1,LO2,HI2`. `-inf` as a lower and `inf` as an upper end claim that it is unbounded.
 ///
 /// # Errors
 /// What is wrong with the text.
@@ -121,11 +121,13 @@ pub fn parse_claim_pui(text: &str) -> Result<Answer, ClaimError> {
     let [lower1, upper1, lower2, upper2] = values.as_slice() else {
         return Err(ClaimError::Count(values.len()));
     };
-    let claim = |text: &str| -> Result<BoundClaim, ClaimError> {
-        let unbounded = ["inf", "-inf", "+inf", "Inf", "-Inf"].contains(&text);
+    let claim = |text: &str, unbounded: &[&str]| -> Result<BoundClaim, ClaimError> {
+        let unbounded = unbounded.contains(&text.to_ascii_lowercase().as_str());
         let claimed = if unbounded { Claimed::Unbounded } else { Claimed::Value(number(text)?) };
         Ok(BoundClaim { claimed, point: None, duals: None })
     };
-    let claims = [[claim(lower1)?, claim(upper1)?], [claim(lower2)?, claim(upper2)?]];
+    let lower = |text: &str| claim(text, &["-inf", "-infinity"]);
+    let upper = |text: &str| claim(text, &["inf", "+inf", "infinity", "+infinity"]);
+    let claims = [[lower(lower1)?, upper(upper1)?], [lower(lower2)?, upper(upper2)?]];
     Ok(Answer { source: "claimed PUI".to_owned(), exact_input: false, claims })
 }

@@ -238,13 +238,13 @@ impl Referee {
         order.sort_by(|&i, &j| duals[j].total_cmp(&duals[i]));
         let unit = if end == End::Lower { -Rational::one() } else { Rational::one() };
         let form = [0, 1].map(|i| if i == axis { unit.clone() } else { Rational::zero() });
-        let single = order.first().and_then(|&row| self.multiple(row, &form));
+        let singles = order.iter().take(2).filter_map(|&row| self.multiple(row, &form));
         let pair = order.get(1).and_then(|&second| self.combination(order[0], second, &form));
         let proves = |multipliers: Vec<Multiplier>| {
             let bound: Rational = multipliers.iter().map(|m| &self.rows[m.row].row.b * &m.value).sum();
             multipliers.iter().all(|m| !m.value.is_negative()) && bound == -value
         };
-        Some([single, pair].into_iter().flatten().any(proves))
+        Some(singles.chain(pair).any(proves))
     }
 
     fn multiple(&self, row: usize, form: &[Rational; 2]) -> Option<Vec<Multiplier>> {

@@ -1,8 +1,9 @@
 //! The revised simplex method in exact arithmetic, for programs with two equations and many columns:
 //! `min cost·λ` subject to `Σ λ_k·column_k = target`, `λ ≥ 0`.
 //!
-//! Bland's rule (1977): of the columns that improve, the one with the smallest index enters; of those that block, the
-//! one with the smallest index leaves. It cannot cycle.
+//! Bland's rule (1977): of the columns that improve, the first in a fixed order enters; of those that block, the first
+//! leaves. It cannot cycle. Any fixed order will do; one that leaps through the columns ([`LeapingOrder`]) meets the
+//! columns that matter early, where an order sorted by slope would creep from each to its neighbour.
 
 use boundfit_exact::{Integer, Rational};
 
@@ -56,8 +57,37 @@ pub(crate) fn solve(columns: &[Column], target: &[Rational; 2]) -> End {
     }
 }
 
+/// The order `0, step, 2·step, …` modulo the count: with a step near the golden section of the count, every stretch of it
+/// is spread evenly over all columns.
+#[derive(Debug, Clone, Copy)]
+struct LeapingOrder {
+    count: usize,
+    step: usize,
+}
+
+impl LeapingOrder {
+    fn new(count: usize) -> Self {
+        let coprime = |step: &usize| Integer::from(*step).gcd(&Integer::from(count)) == Integer::one();
+        // 1597 / 2584 is a convergent of the golden section; 1 is coprime with everything.
+        let golden = (count as u128 * 1597 / 2584) as usize;
+        let step = (golden..count).find(coprime).unwrap_or(1);
+        LeapingOrder { count, step }
+    }
+
+    /// Column numbers in this order.
+    fn columns(self) -> impl Iterator<Item = usize> {
+        let mut column = 0;
+        (0..self.count).map(move |_| {
+            let current = column;
+            column = (column + self.step) % self.count;
+            current
+        })
+    }
+}
+
 struct Tableau<'a> {
     columns: &'a [Column],
+    order: LeapingOrder,
     basis: [Basic; 2],
     /// Inverse of the matrix of basic columns.
     inverse: [[Rational; 2]; 2],
@@ -71,6 +101,7 @@ impl<'a> Tableau<'a> {
         let sign = |value: &Rational| if value.is_negative() { -Rational::one() } else { Rational::one() };
         Tableau {
             columns,
+            order: LeapingOrder::new(columns.len()),
             basis: [Basic::Artificial(0), Basic::Artificial(1)],
             inverse: [[sign(&target[0]), Rational::zero()], [Rational::zero(), sign(&target[1])]],
             values: target.each_ref().map(Rational::abs),
@@ -97,7 +128,7 @@ impl<'a> Tableau<'a> {
         let [p, q] =
             prices.each_ref().map(|price| price.numerator() * weight.div_rem_floor(&price.denominator()).0);
         let basic = |index: usize| self.basis.contains(&Basic::Column(index));
-        (0..self.columns.len()).find(|&index| {
+        self.order.columns().find(|&index| {
             let Column { entries: [a, b], cost, .. } = &self.columns[index];
             let priced = &p * a + &q * b;
             let improves = match phase {
@@ -116,13 +147,25 @@ impl<'a> Tableau<'a> {
             let blocks = change[row].is_positive() || (stays_at_zero && !change[row].is_zero());
             let Some(ratio) = self.values[row].checked_div(&change[row]).filter(|_| blocks) else { continue };
             let sooner = best.as_ref().is_none_or(|(other, least)| {
-                ratio < *least || (ratio == *least && self.basis[row].rank() < self.basis[*other].rank())
+                ratio < *least || (ratio == *least && self.comes_first(row, *other))
             });
             if sooner {
                 best = Some((row, ratio));
             }
         }
         best.map(|(row, _)| row)
+    }
+
+    /// Whether the basic column of one row comes before that of another in Bland's order; artificial columns come first.
+    fn comes_first(&self, row: usize, other: usize) -> bool {
+        match (self.basis[row], self.basis[other]) {
+            (Basic::Artificial(one), Basic::Artificial(other)) => one < other,
+            (Basic::Artificial(_), Basic::Column(_)) => true,
+            (Basic::Column(_), Basic::Artificial(_)) => false,
+            (Basic::Column(one), Basic::Column(other)) => {
+                self.order.columns().find(|&column| column == one || column == other) == Some(one)
+            }
+        }
     }
 
     fn pivot(&mut self, row: usize, entering: usize, change: &[Rational; 2]) {
@@ -180,14 +223,6 @@ impl Basic {
         match self {
             Basic::Column(index) => Some(index),
             Basic::Artificial(_) => None,
-        }
-    }
-
-    /// Bland's order: artificial columns leave first.
-    fn rank(self) -> (bool, usize) {
-        match self {
-            Basic::Artificial(row) => (false, row),
-            Basic::Column(index) => (true, index),
         }
     }
 }

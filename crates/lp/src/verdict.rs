@@ -101,7 +101,8 @@ pub struct Judgement {
     pub tau: Option<Rational>,
     /// The smallest factor by which some ε must grow for the claimed point, less 1: τ in units of ε.
     pub tau_in_epsilon: Option<Rational>,
-    /// The row that the claimed point violates most, in units of its error bound.
+    /// The row that the claimed point violates most, in units of its error bound, or of the size of its own terms where
+    /// it has none.
     pub violation: Option<Violation>,
     /// A feasible point that an unsafe bound cuts off.
     pub witness: Option<[Rational; 2]>,

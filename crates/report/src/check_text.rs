@@ -134,7 +134,7 @@ fn answer_row(answer: &JudgedAnswer, styles: &[Style; 2]) -> Vec<String> {
     let mut row = vec![answer.source.clone(), answer.reading.name().to_owned()];
     for (axis, end, _) in ENDS {
         let judgement = &answer.bounds[axis][end as usize];
-        let claimed = judgement.claimed.as_ref().map(|value| styles[axis].text(value));
+        let claimed = judgement.claimed.as_ref().map(|value| end_text(&styles[axis], end, value));
         let verdict = match judgement.verdict {
             Verdict::Rounded { ulps: 1.. } => "rounded".to_owned(),
             verdict => verdict.name().to_owned(),
@@ -144,17 +144,21 @@ fn answer_row(answer: &JudgedAnswer, styles: &[Style; 2]) -> Vec<String> {
     row
 }
 
+/// An end as text. Claimed and true ends are rounded alike, so that equal ones look equal.
+fn end_text(style: &Style, end: End, value: &Rational) -> String {
+    match end {
+        End::Lower => style.lower_text(value),
+        End::Upper => style.upper_text(value),
+    }
+}
+
 /// The true ends.
 fn exact_row(check: &Check, reading: Reading, styles: &[Style; 2]) -> Option<Vec<String>> {
     let answer = check.answers.iter().find(|answer| answer.reading == reading)?;
     let mut row = vec!["true ends".to_owned(), reading.name().to_owned()];
     for (axis, end, _) in ENDS {
         let exact = answer.bounds[axis][end as usize].exact.as_ref();
-        let text = |value| match end {
-            End::Lower => styles[axis].lower_text(value),
-            End::Upper => styles[axis].upper_text(value),
-        };
-        row.push(exact.map_or("none".to_owned(), text));
+        row.push(exact.map_or("none".to_owned(), |value| end_text(&styles[axis], end, value)));
     }
     Some(row)
 }

@@ -1,0 +1,270 @@
+//! The judge: every part of a judgement from its definition, the true ends from the polygon engine.
+
+use boundfit_exact::{Interval, Rational};
+use boundfit_geometry::{Polyhedron, Support};
+use boundfit_lp::{
+    BoundClaim, Claimed, End, Judgement, Multiplier, Proof, RefereeRow, Row, Verdict, Violation,
+};
+use boundfit_tests::lp_cases::system_of;
+
+/// Rows with what is true about them.
+pub struct Judge<'a> {
+    rows: &'a [RefereeRow],
+    tolerance: &'a Rational,
+    polyhedron: Polyhedron,
+    ends: Option<[Interval; 2]>,
+}
+
+/// The truth about one end.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Truth {
+    Empty,
+    Unbounded,
+    At(Rational),
+}
+
+/// A claim without a point.
+pub fn claim(claimed: Claimed) -> BoundClaim {
+    BoundClaim { claimed, point: None, duals: None }
+}
+
+/// A claimed value.
+pub fn value(value: &Rational) -> BoundClaim {
+    claim(Claimed::Value(value.clone()))
+}
+
+impl<'a> Judge<'a> {
+    pub fn new(rows: &'a [RefereeRow], tolerance: &'a Rational) -> Self {
+        let plain: Vec<Row> = rows.iter().map(|row| row.row.clone()).collect();
+        let polyhedron = Polyhedron::intersect(system_of(&plain));
+        let ends = polyhedron.bounding_box();
+        Judge { rows, tolerance, polyhedron, ends }
+    }
+
+    pub fn truth(&self, axis: usize, end: End) -> Truth {
+        let Some(ends) = &self.ends else { return Truth::Empty };
+        let endpoint = match end {
+            End::Lower => ends[axis].lower(),
+            End::Upper => ends[axis].upper(),
+        };
+        endpoint.value().map_or(Truth::Unbounded, |value| Truth::At(value.clone()))
+    }
+
+    /// The true interval's width, when it is finite.
+    pub fn width(&self, axis: usize) -> Option<Rational> {
+        let (lower, upper) = self.ends.as_ref()?[axis].ends()?;
+        Some(upper - lower)
+    }
+
+    /// Compares the judgements about both ends of an interval with what they should be.
+    pub fn check(&self, axis: usize, claims: &[BoundClaim; 2], judgements: &[Judgement; 2]) {
+        let inverted = match claims {
+            [
+                BoundClaim { claimed: Claimed::Value(lower), .. },
+                BoundClaim { claimed: Claimed::Value(upper), .. },
+            ] => lower > upper,
+            _ => false,
+        };
+        for (end, (claim, judgement)) in
+            [End::Lower, End::Upper].into_iter().zip(claims.iter().zip(judgements))
+        {
+            let mut expected = self.judge(axis, end, claim);
+            if inverted && expected.verdict != Verdict::WrongStatus {
+                expected.verdict = Verdict::InvertedInterval;
+            }
+            let place = || format!("{axis} {end:?} {claim:?}: {judgement:?} of {:?}", self.rows);
+            // What proves a finding is not unique: it is checked, not compared.
+            let Judgement { witness, proof, repairable, .. } = judgement.clone();
+            let plain = Judgement { witness: None, proof: None, repairable: None, ..judgement.clone() };
+            let wanted_witness = expected.witness.take().is_some();
+            assert_eq!(plain, expected, "{}", place());
+            assert_eq!(proof.is_some(), judgement.verdict == Verdict::WrongStatus, "{}", place());
+            assert!(proof.is_none_or(|proof| self.holds(axis, end, &claim.claimed, &proof)), "{}", place());
+            assert_eq!(witness.is_some(), wanted_witness, "{}", place());
+            if let (Some(witness), Claimed::Value(claimed)) = (witness, &claim.claimed) {
+                assert!(self.feasible(&witness), "{}", place());
+                let cut_off = match end {
+                    End::Lower => witness[axis] < *claimed,
+                    End::Upper => witness[axis] > *claimed,
+                };
+                assert!(cut_off, "{}", place());
+            }
+            assert_eq!(repairable, self.repairable(axis, end, claim), "{}", place());
+        }
+    }
+
+    fn judge(&self, axis: usize, end: End, claim: &BoundClaim) -> Judgement {
+        let truth = self.truth(axis, end);
+        let mut found = Judgement {
+            verdict: Verdict::Exact,
+            exact: None,
+            claimed: None,
+            excess: None,
+            excess_in_widths: None,
+            tau: None,
+            tau_in_epsilon: None,
+            violation: None,
+            witness: None,
+            proof: None,
+            repairable: None,
+            reason: None,
+        };
+        if let Truth::At(exact) = &truth {
+            found.exact = Some(exact.clone());
+        }
+        if let Claimed::Value(value) = &claim.claimed {
+            found.claimed = Some(value.clone());
+        }
+        match (&truth, &claim.claimed) {
+            (_, Claimed::Nothing(reason)) => {
+                found.reason = Some(reason.clone());
+                found.verdict = Verdict::NoAnswer;
+                return found;
+            }
+            (Truth::At(exact), Claimed::Value(value)) => {
+                let outward = if end == End::Upper { value - exact } else { exact - value };
+                let widths = self.width(axis).and_then(|width| outward.checked_div(&width));
+                let tolerated = widths.as_ref().is_some_and(|widths| widths <= self.tolerance);
+                found.verdict = match steps(value, exact) {
+                    _ if value == exact => Verdict::Exact,
+                    Some(ulps) => Verdict::Rounded { ulps },
+                    None if outward.is_negative() => Verdict::Unsafe,
+                    None if tolerated => Verdict::WithinTolerance,
+                    None => Verdict::Loose,
+                };
+                if found.verdict == Verdict::Unsafe {
+                    // Which point it is does not matter here.
+                    found.witness = Some([exact.clone(), exact.clone()]);
+                }
+                (found.excess, found.excess_in_widths) = (Some(outward), widths);
+            }
+            (Truth::Empty, Claimed::Infeasible | Claimed::InfeasibleOrUnbounded)
+            | (Truth::Unbounded, Claimed::Unbounded | Claimed::InfeasibleOrUnbounded) => {}
+            _ => {
+                found.verdict = Verdict::WrongStatus;
+                return found;
+            }
+        }
+        if let Some(point) = &claim.point {
+            self.judge_point(point, &mut found);
+        }
+        found
+    }
+
+    fn judge_point(&self, point: &[Rational; 2], found: &mut Judgement) {
+        let excess = |row: &Row| &row.a[0] * &point[0] + &row.a[1] * &point[1] - &row.b;
+        let violated: Vec<(usize, Rational, &RefereeRow)> = (self.rows.iter().enumerate())
+            .map(|(index, row)| (index, excess(&row.row), row))
+            .filter(|(_, excess, _)| excess.is_positive())
+            .collect();
+        let largest = |values: Option<Vec<Rational>>| {
+            values.map(|values| values.into_iter().max().unwrap_or_else(Rational::zero))
+        };
+        let of_readings =
+            |(_, excess, row): &(usize, Rational, &RefereeRow)| row.epsilon.as_ref().map(|_| excess.clone());
+        let in_epsilons = |(_, excess, row): &(usize, Rational, &RefereeRow)| {
+            row.epsilon.as_ref().and_then(|epsilon| excess.checked_div(epsilon))
+        };
+        found.tau = largest(violated.iter().map(of_readings).collect());
+        found.tau_in_epsilon = largest(violated.iter().map(in_epsilons).collect());
+        // Where there is no error bound to compare with, the terms of the row have to do.
+        let in_terms = |excess: &Rational, Row { a, b }: &Row| {
+            excess.checked_div(&(b.abs() + (&a[0] * &point[0]).abs() + (&a[1] * &point[1]).abs())).unwrap()
+        };
+        let measures: Vec<Rational> = violated
+            .iter()
+            .map(|violated| in_epsilons(violated).unwrap_or_else(|| in_terms(&violated.1, &violated.2.row)))
+            .collect();
+        let Some(most) = measures.iter().max() else { return };
+        let first = measures.iter().position(|measure| measure == most).unwrap();
+        found.violation = Some(Violation { row: violated[first].0, by: violated[first].1.clone() });
+        if most > self.tolerance {
+            found.verdict = found.verdict.max(Verdict::InfeasiblePoint);
+        }
+    }
+
+    pub fn feasible(&self, theta: &[Rational; 2]) -> bool {
+        let holds = |Row { a, b }: &Row| &a[0] * &theta[0] + &a[1] * &theta[1] <= *b;
+        self.rows.iter().all(|row| holds(&row.row))
+    }
+
+    /// Whether a proof shows that a claim is wrong.
+    fn holds(&self, axis: usize, end: End, claimed: &Claimed, proof: &Proof) -> bool {
+        let form = form(axis, end);
+        let product = |u: &[Rational; 2], v: &[Rational; 2]| &u[0] * &v[0] + &u[1] * &v[1];
+        let sum = |multipliers: &[Multiplier]| {
+            assert!(multipliers.iter().all(|multiplier| multiplier.value.is_positive()));
+            let total = |part: &dyn Fn(&Row) -> Rational| -> Rational {
+                multipliers.iter().map(|m| part(&self.rows[m.row].row) * &m.value).sum()
+            };
+            ([total(&|row| row.a[0].clone()), total(&|row| row.a[1].clone())], total(&|row| row.b.clone()))
+        };
+        match proof {
+            Proof::Infeasible(multipliers) => {
+                let (left, right) = sum(multipliers);
+                left == [Rational::zero(), Rational::zero()] && right.is_negative()
+            }
+            Proof::Bound(multipliers) => {
+                let (left, right) = sum(multipliers);
+                let Truth::At(exact) = self.truth(axis, end) else { return false };
+                left == form
+                    && right == &form[axis] * exact
+                    && matches!(claimed, Claimed::Unbounded | Claimed::InfeasibleOrUnbounded)
+            }
+            Proof::FeasiblePoint(theta) => self.feasible(theta) && *claimed == Claimed::Infeasible,
+            Proof::Ray { theta, ray } => {
+                self.feasible(theta)
+                    && self.rows.iter().all(|row| !product(&row.row.a, ray).is_positive())
+                    && product(&form, ray).is_positive()
+                    && matches!(claimed, Claimed::Value(_))
+            }
+        }
+    }
+
+    /// Whether the two rows with the largest duals alone already bound the end where it is.
+    fn repairable(&self, axis: usize, end: End, claim: &BoundClaim) -> Option<bool> {
+        let duals = claim.duals.as_ref().filter(|duals| duals.len() == self.rows.len())?;
+        let Truth::At(exact) = self.truth(axis, end) else { return None };
+        let mut largest: Vec<usize> = (0..duals.len()).filter(|&row| duals[row] > 0.0).collect();
+        largest.sort_by(|&i, &j| duals[j].partial_cmp(&duals[i]).unwrap());
+        let proves = |rows: &[usize]| {
+            let rows: Vec<Row> = rows.iter().map(|&row| self.rows[row].row.clone()).collect();
+            let form = form(axis, end);
+            match Polyhedron::intersect(system_of(&rows)).support(&form) {
+                Support::Bounded { proof, .. } => proof.value == &form[axis] * &exact,
+                _ => false,
+            }
+        };
+        Some((1..=2.min(largest.len())).any(|count| proves(&largest[..count])))
+    }
+
+    /// A point of the set where an end is attained.
+    pub fn attained_at(&self, axis: usize, end: End) -> Option<[Rational; 2]> {
+        match self.polyhedron.support(&form(axis, end)) {
+            Support::Bounded { proof, .. } => Some(proof.attained_at.coordinates()),
+            _ => None,
+        }
+    }
+}
+
+/// What is largest at an end: θ at the upper one, -θ at the lower one.
+pub fn form(axis: usize, end: End) -> [Rational; 2] {
+    let sign = if end == End::Upper { Rational::one() } else { -Rational::one() };
+    [0, 1].map(|i| if i == axis { sign.clone() } else { Rational::zero() })
+}
+
+/// How many steps from double to double, at most 4, lead from the double nearest to one number to that of another.
+pub fn steps(from: &Rational, to: &Rational) -> Option<u64> {
+    let (from, to) = (from.to_f64(), to.to_f64());
+    if !from.is_finite() || !to.is_finite() {
+        return None;
+    }
+    let (mut up, mut down) = (from, from);
+    for count in 0..=4 {
+        if up == to || down == to {
+            return Some(count);
+        }
+        (up, down) = (up.next_up(), down.next_down());
+    }
+    None
+}
