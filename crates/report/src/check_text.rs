@@ -136,7 +136,7 @@ fn answer_row(answer: &JudgedAnswer, styles: &[Style; 2]) -> Vec<String> {
         let judgement = &answer.bounds[axis][end as usize];
         let claimed = judgement.claimed.as_ref().map(|value| end_text(&styles[axis], end, value));
         let verdict = match judgement.verdict {
-            Verdict::Rounded { ulps: 1.. } => "rounded".to_owned(),
+            Verdict::Rounded { ulps: ulps @ 1.. } => format!("rounded, {ulps} ulp"),
             verdict => verdict.name().to_owned(),
         };
         row.push(claimed.map_or(verdict.clone(), |claimed| format!("{claimed} {verdict}")));

@@ -49,12 +49,33 @@ pub fn solve_guarded(name: &str, program: &FloatProgram, limit: Duration) -> Out
     if !program.is_finite() {
         return Outcome::Failed("the program does not fit into binary64".to_owned());
     }
-    let (sender, receiver) = mpsc::channel();
     let program = program.clone();
+    guarded(move || solver.solve(&program), limit)
+}
+
+fn guarded(work: impl FnOnce() -> Outcome + Send + 'static, limit: Duration) -> Outcome {
+    let (sender, receiver) = mpsc::channel();
     thread::spawn(move || {
-        let answer = catch_unwind(AssertUnwindSafe(|| solver.solve(&program)));
+        let answer = catch_unwind(AssertUnwindSafe(work));
         // The receiver may have given up.
         let _ = sender.send(answer.unwrap_or_else(|_| Outcome::Failed("the solver crashed".to_owned())));
     });
     receiver.recv_timeout(limit).unwrap_or_else(|_| Outcome::Failed(format!("no answer within {limit:?}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_crash_and_an_endless_loop_are_failures() {
+        let crash = guarded(|| panic!("as a solver might"), Duration::from_secs(60));
+        assert_eq!(crash, Outcome::Failed("the solver crashed".to_owned()));
+        let endless = || loop {
+            thread::sleep(Duration::from_secs(1));
+        };
+        let late = guarded(endless, Duration::from_millis(5));
+        assert_eq!(late, Outcome::Failed("no answer within 5ms".to_owned()));
+        assert_eq!(guarded(|| Outcome::Infeasible, Duration::from_secs(60)), Outcome::Infeasible);
+    }
 }
