@@ -32,6 +32,8 @@
 
 mod bounds;
 mod condition;
+mod corridor;
+mod family;
 mod fit;
 mod float_least_squares;
 mod fps;
@@ -44,6 +46,11 @@ mod minimax;
 
 pub use bounds::{Central, ParameterBound, ParameterInterval};
 pub use condition::{Condition, ParseConditionError, ParseConditionErrorKind};
+pub use corridor::{Corridor, Envelope};
+pub use family::{
+    Breakpoint, Family, Linear, MovingBoundary, MovingVertex, Piece, Quadratic, Section, SectionBoundary,
+    SectionVertex,
+};
 pub use fit::{Fit, Problem, fit};
 pub use float_least_squares::{FloatEstimate, FloatLeastSquares};
 pub use fps::{BoundName, Fps};

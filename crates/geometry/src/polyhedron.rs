@@ -180,6 +180,12 @@ impl Polyhedron {
         indices
     }
 
+    /// The same for a region that is not empty, by the angle of the normals from the positive θ1 axis: neighbours meet
+    /// in a vertex, unless the region goes on between them. Nothing for an empty region.
+    pub fn irredundant_by_angle(&self) -> &[usize] {
+        self.fan.indices()
+    }
+
     /// For every inequality, why it could be left out, or `None` when it is one of [`Polyhedron::irredundant`].
     /// Exact. Cost: O(n log n).
     pub fn redundancies(&self) -> Vec<Option<Redundancy>> {

@@ -1,0 +1,171 @@
+//! The corridor of a line model: where the lines of all feasible parameters run.
+//!
+//! At an abscissa x the feasible lines reach from min θ1·x + θ2 to max θ1·x + θ2 over the FPS. As functions of x these
+//! are piecewise linear, the upper one convex and the lower one concave; each piece is the line of one vertex, and the
+//! pieces meet where the form (x, 1) is perpendicular to an edge.
+
+use boundfit_exact::{Endpoint, Interval, Rational, Sign};
+use boundfit_geometry::predicates::{by_theta1, lexicographic, orientation};
+use boundfit_geometry::{Point, Polyhedron, Region, Support};
+
+/// Both edges of the corridor.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Corridor {
+    /// max θ1·x + θ2.
+    pub upper: Envelope,
+    /// min θ1·x + θ2.
+    pub lower: Envelope,
+}
+
+/// One edge of a corridor: a piecewise linear function of x, exact.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Envelope {
+    domain: Option<Interval>,
+    lines: Vec<[Rational; 2]>,
+    breakpoints: Vec<Rational>,
+}
+
+impl Corridor {
+    /// The corridor of a set of parameters (θ1, θ2) of lines; `None` when it is empty. Exact. Cost: O(n log n) for n
+    /// vertices.
+    pub fn new(polyhedron: &Polyhedron) -> Option<Self> {
+        let region = polyhedron.region();
+        (!region.is_empty()).then(|| Corridor {
+            upper: Envelope::new(polyhedron, Side::Upper),
+            lower: Envelope::new(polyhedron, Side::Lower),
+        })
+    }
+}
+
+impl Envelope {
+    /// The x for which the edge is finite: all for a bounded set; `None` when there are none.
+    pub fn domain(&self) -> Option<&Interval> {
+        self.domain.as_ref()
+    }
+
+    /// The lines (θ1, θ2) that the edge follows, by x. Each is feasible.
+    pub fn lines(&self) -> &[[Rational; 2]] {
+        &self.lines
+    }
+
+    /// Where one line gives way to the next, ascending, within the domain: one fewer than lines.
+    pub fn breakpoints(&self) -> &[Rational] {
+        &self.breakpoints
+    }
+
+    /// The edge at an abscissa; `None` where it is not finite. Exact. Cost: logarithmic.
+    pub fn value(&self, x: &Rational) -> Option<Rational> {
+        if !self.domain.as_ref()?.contains(x) {
+            return None;
+        }
+        let [theta1, theta2] =
+            self.lines.get(self.breakpoints.partition_point(|breakpoint| breakpoint < x))?;
+        Some(theta1 * x + theta2)
+    }
+
+    fn new(polyhedron: &Polyhedron, side: Side) -> Self {
+        let region = polyhedron.region();
+        if region.vertices().is_empty() {
+            Envelope::of_parallels(polyhedron, side)
+        } else {
+            Envelope::of_vertices(region, side)
+        }
+    }
+
+    /// The edge of a set with vertices: its upper or lower hull, as far as its rays let it be finite.
+    fn of_vertices(region: &Region, side: Side) -> Self {
+        let Some(domain) = domain(region, side) else { return Envelope::nowhere() };
+        let mut points: Vec<Point> = region.vertices().iter().map(|vertex| vertex.point().clone()).collect();
+        points.sort_by(lexicographic);
+        // The form (x, 1) turns over the upper hull from left to right as x grows, over the lower one from right to left.
+        let chain = match side {
+            Side::Upper => hull(points.iter(), Sign::Negative),
+            Side::Lower => hull(points.iter().rev(), Sign::Negative),
+        };
+        let mut lines: Vec<[Rational; 2]> = chain.into_iter().map(Point::coordinates).collect();
+        let mut breakpoints: Vec<Rational> =
+            lines.windows(2).map(|pair| crossing(&pair[0], &pair[1])).collect();
+        if let Endpoint::Finite(from) = domain.lower() {
+            let before = breakpoints.partition_point(|breakpoint| breakpoint <= from);
+            breakpoints.drain(..before);
+            lines.drain(..before);
+        }
+        if let Endpoint::Finite(to) = domain.upper() {
+            let kept = breakpoints.partition_point(|breakpoint| breakpoint < to);
+            breakpoints.truncate(kept);
+            lines.truncate(kept + 1);
+        }
+        Envelope { domain: Some(domain), lines, breakpoints }
+    }
+
+    /// The edge of a set with a line in it: finite at most where the form (x, 1) is constant along that line.
+    fn of_parallels(polyhedron: &Polyhedron, side: Side) -> Self {
+        let finite = || {
+            let [line] = <[_; 1]>::try_from(polyhedron.region().lines()).ok()?;
+            let x = (-Rational::from(line.dy())).checked_div(&Rational::from(line.dx()))?;
+            let form = match side {
+                Side::Upper => [x.clone(), Rational::one()],
+                Side::Lower => [-&x, -Rational::one()],
+            };
+            let Support::Bounded { proof, .. } = polyhedron.support(&form) else { return None };
+            let domain = Interval::around(&x, &Rational::zero());
+            Some(Envelope { domain, lines: vec![proof.attained_at.coordinates()], breakpoints: Vec::new() })
+        };
+        finite().unwrap_or_else(Envelope::nowhere)
+    }
+
+    fn nowhere() -> Self {
+        Envelope { domain: None, lines: Vec::new(), breakpoints: Vec::new() }
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Side {
+    Upper,
+    Lower,
+}
+
+/// Where the form (x, 1) does not grow (upper) or fall (lower) along any ray of the region.
+fn domain(region: &Region, side: Side) -> Option<Interval> {
+    let (mut from, mut to): (Option<Rational>, Option<Rational>) = (None, None);
+    for ray in region.rays() {
+        let (dx, dy) = match side {
+            Side::Upper => (Rational::from(ray.dx()), Rational::from(ray.dy())),
+            Side::Lower => (-Rational::from(ray.dx()), -Rational::from(ray.dy())),
+        };
+        // dx·x + dy ≤ 0
+        match (-&dy).checked_div(&dx) {
+            Some(end) if dx.is_positive() => {
+                to = Some(to.map_or_else(|| end.clone(), |old: Rational| old.min(end.clone())));
+            }
+            Some(end) => from = Some(from.map_or_else(|| end.clone(), |old| old.max(end.clone()))),
+            None if dy.is_positive() => return None,
+            None => {}
+        }
+    }
+    let end = |value: Option<Rational>| value.map_or(Endpoint::Unbounded, Endpoint::Finite);
+    Interval::new(end(from), end(to))
+}
+
+/// The points, in the order of the walk, where it keeps turning one way; of points with the same θ1 the one that ends
+/// the walk over them.
+fn hull<'a>(points: impl Iterator<Item = &'a Point>, turning: Sign) -> Vec<&'a Point> {
+    let mut chain: Vec<&Point> = Vec::new();
+    for next in points {
+        if chain.last().is_some_and(|last| by_theta1(last, next).is_eq()) {
+            chain.pop();
+        }
+        while let [.., before, last] = chain.as_slice()
+            && orientation(before, last, next) != turning
+        {
+            chain.pop();
+        }
+        chain.push(next);
+    }
+    chain
+}
+
+/// The x at which two lines of different slope meet.
+fn crossing(line: &[Rational; 2], other: &[Rational; 2]) -> Rational {
+    (&line[1] - &other[1]).checked_div(&(&other[0] - &line[0])).unwrap_or_default()
+}

@@ -1,0 +1,74 @@
+//! The half-planes of a fit as functions of the factor s.
+
+use boundfit_exact::Rational;
+use boundfit_geometry::{Inequality, Multiplier, Polyhedron, System};
+
+use super::functions::Linear;
+use super::section::Section;
+use crate::fit::Problem;
+use crate::fps::{BoundName, conditions_by_name, strip};
+
+/// Half-planes a·θ ≤ b(s) with their names: the bounds of the readings move, conditions stay.
+pub(super) struct GrowingSystem {
+    names: Vec<BoundName>,
+    forms: Vec<[Rational; 2]>,
+    bounds: Vec<Linear>,
+}
+
+impl GrowingSystem {
+    pub(super) fn new(problem: &Problem) -> Self {
+        let mut system = GrowingSystem { names: Vec::new(), forms: Vec::new(), bounds: Vec::new() };
+        for row in problem.measurements.rows() {
+            for (name, at_zero) in strip(row, &Rational::zero()) {
+                system.push(name, at_zero, row.epsilon.clone());
+            }
+        }
+        for (name, inequality) in conditions_by_name(&problem.conditions) {
+            system.push(name, inequality, Rational::zero());
+        }
+        system
+    }
+
+    fn push(&mut self, name: BoundName, at_zero: Inequality, slope: Rational) {
+        self.names.push(name);
+        self.forms.push(at_zero.a);
+        self.bounds.push(Linear { constant: at_zero.b, slope });
+    }
+
+    pub(super) fn form(&self, index: usize) -> &[Rational; 2] {
+        &self.forms[index]
+    }
+
+    /// The right-hand side of a half-plane.
+    pub(super) fn bound(&self, index: usize) -> &Linear {
+        &self.bounds[index]
+    }
+
+    /// The right-hand side of a combination of half-planes.
+    pub(super) fn combined(&self, multipliers: &[Multiplier]) -> Linear {
+        multipliers
+            .iter()
+            .map(|multiplier| self.bounds[multiplier.index].times(&multiplier.value))
+            .fold(Linear::default(), |total, term| &total + &term)
+    }
+
+    /// Names of half-planes, sorted.
+    pub(super) fn named(&self, indices: &[usize]) -> Vec<BoundName> {
+        let mut names: Vec<BoundName> = indices.iter().map(|&index| self.names[index]).collect();
+        names.sort_unstable();
+        names
+    }
+
+    /// The set at a factor.
+    pub(super) fn polyhedron(&self, s: &Rational) -> Polyhedron {
+        let at = |(form, bound): (&[Rational; 2], &Linear)| {
+            let [a1, a2] = form.clone();
+            Inequality::new(a1, a2, bound.at(s))
+        };
+        Polyhedron::intersect(self.forms.iter().zip(&self.bounds).map(at).collect::<System>())
+    }
+
+    pub(super) fn section(&self, s: &Rational) -> Section {
+        Section::of(&self.polyhedron(s), |indices| self.named(indices))
+    }
+}

@@ -1,0 +1,155 @@
+//! The error bound as a coordinate: the whole family of sets FPS(s·ε), s being one factor on every error bound.
+//!
+//! The triples (θ, s) with θ in FPS(s·ε) are a polyhedron in space, so the family is piecewise linear in s: between two
+//! of finitely many breakpoints the same half-planes meet in the same order, and every vertex moves along a line.
+//! (Parametric linear programming in the right-hand side; Gal and Nedoma, "Multiparametric linear programming",
+//! *Management Science* 18, 1972.)
+
+mod functions;
+mod growing;
+mod piece;
+mod section;
+
+use boundfit_exact::Rational;
+
+use crate::fit::Problem;
+use crate::fps::BoundName;
+use crate::measurements::ErrorBound;
+use crate::minimax::Minimax;
+
+pub use functions::{Linear, Quadratic};
+pub use piece::{MovingBoundary, MovingVertex, Piece};
+pub use section::{Section, SectionBoundary, SectionVertex};
+
+use growing::GrowingSystem;
+
+/// The sets FPS(s·ε) for all factors s of a range.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Family {
+    least: Option<Rational>,
+    breakpoints: Vec<Breakpoint>,
+    pieces: Vec<Piece>,
+}
+
+/// A factor at which the shape of the set changes, or an end of the range.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Breakpoint {
+    /// The factor.
+    pub s: Rational,
+    /// The set at this factor.
+    pub section: Section,
+    /// Bounds that shape the set above this factor and not below it, sorted.
+    pub entering: Vec<BoundName>,
+    /// Bounds that shape the set below this factor and not above it, sorted.
+    pub leaving: Vec<BoundName>,
+}
+
+impl Family {
+    /// The family for s from `from` to `to`. Exact. Negative factors have no meaning: the range is cut at 0; an end
+    /// before the start makes a range of one factor.
+    ///
+    /// Cost: for each piece one intersection of all half-planes, O(N log N), and a look at each of them.
+    pub fn new(problem: &Problem, from: Rational, to: Rational) -> Self {
+        let from = from.max(Rational::zero());
+        let to = to.max(from.clone());
+        let system = GrowingSystem::new(problem);
+        let least = least_factor(problem);
+        // Sets grow with s: empty below the least factor, never above it.
+        let born = least
+            .as_ref()
+            .map_or_else(|| to.clone(), |least| least.clone().max(from.clone()).min(to.clone()));
+        let mut pieces = Vec::new();
+        if from < born {
+            pieces.push(Piece::empty(from.clone(), born.clone()));
+        }
+        if least.is_some() {
+            pieces.extend(pieces_between(&system, born, to));
+        }
+        let cuts: Vec<Rational> =
+            [from].into_iter().chain(pieces.iter().map(|piece| piece.to.clone())).collect();
+        let breakpoints = (0..cuts.len())
+            .map(|number| {
+                let shaping = |piece: Option<&Piece>| piece.map(|piece| piece.shaped_by.clone());
+                let below = shaping(number.checked_sub(1).and_then(|below| pieces.get(below)));
+                let above = shaping(pieces.get(number));
+                let only = |some: &[BoundName], others: &[BoundName]| {
+                    some.iter().filter(|name| others.binary_search(name).is_err()).copied().collect()
+                };
+                let (entering, leaving) = match below.zip(above) {
+                    Some((below, above)) => (only(&above, &below), only(&below, &above)),
+                    None => (Vec::new(), Vec::new()),
+                };
+                Breakpoint {
+                    s: cuts[number].clone(),
+                    section: system.section(&cuts[number]),
+                    entering,
+                    leaving,
+                }
+            })
+            .collect();
+        Family { least, breakpoints, pieces }
+    }
+
+    /// s_min, the smallest factor, at least 0, that leaves a feasible parameter, in the range or not; `None` when no
+    /// factor does.
+    pub fn least(&self) -> Option<&Rational> {
+        self.least.as_ref()
+    }
+
+    /// The ends of the range and every factor between them at which the set is born or a bound begins or ceases to
+    /// shape it, ascending.
+    pub fn breakpoints(&self) -> &[Breakpoint] {
+        &self.breakpoints
+    }
+
+    /// What lies between each breakpoint and the next: one fewer than breakpoints.
+    pub fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
+    /// The set at a factor; `None` outside the range. Exact: equal to a fit with every error bound multiplied by s.
+    /// Cost: linear in the number of vertices.
+    pub fn at(&self, s: &Rational) -> Option<Section> {
+        match self.breakpoints.binary_search_by(|breakpoint| breakpoint.s.cmp(s)) {
+            Ok(found) => Some(self.breakpoints[found].section.clone()),
+            Err(above) => Some(self.pieces.get(above.checked_sub(1)?)?.at(s)),
+        }
+    }
+}
+
+/// The pieces from one factor to another, ascending. The sets between them must not be empty.
+///
+/// A sample in the middle of a gap shows the shape there; its half-planes tell how far that shape reaches, and what is
+/// left on both sides are smaller gaps.
+fn pieces_between(system: &GrowingSystem, from: Rational, to: Rational) -> Vec<Piece> {
+    let mut pieces = Vec::new();
+    let mut gaps = vec![(from, to)];
+    while let Some((from, to)) = gaps.pop() {
+        if from >= to {
+            continue;
+        }
+        let sample = (&from + &to).half();
+        let (piece, reach) = Piece::around(system, &sample);
+        let starts = reach.from.max(from.clone());
+        let ends = reach.to.map_or_else(|| to.clone(), |end| end.min(to.clone()));
+        // A sample that is itself a breakpoint has no piece around it: starts and ends are both there, or one is.
+        if starts < sample && sample < ends {
+            pieces.push(Piece { from: starts.clone(), to: ends.clone(), ..piece });
+            gaps.extend([(from, starts), (ends, to)]);
+        } else {
+            gaps.extend([(from, sample.clone()), (sample, to)]);
+        }
+    }
+    pieces.sort_by(|piece, other| piece.from.cmp(&other.from));
+    pieces
+}
+
+/// The least factor on the error bounds that leaves a feasible parameter.
+fn least_factor(problem: &Problem) -> Option<Rational> {
+    let minimax = Minimax::new(&problem.measurements, &problem.conditions)?;
+    match problem.measurements.error_bound() {
+        ErrorBound::PerRow(_) => Some(minimax.least),
+        ErrorBound::Uniform(_) if minimax.least.is_zero() => Some(Rational::zero()),
+        ErrorBound::Uniform(epsilon) => minimax.least.checked_div(epsilon),
+    }
+}

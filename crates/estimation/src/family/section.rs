@@ -1,0 +1,87 @@
+//! One set of a family.
+
+use boundfit_exact::{Interval, Rational};
+use boundfit_geometry::{Boundary, Direction, Polyhedron, RegionKind, Vertex};
+
+use crate::fps::{BoundName, Fps};
+
+/// A set FPS(s·ε) at one s, all exact.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Section {
+    /// What kind of region it is.
+    pub kind: RegionKind,
+    /// Counter-clockwise, the lexicographically smallest first.
+    pub vertices: Vec<SectionVertex>,
+    /// Extreme recession directions.
+    pub rays: Vec<Direction>,
+    /// Directions of the lines in it.
+    pub lines: Vec<Direction>,
+    /// The whole lines of the boundary of a set without vertices.
+    pub boundaries: Vec<SectionBoundary>,
+    /// The parameter uncertainty intervals; `None` when the set is empty.
+    pub pui: Option<[Interval; 2]>,
+    /// The area; `None` when it is infinite or the set is empty.
+    pub area: Option<Rational>,
+}
+
+/// A vertex with the bounds that are active there.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SectionVertex {
+    /// Where it is.
+    pub theta: [Rational; 2],
+    /// The bounds met with equality, sorted.
+    pub active: Vec<BoundName>,
+}
+
+/// The line normal·θ = offset, on the boundary of normal·θ ≤ offset.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SectionBoundary {
+    /// The outer normal.
+    pub normal: Direction,
+    /// The right-hand side.
+    pub offset: Rational,
+    /// The bounds met with equality, sorted.
+    pub active: Vec<BoundName>,
+}
+
+impl Section {
+    /// The set of a fit, for comparison with a family.
+    pub fn of_fps(fps: &Fps) -> Self {
+        Section::of(fps.polyhedron(), |indices| {
+            let mut names: Vec<BoundName> = indices.iter().map(|&index| fps.name(index)).collect();
+            names.sort_unstable();
+            names
+        })
+    }
+
+    pub(super) fn of(polyhedron: &Polyhedron, named: impl Fn(&[usize]) -> Vec<BoundName>) -> Self {
+        let region = polyhedron.region();
+        let vertex = |vertex: &Vertex| SectionVertex {
+            theta: vertex.point().coordinates(),
+            active: named(vertex.active()),
+        };
+        let boundary = |boundary: &Boundary| SectionBoundary {
+            normal: boundary.half_plane().normal(),
+            offset: offset(boundary),
+            active: named(boundary.active()),
+        };
+        Section {
+            kind: region.kind(),
+            vertices: region.vertices().iter().map(vertex).collect(),
+            rays: region.rays(),
+            lines: region.lines(),
+            boundaries: region.boundaries().iter().map(boundary).collect(),
+            pui: polyhedron.bounding_box(),
+            area: region.area().filter(|_| !region.is_empty()),
+        }
+    }
+}
+
+/// The right-hand side of a boundary in units of its primitive normal.
+fn offset(boundary: &Boundary) -> Rational {
+    let (half_plane, normal) = (boundary.half_plane(), boundary.half_plane().normal());
+    let (own, primitive) =
+        if normal.dx().is_zero() { (half_plane.a2(), normal.dy()) } else { (half_plane.a1(), normal.dx()) };
+    // b / (own / primitive), in which `primitive` is not zero.
+    Rational::new(half_plane.b() * primitive, own.clone()).unwrap_or_default()
+}
