@@ -17,6 +17,7 @@ fn transducer() {
     check("transducer/fit.txt", &fit, 0);
     check("transducer/fit.json", &[&fit[..], &["--format", "json"]].concat(), 0);
     check("transducer/fit-exact.txt", &[&fit[..], &["--exact"]].concat(), 0);
+    check("transducer/fit-sweep.txt", &[&fit[..], &["--sweep", "0.5..2"]].concat(), 0);
 }
 
 #[test]

@@ -59,6 +59,8 @@ Examples:
     boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3
   One error bound per row, and a slope that is known not to be negative:
     boundfit fit steam.csv --x x --y y --eps-column eps --where 'theta1 >= 0'
+  How the set grows with the error bound, from half of eps to twice eps:
+    boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --sweep 0.5..2
   Two regressors without a constant, from standard input, as JSON:
     boundfit fit - --x 1,2 --y 3 --eps 1/100 --format json < readings.csv
 
@@ -79,6 +81,10 @@ Exit status:
 pub(crate) struct FitArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
+    /// Also report the sets FPS(s*eps) for all factors s from FROM to TO: where the set is born and changes its shape,
+    /// and every vertex and PUI end as an exact function of s
+    #[arg(long, value_name = "FROM..TO", value_parser = parse_factors)]
+    pub(crate) sweep: Option<FactorRange>,
     /// Leave out the line about what an LP solver makes of the same data
     #[arg(long)]
     pub(crate) no_lp: bool,
@@ -284,6 +290,13 @@ pub(crate) struct Regressors {
     pub(crate) second: Option<ColumnSelector>,
 }
 
+/// Factors on the error bounds.
+#[derive(Debug, Clone)]
+pub(crate) struct FactorRange {
+    pub(crate) from: Rational,
+    pub(crate) to: Rational,
+}
+
 /// A row range with the words it was asked for in.
 #[derive(Debug, Clone)]
 pub(crate) struct AskedRows {
@@ -393,6 +406,18 @@ fn parse_regressors(text: &str) -> Result<Regressors, String> {
         }
         _ => Err("expected one column, or two separated by a comma".to_owned()),
     }
+}
+
+fn parse_factors(text: &str) -> Result<FactorRange, String> {
+    let expected = "expected FROM..TO with numbers 0 <= FROM <= TO, such as 0.5..2";
+    let number = |text: &str| {
+        Reading::Decimal
+            .read(text, &Limits::default())
+            .map_err(|error| format!("{text:?}: {error} ({expected})"))
+    };
+    let (from, to) = text.split_once("..").ok_or(expected)?;
+    let range = FactorRange { from: number(from.trim())?, to: number(to.trim())? };
+    if range.from.is_negative() || range.to < range.from { Err(expected.to_owned()) } else { Ok(range) }
 }
 
 fn parse_rows(text: &str) -> Result<AskedRows, String> {

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use boundfit_estimation::{
-    BoundName, ErrorBound, Fit, FloatEstimate, InverseParameter, Model, ParameterBound, ParameterInterval,
-    Problem,
+    BoundName, ErrorBound, Family, Fit, FloatEstimate, InverseParameter, Model, ParameterBound,
+    ParameterInterval, Problem,
 };
 use boundfit_exact::{Endpoint, Interval, Rational, Reading};
 use boundfit_geometry::Multiplier;
@@ -12,6 +12,7 @@ use serde::Serialize;
 
 use crate::region::{BoundJson, IntervalJson, RegionJson, TermJson};
 use crate::style::{Number, Style};
+use crate::sweep_json::{SweepJson, sweep};
 
 #[derive(Serialize)]
 struct FitJson {
@@ -28,6 +29,8 @@ struct FitJson {
     tightness: Option<Number>,
     area_centroid: Option<[Number; 2]>,
     reasons: BTreeMap<&'static str, String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sweep: Option<SweepJson>,
 }
 
 #[derive(Serialize)]
@@ -64,8 +67,9 @@ struct RangeJson {
     upper: Option<Number>,
 }
 
-#[derive(Serialize)]
-struct ActiveJson {
+/// The name of a half-plane in JSON. `row` is null for a condition.
+#[derive(Debug, Serialize)]
+pub(crate) struct ActiveJson {
     row: Option<usize>,
     bound: String,
 }
@@ -95,8 +99,14 @@ struct MinimaxJson {
 }
 
 /// The report as JSON, with a line end. A main part that is null (least squares, EUI, PUI, central, ε_min, minimax,
-/// inverse, tightness) has an entry in `reasons`.
-pub fn fit_json(problem: &Problem, fit: &Fit, reading: Reading, style: &Style) -> String {
+/// inverse, tightness) has an entry in `reasons`. A family over the error bound becomes the part `sweep`.
+pub fn fit_json(
+    problem: &Problem,
+    fit: &Fit,
+    family: Option<&Family>,
+    reading: Reading,
+    style: &Style,
+) -> String {
     let report = FitJson {
         schema: "boundfit/fit/1",
         input: input(problem, reading, style),
@@ -129,6 +139,7 @@ pub fn fit_json(problem: &Problem, fit: &Fit, reading: Reading, style: &Style) -
             .area_centroid()
             .map(|point| numbers(&point.coordinates(), style)),
         reasons: reasons(problem, fit),
+        sweep: family.map(|family| sweep(problem, family, style)),
     };
     to_text(&report)
 }
@@ -147,7 +158,7 @@ pub(crate) fn term(name: BoundName, multiplier: &Rational, style: &Style) -> Ter
     TermJson { row, bound, multiplier: style.number(multiplier) }
 }
 
-fn active(name: BoundName) -> ActiveJson {
+pub(crate) fn active(name: BoundName) -> ActiveJson {
     match name {
         BoundName::Upper(row) => ActiveJson { row: Some(row), bound: "upper".to_owned() },
         BoundName::Lower(row) => ActiveJson { row: Some(row), bound: "lower".to_owned() },

@@ -12,6 +12,8 @@ mod polygon_json;
 mod polygon_text;
 mod region;
 mod style;
+mod sweep_json;
+mod sweep_text;
 mod text;
 
 pub use check_json::{check_json, conformance_json};
@@ -21,3 +23,5 @@ pub use fit_text::fit_text;
 pub use polygon_json::polygon_json;
 pub use polygon_text::polygon_text;
 pub use style::{EndRounding, Style};
+pub use sweep_json::sweep_value;
+pub use sweep_text::sweep_text;

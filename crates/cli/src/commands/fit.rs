@@ -3,12 +3,12 @@
 use std::time::Duration;
 
 use boundfit_check::{CheckOptions, check, source_names};
-use boundfit_estimation::{Problem, fit};
+use boundfit_estimation::{Family, Problem, fit};
 use boundfit_exact::{Rational, Reading};
-use boundfit_report::{fit_json, fit_text, verdict_line};
+use boundfit_report::{fit_json, fit_text, sweep_text, verdict_line};
 
 use crate::CommandResult;
-use crate::arguments::{FitArguments, Format};
+use crate::arguments::{FactorRange, FitArguments, Format};
 use crate::exit::{Exit, Failure};
 use crate::output;
 
@@ -20,13 +20,19 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     let reading = arguments.data.table.reading();
     let problem = arguments.data.problem(reading)?;
     let fit = fit(&problem);
+    let family = arguments
+        .sweep
+        .as_ref()
+        .map(|FactorRange { from, to }| Family::new(&problem, from.clone(), to.clone()));
     let style = arguments.output.style();
     let report = match arguments.output.format {
-        Format::Json => fit_json(&problem, &fit, reading, &style),
+        Format::Json => fit_json(&problem, &fit, family.as_ref(), reading, &style),
         Format::Text => {
             let (file, rows) = (arguments.data.file_name(), arguments.data.rows_asked());
             let report = fit_text(&problem, &fit, file, rows, reading, &style);
-            if arguments.no_lp { report } else { report + &lp_line(&problem, reading)? }
+            let lp_line = if arguments.no_lp { String::new() } else { lp_line(&problem, reading)? };
+            let sweep = family.map(|family| format!("\n{}", sweep_text(&problem, &family, &style)));
+            report + &lp_line + &sweep.unwrap_or_default()
         }
     };
     output::write(&report, arguments.output.file.output.as_deref())?;

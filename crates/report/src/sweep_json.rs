@@ -1,0 +1,201 @@
+//! The family of sets over the error bound as JSON: part of `boundfit/fit/1`.
+
+use boundfit_estimation::{
+    BoundName, Breakpoint, ErrorBound, Family, Linear, MovingVertex, Piece, Problem, Quadratic, Section,
+};
+use boundfit_exact::{Interval, Rational};
+use boundfit_geometry::Direction;
+use serde::Serialize;
+
+use crate::fit_json::{ActiveJson, active};
+use crate::style::{Number, Style};
+
+/// The sets FPS(s·ε) from one factor to another.
+#[derive(Debug, Serialize)]
+pub(crate) struct SweepJson {
+    from: Number,
+    to: Number,
+    least: Option<Number>,
+    breakpoints: Vec<BreakpointJson>,
+    pieces: Vec<PieceJson>,
+}
+
+#[derive(Debug, Serialize)]
+struct BreakpointJson {
+    s: Number,
+    epsilon: Option<Number>,
+    kind: &'static str,
+    vertices: Vec<VertexJson<Number>>,
+    rays: Vec<[String; 2]>,
+    lines: Vec<[String; 2]>,
+    boundaries: Vec<BoundaryJson<Number>>,
+    pui: Option<[EndsJson<Number>; 2]>,
+    area: Option<Number>,
+    entering: Vec<ActiveJson>,
+    leaving: Vec<ActiveJson>,
+}
+
+#[derive(Debug, Serialize)]
+struct PieceJson {
+    from: Number,
+    to: Number,
+    kind: &'static str,
+    vertices: Vec<VertexJson<LinearJson>>,
+    rays: Vec<[String; 2]>,
+    lines: Vec<[String; 2]>,
+    boundaries: Vec<BoundaryJson<LinearJson>>,
+    pui: Option<[EndsJson<LinearJson>; 2]>,
+    area: Option<QuadraticJson>,
+}
+
+#[derive(Debug, Serialize)]
+struct VertexJson<V> {
+    theta: [V; 2],
+    active: Vec<ActiveJson>,
+}
+
+/// normal·θ ≤ offset.
+#[derive(Debug, Serialize)]
+struct BoundaryJson<V> {
+    normal: [String; 2],
+    offset: V,
+    active: Vec<ActiveJson>,
+}
+
+/// The ends of an interval, null where there is none.
+#[derive(Debug, Serialize)]
+struct EndsJson<V> {
+    lower: Option<V>,
+    upper: Option<V>,
+}
+
+/// `constant + slope·s`.
+#[derive(Debug, Serialize)]
+struct LinearJson {
+    constant: String,
+    slope: String,
+}
+
+/// `constant + slope·s + quadratic·s²`.
+#[derive(Debug, Serialize)]
+struct QuadraticJson {
+    constant: String,
+    slope: String,
+    quadratic: String,
+}
+
+/// The family as a JSON value, for documents other than a fit's.
+pub fn sweep_value(problem: &Problem, family: &Family, style: &Style) -> serde_json::Value {
+    // The types hold strings and lists only: there is nothing in them that cannot be a value.
+    serde_json::to_value(sweep(problem, family, style)).expect("a sweep that is not JSON")
+}
+
+/// The family as the value of the key `sweep`.
+pub(crate) fn sweep(problem: &Problem, family: &Family, style: &Style) -> SweepJson {
+    let breakpoints = family.breakpoints();
+    let end = |breakpoint: Option<&Breakpoint>| {
+        style.number(breakpoint.map_or(&Rational::default(), |breakpoint| &breakpoint.s))
+    };
+    SweepJson {
+        from: end(breakpoints.first()),
+        to: end(breakpoints.last()),
+        least: family.least().map(|least| style.upper_number(least)),
+        breakpoints: breakpoints
+            .iter()
+            .map(|breakpoint| breakpoint_json(problem, breakpoint, style))
+            .collect(),
+        pieces: family.pieces().iter().map(|piece| piece_json(piece, style)).collect(),
+    }
+}
+
+fn breakpoint_json(problem: &Problem, breakpoint: &Breakpoint, style: &Style) -> BreakpointJson {
+    let Section { kind, vertices, rays, lines, boundaries, pui, area } = &breakpoint.section;
+    let epsilon = match problem.measurements.error_bound() {
+        ErrorBound::Uniform(epsilon) => Some(style.number(&(epsilon * &breakpoint.s))),
+        ErrorBound::PerRow(_) => None,
+    };
+    let range = |interval: &Interval| EndsJson {
+        lower: interval.lower().value().map(|value| style.lower_number(value)),
+        upper: interval.upper().value().map(|value| style.upper_number(value)),
+    };
+    BreakpointJson {
+        s: style.number(&breakpoint.s),
+        epsilon,
+        kind: kind.name(),
+        vertices: vertices
+            .iter()
+            .map(|vertex| VertexJson {
+                theta: vertex.theta.each_ref().map(|value| style.number(value)),
+                active: names(&vertex.active),
+            })
+            .collect(),
+        rays: directions(rays),
+        lines: directions(lines),
+        boundaries: boundaries
+            .iter()
+            .map(|boundary| BoundaryJson {
+                normal: direction(&boundary.normal),
+                offset: style.number(&boundary.offset),
+                active: names(&boundary.active),
+            })
+            .collect(),
+        pui: pui.as_ref().map(|pui| pui.each_ref().map(range)),
+        area: area.as_ref().map(|area| style.number(area)),
+        entering: names(&breakpoint.entering),
+        leaving: names(&breakpoint.leaving),
+    }
+}
+
+fn piece_json(piece: &Piece, style: &Style) -> PieceJson {
+    let vertex = |vertex: &MovingVertex| VertexJson {
+        theta: vertex.theta.each_ref().map(linear),
+        active: names(&vertex.active),
+    };
+    let range = |[lower, upper]: &[Option<Linear>; 2]| EndsJson {
+        lower: lower.as_ref().map(linear),
+        upper: upper.as_ref().map(linear),
+    };
+    PieceJson {
+        from: style.number(&piece.from),
+        to: style.number(&piece.to),
+        kind: piece.kind.name(),
+        vertices: piece.vertices.iter().map(vertex).collect(),
+        rays: directions(&piece.rays),
+        lines: directions(&piece.lines),
+        boundaries: piece
+            .boundaries
+            .iter()
+            .map(|boundary| BoundaryJson {
+                normal: direction(&boundary.normal),
+                offset: linear(&boundary.offset),
+                active: names(&boundary.active),
+            })
+            .collect(),
+        pui: piece.pui.as_ref().map(|pui| pui.each_ref().map(range)),
+        area: piece.area.as_ref().map(quadratic),
+    }
+}
+
+fn linear(Linear { constant, slope }: &Linear) -> LinearJson {
+    LinearJson { constant: constant.to_string(), slope: slope.to_string() }
+}
+
+fn quadratic(Quadratic { constant, slope, quadratic }: &Quadratic) -> QuadraticJson {
+    QuadraticJson {
+        constant: constant.to_string(),
+        slope: slope.to_string(),
+        quadratic: quadratic.to_string(),
+    }
+}
+
+fn names(names: &[BoundName]) -> Vec<ActiveJson> {
+    names.iter().map(|&name| active(name)).collect()
+}
+
+fn direction(direction: &Direction) -> [String; 2] {
+    [direction.dx().to_string(), direction.dy().to_string()]
+}
+
+fn directions(directions: &[Direction]) -> Vec<[String; 2]> {
+    directions.iter().map(direction).collect()
+}
