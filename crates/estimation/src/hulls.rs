@@ -31,15 +31,7 @@ pub(crate) struct HullMinimum {
 /// ε_min of one or more readings of a line under a uniform error bound; `None` without readings. Exact.
 /// Cost: O(N log N).
 pub(crate) fn minimum_from_hulls(rows: &[Measurement]) -> Option<HullMinimum> {
-    let mut points: Vec<Extreme> = rows
-        .iter()
-        .enumerate()
-        .map(|(position, row)| Extreme { position, point: Point::new(&row.regressor[0], &row.response) })
-        .collect();
-    points.sort_by(|p, q| lexicographic(&p.point, &q.point).then(p.position.cmp(&q.position)));
-    let lower = hull(points.iter(), Sign::Positive);
-    let upper = hull(points.iter().rev(), Sign::Positive).into_iter().rev().collect::<Vec<_>>();
-
+    let Hulls { lower, upper, .. } = Hulls::new(rows);
     let above_lower = upper.iter().filter_map(|vertex| gap(vertex, &lower, false));
     let below_upper = lower.iter().filter_map(|vertex| gap(vertex, &upper, true));
     let widest = above_lower
@@ -49,6 +41,51 @@ pub(crate) fn minimum_from_hulls(rows: &[Measurement]) -> Option<HullMinimum> {
     extreme.sort_unstable();
     extreme.dedup();
     widest.map(|widest| HullMinimum { extreme, ..widest })
+}
+
+/// Positions of the readings of a line on either hull of (x, y), those within its edges and repeated ones included,
+/// ascending. Under a uniform error bound, however large, no other reading has an active bound. Exact.
+/// Cost: O(N log N).
+pub(crate) fn touching_a_hull(rows: &[Measurement]) -> Vec<usize> {
+    let Hulls { points, lower, upper } = Hulls::new(rows);
+    let mut positions: Vec<usize> = points
+        .iter()
+        .filter(|extreme| [&lower, &upper].into_iter().any(|hull| is_on(&extreme.point, hull)))
+        .map(|extreme| extreme.position)
+        .collect();
+    positions.sort_unstable();
+    positions
+}
+
+/// Whether a point is on a hull that is sorted by x and reaches as far as the point in both directions.
+fn is_on(point: &Point, hull: &[Extreme]) -> bool {
+    let after = hull.partition_point(|extreme| by_theta1(&extreme.point, point).is_le());
+    let Some(left) = after.checked_sub(1).map(|before| &hull[before].point) else { return false };
+    match hull.get(after) {
+        Some(right) if by_theta1(left, point).is_lt() => orientation(left, &right.point, point) == Sign::Zero,
+        _ => left == point,
+    }
+}
+
+/// All readings and their two hulls, each sorted by x.
+struct Hulls {
+    points: Vec<Extreme>,
+    lower: Vec<Extreme>,
+    upper: Vec<Extreme>,
+}
+
+impl Hulls {
+    fn new(rows: &[Measurement]) -> Self {
+        let mut points: Vec<Extreme> = rows
+            .iter()
+            .enumerate()
+            .map(|(position, row)| Extreme { position, point: Point::new(&row.regressor[0], &row.response) })
+            .collect();
+        points.sort_by(|p, q| lexicographic(&p.point, &q.point).then(p.position.cmp(&q.position)));
+        let lower = hull(points.iter(), Sign::Positive);
+        let upper = hull(points.iter().rev(), Sign::Positive).into_iter().rev().collect();
+        Hulls { points, lower, upper }
+    }
 }
 
 /// One chain of Andrew's monotone chain algorithm: the points where a walk along the sorted points keeps turning one

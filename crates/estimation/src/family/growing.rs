@@ -7,6 +7,8 @@ use super::functions::Linear;
 use super::section::Section;
 use crate::fit::Problem;
 use crate::fps::{BoundName, conditions_by_name, strip};
+use crate::hulls::touching_a_hull;
+use crate::measurements::{ErrorBound, Model};
 
 /// Half-planes a·θ ≤ b(s) with their names: the bounds of the readings move, conditions stay.
 pub(super) struct GrowingSystem {
@@ -18,7 +20,11 @@ pub(super) struct GrowingSystem {
 impl GrowingSystem {
     pub(super) fn new(problem: &Problem) -> Self {
         let mut system = GrowingSystem { names: Vec::new(), forms: Vec::new(), bounds: Vec::new() };
-        for row in problem.measurements.rows() {
+        let rows = problem.measurements.rows();
+        let of_hulls = matches!(problem.measurements.model(), Model::Line { .. })
+            && matches!(problem.measurements.error_bound(), ErrorBound::Uniform(_));
+        let positions = if of_hulls { touching_a_hull(rows) } else { (0..rows.len()).collect() };
+        for row in positions.into_iter().map(|position| &rows[position]) {
             for (name, at_zero) in strip(row, &Rational::zero()) {
                 system.push(name, at_zero, row.epsilon.clone());
             }

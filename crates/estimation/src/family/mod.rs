@@ -48,7 +48,8 @@ impl Family {
     /// The family for s from `from` to `to`. Exact. Negative factors have no meaning: the range is cut at 0; an end
     /// before the start makes a range of one factor.
     ///
-    /// Cost: for each piece one intersection of all half-planes, O(N log N), and a look at each of them.
+    /// Cost: for each piece one intersection of all half-planes, O(N log N), and a look at each of them; for a line under
+    /// a uniform error bound, of those half-planes only whose readings are on a hull.
     pub fn new(problem: &Problem, from: Rational, to: Rational) -> Self {
         let from = from.max(Rational::zero());
         let to = to.max(from.clone());
