@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use boundfit_estimation::{ErrorBound, Family, Fps, Measurement, Piece, Problem, Section, fit};
+use boundfit_estimation::{
+    ErrorBound, Family, Fps, Measurement, Measurements, Model, Piece, Problem, Section, fit,
+};
 use boundfit_exact::{Endpoint, Rational};
 use boundfit_geometry::RegionKind;
 use boundfit_tests::generate::seeded;
@@ -106,6 +108,35 @@ fn a_thousand_random_factors_of_a_line_equal_fresh_fits() {
             assert_eq!(family.at(&s), Some(fresh(&problem, &s)), "s = {s}");
         }
     }
+}
+
+#[test]
+fn readings_in_line_and_repeated_ones_stay_active() {
+    let mut rng = seeded(45);
+    let mut longest = 0;
+    for case in 0..300 {
+        let epsilon = Rational::ratio(rng.random_range(0..=4), 2);
+        let rows = (1..=rng.random_range(3..=15)).map(|row| Measurement {
+            row,
+            regressor: [Rational::from(rng.random_range(-3..=3)), Rational::one()],
+            response: Rational::from(rng.random_range(0..=2)),
+            epsilon: epsilon.clone(),
+        });
+        let model = Model::Line { x: "x".to_owned() };
+        let bound = ErrorBound::Uniform(epsilon.clone());
+        let measurements = Measurements::new(model, "y".to_owned(), bound, rows.collect());
+        let problem = Problem { measurements, conditions: Vec::new() };
+        let family = Family::new(&problem, Rational::zero(), Rational::from(3));
+        check_structure(&family, case);
+        let middles = family.pieces().iter().map(|piece| (&piece.from + &piece.to).half());
+        for s in middles.chain(family.breakpoints().iter().map(|breakpoint| breakpoint.s.clone())) {
+            let expected = fresh(&problem, &s);
+            let active = expected.vertices.iter().map(|vertex| vertex.active.len());
+            longest = active.max().unwrap_or(0).max(longest);
+            assert_eq!(family.at(&s), Some(expected), "case {case} at s = {s}");
+        }
+    }
+    assert!(longest > 5, "at most {longest} active bounds at a vertex");
 }
 
 #[test]
