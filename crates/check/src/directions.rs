@@ -4,9 +4,9 @@
 //! The programs' values bound the set by one half-plane per direction: an *outer* approximation.
 
 use boundfit_estimation::{Fps, Problem};
-use boundfit_exact::{Rational, Sign};
-use boundfit_geometry::predicates::{lexicographic, orientation};
-use boundfit_geometry::{Inequality, Point, Polyhedron, System};
+use boundfit_exact::Rational;
+use boundfit_geometry::predicates::lexicographic;
+use boundfit_geometry::{Hulls, Inequality, Point, Polyhedron, System};
 use boundfit_lp::{ExactOutcome, Program, exact_simplex, spread_objectives};
 
 use crate::rows::ProgramRows;
@@ -68,29 +68,12 @@ fn approximation(polyhedron: &Polyhedron) -> Approximation {
     Approximation { vertices, area: region.area() }
 }
 
-/// The convex hull of points (Andrew's monotone chain) and its area.
+/// The convex hull of points and its area.
 fn hull(mut points: Vec<Point>) -> Approximation {
     points.sort_by(lexicographic);
     points.dedup();
-    let chain = |points: &mut dyn Iterator<Item = &Point>| {
-        let mut chain: Vec<Point> = Vec::new();
-        for point in points {
-            while let [.., before, last] = chain.as_slice()
-                && orientation(before, last, point) != Sign::Positive
-            {
-                chain.pop();
-            }
-            chain.push(point.clone());
-        }
-        chain.pop();
-        chain
-    };
-    let corners = if points.len() < 2 {
-        points
-    } else {
-        [chain(&mut points.iter()), chain(&mut points.iter().rev())].concat()
-    };
-    let vertices: Vec<[Rational; 2]> = corners.iter().map(Point::coordinates).collect();
+    let corners = Hulls::of_sorted(&points, |point| point).corners();
+    let vertices: Vec<[Rational; 2]> = corners.into_iter().map(|k| points[k].coordinates()).collect();
     let next = vertices.iter().cycle().skip(1);
     let doubled: Rational = vertices.iter().zip(next).map(|(p, q)| &p[0] * &q[1] - &p[1] * &q[0]).sum();
     Approximation { vertices, area: Some(doubled.half()) }

@@ -4,9 +4,9 @@
 //! are piecewise linear, the upper one convex and the lower one concave; each piece is the line of one vertex, and the
 //! pieces meet where the form (x, 1) is perpendicular to an edge.
 
-use boundfit_exact::{Endpoint, Interval, Rational, Sign};
-use boundfit_geometry::predicates::{by_theta1, lexicographic, orientation};
-use boundfit_geometry::{Point, Polyhedron, Region, Support};
+use boundfit_exact::{Endpoint, Interval, Rational};
+use boundfit_geometry::predicates::lexicographic;
+use boundfit_geometry::{Hulls, Point, Polyhedron, Region, Support};
 
 /// Both edges of the corridor.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -77,12 +77,14 @@ impl Envelope {
         let Some(domain) = domain(region, side) else { return Envelope::nowhere() };
         let mut points: Vec<Point> = region.vertices().iter().map(|vertex| vertex.point().clone()).collect();
         points.sort_by(lexicographic);
+        let Hulls { mut lower, upper } = Hulls::of_sorted(&points, |point| point);
         // The form (x, 1) turns over the upper hull from left to right as x grows, over the lower one from right to left.
+        lower.reverse();
         let chain = match side {
-            Side::Upper => hull(points.iter(), Sign::Negative),
-            Side::Lower => hull(points.iter().rev(), Sign::Negative),
+            Side::Upper => upper,
+            Side::Lower => lower,
         };
-        let mut lines: Vec<[Rational; 2]> = chain.into_iter().map(Point::coordinates).collect();
+        let mut lines: Vec<[Rational; 2]> = chain.into_iter().map(|k| points[k].coordinates()).collect();
         let mut breakpoints: Vec<Rational> =
             lines.windows(2).map(|pair| crossing(&pair[0], &pair[1])).collect();
         if let Endpoint::Finite(from) = domain.lower() {
@@ -145,24 +147,6 @@ fn domain(region: &Region, side: Side) -> Option<Interval> {
     }
     let end = |value: Option<Rational>| value.map_or(Endpoint::Unbounded, Endpoint::Finite);
     Interval::new(end(from), end(to))
-}
-
-/// The points, in the order of the walk, where it keeps turning one way; of points with the same θ1 the one that ends
-/// the walk over them.
-fn hull<'a>(points: impl Iterator<Item = &'a Point>, turning: Sign) -> Vec<&'a Point> {
-    let mut chain: Vec<&Point> = Vec::new();
-    for next in points {
-        if chain.last().is_some_and(|last| by_theta1(last, next).is_eq()) {
-            chain.pop();
-        }
-        while let [.., before, last] = chain.as_slice()
-            && orientation(before, last, next) != turning
-        {
-            chain.pop();
-        }
-        chain.push(next);
-    }
-    chain
 }
 
 /// The x at which two lines of different slope meet.

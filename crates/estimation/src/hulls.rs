@@ -5,8 +5,8 @@
 //! between a vertex of one hull and an edge of the other, and those three readings prove it.
 
 use boundfit_exact::{Rational, Sign};
-use boundfit_geometry::Point;
 use boundfit_geometry::predicates::{by_theta1, lexicographic, orientation};
+use boundfit_geometry::{Hulls, Point};
 
 use crate::measurements::Measurement;
 
@@ -31,7 +31,7 @@ pub(crate) struct HullMinimum {
 /// ε_min of one or more readings of a line under a uniform error bound; `None` without readings. Exact.
 /// Cost: O(N log N).
 pub(crate) fn minimum_from_hulls(rows: &[Measurement]) -> Option<HullMinimum> {
-    let Hulls { lower, upper, .. } = Hulls::new(rows);
+    let Extremes { lower, upper, .. } = Extremes::new(rows);
     let above_lower = upper.iter().filter_map(|vertex| gap(vertex, &lower, false));
     let below_upper = lower.iter().filter_map(|vertex| gap(vertex, &upper, true));
     let widest = above_lower
@@ -47,7 +47,7 @@ pub(crate) fn minimum_from_hulls(rows: &[Measurement]) -> Option<HullMinimum> {
 /// ascending. Under a uniform error bound, however large, no other reading has an active bound. Exact.
 /// Cost: O(N log N).
 pub(crate) fn touching_a_hull(rows: &[Measurement]) -> Vec<usize> {
-    let Hulls { points, lower, upper } = Hulls::new(rows);
+    let Extremes { points, lower, upper } = Extremes::new(rows);
     let mut positions: Vec<usize> = points
         .iter()
         .filter(|extreme| [&lower, &upper].into_iter().any(|hull| is_on(&extreme.point, hull)))
@@ -68,13 +68,13 @@ fn is_on(point: &Point, hull: &[Extreme]) -> bool {
 }
 
 /// All readings and their two hulls, each sorted by x.
-struct Hulls {
+struct Extremes {
     points: Vec<Extreme>,
     lower: Vec<Extreme>,
     upper: Vec<Extreme>,
 }
 
-impl Hulls {
+impl Extremes {
     fn new(rows: &[Measurement]) -> Self {
         let mut points: Vec<Extreme> = rows
             .iter()
@@ -82,29 +82,11 @@ impl Hulls {
             .map(|(position, row)| Extreme { position, point: Point::new(&row.regressor[0], &row.response) })
             .collect();
         points.sort_by(|p, q| lexicographic(&p.point, &q.point).then(p.position.cmp(&q.position)));
-        let lower = hull(points.iter(), Sign::Positive);
-        let upper = hull(points.iter().rev(), Sign::Positive).into_iter().rev().collect();
-        Hulls { points, lower, upper }
+        let Hulls { lower, upper } = Hulls::of_sorted(&points, |extreme| &extreme.point);
+        let picked = |positions: Vec<usize>| positions.into_iter().map(|k| points[k].clone()).collect();
+        let (lower, upper) = (picked(lower), picked(upper));
+        Extremes { points, lower, upper }
     }
-}
-
-/// One chain of Andrew's monotone chain algorithm: the points where a walk along the sorted points keeps turning one
-/// way. Of several points above each other, the chain keeps the first and the last reached that matter.
-fn hull<'a>(points: impl Iterator<Item = &'a Extreme>, turning: Sign) -> Vec<Extreme> {
-    let mut chain: Vec<Extreme> = Vec::new();
-    for next in points {
-        // Walking back, the first point of each x is its highest, walking on its lowest: the rest of that x is inside.
-        if chain.last().is_some_and(|last| by_theta1(&last.point, &next.point).is_eq()) {
-            continue;
-        }
-        while let [.., before, last] = chain.as_slice()
-            && orientation(&before.point, &last.point, &next.point) != turning
-        {
-            chain.pop();
-        }
-        chain.push(next.clone());
-    }
-    chain
 }
 
 /// Half of the vertical distance from a vertex of one hull to the other hull, both sorted by x.

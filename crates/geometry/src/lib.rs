@@ -29,6 +29,7 @@ pub mod constructions;
 pub mod envelope;
 mod fan;
 mod half_plane;
+mod hull;
 mod invariants;
 mod measures;
 mod point;
@@ -40,6 +41,7 @@ mod region;
 mod system;
 
 pub use half_plane::{Constraint, HalfPlane, Inequality};
+pub use hull::Hulls;
 pub use invariants::InvariantViolation;
 pub use point::{Direction, Point};
 pub use polyhedron::{Face, Membership, Polyhedron, Redundancy, Support};
