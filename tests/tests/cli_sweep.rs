@@ -20,7 +20,8 @@ fn report(line: &str) -> Value {
 
 /// A function of the sweep at s: constant + slope·s + quadratic·s².
 fn at(function: &Value, s: &Rational) -> Rational {
-    let coefficient = |name: &str| function.get(name).map_or_else(Rational::zero, |c| rational(c.as_str().unwrap()));
+    let coefficient =
+        |name: &str| function.get(name).map_or_else(Rational::zero, |c| rational(c.as_str().unwrap()));
     coefficient("constant") + coefficient("slope") * s + coefficient("quadratic") * s * s
 }
 
@@ -36,7 +37,9 @@ fn of_fit(fit: &Value) -> Set {
     let vertices = fps["vertices"].as_array().unwrap();
     let vertices = vertices.iter().map(|vertex| (pair(&vertex["theta"]), vertex["active"].clone())).collect();
     let ends = fit["pui"].as_array().into_iter().flatten();
-    let ends = ends.flat_map(|interval| ["lower", "upper"].map(|end| exact_or_null(&interval[end]["value"]))).collect();
+    let ends = ends
+        .flat_map(|interval| ["lower", "upper"].map(|end| exact_or_null(&interval[end]["value"])))
+        .collect();
     (fps["kind"].clone(), vertices, ends, exact_or_null(&fps["area"]))
 }
 
@@ -44,7 +47,8 @@ fn of_breakpoint(breakpoint: &Value) -> Set {
     let vertices = breakpoint["vertices"].as_array().unwrap();
     let vertices = vertices.iter().map(|vertex| (pair(&vertex["theta"]), vertex["active"].clone())).collect();
     let ends = breakpoint["pui"].as_array().into_iter().flatten();
-    let ends = ends.flat_map(|interval| ["lower", "upper"].map(|end| exact_or_null(&interval[end]))).collect();
+    let ends =
+        ends.flat_map(|interval| ["lower", "upper"].map(|end| exact_or_null(&interval[end]))).collect();
     (breakpoint["kind"].clone(), vertices, ends, exact_or_null(&breakpoint["area"]))
 }
 
@@ -86,7 +90,8 @@ fn every_breakpoint_and_piece_equals_a_fit_with_that_error_bound() {
 
 #[test]
 fn bounds_of_each_row_are_swept_by_a_common_factor() {
-    let line = "fit fixtures/steam-generator/steam_generator.csv --x x --y y --eps-column eps --where 'theta1 >= 0'";
+    let line =
+        "fit fixtures/steam-generator/steam_generator.csv --x x --y y --eps-column eps --where 'theta1 >= 0'";
     let fit = report(&format!("{line} --sweep 0..3"));
     let sweep = &fit["sweep"];
     assert_eq!(sweep["least"]["exact"], "2/35");
@@ -106,7 +111,10 @@ fn a_fit_without_a_sweep_has_none() {
 fn ranges_that_are_none_are_refused() {
     let expected = "expected FROM..TO with numbers 0 <= FROM <= TO, such as 0.5..2";
     let refused = |text: &str, problem: &str| {
-        (format!("--x Vz --y z --eps 1 --sweep {text}"), format!("invalid value '{text}' for '--sweep <FROM..TO>': {problem}"))
+        (
+            format!("--x Vz --y z --eps 1 --sweep {text}"),
+            format!("invalid value '{text}' for '--sweep <FROM..TO>': {problem}"),
+        )
     };
     let cases = [
         refused("2..1", expected),

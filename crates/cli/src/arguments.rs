@@ -27,6 +27,7 @@ pub(crate) enum Command {
     Check(CheckArguments),
     BenchSolvers(BenchSolversArguments),
     Polygon(PolygonArguments),
+    Plot(PlotArguments),
     /// Print a completion script for a shell
     #[command(after_help = "Example:\n  boundfit completions bash > /etc/bash_completion.d/boundfit")]
     Completions {
@@ -217,6 +218,84 @@ pub(crate) struct PolygonArguments {
     pub(crate) output: OutputArguments,
 }
 
+const PLOT_EXAMPLES: &str = "\
+Examples:
+  The feasible parameter set of a line, as SVG and as PNG:
+    boundfit plot transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --figure fps -o fps.svg
+    boundfit plot transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --figure fps -o fps.png
+  All figures into a folder, with units on the axes:
+    boundfit plot transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --x-unit V --y-unit m \\
+      --figure all --format png -o figures
+
+Exit status:
+  0  the figure is drawn
+  1  bad data, or a file that cannot be read or written
+  2  bad usage
+  3  the feasible parameter set is empty; the figure shows the readings that contradict each other";
+
+/// Draw the readings, the intervals and the feasible parameter set as SVG or PNG
+///
+/// Figures of the data plane: data (readings with error bars and the least-squares line), eui and pui (the band of
+/// lines with parameters at the corners of the EUI or PUI box), corridor (the band that all feasible lines really
+/// cover, inside the one of the PUI box). Figures of the parameter plane: fps (the feasible parameter set with its
+/// boxes and estimates), directions (the hull of the optimisers of linear programs and the polygon of their supporting
+/// half-planes, beside the set).
+#[derive(Debug, Args)]
+#[command(after_help = PLOT_EXAMPLES)]
+pub(crate) struct PlotArguments {
+    #[command(flatten)]
+    pub(crate) data: DataArguments,
+    /// What to draw
+    #[arg(long, value_enum, default_value_t = FigureName::Fps)]
+    pub(crate) figure: FigureName,
+    /// Unit of x for the axes, such as V; with two regressors, of both
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) x_unit: Option<String>,
+    /// Unit of y for the axes, such as m
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) y_unit: Option<String>,
+    /// Title above the figure; a plain description when left out
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) title: Option<String>,
+    /// Draw the response y along the horizontal axis and x along the vertical one
+    #[arg(long)]
+    pub(crate) flip: bool,
+    /// How many directions the figure 'directions' has
+    #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u16).range(3..=1000))]
+    pub(crate) directions: u16,
+    /// SVG or PNG; told by the name of the output file when left out, else SVG
+    #[arg(long, value_enum)]
+    pub(crate) format: Option<PictureFormat>,
+    /// Write to this .svg or .png file, or for all figures into this folder, instead of standard output; each file
+    /// whole or not at all
+    #[arg(short, long, value_name = "FILE|DIR", value_parser = NonEmptyStringValueParser::new())]
+    pub(crate) output: Option<String>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum FigureName {
+    /// Readings with error bars and the least-squares line
+    Data,
+    /// Band of the lines at the corners of the EUI box
+    Eui,
+    /// Band of the lines at the corners of the PUI box
+    Pui,
+    /// The feasible parameter set
+    Fps,
+    /// Band of all feasible lines, inside that of the PUI box
+    Corridor,
+    /// Inner and outer approximation from linear programs
+    Directions,
+    /// Each of them
+    All,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PictureFormat {
+    Svg,
+    Png,
+}
+
 /// How the input is read.
 #[derive(Debug, Args)]
 pub(crate) struct TableArguments {
@@ -316,7 +395,17 @@ impl DataArguments {
     }
 
     /// Reads the problem.
-    pub(crate) fn problem(&self, reading: Reading) -> Result<Problem, Failure> {
+    pub(crate) fn problem(&self) -> Result<Problem, Failure> {
+        self.read(false)
+    }
+
+    /// Reads the problem, and keeps the readings of the file that are not fitted.
+    pub(crate) fn problem_with_others(&self) -> Result<Problem, Failure> {
+        self.read(true)
+    }
+
+    fn read(&self, keep_others: bool) -> Result<Problem, Failure> {
+        let reading = self.table.reading();
         let limits = Limits::default();
         let epsilon = match (&self.epsilon.eps, &self.epsilon.eps_column) {
             (Some(eps), _) => EpsilonColumn::Uniform(error_bound(eps, reading, &limits)?),
@@ -338,6 +427,7 @@ impl DataArguments {
             header: self.table.header(),
             delimiter: self.table.delimiter(),
             rows: self.rows.as_ref().map(|rows| rows.range),
+            keep_others,
             reading,
             limits,
         };

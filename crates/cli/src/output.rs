@@ -8,13 +8,14 @@ use tempfile::Builder;
 
 use crate::exit::Failure;
 
-/// Writes a text to a file, or to standard output without one or for `-`. A reader of standard output that has gone
+/// Writes an answer to a file, or to standard output without one or for `-`. A reader of standard output that has gone
 /// away is no error.
-pub(crate) fn write(text: &str, file: Option<&str>) -> Result<(), Failure> {
+pub(crate) fn write(answer: impl AsRef<[u8]>, file: Option<&str>) -> Result<(), Failure> {
+    let bytes = answer.as_ref();
     match file.filter(|file| *file != "-") {
-        Some(file) => write_file(text, Path::new(file))
+        Some(file) => write_file(bytes, Path::new(file))
             .map_err(|error| Failure::data(format_args!("{file}: cannot write: {error}"))),
-        None => match io::stdout().write_all(text.as_bytes()).and_then(|()| io::stdout().flush()) {
+        None => match io::stdout().write_all(bytes).and_then(|()| io::stdout().flush()) {
             Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
                 Err(Failure::data(format_args!("standard output: cannot write: {error}")))
             }
@@ -24,7 +25,7 @@ pub(crate) fn write(text: &str, file: Option<&str>) -> Result<(), Failure> {
 }
 
 /// Writes to a temporary file beside the target and renames it, so that the target is never half written.
-fn write_file(text: &str, file: &Path) -> io::Result<()> {
+fn write_file(bytes: &[u8], file: &Path) -> io::Result<()> {
     // A link is written through, and a device or pipe is written to: neither may be replaced.
     let target = resolved(file);
     let existing = fs::metadata(&target).ok();
@@ -32,7 +33,7 @@ fn write_file(text: &str, file: &Path) -> io::Result<()> {
         return Err(io::Error::other("is a directory"));
     }
     if existing.as_ref().is_some_and(|metadata| !metadata.is_file()) {
-        return fs::OpenOptions::new().write(true).open(&target)?.write_all(text.as_bytes());
+        return fs::OpenOptions::new().write(true).open(&target)?.write_all(bytes);
     }
     let directory = match target.parent() {
         Some(parent) if parent != Path::new("") => parent.to_owned(),
@@ -48,7 +49,7 @@ fn write_file(text: &str, file: &Path) -> io::Result<()> {
         io::Error::new(error.kind(), message.split(" at path ").next().unwrap_or_default().to_owned())
     };
     let mut temporary = builder.prefix(".boundfit-").tempfile_in(directory).map_err(plain)?;
-    temporary.write_all(text.as_bytes())?;
+    temporary.write_all(bytes)?;
     if let Some(metadata) = existing {
         // The user's mask was applied on creation; a file that is replaced keeps what it had.
         temporary.as_file().set_permissions(metadata.permissions())?;

@@ -47,6 +47,7 @@ pub struct Measurements {
     response: String,
     error_bound: ErrorBound,
     rows: Vec<Measurement>,
+    others: Vec<Measurement>,
     rows_total: usize,
     sha256: Option<String>,
 }
@@ -77,7 +78,7 @@ impl Measurements {
     /// Readings that do not come from a file.
     pub fn new(model: Model, response: String, error_bound: ErrorBound, rows: Vec<Measurement>) -> Self {
         let rows_total = rows.len();
-        Measurements { model, response, error_bound, rows, rows_total, sha256: None }
+        Measurements { model, response, error_bound, rows, others: Vec::new(), rows_total, sha256: None }
     }
 
     /// Reads the columns of a table.
@@ -104,9 +105,11 @@ impl Measurements {
             EpsilonColumn::Uniform(epsilon) => ErrorBound::Uniform(epsilon.clone()),
             EpsilonColumn::Column(_) => ErrorBound::PerRow(name()),
         };
-        let rows = table.rows.iter().map(|row| measurement(row, &model, &error_bound)).collect();
+        let measured =
+            |rows: &[TableRow]| rows.iter().map(|row| measurement(row, &model, &error_bound)).collect();
+        let (rows, others) = (measured(&table.rows), measured(&table.others));
         let (rows_total, sha256) = (table.rows_total, Some(table.sha256));
-        Ok(Measurements { model, response, error_bound, rows, rows_total, sha256 })
+        Ok(Measurements { model, response, error_bound, rows, others, rows_total, sha256 })
     }
 
     /// The model.
@@ -127,6 +130,12 @@ impl Measurements {
     /// The readings that are fitted.
     pub fn rows(&self) -> &[Measurement] {
         &self.rows
+    }
+
+    /// Readings of the file that are not fitted, kept where the table was read with
+    /// [`TableOptions::keep_others`].
+    pub fn others(&self) -> &[Measurement] {
+        &self.others
     }
 
     /// How many data rows the file has.

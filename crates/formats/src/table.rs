@@ -83,6 +83,8 @@ pub struct TableOptions {
     pub delimiter: Option<u8>,
     /// The rows wanted; all when `None`.
     pub rows: Option<RowRange>,
+    /// Whether rows that are not wanted are kept too, where their cells are numbers.
+    pub keep_others: bool,
     /// How numbers are read.
     pub reading: Reading,
     /// What one number may ask for.
@@ -107,6 +109,8 @@ pub struct Table {
     pub names: Vec<String>,
     /// The rows wanted.
     pub rows: Vec<TableRow>,
+    /// With `keep_others`, the rows that are not wanted but hold numbers.
+    pub others: Vec<TableRow>,
     /// How many data rows the file has.
     pub rows_total: usize,
     /// SHA-256 of the file's bytes, in hexadecimal.
@@ -167,6 +171,7 @@ impl TableReader<'_> {
         let mut table = Table {
             names: positions.iter().map(name_of).collect(),
             rows: Vec::new(),
+            others: Vec::new(),
             rows_total: 0,
             sha256: String::new(),
         };
@@ -184,6 +189,10 @@ impl TableReader<'_> {
             if self.options.rows.is_none_or(|rows| rows.contains(table.rows_total)) {
                 let numbers = self.numbers(&record, &places)?;
                 table.rows.push(TableRow { row: table.rows_total, line: self.line, numbers });
+            } else if self.options.keep_others
+                && let Ok(numbers) = self.numbers(&record, &places)
+            {
+                table.others.push(TableRow { row: table.rows_total, line: self.line, numbers });
             }
             more = self.next(&mut record)?;
         }

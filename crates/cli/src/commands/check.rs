@@ -21,7 +21,7 @@ const LARGEST_CLAIM: u64 = 1 << 28;
 pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
     let reading = arguments.data.table.reading();
     let options = options(arguments)?;
-    let problem = arguments.data.problem(reading)?;
+    let problem = arguments.data.problem()?;
     let check = check(&problem, reading, &options).map_err(|error| Failure::Usage(error.to_string()))?;
     let style = arguments.output.style();
     let report = match arguments.output.format {

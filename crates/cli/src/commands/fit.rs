@@ -18,7 +18,7 @@ const MOST_ROWS_FOR_LP: usize = 100_000;
 /// Reads the data, fits and writes the report.
 pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     let reading = arguments.data.table.reading();
-    let problem = arguments.data.problem(reading)?;
+    let problem = arguments.data.problem()?;
     let fit = fit(&problem);
     let family = arguments
         .sweep

@@ -5,4 +5,5 @@ pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod fit;
 pub(crate) mod man;
+pub(crate) mod plot;
 pub(crate) mod polygon;

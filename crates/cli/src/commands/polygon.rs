@@ -16,9 +16,9 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     let options = TableOptions {
         header: arguments.table.header(),
         delimiter: arguments.table.delimiter(),
-        rows: None,
         reading,
         limits: Limits::default(),
+        ..TableOptions::default()
     };
     let source = Source::open(&arguments.file).map_err(Failure::data)?;
     let name = source.name().to_owned();

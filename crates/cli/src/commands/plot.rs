@@ -1,0 +1,125 @@
+//! `boundfit plot`.
+
+use std::fs;
+use std::io::{self, IsTerminal};
+use std::path::Path;
+
+use boundfit_estimation::fit;
+use boundfit_figures::{Figure, Picture, PlotOptions, draw};
+
+use crate::CommandResult;
+use crate::arguments::{FigureName, PictureFormat, PlotArguments};
+use crate::exit::{Exit, Failure};
+use crate::output;
+
+/// Where pictures go.
+enum Destination<'a> {
+    /// One picture to a file, or to standard output.
+    One(Figure, Option<&'a str>),
+    /// All pictures into a folder.
+    All(&'a str),
+}
+
+/// Reads the data, fits, draws every picture that is asked for, and then writes them.
+pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
+    let (destination, format) = destination(arguments)?;
+    let problem = arguments.data.problem_with_others()?;
+    let fit = fit(&problem);
+    let options = PlotOptions {
+        x_unit: arguments.x_unit.clone(),
+        y_unit: arguments.y_unit.clone(),
+        title: arguments.title.clone(),
+        flip: arguments.flip,
+        directions: usize::from(arguments.directions),
+    };
+    let picture = |figure: Figure| {
+        let picture = draw(&problem, &fit, figure, &options).map_err(Failure::data)?;
+        encoded(&picture, format)
+    };
+    match destination {
+        Destination::One(figure, file) => output::write(picture(figure)?, file)?,
+        Destination::All(folder) => {
+            let pictures = Figure::ALL.into_iter().map(picture).collect::<Result<Vec<_>, _>>()?;
+            fs::create_dir_all(folder)
+                .map_err(|error| Failure::data(format_args!("{folder}: cannot create: {error}")))?;
+            for (figure, bytes) in Figure::ALL.into_iter().zip(pictures) {
+                let file = Path::new(folder).join(format!("{}.{}", figure.name(), extension(format)));
+                output::write(bytes, Some(&file.to_string_lossy()))?;
+            }
+        }
+    }
+    Ok(if fit.fps.polyhedron().region().is_empty() { Exit::Empty } else { Exit::Answer })
+}
+
+fn encoded(picture: &Picture, format: PictureFormat) -> Result<Vec<u8>, Failure> {
+    match format {
+        PictureFormat::Svg => Ok(picture.svg().into_bytes()),
+        PictureFormat::Png => picture.png().map_err(Failure::data),
+    }
+}
+
+fn extension(format: PictureFormat) -> &'static str {
+    match format {
+        PictureFormat::Svg => "svg",
+        PictureFormat::Png => "png",
+    }
+}
+
+/// What goes where, and in which format.
+fn destination(arguments: &PlotArguments) -> Result<(Destination<'_>, PictureFormat), Failure> {
+    let file = arguments.output.as_deref().filter(|file| *file != "-");
+    let asked = arguments.format;
+    let Some(figure) = figure(arguments.figure) else {
+        let folder = file.ok_or_else(|| {
+            Failure::Usage(
+                "'--figure all' makes six files and needs '--output <DIR>', the folder for them".to_owned(),
+            )
+        })?;
+        if told_by_name(folder).is_some() && !Path::new(folder).is_dir() {
+            let problem = "'--figure all' makes six files (expected a folder for them)";
+            return Err(Failure::value("--output <FILE|DIR>", folder, problem));
+        }
+        return Ok((Destination::All(folder), asked.unwrap_or(PictureFormat::Svg)));
+    };
+    let Some(file) = file else {
+        let format = asked.unwrap_or(PictureFormat::Svg);
+        if format == PictureFormat::Png && io::stdout().is_terminal() {
+            let problem = "a PNG is nothing for a terminal: name a file with '--output', or pipe it on";
+            return Err(Failure::Usage(problem.to_owned()));
+        }
+        return Ok((Destination::One(figure, None), format));
+    };
+    let refuse = |problem: String| Err(Failure::value("--output <FILE|DIR>", file, problem));
+    match (told_by_name(file), asked) {
+        (Some(told), Some(asked)) if told != asked => {
+            refuse(format!("the name and '--format {}' contradict each other", extension(asked)))
+        }
+        (Some(told), _) => Ok((Destination::One(figure, Some(file)), told)),
+        (None, _) => {
+            refuse("a picture is either SVG or PNG (expected a name that ends in .svg or .png)".to_owned())
+        }
+    }
+}
+
+/// The format that the end of a file's name says.
+fn told_by_name(file: &str) -> Option<PictureFormat> {
+    let ending = Path::new(file).extension()?.to_str()?.to_ascii_lowercase();
+    match ending.as_str() {
+        "svg" => Some(PictureFormat::Svg),
+        "png" => Some(PictureFormat::Png),
+        _ => None,
+    }
+}
+
+/// The figure of a name; `None` for all of them.
+fn figure(name: FigureName) -> Option<Figure> {
+    match name {
+        FigureName::Data => Some(Figure::Data),
+        FigureName::Eui => Some(Figure::Eui),
+        FigureName::Pui => Some(Figure::Pui),
+        FigureName::Fps => Some(Figure::Fps),
+        FigureName::Corridor => Some(Figure::Corridor),
+        FigureName::Directions => Some(Figure::Directions),
+        FigureName::All => None,
+    }
+}

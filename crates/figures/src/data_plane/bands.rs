@@ -1,0 +1,380 @@
+//! Bands: how far the values of a set of parameters reach at every x, or at every row.
+
+use boundfit_estimation::{Corridor, Envelope, Measurement, Model};
+use boundfit_exact::{Endpoint, Interval, Rational};
+use boundfit_geometry::Support;
+
+use super::Scene;
+use super::readings::{MOST_MARKS, Shown};
+use super::view::View;
+use crate::clip::Place;
+use crate::drawing::{LegendEntry, Panel, Swatch};
+use crate::extent::Extent;
+use crate::figure::Figure;
+use crate::palette::{BLUE, Dash, Fill, Mark, Shape, Stroke, style};
+
+/// The bands of a figure, from the back to the front.
+#[derive(Default)]
+pub(crate) struct Bands(Vec<Band>);
+
+/// One band.
+struct Band {
+    name: &'static str,
+    fill: Fill,
+    edge: Stroke,
+    shape: BandShape,
+}
+
+enum BandShape {
+    /// Between lines, piece by piece along x.
+    Lines(Vec<Piece>),
+    /// Between values, row by row.
+    Rows(Vec<RowRange>),
+}
+
+/// A band between two lines (θ1, θ2) for x in [from, to]; `None` where nothing bounds it.
+struct Piece {
+    from: Rational,
+    to: Rational,
+    lower: Option<[Rational; 2]>,
+    upper: Option<[Rational; 2]>,
+}
+
+/// The values of φ·θ at one row.
+struct RowRange {
+    measurement: Measurement,
+    lower: Option<Rational>,
+    upper: Option<Rational>,
+}
+
+impl Scene<'_> {
+    /// Whether the model is a line.
+    pub(crate) fn is_line(&self) -> bool {
+        matches!(self.problem.measurements.model(), Model::Line { .. })
+    }
+
+    /// The fitted rows, or as many of them, evenly spread, as have room side by side.
+    pub(crate) fn rows_with_room(&self) -> impl Iterator<Item = &Shown> {
+        let step = self.readings.len().div_ceil(MOST_MARKS).max(1);
+        let kept = move |(index, shown): &(usize, &Shown)| shown.fitted && (index % step == 0 || shown.kept);
+        self.readings.iter().enumerate().filter(kept).map(|(_, shown)| shown)
+    }
+}
+
+impl Bands {
+    /// The bands of a figure over a range of x.
+    pub(crate) fn new(scene: &Scene, abscissas: &[Rational; 2]) -> Self {
+        let eui = || scene.fit.least_squares.as_ref().ok().map(|estimate| estimate.eui.clone());
+        let pui = || scene.fit.pui_intervals();
+        let boxed = |name, intervals: Option<[Interval; 2]>, fill, edge| {
+            let shape = of_box(scene, &intervals?, abscissas);
+            Some(Band { name, fill, edge, shape })
+        };
+        let bands = match scene.figure {
+            Figure::Eui => vec![boxed("band of the EUI box", eui(), style::EUI_FILL, style::EUI_EDGE)],
+            Figure::Pui => vec![boxed("band of the PUI box", pui(), style::PUI_FILL, style::PUI_EDGE)],
+            Figure::Corridor => vec![
+                boxed("band of the PUI box", pui(), style::PUI_FILL, style::PUI_EDGE),
+                of_set(scene, abscissas).map(|shape| Band {
+                    name: if scene.is_line() {
+                        "corridor of all feasible lines"
+                    } else {
+                        "range of all feasible fits"
+                    },
+                    fill: style::SET_FILL,
+                    edge: style::SET_EDGE,
+                    shape,
+                }),
+            ],
+            _ => Vec::new(),
+        };
+        Bands(bands.into_iter().flatten().collect())
+    }
+
+    /// How far the bands reach where they are bounded.
+    pub(crate) fn extent(&self, view: &View) -> Extent {
+        let mut extent = Extent::default();
+        for band in &self.0 {
+            match &band.shape {
+                BandShape::Lines(pieces) => {
+                    for piece in pieces {
+                        for line in [&piece.lower, &piece.upper].into_iter().flatten() {
+                            let [slope, offset] = view.relative(line);
+                            extent.include(&(&slope * &piece.from + &offset));
+                            extent.include(&(&slope * &piece.to + &offset));
+                        }
+                    }
+                }
+                BandShape::Rows(rows) => {
+                    for row in rows {
+                        let reference = view.reference_at(&row.measurement);
+                        let ends = [&row.lower, &row.upper].into_iter().flatten();
+                        ends.for_each(|end| extent.include(&(end - &reference)));
+                    }
+                }
+            }
+        }
+        extent
+    }
+
+    /// Draws the bands of a view.
+    pub(crate) fn draw(&self, view: &View, panel: &mut Panel) {
+        for band in &self.0 {
+            match &band.shape {
+                BandShape::Lines(pieces) => {
+                    pieces.iter().for_each(|piece| draw_piece(panel, view, piece, band.fill));
+                    draw_edge(panel, view, pieces, |piece| piece.upper.as_ref(), band.edge);
+                    draw_edge(panel, view, pieces, |piece| piece.lower.as_ref(), band.edge);
+                }
+                BandShape::Rows(rows) => {
+                    rows.iter().for_each(|row| draw_row(panel, view, row, band));
+                }
+            }
+        }
+        if has_breakpoints(view.scene) {
+            self.mark_breakpoints(view, panel);
+        }
+    }
+
+    /// Where the edges of the corridor pass from one line to the next.
+    fn mark_breakpoints(&self, view: &View, panel: &mut Panel) {
+        let Some(corridor) = Corridor::new(view.scene.fit.fps.polyhedron()) else { return };
+        for envelope in [&corridor.upper, &corridor.lower] {
+            for (x, line) in envelope.breakpoints().iter().zip(envelope.lines()) {
+                let [slope, offset] = view.relative(line);
+                let place = panel.place([x, &(slope * x + offset)]);
+                panel.mark(place, BREAKPOINT);
+            }
+        }
+    }
+
+    pub(crate) fn legend(&self, scene: &Scene) -> Vec<LegendEntry> {
+        let entry = |band: &Band| LegendEntry::new(Swatch::area(band.fill, band.edge), band.name);
+        let mut entries: Vec<LegendEntry> = self.0.iter().map(entry).collect();
+        if has_breakpoints(scene) {
+            entries.push(LegendEntry::new(Swatch::line_and_mark(style::SET_EDGE, BREAKPOINT), "breakpoint"));
+        }
+        entries
+    }
+
+    /// Remarks on bands that go on without end.
+    pub(crate) fn notes(&self) -> Vec<String> {
+        let unbounded = |band: &&Band| match &band.shape {
+            BandShape::Lines(pieces) => {
+                pieces.iter().any(|piece| piece.lower.is_none() || piece.upper.is_none())
+            }
+            BandShape::Rows(rows) => rows.iter().any(|row| row.lower.is_none() || row.upper.is_none()),
+        };
+        let note = |band: &Band| format!("Where it has no edge, the {} is unbounded.", band.name);
+        self.0.iter().filter(unbounded).map(note).collect()
+    }
+}
+
+/// Whether the corridor of a figure has breakpoints to mark.
+fn has_breakpoints(scene: &Scene) -> bool {
+    scene.figure == Figure::Corridor
+        && scene.is_line()
+        && Corridor::new(scene.fit.fps.polyhedron()).is_some_and(|corridor| {
+            [corridor.upper, corridor.lower].iter().any(|edge| !edge.breakpoints().is_empty())
+        })
+}
+
+const BREAKPOINT: Mark = Mark::new(Shape::Disc, 3.2, BLUE);
+
+/// The band of all θ in a box: at x > 0 its upper edge has the largest θ1, at x < 0 the smallest, always the largest θ2.
+fn of_box(scene: &Scene, [first, second]: &[Interval; 2], [start, end]: &[Rational; 2]) -> BandShape {
+    let value = |end: &Endpoint| end.value().cloned();
+    let line = |slope: &Endpoint, offset: &Endpoint| Some([value(slope)?, value(offset)?]);
+    if !scene.is_line() {
+        let ranges = scene.rows_with_room().map(|shown| {
+            let phi = &shown.measurement.regressor;
+            let reach = |upper: bool| {
+                let part = |phi: &Rational, interval: &Interval| {
+                    let end = if phi.is_negative() != upper { interval.upper() } else { interval.lower() };
+                    if phi.is_zero() { Some(Rational::zero()) } else { Some(phi * &value(end)?) }
+                };
+                Some(part(&phi[0], first)? + part(&phi[1], second)?)
+            };
+            RowRange { measurement: shown.measurement.clone(), lower: reach(false), upper: reach(true) }
+        });
+        return BandShape::Rows(ranges.collect());
+    }
+    let zero = Rational::zero();
+    let cuts = if start < &zero && end > &zero { vec![start, &zero, end] } else { vec![start, end] };
+    let piece = |ends: &[&Rational]| {
+        let left = ends[1] <= &zero;
+        let (least, greatest) =
+            if left { (first.upper(), first.lower()) } else { (first.lower(), first.upper()) };
+        Piece {
+            from: ends[0].clone(),
+            to: ends[1].clone(),
+            lower: line(least, second.lower()),
+            upper: line(greatest, second.upper()),
+        }
+    };
+    BandShape::Lines(cuts.windows(2).map(piece).collect())
+}
+
+/// The band of all feasible θ; `None` when there are none.
+fn of_set(scene: &Scene, [start, end]: &[Rational; 2]) -> Option<BandShape> {
+    let polyhedron = scene.fit.fps.polyhedron();
+    if !scene.is_line() {
+        if polyhedron.region().is_empty() {
+            return None;
+        }
+        let reach = |form: &[Rational; 2]| match polyhedron.support(form) {
+            Support::Bounded { proof, .. } => Some(proof.value),
+            Support::Unbounded(_) | Support::Empty(_) => None,
+        };
+        let ranges = scene.rows_with_room().map(|shown| {
+            let phi = &shown.measurement.regressor;
+            let lower = reach(&phi.each_ref().map(|phi| -phi)).map(|value| -value);
+            RowRange { measurement: shown.measurement.clone(), lower, upper: reach(phi) }
+        });
+        return Some(BandShape::Rows(ranges.collect()));
+    }
+    let corridor = Corridor::new(polyhedron)?;
+    let mut cuts = vec![start.clone(), end.clone()];
+    for envelope in [&corridor.upper, &corridor.lower] {
+        cuts.extend(envelope.breakpoints().iter().cloned());
+        let ends = envelope.domain().into_iter().flat_map(|domain| [domain.lower(), domain.upper()]);
+        cuts.extend(ends.filter_map(|end| end.value().cloned()));
+    }
+    cuts.retain(|cut| start <= cut && cut <= end);
+    cuts.sort();
+    cuts.dedup();
+    let piece = |ends: &[Rational]| Piece {
+        from: ends[0].clone(),
+        to: ends[1].clone(),
+        lower: line_between(&corridor.lower, ends),
+        upper: line_between(&corridor.upper, ends),
+    };
+    Some(BandShape::Lines(cuts.windows(2).map(piece).collect()))
+}
+
+/// The line that an edge of the corridor follows between two neighbouring cuts.
+fn line_between(envelope: &Envelope, ends: &[Rational]) -> Option<[Rational; 2]> {
+    let middle = (&ends[0] + &ends[1]).half();
+    if !envelope.domain()?.contains(&middle) {
+        return None;
+    }
+    let index = envelope.breakpoints().partition_point(|breakpoint| breakpoint < &middle);
+    envelope.lines().get(index).cloned()
+}
+
+/// Just outside of every panel: the edge of a band that has none.
+const BELOW: f64 = -0.01;
+const ABOVE: f64 = 1.01;
+
+fn draw_piece(panel: &mut Panel, view: &View, piece: &Piece, fill: Fill) {
+    let [across, up] = panel.coordinates();
+    let (from, to) = (across.fraction(&piece.from), across.fraction(&piece.to));
+    let at = |line: &Option<[Rational; 2]>, x: &Rational, otherwise: f64| match line {
+        None => otherwise,
+        Some(line) => {
+            let [slope, offset] = view.relative(line);
+            up.fraction(&(slope * x + offset))
+        }
+    };
+    let corners: [Place; 4] = [
+        [from, at(&piece.lower, &piece.from, BELOW)],
+        [to, at(&piece.lower, &piece.to, BELOW)],
+        [to, at(&piece.upper, &piece.to, ABOVE)],
+        [from, at(&piece.upper, &piece.from, ABOVE)],
+    ];
+    panel.area(&corners.map(|corner| panel.oriented(corner)), fill);
+}
+
+/// One edge of a band, in as few strokes as it has gaps.
+fn draw_edge<'a>(
+    panel: &mut Panel,
+    view: &View,
+    pieces: &'a [Piece],
+    edge: impl Fn(&'a Piece) -> Option<&'a [Rational; 2]>,
+    stroke: Stroke,
+) {
+    let mut run: Vec<Place> = Vec::new();
+    for piece in pieces {
+        let Some(line) = edge(piece) else {
+            panel.line(&std::mem::take(&mut run), stroke);
+            continue;
+        };
+        let [slope, offset] = view.relative(line);
+        let at = |x: &Rational| panel.place([x, &(&slope * x + &offset)]);
+        let ends = [at(&piece.from), at(&piece.to)];
+        if run.is_empty() {
+            run.push(ends[0]);
+        }
+        run.push(ends[1]);
+    }
+    panel.line(&run, stroke);
+}
+
+fn draw_row(panel: &mut Panel, view: &View, row: &RowRange, band: &Band) {
+    let reference = view.reference_at(&row.measurement);
+    let [across, up] = panel.coordinates();
+    let half = Rational::ratio(2, 5);
+    let number = Rational::from(row.measurement.row);
+    let (from, to) = (across.fraction(&(&number - &half)), across.fraction(&(&number + &half)));
+    let at = |end: &Option<Rational>, otherwise: f64| {
+        end.as_ref().map_or(otherwise, |end| up.fraction(&(end - &reference)))
+    };
+    let (low, high) = (at(&row.lower, BELOW), at(&row.upper, ABOVE));
+    let corners = [[from, low], [to, low], [to, high], [from, high]].map(|corner| panel.oriented(corner));
+    panel.area(&corners, band.fill);
+    let solid = Stroke { dash: Dash::Solid, ..band.edge };
+    if row.lower.is_some() {
+        panel.line(&corners[..2], solid);
+    }
+    if row.upper.is_some() {
+        panel.line(&corners[2..], solid);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::data_plane::scene_of;
+    use crate::samples::problem;
+
+    /// Ends of a band at an abscissa, read off the pieces around it.
+    fn at(bands: &Bands, index: usize, x: i64) -> Vec<[Option<Rational>; 2]> {
+        let x = Rational::from(x);
+        let BandShape::Lines(pieces) = &bands.0[index].shape else { unreachable!("a line model") };
+        let value = |line: &Option<[Rational; 2]>| line.as_ref().map(|[slope, offset]| slope * &x + offset);
+        let around = pieces.iter().filter(|piece| piece.from <= x && x <= piece.to);
+        around.map(|piece| [value(&piece.lower), value(&piece.upper)]).collect()
+    }
+
+    #[test]
+    fn bands_of_a_box_have_a_kink_at_zero() {
+        // FPS: the diamond around θ = (0, 0) with PUI [-1, 1] for both.
+        let problem = problem("line", &["-1 0 1", "1 0 1"], &[]);
+        let fit = boundfit_estimation::fit(&problem);
+        let scene = scene_of(&problem, &fit, Figure::Corridor);
+        for (x, reach) in [(-1, 2), (0, 1), (1, 2)] {
+            let expected = [Some(Rational::from(-reach)), Some(Rational::from(reach))];
+            for piece in at(&scene.bands, 0, x) {
+                assert_eq!(piece, expected, "PUI box at {x}");
+            }
+            for piece in at(&scene.bands, 1, x) {
+                assert_eq!(piece, [Some(Rational::from(-1)), Some(Rational::one())], "corridor at {x}");
+            }
+        }
+        assert_eq!(at(&scene.bands, 0, 0).len(), 2);
+    }
+
+    #[test]
+    fn bands_of_unbounded_sets_have_no_edge_where_they_go_on() {
+        // 0 ≤ θ1 alone: at x > 0 nothing bounds a line from above or, θ2 being free, from below.
+        let problem = problem("line", &["0 0 1"], &["theta1 >= 0"]);
+        let fit = boundfit_estimation::fit(&problem);
+        let scene = scene_of(&problem, &fit, Figure::Corridor);
+        // θ2 in [-1, 1], θ1 ≥ 0: the abscissas shown reach from -1/2 to 1/2.
+        let BandShape::Lines(pieces) = &scene.bands.0[1].shape else { unreachable!("a line model") };
+        assert_eq!(pieces.len(), 2);
+        assert_eq!((pieces[0].lower.is_none(), pieces[0].upper.is_some()), (true, true));
+        assert_eq!((pieces[1].lower.is_some(), pieces[1].upper.is_none()), (true, true));
+        assert!(!scene.bands.notes().is_empty());
+    }
+}

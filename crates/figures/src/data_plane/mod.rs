@@ -1,0 +1,239 @@
+//! Figures of the data plane: readings and bands of lines above, and below the same as distances from one line, where
+//! an error bound that is small against the range of the readings can still be seen.
+
+mod bands;
+mod readings;
+mod view;
+
+use boundfit_estimation::{ErrorBound, Fit, Model, Problem};
+use boundfit_exact::Rational;
+
+use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
+use crate::figure::{Figure, PlotOptions};
+use crate::labels::{self, Conflict};
+use crate::palette::{Dash, FAINT_INK, Stroke, style};
+use crate::render::{BOTTOM_LABELS, LEFT_LABELS, WIDTH};
+use bands::Bands;
+use readings::Shown;
+use view::View;
+
+/// Distance of panels from the right edge of the picture.
+const RIGHT: f64 = 22.0;
+
+/// A line that others are compared with.
+pub(crate) struct Reference {
+    name: &'static str,
+    theta: [Rational; 2],
+    stroke: Stroke,
+}
+
+/// What a figure is made of.
+pub(crate) struct Scene<'a> {
+    problem: &'a Problem,
+    fit: &'a Fit,
+    figure: Figure,
+    options: &'a PlotOptions,
+    conflict: Conflict,
+    reference: Option<Reference>,
+    readings: Vec<Shown>,
+    bands: Bands,
+}
+
+/// A figure of the data plane.
+pub(crate) fn drawing(problem: &Problem, fit: &Fit, figure: Figure, options: &PlotOptions) -> Drawing {
+    let (scene, range) = scene(problem, fit, figure, options);
+    let frames = frames(options.flip);
+    let names = [labels::abscissa(problem, options), labels::response(problem, options)];
+    let mut notes = notes(&scene);
+    let whole = View { scene: &scene, abscissas: &range, reference: None };
+    let mut panels = vec![panel(&whole, frames[0], names)];
+    if let Some(reference) = &scene.reference {
+        let view = View { scene: &scene, abscissas: &range, reference: Some(reference) };
+        let names = [labels::abscissa(problem, options), labels::distance(options)];
+        let mut distances = panel(&view, frames[1], names);
+        if view.cuts_bands(&distances) {
+            notes.push("The band goes on beyond this view.".to_owned());
+        }
+        distances.heading = format!("distance from the {}", reference.name);
+        panels.push(distances);
+        let shared = usize::from(options.flip);
+        let without = if options.flip { 1 } else { 0 };
+        panels[without].labelled[shared] = false;
+    }
+    let last = panels.last().map_or(frames[0], |panel| panel.frame);
+    Drawing {
+        title: title(&scene),
+        subtitle: labels::subtitle(problem, options),
+        description: description(&scene, &notes),
+        height: last.top + last.height + BOTTOM_LABELS + 8.0,
+        panels,
+        legend: legend(&scene),
+        notes,
+    }
+}
+
+/// What a figure is made of, and the ends of its axis of x.
+fn scene<'a>(
+    problem: &'a Problem,
+    fit: &'a Fit,
+    figure: Figure,
+    options: &'a PlotOptions,
+) -> (Scene<'a>, [Rational; 2]) {
+    let conflict = Conflict::of(problem, fit);
+    let reference = reference(problem, fit, figure);
+    let readings = readings::all(problem, fit, &conflict, figure);
+    let mut scene =
+        Scene { problem, fit, figure, options, conflict, reference, readings, bands: Bands::default() };
+    let range = view::abscissas(&scene);
+    scene.bands = Bands::new(&scene, &range);
+    (scene, range)
+}
+
+/// The scene of a figure with the usual options, for tests.
+#[cfg(test)]
+pub(crate) fn scene_of<'a>(problem: &'a Problem, fit: &'a Fit, figure: Figure) -> Scene<'a> {
+    static USUAL: PlotOptions =
+        PlotOptions { x_unit: None, y_unit: None, title: None, flip: false, directions: 16 };
+    scene(problem, fit, figure, &USUAL).0
+}
+
+/// Above each other, or flipped beside each other, so that they share the axis of x.
+fn frames(flip: bool) -> [Frame; 2] {
+    let left = LEFT_LABELS + 16.0;
+    let width = WIDTH - left - RIGHT;
+    if flip {
+        let frame = |left, width| Frame { left, top: 20.0, width, height: 420.0 };
+        let [first, gap] = [width * 0.56, 34.0];
+        [frame(left, first), frame(left + first + gap, width - first - gap)]
+    } else {
+        let frame = |top, height| Frame { left, top, width, height };
+        [frame(20.0, 250.0), frame(302.0, 170.0)]
+    }
+}
+
+/// One panel with everything on it, from the back to the front.
+fn panel(view: &View, frame: Frame, names: [String; 2]) -> Panel {
+    let scene = view.scene;
+    let axes = view.axes(frame, names);
+    let mut panel = Panel::new(frame, axes, scene.options.flip);
+    view.interval_of_fitted_rows(&mut panel);
+    scene.bands.draw(view, &mut panel);
+    view.lines(&mut panel);
+    readings::draw(view, &mut panel);
+    panel
+}
+
+/// The line that distances are taken from.
+fn reference(problem: &Problem, fit: &Fit, figure: Figure) -> Option<Reference> {
+    let least_squares = || {
+        let theta = fit.least_squares.as_ref().ok()?.theta.clone();
+        Some(Reference { name: named(problem, "least squares"), theta, stroke: style::LEAST_SQUARES })
+    };
+    let central = || {
+        let theta = fit.central.as_ref()?.theta.clone();
+        Some(Reference { name: named(problem, "central"), theta, stroke: style::CENTRAL })
+    };
+    let minimax = || {
+        let theta = fit.minimax.as_ref()?.theta.clone();
+        Some(Reference { name: named(problem, "minimax"), theta, stroke: style::MINIMAX })
+    };
+    match figure {
+        Figure::Data | Figure::Eui => least_squares().or_else(central).or_else(minimax),
+        _ => central().or_else(minimax).or_else(least_squares),
+    }
+}
+
+/// An estimate as the thing that is drawn: a line, or one value per row.
+fn named(problem: &Problem, estimate: &str) -> &'static str {
+    match (problem.measurements.model(), estimate) {
+        (Model::Line { .. }, "least squares") => "least-squares line",
+        (Model::Line { .. }, "central") => "central line",
+        (Model::Line { .. }, _) => "minimax line",
+        (Model::TwoRegressors { .. }, "least squares") => "least-squares fit",
+        (Model::TwoRegressors { .. }, "central") => "central fit",
+        (Model::TwoRegressors { .. }, _) => "minimax fit",
+    }
+}
+
+fn title(scene: &Scene) -> String {
+    let empty = scene.fit.fps.polyhedron().region().is_empty();
+    let line = scene.is_line();
+    let text = match scene.figure {
+        Figure::Data if empty && line => "Readings that no line explains",
+        Figure::Data if empty => "Readings that no parameters explain",
+        Figure::Data if line => "Readings and least-squares line",
+        Figure::Data => "Readings and least-squares fit",
+        Figure::Eui if scene.fit.least_squares.is_err() => "No EUI: the regressors are linearly dependent",
+        Figure::Eui if line => "Lines with parameters in the EUI box",
+        Figure::Eui => "Fits with parameters in the EUI box",
+        Figure::Pui if empty => "No PUI: the feasible parameter set is empty",
+        Figure::Pui if line => "Lines with parameters in the PUI box",
+        Figure::Pui => "Fits with parameters in the PUI box",
+        _ if empty => "No corridor: the feasible parameter set is empty",
+        _ if line => "Corridor of all feasible lines inside the band of the PUI box",
+        _ => "Range of all feasible fits inside that of the PUI box",
+    };
+    text.to_owned()
+}
+
+fn description(scene: &Scene, notes: &[String]) -> String {
+    let Scene { problem, options, .. } = scene;
+    let [up, across] = [labels::response(problem, options), labels::abscissa(problem, options)];
+    let mut sentences = vec![format!("First panel: {up} against {across}.")];
+    if let Some(reference) = &scene.reference {
+        sentences.push(format!("Second panel: the same as distance from the {}.", reference.name));
+    }
+    let fitted = labels::plural(problem.measurements.rows().len(), "reading");
+    sentences.push(match problem.measurements.others().len() {
+        others if others > 0 && scene.figure != Figure::Corridor => {
+            format!("Fitted, with error bars: {fitted}. Not fitted: {others}.")
+        }
+        _ => format!("Fitted, with error bars: {fitted}."),
+    });
+    sentences.extend(notes.iter().cloned());
+    sentences.join(" ")
+}
+
+fn legend(scene: &Scene) -> Vec<LegendEntry> {
+    let mut entries = Vec::new();
+    let bound = match scene.problem.measurements.error_bound() {
+        ErrorBound::Uniform(epsilon) if epsilon.is_zero() => "reading (ε = 0)",
+        _ => "reading ± ε",
+    };
+    entries.push(LegendEntry::new(Swatch::bar(style::READING_BAR, style::READING), bound));
+    if !scene.conflict.rows.is_empty() {
+        let text = format!("contradicting: {}", scene.conflict.names());
+        entries.push(LegendEntry::new(Swatch::bar(style::CONFLICT_BAR, style::CONFLICT), text));
+    }
+    if scene.readings.iter().any(|shown| !shown.fitted) {
+        entries.push(LegendEntry::new(Swatch::mark(style::OTHER), "reading that is not fitted"));
+        let interval = Stroke::new(FAINT_INK, 0.9, Dash::Short);
+        entries.push(LegendEntry::new(Swatch::line(interval), "interval of the fitted rows"));
+    }
+    if let Some(Reference { name, stroke, .. }) = &scene.reference {
+        entries.push(LegendEntry::new(Swatch::line(*stroke), *name));
+    }
+    entries.extend(scene.bands.legend(scene));
+    entries
+}
+
+/// Remarks on what cannot be seen.
+fn notes(scene: &Scene) -> Vec<String> {
+    let mut notes = Vec::new();
+    if !scene.conflict.bounds.is_empty() {
+        notes.push(scene.conflict.sentence());
+    }
+    if scene.figure == Figure::Eui && scene.fit.least_squares.is_err() {
+        notes.push(
+            "Least squares and its EUI need regressors that are not proportional to each other.".to_owned(),
+        );
+    }
+    notes.extend(scene.bands.notes());
+    if scene.readings.len() > readings::MOST_MARKS {
+        notes.push(format!(
+            "{}; drawn are the extreme ones of every three pixels and those that fix the set.",
+            labels::plural(scene.readings.len(), "reading")
+        ));
+    }
+    notes
+}

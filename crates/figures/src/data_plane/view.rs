@@ -1,0 +1,152 @@
+//! Which part of the data plane a panel shows, and the lines on it.
+
+use boundfit_estimation::Measurement;
+use boundfit_exact::Rational;
+
+use super::{Reference, Scene};
+use crate::axis::Axis;
+use crate::drawing::{Anchor, Frame, Panel};
+use crate::extent::Extent;
+use crate::palette::{Dash, FAINT_INK, Stroke};
+
+/// What a panel shows: values, or distances from a reference line.
+pub(crate) struct View<'a> {
+    pub(crate) scene: &'a Scene<'a>,
+    /// Ends of the axis of x.
+    pub(crate) abscissas: &'a [Rational; 2],
+    pub(crate) reference: Option<&'a Reference>,
+}
+
+/// The ends of the axis of x: those of the readings, and a little more; never equal.
+pub(crate) fn abscissas(scene: &Scene) -> [Rational; 2] {
+    let mut extent = Extent::default();
+    for shown in &scene.readings {
+        extent.include(&shown.abscissa);
+    }
+    let [mut lower, mut upper] = extent.padded(&Rational::ratio(1, 20)).into_ends();
+    if !scene.is_line() {
+        // Room for the whole band of the first and of the last row.
+        let half = Rational::ratio(3, 5);
+        (lower, upper) = (lower - &half, upper + half);
+    }
+    // The axis widens what has no width; bands need to know how far.
+    let axis = Axis::new(String::new(), &lower, &upper, 1);
+    [axis.lower().clone(), axis.lower() + axis.width()]
+}
+
+impl View<'_> {
+    /// What is taken off the values of a reading.
+    pub(crate) fn reference_at(&self, measurement: &Measurement) -> Rational {
+        self.reference.map_or_else(Rational::zero, |reference| {
+            let [phi1, phi2] = &measurement.regressor;
+            &reference.theta[0] * phi1 + &reference.theta[1] * phi2
+        })
+    }
+
+    /// A line of the data plane as the panel shows it.
+    pub(crate) fn relative(&self, theta: &[Rational; 2]) -> [Rational; 2] {
+        match self.reference {
+            None => theta.clone(),
+            Some(reference) => [&theta[0] - &reference.theta[0], &theta[1] - &reference.theta[1]],
+        }
+    }
+
+    /// The axes of a panel: of x and of what stands above it.
+    pub(crate) fn axes(&self, frame: Frame, [across, up]: [String; 2]) -> [Axis; 2] {
+        let flip = self.scene.options.flip;
+        let most = |along_width: bool| {
+            if along_width { frame.width / 62.0 } else { frame.height / 33.0 }
+        };
+        let [lower, upper] = self.extent().into_ends();
+        let abscissas = if self.scene.is_line() { Axis::new } else { Axis::counting };
+        [
+            abscissas(across, &self.abscissas[0], &self.abscissas[1], most(!flip) as usize),
+            Axis::new(up, &lower, &upper, most(flip) as usize),
+        ]
+    }
+
+    /// The ends of the axis of y: the readings, and of the bands what does not dwarf these.
+    fn extent(&self) -> Extent {
+        let mut fitted = Extent::default();
+        let mut others = Extent::default();
+        for shown in &self.scene.readings {
+            let Measurement { response, epsilon, .. } = &shown.measurement;
+            let middle = response - self.reference_at(&shown.measurement);
+            if shown.fitted {
+                fitted.include(&(&middle - epsilon));
+                fitted.include(&(middle + epsilon));
+            } else {
+                others.include(&middle);
+            }
+        }
+        if self.reference.is_some() {
+            fitted.include(&Rational::zero());
+        }
+        let whole = Rational::from(1000);
+        let others_room = if self.reference.is_some() { Rational::ratio(1, 4) } else { whole };
+        let bands = self.scene.bands.extent(self);
+        let band_room = Rational::ratio(3, 2);
+        fitted
+            .grown_towards(&bands, &band_room)
+            .grown_towards(&others, &others_room)
+            .padded(&Rational::ratio(1, 16))
+    }
+
+    /// Whether a band goes on beyond the panel.
+    pub(crate) fn cuts_bands(&self, panel: &Panel) -> bool {
+        let [_, up] = panel.coordinates();
+        let upper = up.lower() + up.width();
+        let bands = self.scene.bands.extent(self);
+        bands.ends().is_some_and(|[least, greatest]| least < up.lower() || *greatest > upper)
+    }
+
+    /// Where the fitted rows begin and end, when others are shown.
+    pub(crate) fn interval_of_fitted_rows(&self, panel: &mut Panel) {
+        let scene = self.scene;
+        if scene.readings.iter().all(|shown| shown.fitted) {
+            return;
+        }
+        let mut extent = Extent::default();
+        let fitted = || scene.readings.iter().filter(|shown| shown.fitted);
+        fitted().for_each(|shown| extent.include(&shown.abscissa));
+        let Some([lower, upper]) = extent.ends() else { return };
+        panel.line_at_first(lower, FAINT_INK);
+        panel.line_at_first(upper, FAINT_INK);
+        let rows = || fitted().map(|shown| shown.measurement.row);
+        if let (Some(first), Some(last), None) = (rows().min(), rows().max(), self.reference) {
+            let at = panel.coordinates()[0].fraction(&(lower + upper).half());
+            let (place, anchor) = match scene.options.flip {
+                false => ([at, 1.0], Anchor { across: 0, up: 1 }),
+                true => ([1.0, at], Anchor { across: -1, up: 0 }),
+            };
+            panel.text(place, format!("fitted rows {first}..{last}"), anchor, FAINT_INK);
+        }
+    }
+
+    /// The reference line; for two regressors a short stroke at every row.
+    pub(crate) fn lines(&self, panel: &mut Panel) {
+        let Some(Reference { theta, stroke, .. }) = &self.scene.reference else { return };
+        if self.scene.is_line() {
+            let relative = self.relative(theta);
+            let ends =
+                self.abscissas.each_ref().map(|x| panel.place([x, &(&relative[0] * x + &relative[1])]));
+            panel.line(&ends, *stroke);
+        } else if self.reference.is_some() {
+            let ends = self.abscissas.each_ref().map(|row| panel.place([row, &Rational::zero()]));
+            panel.line(&ends, *stroke);
+        } else {
+            self.strokes_at_rows(panel, theta, *stroke);
+        }
+    }
+
+    fn strokes_at_rows(&self, panel: &mut Panel, theta: &[Rational; 2], stroke: Stroke) {
+        let half = Rational::ratio(2, 5);
+        for shown in self.scene.rows_with_room() {
+            let [phi1, phi2] = &shown.measurement.regressor;
+            let value = &theta[0] * phi1 + &theta[1] * phi2;
+            let ends =
+                [&shown.abscissa - &half, &shown.abscissa + &half].map(|row| panel.place([&row, &value]));
+            panel.line(&ends, Stroke { dash: Dash::Solid, ..stroke });
+        }
+    }
+}

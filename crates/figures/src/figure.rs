@@ -1,0 +1,86 @@
+//! Which figures there are.
+
+use boundfit_estimation::{Fit, Problem};
+
+use crate::picture::{FigureError, Picture};
+use crate::{data_plane, parameter_plane, render};
+
+/// What to draw.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Figure {
+    /// All readings of the file with their error bars, the fitted ones marked, and the least-squares line.
+    Data,
+    /// The band of all lines with parameters in the EUI box.
+    Eui,
+    /// The band of all lines with parameters in the PUI box.
+    Pui,
+    /// The feasible parameter set with its boxes and estimates.
+    Fps,
+    /// The band that the feasible lines really cover, inside that of the PUI box.
+    Corridor,
+    /// The hull of the optimisers of linear programs and the polygon of their supporting half-planes, around the set.
+    Directions,
+}
+
+impl Figure {
+    /// All figures.
+    pub const ALL: [Figure; 6] =
+        [Figure::Data, Figure::Eui, Figure::Pui, Figure::Fps, Figure::Corridor, Figure::Directions];
+
+    /// A short name, fit for a file: `data`, `eui` and so on.
+    pub fn name(self) -> &'static str {
+        match self {
+            Figure::Data => "data",
+            Figure::Eui => "eui",
+            Figure::Pui => "pui",
+            Figure::Fps => "fps",
+            Figure::Corridor => "corridor",
+            Figure::Directions => "directions",
+        }
+    }
+}
+
+/// How to draw it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PlotOptions {
+    /// Unit of x for the axes; with two regressors, of both.
+    pub x_unit: Option<String>,
+    /// Unit of y for the axes.
+    pub y_unit: Option<String>,
+    /// The line above the figure; a plain description when left out.
+    pub title: Option<String>,
+    /// Whether the response runs along the horizontal axis of figures of the data plane.
+    pub flip: bool,
+    /// How many directions [`Figure::Directions`] has, at least 3.
+    pub directions: usize,
+}
+
+impl Default for PlotOptions {
+    /// No units, plain titles, the response upwards, 16 directions.
+    fn default() -> Self {
+        PlotOptions { x_unit: None, y_unit: None, title: None, flip: false, directions: 16 }
+    }
+}
+
+/// Draws a figure of a fit. Cost: linear in the readings; [`Figure::Directions`] solves a linear program per direction.
+///
+/// # Errors
+/// Only when a library underneath fails.
+pub fn draw(
+    problem: &Problem,
+    fit: &Fit,
+    figure: Figure,
+    options: &PlotOptions,
+) -> Result<Picture, FigureError> {
+    let mut drawing = match figure {
+        Figure::Data | Figure::Eui | Figure::Pui | Figure::Corridor => {
+            data_plane::drawing(problem, fit, figure, options)
+        }
+        Figure::Fps => parameter_plane::fps(problem, fit, options),
+        Figure::Directions => parameter_plane::directions(problem, fit, options),
+    };
+    if let Some(title) = &options.title {
+        drawing.title = crate::text::one_line(title, 90);
+    }
+    render::render(&drawing)
+}

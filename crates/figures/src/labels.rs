@@ -1,0 +1,153 @@
+//! What is written on figures: names with units, the model, numbers.
+
+use boundfit_estimation::{BoundName, ErrorBound, Fit, Model, Problem};
+use boundfit_exact::{Rational, Rounding};
+
+use crate::axis::superscript;
+use crate::figure::PlotOptions;
+use crate::text::one_line;
+
+/// The longest name of a column or unit that fits an axis.
+const LONGEST_NAME: usize = 32;
+
+/// A name with its unit: `Vz [V]`.
+fn with_unit(name: &str, unit: Option<&str>) -> String {
+    unit.filter(|unit| !unit.is_empty()).map_or_else(|| name.to_owned(), |unit| format!("{name} [{unit}]"))
+}
+
+/// The given unit, fit for an axis.
+fn unit(text: &Option<String>) -> Option<String> {
+    text.as_ref().map(|text| one_line(text, LONGEST_NAME)).filter(|unit| !unit.is_empty())
+}
+
+/// The name of the abscissa of figures of the data plane: x, or the number of the row.
+pub(crate) fn abscissa(problem: &Problem, options: &PlotOptions) -> String {
+    match problem.measurements.model() {
+        Model::Line { x } => with_unit(&one_line(x, LONGEST_NAME), unit(&options.x_unit).as_deref()),
+        Model::TwoRegressors { .. } => "data row".to_owned(),
+    }
+}
+
+/// The name of the response with its unit.
+pub(crate) fn response(problem: &Problem, options: &PlotOptions) -> String {
+    with_unit(&one_line(problem.measurements.response(), LONGEST_NAME), unit(&options.y_unit).as_deref())
+}
+
+/// The name of a distance from a line, with the unit of the response.
+pub(crate) fn distance(options: &PlotOptions) -> String {
+    with_unit("distance", unit(&options.y_unit).as_deref())
+}
+
+/// `θ₁ [m/V]` and `θ₂ [m]`.
+pub(crate) fn parameters(problem: &Problem, options: &PlotOptions) -> [String; 2] {
+    let quotient = unit(&options.y_unit).zip(unit(&options.x_unit)).map(|(y, x)| {
+        let whole = |unit: &str| unit.chars().all(char::is_alphanumeric);
+        let grouped = |unit: String| if whole(&unit) { unit } else { format!("({unit})") };
+        format!("{}/{}", grouped(y), grouped(x))
+    });
+    let second = match problem.measurements.model() {
+        Model::Line { .. } => unit(&options.y_unit),
+        Model::TwoRegressors { .. } => quotient.clone(),
+    };
+    [with_unit("θ₁", quotient.as_deref()), with_unit("θ₂", second.as_deref())]
+}
+
+/// Model, error bound and rows in one line.
+pub(crate) fn subtitle(problem: &Problem, options: &PlotOptions) -> String {
+    let measurements = &problem.measurements;
+    let y = one_line(measurements.response(), LONGEST_NAME);
+    let model = match measurements.model() {
+        Model::Line { x } => format!("{y} = θ₁·{} + θ₂ + e", one_line(x, LONGEST_NAME)),
+        Model::TwoRegressors { regressors: [first, second] } => {
+            let [first, second] = [first, second].map(|name| one_line(name, LONGEST_NAME));
+            format!("{y} = θ₁·{first} + θ₂·{second} + e")
+        }
+    };
+    let bound = match measurements.error_bound() {
+        ErrorBound::Uniform(epsilon) => {
+            let unit = unit(&options.y_unit).map(|unit| format!(" {unit}")).unwrap_or_default();
+            format!("|e| ≤ {}{unit}", number(epsilon, 12, Rounding::Up))
+        }
+        ErrorBound::PerRow(column) => format!("|e| ≤ {} of each row", one_line(column, LONGEST_NAME)),
+    };
+    let (fitted, total) = (measurements.rows().len(), measurements.rows_total());
+    let rows =
+        if fitted == total { plural(total, "row") } else { format!("{fitted} of {}", plural(total, "row")) };
+    let conditions = match problem.conditions.len() {
+        0 => String::new(),
+        count => format!(", {}", plural(count, "condition")),
+    };
+    format!("{model},  {bound},  {rows}{conditions}")
+}
+
+/// `1 row`, `2 rows`.
+pub(crate) fn plural(count: usize, noun: &str) -> String {
+    if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
+}
+
+/// A decimal of at most so many digits with a true minus sign and a written-out power of ten.
+pub(crate) fn number(value: &Rational, digits: usize, rounding: Rounding) -> String {
+    let text = value.to_decimal(digits, rounding).replace('-', "−");
+    match text.split_once('e') {
+        Some((mantissa, exponent)) => {
+            let exponent = exponent.replace('−', "-").parse().map(superscript).unwrap_or_default();
+            format!("{mantissa}×10{exponent}")
+        }
+        None => text,
+    }
+}
+
+/// The readings behind an empty set, and the conditions, by number.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) struct Conflict {
+    pub(crate) bounds: Vec<BoundName>,
+    pub(crate) rows: Vec<usize>,
+    pub(crate) conditions: Vec<usize>,
+}
+
+impl Conflict {
+    /// What contradicts each other; nothing when the set is not empty.
+    pub(crate) fn of(problem: &Problem, fit: &Fit) -> Self {
+        let contradiction = fit.contradiction(problem.measurements.error_bound()).unwrap_or_default();
+        let mut conflict = Conflict::default();
+        for (bound, _) in contradiction {
+            conflict.bounds.push(bound);
+            match bound {
+                BoundName::Upper(row) | BoundName::Lower(row) => conflict.rows.push(row),
+                BoundName::Where(number) => conflict.conditions.push(number),
+            }
+        }
+        conflict.rows.dedup();
+        conflict
+    }
+
+    /// `rows 14, 24 and 34 and condition 1`.
+    pub(crate) fn names(&self) -> String {
+        let listed = |noun: &str, numbers: &[usize]| {
+            let all: Vec<String> = numbers.iter().map(usize::to_string).collect();
+            match all.as_slice() {
+                [] => None,
+                [one] => Some(format!("{noun} {one}")),
+                [most @ .., last] => Some(format!("{noun}s {} and {last}", most.join(", "))),
+            }
+        };
+        let parts = [listed("row", &self.rows), listed("condition", &self.conditions)];
+        parts.into_iter().flatten().collect::<Vec<_>>().join(" and ")
+    }
+
+    /// A sentence about who contradicts whom.
+    pub(crate) fn sentence(&self) -> String {
+        let one = self.rows.len() + self.conditions.len() == 1;
+        let names = self.names();
+        let mut letters = names.chars();
+        let capital: String =
+            letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect();
+        if one { format!("{capital} cannot be met.") } else { format!("{capital} contradict each other.") }
+    }
+}
+
+/// A condition as it was written, with indices as on the axes.
+pub(crate) fn condition(text: &str) -> String {
+    let pretty = text.replace("theta1", "θ₁").replace("theta2", "θ₂").replace("<=", "≤").replace(">=", "≥");
+    one_line(&pretty.replace('*', "·"), 40)
+}

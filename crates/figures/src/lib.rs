@@ -1,0 +1,43 @@
+//! Figures of a bounded-error fit: readings, bands and the feasible parameter set as SVG and PNG.
+//!
+//! [`draw`] makes a [`Picture`] of a [`Figure`]; the picture is one and the same in both encodings. Every number goes
+//! into a figure exactly and becomes a float only as a fraction of the axis it is shown on. Unbounded sets are cut at
+//! the edge of the view when they are drawn, and nowhere else. Equal input gives equal bytes.
+//!
+//! ```
+//! use boundfit_estimation::{ErrorBound, Measurement, Measurements, Model, Problem, fit};
+//! use boundfit_exact::Rational;
+//! use boundfit_figures::{Figure, PlotOptions, draw};
+//!
+//! let bound = Rational::ratio(1, 2);
+//! let rows = [(1, 1), (2, 3), (3, 4)].iter().zip(1..).map(|(&(x, y), row)| Measurement {
+//!     row,
+//!     regressor: [Rational::from(x), Rational::one()],
+//!     response: Rational::from(y),
+//!     epsilon: bound.clone(),
+//! });
+//! let (model, rows) = (Model::Line { x: "x".to_owned() }, rows.collect());
+//! let measurements = Measurements::new(model, "y".to_owned(), ErrorBound::Uniform(bound.clone()), rows);
+//! let problem = Problem { measurements, conditions: Vec::new() };
+//! let picture = draw(&problem, &fit(&problem), Figure::Fps, &PlotOptions::default())?;
+//! assert!(picture.svg().starts_with("<svg"));
+//! # Ok::<(), boundfit_figures::FigureError>(())
+//! ```
+
+mod axis;
+mod clip;
+mod data_plane;
+mod drawing;
+mod extent;
+mod figure;
+mod labels;
+mod palette;
+mod parameter_plane;
+mod picture;
+mod render;
+#[cfg(test)]
+mod samples;
+mod text;
+
+pub use figure::{Figure, PlotOptions, draw};
+pub use picture::{FigureError, Picture};

@@ -1,0 +1,142 @@
+//! The set between what linear programs in many directions see of it: the hull of the optimisers inside, the polygon of
+//! the supporting half-planes outside.
+
+use boundfit_check::{Directions, ProgramRows};
+use boundfit_estimation::{Fit, Problem};
+use boundfit_exact::{Rational, Rounding};
+use boundfit_geometry::{Inequality, Polyhedron, Support, System};
+use boundfit_lp::spread_objectives;
+
+use super::sliver::Sliver;
+use super::view::{self, Window};
+use super::{described_axes, empty, main_frame, panel, region};
+use crate::clip::Place;
+use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
+use crate::figure::PlotOptions;
+use crate::labels;
+use crate::palette::{Dash, FAINT_INK, Fill, GREY, INK, Mark, Shape, Stroke, VERMILLION, style};
+use crate::render::BOTTOM_LABELS;
+
+const EXACT_FILL: Fill = Fill { colour: GREY, opacity: 0.28 };
+const EXACT_EDGE: Stroke = Stroke::new(FAINT_INK, 1.2, Dash::Solid);
+const INNER_EDGE: Stroke = Stroke { width: 1.8, ..style::SET_EDGE };
+const INNER_FILL: Fill = Fill { opacity: 0.18, ..style::SET_FILL };
+const OUTER_EDGE: Stroke = Stroke::new(VERMILLION, 1.5, Dash::Short);
+const OUTER_FILL: Fill = Fill { colour: VERMILLION, opacity: 0.07 };
+const OPTIMISER: Mark = Mark::new(Shape::Disc, 3.4, INK);
+
+/// The figure.
+pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Drawing {
+    let polyhedron = fit.fps.polyhedron();
+    if polyhedron.region().is_empty() {
+        return empty::drawing(problem, fit, options);
+    }
+    let found = boundfit_check::directions(problem, &ProgramRows::new(problem), options.directions);
+    let outer = outer(polyhedron, options.directions);
+    let names = labels::parameters(problem, options);
+    let sliver = Sliver::of(polyhedron.region());
+    let mut main = panel(main_frame(usize::from(sliver.is_some())), &window(fit, &outer), &names);
+    region::draw(&mut main, &outer, OUTER_FILL, OUTER_EDGE);
+    region::draw(&mut main, polyhedron, EXACT_FILL, EXACT_EDGE);
+    let hull = found.inner.as_ref().map(|inner| inner.vertices.as_slice()).unwrap_or_default();
+    let places: Vec<Place> = hull.iter().map(|theta| region::at(&main, theta)).collect();
+    inner(&mut main, &places);
+    let mut panels = vec![main];
+    let mut notes = notes(&found);
+    if let Some(sliver) = sliver {
+        panels.push(thin(&sliver, polyhedron, &outer, hull));
+        notes.push(Sliver::note("the exact set"));
+    }
+    let title =
+        format!("The set between its inner and outer approximation from {} directions", options.directions);
+    Drawing {
+        description: format!("{title}. {} {}", described_axes(&names), notes.join(" ")),
+        title,
+        subtitle: labels::subtitle(problem, options),
+        height: panels[0].frame.top + panels[0].frame.height + BOTTOM_LABELS + 8.0,
+        panels,
+        legend: legend(options.directions),
+        notes,
+    }
+}
+
+/// The intersection of the supporting half-planes of the set in as many directions as linear programs are solved.
+fn outer(polyhedron: &Polyhedron, count: usize) -> Polyhedron {
+    let supporting = spread_objectives(count).into_iter().filter_map(|objective| {
+        let [c1, c2] = objective.map(|c| -c);
+        match polyhedron.support(&[c1.clone(), c2.clone()]) {
+            Support::Bounded { proof, .. } => Some(Inequality::new(c1, c2, proof.value)),
+            Support::Unbounded(_) | Support::Empty(_) => None,
+        }
+    });
+    Polyhedron::intersect(System::new(supporting))
+}
+
+/// The set and, where it does not dwarf it, the outer polygon.
+fn window(fit: &Fit, outer: &Polyhedron) -> Window {
+    let window = view::of_set(fit);
+    let corners = outer.bounding_box().as_ref().and_then(view::corners);
+    match corners.filter(|corners| window.nearly_holds(corners, &Rational::one())) {
+        Some([lower, upper]) => window.with(&lower).with(&upper).padded(&Rational::ratio(1, 25)),
+        None => window,
+    }
+}
+
+/// The hull of the optimisers with a mark on each.
+fn inner(panel: &mut Panel, hull: &[Place]) {
+    panel.area(hull, INNER_FILL);
+    panel.outline(hull, INNER_EDGE);
+    for place in hull {
+        panel.mark(*place, OPTIMISER);
+    }
+}
+
+fn thin(sliver: &Sliver, exact: &Polyhedron, outer: &Polyhedron, hull: &[[Rational; 2]]) -> Panel {
+    let mut panel = sliver.panel(0);
+    let places = |panel: &Panel, points: &[[Rational; 2]]| -> Vec<Place> {
+        points.iter().filter_map(|theta| sliver.place(panel, theta)).collect()
+    };
+    let vertices = |polyhedron: &Polyhedron| -> Vec<[Rational; 2]> {
+        polyhedron.region().vertices().iter().map(|vertex| vertex.point().coordinates()).collect()
+    };
+    if outer.region().is_bounded() {
+        let outline = places(&panel, &vertices(outer));
+        panel.area(&outline, OUTER_FILL);
+        panel.outline(&outline, OUTER_EDGE);
+    }
+    let outline = places(&panel, &vertices(exact));
+    panel.area(&outline, EXACT_FILL);
+    panel.outline(&outline, EXACT_EDGE);
+    let hull = places(&panel, hull);
+    inner(&mut panel, &hull);
+    panel
+}
+
+fn legend(count: usize) -> Vec<LegendEntry> {
+    vec![
+        LegendEntry::new(Swatch::area(EXACT_FILL, EXACT_EDGE), "exact set"),
+        LegendEntry::new(Swatch::area(INNER_FILL, INNER_EDGE), "inner: hull of the optimisers"),
+        LegendEntry::new(Swatch::mark(OPTIMISER), "optimiser"),
+        LegendEntry::new(
+            Swatch::area(OUTER_FILL, OUTER_EDGE),
+            format!("outer: {count} supporting half-planes"),
+        ),
+    ]
+}
+
+fn notes(found: &Directions) -> Vec<String> {
+    let mut notes = Vec::new();
+    let part = |area: Option<&Rational>| {
+        let part = area?.checked_div(found.exact.area.as_ref()?)?;
+        Some(labels::number(&(part * Rational::from(100)), 4, Rounding::Nearest))
+    };
+    let inner = part(found.inner.as_ref().and_then(|inner| inner.area.as_ref()));
+    let outer = part(found.outer.as_ref().and_then(|outer| outer.area.as_ref()));
+    if let (Some(inner), Some(outer)) = (inner, outer) {
+        notes.push(format!("Inner area: {inner} % of the exact one. Outer area: {outer} %."));
+    }
+    if found.unbounded > 0 {
+        notes.push(format!("The set is unbounded in {} of the {} directions.", found.unbounded, found.count));
+    }
+    notes
+}

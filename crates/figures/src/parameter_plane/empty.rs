@@ -1,0 +1,169 @@
+//! The picture of an empty set: the strips of the readings that contradict each other, where they come nearest.
+
+use boundfit_estimation::{BoundName, Fit, Problem};
+use boundfit_exact::{Rational, Rounding};
+use boundfit_geometry::constructions::{between_parallels, meet};
+use boundfit_geometry::{Constraint, HalfPlane, Inequality, Point, Polyhedron, System};
+
+use super::sliver::Sliver;
+use super::view::{Window, around_lines};
+use super::{described_axes, main_frame, marks, panel, region};
+use crate::clip::{self, Place};
+use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
+use crate::figure::PlotOptions;
+use crate::labels::{self, Conflict};
+use crate::palette::{BLUE, Colour, Dash, Fill, GREEN, ORANGE, PURPLE, SKY, Stroke, style};
+use crate::render::BOTTOM_LABELS;
+
+/// The set of parameters that one reading or condition allows.
+struct Allowed {
+    name: String,
+    polyhedron: Polyhedron,
+    /// The bound that contradicts the others.
+    bound: Option<HalfPlane>,
+}
+
+/// Opacity of what a reading allows.
+const FILL: f64 = 0.22;
+/// Width of the bounds that contradict each other.
+const THICK: f64 = 2.2;
+
+/// Fill and edge of what is allowed by the first, second and third.
+const STYLES: [(Colour, Colour, Dash); 3] =
+    [(ORANGE, ORANGE, Dash::Solid), (SKY, BLUE, Dash::Long), (PURPLE, GREEN, Dash::Short)];
+
+/// The figure.
+pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Drawing {
+    let conflict = Conflict::of(problem, fit);
+    let allowed: Vec<Allowed> = conflict.bounds.iter().filter_map(|bound| allowed(problem, *bound)).collect();
+    let lines: Vec<&HalfPlane> = allowed.iter().filter_map(|allowed| allowed.bound.as_ref()).collect();
+    let names = labels::parameters(problem, options);
+    let thin = thin(&allowed, fit);
+    let mut panel = panel(main_frame(usize::from(thin.is_some())), &window(fit, &lines), &names);
+    let mut legend = Vec::new();
+    for (Allowed { name, polyhedron, bound }, (fill, edge, dash)) in allowed.iter().zip(STYLES.iter().cycle())
+    {
+        let fill = Fill { colour: *fill, opacity: FILL };
+        let stroke = Stroke::new(*edge, 1.0, *dash);
+        region::draw(&mut panel, polyhedron, fill, stroke);
+        if let Some(half_plane) = bound {
+            region::whole_line(&mut panel, half_plane, Stroke { width: THICK, ..stroke });
+        }
+        legend.push(LegendEntry::new(Swatch::area(fill, Stroke { width: THICK, ..stroke }), name.clone()));
+    }
+    let estimates = marks::estimates(problem, fit);
+    let drawn: Vec<_> =
+        estimates.into_iter().filter(|estimate| panel.shows(region::at(&panel, &estimate.theta))).collect();
+    legend.extend(marks::draw_estimates(&mut panel, &drawn));
+    let mut notes = vec![format!("{} No parameters are in all these areas.", conflict.sentence())];
+    if let Some(minimax) = &fit.minimax {
+        notes
+            .push(format!("The smallest error bound that leaves any is {}.", least(problem, &minimax.least)));
+    }
+    if thin.is_some() {
+        notes.push(Sliver::note("the gap"));
+    }
+    let title = "Feasible parameter set: empty".to_owned();
+    Drawing {
+        description: format!("{title}. {} {}", described_axes(&names), notes.join(" ")),
+        title,
+        subtitle: labels::subtitle(problem, options),
+        height: panel.frame.top + panel.frame.height + BOTTOM_LABELS + 8.0,
+        panels: [panel].into_iter().chain(thin).collect(),
+        legend,
+        notes,
+    }
+}
+
+fn least(problem: &Problem, least: &Rational) -> String {
+    let number = labels::number(least, 12, Rounding::Up);
+    match problem.measurements.error_bound() {
+        boundfit_estimation::ErrorBound::Uniform(_) => number,
+        boundfit_estimation::ErrorBound::PerRow(_) => format!("{number} times that of each row"),
+    }
+}
+
+/// The strip of a reading or the half-plane of a condition; `None` when it has no boundary.
+fn allowed(problem: &Problem, bound: BoundName) -> Option<Allowed> {
+    let half_plane = |inequality: &Inequality| match inequality.constraint() {
+        Constraint::HalfPlane(half_plane) => Some(half_plane),
+        Constraint::Always | Constraint::Never => None,
+    };
+    let (name, inequalities, own) = match bound {
+        BoundName::Where(number) => {
+            let condition = problem.conditions.get(number - 1)?;
+            let text = labels::condition(condition.text());
+            (format!("condition {number}: {text}"), vec![condition.inequality().clone()], 0)
+        }
+        BoundName::Upper(row) | BoundName::Lower(row) => {
+            let reading = problem.measurements.rows().iter().find(|reading| reading.row == row)?;
+            let [phi1, phi2] = reading.regressor.clone();
+            let (above, below) = (&reading.response + &reading.epsilon, &reading.epsilon - &reading.response);
+            let sides = vec![
+                Inequality::new(phi1.clone(), phi2.clone(), above),
+                Inequality::new(-phi1, -phi2, below),
+            ];
+            let upper = matches!(bound, BoundName::Upper(_));
+            let side = if upper { "upper" } else { "lower" };
+            (format!("allowed by row {row} ({side} bound thick)"), sides, usize::from(!upper))
+        }
+    };
+    let bound = half_plane(&inequalities[own]);
+    Some(Allowed { name, polyhedron: Polyhedron::intersect(System::new(inequalities)), bound })
+}
+
+/// Where two of the contradicting bounds meet each other.
+fn corners(lines: &[&HalfPlane]) -> Vec<[Rational; 2]> {
+    let pairs = lines
+        .iter()
+        .enumerate()
+        .flat_map(|(index, line)| lines[..index].iter().map(move |other| (line, other)));
+    pairs.filter_map(|(f, g)| Some(meet(f, g)?.coordinates())).collect()
+}
+
+/// The triangle between the contradicting bounds; for parallel ones, the gap between them.
+fn window(fit: &Fit, lines: &[&HalfPlane]) -> Window {
+    let corners = corners(lines);
+    let around = Window::around(&corners);
+    if corners.len() > 2 && around.0.iter().all(|[lower, upper]| lower < upper) {
+        return around.padded(&Rational::ratio(3, 5));
+    }
+    let minimax = || fit.minimax.as_ref().map(|minimax| minimax.theta.clone());
+    let between = || match lines {
+        [f, g, ..] => Some(between_parallels(f, g).coordinates()),
+        _ => None,
+    };
+    let centre = corners.first().cloned().or_else(minimax).or_else(between);
+    around_lines(&centre.unwrap_or_else(|| Point::origin().coordinates()), lines)
+}
+
+/// The triangle between three bounds in its principal axes, when it is thin. Each bound allows the side away from the
+/// corner that is not on it.
+fn thin(allowed: &[Allowed], fit: &Fit) -> Option<Panel> {
+    let lines: Vec<&HalfPlane> = allowed.iter().filter_map(|allowed| allowed.bound.as_ref()).collect();
+    let [_, _, _] = lines.as_slice() else { return None };
+    let corners = corners(&lines);
+    let sliver = Sliver::of_corners(&corners).filter(|_| corners.len() == 3)?;
+    let mut panel = sliver.panel(0);
+    // Corners are where the lines 1 and 0, 2 and 0, 2 and 1 meet.
+    for ((line, ends), (fill, edge, dash)) in [[0, 1], [0, 2], [1, 2]].into_iter().enumerate().zip(STYLES) {
+        let [from, to] = ends.map(|corner| sliver.place(&panel, &corners[corner]));
+        let (from, to) = from.zip(to)?;
+        let away = sliver.place(&panel, &corners[2 - line])?;
+        let form = [from[1] - to[1], to[0] - from[0]];
+        let value = |place: Place| form[0] * place[0] + form[1] * place[1];
+        let sign = if value(away) > value(from) { 1.0 } else { -1.0 };
+        let side = clip::half_plane(&clip::SQUARE, form.map(|c| sign * c), sign * value(from));
+        panel.area(&side, Fill { colour: fill, opacity: FILL });
+        panel.ray(
+            from,
+            [to[0] - from[0], to[1] - from[1]],
+            f64::NEG_INFINITY,
+            Stroke::new(edge, THICK, dash),
+        );
+    }
+    if let Some(at) = fit.minimax.as_ref().and_then(|minimax| sliver.place(&panel, &minimax.theta)) {
+        panel.mark(at, style::MINIMAX_MARK);
+    }
+    Some(panel)
+}

@@ -1,0 +1,146 @@
+//! The feasible parameter set with its boxes and estimates.
+
+use boundfit_estimation::{Fit, Problem};
+use boundfit_exact::Rational;
+use boundfit_geometry::RegionKind;
+
+use super::marks::{self, Estimate};
+use super::sliver::Sliver;
+use super::view;
+use super::{described_axes, empty, kind, main_frame, panel, pui_note, region, side_frame};
+use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
+use crate::figure::PlotOptions;
+use crate::labels;
+use crate::palette::{Mark, style};
+use crate::render::BOTTOM_LABELS;
+
+/// The figure.
+pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Drawing {
+    let polyhedron = fit.fps.polyhedron();
+    if polyhedron.region().is_empty() {
+        return empty::drawing(problem, fit, options);
+    }
+    let names = labels::parameters(problem, options);
+    let estimates = marks::estimates(problem, fit);
+    let eui = fit.least_squares.as_ref().ok().map(|estimate| &estimate.eui);
+    let mut window = view::of_set(fit);
+    let eui_corners = eui.and_then(view::corners).filter(|[lower, upper]| lower != upper);
+    let eui_fits =
+        eui_corners.as_ref().is_none_or(|corners| window.nearly_holds(corners, &Rational::ratio(1, 2)));
+    if let Some([lower, upper]) = eui_corners.as_ref().filter(|_| eui_fits) {
+        let part = Rational::ratio(1, 20);
+        window = window.with(lower).with(upper).padded(&part);
+    }
+    let sliver = Sliver::of(polyhedron.region());
+    let overview = eui_corners.clone().filter(|_| !eui_fits);
+    let beside = usize::from(sliver.is_some()) + usize::from(overview.is_some());
+    let mut main = panel(main_frame(beside), &window, &names);
+    let mut legend = contents(&mut main, fit, eui_fits && eui_corners.is_some(), &estimates, true);
+    let mut panels = vec![main];
+    if let Some([lower, upper]) = overview {
+        let around = window.with(&lower).with(&upper).padded(&Rational::ratio(1, 12));
+        let mut side = panel(side_frame(0), &around, &names);
+        side.heading = "EUI box".to_owned();
+        contents(&mut side, fit, true, &estimates, false);
+        panels.push(side);
+        legend.push(LegendEntry::new(Swatch::area(style::EUI_FILL, style::EUI_EDGE), "EUI box"));
+    }
+    let mut notes: Vec<String> = pui_note(fit, &names).into_iter().collect();
+    if let Some(sliver) = sliver {
+        panels.push(thin(&sliver, fit, &estimates, panels.len() - 1));
+        notes.push(Sliver::note("the set"));
+    }
+    if fit.least_squares.is_err() {
+        notes.push("No least squares and no EUI: the regressors are linearly dependent.".to_owned());
+    }
+    if polyhedron.region().kind() == RegionKind::Plane {
+        notes.push("Every parameter pair is feasible.".to_owned());
+    } else if !polyhedron.region().is_bounded() {
+        notes.push("Arrows: the set goes on without end.".to_owned());
+    }
+    let title = format!("Feasible parameter set: {}", kind(polyhedron.region()));
+    Drawing {
+        description: format!("{title}. {} {}", described_axes(&names), notes.join(" ")),
+        title,
+        subtitle: labels::subtitle(problem, options),
+        height: panels[0].frame.top + panels[0].frame.height + BOTTOM_LABELS + 8.0,
+        panels,
+        legend,
+        notes,
+    }
+}
+
+/// Boxes, set and estimates on a panel; gives the legend.
+fn contents(panel: &mut Panel, fit: &Fit, eui: bool, estimates: &[Estimate], main: bool) -> Vec<LegendEntry> {
+    let polyhedron = fit.fps.polyhedron();
+    let region_kind = polyhedron.region().kind();
+    let mut legend = Vec::new();
+    let set = match region_kind {
+        RegionKind::Point => Swatch::mark(style::VERTEX),
+        RegionKind::Segment | RegionKind::Ray | RegionKind::Line => Swatch::line(style::SET_EDGE),
+        _ => Swatch::area(style::SET_FILL, style::SET_EDGE),
+    };
+    legend.push(LegendEntry::new(set, "feasible parameter set (FPS)"));
+    if let Some(intervals) = fit.least_squares.as_ref().ok().map(|estimate| &estimate.eui).filter(|_| eui) {
+        marks::draw_box(panel, intervals, Some(style::EUI_FILL), style::EUI_EDGE);
+        legend.push(LegendEntry::new(Swatch::area(style::EUI_FILL, style::EUI_EDGE), "EUI box"));
+    }
+    region::draw(panel, polyhedron, style::SET_FILL, style::SET_EDGE);
+    let pui = fit.pui_intervals().filter(|intervals| {
+        intervals
+            .iter()
+            .any(|interval| interval.lower().value().is_some() || interval.upper().value().is_some())
+    });
+    if let Some(intervals) = pui.filter(|_| region_kind != RegionKind::Point) {
+        marks::draw_box(panel, &intervals, None, style::PUI_EDGE);
+        legend.push(LegendEntry::new(Swatch::line(style::PUI_EDGE), "PUI box"));
+    }
+    if main {
+        marks::draw_vertices(panel, polyhedron.region(), true);
+        legend.extend(marks::draw_estimates(panel, estimates));
+    } else {
+        mark_if_tiny(panel, fit);
+        let small: Vec<Estimate> = estimates
+            .iter()
+            .filter(|estimate| estimate.mark == style::LEAST_SQUARES_MARK)
+            .map(|estimate| Estimate {
+                theta: estimate.theta.clone(),
+                mark: Mark { radius: estimate.mark.radius * 0.8, ..estimate.mark },
+                name: estimate.name.clone(),
+            })
+            .collect();
+        marks::draw_estimates(panel, &small);
+    }
+    legend
+}
+
+/// A set that is too small for a panel shows as a dot.
+fn mark_if_tiny(panel: &mut Panel, fit: &Fit) {
+    const LEAST: f64 = 6.0;
+    let Some([lower, upper]) = fit.pui_intervals().as_ref().and_then(view::corners) else { return };
+    let [from, to] = [region::at(panel, &lower), region::at(panel, &upper)];
+    let across = (to[0] - from[0]) * panel.frame.width;
+    let up = (to[1] - from[1]) * panel.frame.height;
+    if across.max(up) < LEAST {
+        panel.mark(from, style::VERTEX);
+    }
+}
+
+/// A thin set in its principal axes.
+fn thin(sliver: &Sliver, fit: &Fit, estimates: &[Estimate], index: usize) -> Panel {
+    let mut panel = sliver.panel(index);
+    let vertices = fit.fps.polyhedron().region().vertices();
+    let outline: Vec<_> =
+        vertices.iter().filter_map(|vertex| sliver.place(&panel, &vertex.point().coordinates())).collect();
+    panel.area(&outline, style::SET_FILL);
+    panel.outline(&outline, style::SET_EDGE);
+    for at in outline {
+        panel.mark(at, style::VERTEX);
+    }
+    for Estimate { theta, mark, .. } in estimates.iter().rev() {
+        if let Some(at) = sliver.place(&panel, theta) {
+            panel.mark(at, *mark);
+        }
+    }
+    panel
+}

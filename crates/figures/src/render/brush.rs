@@ -1,0 +1,177 @@
+//! Strokes, fills, marks and texts on the canvas, in pixels of the nominal size.
+
+use plotters::element::{Circle, PathElement, Polygon};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{Color, IntoFont, RGBColor, ShapeStyle, TextStyle, WHITE};
+
+use super::{Canvas, CanvasResult, FINE};
+use crate::palette::{Colour, Dash, Fill, INK, Mark, Shape, Stroke};
+use crate::text::FAMILY;
+
+/// Plotters sizes a font by its line height.
+const LINE_HEIGHT: f64 = 1.24;
+
+/// A point on the canvas: right and down.
+pub(super) type Pixel = [f64; 2];
+
+/// Which part of a text stands at its place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Align {
+    Start,
+    Middle,
+    End,
+}
+
+/// Draws on one canvas.
+pub(super) struct Brush<'a, 'b> {
+    pub(super) canvas: &'b Canvas<'a>,
+}
+
+impl<'a, 'b> Brush<'a, 'b> {
+    pub(super) fn new(canvas: &'b Canvas<'a>) -> Self {
+        Brush { canvas }
+    }
+
+    pub(super) fn line(&self, points: &[Pixel], stroke: Stroke) -> CanvasResult {
+        let style = rgb(stroke.colour).stroke_width((stroke.width * FINE).round() as u32);
+        for piece in dashes(points, stroke.dash.pattern()) {
+            let path: Vec<(i32, i32)> = piece.into_iter().map(fine).collect();
+            self.canvas.draw(&PathElement::new(path, style))?;
+        }
+        Ok(())
+    }
+
+    pub(super) fn area(&self, points: &[Pixel], fill: Fill) -> CanvasResult {
+        let path: Vec<(i32, i32)> = points.iter().copied().map(fine).collect();
+        self.canvas.draw(&Polygon::new(path, rgb(fill.colour).mix(fill.opacity)))
+    }
+
+    pub(super) fn mark(&self, at: Pixel, mark: Mark) -> CanvasResult {
+        let Mark { shape, radius: r, colour } = mark;
+        let around = |corners: &[[f64; 2]]| -> Vec<Pixel> {
+            corners.iter().map(|[x, y]| [at[0] + x * r, at[1] + y * r]).collect()
+        };
+        let solid = Fill { colour, opacity: 1.0 };
+        match shape {
+            Shape::Disc => self.circle(at, r, rgb(colour).filled()),
+            Shape::Circle => {
+                self.circle(at, r, WHITE.filled())?;
+                self.circle(at, r, rgb(colour).stroke_width(FINE as u32))
+            }
+            Shape::Square => self.area(&around(&[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]), solid),
+            Shape::Diamond => self.area(&around(&[[-1.0, 0.0], [0.0, -1.0], [1.0, 0.0], [0.0, 1.0]]), solid),
+            Shape::Triangle => self.area(&around(&[[-0.95, 0.75], [0.95, 0.75], [0.0, -1.0]]), solid),
+            Shape::Cross => {
+                let stroke = Stroke::new(colour, 2.0, Dash::Solid);
+                self.line(&around(&[[-0.8, -0.8], [0.8, 0.8]]), stroke)?;
+                self.line(&around(&[[-0.8, 0.8], [0.8, -0.8]]), stroke)
+            }
+        }
+    }
+
+    fn circle(&self, at: Pixel, radius: f64, style: ShapeStyle) -> CanvasResult {
+        self.canvas.draw(&Circle::new(fine(at), (radius * FINE).round() as i32, style))
+    }
+
+    /// The head of an arrow, on a line in the same colour.
+    pub(super) fn arrow_head(&self, tip: Pixel, direction: Pixel, colour: Colour) -> CanvasResult {
+        const LENGTH: f64 = 9.0;
+        const HALF_WIDTH: f64 = 3.6;
+        let length = direction[0].hypot(direction[1]);
+        if !(length > 0.0 && length.is_finite()) {
+            return Ok(());
+        }
+        let [x, y] = direction.map(|step| step / length);
+        let base = [tip[0] - LENGTH * x, tip[1] - LENGTH * y];
+        let side = |sign: f64| [base[0] - sign * HALF_WIDTH * y, base[1] + sign * HALF_WIDTH * x];
+        self.area(&[tip, side(1.0), side(-1.0)], Fill { colour, opacity: 1.0 })
+    }
+
+    /// A text of one line with its middle at the height of a point.
+    pub(super) fn text(
+        &self,
+        at: Pixel,
+        text: &str,
+        size: f64,
+        colour: Colour,
+        align: Align,
+    ) -> CanvasResult {
+        if text.is_empty() {
+            return Ok(());
+        }
+        let horizontal = match align {
+            Align::Start => HPos::Left,
+            Align::Middle => HPos::Center,
+            Align::End => HPos::Right,
+        };
+        let style = text_style(size, colour).pos(Pos::new(horizontal, VPos::Center));
+        self.canvas.draw_text(text, &style, fine(at))
+    }
+
+    /// The width of a text.
+    pub(super) fn text_width(&self, text: &str, size: f64) -> CanvasResult<f64> {
+        let (width, _) = self.canvas.estimate_text_size(text, &text_style(size, INK))?;
+        Ok(f64::from(width) / FINE)
+    }
+}
+
+/// The style of a text whose em has `size` nominal pixels.
+pub(super) fn text_style(size: f64, colour: Colour) -> TextStyle<'static> {
+    (FAMILY, size * LINE_HEIGHT * FINE).into_font().color(&rgb(colour))
+}
+
+pub(super) fn rgb(Colour(red, green, blue): Colour) -> RGBColor {
+    RGBColor(red, green, blue)
+}
+
+fn fine([x, y]: Pixel) -> (i32, i32) {
+    ((x * FINE).round() as i32, (y * FINE).round() as i32)
+}
+
+/// The drawn pieces of a polyline under a pattern of lengths drawn and left out.
+fn dashes(points: &[Pixel], pattern: &[f64]) -> Vec<Vec<Pixel>> {
+    let (Some(&first), false) = (points.first(), pattern.is_empty()) else { return vec![points.to_vec()] };
+    let mut pieces = Vec::new();
+    let (mut phase, mut left) = (0, pattern[0]);
+    let mut piece = vec![first];
+    for pair in points.windows(2) {
+        let step = [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
+        let length = step[0].hypot(step[1]);
+        let mut done = 0.0;
+        while length - done > left {
+            done += left;
+            let turn = [pair[0][0] + step[0] * done / length, pair[0][1] + step[1] * done / length];
+            if phase % 2 == 0 {
+                piece.push(turn);
+                pieces.push(std::mem::take(&mut piece));
+            } else {
+                piece = vec![turn];
+            }
+            phase = (phase + 1) % pattern.len();
+            left = pattern[phase];
+        }
+        left -= length - done;
+        if phase % 2 == 0 {
+            piece.push(pair[1]);
+        }
+    }
+    if piece.len() > 1 {
+        pieces.push(piece);
+    }
+    pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pattern_runs_on_around_corners() {
+        let corner = [[0.0, 0.0], [5.0, 0.0], [5.0, 5.0]];
+        let pieces = dashes(&corner, &[4.0, 2.0]);
+        assert_eq!(pieces, vec![vec![[0.0, 0.0], [4.0, 0.0]], vec![[5.0, 1.0], [5.0, 5.0]]]);
+        let around = dashes(&corner, &[6.0, 2.0]);
+        assert_eq!(around[0], vec![[0.0, 0.0], [5.0, 0.0], [5.0, 1.0]]);
+        assert_eq!(dashes(&corner, &[]), vec![corner.to_vec()]);
+    }
+}

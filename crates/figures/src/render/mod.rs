@@ -1,0 +1,69 @@
+//! Drawing a [`Drawing`] with plotters.
+//!
+//! Plotters counts in whole pixels. The canvas is therefore ten times larger than the nominal size, and the picture
+//! scaled back when it is written.
+
+mod brush;
+mod legend;
+mod panel;
+
+pub(crate) use panel::{BOTTOM_LABELS, LEFT_LABELS};
+
+use plotters::coord::Shift;
+use plotters::drawing::DrawingAreaErrorKind;
+use plotters::prelude::{DrawingArea, IntoDrawingArea, SVGBackend};
+use plotters::style::WHITE;
+
+use crate::drawing::Drawing;
+use crate::palette::{FAINT_INK, INK};
+use crate::picture::{FigureError, Picture};
+use crate::text;
+use brush::{Align, Brush};
+
+/// Nominal width of every figure in pixels.
+pub(crate) const WIDTH: f64 = 800.0;
+/// Distance of texts from the left edge of the picture.
+const MARGIN: f64 = 14.0;
+/// Height of title and subtitle.
+const HEADER: f64 = 52.0;
+/// Height of a line of notes.
+const NOTE_LINE: f64 = 17.0;
+/// Canvas units per nominal pixel.
+const FINE: f64 = 10.0;
+
+type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+type CanvasResult<T = ()> = Result<T, DrawingAreaErrorKind<std::io::Error>>;
+
+/// Draws a figure. Cost: the number of items.
+pub(crate) fn render(drawing: &Drawing) -> Result<Picture, FigureError> {
+    text::register();
+    let fail = |error: DrawingAreaErrorKind<std::io::Error>| FigureError(error.to_string());
+    let rows = legend::layout(&drawing.legend).map_err(fail)?;
+    let notes_top = HEADER + drawing.height + legend::height(rows.len());
+    let height = notes_top + drawing.notes.len() as f64 * NOTE_LINE + MARGIN * 0.7;
+    let size = [WIDTH, height].map(|length| (length * FINE).round() as u32);
+    let mut svg = String::new();
+    let canvas = SVGBackend::with_string(&mut svg, (size[0], size[1])).into_drawing_area();
+    draw(&canvas, drawing, &rows, notes_top).map_err(fail)?;
+    drop(canvas);
+    let large = format!("width=\"{}\" height=\"{}\"", size[0], size[1]);
+    let nominal = format!("width=\"{WIDTH}\" height=\"{}\"", f64::from(size[1]) / FINE);
+    let svg = svg.replacen(&large, &nominal, 1);
+    Picture::new(&svg, drawing.title.clone(), drawing.description.clone())
+}
+
+fn draw(canvas: &Canvas, drawing: &Drawing, rows: &[legend::Row], notes_top: f64) -> CanvasResult {
+    canvas.fill(&WHITE)?;
+    let brush = Brush::new(canvas);
+    brush.text([MARGIN, 19.0], &drawing.title, 15.5, INK, Align::Start)?;
+    brush.text([MARGIN, 39.0], &drawing.subtitle, 11.5, FAINT_INK, Align::Start)?;
+    for panel in &drawing.panels {
+        panel::draw(&brush, panel, HEADER)?;
+    }
+    legend::draw(&brush, rows, HEADER + drawing.height)?;
+    for (index, note) in drawing.notes.iter().enumerate() {
+        let middle = notes_top + (index as f64 + 0.5) * NOTE_LINE;
+        brush.text([MARGIN, middle], note, 11.5, FAINT_INK, Align::Start)?;
+    }
+    canvas.present()
+}

@@ -1,0 +1,116 @@
+//! One panel: grid, axes and items.
+
+use plotters::chart::{ChartBuilder, LabelAreaPosition};
+use plotters::style::{Color, TRANSPARENT};
+
+use super::brush::{Align, Brush, Pixel, rgb, text_style};
+use super::{CanvasResult, FINE};
+use crate::axis::Axis;
+use crate::clip::Place;
+use crate::drawing::{Frame, Item, Panel};
+use crate::palette::{Dash, FAINT_INK, FRAME, Fill, GRID, INK, PAPER, Stroke};
+
+const LABEL_SIZE: f64 = 11.5;
+const NAME_SIZE: f64 = 12.5;
+/// Room for labels and name left of a panel.
+pub(crate) const LEFT_LABELS: f64 = 66.0;
+/// Room for labels and name below a panel.
+pub(crate) const BOTTOM_LABELS: f64 = 42.0;
+const TICK: f64 = 4.0;
+/// Least distance between two texts side by side.
+const APART: f64 = 10.0;
+
+pub(super) fn draw(brush: &Brush, panel: &Panel, top: f64) -> CanvasResult {
+    let frame = Frame { top: panel.frame.top + top, ..panel.frame };
+    mesh(brush, panel, frame)?;
+    for item in &panel.items {
+        self::item(brush, item, frame)?;
+    }
+    let Frame { left, top, width, height } = frame;
+    let corners =
+        [[left, top], [left + width, top], [left + width, top + height], [left, top + height], [left, top]];
+    brush.line(&corners, Stroke::new(FRAME, 0.9, Dash::Solid))?;
+    let [horizontal, vertical] = &panel.axes;
+    if panel.labelled[0] {
+        name_below(brush, horizontal, frame)?;
+    }
+    let mut scale_width = 0.0;
+    if panel.labelled[1] {
+        brush.text([left, top - 9.0], vertical.scale(), LABEL_SIZE, FAINT_INK, Align::Start)?;
+        scale_width = brush.text_width(vertical.scale(), LABEL_SIZE)?;
+    }
+    let free = (width - brush.text_width(&panel.heading, NAME_SIZE)?) / 2.0;
+    let raised = if free < scale_width + APART { 15.0 } else { 0.0 };
+    brush.text([left + width / 2.0, top - 9.0 - raised], &panel.heading, NAME_SIZE, INK, Align::Middle)
+}
+
+/// The name of the horizontal axis in the middle, or where the scale leaves no room for that, at the left.
+fn name_below(brush: &Brush, axis: &Axis, frame: Frame) -> CanvasResult {
+    let Frame { left, top, width, height } = frame;
+    let below = top + height + BOTTOM_LABELS - 8.5;
+    brush.text([left + width, below], axis.scale(), LABEL_SIZE, FAINT_INK, Align::End)?;
+    let free = (width - brush.text_width(&axis.name, NAME_SIZE)?) / 2.0;
+    if free < brush.text_width(axis.scale(), LABEL_SIZE)? + APART {
+        brush.text([left, below], &axis.name, NAME_SIZE, INK, Align::Start)
+    } else {
+        brush.text([left + width / 2.0, below], &axis.name, NAME_SIZE, INK, Align::Middle)
+    }
+}
+
+/// Grid lines, tick labels and the name of the vertical axis, by plotters.
+fn mesh(brush: &Brush, panel: &Panel, frame: Frame) -> CanvasResult {
+    let fine = |length: f64| (length * FINE).round() as i32;
+    let [left, bottom] = [LEFT_LABELS, BOTTOM_LABELS];
+    let origin = (fine(frame.left - left), fine(frame.top));
+    let size = (fine(left + frame.width), fine(frame.height + bottom));
+    let area = brush.canvas.clone().shrink(origin, (size.0 as u32, size.1 as u32));
+    let [horizontal, vertical] = panel.axes.clone();
+    let name = vertical.name.clone();
+    let mut chart = ChartBuilder::on(&area)
+        .set_label_area_size(LabelAreaPosition::Left, fine(left))
+        .set_label_area_size(LabelAreaPosition::Bottom, fine(bottom))
+        .build_cartesian_2d(horizontal, vertical)?;
+    let blank = |_: &f64| String::new();
+    let mut mesh = chart.configure_mesh();
+    mesh.bold_line_style(rgb(GRID).stroke_width(fine(0.8) as u32))
+        .light_line_style(TRANSPARENT)
+        .axis_style(rgb(FRAME).stroke_width(fine(0.9) as u32))
+        .label_style(text_style(LABEL_SIZE, INK))
+        .axis_desc_style(text_style(NAME_SIZE, INK))
+        .set_all_tick_mark_size(fine(TICK));
+    if !panel.labelled[0] {
+        mesh.x_label_formatter(&blank);
+    }
+    if panel.labelled[1] {
+        mesh.y_desc(name.as_str());
+    } else {
+        mesh.y_label_formatter(&blank);
+    }
+    mesh.draw()
+}
+
+fn item(brush: &Brush, item: &Item, frame: Frame) -> CanvasResult {
+    let pixel =
+        |[x, y]: Place| -> Pixel { [frame.left + x * frame.width, frame.top + (1.0 - y) * frame.height] };
+    let pixels = |places: &[Place]| places.iter().copied().map(pixel).collect::<Vec<_>>();
+    match item {
+        Item::Area { outline, fill } => brush.area(&pixels(outline), *fill),
+        Item::Line { points, stroke } => brush.line(&pixels(points), *stroke),
+        Item::Mark { at, mark } => brush.mark(pixel(*at), *mark),
+        Item::ArrowHead { tip, direction, colour } => {
+            let down = [direction[0] * frame.width, -direction[1] * frame.height];
+            brush.arrow_head(pixel(*tip), down, *colour)
+        }
+        Item::Text { at, text, anchor, colour } => {
+            const DISTANCE: f64 = 6.0;
+            let [x, y] = pixel(*at);
+            let (across, up) = (f64::from(anchor.across), f64::from(anchor.up));
+            let (x, y) = (x + across * DISTANCE, y - up * DISTANCE * 1.6);
+            let width = brush.text_width(text, LABEL_SIZE)?;
+            let left = x - width / 2.0 + across * width / 2.0;
+            let plate = [[left, y - 7.0], [left + width, y - 7.0], [left + width, y + 7.0], [left, y + 7.0]];
+            brush.area(&plate, Fill { colour: PAPER, opacity: 0.7 })?;
+            brush.text([left, y], text, LABEL_SIZE, *colour, Align::Start)
+        }
+    }
+}
