@@ -28,6 +28,7 @@ pub(crate) enum Command {
     BenchSolvers(BenchSolversArguments),
     Polygon(PolygonArguments),
     Plot(PlotArguments),
+    Lesson(LessonArguments),
     /// Print a completion script for a shell
     #[command(after_help = "Example:\n  boundfit completions bash > /etc/bash_completion.d/boundfit")]
     Completions {
@@ -294,6 +295,39 @@ pub(crate) enum FigureName {
 pub(crate) enum PictureFormat {
     Svg,
     Png,
+}
+
+const LESSON_EXAMPLES: &str = "\
+Example:
+  boundfit lesson transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 -o lesson.html
+
+Exit status:
+  0  the page is written
+  1  bad data, or a file that cannot be read or written
+  2  bad usage
+  3  the feasible parameter set is empty; the page shows why, and from which error bound on there is one";
+
+/// Write a web page that explains the polygon of feasible parameters on these very readings
+///
+/// One file without any outside parts, for every browser: the readings and the parameter plane side by side, clipping
+/// step by step, the error bound as a slider, what each reading contributes, and questions with answers. All numbers
+/// on it are exact and computed when it is written.
+#[derive(Debug, Args)]
+#[command(after_help = LESSON_EXAMPLES)]
+pub(crate) struct LessonArguments {
+    #[command(flatten)]
+    pub(crate) data: DataArguments,
+    /// Unit of x, such as V
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) x_unit: Option<String>,
+    /// Unit of y, such as m
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) y_unit: Option<String>,
+    /// Title of the page
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) title: Option<String>,
+    #[command(flatten)]
+    pub(crate) file: FileArguments,
 }
 
 /// How the input is read.

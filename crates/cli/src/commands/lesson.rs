@@ -1,0 +1,31 @@
+//! `boundfit lesson`.
+
+use boundfit_estimation::fit;
+use boundfit_lesson::{LessonError, LessonOptions, page};
+
+use crate::CommandResult;
+use crate::arguments::LessonArguments;
+use crate::exit::{Exit, Failure};
+use crate::output;
+
+/// Reads the data, fits and writes the page.
+pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
+    let reading = arguments.data.table.reading();
+    let problem = arguments.data.problem_with_others()?;
+    let fit = fit(&problem);
+    let options = LessonOptions {
+        file: arguments.data.file_name().to_owned(),
+        title: arguments.title.clone(),
+        x_unit: arguments.x_unit.clone(),
+        y_unit: arguments.y_unit.clone(),
+    };
+    let page = page(&problem, &fit, reading, &options).map_err(|error| match error {
+        LessonError::TooManyRows { .. } => Failure::data(format_args!(
+            "{}: {error}; choose some with --rows FIRST..LAST",
+            arguments.data.file_name()
+        )),
+        _ => Failure::data(error),
+    })?;
+    output::write(page, arguments.file.output.as_deref())?;
+    Ok(if fit.fps.polyhedron().region().is_empty() { Exit::Empty } else { Exit::Answer })
+}

@@ -1,0 +1,92 @@
+// The drawing area of a picture with its axes, and the marks both planes share.
+
+import { element } from "./dom.js";
+import { axisTicks } from "./ticks.js";
+
+/** Room for tick labels and axis names. */
+export function plotArea(width, height) {
+  const left = width < 480 ? 52 : 58;
+  return { left, top: 30, width: width - left - 14, height: height - 30 - 46 };
+}
+
+/**
+ * Grid, tick labels and axis names.
+ * @param {Object} map the screen map
+ * @param {function} exact (axis, frame coordinate) → exact value
+ * @param {function} number (axis, exact value) → frame coordinate
+ * @param {string[]} names of the axes
+ * @param {Object|null} given ticks for the first axis in place of round numbers: [{at, label}]
+ */
+export function axes(map, exact, number, names, given = null) {
+  const { area, view } = map;
+  const right = area.left + area.width;
+  const bottom = area.top + area.height;
+  const across = given ?? ticksOn(0, view.x, area.width / 85);
+  const up = ticksOn(1, view.y, area.height / 55);
+  function ticksOn(axis, range, room) {
+    const { ticks, note } = axisTicks(
+      exact(axis, range[0]),
+      exact(axis, range[1]),
+      Math.max(2, Math.round(room)),
+    );
+    return { marks: ticks.map(({ value, label }) => ({ at: number(axis, value), label })), note };
+  }
+  const vertical = across.marks.map(({ at, label }) => {
+    const x = round(map.to([at, 0])[0]);
+    return [
+      element("path", { class: "grid", d: `M${x} ${area.top}V${bottom}` }),
+      element("text", { class: "tick", x, y: bottom + 17, "text-anchor": "middle" }, label),
+    ];
+  });
+  const horizontal = up.marks.map(({ at, label }) => {
+    const y = round(map.to([0, at])[1]);
+    return [
+      element("path", { class: "grid", d: `M${area.left} ${y}H${right}` }),
+      element("text", { class: "tick", x: area.left - 6, y: y + 4, "text-anchor": "end" }, label),
+    ];
+  });
+  return element(
+    "g",
+    { "aria-hidden": "true" },
+    vertical,
+    horizontal,
+    element("rect", { class: "frame", x: area.left, y: area.top, width: area.width, height: area.height }),
+    element(
+      "text",
+      { class: "axis", x: right, y: bottom + 38, "text-anchor": "end" },
+      `${names[0]}  ${across.note}`,
+    ),
+    element("text", { class: "axis", x: 4, y: 18 }, `${names[1]}  ${up.note}`),
+  );
+}
+
+/** A pixel coordinate with two decimals. */
+export function round(value) {
+  return Math.round(value * 100) / 100;
+}
+
+/** The path through points in frame coordinates. */
+export function pathThrough(map, points, closed) {
+  if (points.length === 0) return "";
+  return `M${points.map((point) => map.to(point).map(round).join(" ")).join("L")}${closed ? "Z" : ""}`;
+}
+
+const SHAPES = {
+  cross: "M-5-5L5 5M-5 5L5-5",
+  plus: "M-7 0H7M0-7V7",
+  diamond: "M0-6L6 0L0 6L-6 0Z",
+  triangle: "M0-6L6 5H-6Z",
+  square: "M-5-5H5V5H-5Z",
+  ring: "M-6 0A6 6 0 1 1 6 0A6 6 0 1 1-6 0Z",
+  "upper-end": "M-5-7H5L0 0Z",
+  "lower-end": "M-5 7H5L0 0Z",
+};
+
+/** A mark of one of the shapes at a pixel position. */
+export function mark(shape, [x, y], attributes) {
+  return element("path", {
+    ...attributes,
+    d: SHAPES[shape],
+    transform: `translate(${round(x)} ${round(y)})`,
+  });
+}

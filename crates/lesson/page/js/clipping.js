@@ -1,0 +1,159 @@
+// Stepping through the clipping: the controls, and what each step did.
+
+import { byId, element, patch } from "./dom.js";
+import { boundText, counted, decimal, digitsFor, enumeration, kindText, withMinus } from "./format.js";
+import { inequality } from "./inspector.js";
+import { numberWithFraction } from "./summary.js";
+import { ONE } from "./rational.js";
+
+const MILLISECONDS_PER_STEP = 1200;
+
+/** Connects the controls. */
+export function connectClipping(lesson, store) {
+  const last = () => lesson.data.orders[store.get().order].steps.length;
+  const go = (step, playing = false) =>
+    store.change({ mode: "clip", step: Math.max(0, Math.min(last(), step)), playing });
+  byId("step-first").addEventListener("click", () => go(0));
+  byId("step-back").addEventListener("click", () => go(store.get().step - 1));
+  byId("step-forward").addEventListener("click", () => go(store.get().step + 1));
+  byId("step-last").addEventListener("click", () => go(last()));
+  byId("step-slider").addEventListener("input", (event) => go(Number(event.target.value)));
+  byId("clip-order").addEventListener("change", (event) => {
+    store.change({ mode: "clip", order: Number(event.target.value), step: 0, playing: false });
+  });
+  byId("step-play").addEventListener("click", () => {
+    const { playing, step } = store.get();
+    store.change({ mode: "clip", playing: !playing, step: !playing && step === last() ? 0 : step });
+  });
+  let timer = null;
+  store.subscribe((state) => {
+    const run = state.playing && state.mode === "clip";
+    if (run && timer === null) {
+      timer = setInterval(() => {
+        const next = store.get().step + 1;
+        go(next, next < last());
+      }, MILLISECONDS_PER_STEP);
+    } else if (!run && timer !== null) {
+      clearInterval(timer);
+      timer = null;
+    }
+  });
+  patch(
+    byId("clip-order"),
+    lesson.data.orders.map((order, k) =>
+      element("option", { value: `${k}`, "data-order": order.id }, order.name),
+    ),
+  );
+}
+
+function pointTexts(lesson, scene, indices) {
+  return element(
+    "ul",
+    { class: "points" },
+    indices.map((index) => {
+      const [first, second] = lesson.points[index];
+      const shown = [first, second].map((value, axis) =>
+        numberWithFraction(value, decimal(value, digitsFor(value, scene.frame.units[axis]))),
+      );
+      return element(
+        "li",
+        { "data-theta1": first.toString(), "data-theta2": second.toString() },
+        "(",
+        shown[0],
+        ", ",
+        shown[1],
+        ")",
+      );
+    }),
+  );
+}
+
+function redundancy(lesson, redundant) {
+  if (redundant.why === "always") return "It is redundant: it holds for every θ.";
+  if (redundant.why === "already-empty") return "It is redundant: the set is empty already.";
+  const terms = redundant.by.map(
+    ({ half_plane, multiplier }) =>
+      `${withMinus(multiplier.decimal)} × (${boundText(lesson.halfPlanes[half_plane].name)})`,
+  );
+  const slack =
+    redundant.slack === null
+      ? ""
+      : redundant.slack.exact === "0"
+        ? " It only touches the set (slack 0)."
+        : ` Its boundary stays clear of the set, with slack ${withMinus(redundant.slack.decimal)}.`;
+  if (terms.length === 0) return `It is redundant: it cuts nothing.${slack}`;
+  return `It is redundant, dominated by ${terms.length === 1 ? "one half-plane" : "two half-planes"} added before: ${terms.join(" + ")} gives the same left side with a right side at least as small.${slack}`;
+}
+
+/** What a step did, in one sentence for the live region. */
+export function stepSentence(lesson, state, scene) {
+  if (scene.current === null)
+    return "Step 0: the whole plane. Nothing has been measured yet, so every θ is possible.";
+  const name = boundText(lesson.halfPlanes[scene.current.half_plane].name);
+  const { born, lost, redundant } = scene.current;
+  const did =
+    redundant !== null
+      ? "redundant, it cuts nothing off"
+      : `${counted(born.length, "vertex", "vertices")} born, ${lost.length} lost; now ${kindText(scene.region.kind, scene.region.vertices.length)}`;
+  return `Step ${state.step}: ${name}: ${did}.`;
+}
+
+/** Draws the controls' state and the story of the step. */
+export function drawClipping(lesson, state, scene) {
+  const order = lesson.data.orders[state.order];
+  const slider = byId("step-slider");
+  slider.max = order.steps.length;
+  slider.value = state.step;
+  slider.setAttribute("aria-valuetext", `step ${state.step} of ${order.steps.length}`);
+  byId("clip-order").value = `${state.order}`;
+  byId("clip-note").textContent = order.note;
+  byId("step-number").textContent = `${state.step} / ${order.steps.length}`;
+  const play = byId("step-play");
+  play.textContent = state.playing ? "Pause" : "Play";
+  play.setAttribute("aria-pressed", `${state.playing}`);
+  // Disabled for real, a button would drop the focus of whoever has just pressed it.
+  for (const id of ["step-first", "step-back"]) byId(id).ariaDisabled = `${state.step === 0}`;
+  for (const id of ["step-forward", "step-last"])
+    byId(id).ariaDisabled = `${state.step === order.steps.length}`;
+  if (state.mode === "clip") patch(byId("step-story"), story(lesson, state, scene));
+}
+
+function story(lesson, state, scene) {
+  if (scene.current === null) return [element("p", {}, stepSentence(lesson, state, scene))];
+  const halfPlane = lesson.halfPlanes[scene.current.half_plane];
+  const { born, lost, redundant } = scene.current;
+  const lists = [
+    ["Born", born, "born"],
+    ["Lost", lost, "lost"],
+  ].filter(([, indices]) => indices.length > 0);
+  return [
+    element(
+      "p",
+      {},
+      element("strong", { class: `name ${halfPlane.name.bound}` }, boundText(halfPlane.name)),
+      ": ",
+      element("span", { class: "formula" }, inequality(lesson, halfPlane, ONE)),
+    ),
+    element(
+      "p",
+      { id: "step-effect", "data-redundant": redundant?.why ?? "" },
+      redundant === null ? "It cuts off the hatched part. " : redundancy(lesson, redundant),
+      redundant === null
+        ? `The set is now ${kindText(scene.region.kind, scene.region.vertices.length)}.`
+        : "",
+    ),
+    lists.map(([head, indices, id]) =>
+      element(
+        "div",
+        { id: `step-${id}` },
+        element("h4", {}, `${head}: ${counted(indices.length, "vertex", "vertices")}`),
+        pointTexts(lesson, scene, indices),
+      ),
+    ),
+  ].flat();
+}
+
+/** "upper bound of reading 14 and lower bound of reading 36" */
+export function namesText(names) {
+  return enumeration(names.map(boundText));
+}

@@ -1,0 +1,63 @@
+// The frame of the data plane: heights as measured or relative to the reference line, ready for drawing.
+
+import { boundingView } from "./view.js";
+import { ONE, Rational, ZERO, decimalPower, dot, extremes } from "./rational.js";
+
+/** Exact origins and units of both axes; in the residual view heights are relative to the reference line. */
+export function dataFrame(lesson, residual) {
+  const reference = residual && lesson.reference !== null ? lesson.reference.theta : [ZERO, ZERO];
+  const { readings } = lesson;
+  const heights = readings.map((reading) => reading.y.minus(dot(reading.phi, reference)));
+  const across = lesson.isLine
+    ? readings.map((reading) => reading.phi[0])
+    : readings.map((r) => new Rational(BigInt(r.index)));
+  const unitOf = (values, least) => {
+    const [low, high] = values.length === 0 ? [ZERO, ONE] : extremes(values);
+    const width = high.minus(low);
+    const size = width.compare(least) > 0 ? width : least;
+    const unit = decimalPower(size.isZero() ? 0 : size.decimalExponent());
+    return { unit, origin: low.roundedTo(unit) };
+  };
+  const widest = readings.length === 0 ? ONE : extremes(readings.map((reading) => reading.epsilon))[1];
+  const x = unitOf(across, ZERO);
+  // Relative heights keep the true zero.
+  const y = unitOf(heights, widest);
+  if (residual) y.origin = ZERO;
+  const placeX = (value) => value.minus(x.origin).over(x.unit).toNumber();
+  const placeY = (value) => value.minus(y.origin).over(y.unit).toNumber();
+  return {
+    isLine: lesson.isLine,
+    exact: (axis, number) => Rational.fromNumber(number).times([x, y][axis].unit).plus([x, y][axis].origin),
+    number: (axis, value) => [placeX, placeY][axis](value),
+    across: (reading) => placeX(lesson.isLine ? reading.phi[0] : new Rational(BigInt(reading.index))),
+    height: (phi, value) => placeY(value.minus(dot(phi, reference))),
+    length: (epsilon) => epsilon.over(y.unit).toNumber(),
+    /** The line of θ as v = slope·u + start in frame coordinates. */
+    line: (theta) => {
+      const [d1, d2] = [theta[0].minus(reference[0]), theta[1].minus(reference[1])];
+      return {
+        slope: d1.times(x.unit).over(y.unit).toNumber(),
+        start: d1.times(x.origin).plus(d2).minus(y.origin).over(y.unit).toNumber(),
+      };
+    },
+    prediction: (reading, theta) => placeY(dot(reading.phi, theta).minus(dot(reading.phi, reference))),
+    direction: (ray) => ({
+      slope: ray[0].times(x.unit).over(y.unit).toNumber(),
+      start: ray[0].times(x.origin).plus(ray[1]).over(y.unit).toNumber(),
+    }),
+  };
+}
+
+/** The view that holds all fitted readings. */
+export function automaticDataView(lesson, frame, s) {
+  const points = lesson.readings.flatMap((reading) => {
+    const u = frame.across(reading);
+    const v = frame.height(reading.phi, reading.y);
+    const half = frame.length(reading.epsilon.times(s.compare(ONE) > 0 ? s : ONE));
+    return [
+      [u, v - half],
+      [u, v + half],
+    ];
+  });
+  return points.length === 0 ? { x: [0, 1], y: [0, 1] } : boundingView(points, 0.07);
+}

@@ -1,0 +1,204 @@
+// The data plane: readings with their error bars, the corridor of all feasible lines, and the lines of parameters.
+// With two regressors there is no line to draw: the row number runs along, and predictions stand in the bars.
+
+import { byId, element, patch } from "./dom.js";
+import { axes, mark, pathThrough, plotArea, round } from "./axes.js";
+import { lineInView } from "./region.js";
+import { screenMap } from "./view.js";
+import { automaticDataView, dataFrame } from "./data-frame.js";
+import { bounded, boxEnvelopes, corridorPath } from "./corridor.js";
+import { activeAt } from "./model.js";
+import { plain } from "./format.js";
+
+/** Draws the data plane. @returns {Object} the screen map */
+export function drawDataPlane(lesson, state, scene, layers, size, focused) {
+  const frame = dataFrame(lesson, state.residual);
+  const view = state.dataView ?? automaticDataView(lesson, frame, scene.s);
+  const map = screenMap(view, plotArea(size.width, size.height));
+  const { x, y } = columnNames(lesson);
+  const heightName =
+    state.residual && lesson.reference !== null ? `${y} − ${lesson.reference.name} prediction` : y;
+  const rows = lesson.isLine ? null : rowTicks(lesson, map);
+  const { left, top, width, height } = map.area;
+  patch(byId("data-plane"), [
+    element(
+      "title",
+      { id: "data-plane-title" },
+      `Data plane: ${lesson.readings.length} readings with error bars`,
+    ),
+    element(
+      "defs",
+      {},
+      element("clipPath", { id: "data-clip" }, element("rect", { x: left, y: top, width, height })),
+    ),
+    axes(map, frame.exact, frame.number, [x, heightName], rows),
+    element(
+      "g",
+      { "clip-path": "url(#data-clip)", "aria-hidden": "true" },
+      boxEnvelopes(layers, state, frame, map),
+      element("path", { class: "corridor", d: corridorPath(lesson, state, scene, frame, map) }),
+      lesson.others.map((other) => otherReading(lesson, other, frame, map)),
+      estimateLines(lesson, state, layers, frame, map),
+    ),
+    element(
+      "g",
+      { "clip-path": "url(#data-clip)", role: "group", "aria-label": "Readings", id: "readings-drawn" },
+      lesson.readings.map((reading) => drawnReading(lesson, state, scene, reading, frame, map, focused)),
+    ),
+    element(
+      "g",
+      { "clip-path": "url(#data-clip)", "aria-hidden": "true" },
+      chosenLine(lesson, state, scene, frame, map),
+    ),
+  ]);
+  byId("data-plane").setAttribute("viewBox", `0 0 ${size.width} ${size.height}`);
+  return map;
+}
+
+function columnNames(lesson) {
+  const { model, units } = lesson.data;
+  const named = (name, unit) => (unit ? `${name} (${unit})` : name);
+  return { x: model.kind === "line" ? named(model.x, units.x) : "row", y: named(model.y, units.y) };
+}
+
+function rowTicks(lesson, map) {
+  const every = Math.max(1, Math.ceil(lesson.readings.length / (map.area.width / 40)));
+  const marks = lesson.readings
+    .filter((r) => r.index % every === 0)
+    .map((r) => ({ at: r.index, label: `${r.row}` }));
+  return { marks: marks.filter(({ at }) => at >= map.view.x[0] && at <= map.view.x[1]), note: "" };
+}
+
+/** The path of the line of θ, or through its predictions. */
+function curvePath(lesson, theta, frame, map) {
+  if (!lesson.isLine) {
+    return pathThrough(
+      map,
+      lesson.readings.map((r) => [frame.across(r), bounded(frame.prediction(r, theta), map)]),
+      false,
+    );
+  }
+  const { slope, start } = frame.line(theta);
+  const length = Math.hypot(slope, 1);
+  const ends = lineInView({ a: [-slope / length, 1 / length], b: start / length }, map.view);
+  return ends === null ? "" : pathThrough(map, ends, false);
+}
+
+function otherReading(lesson, other, frame, map) {
+  if (!lesson.isLine) return null;
+  const place = [frame.number(0, other.phi[0]), bounded(frame.height(other.phi, other.y), map)];
+  const [x, y] = map.to(place);
+  return element("circle", { class: "other", cx: round(x), cy: round(y), r: 2.5 });
+}
+
+function estimateLines(lesson, state, layers, frame, map) {
+  const lines = layers
+    .filter(
+      (layer) =>
+        layer.id !== "lp" &&
+        layer.points.length === 1 &&
+        (layer.id === "least-squares" || state.layers.has(layer.id)),
+    )
+    .map((layer) =>
+      element("path", {
+        class: `curve layer-${layer.id}`,
+        d: curvePath(lesson, layer.points[0], frame, map),
+      }),
+    );
+  return element("g", {}, lines);
+}
+
+function chosenLine(lesson, state, scene, frame, map) {
+  const chosen = state.hover ?? state.selection;
+  if (chosen?.kind === "point")
+    return element("path", { class: "curve of-point", d: curvePath(lesson, chosen.theta, frame, map) });
+  if (chosen?.kind !== "vertex" || chosen.index >= scene.region.vertices.length) return element("path");
+  const { theta } = scene.region.vertices[chosen.index];
+  const ends = activeAt(lesson, scene.region, chosen.index)
+    .filter((name) => name.row !== null)
+    .map((name) => {
+      const reading = lesson.readings[lesson.rowIndex.get(name.row)];
+      const half = frame.length(reading.epsilon.times(scene.s)) * (name.bound === "upper" ? 1 : -1);
+      const [x, y] = map.to([frame.across(reading), frame.height(reading.phi, reading.y) + half]);
+      const label = `reading ${name.row}`;
+      const above = name.bound === "upper" ? -14 : 22;
+      const anchor =
+        x > map.area.left + map.area.width - 40 ? "end" : x < map.area.left + 40 ? "start" : "middle";
+      return [
+        mark("ring", [x, y], { class: "active-end" }),
+        element(
+          "text",
+          { class: "end-label", x: round(x), y: round(y + above), "text-anchor": anchor },
+          label,
+        ),
+      ];
+    });
+  return element(
+    "g",
+    {},
+    element("path", { class: "curve of-vertex", d: curvePath(lesson, theta, frame, map) }),
+    ends,
+  );
+}
+
+function drawnReading(lesson, state, scene, reading, frame, map, focused) {
+  const chosen = state.hover ?? state.selection;
+  const u = frame.across(reading);
+  const v = frame.height(reading.phi, reading.y);
+  const half = frame.length(reading.epsilon.times(scene.s));
+  const [x, y] = map.to([u, v]);
+  const [, top] = map.to([u, v + half]);
+  const [, bottom] = map.to([u, v - half]);
+  const used = readingUse(scene, reading);
+  const classes = ["reading"];
+  if (!lesson.matters.get(reading.row)) classes.push("idle");
+  if (used.off) classes.push("off");
+  if (used.current) classes.push("current");
+  if (chosen?.kind === "reading" && chosen.row === reading.row) classes.push("chosen");
+  if (chosen?.violated?.has(reading.row)) classes.push("violated");
+  if (chosen?.near !== undefined && chosen?.near >> 1 === reading.index) classes.push("chosen");
+  const name = lesson.isLine ? lesson.data.model.x : "row";
+  const abscissa = lesson.isLine ? plain(reading.phi[0]) : `${reading.row}`;
+  return element(
+    "g",
+    {
+      class: classes.join(" "),
+      "data-reading": reading.row,
+      role: "button",
+      tabindex: reading.index === focused ? 0 : -1,
+      "aria-pressed": `${state.selection?.kind === "reading" && state.selection.row === reading.row}`,
+      "aria-label": `Reading ${reading.row}: ${name} = ${abscissa}, ${lesson.data.model.y} = ${plain(reading.y)} ± ${plain(reading.epsilon)}`,
+    },
+    element("rect", {
+      class: "hit",
+      x: round(x - 9),
+      y: round(Math.min(top, y - 9)),
+      width: 18,
+      height: round(Math.max(bottom - top, 18)),
+    }),
+    element("path", {
+      class: "bar",
+      d: `M${round(x)} ${round(top)}V${round(bottom)}M${round(x - 4)} ${round(top)}h8M${round(x - 4)} ${round(bottom)}h8`,
+    }),
+    end(lesson, scene, reading, "upper", [x, top]),
+    end(lesson, scene, reading, "lower", [x, bottom]),
+    element("circle", { class: "dot", cx: round(x), cy: round(y), r: 3.2 }),
+  );
+}
+
+function readingUse(scene, reading) {
+  const { without, among } = scene.region;
+  const upper = 2 * reading.index;
+  return {
+    off:
+      without === reading.row || (among !== null && !scene.among.has(upper) && !scene.among.has(upper + 1)),
+    current: scene.current !== null && scene.current.half_plane >> 1 === reading.index,
+  };
+}
+
+// An end that shapes the region has the triangle that the lists use for its name.
+function end(lesson, scene, reading, bound, place) {
+  const index = 2 * reading.index + (bound === "upper" ? 0 : 1);
+  if (!scene.shaping.has(index)) return element("path");
+  return mark(`${bound}-end`, place, { class: `end ${bound}` });
+}

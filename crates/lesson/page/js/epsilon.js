@@ -1,0 +1,94 @@
+// The ε slider: the same readings with larger or smaller error bounds.
+
+import { byId, element, patch } from "./dom.js";
+import { Rational } from "./rational.js";
+import { decimal, withMinus } from "./format.js";
+import { numberWithFraction } from "./summary.js";
+import { namesText } from "./clipping.js";
+import { givenStop } from "./sweep.js";
+
+/** Connects the slider and its buttons. */
+export function connectEpsilon(lesson, store) {
+  const { stops } = lesson;
+  const go = (stop) => store.change({ mode: "epsilon", stop });
+  byId("epsilon-slider").max = Math.max(0, stops.length - 1);
+  byId("epsilon-slider").addEventListener("input", (event) => go(Number(event.target.value)));
+  byId("epsilon-next").addEventListener("click", () => {
+    const next = stops.findIndex((stop, k) => k > store.get().stop && stop.breakpoint !== null);
+    if (next >= 0) go(next);
+  });
+  byId("epsilon-previous").addEventListener("click", () => {
+    const earlier = stops.map((stop, k) => (k < store.get().stop && stop.breakpoint !== null ? k : -1));
+    if (Math.max(...earlier) >= 0) go(Math.max(...earlier));
+  });
+  byId("epsilon-given").addEventListener("click", () => go(givenStop(stops)));
+  byId("epsilon-least").addEventListener("click", () => {
+    if (leastStop(lesson) >= 0) go(leastStop(lesson));
+  });
+  drawTicks(lesson);
+}
+
+function leastStop(lesson) {
+  const least = lesson.data.sweep?.least ?? null;
+  return least === null ? -1 : lesson.stops.findIndex((stop) => stop.s.toString() === least.exact);
+}
+
+// The stops are evenly spaced on the slider; so are their ticks.
+function drawTicks(lesson) {
+  const { stops } = lesson;
+  const last = Math.max(1, stops.length - 1);
+  const least = leastStop(lesson);
+  const at = stops.flatMap((stop, k) => (stop.breakpoint === null && k !== givenStop(stops) ? [] : [k]));
+  const marks = at.map((k) => {
+    const kind = k === least ? "least" : k === givenStop(stops) ? "given" : "";
+    const label =
+      k === least ? (lesson.epsilon === null ? "s min" : "ε min") : k === givenStop(stops) ? "as given" : "";
+    return element("span", { class: `stop ${kind}`, style: `left:${((100 * k) / last).toFixed(3)}%` }, label);
+  });
+  patch(byId("epsilon-ticks"), marks);
+}
+
+/** The value of the slider, in words. */
+export function epsilonText(lesson, stop) {
+  return lesson.epsilon === null ? `s = ${decimal(stop.s)}` : `ε = ${decimal(stop.s.times(lesson.epsilon))}`;
+}
+
+/** What happens at the slider's value, in one sentence. */
+export function epsilonSentence(lesson, stop) {
+  const least = lesson.data.sweep.least;
+  const sMin = least === null ? null : Rational.parse(least.exact);
+  if (sMin !== null && stop.s.equals(sMin))
+    return "Here the set is born: with any smaller error bound no parameter is left.";
+  if (sMin !== null && stop.s.compare(sMin) < 0)
+    return "Empty: the error bound is too small for these readings.";
+  if (stop.breakpoint === null)
+    return "Between two breakpoints every vertex moves along a straight line as ε grows, and the same bounds stay active.";
+  const { entering, leaving } = lesson.data.sweep.breakpoints[stop.breakpoint];
+  const parts = [];
+  const become = (names) => `${namesText(names)} ${names.length === 1 ? "becomes" : "become"}`;
+  if (entering.length > 0) parts.push(`${become(entering)} active`);
+  if (leaving.length > 0) parts.push(`${become(leaving)} redundant`);
+  return parts.length === 0 ? "The end of the slider." : `A breakpoint: as ε grows, ${parts.join("; ")}.`;
+}
+
+/** Draws the slider's state. */
+export function drawEpsilon(lesson, state) {
+  if (lesson.stops.length === 0) return;
+  const stop = lesson.stops[state.stop];
+  const slider = byId("epsilon-slider");
+  slider.value = state.stop;
+  slider.setAttribute(
+    "aria-valuetext",
+    epsilonText(lesson, stop) + (stop.breakpoint === null ? "" : ", a breakpoint"),
+  );
+  const exact = lesson.epsilon === null ? stop.s : stop.s.times(lesson.epsilon);
+  const engine = stop.breakpoint === null ? null : lesson.data.sweep.breakpoints[stop.breakpoint];
+  const given = engine === null ? null : lesson.epsilon === null ? engine.s : engine.epsilon;
+  const shown = given === null ? decimal(exact, 8) : withMinus(given.decimal);
+  const value = byId("epsilon-value");
+  value.dataset.s = stop.s.toString();
+  value.dataset.breakpoint = stop.breakpoint ?? "";
+  patch(value, [lesson.epsilon === null ? "s = " : "ε = ", numberWithFraction(exact, shown)]);
+  byId("epsilon-story").textContent = epsilonSentence(lesson, stop);
+  byId("epsilon-least").disabled = leastStop(lesson) < 0;
+}

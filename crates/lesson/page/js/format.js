@@ -1,0 +1,131 @@
+// Numbers and names as text.
+
+import { Rational, decimalPower, powerOfTen } from "./rational.js";
+
+const LONGEST_FRACTION = 44;
+const MOST_DIGITS = 40;
+const MOST_PLACES = 10;
+const MINUS = "\u2212";
+
+/** Puts typographic minus signs into the text of a number. */
+export function withMinus(text) {
+  return text.replace(/-/g, MINUS);
+}
+
+/**
+ * A decimal with at most `digits` significant digits.
+ * @param {Rational} value
+ * @param {"nearest"|"down"|"up"} rounding ends of intervals are rounded outward: lower ends down, upper ends up
+ */
+export function decimal(value, digits = 5, rounding = "nearest") {
+  if (value.isZero()) return "0";
+  const negative = value.sign() < 0;
+  const magnitude = value.absolute();
+  let exponent = magnitude.decimalExponent();
+  const scaled = magnitude.times(decimalPower(digits - 1 - exponent));
+  let significand = scaled.floor();
+  const rest = scaled.minus(new Rational(significand));
+  const exact = rest.isZero();
+  if (!exact) {
+    const away =
+      rounding === "nearest" ? rest.compare(new Rational(1n, 2n)) >= 0 : (rounding === "down") === negative;
+    if (away) significand += 1n;
+  }
+  if (significand === powerOfTen(digits)) {
+    significand /= 10n;
+    exponent += 1;
+  }
+  let text = `${significand}`;
+  if (exact) text = text.replace(/0+$/, "");
+  return withMinus((negative ? "-" : "") + placePoint(text, exponent, exact));
+}
+
+// The engine's rule, so that both write the same value the same way.
+function placePoint(text, exponent, exact) {
+  const count = text.length;
+  if (exponent === -1) return `0.${text}`;
+  if (exponent >= 0 && exponent < count - 1)
+    return `${text.slice(0, exponent + 1)}.${text.slice(exponent + 1)}`;
+  if (exponent >= 0 && (exponent === count - 1 || (exact && exponent <= 5)))
+    return text + "0".repeat(exponent + 1 - count);
+  const head = count === 1 ? text : `${text[0]}.${text.slice(1)}`;
+  return `${head}e${exponent}`;
+}
+
+/** A measured value as it was written down, 0.013 and not 1.3e-2, when its decimal is short; else five digits. */
+export function plain(value) {
+  for (let places = 0; places <= MOST_PLACES; places += 1) {
+    const scaled = value.times(decimalPower(places));
+    if (scaled.denominator !== 1n) continue;
+    const digits = `${scaled.absolute().numerator}`.padStart(places + 1, "0");
+    const point = digits.length - places;
+    const text = places === 0 ? digits : `${digits.slice(0, point)}.${digits.slice(point)}`;
+    return withMinus(value.sign() < 0 ? `-${text}` : text);
+  }
+  return decimal(value);
+}
+
+/** Five significant digits, or as many more as it takes to tell values apart that differ by `width`. */
+export function digitsFor(value, width) {
+  if (value.isZero() || width.isZero()) return 5;
+  const firstThatDiffers = value.decimalExponent() - width.decimalExponent() + 1;
+  return firstThatDiffers > 5 && firstThatDiffers < MOST_DIGITS ? firstThatDiffers + 1 : 5;
+}
+
+/** A fraction short enough to read: the middle of a long one is left out. Tests and copies use the whole one. */
+export function shortFraction(text) {
+  if (text.length <= LONGEST_FRACTION) return withMinus(text);
+  const shorten = (part) => (part.length <= 20 ? part : `${part.slice(0, 9)}…${part.slice(-6)}`);
+  return withMinus(text.split("/").map(shorten).join("/"));
+}
+
+/** "upper bound of reading 14" or "condition 1" for a half-plane's name. */
+export function boundText(name) {
+  if (name.row === null) return `condition ${name.bound.split(":")[1]}`;
+  return `${name.bound} bound of reading ${name.row}`;
+}
+
+/** "14 ▾" for lists where space is short: ▾ upper bound, ▴ lower bound. */
+export function boundMark(name) {
+  if (name.row === null) return `condition ${name.bound.split(":")[1]}`;
+  return `${name.row}\u202f${name.bound === "upper" ? "▾" : "▴"}`;
+}
+
+/** "a, b and c". */
+export function enumeration(items) {
+  if (items.length < 2) return items.join("");
+  return `${items.slice(0, -1).join(", ")} and ${items[items.length - 1]}`;
+}
+
+/** "1 vertex", "3 vertices". */
+export function counted(count, one, many = `${one}s`) {
+  return `${count} ${count === 1 ? one : many}`;
+}
+
+/** The name of vertex 0, 1, … : A, B, …, Z, A1, … */
+export function vertexName(index) {
+  const round = Math.floor(index / 26);
+  return String.fromCharCode(65 + (index % 26)) + (round === 0 ? "" : round);
+}
+
+/** The parameters as they are written. */
+export const THETA = ["θ₁", "θ₂"];
+
+const KINDS = {
+  empty: "empty: no parameter satisfies all readings",
+  point: "a single point",
+  segment: "a segment",
+  ray: "a ray (unbounded)",
+  line: "a whole line (unbounded)",
+  polygon: "a polygon",
+  "unbounded-polygon": "an unbounded polygon",
+  strip: "a strip (unbounded)",
+  "half-plane": "a half-plane (unbounded)",
+  plane: "the whole plane (unbounded)",
+};
+
+/** A region's kind in words, with the number of vertices where that says something. */
+export function kindText(kind, vertices) {
+  const count = kind.endsWith("polygon") ? ` with ${counted(vertices, "vertex", "vertices")}` : "";
+  return KINDS[kind] + count;
+}

@@ -1,0 +1,166 @@
+// What is under the pointer, the focus or the last click, explained.
+
+import { byId, element, patch } from "./dom.js";
+import { activeAt, conflict, violations } from "./model.js";
+import { THETA, boundText, decimal, digitsFor, enumeration, plain, shortFraction, vertexName } from "./format.js";
+import { numberWithFraction } from "./summary.js";
+import { ONE, dot } from "./rational.js";
+
+const MOST_ROWS = 12;
+// A chosen point has a short decimal: it is shown in full.
+const ALL_DIGITS = 40;
+
+function thetaList(theta, digits) {
+  return element(
+    "dl",
+    { class: "theta" },
+    theta.map((value, axis) => [
+      element("dt", {}, THETA[axis]),
+      element("dd", {}, numberWithFraction(value, decimal(value, digits(value, axis)))),
+    ]),
+  );
+}
+
+/** "θ₁·(−6.9) + θ₂" with the numbers of a reading. */
+function form(lesson, reading) {
+  const first = plain(reading.phi[0]);
+  if (lesson.isLine) return `θ₁·(${first}) + θ₂`;
+  return `θ₁·(${first}) + θ₂·(${plain(reading.phi[1])})`;
+}
+
+/** The inequality of a half-plane in the numbers of its reading. */
+export function inequality(lesson, halfPlane, s) {
+  if (halfPlane.reading === null)
+    return lesson.data.conditions[halfPlane.index - 2 * lesson.readings.length].text;
+  const { reading } = halfPlane;
+  const bound = reading.epsilon.times(s);
+  const upper = halfPlane.name.bound === "upper";
+  const end = upper ? reading.y.plus(bound) : reading.y.minus(bound);
+  return `${form(lesson, reading)} ${upper ? "≤" : "≥"} ${plain(end)}`;
+}
+
+function aboutVertex(lesson, scene, index) {
+  const names = activeAt(lesson, scene.region, index);
+  const ends = names.map((name) => {
+    if (name.row === null) return boundText(name);
+    const reading = lesson.readings[lesson.rowIndex.get(name.row)];
+    const bound = reading.epsilon.times(scene.s);
+    const end = name.bound === "upper" ? reading.y.plus(bound) : reading.y.minus(bound);
+    return `the ${name.bound} end of reading ${name.row} (${lesson.data.model.y} ${name.bound === "upper" ? "+" : "−"} ε = ${plain(end)})`;
+  });
+  const what = lesson.isLine ? "Its line passes exactly through " : "Its prediction meets exactly ";
+  return [
+    element("h3", {}, `Vertex ${vertexName(index)}`),
+    thetaList(scene.region.vertices[index].theta, (value, axis) => digitsFor(value, scene.frame.units[axis])),
+    element(
+      "p",
+      {},
+      what,
+      enumeration(ends),
+      ". ",
+      names.length === 2
+        ? "These two half-planes are active here: their boundaries cross in the vertex."
+        : `${names.length} half-planes are active here.`,
+    ),
+  ];
+}
+
+function aboutReading(lesson, scene, row) {
+  const reading = lesson.readings[lesson.rowIndex.get(row)];
+  const [upper, lower] = [2 * reading.index, 2 * reading.index + 1].map((index) => lesson.halfPlanes[index]);
+  const where = scene.region.vertices.flatMap((_, index) =>
+    activeAt(lesson, scene.region, index).some((name) => name.row === row) ? [vertexName(index)] : [],
+  );
+  return [
+    element("h3", {}, `Reading ${row}`),
+    element("p", {}, "The reading allows the strip of parameters with"),
+    element("p", { class: "formula" }, inequality(lesson, upper, scene.s)),
+    element("p", { class: "formula" }, inequality(lesson, lower, scene.s)),
+    element(
+      "p",
+      {},
+      lesson.matters.get(row)
+        ? "It matters: without it the FPS would be larger. "
+        : "It does not matter: without it the FPS stays the same. ",
+      where.length > 0
+        ? `Active at ${where.length === 1 ? "vertex" : "vertices"} ${enumeration(where)}.`
+        : "It is active at no vertex shown.",
+    ),
+  ];
+}
+
+function aboutPoint(lesson, scene, choice) {
+  const broken = violations(lesson, choice.theta, scene.s);
+  const conditions = lesson.halfPlanes.filter(
+    (h) => h.reading === null && dot(h.a, choice.theta).compare(h.b) > 0,
+  );
+  const rows = broken
+    .slice(0, MOST_ROWS)
+    .map(({ reading, above }) => `${reading.row} (${above ? "above" : "below"})`);
+  if (broken.length > MOST_ROWS) rows.push(`${broken.length - MOST_ROWS} more`);
+  const whose = lesson.isLine ? "its line" : "its predictions";
+  const far = `${broken.length} of ${lesson.readings.length} readings ${broken.length === 1 ? "lies" : "lie"} farther than ε from ${whose}: reading ${enumeration(rows)}`;
+  const breaks = `it breaks ${enumeration(conditions.map((h) => inequality(lesson, h, scene.s)))}`;
+  const faults = [broken.length > 0 && far, conditions.length > 0 && breaks].filter(Boolean);
+  return [
+    element("h3", {}, lesson.isLine ? "A point and its line" : "A point and its predictions"),
+    thetaList(choice.theta, () => ALL_DIGITS),
+    element(
+      "p",
+      { id: "violations", "data-count": broken.length },
+      faults.length > 0
+        ? `Not feasible: ${faults.join("; ")}.`
+        : `Feasible: it agrees with all readings${scene.s.equals(ONE) ? "" : " and these error bounds"}.`,
+    ),
+  ];
+}
+
+// Positive multiples of the half-planes in conflict add up to 0 ≤ something negative.
+function aboutConflict(lesson) {
+  const terms = conflict(lesson);
+  const names = terms.map(({ index }) => boundText(lesson.halfPlanes[index].name));
+  const sum = terms
+    .map(({ multiplier }, k) => `${shortFraction(multiplier.exact)} × (${names[k]})`)
+    .join(" + ");
+  return [
+    element("h3", {}, "Why the set is empty"),
+    element(
+      "p",
+      { id: "conflict" },
+      `No θ satisfies all of these together: ${enumeration(names)}. The proof: ${sum} adds up to 0 ≤ a negative number.`,
+    ),
+    element(
+      "p",
+      {},
+      "So the error bound is too small, the model is wrong, or a reading is. Change ε to see where the set is born.",
+    ),
+  ];
+}
+
+/** Draws the explanation of the choice, or a hint. */
+export function drawInspector(lesson, state, scene, choice) {
+  const none =
+    state.mode !== "explore"
+      ? []
+      : lesson.fps.kind === "empty"
+        ? aboutConflict(lesson)
+        : [
+            element("h3", {}, "Look closer"),
+            element(
+              "p",
+              {},
+              "Point at a vertex, a reading or anywhere in the parameter plane, or reach them with the Tab and arrow keys: what belongs together lights up in both pictures, and is explained here. A click keeps it.",
+            ),
+          ];
+  const gone = choice?.kind === "vertex" && choice.index >= scene.region.vertices.length;
+  patch(
+    byId("inspector"),
+    choice === null || gone
+      ? none
+      : choice.kind === "vertex"
+        ? aboutVertex(lesson, scene, choice.index)
+        : choice.kind === "reading"
+          ? aboutReading(lesson, scene, choice.row)
+          : aboutPoint(lesson, scene, choice),
+  );
+}

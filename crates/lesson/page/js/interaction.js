@@ -1,0 +1,262 @@
+// What pointer and keyboard do in the two pictures.
+
+import { rove } from "./dom.js";
+import { automaticView, pointRounding } from "./parameter-view.js";
+import { scaledView, shiftedView } from "./view.js";
+
+const ZOOM = 1.5;
+const NEAR = 6;
+const SMALL_STEP = 0.01;
+const LARGE_STEP = 0.1;
+
+const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+function pixel(svg, event) {
+  const box = svg.getBoundingClientRect();
+  return [event.clientX - box.left, event.clientY - box.top];
+}
+
+function inside({ left, top, width, height }, [x, y]) {
+  return x >= left && x <= left + width && y >= top && y <= top + height;
+}
+
+// The half-plane whose boundary is under the pointer.
+function nearest(scene, map, place) {
+  const [x, y] = map.to(place);
+  let best = { index: undefined, distance: NEAR };
+  for (const { halfPlane, line } of scene.lines) {
+    if (!scene.shaping.has(halfPlane.index)) continue;
+    const miss = line.b - line.a[0] * place[0] - line.a[1] * place[1];
+    const [fx, fy] = map.to([place[0] + miss * line.a[0], place[1] + miss * line.a[1]]);
+    const [dx, dy] = map.to([
+      place[0] + miss * line.a[0] - line.a[1],
+      place[1] + miss * line.a[1] + line.a[0],
+    ]);
+    const length = Math.hypot(dx - fx, dy - fy) || 1;
+    const distance = Math.abs((x - fx) * (dy - fy) - (y - fy) * (dx - fx)) / length;
+    if (distance < best.distance) best = { index: halfPlane.index, distance };
+  }
+  return best.index;
+}
+
+function pointChoice(scene, map, place) {
+  return {
+    kind: "point",
+    theta: scene.frame.theta(place, pointRounding(scene.frame, map.view)),
+    near: nearest(scene, map, place),
+  };
+}
+
+/** Keys and wheel that move and zoom a view; the same in both pictures. `set` takes a view or null for the fitting one. */
+function connectView(svg, current, set) {
+  svg.addEventListener("keydown", (event) => {
+    if (event.target !== svg || event.ctrlKey || event.metaKey || event.altKey) return;
+    const { view } = current();
+    const arrow = ARROWS[event.key];
+    if (arrow) set(shiftedView(view, LARGE_STEP * arrow[0], LARGE_STEP * arrow[1]));
+    else if (event.key === "+" || event.key === "=") set(scaledView(view, 1 / ZOOM));
+    else if (event.key === "-") set(scaledView(view, ZOOM));
+    else if (event.key === "0") set(null);
+    else return;
+    event.preventDefault();
+  });
+  svg.addEventListener(
+    "wheel",
+    (event) => {
+      if (!event.ctrlKey) return;
+      event.preventDefault();
+      const map = current();
+      set(scaledView(map.view, event.deltaY > 0 ? 1.15 : 1 / 1.15, map.from(pixel(svg, event))));
+    },
+    { passive: false },
+  );
+  let from = null;
+  svg.addEventListener("pointerdown", (event) => {
+    if (!event.shiftKey || event.button !== 0) return;
+    from = { at: pixel(svg, event), view: current().view };
+    svg.setPointerCapture(event.pointerId);
+    event.preventDefault();
+  });
+  svg.addEventListener("pointermove", (event) => {
+    if (from === null) return;
+    const [x, y] = pixel(svg, event);
+    const { area } = current();
+    set(shiftedView(from.view, (from.at[0] - x) / area.width, (y - from.at[1]) / area.height));
+  });
+  svg.addEventListener("pointerup", () => {
+    from = null;
+  });
+  svg.addEventListener("pointercancel", () => {
+    from = null;
+  });
+}
+
+/** The zoom buttons of both pictures. */
+export function connectZoom(lesson, store, current, layers) {
+  for (const button of document.querySelectorAll("button[data-zoom]")) {
+    const key = button.dataset.plane === "data" ? "dataView" : "parameterView";
+    button.addEventListener("click", () => {
+      const { view } = button.dataset.plane === "data" ? current().dataMap : current().parameterMap;
+      const state = store.get();
+      const views = {
+        in: () => scaledView(view, 1 / ZOOM),
+        out: () => scaledView(view, ZOOM),
+        fit: () => null,
+        set: () => automaticView(lesson, { ...state, layers: new Set() }, current().scene, layers),
+      };
+      store.change({ [key]: views[button.dataset.zoom]() });
+    });
+  }
+}
+
+/** Choosing with arrow keys among the elements that carry `attribute`. */
+function connectRoving(svg, attribute, remember, choose) {
+  svg.addEventListener("keydown", (event) => {
+    const item = event.target.closest(`[${attribute}]`);
+    if (item === null) return;
+    if (event.key === "Enter" || event.key === " ") {
+      choose(item);
+      event.preventDefault();
+      return;
+    }
+    const items = [...svg.querySelectorAll(`[${attribute}]`)];
+    const next = rove(event.key, items.indexOf(item), items.length);
+    if (next === null) return;
+    remember(next);
+    items[next].focus();
+    event.preventDefault();
+  });
+}
+
+/** Readings: pointing at them, choosing them, walking through them. */
+export function connectDataPlane(svg, store, current, roving) {
+  connectView(
+    svg,
+    () => current().dataMap,
+    (view) => store.change({ dataView: view }),
+  );
+  const rowOf = (item) => Number(item.dataset.reading);
+  const choose = (item) => {
+    const { selection } = store.get();
+    const again = selection?.kind === "reading" && selection.row === rowOf(item);
+    store.change({ selection: again ? null : { kind: "reading", row: rowOf(item) } });
+  };
+  connectRoving(
+    svg,
+    "data-reading",
+    (index) => {
+      roving.reading = index;
+    },
+    choose,
+  );
+  const hover = (event) => {
+    const item = event.target.closest("[data-reading]");
+    const before = store.get().hover;
+    if (item !== null) {
+      if (before?.kind !== "reading" || before.row !== rowOf(item))
+        store.change({ hover: { kind: "reading", row: rowOf(item) } });
+    } else if (before !== null) store.change({ hover: null });
+  };
+  svg.addEventListener("pointerover", hover);
+  svg.addEventListener("focusin", hover);
+  svg.addEventListener("focusout", () => store.change({ hover: null }));
+  svg.addEventListener("pointerleave", () => store.change({ hover: null }));
+  svg.addEventListener("click", (event) => {
+    const item = event.target.closest("[data-reading]");
+    if (item !== null) choose(item);
+  });
+}
+
+/** Vertices and the free point: pointing, choosing, dragging, walking. */
+export function connectParameterPlane(svg, store, current, roving) {
+  connectView(
+    svg,
+    () => current().parameterMap,
+    (view) => store.change({ parameterView: view }),
+  );
+  const vertexOf = (item) => ({ kind: "vertex", index: Number(item.dataset.vertex) });
+  const choose = (item) => {
+    const { selection } = store.get();
+    const again = selection?.kind === "vertex" && selection.index === Number(item.dataset.vertex);
+    store.change({ selection: again ? null : vertexOf(item) });
+  };
+  connectRoving(
+    svg,
+    "data-vertex",
+    (index) => {
+      roving.vertex = index;
+    },
+    choose,
+  );
+  const pointAt = (event) => {
+    const { scene, parameterMap } = current();
+    const at = pixel(svg, event);
+    return inside(parameterMap.area, at) ? pointChoice(scene, parameterMap, parameterMap.from(at)) : null;
+  };
+  let dragging = false;
+  svg.addEventListener("pointerdown", (event) => {
+    const handle = event.target.closest("#theta-point");
+    if (event.shiftKey || event.button !== 0 || event.target.closest("[data-vertex]")) return;
+    if (event.pointerType === "touch" && handle === null) return;
+    const point = pointAt(event);
+    if (point === null) return;
+    dragging = true;
+    svg.setPointerCapture(event.pointerId);
+    store.change({ selection: point, hover: null });
+  });
+  svg.addEventListener("pointermove", (event) => {
+    if (dragging) {
+      const point = pointAt(event);
+      if (point !== null) store.change({ selection: point, hover: null });
+    } else if (event.pointerType !== "touch" && !event.shiftKey) {
+      const vertex = event.target.closest("[data-vertex]");
+      store.change({ hover: vertex === null ? pointAt(event) : vertexOf(vertex) });
+    }
+  });
+  svg.addEventListener("pointerup", () => {
+    dragging = false;
+  });
+  svg.addEventListener("pointercancel", () => {
+    dragging = false;
+  });
+  svg.addEventListener("pointerleave", () => store.change({ hover: null }));
+  svg.addEventListener("click", (event) => {
+    const vertex = event.target.closest("[data-vertex]");
+    if (vertex !== null) choose(vertex);
+    else if (event.pointerType === "touch") {
+      const point = pointAt(event);
+      if (point !== null) store.change({ selection: point, hover: null });
+    }
+  });
+  svg.addEventListener("focusin", (event) => {
+    const vertex = event.target.closest("[data-vertex]");
+    if (vertex !== null) store.change({ hover: vertexOf(vertex) });
+  });
+  svg.addEventListener("focusout", () => store.change({ hover: null }));
+  connectFreePoint(svg, store, current);
+}
+
+function connectFreePoint(svg, store, current) {
+  svg.addEventListener("keydown", (event) => {
+    const { selection } = store.get();
+    const arrow = ARROWS[event.key];
+    if (event.target.id !== "theta-point" || !arrow || selection?.kind !== "point") return;
+    const { scene, parameterMap } = current();
+    const { view } = parameterMap;
+    const share = event.shiftKey ? LARGE_STEP : SMALL_STEP;
+    const [x, y] = scene.frame.place(selection.theta);
+    const place = [
+      x + share * arrow[0] * (view.x[1] - view.x[0]),
+      y + share * arrow[1] * (view.y[1] - view.y[0]),
+    ];
+    store.change({ selection: pointChoice(scene, parameterMap, place), hover: null });
+    event.preventDefault();
+  });
+  document.getElementById("place-point").addEventListener("click", () => {
+    const { scene, parameterMap } = current();
+    const { view } = parameterMap;
+    const place = [(view.x[0] + view.x[1]) / 2, (view.y[0] + view.y[1]) / 2];
+    store.change({ selection: pointChoice(scene, parameterMap, place), hover: null });
+    document.getElementById("theta-point").focus();
+  });
+}

@@ -1,0 +1,203 @@
+// The layers: what else can be drawn over the feasible set, and the list in which they are switched on.
+
+import { byId, element, patch } from "./dom.js";
+import { mark } from "./axes.js";
+import { Rational } from "./rational.js";
+import { THETA, withMinus } from "./format.js";
+
+const exactPoint = (theta) => theta.map((number) => Rational.parse(number.exact));
+
+function boxCorners(ends) {
+  if (ends === null || ends === undefined) return null;
+  const values = ends
+    .flatMap((end) => [end.lower, end.upper])
+    .map((end) => (end?.value === undefined ? end : end.value));
+  if (values.some((value) => value === null || value === undefined)) return null;
+  const [left, right, bottom, top] = values.map((value) => Rational.parse(value.exact));
+  return [
+    [left, bottom],
+    [right, bottom],
+    [right, top],
+    [left, top],
+  ];
+}
+
+/**
+ * The layers of a lesson.
+ * @returns {{id: string, name: string, note: string, shape: string|null, polygon: Rational[][]|null,
+ *   points: Rational[][], why: string|null}[]} `why` says why a layer cannot be shown
+ */
+export function layersOf(lesson) {
+  const { fit, layers } = lesson.data;
+  const reason = (key) =>
+    fit.reasons?.[key] ?? (fit.fps.kind === "empty" ? "the FPS is empty" : "the FPS is unbounded");
+  const point = (id, name, note, shape, theta, key) => ({
+    id,
+    name,
+    note,
+    shape,
+    polygon: null,
+    points: theta ? [exactPoint(theta)] : [],
+    why: theta ? null : reason(key),
+  });
+  const area = (id, name, note, polygon, why) => {
+    const drawn = polygon !== null && polygon.length > 0;
+    return {
+      id,
+      name,
+      note,
+      shape: null,
+      polygon: drawn ? polygon : null,
+      points: [],
+      why: drawn ? null : why,
+    };
+  };
+  const { directions } = layers;
+  const corners = (indices) => indices?.map((index) => lesson.points[index]) ?? null;
+  // The list of an unbounded outer polygon is not a closed one.
+  const bounded = fit.central !== null;
+  const solved = layers.lp.flatMap((solver) => solver.claims).filter((claim) => claim.point !== null);
+  return [
+    area(
+      "pui-box",
+      "PUI box",
+      "the smallest box around the FPS; its corners need not be feasible",
+      boxCorners(fit.pui),
+      reason("pui"),
+    ),
+    area(
+      "eui-box",
+      "EUI box",
+      "from least squares alone; at least as large",
+      boxCorners(fit.eui),
+      reason("eui"),
+    ),
+    point(
+      "least-squares",
+      "Least squares",
+      fit.least_squares?.in_fps ? "inside the FPS here" : "not in the FPS here",
+      "cross",
+      fit.least_squares?.theta,
+      "least_squares",
+    ),
+    point("central", "Central estimate", "the middle of the PUI box", "plus", fit.central?.theta, "central"),
+    point("minimax", "Minimax estimate", minimaxNote(fit.minimax), "diamond", fit.minimax?.theta, "minimax"),
+    point(
+      "centroid",
+      "Centroid",
+      "the centre of gravity of the FPS",
+      "triangle",
+      fit.area_centroid,
+      "area_centroid",
+    ),
+    area(
+      "inner-hull",
+      `Inner hull, ${directions.count} directions`,
+      "the hull of the optimisers of as many linear programs: inside the FPS",
+      corners(directions.inner),
+      reason("central"),
+    ),
+    area(
+      "outer-polygon",
+      `Outer polygon, ${directions.count} directions`,
+      "the supporting half-planes of the same directions: around the FPS",
+      bounded ? corners(directions.outer) : null,
+      reason("central"),
+    ),
+    {
+      id: "lp",
+      name: "LP optimisers",
+      note: "where floating-point linear programming ends up; judged below",
+      shape: "square",
+      polygon: null,
+      points: solved.map((claim) => exactPoint(claim.point)),
+      why: solved.length > 0 ? null : "no solver returned a point",
+    },
+  ];
+}
+
+function minimaxNote(minimax) {
+  if (!minimax) return "";
+  return minimax.unique
+    ? "the last point left as ε shrinks to its least value"
+    : "one of the last points left as ε shrinks";
+}
+
+/** The symbol of a layer, as in the pictures. */
+function symbol(layer) {
+  const drawing =
+    layer.polygon === null && layer.shape !== null
+      ? mark(layer.shape, [14, 9], { class: `mark layer-${layer.id}` })
+      : element("path", { class: `outline layer-${layer.id}`, d: "M2 9H26" });
+  return element("svg", { class: "symbol", width: 28, height: 18, "aria-hidden": "true" }, drawing);
+}
+
+/** Draws the list of layers and the referee's table. */
+export function drawLayerList(lesson, layers, state) {
+  const row = (layer) =>
+    element(
+      "li",
+      {},
+      element(
+        "label",
+        { class: layer.why === null ? null : "unavailable" },
+        element("input", {
+          type: "checkbox",
+          id: `layer-${layer.id}`,
+          "data-layer": layer.id,
+          disabled: layer.why !== null,
+          checked: state.layers.has(layer.id),
+        }),
+        symbol(layer),
+        element(
+          "span",
+          {},
+          element("b", {}, layer.name),
+          " ",
+          element("small", {}, layer.why === null ? layer.note : `not here: ${layer.why}`),
+        ),
+      ),
+    );
+  patch(byId("layer-list"), layers.map(row));
+  patch(byId("referee"), state.layers.has("lp") ? refereeTable(lesson) : []);
+}
+
+function refereeTable(lesson) {
+  const rows = lesson.data.layers.lp.flatMap((solver) =>
+    solver.claims.map((claim) =>
+      element(
+        "tr",
+        { "data-verdict": claim.verdict },
+        element("th", { scope: "row" }, solver.source),
+        element("td", {}, `${THETA[Number(claim.parameter.at(-1)) - 1]} ${claim.end}`),
+        element(
+          "td",
+          { class: "number" },
+          claim.claimed === null ? "none" : withMinus(claim.claimed.decimal),
+        ),
+        element("td", {}, element("b", {}, claim.verdict), claim.reason ? `: ${claim.reason}` : ""),
+      ),
+    ),
+  );
+  const heads = ["Solver", "End of PUI", "Claimed", "Verdict"].map((head) =>
+    element("th", { scope: "col" }, head),
+  );
+  return [
+    element("h4", {}, "The referee’s verdict on the linear programs"),
+    element(
+      "p",
+      {},
+      "An exact solver judges each claim: exact, rounded (right to the last digits a float has), loose, or wrong.",
+    ),
+    element(
+      "div",
+      { class: "scroll", tabindex: 0, role: "region", "aria-label": "Verdicts" },
+      element(
+        "table",
+        { id: "verdicts" },
+        element("thead", {}, element("tr", {}, heads)),
+        element("tbody", {}, rows),
+      ),
+    ),
+  ];
+}

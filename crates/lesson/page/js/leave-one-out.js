@@ -1,0 +1,175 @@
+// The table of readings with their switches, and what the PUI gains or loses by one of them.
+
+import { byId, element, patch } from "./dom.js";
+import { boundsOf } from "./model.js";
+import { THETA, decimal, digitsFor, plain, withMinus } from "./format.js";
+
+const ENDS = [
+  ["theta1", "lower"],
+  ["theta1", "upper"],
+  ["theta2", "lower"],
+  ["theta2", "upper"],
+];
+
+/** Connects the table: a switch turns one reading off and any other one on again. */
+export function connectLeaveOneOut(lesson, store) {
+  byId("readings").addEventListener("change", (event) => {
+    const row = Number(event.target.dataset.row);
+    if (event.target.checked) store.change({ mode: "explore", without: null });
+    else store.change({ mode: "leave-one-out", without: row });
+  });
+  byId("readings").addEventListener("click", (event) => {
+    const button = event.target.closest("button[data-show-row]");
+    if (button === null) return;
+    const row = Number(button.dataset.showRow);
+    const { selection } = store.get();
+    store.change({
+      selection: selection?.kind === "reading" && selection.row === row ? null : { kind: "reading", row },
+    });
+  });
+  byId("leave-out").addEventListener("change", (event) => {
+    const row = event.target.value === "" ? null : Number(event.target.value);
+    store.change({ mode: "leave-one-out", without: row });
+  });
+  const option = ({ row, matters }) =>
+    element("option", { value: `${row}` }, `reading ${row}${matters ? "" : " (does not matter)"}`);
+  patch(
+    byId("leave-out"),
+    [element("option", { value: "" }, "none"), lesson.data.leave_one_out.map(option)].flat(),
+  );
+}
+
+function endText(value, width, rounding) {
+  if (value === null) return rounding === "down" ? "−∞" : "∞";
+  return decimal(value, width === null ? 5 : digitsFor(value, width), rounding);
+}
+
+function effect(lesson, state, scene) {
+  const entry = lesson.data.leave_one_out.find(({ row }) => row === state.without);
+  if (entry === undefined)
+    return [element("p", {}, "Choose a reading to switch off, here or in the table of readings below.")];
+  if (!entry.matters) {
+    return [
+      element(
+        "p",
+        { id: "leave-one-out-verdict", "data-matters": "false" },
+        `Reading ${entry.row} does not matter: without it the feasible parameter set is exactly the same, and so is the PUI.`,
+      ),
+    ];
+  }
+  const before = boundsOf(lesson.fps);
+  const after = scene.bounds;
+  if (before === null) {
+    return [
+      element(
+        "p",
+        { id: "leave-one-out-verdict", "data-matters": "true" },
+        `Reading ${entry.row} matters: without it the set is ${after === null ? "still empty, for another reason" : "no longer empty"}.`,
+      ),
+    ];
+  }
+  const rows = ENDS.map(([parameter, end]) => {
+    const axis = parameter === "theta1" ? 0 : 1;
+    const rounding = end === "lower" ? "down" : "up";
+    const { lower, upper } = before[axis];
+    const width = lower === null || upper === null ? null : upper.minus(lower);
+    const moved = entry.moved.find((move) => move.parameter === parameter && move.end === end);
+    const by =
+      moved === undefined ? "not at all" : moved.by === null ? "to infinity" : withMinus(moved.by.decimal);
+    return element(
+      "tr",
+      {
+        "data-moved": `${parameter}-${end}`,
+        "data-by": moved?.by?.exact ?? (moved === undefined ? "0" : ""),
+      },
+      element("th", { scope: "row" }, `${THETA[axis]} ${end}`),
+      element("td", { class: "number" }, endText(before[axis][end], width, rounding)),
+      element("td", { class: "number" }, after === null ? "–" : endText(after[axis][end], width, rounding)),
+      element("td", { class: "number", title: moved?.by?.exact ?? null }, by),
+    );
+  });
+  const heads = ["PUI end", "with it", "without it", "moves outward by"].map((head) =>
+    element("th", { scope: "col" }, head),
+  );
+  return [
+    element(
+      "p",
+      { id: "leave-one-out-verdict", "data-matters": "true" },
+      `Reading ${entry.row} matters. The set without it (solid) contains the one with it (dashed).`,
+    ),
+    element(
+      "div",
+      { class: "scroll" },
+      element(
+        "table",
+        { id: "leave-one-out-effect" },
+        element("thead", {}, element("tr", {}, heads)),
+        element("tbody", {}, rows),
+      ),
+    ),
+  ];
+}
+
+/** Draws the effect of the switch. */
+export function drawLeaveOneOut(lesson, state, scene) {
+  byId("leave-out").value = state.without === null ? "" : `${state.without}`;
+  if (state.mode === "leave-one-out") patch(byId("leave-one-out-story"), effect(lesson, state, scene));
+}
+
+/** Draws the table of readings. */
+export function drawReadings(lesson, state) {
+  const { model } = lesson.data;
+  const columns = model.kind === "line" ? [model.x] : model.regressors;
+  const heads = ["row", ...columns, model.y, "ε", "matters", "use"];
+  const row = (reading) => {
+    const matters = lesson.matters.get(reading.row);
+    const off = state.mode === "leave-one-out" && state.without === reading.row;
+    const chosen = state.selection?.kind === "reading" && state.selection.row === reading.row;
+    return element(
+      "tr",
+      { class: [matters ? "matters" : "idle", off && "off", chosen && "chosen"].filter(Boolean).join(" ") },
+      element(
+        "th",
+        { scope: "row" },
+        element(
+          "button",
+          {
+            type: "button",
+            class: "plain",
+            "data-show-row": reading.row,
+            "aria-pressed": `${chosen}`,
+            "aria-label": `Show reading ${reading.row} in the pictures`,
+          },
+          `${reading.row}`,
+        ),
+      ),
+      columns.map((_, k) => element("td", { class: "number" }, plain(reading.phi[k]))),
+      element("td", { class: "number" }, plain(reading.y)),
+      element("td", { class: "number" }, plain(reading.epsilon)),
+      element("td", {}, matters ? element("b", {}, "◆ yes") : "no"),
+      element(
+        "td",
+        {},
+        element("input", {
+          type: "checkbox",
+          id: `leave-out-${reading.row}`,
+          "data-row": reading.row,
+          checked: !off,
+          "aria-label": `Use reading ${reading.row}`,
+        }),
+      ),
+    );
+  };
+  patch(byId("readings"), [
+    element(
+      "thead",
+      {},
+      element(
+        "tr",
+        {},
+        heads.map((head) => element("th", { scope: "col" }, head)),
+      ),
+    ),
+    element("tbody", {}, lesson.readings.map(row)),
+  ]);
+}

@@ -1,0 +1,222 @@
+// Starts the page: reads the engine's data, connects the controls, and draws everything again after each change.
+//
+// Names that tests and bookmarks may rely on:
+//   body[data-mode]              explore | clip | epsilon | leave-one-out;  [data-mode-tab="clip"] switches it
+//   #data-plane #parameter-plane the two pictures; #parameter-plane[data-kind] is the kind of the set shown
+//   [data-vertex="0"]            vertices, counter-clockwise, with exact data-theta1, data-theta2
+//   [data-reading="14"]          readings by row;  [data-half-plane="3"] boundaries by index
+//   #place-point #theta-point    the free point (exact data-theta1, data-theta2); #violations[data-count]
+//   #step-first #step-back #step-play #step-forward #step-last #step-slider #step-number #clip-order
+//   #step-story #step-effect[data-redundant] #step-born #step-lost   (li with exact data-theta1, data-theta2)
+//   #epsilon-slider #epsilon-previous #epsilon-next #epsilon-least #epsilon-given
+//   #epsilon-value               data-s exact, data-breakpoint index or empty; #epsilon-story
+//   #pui-theta1-lower …          exact value in data-exact (empty: infinite); likewise #area; #kind[data-kind]; #active
+//   #layer-<id>                  pui-box eui-box least-squares central minimax centroid inner-hull outer-polygon lp
+//   [data-layer-shown="<id>"]    what a layer draws; #verdicts rows have data-verdict
+//   #leave-out #leave-out-<row>  switches; #leave-one-out-verdict[data-matters]; [data-moved="theta1-lower"][data-by]
+//   #question-<id>, its button   [data-show];  #residual #straighten #theme-toggle #inspector
+//   #conflict                    why the set is empty
+//   #status                      the live region;  button[data-zoom="in|out|set|fit"][data-plane="parameter|data"]
+
+import { byId, rove } from "./dom.js";
+import { readLesson, violations } from "./model.js";
+import { createStore, sceneOf } from "./state.js";
+import { drawLayerList, layersOf } from "./layers.js";
+import { drawParameterPlane, withActive } from "./parameter-plane.js";
+import { drawDataPlane } from "./data-plane.js";
+import { drawSummary } from "./summary.js";
+import { drawInspector } from "./inspector.js";
+import { connectClipping, drawClipping, stepSentence } from "./clipping.js";
+import { connectEpsilon, drawEpsilon, epsilonSentence, epsilonText } from "./epsilon.js";
+import { connectLeaveOneOut, drawLeaveOneOut, drawReadings } from "./leave-one-out.js";
+import { drawQuestions } from "./questions.js";
+import { connectDataPlane, connectParameterPlane, connectZoom } from "./interaction.js";
+import { fillIntroduction } from "./introduction.js";
+import { kindText } from "./format.js";
+
+const MODES = ["explore", "clip", "epsilon", "leave-one-out"];
+
+function connectModes(store) {
+  const tabs = MODES.map((mode) => byId(`tab-${mode}`));
+  tabs.forEach((tab, k) => {
+    tab.addEventListener("click", () => store.change({ mode: MODES[k], playing: false, without: null }));
+    tab.addEventListener("keydown", (event) => {
+      const next = rove(event.key, k, tabs.length);
+      if (next === null) return;
+      event.preventDefault();
+      tabs[next].focus();
+      tabs[next].click();
+    });
+  });
+}
+
+function drawModes(state) {
+  document.body.dataset.mode = state.mode;
+  for (const mode of MODES) {
+    const chosen = mode === state.mode;
+    byId(`tab-${mode}`).setAttribute("aria-selected", `${chosen}`);
+    byId(`tab-${mode}`).tabIndex = chosen ? 0 : -1;
+    byId(`panel-${mode}`).hidden = !chosen;
+  }
+}
+
+function connectTheme() {
+  const button = byId("theme-toggle");
+  const preference = matchMedia("(prefers-color-scheme: dark)");
+  let chosen = null;
+  const apply = () => {
+    const dark = chosen ?? preference.matches;
+    document.documentElement.dataset.theme = dark ? "dark" : "light";
+    button.setAttribute("aria-pressed", `${dark}`);
+  };
+  button.addEventListener("click", () => {
+    chosen = !(chosen ?? preference.matches);
+    apply();
+  });
+  preference.addEventListener("change", apply);
+  // Paper is white.
+  addEventListener("beforeprint", () => {
+    document.documentElement.dataset.theme = "light";
+  });
+  addEventListener("afterprint", apply);
+  apply();
+}
+
+// On paper every answer is there to read.
+function connectPrinting() {
+  let opened = [];
+  addEventListener("beforeprint", () => {
+    opened = [...document.querySelectorAll("details:not([open])")];
+    opened.forEach((details) => {
+      details.open = true;
+    });
+  });
+  addEventListener("afterprint", () =>
+    opened.forEach((details) => {
+      details.open = false;
+    }),
+  );
+}
+
+/** What a change of state is worth saying aloud, or null. */
+function announcement(lesson, state, before, scene) {
+  const changed = (...keys) => keys.some((key) => state[key] !== before[key]);
+  if (state.mode === "clip" && changed("mode", "step", "order")) return stepSentence(lesson, state, scene);
+  if (state.mode === "epsilon" && lesson.stops.length > 0 && changed("mode", "stop")) {
+    const stop = lesson.stops[state.stop];
+    return `${epsilonText(lesson, stop)}. ${epsilonSentence(lesson, stop)}`;
+  }
+  if (changed("mode", "without")) {
+    const shown = kindText(scene.region.kind, scene.region.vertices.length);
+    if (state.without === null) return `All readings are used. The set is ${shown}.`;
+    const matters = lesson.matters.get(state.without);
+    return `Reading ${state.without} is switched off. ${matters ? `It matters: the set is now ${shown}.` : "It does not matter: the set is the same."}`;
+  }
+  if (changed("selection") && state.selection?.kind === "point")
+    return byId("violations")?.textContent ?? null;
+  if (changed("selection") && state.selection !== null) {
+    return [...byId("inspector").querySelectorAll("h3, dt, dd, p")].map((part) => part.textContent).join(" ");
+  }
+  if (changed("layers")) return `${state.layers.size} layers shown.`;
+  return null;
+}
+
+function start() {
+  const lesson = readLesson(JSON.parse(byId("lesson-data").textContent));
+  const store = createStore(lesson);
+  const layers = layersOf(lesson);
+  const roving = { vertex: 0, reading: 0 };
+  const drawn = {};
+  const sizeOf = (svg) => ({
+    width: Math.max(200, svg.clientWidth),
+    height: Math.max(200, svg.clientHeight),
+  });
+
+  function draw() {
+    const state = store.get();
+    const scene = sceneOf(lesson, state);
+    const choice = explained(state.hover ?? state.selection, scene);
+    const shown = { ...state, hover: choice };
+    drawModes(state);
+    drawn.scene = scene;
+    drawn.dataMap = drawDataPlane(
+      lesson,
+      { ...shown, selection: state.selection },
+      scene,
+      layers,
+      sizeOf(byId("data-plane")),
+      roving.reading,
+    );
+    drawn.parameterMap = drawParameterPlane(
+      lesson,
+      shown,
+      scene,
+      layers,
+      sizeOf(byId("parameter-plane")),
+      roving.vertex,
+    );
+    drawInspector(lesson, state, scene, choice);
+    // What the pointer is on changes the pictures and the explanation only.
+    if (
+      drawn.state !== undefined &&
+      Object.keys(state).every((key) => key === "hover" || state[key] === drawn.state[key])
+    )
+      return;
+    drawn.state = state;
+    drawSummary(lesson, state, scene);
+    drawClipping(lesson, state, scene);
+    drawEpsilon(lesson, state);
+    drawLeaveOneOut(lesson, state, scene);
+    drawReadings(lesson, state);
+    drawLayerList(lesson, layers, state);
+    byId("residual").checked = state.residual;
+    byId("straighten").checked = state.straighten;
+  }
+
+  function explained(choice, scene) {
+    if (choice?.kind !== "point") return withActive(lesson, scene, choice);
+    return {
+      ...choice,
+      violated: new Set(violations(lesson, choice.theta, scene.s).map(({ reading }) => reading.row)),
+    };
+  }
+
+  fillIntroduction(lesson);
+  connectTheme();
+  connectPrinting();
+  connectModes(store);
+  connectClipping(lesson, store);
+  if (lesson.stops.length > 0) connectEpsilon(lesson, store);
+  byId("tab-epsilon").disabled = lesson.stops.length === 0;
+  connectLeaveOneOut(lesson, store);
+  connectDataPlane(byId("data-plane"), store, () => drawn, roving);
+  connectParameterPlane(byId("parameter-plane"), store, () => drawn, roving);
+  connectZoom(lesson, store, () => drawn, layers);
+  drawQuestions(lesson, layers, store);
+  byId("residual").disabled = lesson.reference === null;
+  byId("residual").addEventListener("change", (event) =>
+    store.change({ residual: event.target.checked, dataView: null }),
+  );
+  byId("straighten").addEventListener("change", (event) =>
+    store.change({ straighten: event.target.checked, parameterView: null }),
+  );
+  byId("layer-list").addEventListener("change", (event) => {
+    const next = new Set(store.get().layers);
+    if (event.target.checked) next.add(event.target.dataset.layer);
+    else next.delete(event.target.dataset.layer);
+    store.change({ layers: next, parameterView: null });
+  });
+  addEventListener("keydown", (event) => {
+    if (event.key === "Escape") store.change({ selection: null, hover: null });
+  });
+  store.subscribe((state, before) => {
+    draw();
+    const words = announcement(lesson, state, before, drawn.scene);
+    if (words !== null) byId("status").textContent = words;
+  });
+  draw();
+  // Sizes are known only now, and change with the window.
+  new ResizeObserver(draw).observe(byId("parameter-plane"));
+}
+
+start();

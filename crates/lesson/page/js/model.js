@@ -1,0 +1,191 @@
+// The engine's document, made convenient: exact numbers parsed, and every region in one form whichever part of the
+// document it comes from.
+
+import { ONE, Rational, ZERO, dot, evaluate, extremes } from "./rational.js";
+
+const exactOf = (number) => Rational.parse(typeof number === "string" ? number : number.exact);
+const pairOf = (pair) => pair.map(exactOf);
+
+/**
+ * Reads the document.
+ * @param {Object} data as described by the schema boundfit/lesson/1
+ */
+export function readLesson(data) {
+  const readings = data.readings.map((reading, index) => ({
+    index,
+    row: reading.row,
+    phi: pairOf(reading.phi),
+    y: exactOf(reading.y),
+    epsilon: exactOf(reading.epsilon),
+  }));
+  const lesson = {
+    data,
+    readings,
+    others: data.others.map((other) => ({ row: other.row, phi: pairOf(other.phi), y: exactOf(other.y) })),
+    isLine: data.model.kind === "line",
+    halfPlanes: data.half_planes.map((halfPlane, index) => ({
+      index,
+      name: halfPlane.name,
+      irredundant: halfPlane.irredundant,
+      a: pairOf(halfPlane.a),
+      b: exactOf(halfPlane.b),
+      reading: index < 2 * readings.length ? readings[index >> 1] : null,
+    })),
+    points: data.points.map(pairOf),
+    rowIndex: new Map(readings.map((reading) => [reading.row, reading.index])),
+  };
+  lesson.fps = regionOf(lesson, data.fit.fps);
+  lesson.matters = new Map(data.leave_one_out.map((entry) => [entry.row, entry.matters]));
+  lesson.leastSquares = data.fit.least_squares === null ? null : pairOf(data.fit.least_squares.theta);
+  lesson.reference = referenceLine(lesson);
+  // The one error bound of all readings, as a coordinate; null when each has its own, or when there is no error at all.
+  const { uniform } = data.epsilon;
+  lesson.epsilon = uniform === null || uniform.exact === "0" ? null : exactOf(uniform);
+  return lesson;
+}
+
+/** Index of the half-plane with a name. */
+export function halfPlaneIndex(lesson, name) {
+  if (name.row === null) return 2 * lesson.readings.length + Number(name.bound.split(":")[1]) - 1;
+  return 2 * lesson.rowIndex.get(name.row) + (name.bound === "upper" ? 0 : 1);
+}
+
+// Heights are drawn relative to this line when error bars are too short to see.
+function referenceLine(lesson) {
+  const { central, minimax } = lesson.data.fit;
+  if (lesson.leastSquares !== null) return { theta: lesson.leastSquares, name: "least-squares" };
+  if (central !== null) return { theta: pairOf(central.theta), name: "central" };
+  if (minimax !== null) return { theta: pairOf(minimax.theta), name: "minimax" };
+  return null;
+}
+
+function regionOf(lesson, source, { s = ONE, without = null, among = null } = {}) {
+  const vertices = source.vertices.map((vertex) => {
+    if (typeof vertex === "number") return { theta: lesson.points[vertex], active: null };
+    const theta = vertex.theta.map((value) =>
+      value.slope === undefined ? exactOf(value) : evaluate(value, s),
+    );
+    return { theta, active: vertex.active };
+  });
+  // A side of a region without vertices comes as an index or with the names active along it.
+  const side = (boundary) =>
+    typeof boundary === "number" ? boundary : halfPlaneIndex(lesson, boundary.active[0]);
+  return {
+    kind: source.kind,
+    vertices,
+    rays: source.rays.map(pairOf),
+    lines: source.lines.map(pairOf),
+    s,
+    boundaries: source.boundaries.map(side),
+    without,
+    among,
+  };
+}
+
+/** The right-hand side of a half-plane when every error bound is multiplied by s. */
+export function rightHandSide(halfPlane, s) {
+  if (halfPlane.reading === null || s.equals(ONE)) return halfPlane.b;
+  // The engine may have scaled the half-plane: compare it with the reading it comes from.
+  const { phi, epsilon } = halfPlane.reading;
+  const axis = phi[0].isZero() ? 1 : 0;
+  if (phi[axis].isZero()) return halfPlane.b;
+  const scale = halfPlane.a[axis].over(phi[axis]).absolute();
+  return halfPlane.b.plus(scale.times(epsilon).times(s.minus(ONE)));
+}
+
+/** The half-planes that shape a region: all of them, without those of a row switched off or not yet added. */
+export function halfPlanesOf(lesson, region) {
+  const all =
+    region.among === null ? lesson.halfPlanes : region.among.map((index) => lesson.halfPlanes[index]);
+  return all.filter((halfPlane) => region.without === null || halfPlane.name.row !== region.without);
+}
+
+/** The region after `count` steps of clipping in an order of the engine; the whole plane after none. */
+export function steppedRegion(lesson, order, count) {
+  const among = order.steps.slice(0, count).map((step) => step.half_plane);
+  if (count > 0) return regionOf(lesson, order.steps[count - 1], { among });
+  const axes = [
+    ["1", "0"],
+    ["0", "1"],
+  ];
+  return regionOf(lesson, { kind: "plane", vertices: [], rays: [], lines: axes, boundaries: [] }, { among });
+}
+
+/** The region with every error bound multiplied by the s of a stop. */
+export function sweptRegion(lesson, stop) {
+  const { breakpoints, pieces } = lesson.data.sweep;
+  const source = stop.breakpoint === null ? pieces[stop.piece] : breakpoints[stop.breakpoint];
+  return regionOf(lesson, source, { s: stop.s });
+}
+
+/** The region when one row is switched off. */
+export function regionWithout(lesson, entry) {
+  return regionOf(lesson, entry, { without: entry.row });
+}
+
+/** Names of the half-planes active at vertex `index`: exactly those with equality there. */
+export function activeAt(lesson, region, index) {
+  const vertex = region.vertices[index];
+  vertex.active ??= halfPlanesOf(lesson, region)
+    .filter((h) => !h.a.every((a) => a.isZero()))
+    .filter((h) => dot(h.a, vertex.theta).equals(rightHandSide(h, region.s)))
+    .map((h) => h.name);
+  return vertex.active;
+}
+
+/** The half-planes that cannot hold together, with the multipliers that prove it; [] when the FPS is not empty. */
+export function conflict(lesson) {
+  const terms = lesson.data.fit.fps.certificate?.farkas ?? [];
+  return terms.map((term) => ({ index: halfPlaneIndex(lesson, term), multiplier: term.multiplier }));
+}
+
+/** Indices of the half-planes without which the region would be another one, or, where many meet in a point, those. */
+export function shapingHalfPlanes(lesson, region) {
+  if (region === lesson.fps && region.kind === "empty")
+    return new Set(conflict(lesson).map(({ index }) => index));
+  if (region === lesson.fps)
+    return new Set(lesson.halfPlanes.filter((h) => h.irredundant).map((h) => h.index));
+  const met = new Map();
+  region.vertices.forEach((_, index) => {
+    for (const name of activeAt(lesson, region, index)) {
+      const found = halfPlaneIndex(lesson, name);
+      met.set(found, (met.get(found) ?? 0) + 1);
+    }
+  });
+  // An edge of a polygon has two vertices; what meets only one of them merely touches.
+  const least = region.kind === "polygon" ? 2 : 1;
+  return new Set([
+    ...region.boundaries,
+    ...[...met].filter(([, count]) => count >= least).map(([index]) => index),
+  ]);
+}
+
+/** The readings that a parameter point violates when every error bound is multiplied by s, and by how much. */
+export function violations(lesson, theta, s) {
+  return lesson.readings.flatMap((reading) => {
+    const residual = reading.y.minus(dot(reading.phi, theta));
+    const excess = residual.absolute().minus(reading.epsilon.times(s));
+    return excess.sign() > 0 ? [{ reading, excess, above: residual.sign() > 0 }] : [];
+  });
+}
+
+/** An exact point on the boundary of a half-plane, for regions that have no vertices to start from. */
+export function pointOnBoundary(halfPlane, s) {
+  const { a } = halfPlane;
+  const axis = a[1].isZero() ? 0 : 1;
+  const value = rightHandSide(halfPlane, s).over(a[axis]);
+  return axis === 0 ? [value, ZERO] : [ZERO, value];
+}
+
+/** Exact ends of a region along each parameter: [{lower, upper}, {…}] with null for infinite; null when empty. */
+export function boundsOf(region) {
+  if (region.kind === "empty") return null;
+  return [0, 1].map((axis) => {
+    const goes = (sign) =>
+      region.rays.some((ray) => ray[axis].sign() === sign) ||
+      region.lines.some((line) => !line[axis].isZero());
+    const values = region.vertices.map((vertex) => vertex.theta[axis]);
+    const [least, greatest] = values.length === 0 ? [null, null] : extremes(values);
+    return { lower: goes(-1) ? null : least, upper: goes(1) ? null : greatest };
+  });
+}

@@ -1,0 +1,77 @@
+// Which part of the parameter plane is shown when the reader has not chosen one.
+
+import { lineInView } from "./region.js";
+import { boundingView, leapingView, scaledView } from "./view.js";
+import { decimalPower } from "./rational.js";
+
+const MOST_LEAPS = 9;
+const ROOM = 0.45;
+
+/** The view that is shown when the reader has not chosen one. */
+export function automaticView(lesson, state, scene, layers) {
+  const base = scaledView(
+    boundingView(
+      lesson.fps.vertices.map((v) => scene.frame.place(v.theta)).concat(middle(lesson, scene.frame)),
+      0,
+    ),
+    1 + 2 * ROOM,
+  );
+  const sized = ensureSize(base);
+  if (state.mode === "explore") {
+    const shown = layers.filter((layer) => state.layers.has(layer.id));
+    const points = shown
+      .flatMap((layer) => [...(layer.polygon ?? []), ...layer.points])
+      .map((p) => scene.frame.place(p));
+    if (!holds(sized, points))
+      return boundingView([...points, ...cornersOfView(scaledView(sized, 0.7))], 0.12);
+    // A chosen reading is worth nothing without the sides of its strip.
+    const sides = scene.lines.filter(
+      ({ halfPlane }) => state.selection?.kind === "reading" && halfPlane.name.row === state.selection.row,
+    );
+    return leapingView(
+      sized,
+      (view) => sides.every(({ line }) => lineInView(line, scaledView(view, 0.9)) !== null),
+      MOST_LEAPS,
+    );
+  }
+  if (state.mode === "clip" && state.step === 0) return scaledView(sized, 4);
+  const before = state.mode === "clip" && scene.before !== null ? scene.before.vertices : [];
+  const points = [...scene.places, ...before.map((vertex) => scene.frame.place(vertex.theta))];
+  const start = points.length === 0 && state.mode === "clip" ? scaledView(sized, 4) : sized;
+  return leapingView(start, (view) => holds(view, points), MOST_LEAPS);
+}
+
+function holds({ x, y }, points) {
+  return points.every(
+    (point) => point[0] >= x[0] && point[0] <= x[1] && point[1] >= y[0] && point[1] <= y[1],
+  );
+}
+
+// Without vertices, what there is to see are the sides nearest to the middle of the frame.
+function middle(lesson, frame) {
+  if (lesson.fps.vertices.length > 0) return [];
+  const sides = lesson.fps.boundaries
+    .map((index) => lesson.halfPlanes[index])
+    .map(({ a, b }) => frame.halfPlane(a, b));
+  return [[-1, -1], [1, 1], ...sides.map(({ a, b }) => [a[0] * b, a[1] * b])];
+}
+
+// A point has no size, a horizontal segment no height.
+function ensureSize(view) {
+  const widened = ([low, high]) => (high - low < 1e-3 ? [low - 2, high + 2] : [low, high]);
+  return { x: widened(view.x), y: widened(view.y) };
+}
+
+function cornersOfView({ x, y }) {
+  return [
+    [x[0], y[0]],
+    [x[1], y[1]],
+  ];
+}
+
+/** Rounding of a chosen point: whole steps of about a thousandth of the view, so that its decimals are short. */
+export function pointRounding(frame, view) {
+  return [view.x, view.y].map((range, axis) =>
+    frame.units[axis].times(decimalPower(Math.floor(Math.log10((range[1] - range[0]) / 400)))),
+  );
+}

@@ -1,0 +1,48 @@
+// Questions about this data set, with answers to reveal and, where there is something to see, a way to see it.
+
+import { byId, element, patch } from "./dom.js";
+
+// A question may point to a group of layers.
+const GROUPS = {
+  pui: ["pui-box"],
+  eui: ["eui-box"],
+  directions: ["inner-hull", "outer-polygon"],
+};
+
+/** Draws the questions and connects their buttons. */
+export function drawQuestions(lesson, layers, store) {
+  const { questions } = lesson.data;
+  const item = (question, index) =>
+    element(
+      "li",
+      {},
+      element(
+        "details",
+        { id: `question-${question.id}` },
+        element("summary", {}, question.question),
+        element("p", {}, question.answer),
+        question.show === null
+          ? null
+          : element("button", { type: "button", class: "show-me", "data-show": index }, "Show me"),
+      ),
+    );
+  patch(byId("question-list"), questions.map(item));
+  byId("question-list").addEventListener("click", (event) => {
+    const button = event.target.closest("button[data-show]");
+    if (button !== null) show(questions[Number(button.dataset.show)].show, layers, store);
+  });
+}
+
+function show(what, layers, store) {
+  const changes = { mode: "explore", without: null, hover: null, parameterView: null };
+  if (what.kind === "vertex") changes.selection = { kind: "vertex", index: what.index };
+  else if (what.kind === "row") changes.selection = { kind: "reading", row: what.row };
+  else {
+    const wanted = GROUPS[what.layer] ?? [what.layer];
+    const there = wanted.filter((id) => layers.some((layer) => layer.id === id && layer.why === null));
+    changes.layers = new Set([...store.get().layers, ...there]);
+  }
+  store.change(changes);
+  byId("planes").scrollIntoView({ block: "start" });
+  byId("planes").focus({ preventScroll: true });
+}

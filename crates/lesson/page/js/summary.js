@@ -1,0 +1,165 @@
+// What is shown at the moment, in words and numbers: the mode, the kind of the set, its PUI, area and active rows.
+
+import { byId, element, patch } from "./dom.js";
+import { ONE, Rational, ZERO, evaluate } from "./rational.js";
+import { THETA, boundMark, decimal, digitsFor, kindText, shortFraction } from "./format.js";
+import { activeAt } from "./model.js";
+
+/** An exact number as shown: its decimal, and the fraction behind it. */
+export function numberWithFraction(exact, shown, id = null) {
+  const text = exact.toString();
+  const fraction =
+    text === shown.replace("\u2212", "-")
+      ? null
+      : element("span", { class: "fraction", title: text }, shortFraction(text));
+  return element(
+    "span",
+    { class: "exact", id, "data-exact": text },
+    element("span", { class: "decimal" }, shown),
+    fraction ? " " : null,
+    fraction,
+  );
+}
+
+function sentence(lesson, state, scene) {
+  if (state.mode === "clip") {
+    const order = lesson.data.orders[state.order];
+    return `Clipping, step ${state.step} of ${order.steps.length}, half-planes ${order.name}.`;
+  }
+  if (state.mode === "epsilon") {
+    const times = scene.s.equals(ONE) ? "as given" : `times ${decimal(scene.s)}`;
+    return lesson.epsilon === null
+      ? `Every error bound ${times}.`
+      : `ε = ${decimal(scene.s.times(lesson.epsilon))} (${times}).`;
+  }
+  if (state.mode === "leave-one-out" && state.without !== null)
+    return `Reading ${state.without} is switched off.`;
+  return "All readings, error bounds as given.";
+}
+
+/** The width of an interval, or nothing. */
+function widthOf({ lower, upper }) {
+  return lower === null || upper === null ? null : upper.minus(lower);
+}
+
+/** One end of an interval, rounded outward; "−∞" or "∞" where there is none. */
+function endOf(bounds, end, id) {
+  const value = bounds[end];
+  if (value === null) return element("span", { id, "data-exact": "" }, end === "lower" ? "−∞" : "∞");
+  const sizes = ["lower", "upper"].map((e) => bounds[e]).filter((v) => v !== null && !v.isZero());
+  const largest = sizes.reduce((most, v) => (v.absolute().compare(most.absolute()) > 0 ? v : most), value);
+  const width = widthOf(bounds);
+  const digits = width === null ? 5 : digitsFor(largest, width);
+  return numberWithFraction(value, decimal(value, digits, end === "lower" ? "down" : "up"), id);
+}
+
+function areaOf(lesson, state, scene) {
+  const { region } = scene;
+  if (region.kind === "empty") return ZERO;
+  if (region === lesson.fps)
+    return lesson.data.fit.fps.area === null ? null : Rational.parse(lesson.data.fit.fps.area.exact);
+  if (state.mode === "epsilon") {
+    const stop = lesson.stops[state.stop];
+    const { breakpoints, pieces } = lesson.data.sweep;
+    const source = stop.breakpoint === null ? pieces[stop.piece].area : breakpoints[stop.breakpoint].area;
+    if (source === null) return null;
+    return source.exact === undefined ? evaluate(source, stop.s) : Rational.parse(source.exact);
+  }
+  return shoelace(region);
+}
+
+// Steps and switched-off readings come without an area; their vertices are exact, and so is the sum.
+function shoelace(region) {
+  if (region.rays.length > 0 || region.lines.length > 0) return null;
+  const { vertices } = region;
+  const terms = vertices.map(({ theta: p }, k) => {
+    const q = vertices[(k + 1) % vertices.length].theta;
+    return p[0].times(q[1]).minus(q[0].times(p[1]));
+  });
+  return terms.reduce((sum, term) => sum.plus(term), ZERO).over(new Rational(2n));
+}
+
+/** Names of the half-planes active somewhere on the region, in the order of the rows. */
+function activeNames(lesson, scene) {
+  const found = new Map();
+  scene.region.vertices.forEach((_, index) => {
+    for (const name of activeAt(lesson, scene.region, index)) found.set(`${name.row} ${name.bound}`, name);
+  });
+  for (const index of scene.region.boundaries) found.set(`side ${index}`, lesson.halfPlanes[index].name);
+  return [...found.values()].sort(
+    (p, q) => (p.row ?? Infinity) - (q.row ?? Infinity) || (p.bound < q.bound ? 1 : -1),
+  );
+}
+
+/** Draws the summary. */
+export function drawSummary(lesson, state, scene) {
+  const { region, bounds } = scene;
+  const rows = [0, 1].map((axis) => {
+    const name = THETA[axis];
+    const id = `pui-theta${axis + 1}`;
+    if (bounds === null)
+      return element(
+        "tr",
+        {},
+        element("th", { scope: "row" }, name),
+        element("td", { colspan: 3, id: `${id}-none` }, "no value left"),
+      );
+    const width = widthOf(bounds[axis]);
+    return element(
+      "tr",
+      {},
+      element("th", { scope: "row" }, name),
+      element("td", { class: "number" }, endOf(bounds[axis], "lower", `${id}-lower`)),
+      element("td", { class: "number" }, endOf(bounds[axis], "upper", `${id}-upper`)),
+      element("td", { class: "number" }, width === null ? "∞" : decimal(width, 3)),
+    );
+  });
+  const heads = ["PUI", "lower end", "upper end", "width"].map((head) =>
+    element("th", { scope: "col" }, head),
+  );
+  const area = areaOf(lesson, state, scene);
+  const names = activeNames(lesson, scene);
+  patch(byId("summary"), [
+    element(
+      "p",
+      { id: "shown" },
+      element("strong", {}, sentence(lesson, state, scene)),
+      " The set is ",
+      element(
+        "span",
+        { id: "kind", "data-kind": region.kind },
+        kindText(region.kind, region.vertices.length),
+      ),
+      ".",
+    ),
+    element(
+      "div",
+      { class: "scroll" },
+      element(
+        "table",
+        { class: "pui" },
+        element("thead", {}, element("tr", {}, heads)),
+        element("tbody", {}, rows),
+      ),
+    ),
+    element(
+      "p",
+      {},
+      "Area: ",
+      area === null
+        ? element("span", { id: "area", "data-exact": "" }, "infinite")
+        : numberWithFraction(area, decimal(area), "area"),
+    ),
+    element(
+      "p",
+      { id: "active" },
+      "Active: ",
+      names.length === 0
+        ? "none"
+        : names.map((name, k) => [
+            k > 0 ? ", " : null,
+            element("span", { class: `name ${name.bound}` }, boundMark(name)),
+          ]),
+    ),
+  ]);
+}

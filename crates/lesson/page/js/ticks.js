@@ -1,0 +1,85 @@
+// Tick marks whose labels stay readable when an axis is 1e-5 wide around 1.8e-3: the part that all labels share
+// and a power of ten are taken out and written once, beside the axis.
+
+import { Rational, decimalPower } from "./rational.js";
+import { decimal, withMinus } from "./format.js";
+
+// Labels with more digits than this are shortened by an offset.
+const LONGEST_LABEL = 4;
+const LARGEST_PLAIN_EXPONENT = 3;
+
+const SUPERSCRIPTS = {
+  "-": "⁻",
+  0: "⁰",
+  1: "¹",
+  2: "²",
+  3: "³",
+  4: "⁴",
+  5: "⁵",
+  6: "⁶",
+  7: "⁷",
+  8: "⁸",
+  9: "⁹",
+};
+
+function powerText(exponent) {
+  return `10${[...`${exponent}`].map((digit) => SUPERSCRIPTS[digit]).join("")}`;
+}
+
+function niceStep(span, count) {
+  const rough = span.over(new Rational(BigInt(count)));
+  const exponent = rough.decimalExponent();
+  const factor = [1n, 2n, 5n].find((f) => rough.compare(new Rational(f).times(decimalPower(exponent))) <= 0);
+  return factor === undefined ? { factor: 1n, exponent: exponent + 1 } : { factor, exponent };
+}
+
+function plainDecimal(value) {
+  if (value.isZero()) return "0";
+  const fraction = Math.max(0, LONGEST_LABEL + 2 - Math.max(0, value.decimalExponent()));
+  return withMinus(
+    value
+      .toNumber()
+      .toFixed(fraction)
+      .replace(/(\.\d*?)0+$/, "$1")
+      .replace(/\.$/, ""),
+  );
+}
+
+/**
+ * Ticks on [low, high], exact.
+ * @param {Rational} low
+ * @param {Rational} high greater than low
+ * @param {number} count how many ticks there is room for
+ * @returns {{ticks: {value: Rational, label: string}[], note: string}} `note` is what to write beside the axis:
+ *   "×10⁻⁵ + 1.8e-3", or nothing
+ */
+export function axisTicks(low, high, count) {
+  const { factor, exponent } = niceStep(high.minus(low), count);
+  const unit = decimalPower(exponent);
+  const first = low.over(unit).over(new Rational(factor)).floor() + 1n;
+  const last = high.over(unit).over(new Rational(factor)).floor();
+  const multiples = [];
+  for (let k = first; k <= last; k += 1n) multiples.push(k * factor);
+  const longest = multiples.reduce((most, m) => Math.max(most, `${m < 0n ? -m : m}`.length), 0);
+  let offset = 0n;
+  if (longest > LONGEST_LABEL) {
+    const round = 10n ** BigInt(`${multiples[multiples.length - 1] - multiples[0]}`.length);
+    offset = (multiples[0] / round) * round;
+  }
+  const labels = multiples.map((m) => new Rational(m - offset).times(unit));
+  const magnitudes = labels.filter((label) => !label.isZero()).map((label) => label.decimalExponent());
+  const power = magnitudes.length === 0 ? 0 : Math.max(...magnitudes);
+  const shown = Math.abs(power) <= LARGEST_PLAIN_EXPONENT - (power < 0 ? 1 : 0) ? 0 : power;
+  const scale = decimalPower(-shown);
+  const offsetValue = new Rational(offset).times(unit);
+  const notes = [];
+  if (shown !== 0) notes.push(`×${powerText(shown)}`);
+  if (offset !== 0n) notes.push(`${offset < 0n ? "−" : "+"} ${decimal(offsetValue.absolute(), 40)}`);
+  return {
+    ticks: multiples.map((m, k) => ({
+      value: new Rational(m).times(unit),
+      label: plainDecimal(labels[k].times(scale)),
+    })),
+    note: notes.join(" "),
+  };
+}

@@ -1,0 +1,110 @@
+//! Everything that the page shows.
+
+use boundfit_estimation::{Fit, Model, Problem};
+use boundfit_exact::Reading;
+use boundfit_report::{Style, fit_json};
+use serde::Serialize;
+use serde_json::Value;
+
+use crate::corridor::{CorridorJson, corridor};
+use crate::half_planes::{HalfPlaneJson, half_planes};
+use crate::layers::{self, LayersJson, programs};
+use crate::leave_one_out::{self, WithoutJson, leave_one_out};
+use crate::number::{Number, ParameterDigits};
+use crate::orders::{OrderJson, orders};
+use crate::points::Points;
+use crate::questions::{Facts, Question, questions};
+use crate::readings::{self, ConditionJson, EpsilonJson, ModelJson, ReadingJson};
+use crate::sweep::sweep;
+use crate::{LessonError, LessonOptions, MOST_ROWS};
+
+/// The document of schema `boundfit/lesson/1`.
+#[derive(Debug, Serialize)]
+pub(crate) struct LessonJson {
+    schema: &'static str,
+    title: String,
+    file: String,
+    units: UnitsJson,
+    model: ModelJson,
+    epsilon: EpsilonJson,
+    reading: &'static str,
+    readings: Vec<ReadingJson>,
+    others: Vec<ReadingJson>,
+    conditions: Vec<ConditionJson>,
+    half_planes: Vec<HalfPlaneJson>,
+    points: Vec<[Number; 2]>,
+    fit: Value,
+    corridor: Option<CorridorJson>,
+    orders: Vec<OrderJson>,
+    sweep: Value,
+    layers: LayersJson,
+    leave_one_out: Vec<WithoutJson>,
+    questions: Vec<Question>,
+}
+
+#[derive(Debug, Serialize)]
+struct UnitsJson {
+    x: Option<String>,
+    y: Option<String>,
+}
+
+impl LessonJson {
+    pub(crate) fn title(&self) -> &str {
+        &self.title
+    }
+}
+
+pub(crate) fn build(
+    problem: &Problem,
+    fit: &Fit,
+    reading: Reading,
+    options: &LessonOptions,
+) -> Result<LessonJson, LessonError> {
+    let measurements = &problem.measurements;
+    let rows = measurements.rows().len();
+    if rows > MOST_ROWS {
+        return Err(LessonError::TooManyRows { rows });
+    }
+    let digits = ParameterDigits::of(fit);
+    let mut points = Points::new(digits);
+    let programs = programs(problem);
+    let without = leave_one_out(problem, fit);
+    let file = file_name(&options.file);
+    let facts = Facts { problem, fit, digits, programs: &programs, without: &without };
+    Ok(LessonJson {
+        schema: "boundfit/lesson/1",
+        title: options.title.clone().unwrap_or_else(|| default_title(file, problem)),
+        file: file.to_owned(),
+        units: UnitsJson { x: options.x_unit.clone(), y: options.y_unit.clone() },
+        model: readings::model(measurements),
+        epsilon: readings::epsilon(measurements.error_bound()),
+        reading: reading.name(),
+        readings: readings::fitted(measurements),
+        others: readings::others(measurements),
+        conditions: readings::conditions(&problem.conditions),
+        half_planes: half_planes(problem, fit),
+        fit: serde_json::from_str(&fit_json(problem, fit, None, reading, &Style::default()))?,
+        corridor: corridor(problem, fit, &mut points),
+        orders: orders(problem, fit, &mut points),
+        sweep: sweep(problem, fit),
+        layers: layers::to_json(&programs, reading, digits, &mut points),
+        leave_one_out: leave_one_out::to_json(&without, digits, &mut points),
+        questions: questions(&facts),
+        points: points.into_numbers(),
+    })
+}
+
+/// What follows the last separator of a path.
+fn file_name(file: &str) -> &str {
+    file.rsplit(['/', '\\']).find(|name| !name.is_empty()).unwrap_or(file)
+}
+
+fn default_title(file: &str, problem: &Problem) -> String {
+    let y = problem.measurements.response();
+    match problem.measurements.model() {
+        Model::Line { x } => format!("{file}: {y} against {x}"),
+        Model::TwoRegressors { regressors: [first, second] } => {
+            format!("{file}: {y} against {first} and {second}")
+        }
+    }
+}

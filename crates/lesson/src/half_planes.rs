@@ -1,0 +1,56 @@
+//! The half-planes of readings and conditions.
+
+use boundfit_estimation::{BoundName, Fit, Problem};
+use boundfit_geometry::Inequality;
+use serde::Serialize;
+
+/// The name of a half-plane.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct NameJson {
+    row: Option<usize>,
+    bound: String,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct HalfPlaneJson {
+    name: NameJson,
+    a: [String; 2],
+    b: String,
+    irredundant: bool,
+}
+
+impl From<BoundName> for NameJson {
+    fn from(name: BoundName) -> Self {
+        match name {
+            BoundName::Upper(row) => NameJson { row: Some(row), bound: "upper".to_owned() },
+            BoundName::Lower(row) => NameJson { row: Some(row), bound: "lower".to_owned() },
+            BoundName::Where(number) => NameJson { row: None, bound: format!("where:{number}") },
+        }
+    }
+}
+
+/// All half-planes `a·θ ≤ b` in the order of the fit's system.
+pub(crate) fn half_planes(problem: &Problem, fit: &Fit) -> Vec<HalfPlaneJson> {
+    let irredundant = irredundant(problem, fit);
+    let inequalities = fit.fps.polyhedron().system().inequalities();
+    let half_plane = |(index, inequality): (usize, &Inequality)| HalfPlaneJson {
+        name: fit.fps.name(index).into(),
+        a: inequality.a.each_ref().map(ToString::to_string),
+        b: inequality.b.to_string(),
+        irredundant: irredundant.contains(&index),
+    };
+    inequalities.iter().enumerate().map(half_plane).collect()
+}
+
+/// A minimal set of half-planes with the same intersection, ascending; for an empty set those of the certificate that
+/// the fit reports.
+pub(crate) fn irredundant(problem: &Problem, fit: &Fit) -> Vec<usize> {
+    let polyhedron = fit.fps.polyhedron();
+    match fit.contradiction(problem.measurements.error_bound()) {
+        Some(terms) => {
+            let named = |index: &usize| terms.iter().any(|(name, _)| *name == fit.fps.name(*index));
+            (0..polyhedron.system().len()).filter(named).collect()
+        }
+        None => polyhedron.irredundant(),
+    }
+}

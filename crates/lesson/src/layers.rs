@@ -1,0 +1,182 @@
+//! What linear programs make of the same data: the set seen from several directions, and the ends of the intervals as
+//! solvers report them, judged exactly.
+
+use std::time::Duration;
+
+use boundfit_check::{
+    Approximation, Directions, EXACT_SIMPLEX, ProgramRows, answer_of, directions, source_names,
+};
+use boundfit_estimation::Problem;
+use boundfit_exact::{Rational, Reading, Rounding};
+use boundfit_lp::{BoundClaim, End, Judgement, Proof, Referee, Verdict};
+use serde::Serialize;
+
+use crate::leave_one_out::{PARAMETERS, end_name};
+use crate::number::{Number, ParameterDigits};
+use crate::points::Points;
+
+/// How many directions the set is looked at from.
+const DIRECTIONS: usize = 16;
+
+/// The longest that a solver may work on one program.
+const TIME_LIMIT: Duration = Duration::from_secs(10);
+
+/// What a solver claims about the four ends, and what the claims are worth against the data as read.
+#[derive(Debug)]
+pub(crate) struct LpAnswer {
+    /// The solver with its version.
+    pub(crate) source: String,
+    /// Whether it is the exact simplex.
+    pub(crate) is_exact: bool,
+    /// By parameter, then lower and upper end.
+    pub(crate) claims: [[BoundClaim; 2]; 2],
+    /// Likewise.
+    pub(crate) judgements: [[Judgement; 2]; 2],
+}
+
+/// Everything that linear programs say.
+#[derive(Debug)]
+pub(crate) struct Programs {
+    /// The set between its inner and its outer approximation.
+    pub(crate) directions: Directions,
+    /// One answer of every solver of this build.
+    pub(crate) answers: Vec<LpAnswer>,
+}
+
+/// The four ends: which parameter, which end.
+pub(crate) const ENDS: [(usize, End); 4] =
+    [(0, End::Lower), (0, End::Upper), (1, End::Lower), (1, End::Upper)];
+
+/// Runs all solvers of this build. Their answers are binary64, the judgement is exact.
+pub(crate) fn programs(problem: &Problem) -> Programs {
+    let rows = ProgramRows::new(problem);
+    let referee = Referee::new(rows.rows().to_vec(), Rational::ratio(1, 1_000_000));
+    // A name from the list of this build is known to it.
+    let answers = source_names().into_iter().filter_map(|name| {
+        let answer = answer_of(&name, &rows, TIME_LIMIT).ok()?;
+        Some(LpAnswer {
+            source: answer.source,
+            is_exact: name == EXACT_SIMPLEX,
+            judgements: [0, 1].map(|axis| referee.judge_interval(axis, &answer.claims[axis])),
+            claims: answer.claims,
+        })
+    });
+    Programs { answers: answers.collect(), directions: directions(problem, &rows, DIRECTIONS) }
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct LayersJson {
+    directions: DirectionsJson,
+    lp: Vec<LpJson>,
+}
+
+/// Corners and areas of the approximations; no outer one when the set is unbounded.
+#[derive(Debug, Serialize)]
+struct DirectionsJson {
+    count: usize,
+    inner: Option<Vec<usize>>,
+    outer: Option<Vec<usize>>,
+    inner_area: Option<Number>,
+    outer_area: Option<Number>,
+}
+
+#[derive(Debug, Serialize)]
+struct LpJson {
+    source: String,
+    reading: &'static str,
+    claims: Vec<ClaimJson>,
+}
+
+#[derive(Debug, Serialize)]
+struct ClaimJson {
+    parameter: &'static str,
+    end: &'static str,
+    verdict: &'static str,
+    claimed: Option<Number>,
+    point: Option<[Number; 2]>,
+    reason: Option<String>,
+}
+
+/// The layers as JSON. `reading` is that of the data.
+pub(crate) fn to_json(
+    programs: &Programs,
+    reading: Reading,
+    digits: ParameterDigits,
+    points: &mut Points,
+) -> LayersJson {
+    let lp = programs.answers.iter().map(|answer| LpJson {
+        source: answer.source.clone(),
+        reading: reading.name(),
+        claims: ENDS.map(|(axis, end)| claim(answer, axis, end, digits)).into(),
+    });
+    LayersJson { lp: lp.collect(), directions: directions_json(&programs.directions, points) }
+}
+
+fn directions_json(found: &Directions, points: &mut Points) -> DirectionsJson {
+    let inner = found.inner.as_ref().filter(|inner| !inner.vertices.is_empty());
+    let outer = found.outer.as_ref().filter(|_| found.unbounded == 0);
+    let mut corners = |approximation: Option<&Approximation>| -> Option<Vec<usize>> {
+        Some(approximation?.vertices.iter().map(|theta| points.index_of(theta)).collect())
+    };
+    let area = |approximation: Option<&Approximation>| approximation?.area.as_ref().map(Number::nearest);
+    DirectionsJson {
+        count: found.count,
+        inner: corners(inner),
+        outer: corners(outer),
+        inner_area: area(inner),
+        outer_area: area(outer),
+    }
+}
+
+fn claim(answer: &LpAnswer, axis: usize, end: End, digits: ParameterDigits) -> ClaimJson {
+    let judgement = &answer.judgements[axis][end as usize];
+    let rounding = if end == End::Lower { Rounding::Down } else { Rounding::Up };
+    let claimed = |value: &Rational| Number::rounded(value, digits.of_parameter(axis), rounding);
+    ClaimJson {
+        parameter: PARAMETERS[axis],
+        end: end_name(end),
+        verdict: judgement.verdict.name(),
+        claimed: judgement.claimed.as_ref().map(claimed),
+        point: answer.claims[axis][end as usize].point.as_ref().map(|point| digits.point(point)),
+        reason: reason(judgement),
+    }
+}
+
+/// Why a claim is not simply right, in a sentence.
+pub(crate) fn reason(judgement: &Judgement) -> Option<String> {
+    let size = |value: &Option<Rational>| {
+        value.as_ref().map(|value| value.abs().to_decimal(2, Rounding::Up)).unwrap_or_default()
+    };
+    let outside = || match &judgement.violation {
+        Some(violation) => {
+            format!("Its point violates a bound by {}.", violation.by.to_decimal(2, Rounding::Up))
+        }
+        None => String::new(),
+    };
+    match judgement.verdict {
+        Verdict::Exact => None,
+        Verdict::Rounded { ulps: 0 } => Some("It is the double nearest to the exact end.".to_owned()),
+        Verdict::Rounded { ulps: 1 } => Some("It is one double away from the nearest one.".to_owned()),
+        Verdict::Rounded { ulps } => Some(format!("It is {ulps} doubles away from the nearest one.")),
+        Verdict::WithinTolerance if judgement.violation.is_some() => Some(outside()),
+        Verdict::WithinTolerance | Verdict::Loose => {
+            Some(format!("It is too wide by {}.", size(&judgement.excess)))
+        }
+        Verdict::NoAnswer => judgement.reason.as_ref().map(|reason| format!("It gave none: {reason}.")),
+        Verdict::InfeasiblePoint => Some(outside()),
+        Verdict::Unsafe => Some(format!("It cuts off feasible parameters, by {}.", size(&judgement.excess))),
+        Verdict::InvertedInterval => Some("The lower end is above the upper end.".to_owned()),
+        Verdict::WrongStatus => Some(wrong_status(judgement)),
+    }
+}
+
+fn wrong_status(judgement: &Judgement) -> String {
+    let truth = match &judgement.proof {
+        Some(Proof::Infeasible(_)) => "the set is empty",
+        Some(Proof::FeasiblePoint(_)) => "the set is not empty",
+        Some(Proof::Bound(_)) => "the parameter is bounded on this side",
+        Some(Proof::Ray { .. }) => "the parameter is not bounded on this side",
+        None => "that is not so",
+    };
+    format!("In truth {truth}.")
+}

@@ -1,0 +1,122 @@
+//! The set without each of the readings.
+
+use boundfit_estimation::{Fit, Fps, Measurements, Problem};
+use boundfit_exact::{Endpoint, Interval, Rational};
+use boundfit_geometry::Region;
+use boundfit_lp::End;
+use serde::Serialize;
+
+use crate::number::{Number, ParameterDigits, Range};
+use crate::points::Points;
+use crate::region::{RegionJson, same_set};
+
+/// What is left without one reading.
+#[derive(Debug)]
+pub(crate) struct Without {
+    /// The reading.
+    pub(crate) row: usize,
+    /// Whether the set is another one than with it.
+    pub(crate) matters: bool,
+    /// The set.
+    pub(crate) region: Region,
+    /// The parameter uncertainty intervals; `None` when the set is empty.
+    pub(crate) pui: Option<[Interval; 2]>,
+    /// The ends of the intervals that move; none when the set with the reading is empty.
+    pub(crate) moved: Vec<Moved>,
+}
+
+/// An end of an interval that moves outward.
+#[derive(Debug)]
+pub(crate) struct Moved {
+    /// Which parameter, from 0.
+    pub(crate) axis: usize,
+    /// Which end.
+    pub(crate) end: End,
+    /// How far, and where to; `None` when nothing stops it.
+    pub(crate) by_and_to: Option<(Rational, Rational)>,
+}
+
+/// The set without each reading in turn. Exact. Cost: O(N² log N).
+pub(crate) fn leave_one_out(problem: &Problem, fit: &Fit) -> Vec<Without> {
+    (0..problem.measurements.rows().len()).map(|position| without(problem, fit, position)).collect()
+}
+
+fn without(problem: &Problem, fit: &Fit, position: usize) -> Without {
+    let all = &problem.measurements;
+    let mut rows = all.rows().to_vec();
+    let row = rows.remove(position).row;
+    let rest =
+        Measurements::new(all.model().clone(), all.response().to_owned(), all.error_bound().clone(), rows);
+    let fps = Fps::new(&rest, &problem.conditions);
+    let pui = fps.polyhedron().bounding_box();
+    let moved = match (fit.pui_intervals(), &pui) {
+        (Some(before), Some(after)) => moved(&before, after),
+        _ => Vec::new(),
+    };
+    let region = fps.polyhedron().region();
+    let matters = !same_set(region, fit.fps.polyhedron().region());
+    Without { row, matters, region: region.clone(), pui, moved }
+}
+
+fn moved(before: &[Interval; 2], after: &[Interval; 2]) -> Vec<Moved> {
+    let ends = [0, 1].into_iter().flat_map(|axis| [(axis, End::Lower), (axis, End::Upper)]);
+    ends.filter_map(|(axis, end)| {
+        let of = |interval: &Interval| -> Endpoint {
+            if end == End::Lower { interval.lower().clone() } else { interval.upper().clone() }
+        };
+        let by_and_to = match (of(&before[axis]), of(&after[axis])) {
+            (Endpoint::Finite(old), Endpoint::Finite(new)) if old != new => Some(((&new - &old).abs(), new)),
+            (Endpoint::Finite(_), Endpoint::Unbounded) => None,
+            _ => return None,
+        };
+        Some(Moved { axis, end, by_and_to })
+    })
+    .collect()
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct WithoutJson {
+    row: usize,
+    matters: bool,
+    #[serde(flatten)]
+    region: RegionJson,
+    pui: Option<[Range; 2]>,
+    moved: Vec<MovedJson>,
+}
+
+#[derive(Debug, Serialize)]
+struct MovedJson {
+    parameter: &'static str,
+    end: &'static str,
+    by: Option<Number>,
+}
+
+/// The sets as JSON. The boundaries of a set are counted in its own system, so they are turned into the whole one's.
+pub(crate) fn to_json(all: &[Without], digits: ParameterDigits, points: &mut Points) -> Vec<WithoutJson> {
+    let moved = |moved: &Moved| MovedJson {
+        parameter: PARAMETERS[moved.axis],
+        end: end_name(moved.end),
+        by: moved.by_and_to.as_ref().map(|(by, _)| Number::up(by)),
+    };
+    all.iter()
+        .enumerate()
+        .map(|(position, without)| WithoutJson {
+            row: without.row,
+            matters: without.matters,
+            region: RegionJson::new(&without.region, points).skipping(2 * position, 2),
+            pui: without.pui.as_ref().map(|pui| [digits.range(0, &pui[0]), digits.range(1, &pui[1])]),
+            moved: without.moved.iter().map(moved).collect(),
+        })
+        .collect()
+}
+
+/// The names of the parameters in the data.
+pub(crate) const PARAMETERS: [&str; 2] = ["theta1", "theta2"];
+
+/// The name of an end in the data.
+pub(crate) fn end_name(end: End) -> &'static str {
+    match end {
+        End::Lower => "lower",
+        End::Upper => "upper",
+    }
+}

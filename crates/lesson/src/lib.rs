@@ -1,0 +1,90 @@
+//! A self-contained web page that teaches polytope geometry on a bounded-error fit.
+//!
+//! [`lesson_data`] computes everything that the page shows, exactly: the half-planes and what each step of clipping
+//! does, the family of sets under growing error bounds, the estimates with what linear programs make of the same data,
+//! the set without each reading, and questions with answers. [`page`] puts it into one HTML file whose script only draws.
+//!
+//! What the page's script may rely on is the schema `boundfit/lesson/1`; its sources are in the folder `page`.
+
+mod corridor;
+mod data;
+mod half_planes;
+mod layers;
+mod leave_one_out;
+mod number;
+mod orders;
+mod points;
+mod questions;
+mod readings;
+mod region;
+mod sweep;
+mod template;
+
+use boundfit_estimation::{Fit, Problem};
+use boundfit_exact::Reading;
+use serde_json::Value;
+use thiserror::Error;
+
+/// The most readings that a lesson is made for: what the page shows grows with their square.
+pub const MOST_ROWS: usize = 300;
+
+/// What the page says about the data besides what follows from them.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct LessonOptions {
+    /// Where the readings come from; of a path only the file's name is shown.
+    pub file: String,
+    /// The title; made of the file and the columns when `None`.
+    pub title: Option<String>,
+    /// Unit of x, or of both regressors.
+    pub x_unit: Option<String>,
+    /// Unit of y.
+    pub y_unit: Option<String>,
+}
+
+/// Why there is no lesson.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum LessonError {
+    /// More readings than a page can show.
+    #[error("{rows} readings are too many for a lesson (the limit is {MOST_ROWS})")]
+    TooManyRows {
+        /// How many there are.
+        rows: usize,
+    },
+    /// A report that cannot be embedded.
+    #[error("cannot embed a report: {0}")]
+    Json(#[from] serde_json::Error),
+}
+
+/// The lesson as one HTML file without outside parts. `reading` says how the problem's numbers were read.
+///
+/// The same bytes on every run. Cost: that of [`lesson_data`].
+///
+/// # Errors
+/// With more than [`MOST_ROWS`] readings.
+pub fn page(
+    problem: &Problem,
+    fit: &Fit,
+    reading: Reading,
+    options: &LessonOptions,
+) -> Result<String, LessonError> {
+    let data = data::build(problem, fit, reading, options)?;
+    Ok(template::page(data.title(), &serde_json::to_string(&data)?))
+}
+
+/// Everything that the page shows, schema `boundfit/lesson/1`. Numbers are exact, their decimals rounded: ends of
+/// intervals outward, error bounds upward, all others to nearest.
+///
+/// Cost: for N readings one fit without each of them, O(N² log N), and three runs of clipping; every LP solver of this
+/// build on four programs, each for at most ten seconds.
+///
+/// # Errors
+/// With more than [`MOST_ROWS`] readings.
+pub fn lesson_data(
+    problem: &Problem,
+    fit: &Fit,
+    reading: Reading,
+    options: &LessonOptions,
+) -> Result<Value, LessonError> {
+    Ok(serde_json::to_value(data::build(problem, fit, reading, options)?)?)
+}

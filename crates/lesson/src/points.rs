@@ -1,0 +1,41 @@
+//! The points of the parameter plane, each kept once.
+
+use std::collections::HashMap;
+
+use boundfit_exact::Rational;
+use boundfit_geometry::Point;
+
+use crate::number::{Number, ParameterDigits};
+
+/// A pool of points; the rest of the data refers to them by index, in the order in which they first came up.
+#[derive(Debug)]
+pub(crate) struct Points {
+    digits: ParameterDigits,
+    indices: HashMap<Point, usize>,
+    numbers: Vec<[Number; 2]>,
+}
+
+impl Points {
+    pub(crate) fn new(digits: ParameterDigits) -> Self {
+        Points { digits, indices: HashMap::new(), numbers: Vec::new() }
+    }
+
+    /// The index of a point, which is added when it is new.
+    pub(crate) fn index(&mut self, point: &Point) -> usize {
+        if let Some(&index) = self.indices.get(point) {
+            return index;
+        }
+        let index = self.numbers.len();
+        self.indices.insert(point.clone(), index);
+        self.numbers.push(self.digits.point(&point.coordinates()));
+        index
+    }
+
+    pub(crate) fn index_of(&mut self, theta: &[Rational; 2]) -> usize {
+        self.index(&Point::new(&theta[0], &theta[1]))
+    }
+
+    pub(crate) fn into_numbers(self) -> Vec<[Number; 2]> {
+        self.numbers
+    }
+}

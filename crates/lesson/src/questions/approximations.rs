@@ -1,0 +1,130 @@
+//! The set beside boxes, hulls and what solvers say.
+
+use boundfit_exact::{Rational, Rounding};
+use boundfit_geometry::RegionKind;
+use boundfit_lp::{End, Verdict};
+
+use super::wording::{THETA, counted, listed, size};
+use super::{Facts, Question, Show};
+use crate::layers::{ENDS, LpAnswer, reason};
+use crate::leave_one_out::end_name;
+
+/// How much of the PUI box is feasible?
+pub(super) fn box_full(facts: &Facts<'_>) -> Option<Question> {
+    let region = facts.region();
+    let answer = match (region.kind(), facts.fit.tightness()) {
+        (RegionKind::Point, _) => "All of it: the set is a single point, and so is its box.".to_owned(),
+        (RegionKind::Segment, None) => {
+            "All of it: the set is a segment along an axis, and so is its box.".to_owned()
+        }
+        (RegionKind::Segment, Some(_)) => {
+            "None of its area: the set is a segment, a diagonal of the box.".to_owned()
+        }
+        (RegionKind::Polygon, Some(tightness)) if tightness == Rational::one() => {
+            "All of it: the set is a rectangle along the axes.".to_owned()
+        }
+        (RegionKind::Polygon, Some(tightness)) => {
+            let who = if facts.problem.conditions.is_empty() {
+                "some reading"
+            } else {
+                "some reading or condition"
+            };
+            format!(
+                "{} % of its area; the rest are parameter pairs that {who} rules out, although each parameter alone \
+                 lies within its interval. The box tells how far each parameter can go, not which pairs go together.",
+                size(&(tightness * Rational::from(100)), Rounding::Down)
+            )
+        }
+        _ => return None,
+    };
+    let question =
+        "The box of both parameter intervals (PUI) contains the set. How much of the box is feasible?";
+    Some(Question {
+        id: "box-full",
+        question: question.to_owned(),
+        answer,
+        show: Some(Show::Layer { layer: "pui" }),
+    })
+}
+
+/// Is the hull of the optimisers an inner or an outer approximation?
+pub(super) fn inner_or_outer(facts: &Facts<'_>) -> Option<Question> {
+    let found = &facts.programs.directions;
+    if facts.region().kind() != RegionKind::Polygon {
+        return None;
+    }
+    let inner = found.inner.as_ref()?.area.as_ref()?;
+    let outer = found.outer.as_ref()?.area.as_ref()?;
+    let exact = facts.region().area()?;
+    let all = if *inner == exact {
+        " Here the optimisers happen to be all the vertices, so that the hull is the set itself."
+    } else {
+        ""
+    };
+    let answer = format!(
+        "An inner one. Each optimiser is a point of the set, and a convex set contains the hull of any of its points: the \
+         hull has area {}, the set {}.{all} An outer approximation is the intersection of the {} half-planes behind the \
+         optimal values; its area is {}.",
+        size(inner, Rounding::Nearest),
+        size(&exact, Rounding::Nearest),
+        found.count,
+        size(outer, Rounding::Up)
+    );
+    let question = format!(
+        "Linear programs in {} directions give {} optimisers. Is their hull an inner or an outer approximation of the set?",
+        found.count, found.count
+    );
+    Some(Question { id: "inner-or-outer", question, answer, show: Some(Show::Layer { layer: "directions" }) })
+}
+
+/// Did the solvers get the bounds right?
+pub(super) fn solvers(facts: &Facts<'_>) -> Option<Question> {
+    let floating: Vec<&LpAnswer> = facts.programs.answers.iter().filter(|answer| !answer.is_exact).collect();
+    if floating.is_empty() {
+        return None;
+    }
+    let found: Vec<String> =
+        floating.iter().map(|answer| format!("{}: {}.", answer.source, finding(facts, answer))).collect();
+    let question = match floating.as_slice() {
+        [only] => {
+            format!("Did the linear-programming solver {} get the ends of both intervals right?", only.source)
+        }
+        _ => "Did the linear-programming solvers get the ends of both intervals right?".to_owned(),
+    };
+    let answer = format!("Judged against the exact answer. {}", found.join(" "));
+    Some(Question { id: "solvers-right", question, answer, show: Some(Show::Layer { layer: "lp" }) })
+}
+
+fn finding(facts: &Facts<'_>, answer: &LpAnswer) -> String {
+    let judgements = answer.judgements.iter().flatten();
+    let worst = judgements.map(|judgement| judgement.verdict).max().unwrap_or(Verdict::NoAnswer);
+    match worst {
+        Verdict::Exact if facts.region().is_empty() => "yes, it finds no feasible point".to_owned(),
+        Verdict::Exact => "yes, all four ends".to_owned(),
+        Verdict::Rounded { ulps: 0 } => "yes, all four ends, rounded to the nearest doubles".to_owned(),
+        Verdict::Rounded { ulps } => {
+            let count = counted(usize::try_from(ulps).unwrap_or(usize::MAX), "double", "doubles");
+            format!("yes, all four ends to within {count} of the nearest ones")
+        }
+        Verdict::WithinTolerance => "nearly, within a tolerance of one millionth".to_owned(),
+        verdict => {
+            let of_worst =
+                |&(axis, end): &(usize, End)| answer.judgements[axis][end as usize].verdict == verdict;
+            let name = |(axis, end)| format!("the {} end of {}", end_name(end), THETA[axis]);
+            let ends: Vec<String> = ENDS.into_iter().filter(of_worst).map(name).collect();
+            let word = if verdict == Verdict::NoAnswer { "not quite" } else { "no" };
+            let ends = if ends.len() == ENDS.len() { "all four ends".to_owned() } else { listed(&ends) };
+            let why = common_reason(answer, verdict).map(|reason| format!(". {reason}")).unwrap_or_default();
+            let why = why.trim_end_matches('.');
+            format!("{word}, the verdict on {ends} is “{}”{why}", verdict.name())
+        }
+    }
+}
+
+/// What is said about every end with a verdict, if that is one and the same thing.
+fn common_reason(answer: &LpAnswer, verdict: Verdict) -> Option<String> {
+    let with_verdict = answer.judgements.iter().flatten().filter(|judgement| judgement.verdict == verdict);
+    let mut reasons = with_verdict.map(reason);
+    let first = reasons.next()?;
+    if reasons.all(|other| other == first) { first } else { None }
+}

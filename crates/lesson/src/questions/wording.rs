@@ -1,0 +1,165 @@
+//! Plain English for half-planes, sets and numbers.
+
+use boundfit_estimation::{BoundName, Problem};
+use boundfit_exact::{Rational, Rounding};
+use boundfit_geometry::{Region, RegionKind};
+
+use crate::number::{DIGITS, exact_decimal};
+
+/// The longest fraction that a sentence shows.
+const LONGEST_FRACTION: usize = 40;
+
+/// The names of the parameters in sentences.
+pub(super) const THETA: [&str; 2] = ["θ₁", "θ₂"];
+
+/// A number with its exact value behind it, unless that is the decimal itself or too long to read.
+pub(super) fn value(value: &Rational, digits: usize, rounding: Rounding) -> String {
+    let fraction = value.to_string();
+    with_minus(&match exact_decimal(value, digits) {
+        Some(decimal) => decimal,
+        None if fraction.len() > LONGEST_FRACTION => value.to_decimal(digits, rounding),
+        None => format!("{} (exactly {fraction})", value.to_decimal(digits, rounding)),
+    })
+}
+
+/// A number with a minus sign in place of the hyphen.
+fn with_minus(number: &str) -> String {
+    number.replace('-', "−")
+}
+
+/// A size, rounded.
+pub(super) fn size(size: &Rational, rounding: Rounding) -> String {
+    with_minus(&size.to_decimal(DIGITS, rounding))
+}
+
+/// A number of a proof: exact where that can be read.
+pub(super) fn fraction(value: &Rational) -> String {
+    let exact = value.to_string();
+    if exact.len() <= LONGEST_FRACTION {
+        with_minus(&exact)
+    } else {
+        format!("about {}", size(value, Rounding::Nearest))
+    }
+}
+
+/// A point or direction, exact where that can be read.
+pub(super) fn pair(numbers: &[Rational; 2]) -> String {
+    format!("({}, {})", fraction(&numbers[0]), fraction(&numbers[1]))
+}
+
+/// `a`, `a and b`, `a, b and c`; of many only the first.
+pub(super) fn listed(items: &[String]) -> String {
+    const MOST: usize = 8;
+    match items {
+        [] => String::new(),
+        [only] => only.clone(),
+        [first @ .., last] if items.len() <= MOST => format!("{} and {last}", first.join(", ")),
+        _ => format!("{} and {} more", items[..MOST - 1].join(", "), items.len() - MOST + 1),
+    }
+}
+
+/// `one half-plane`, `seven half-planes`, `46 half-planes`.
+pub(super) fn counted(count: usize, one: &str, several: &str) -> String {
+    format!("{} {}", in_words(count), if count == 1 { one } else { several })
+}
+
+/// A count, in words where it is small.
+pub(super) fn in_words(count: usize) -> String {
+    const WORDS: [&str; 11] =
+        ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"];
+    WORDS.get(count).map_or_else(|| count.to_string(), |word| (*word).to_owned())
+}
+
+/// A sentence's first letter, large.
+pub(super) fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// A half-plane: `the upper bound of reading 14`, `the condition theta1 >= 0`.
+pub(super) fn bound(name: BoundName, problem: &Problem) -> String {
+    match name {
+        BoundName::Upper(row) => format!("the upper bound of reading {row}"),
+        BoundName::Lower(row) => format!("the lower bound of reading {row}"),
+        BoundName::Where(number) => match number.checked_sub(1).and_then(|i| problem.conditions.get(i)) {
+            Some(condition) => format!("the condition {}", condition.text()),
+            None => format!("condition {number}"),
+        },
+    }
+}
+
+/// Half-planes, listed.
+pub(super) fn bounds(names: impl Iterator<Item = BoundName>, problem: &Problem) -> String {
+    listed(&names.map(|name| bound(name, problem)).collect::<Vec<_>>())
+}
+
+/// What half-planes belong to: `reading 14`, `readings 14 and 36 and the condition theta1 >= 0`. Also whether that is
+/// more than one thing.
+pub(super) fn owners(names: impl Iterator<Item = BoundName>, problem: &Problem) -> (String, bool) {
+    let mut rows: Vec<String> = Vec::new();
+    let mut parts: Vec<String> = Vec::new();
+    for name in names {
+        match name {
+            BoundName::Upper(row) | BoundName::Lower(row) => {
+                if !rows.contains(&row.to_string()) {
+                    rows.push(row.to_string());
+                }
+            }
+            BoundName::Where(_) => parts.push(bound(name, problem)),
+        }
+    }
+    let several = rows.len() + parts.len() > 1;
+    if !rows.is_empty() {
+        let noun = if rows.len() == 1 { "reading" } else { "readings" };
+        parts.insert(0, format!("{noun} {}", listed(&rows)));
+    }
+    (listed(&parts), several)
+}
+
+/// A positive combination: `500/5863 times the upper bound of reading 14 plus …`.
+pub(super) fn combination(terms: &[(BoundName, Rational)], problem: &Problem) -> String {
+    let term = |(name, times): &(BoundName, Rational)| {
+        let bound = bound(*name, problem);
+        if *times == Rational::one() { bound } else { format!("{} times {bound}", fraction(times)) }
+    };
+    terms.iter().map(term).collect::<Vec<_>>().join(" plus ")
+}
+
+/// What a set is: `a polygon with 6 vertices`.
+pub(super) fn described(region: &Region) -> String {
+    let vertices = counted(region.vertices().len(), "vertex", "vertices");
+    match region.kind() {
+        RegionKind::Empty => "empty".to_owned(),
+        RegionKind::Point => "a single point".to_owned(),
+        RegionKind::Segment => "a segment".to_owned(),
+        RegionKind::Ray => "a half-line".to_owned(),
+        RegionKind::Line => "a whole line".to_owned(),
+        RegionKind::Polygon => format!("a polygon with {vertices}"),
+        RegionKind::UnboundedPolygon => format!("an unbounded polygon with {vertices}"),
+        RegionKind::Strip => "a strip between two parallel lines".to_owned(),
+        RegionKind::HalfPlane => "a half-plane".to_owned(),
+        RegionKind::Plane => "the whole plane".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_read_like_english() {
+        let items = |count: usize| (1..=count).map(|i| i.to_string()).collect::<Vec<_>>();
+        assert_eq!(listed(&items(1)), "1");
+        assert_eq!(listed(&items(2)), "1 and 2");
+        assert_eq!(listed(&items(3)), "1, 2 and 3");
+        assert_eq!(listed(&items(8)), "1, 2, 3, 4, 5, 6, 7 and 8");
+        assert_eq!(listed(&items(12)), "1, 2, 3, 4, 5, 6, 7 and 5 more");
+    }
+
+    #[test]
+    fn numbers_say_when_they_are_rounded() {
+        assert_eq!(value(&Rational::ratio(1, 4), 5, Rounding::Up), "0.25");
+        assert_eq!(value(&Rational::ratio(1, 3), 5, Rounding::Up), "0.33334 (exactly 1/3)");
+        assert_eq!(sentence("the end"), "The end");
+    }
+}

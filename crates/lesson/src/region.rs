@@ -1,0 +1,52 @@
+//! A region by the indices of its points and half-planes.
+
+use boundfit_geometry::{Boundary, Direction, HalfPlane, Point, Region, Vertex};
+use serde::Serialize;
+
+use crate::points::Points;
+
+/// A region. Vertices are indices of points, counter-clockwise; rays and lines are exact integer directions; boundaries
+/// are half-planes, one for each whole line that bounds a region without vertices.
+#[derive(Debug, Serialize)]
+pub(crate) struct RegionJson {
+    kind: &'static str,
+    vertices: Vec<usize>,
+    rays: Vec<[String; 2]>,
+    lines: Vec<[String; 2]>,
+    boundaries: Vec<usize>,
+}
+
+impl RegionJson {
+    pub(crate) fn new(region: &Region, points: &mut Points) -> Self {
+        let direction = |direction: &Direction| [direction.dx().to_string(), direction.dy().to_string()];
+        let first_active = |boundary: &Boundary| boundary.active().first().copied();
+        RegionJson {
+            kind: region.kind().name(),
+            vertices: region.vertices().iter().map(|vertex| points.index(vertex.point())).collect(),
+            rays: region.rays().iter().map(direction).collect(),
+            lines: region.lines().iter().map(direction).collect(),
+            boundaries: region.boundaries().iter().filter_map(first_active).collect(),
+        }
+    }
+
+    /// The same region of a system that lacks `count` half-planes from index `from` on, by the indices of the whole one.
+    pub(crate) fn skipping(mut self, from: usize, count: usize) -> Self {
+        self.boundaries.iter_mut().filter(|index| **index >= from).for_each(|index| *index += count);
+        self
+    }
+}
+
+/// Whether two regions are the same set, whatever half-planes describe them.
+pub(crate) fn same_set(one: &Region, other: &Region) -> bool {
+    fn points(region: &Region) -> impl Iterator<Item = &Point> {
+        region.vertices().iter().map(Vertex::point)
+    }
+    fn sides(region: &Region) -> impl Iterator<Item = &HalfPlane> {
+        region.boundaries().iter().map(Boundary::half_plane)
+    }
+    one.kind() == other.kind()
+        && points(one).eq(points(other))
+        && one.rays() == other.rays()
+        && one.lines() == other.lines()
+        && sides(one).eq(sides(other))
+}

@@ -1,0 +1,138 @@
+// A lesson page of the program in a real browser. Nothing here skips: without a browser, or without the program, the
+// tests fail.
+
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+
+import { chromium } from "playwright-core";
+
+const root = join(dirname(fileURLToPath(import.meta.url)), "..", "..");
+const folder = mkdtempSync(join(tmpdir(), "boundfit-browser-"));
+process.on("exit", () => rmSync(folder, { recursive: true, force: true }));
+
+/** The options of `boundfit` for the data sets of the tests. */
+export const DATA = {
+  transducer: ["fixtures/transducer/transducer.csv", "--x", "Vz", "--y", "z", "--rows", "14..36", "--eps", "0.5e-3"],
+  steamGenerator: [
+    "fixtures/steam-generator/steam_generator.csv", "--x", "x", "--y", "y", "--eps-column", "eps", "--where", "theta1 >= 0",
+  ],
+  norris: ["fixtures/norris/norris.csv", "--x", "x", "--y", "y", "--eps", "1"],
+  strip: ["fixtures/claims/strip.csv", "--x", "x", "--y", "y", "--eps", "0.2"],
+  point: ["fixtures/hard-lp/point.csv", "--x", "x", "--y", "y", "--eps", "0.3"],
+  thin: ["fixtures/hard-lp/thin-1e-12.csv", "--x", "x", "--y", "y", "--eps", "0.428629725263"],
+  twoRegressors: ["fixtures/steam-generator/steam_generator.csv", "--x", "x,eps", "--y", "y", "--eps", "10"],
+};
+
+/** What the program prints for arguments; an empty set (status 3) and a refuted claim (status 4) are answers. */
+export function boundfit(...words) {
+  const command = ["run", "--quiet", "--release", "--package", "boundfit", "--", ...words];
+  try {
+    return execFileSync("cargo", command, { cwd: root, encoding: "utf8", maxBuffer: 1 << 26 });
+  } catch (failure) {
+    if ([3, 4].includes(failure.status)) return failure.stdout;
+    throw failure;
+  }
+}
+
+/** The report of a fit as `boundfit fit --format json` has it. */
+export function fitReport(options, ...more) {
+  return JSON.parse(boundfit("fit", ...options, "--format", "json", ...more));
+}
+
+const pages = new Map();
+
+function pageFile(options) {
+  const key = options.join(" ");
+  if (!pages.has(key)) {
+    const file = join(folder, `lesson-${pages.size}.html`);
+    boundfit("lesson", ...options, "-o", file);
+    pages.set(key, file);
+  }
+  return pages.get(key);
+}
+
+function browserFile() {
+  const candidates = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+  const found = candidates.find((candidate) => candidate && existsSync(candidate));
+  if (!found) throw new Error("no Chromium: install one (Debian: apt-get install chromium) or name it in CHROMIUM");
+  return found;
+}
+
+/** A browser; close it when done. */
+export function launch() {
+  const quiet = ["--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-quic"];
+  return chromium.launch({ executablePath: browserFile(), args: ["--no-sandbox", "--disable-gpu", "--no-first-run", ...quiet] });
+}
+
+/**
+ * Opens the lesson of a data set from disk. `complaints` collects what must not happen: errors and warnings on the
+ * console, uncaught errors, and requests for anything but the page itself.
+ */
+export async function openLesson(browser, options, { width = 1280, height = 900, ...context } = {}) {
+  const session = await browser.newContext({ viewport: { width, height }, reducedMotion: "reduce", ...context });
+  const page = await session.newPage();
+  page.setDefaultTimeout(10_000);
+  const complaints = [];
+  const address = pathToFileURL(pageFile(options)).href;
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) complaints.push(`console: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => complaints.push(`uncaught: ${error.message}`));
+  page.on("request", (request) => {
+    if (!request.url().startsWith(address)) complaints.push(`request: ${request.url()}`);
+  });
+  await page.goto(address);
+  return { page, complaints, close: () => session.close() };
+}
+
+/** Presses a button unless it has nothing to do. */
+export async function pressIfEnabled(page, id) {
+  const button = page.locator(id);
+  if (await button.isEnabled()) await button.click();
+}
+
+/** The report of the transducer without one of its rows. */
+export function withoutRow(row) {
+  const lines = readFileSync(join(root, DATA.transducer[0]), "utf8").trimEnd().split("\n");
+  const file = join(folder, `without-${row}.csv`);
+  writeFileSync(file, [lines[0], ...lines.slice(14, 37)].filter((line) => line !== lines[row]).join("\n"));
+  return fitReport([file, "--x", "Vz", "--y", "z", "--eps", "0.5e-3"]);
+}
+
+class Fraction {
+  constructor(numerator, denominator) {
+    let [a, b] = [numerator < 0n ? -numerator : numerator, denominator];
+    while (b > 0n) [a, b] = [b, a % b];
+    this.numerator = numerator / (a || 1n);
+    this.denominator = denominator / (a || 1n);
+  }
+
+  plus(other) {
+    return new Fraction(this.numerator * other.denominator + other.numerator * this.denominator, this.denominator * other.denominator);
+  }
+
+  minus(other) {
+    return this.plus(new Fraction(-other.numerator, other.denominator));
+  }
+
+  times(other) {
+    return new Fraction(this.numerator * other.numerator, this.denominator * other.denominator);
+  }
+
+  isNegative() {
+    return this.numerator < 0n;
+  }
+
+  toString() {
+    return this.denominator === 1n ? `${this.numerator}` : `${this.numerator}/${this.denominator}`;
+  }
+}
+
+/** An exact number from its text; not the page's own arithmetic, which is under test. */
+export function fraction(text) {
+  const [numerator, denominator = "1"] = text.split("/");
+  return new Fraction(BigInt(numerator), BigInt(denominator));
+}

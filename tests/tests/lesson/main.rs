@@ -1,0 +1,13 @@
+//! The lesson page: every number in its data against the engine, and the page as the program writes it.
+
+#[path = "../cli_common/mod.rs"]
+mod cli_common;
+
+mod corridor;
+mod document;
+mod keys;
+mod layers;
+mod leave_one_out;
+mod orders;
+mod page;
+mod questions;
