@@ -166,6 +166,7 @@ mod unix {
     fn examples(help: &str) -> Vec<String> {
         let (_, examples) = help.split_once("Example").unwrap();
         let indented = |line: &&str| line.starts_with("  ") && line.contains("boundfit ");
+        let examples = examples.replace("\\\n", " ");
         let lines = examples.lines().skip(1).take_while(|line| !line.is_empty());
         lines.filter(indented).map(|line| line.trim().to_owned()).collect()
     }
@@ -192,7 +193,7 @@ mod unix {
     fn the_examples_of_the_help_run() {
         let directory = directory_of_examples();
         let mut starts = Vec::new();
-        for command in ["fit", "polygon", "completions", "man"] {
+        for command in ["fit", "polygon", "plot", "lesson", "completions", "man"] {
             for line in examples(&printed(&root(), &format!("{command} --help"))) {
                 // Nothing is installed by a test.
                 let run =
@@ -205,15 +206,22 @@ mod unix {
         let expected = [
             "fit: Set-membership fit",
             "fit: Set-membership fit",
+            "fit: Set-membership fit",
             "fit: {",
             "polygon: Half-planes of square.ine, 4 rows",
             "polygon: Half-planes of standard input, 3 rows",
+            "plot: ",
+            "plot: ",
+            "plot: ",
+            "lesson: ",
             "completions: ",
             "man: ",
         ];
         assert_eq!(starts, expected);
         let written = ["completions-boundfit", "boundfit-fit.1"].map(|file| directory.path().join(file));
         assert!(written.iter().all(|file| fs::read_to_string(file).unwrap().contains("boundfit")));
+        let pictures = ["fps.svg", "fps.png", "figures/data.png", "figures/directions.png", "lesson.html"];
+        assert!(pictures.iter().all(|file| directory.path().join(file).exists()));
     }
 
     #[test]
