@@ -65,13 +65,57 @@ pub fn pui_objectives() -> [[Rational; 2]; 4] {
 }
 
 /// `count` objectives spread evenly around the circle, (sin 2πk/n, cos 2πk/n) for k = 0, 1, …, as binary64 numbers
-/// taken exactly; the axes are exact.
+/// taken exactly. Axes and diagonals are exact, and directions that mirror each other do so exactly.
 pub fn spread_objectives(count: usize) -> Vec<[Rational; 2]> {
     let direction = |k: usize| {
-        let angle = std::f64::consts::TAU * k as f64 / count as f64;
-        // Sines and cosines of quarter turns come out as 1e-16 where they are 0.
-        let clean = |value: f64| if value.abs() < 1e-12 { 0.0 } else { value };
-        [angle.sin(), angle.cos()].map(|value| Rational::from_f64(clean(value)).unwrap_or_default())
+        // The place within its eighth of the circle; odd eighths are mirror images of even ones.
+        let (eighth, rest) = (8 * k / count, 8 * k % count);
+        let rest = if eighth % 2 == 0 { rest } else { count - rest };
+        let angle = std::f64::consts::FRAC_PI_4 * rest as f64 / count as f64;
+        let (sine, cosine) = if rest == count {
+            (std::f64::consts::FRAC_1_SQRT_2, std::f64::consts::FRAC_1_SQRT_2)
+        } else {
+            angle.sin_cos()
+        };
+        match eighth {
+            0 => [sine, cosine],
+            1 => [cosine, sine],
+            2 => [cosine, -sine],
+            3 => [sine, -cosine],
+            4 => [-sine, -cosine],
+            5 => [-cosine, -sine],
+            6 => [-cosine, sine],
+            _ => [-sine, cosine],
+        }
+        .map(|value| Rational::from_f64(value).unwrap_or_default())
     };
     (0..count).map(direction).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn objectives_go_around_the_circle_and_mirror_each_other() {
+        for count in [1, 2, 3, 5, 8, 16, 24, 100, 1000] {
+            let objectives = spread_objectives(count);
+            assert_eq!(objectives.len(), count);
+            for (k, objective) in objectives.iter().enumerate() {
+                let angle = std::f64::consts::TAU * k as f64 / count as f64;
+                let [sine, cosine] = objective.each_ref().map(Rational::to_f64);
+                assert!(
+                    (sine - angle.sin()).abs() < 1e-14 && (cosine - angle.cos()).abs() < 1e-14,
+                    "{k}/{count}"
+                );
+                let [s, c] = objective;
+                let has = |mirrored: [Rational; 2]| objectives.contains(&mirrored);
+                assert!(has([-s, c.clone()]), "{k}/{count} to the left");
+                assert!(count % 2 != 0 || has([-s, -c]), "{k}/{count} to the opposite");
+                assert!(count % 4 != 0 || has([c.clone(), s.clone()]), "{k}/{count} over the diagonal");
+            }
+        }
+        assert_eq!(spread_objectives(8)[1][0], spread_objectives(8)[1][1]);
+        assert_eq!(spread_objectives(4)[1], [Rational::one(), Rational::zero()]);
+    }
 }

@@ -94,7 +94,7 @@ pub fn sweep_value(problem: &Problem, family: &Family, style: &Style) -> serde_j
 pub(crate) fn sweep(problem: &Problem, family: &Family, style: &Style) -> SweepJson {
     let breakpoints = family.breakpoints();
     let end = |breakpoint: Option<&Breakpoint>| {
-        style.number(breakpoint.map_or(&Rational::default(), |breakpoint| &breakpoint.s))
+        style.upper_number(breakpoint.map_or(&Rational::default(), |breakpoint| &breakpoint.s))
     };
     SweepJson {
         from: end(breakpoints.first()),
@@ -111,7 +111,7 @@ pub(crate) fn sweep(problem: &Problem, family: &Family, style: &Style) -> SweepJ
 fn breakpoint_json(problem: &Problem, breakpoint: &Breakpoint, style: &Style) -> BreakpointJson {
     let Section { kind, vertices, rays, lines, boundaries, pui, area } = &breakpoint.section;
     let epsilon = match problem.measurements.error_bound() {
-        ErrorBound::Uniform(epsilon) => Some(style.number(&(epsilon * &breakpoint.s))),
+        ErrorBound::Uniform(epsilon) => Some(style.upper_number(&(epsilon * &breakpoint.s))),
         ErrorBound::PerRow(_) => None,
     };
     let range = |interval: &Interval| EndsJson {
@@ -119,7 +119,7 @@ fn breakpoint_json(problem: &Problem, breakpoint: &Breakpoint, style: &Style) ->
         upper: interval.upper().value().map(|value| style.upper_number(value)),
     };
     BreakpointJson {
-        s: style.number(&breakpoint.s),
+        s: style.upper_number(&breakpoint.s),
         epsilon,
         kind: kind.name(),
         vertices: vertices
@@ -156,8 +156,8 @@ fn piece_json(piece: &Piece, style: &Style) -> PieceJson {
         upper: upper.as_ref().map(linear),
     };
     PieceJson {
-        from: style.number(&piece.from),
-        to: style.number(&piece.to),
+        from: style.upper_number(&piece.from),
+        to: style.upper_number(&piece.to),
         kind: piece.kind.name(),
         vertices: piece.vertices.iter().map(vertex).collect(),
         rays: directions(&piece.rays),

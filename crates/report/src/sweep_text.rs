@@ -37,11 +37,12 @@ fn breakpoint_table(problem: &Problem, family: &Family, style: &Style) -> String
     };
     let rows = family.breakpoints().iter().map(|breakpoint| {
         let section = &breakpoint.section;
-        let mut row = vec![style.text(&breakpoint.s)];
+        // Of factors as of error bounds: what is printed is never too small.
+        let mut row = vec![style.upper_text(&breakpoint.s)];
         if !style.exact {
             row.push(style.proof_text(&breakpoint.s));
         }
-        row.extend(epsilon.map(|epsilon| style.text(&(epsilon * &breakpoint.s))));
+        row.extend(epsilon.map(|epsilon| style.upper_text(&(epsilon * &breakpoint.s))));
         row.push(kind_text(section.kind, section.vertices.len()));
         row.extend([&breakpoint.entering, &breakpoint.leaving].map(|names| names_text(names)));
         row
