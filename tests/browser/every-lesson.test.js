@@ -5,7 +5,7 @@ import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 
-import { DATA, fitReport, launch, openLesson, pressIfEnabled } from "./harness.js";
+import { DATA, LONG_NAME, SPECIAL, fitReport, launch, openLesson, pressIfEnabled } from "./harness.js";
 
 let browser;
 
@@ -90,6 +90,80 @@ for (const colorScheme of ["light", "dark"]) {
     await close();
   });
 }
+
+test("long names and numbers fit onto a phone", async () => {
+  const { page, complaints, close } = await openLesson(browser, SPECIAL.longNames, { width: 360 });
+  for (const mode of MODES) {
+    await page.locator(`#tab-${mode}`).click();
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 360, mode);
+  }
+  assert.match(await page.locator("#provenance").textContent(), /ε = 1e299/);
+  for (const id of ["data-plane", "parameter-plane"]) {
+    const picture = await page.locator(`#${id}`).boundingBox();
+    for (const name of await page.locator(`#${id} .axis`).all()) {
+      const box = await name.boundingBox();
+      assert.ok(box.x >= picture.x - 1 && box.x + box.width <= picture.x + picture.width + 1, `#${id}: ${JSON.stringify(box)}`);
+    }
+  }
+  assert.ok((await page.locator("#readings").textContent()).includes(LONG_NAME), "in full where there is room");
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("why the set is empty, and whether an error bound helps", async () => {
+  const cases = [
+    [DATA.contradiction, /no error bound, however large, helps/, /^Empty\. The conditions contradict each other/],
+    [SPECIAL.badCondition, /a reading or a condition is\. Change ε/, /too small for these readings and the condition/],
+    [SPECIAL.tooTight, /a reading is\. Change ε/, /too small for these readings\./],
+  ];
+  for (const [options, cause, story] of cases) {
+    const { page, complaints, close } = await openLesson(browser, options);
+    assert.match(await page.locator("#conflict-cause").textContent(), cause);
+    for (const mode of ["explore", "epsilon"]) {
+      await page.locator(`#tab-${mode}`).click();
+      if (options === DATA.contradiction)
+        assert.equal(await page.locator("#parameter-plane .condition .line").count(), 2, `both boundaries, ${mode}`);
+    }
+    await page.locator("#epsilon-slider").fill("0");
+    assert.match(await page.locator("#epsilon-story").textContent(), story);
+    assert.deepEqual(complaints, []);
+    await close();
+  }
+});
+
+test("many active bounds are listed in short, and in full on demand", async () => {
+  const { page, complaints, close } = await openLesson(browser, SPECIAL.duplicates);
+  assert.ok((await page.locator("#active").textContent()).length < 150);
+  await page.locator("#active-more summary").click();
+  assert.equal(await page.locator("#active .name, #active-more .name").count(), 200);
+  await page.locator('[data-vertex="0"]').press("Enter");
+  assert.match(await page.locator("#inspector").textContent(), /and \d+ more/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("the text holds for readings without any error, too", async () => {
+  const { page, complaints, close } = await openLesson(browser, SPECIAL.noError);
+  assert.equal(await page.locator("#kind").getAttribute("data-kind"), "point");
+  assert.match(await page.locator("#introduction").textContent(), /may be wrong by an error e/);
+  assert.match(await page.locator("#readings-note").textContent(), /None of the readings matters alone/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("on paper: chosen layers only, every answer, no hints for the mouse", async () => {
+  const { page, complaints, close } = await openLesson(browser, DATA.transducer);
+  await page.locator("#layer-pui-box").check();
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  await page.emulateMedia({ media: "print" });
+  const printed = (selector) => page.locator(selector).evaluateAll((parts) => parts.filter((part) => part.checkVisibility()).length);
+  assert.equal(await printed("#layer-list li"), 1);
+  assert.equal(await printed("#inspector p, #plane-keys, .tabs, .panel, .tools"), 0);
+  assert.equal(await printed("#question-list details > p"), await page.locator("#question-list details").count());
+  await page.locator("#question-list details").first().evaluate((box) => box.scrollIntoView());
+  assert.deepEqual(complaints, []);
+  await close();
+});
 
 test("the page refuses every request", async () => {
   const { page, close } = await openLesson(browser, DATA.transducer);

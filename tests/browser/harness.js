@@ -13,6 +13,29 @@ const root = join(dirname(fileURLToPath(import.meta.url)), "..", "..");
 const folder = mkdtempSync(join(tmpdir(), "boundfit-browser-"));
 process.on("exit", () => rmSync(folder, { recursive: true, force: true }));
 
+/** A file of readings for the tests. */
+function csv(name, ...lines) {
+  const file = join(folder, `${name}.csv`);
+  writeFileSync(file, lines.join("\n"));
+  return file;
+}
+
+/** A column name with 150 characters. */
+export const LONG_NAME = "pressure_".repeat(17).slice(0, 150);
+
+const longNames = csv("long-names", `${LONG_NAME},y_${LONG_NAME}`, "1,1", "2,2.1", "3,2.9");
+const straight = csv("straight", "x,y", "1,1", "2,2", "3,3");
+
+/** Data sets with tests of their own. */
+export const SPECIAL = {
+  longNames: [longNames, "--x", LONG_NAME, "--y", `y_${LONG_NAME}`, "--eps", "1e299", "--x-unit", LONG_NAME, "--y-unit", LONG_NAME],
+  duplicates: [
+    csv("duplicates", "x,y", ...Array(50).fill("1,1"), ...Array(50).fill("2,2")), "--x", "x", "--y", "y", "--eps", "0.1",
+  ],
+  badCondition: [straight, "--x", "x", "--y", "y", "--eps", "0.1", "--where", "theta1>=2"],
+  tooTight: [csv("crooked", "x,y", "1,1", "2,3", "3,2"), "--x", "x", "--y", "y", "--eps", "0.1"],
+  noError: [straight, "--x", "x", "--y", "y", "--eps", "0"],
+};
 /** The options of `boundfit` for the data sets of the tests. */
 export const DATA = {
   transducer: ["fixtures/transducer/transducer.csv", "--x", "Vz", "--y", "z", "--rows", "14..36", "--eps", "0.5e-3"],
@@ -23,6 +46,10 @@ export const DATA = {
   strip: ["fixtures/claims/strip.csv", "--x", "x", "--y", "y", "--eps", "0.2"],
   point: ["fixtures/hard-lp/point.csv", "--x", "x", "--y", "y", "--eps", "0.3"],
   thin: ["fixtures/hard-lp/thin-1e-12.csv", "--x", "x", "--y", "y", "--eps", "0.428629725263"],
+  tiny: [csv("tiny", "x,y", "1,1", "1/2,2", "2,3", "3,3"), "--x", "x", "--y", "y", "--eps", "1e-300"],
+  wide: [csv("wide", "x,y", "1e-300,1", "1e300,1e300", "2e300,2.5e300", "3e300,4e300"), "--x", "x", "--y", "y", "--eps", "1e299"],
+  huge: [csv("huge", "x,y", "1e5000,1", "2e5000,2", "3e5000,4", "4e5000,4"), "--x", "x", "--y", "y", "--eps", "1"],
+  contradiction: [straight, "--x", "x", "--y", "y", "--eps", "0.1", "--where", "theta1>=1", "--where", "theta1<=0"],
   twoRegressors: ["fixtures/steam-generator/steam_generator.csv", "--x", "x,eps", "--y", "y", "--eps", "10"],
 };
 
@@ -72,8 +99,8 @@ export function launch() {
  * console, uncaught errors, and requests for anything but the page itself.
  */
 export async function openLesson(browser, options, { width = 1280, height = 900, ...context } = {}) {
-  const session = await browser.newContext({ viewport: { width, height }, reducedMotion: "reduce", ...context });
-  const page = await session.newPage();
+  const opened = await browser.newContext({ viewport: { width, height }, reducedMotion: "reduce", ...context });
+  const page = await opened.newPage();
   page.setDefaultTimeout(10_000);
   const complaints = [];
   const address = pathToFileURL(pageFile(options)).href;
@@ -85,7 +112,7 @@ export async function openLesson(browser, options, { width = 1280, height = 900,
     if (!request.url().startsWith(address)) complaints.push(`request: ${request.url()}`);
   });
   await page.goto(address);
-  return { page, complaints, close: () => session.close() };
+  return { page, complaints, close: () => opened.close() };
 }
 
 /** Presses a button unless it has nothing to do. */

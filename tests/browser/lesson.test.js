@@ -221,6 +221,40 @@ test("a reading that matters and one that does not, switched off", async () => {
   }
 });
 
+test("every vertex has its number in the picture, as in the report", async () => {
+  for (const width of [360, 1280]) {
+    await page.setViewportSize({ width, height: 900 });
+    const labels = await page.locator("#vertex-numbers text").allTextContents();
+    const numbers = labels.flatMap((label) => label.split(", ")).map(Number);
+    assert.deepEqual(numbers.sort(), [1, 2, 3, 4, 5, 6], `${width} px`);
+  }
+  await page.locator('[data-vertex="4"]').focus();
+  assert.match(await page.locator("#inspector h3").textContent(), /^Vertex 5$/);
+});
+
+test("the readings drawn strong are those active in the set shown", async () => {
+  const strong = () => page.locator(".reading:not(.idle)").evaluateAll((marks) => marks.map(({ dataset }) => Number(dataset.reading)));
+  const activeRows = async () => {
+    const names = await page.locator("#active .name").allTextContents();
+    return [...new Set(names.map((name) => parseInt(name, 10)))].sort((p, q) => p - q);
+  };
+  await page.locator("#leave-out-14").uncheck();
+  assert.ok((await strong()).includes(16) && (await strong()).includes(25));
+  assert.deepEqual(await strong(), await activeRows());
+  await page.locator("#tab-epsilon").click();
+  const last = Number(await page.locator("#epsilon-slider").getAttribute("max"));
+  const { sweep } = await data();
+  const breakpoint = sweep.breakpoints.findIndex(({ s }) => s.exact === "834/1007");
+  assert.ok(breakpoint >= 0);
+  for (let stop = 0; stop <= last; stop += 1) {
+    await page.locator("#epsilon-slider").fill(`${stop}`);
+    if (await page.locator("#epsilon-value").getAttribute("data-breakpoint") !== `${breakpoint}`) continue;
+    assert.ok(!(await strong()).some((row) => row === 21 || row === 23));
+    return;
+  }
+  assert.fail("the slider does not stop at 834/1007");
+});
+
 test("a vertex names its two bounds and draws their line; a reading shows its strip", async () => {
   const report = fitReport(DATA.transducer);
   for (const [index, vertex] of report.fps.vertices.entries()) {

@@ -40,11 +40,19 @@ struct TickGrid {
 }
 
 impl Axis {
-    /// A view from `lower` to `upper` with at most `most` ticks; a view without width is widened around its centre.
+    /// A view from `lower` to `upper` with about at most `most` steps between ticks, and at least two ticks; a view
+    /// without width is widened around its centre.
     pub(crate) fn new(name: String, lower: &Rational, upper: &Rational, most: usize) -> Self {
         let (lower, upper) = widened(lower, upper);
-        let width = &upper - &lower;
-        let grid = TickGrid::new(&lower, &upper, most);
+        let fewest = TickGrid::new(&lower, &upper, most);
+        // A fifth of the width or less between ticks leaves room for two of them wherever they stand.
+        let enough =
+            (most..=5).map(|most| TickGrid::new(&lower, &upper, most)).find(TickGrid::tells_the_scale);
+        Axis::of_grid(name, lower, &upper, enough.unwrap_or(fewest))
+    }
+
+    fn of_grid(name: String, lower: Rational, upper: &Rational, grid: TickGrid) -> Self {
+        let width = upper - &lower;
         let (labels, scale) = grid.labels();
         let place = |multiple: &Integer| {
             let value = Rational::from(multiple) * power_of_ten(grid.exponent);
@@ -63,7 +71,7 @@ impl Axis {
             .to_u64()
             .and_then(|whole| usize::try_from(whole).ok())
             .map_or(most, |whole| most.min(whole));
-        Axis::new(name, lower, upper, most)
+        Axis::of_grid(name, lower.clone(), upper, TickGrid::new(lower, upper, most))
     }
 
     /// Where a number falls: 0 at the lower end of the view, 1 at the upper one. Rounded once.
@@ -139,6 +147,11 @@ impl TickGrid {
             next = next + Integer::one();
         }
         TickGrid { exponent, multiples }
+    }
+
+    /// Whether there are two ticks, without which one cannot tell lengths.
+    fn tells_the_scale(&self) -> bool {
+        self.multiples.len() >= 2
     }
 
     /// The labels, and what was taken out of them.
@@ -350,13 +363,14 @@ mod tests {
     }
 
     #[test]
-    fn never_more_steps_than_asked_for() {
+    fn two_ticks_and_hardly_more_steps_than_asked_for() {
         for lower in -20..20 {
             for width in 1..60 {
                 for most in 1..9 {
                     let lower = Rational::ratio(lower, 7);
                     let upper = &lower + Rational::ratio(width, 13);
-                    assert!(axis(lower, upper, most).ticks().len() <= most + 1);
+                    let count = axis(lower, upper, most).ticks().len();
+                    assert!((2..=most.max(4) + 1).contains(&count), "{count} ticks for {most} steps");
                 }
             }
         }

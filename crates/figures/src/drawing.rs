@@ -76,11 +76,11 @@ pub(crate) enum Item {
     },
 }
 
-/// On which side of its place a text stands, with a small distance; 0 is centred, 1 right or above, -1 left or below.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// In which direction from its place a text stands, with a small distance: a vector of length 1 in pixels.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Anchor {
-    pub(crate) across: i8,
-    pub(crate) up: i8,
+    pub(crate) across: f64,
+    pub(crate) up: f64,
 }
 
 /// One line of the legend.
@@ -109,6 +109,10 @@ impl Swatch {
         Swatch { fill: Some(fill), edge: Some(edge), ..Swatch::NOTHING }
     }
 
+    pub(crate) fn inside(fill: Fill) -> Self {
+        Swatch { fill: Some(fill), ..Swatch::NOTHING }
+    }
+
     pub(crate) fn line(stroke: Stroke) -> Self {
         Swatch { line: Some(stroke), ..Swatch::NOTHING }
     }
@@ -123,6 +127,31 @@ impl Swatch {
 
     pub(crate) fn bar(stroke: Stroke, mark: Mark) -> Self {
         Swatch { bar: Some(stroke), mark: Some(mark), ..Swatch::NOTHING }
+    }
+}
+
+impl Drawing {
+    /// Leaves of the legend what is drawn on some panel.
+    pub(crate) fn keep_legend_of_drawn(&mut self) {
+        let items = || self.panels.iter().flat_map(|panel| &panel.items);
+        let filled =
+            |wanted: &Fill| items().any(|item| matches!(item, Item::Area { fill, .. } if fill == wanted));
+        let stroked = |wanted: &Stroke| {
+            items().any(|item| matches!(item, Item::Line { stroke, .. } if stroke == wanted))
+        };
+        let marked = |wanted: &Mark| self.panels.iter().any(|panel| panel.has_mark(wanted));
+        for LegendEntry { swatch, .. } in &mut self.legend {
+            swatch.fill = swatch.fill.filter(filled);
+            swatch.edge = swatch.edge.filter(stroked);
+            swatch.line = swatch.line.filter(stroked);
+            swatch.bar = swatch.bar.filter(stroked);
+            swatch.mark = swatch.mark.filter(marked);
+            if swatch.fill.is_none() {
+                // What has an edge but no inside is a line.
+                swatch.line = swatch.line.or(swatch.edge.take());
+            }
+        }
+        self.legend.retain(|entry| entry.swatch != Swatch::NOTHING);
     }
 }
 
@@ -203,11 +232,21 @@ impl Panel {
         self.items.push(Item::ArrowHead { tip, direction, colour });
     }
 
-    /// Adds a mark, if it is in the panel.
+    /// Adds a mark, if it is wholly in the panel.
     pub(crate) fn mark(&mut self, at: Place, mark: Mark) {
-        if self.shows(at) {
+        let fits = |coordinate: f64, length: f64| {
+            let pixel = coordinate * length;
+            pixel >= mark.radius && pixel <= length - mark.radius
+        };
+        if fits(at[0], self.frame.width) && fits(at[1], self.frame.height) {
             self.items.push(Item::Mark { at, mark });
         }
+    }
+
+    /// Whether a mark of this form and colour is on the panel.
+    pub(crate) fn has_mark(&self, wanted: &Mark) -> bool {
+        let same = |mark: &Mark| mark.shape == wanted.shape && mark.colour == wanted.colour;
+        self.items.iter().any(|item| matches!(item, Item::Mark { mark, .. } if same(mark)))
     }
 
     /// Adds a text, if its place is in the panel.

@@ -79,6 +79,7 @@ pub fn draw(
         Figure::Fps => parameter_plane::fps(problem, fit, options),
         Figure::Directions => parameter_plane::directions(problem, fit, options),
     };
+    drawing.keep_legend_of_drawn();
     if let Some(title) = &options.title {
         drawing.title = crate::text::one_line(title, 90);
     }

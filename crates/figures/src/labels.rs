@@ -97,6 +97,13 @@ pub(crate) fn number(value: &Rational, digits: usize, rounding: Rounding) -> Str
     }
 }
 
+/// A number rounded up to a few digits, and the sign that says whether it was.
+pub(crate) fn rounded_up(value: &Rational) -> (&'static str, String) {
+    const DIGITS: usize = 4;
+    let exact = value.to_decimal(DIGITS, Rounding::Down) == value.to_decimal(DIGITS, Rounding::Up);
+    (if exact { "=" } else { "≈" }, number(value, DIGITS, Rounding::Up))
+}
+
 /// The readings behind an empty set, and the conditions, by number.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Conflict {

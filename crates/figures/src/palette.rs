@@ -114,6 +114,10 @@ pub(crate) mod style {
     pub(crate) const READING: Mark = Mark::new(Shape::Disc, 2.2, INK);
     pub(crate) const READING_BAR: Stroke = Stroke::new(FAINT_INK, 1.0, Dash::Solid);
     pub(crate) const OTHER: Mark = Mark::new(Shape::Circle, 2.6, GREY);
-    pub(crate) const CONFLICT: Mark = Mark::new(Shape::Diamond, 5.0, VERMILLION);
-    pub(crate) const CONFLICT_BAR: Stroke = Stroke::new(VERMILLION, 2.4, Dash::Solid);
+    pub(crate) const DENSE_READING: Mark = Mark::new(Shape::Square, 1.0, INK);
+    pub(crate) const DENSE_BAR: Stroke = Stroke::new(LIGHT_GREY, 0.7, Dash::Solid);
+    pub(crate) const DENSE_OTHER: Mark = Mark::new(Shape::Square, 1.2, GREY);
+    pub(crate) const ALL_READINGS: Fill = Fill { colour: GRID, opacity: 1.0 };
+    pub(crate) const CONFLICT: Mark = Mark::new(Shape::Diamond, 5.0, PURPLE);
+    pub(crate) const CONFLICT_BAR: Stroke = Stroke::new(PURPLE, 2.4, Dash::Solid);
 }

@@ -33,6 +33,52 @@ fn is_forbidden_in_xml(c: char) -> bool {
     matches!(c, '\u{fffe}' | '\u{ffff}')
 }
 
+/// The characters that [`FONT`] has.
+const IN_FONT: [(char, char); 33] = [
+    (' ', '~'),
+    ('\u{a0}', '\u{148}'),
+    ('\u{14a}', '\u{17f}'),
+    ('\u{370}', '\u{377}'),
+    ('\u{37a}', '\u{37f}'),
+    ('\u{384}', '\u{38a}'),
+    ('\u{38c}', '\u{38c}'),
+    ('\u{38e}', '\u{3a1}'),
+    ('\u{3a3}', '\u{3e1}'),
+    ('\u{3f0}', '\u{45f}'),
+    ('\u{2010}', '\u{2015}'),
+    ('\u{2018}', '\u{201e}'),
+    ('\u{2020}', '\u{2022}'),
+    ('\u{2026}', '\u{2026}'),
+    ('\u{2030}', '\u{2030}'),
+    ('\u{2032}', '\u{2033}'),
+    ('\u{2044}', '\u{2044}'),
+    ('\u{2070}', '\u{2071}'),
+    ('\u{2074}', '\u{208e}'),
+    ('\u{20ac}', '\u{20ac}'),
+    ('\u{2103}', '\u{2103}'),
+    ('\u{2109}', '\u{2109}'),
+    ('\u{2126}', '\u{2126}'),
+    ('\u{2190}', '\u{2193}'),
+    ('\u{2202}', '\u{2202}'),
+    ('\u{2206}', '\u{2206}'),
+    ('\u{2211}', '\u{2212}'),
+    ('\u{221a}', '\u{221a}'),
+    ('\u{221e}', '\u{221e}'),
+    ('\u{2248}', '\u{2248}'),
+    ('\u{2260}', '\u{2260}'),
+    ('\u{2264}', '\u{2265}'),
+    ('\u{25ca}', '\u{25ca}'),
+];
+
+/// What stands for a character that the font lacks.
+const MISSING: char = '\u{25ca}';
+
+/// A text as the font can show it: a lozenge for each character that it lacks, which would vanish otherwise.
+pub(crate) fn drawable(text: &str) -> String {
+    let has = |c: char| IN_FONT.iter().any(|&(first, last)| (first..=last).contains(&c));
+    text.chars().map(|c| if has(c) { c } else { MISSING }).collect()
+}
+
 /// A text between XML tags.
 pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
@@ -47,5 +93,19 @@ mod tests {
         assert_eq!(one_line("a\n\u{1}b  c", 9), "a b c");
         assert_eq!(one_line("abcdef", 4), "abc…");
         assert_eq!(escaped("a<b & c"), "a&lt;b &amp; c");
+    }
+
+    #[test]
+    fn no_character_vanishes() {
+        assert_eq!(drawable("λ ⁻² 温度 \u{1F600}"), "λ ⁻² ◊◊ ◊");
+        let blank = |c: char| c.is_whitespace() || matches!(c, '\u{ad}');
+        for c in IN_FONT.iter().flat_map(|&(first, last)| first..=last).filter(|&c| !blank(c)) {
+            let text = escaped(&c.to_string());
+            let svg = format!(
+                "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><text y='9' font-size='9'>{text}</text></svg>"
+            );
+            let picture = crate::picture::Picture::new(&svg, String::new(), String::new()).unwrap();
+            assert!(picture.svg().contains("<path"), "U+{:04X}", u32::from(c));
+        }
     }
 }

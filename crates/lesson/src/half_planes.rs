@@ -1,7 +1,8 @@
 //! The half-planes of readings and conditions.
 
-use boundfit_estimation::{BoundName, Fit, Problem};
-use boundfit_geometry::Inequality;
+use boundfit_estimation::{BoundName, Condition, Fit, Problem};
+use boundfit_exact::Rational;
+use boundfit_geometry::{Inequality, Multiplier, Polyhedron};
 use serde::Serialize;
 
 /// The name of a half-plane.
@@ -42,15 +43,28 @@ pub(crate) fn half_planes(problem: &Problem, fit: &Fit) -> Vec<HalfPlaneJson> {
     inequalities.iter().enumerate().map(half_plane).collect()
 }
 
-/// A minimal set of half-planes with the same intersection, ascending; for an empty set those of the certificate that
-/// the fit reports.
+/// A minimal set of half-planes with the same intersection, ascending; for an empty set those of [`contradiction`].
 pub(crate) fn irredundant(problem: &Problem, fit: &Fit) -> Vec<usize> {
     let polyhedron = fit.fps.polyhedron();
-    match fit.contradiction(problem.measurements.error_bound()) {
+    match contradiction(problem, fit) {
         Some(terms) => {
             let named = |index: &usize| terms.iter().any(|(name, _)| *name == fit.fps.name(*index));
             (0..polyhedron.system().len()).filter(named).collect()
         }
         None => polyhedron.irredundant(),
     }
+}
+
+/// For an empty set, at most three half-planes with positive multipliers whose sum is `0 ≤ negative`: conditions alone
+/// where these contradict each other, whatever the readings are, else those that the fit reports.
+pub(crate) fn contradiction(problem: &Problem, fit: &Fit) -> Option<Vec<(BoundName, Rational)>> {
+    of_conditions(&problem.conditions).or_else(|| fit.contradiction(problem.measurements.error_bound()))
+}
+
+/// The same for conditions without any reading.
+pub(crate) fn of_conditions(conditions: &[Condition]) -> Option<Vec<(BoundName, Rational)>> {
+    let system = conditions.iter().map(|condition| condition.inequality().clone()).collect();
+    let certificate = Polyhedron::intersect(system).region().certificate()?.clone();
+    let named = |m: &Multiplier| (BoundName::Where(m.index + 1), m.value.clone());
+    Some(certificate.multipliers().iter().map(named).collect())
 }

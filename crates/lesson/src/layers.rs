@@ -12,7 +12,7 @@ use boundfit_lp::{BoundClaim, End, Judgement, Proof, Referee, Verdict};
 use serde::Serialize;
 
 use crate::leave_one_out::{PARAMETERS, end_name};
-use crate::number::{Number, ParameterDigits};
+use crate::number::{Number, ParameterDigits, with_minus};
 use crate::points::Points;
 
 /// How many directions the set is looked at from.
@@ -145,11 +145,14 @@ fn claim(answer: &LpAnswer, axis: usize, end: End, digits: ParameterDigits) -> C
 /// Why a claim is not simply right, in a sentence.
 pub(crate) fn reason(judgement: &Judgement) -> Option<String> {
     let size = |value: &Option<Rational>| {
-        value.as_ref().map(|value| value.abs().to_decimal(2, Rounding::Up)).unwrap_or_default()
+        value.as_ref().map(|value| with_minus(&value.abs().to_decimal(2, Rounding::Up))).unwrap_or_default()
     };
     let outside = || match &judgement.violation {
         Some(violation) => {
-            format!("Its point violates a bound by {}.", violation.by.to_decimal(2, Rounding::Up))
+            format!(
+                "Its point violates a bound by {}.",
+                with_minus(&violation.by.to_decimal(2, Rounding::Up))
+            )
         }
         None => String::new(),
     };

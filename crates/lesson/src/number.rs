@@ -53,6 +53,11 @@ pub(crate) fn exact_decimal(value: &Rational, digits: usize) -> Option<String> {
     (decimal == value.to_decimal(digits, Rounding::Up)).then_some(decimal)
 }
 
+/// A number in a sentence: with a minus sign in place of the hyphen.
+pub(crate) fn with_minus(number: &str) -> String {
+    number.replace('-', "−")
+}
+
 /// How many digits each of the two parameters is shown with: enough to tell the ends of its interval apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct ParameterDigits([usize; 2]);

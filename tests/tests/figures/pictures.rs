@@ -85,6 +85,27 @@ fn conflicting_rows_are_named_in_every_figure() {
 }
 
 #[test]
+fn titles_say_what_is_there() {
+    let two = "two-readings.csv --x x --y y --eps 0.1";
+    for (fit, status, title) in [
+        (format!("{two} --where theta1<=0"), 3, "Readings and conditions that no line can meet together"),
+        (
+            "one-reading.csv --x x --y y --eps 0.1 --where theta1>=1 --where theta1<=0".to_owned(),
+            3,
+            "Readings, and conditions that contradict each other",
+        ),
+        (format!("{two} --where 0*theta1>=1"), 3, "Readings, and a condition that no line can meet"),
+        ("contradicting.csv --x x --y y --eps 0.5".to_owned(), 3, "Readings that no line can explain"),
+        ("one-reading.csv --x x --y y --eps 0.1".to_owned(), 0, "Readings and minimax line"),
+        (two.to_owned(), 0, "Readings and least-squares line"),
+    ] {
+        let text = svg(&of_kind(&format!("{fit} --figure data")), status);
+        let found = text.split("<title>").nth(1).and_then(|rest| rest.split("</title>").next());
+        assert_eq!(found, Some(title.replace('<', "&lt;").as_str()), "{fit}");
+    }
+}
+
+#[test]
 fn titles_and_names_from_outside_stay_harmless() {
     let folder = tempfile::tempdir().unwrap();
     let data = folder.path().join("odd.csv");

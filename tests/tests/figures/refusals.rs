@@ -49,6 +49,16 @@ fn a_folder_that_cannot_be_made() {
 }
 
 #[test]
+fn all_figures_or_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let taken = folder.path().join("fps.svg");
+    fs::create_dir(&taken).unwrap();
+    let (status, message) = refused(&format!("--figure all -o {}", folder.path().display()));
+    assert_eq!((status, message), (1, format!("error: {}: cannot write: is a directory", taken.display())));
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
 fn too_few_directions() {
     let (status, message) = refused("--figure directions --directions 2");
     assert_eq!((status, message.contains("'--directions <N>'")), (2, true), "{message}");

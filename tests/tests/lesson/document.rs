@@ -31,6 +31,13 @@ impl Lesson {
         Lesson { name: name.to_owned(), problem, fit, data }
     }
 
+    /// The same under further conditions.
+    pub fn with_conditions(self, more: &[&str]) -> Self {
+        let mut problem = self.problem;
+        problem.conditions.extend(more.iter().map(|text| parse_condition(text)));
+        Lesson::of(&self.name, problem)
+    }
+
     /// The half-planes as the data have them.
     pub fn system(&self) -> System {
         let text = |value: &Value| rational(value.as_str().unwrap());

@@ -11,3 +11,4 @@ mod leave_one_out;
 mod orders;
 mod page;
 mod questions;
+mod statements;

@@ -11,12 +11,12 @@ use crate::document::{
 };
 
 /// The answer to a question, when it is asked.
-fn answer<'a>(lesson: &'a Lesson, id: &str) -> Option<&'a str> {
+pub fn answer<'a>(lesson: &'a Lesson, id: &str) -> Option<&'a str> {
     let question = items(&lesson.data["questions"]).find(|question| question["id"] == id)?;
     question["answer"].as_str()
 }
 
-fn asked<'a>(lesson: &'a Lesson, id: &str) -> &'a Value {
+pub fn asked<'a>(lesson: &'a Lesson, id: &str) -> &'a Value {
     items(&lesson.data["questions"]).find(|question| question["id"] == id).unwrap()
 }
 
@@ -97,7 +97,7 @@ fn the_transducer_s_answers_are_the_published_facts() {
         ("smallest-error-bound", "ε = 3.9444e−4 (exactly 791/2005400). Readings 14, 24 and 34 fix it"),
         (
             "central-or-least-squares",
-            "the central estimate guarantees ±2.8744e−5 for θ₁ and ±1.0578e−4 for θ₂, least squares ±2.8956e−5 for θ₁ and ±1.9476e−4 for θ₂.",
+            "The central estimate guarantees ±2.8744e−5 for θ₁ and ±1.0578e−4 for θ₂, least squares ±2.8956e−5 for θ₁ and ±1.9476e−4 for θ₂.",
         ),
         ("box-full", "53.301 % of its area; the rest are parameter pairs that some reading rules out"),
         ("inner-or-outer", "An inner one."),

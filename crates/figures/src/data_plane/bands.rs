@@ -88,7 +88,12 @@ impl Bands {
             ],
             _ => Vec::new(),
         };
-        Bands(bands.into_iter().flatten().collect())
+        let mut bands: Vec<Band> = bands.into_iter().flatten().collect();
+        if !scene.is_line() {
+            // The edge at a row is too short for dashes.
+            bands.iter_mut().for_each(|band| band.edge.dash = Dash::Solid);
+        }
+        Bands(bands)
     }
 
     /// How far the bands reach where they are bounded.
@@ -313,7 +318,7 @@ fn draw_edge<'a>(
 fn draw_row(panel: &mut Panel, view: &View, row: &RowRange, band: &Band) {
     let reference = view.reference_at(&row.measurement);
     let [across, up] = panel.coordinates();
-    let half = Rational::ratio(2, 5);
+    let half = view.half_row(panel);
     let number = Rational::from(row.measurement.row);
     let (from, to) = (across.fraction(&(&number - &half)), across.fraction(&(&number + &half)));
     let at = |end: &Option<Rational>, otherwise: f64| {
@@ -322,12 +327,11 @@ fn draw_row(panel: &mut Panel, view: &View, row: &RowRange, band: &Band) {
     let (low, high) = (at(&row.lower, BELOW), at(&row.upper, ABOVE));
     let corners = [[from, low], [to, low], [to, high], [from, high]].map(|corner| panel.oriented(corner));
     panel.area(&corners, band.fill);
-    let solid = Stroke { dash: Dash::Solid, ..band.edge };
     if row.lower.is_some() {
-        panel.line(&corners[..2], solid);
+        panel.line(&corners[..2], band.edge);
     }
     if row.upper.is_some() {
-        panel.line(&corners[2..], solid);
+        panel.line(&corners[2..], band.edge);
     }
 }
 

@@ -5,7 +5,7 @@ mod bands;
 mod readings;
 mod view;
 
-use boundfit_estimation::{ErrorBound, Fit, Model, Problem};
+use boundfit_estimation::{ErrorBound, Fit, Measurement, Model, Problem};
 use boundfit_exact::Rational;
 
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
@@ -25,6 +25,14 @@ pub(crate) struct Reference {
     name: &'static str,
     theta: [Rational; 2],
     stroke: Stroke,
+}
+
+impl Reference {
+    /// The response of a reading less that of the line.
+    fn distance(&self, reading: &Measurement) -> Rational {
+        let [phi1, phi2] = &reading.regressor;
+        &reading.response - (&self.theta[0] * phi1 + &self.theta[1] * phi2)
+    }
 }
 
 /// What a figure is made of.
@@ -81,7 +89,7 @@ fn scene<'a>(
 ) -> (Scene<'a>, [Rational; 2]) {
     let conflict = Conflict::of(problem, fit);
     let reference = reference(problem, fit, figure);
-    let readings = readings::all(problem, fit, &conflict, figure);
+    let readings = readings::all(problem, fit, &conflict, figure, reference.as_ref());
     let mut scene =
         Scene { problem, fit, figure, options, conflict, reference, readings, bands: Bands::default() };
     let range = view::abscissas(&scene);
@@ -117,9 +125,11 @@ fn panel(view: &View, frame: Frame, names: [String; 2]) -> Panel {
     let axes = view.axes(frame, names);
     let mut panel = Panel::new(frame, axes, scene.options.flip);
     view.interval_of_fitted_rows(&mut panel);
+    let bars = readings::bars(view, &panel);
+    readings::shade(view, &mut panel, &bars);
     scene.bands.draw(view, &mut panel);
     view.lines(&mut panel);
-    readings::draw(view, &mut panel);
+    readings::draw(view, &mut panel, &bars);
     panel
 }
 
@@ -137,10 +147,15 @@ fn reference(problem: &Problem, fit: &Fit, figure: Figure) -> Option<Reference> 
         let theta = fit.minimax.as_ref()?.theta.clone();
         Some(Reference { name: named(problem, "minimax"), theta, stroke: style::MINIMAX })
     };
-    match figure {
+    let mut reference = match figure {
         Figure::Data | Figure::Eui => least_squares().or_else(central).or_else(minimax),
         _ => central().or_else(minimax).or_else(least_squares),
+    }?;
+    if let Model::TwoRegressors { .. } = problem.measurements.model() {
+        // The stroke at a row is too short for dashes.
+        reference.stroke.dash = Dash::Solid;
     }
+    Some(reference)
 }
 
 /// An estimate as the thing that is drawn: a line, or one value per row.
@@ -159,10 +174,12 @@ fn title(scene: &Scene) -> String {
     let empty = scene.fit.fps.polyhedron().region().is_empty();
     let line = scene.is_line();
     let text = match scene.figure {
-        Figure::Data if empty && line => "Readings that no line explains",
-        Figure::Data if empty => "Readings that no parameters explain",
-        Figure::Data if line => "Readings and least-squares line",
-        Figure::Data => "Readings and least-squares fit",
+        Figure::Data if empty => return title_of_empty(scene),
+        Figure::Data => {
+            let reference =
+                scene.reference.as_ref().map(|reference| format!("Readings and {}", reference.name));
+            return reference.unwrap_or_else(|| "Readings".to_owned());
+        }
         Figure::Eui if scene.fit.least_squares.is_err() => "No EUI: the regressors are linearly dependent",
         Figure::Eui if line => "Lines with parameters in the EUI box",
         Figure::Eui => "Fits with parameters in the EUI box",
@@ -174,6 +191,18 @@ fn title(scene: &Scene) -> String {
         _ => "Range of all feasible fits inside that of the PUI box",
     };
     text.to_owned()
+}
+
+/// Who contradicts whom when no parameters are left.
+fn title_of_empty(scene: &Scene) -> String {
+    let Conflict { rows, conditions, .. } = &scene.conflict;
+    let nothing = if scene.is_line() { "no line" } else { "no parameters" };
+    match (rows.is_empty(), conditions.len()) {
+        (true, 1) => format!("Readings, and a condition that {nothing} can meet"),
+        (true, _) => "Readings, and conditions that contradict each other".to_owned(),
+        (false, 0) => format!("Readings that {nothing} can explain"),
+        (false, _) => format!("Readings and conditions that {nothing} can meet together"),
+    }
 }
 
 fn description(scene: &Scene, notes: &[String]) -> String {
@@ -200,13 +229,20 @@ fn legend(scene: &Scene) -> Vec<LegendEntry> {
         ErrorBound::Uniform(epsilon) if epsilon.is_zero() => "reading (ε = 0)",
         _ => "reading ± ε",
     };
-    entries.push(LegendEntry::new(Swatch::bar(style::READING_BAR, style::READING), bound));
+    let dense = scene.is_dense();
+    let (bar, mark) = readings::style_of_fitted(dense);
+    entries.push(LegendEntry::new(Swatch::bar(bar, mark), bound));
+    let all = "from the lowest to the highest reading, with ε";
+    entries.push(LegendEntry::new(Swatch::inside(style::ALL_READINGS), all));
     if !scene.conflict.rows.is_empty() {
         let text = format!("contradicting: {}", scene.conflict.names());
         entries.push(LegendEntry::new(Swatch::bar(style::CONFLICT_BAR, style::CONFLICT), text));
     }
     if scene.readings.iter().any(|shown| !shown.fitted) {
-        entries.push(LegendEntry::new(Swatch::mark(style::OTHER), "reading that is not fitted"));
+        entries.push(LegendEntry::new(
+            Swatch::mark(readings::style_of_other(dense)),
+            "reading that is not fitted",
+        ));
         let interval = Stroke::new(FAINT_INK, 0.9, Dash::Short);
         entries.push(LegendEntry::new(Swatch::line(interval), "interval of the fitted rows"));
     }
@@ -231,7 +267,7 @@ fn notes(scene: &Scene) -> Vec<String> {
     notes.extend(scene.bands.notes());
     if scene.readings.len() > readings::MOST_MARKS {
         notes.push(format!(
-            "{}; drawn are the extreme ones of every three pixels and those that fix the set.",
+            "{}; marked are the extreme ones of every three pixels and those that fix the set.",
             labels::plural(scene.readings.len(), "reading")
         ));
     }

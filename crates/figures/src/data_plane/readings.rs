@@ -6,11 +6,12 @@ use boundfit_estimation::{BoundName, Fit, Measurement, Model, Problem};
 use boundfit_exact::Rational;
 
 use super::view::View;
+use super::{Reference, Scene};
 use crate::clip::Place;
 use crate::drawing::{Anchor, Panel};
 use crate::figure::Figure;
 use crate::labels::Conflict;
-use crate::palette::{Dash, LIGHT_GREY, Mark, Shape, Stroke, VERMILLION, style};
+use crate::palette::{INK, Mark, Stroke, style};
 
 /// Above so many readings marks thin out.
 pub(crate) const MOST_MARKS: usize = 250;
@@ -26,6 +27,8 @@ pub(crate) struct Shown {
     /// x, or the number of the row.
     pub(crate) abscissa: Rational,
     pub(crate) measurement: Measurement,
+    /// The response less that of the reference line.
+    pub(crate) distance: Rational,
     pub(crate) fitted: bool,
     /// Kept when marks thin out.
     pub(crate) kept: bool,
@@ -33,7 +36,13 @@ pub(crate) struct Shown {
 }
 
 /// The readings of a figure: those that are not fitted, too, but for [`Figure::Corridor`], which is about narrow gaps.
-pub(crate) fn all(problem: &Problem, fit: &Fit, conflict: &Conflict, figure: Figure) -> Vec<Shown> {
+pub(crate) fn all(
+    problem: &Problem,
+    fit: &Fit,
+    conflict: &Conflict,
+    figure: Figure,
+    reference: Option<&Reference>,
+) -> Vec<Shown> {
     let active = active_rows(fit);
     let line = matches!(problem.measurements.model(), Model::Line { .. });
     let shown = |measurement: &Measurement, fitted: bool| {
@@ -43,6 +52,7 @@ pub(crate) fn all(problem: &Problem, fit: &Fit, conflict: &Conflict, figure: Fig
             fitted,
             kept: fitted && (conflicting || active.contains(&measurement.row)),
             conflicting,
+            distance: reference.map_or_else(Rational::zero, |reference| reference.distance(measurement)),
             measurement: measurement.clone(),
         }
     };
@@ -63,7 +73,7 @@ fn active_rows(fit: &Fit) -> BTreeSet<usize> {
 }
 
 /// A reading on a panel.
-struct Bar<'a> {
+pub(crate) struct Bar<'a> {
     shown: &'a Shown,
     at: f64,
     low: f64,
@@ -71,31 +81,79 @@ struct Bar<'a> {
     high: f64,
 }
 
-/// Draws the readings of a view: others first, conflicting ones last.
-pub(crate) fn draw(view: &View, panel: &mut Panel) {
-    let readings = &view.scene.readings;
+impl Scene<'_> {
+    /// Whether there are so many readings that each is drawn small.
+    pub(crate) fn is_dense(&self) -> bool {
+        self.readings.len() > MOST_MARKS / 2
+    }
+}
+
+/// Error bar and mark of fitted readings.
+pub(crate) fn style_of_fitted(dense: bool) -> (Stroke, Mark) {
+    if dense { (style::DENSE_BAR, style::DENSE_READING) } else { (style::READING_BAR, style::READING) }
+}
+
+/// The mark of readings that are not fitted.
+pub(crate) fn style_of_other(dense: bool) -> Mark {
+    if dense { style::DENSE_OTHER } else { style::OTHER }
+}
+
+/// The readings of a view, as far as they are beside its panel's axis of x.
+pub(crate) fn bars<'a>(view: &View<'a>, panel: &Panel) -> Vec<Bar<'a>> {
     let [across, up] = panel.coordinates();
-    let bars: Vec<Bar> = readings
-        .iter()
-        .map(|shown| {
-            let Measurement { response, epsilon, .. } = &shown.measurement;
-            let middle = response - view.reference_at(&shown.measurement);
-            Bar {
-                shown,
-                at: across.fraction(&shown.abscissa),
-                low: up.fraction(&(&middle - epsilon)),
-                high: up.fraction(&(&middle + epsilon)),
-                middle: up.fraction(&middle),
-            }
-        })
-        .filter(|bar| (0.0..=1.0).contains(&bar.at))
-        .collect();
-    let length = if view.scene.options.flip { panel.frame.height } else { panel.frame.width };
-    let kept = thinned(&bars, length / COLUMN);
-    let caps = if kept.len() <= MOST_CAPS { 3.0 / length } else { 0.0 };
+    // The bound is mostly the same for all.
+    let mut last: Option<(&Rational, f64)> = None;
+    let mut half_of = |epsilon: &'a Rational| match last {
+        Some((known, half)) if known == epsilon => half,
+        _ => {
+            let half = epsilon.checked_div(up.width()).unwrap_or_default().to_f64();
+            last = Some((epsilon, half));
+            half
+        }
+    };
+    let bar = |shown: &'a Shown| {
+        let middle = up.fraction(view.value(shown));
+        let half = half_of(&shown.measurement.epsilon);
+        Bar { shown, at: across.fraction(&shown.abscissa), low: middle - half, middle, high: middle + half }
+    };
+    let bars = view.scene.readings.iter().map(bar);
+    bars.filter(|bar| (0.0..=1.0).contains(&bar.at)).collect()
+}
+
+/// In how many columns readings are thinned out.
+fn columns(panel: &Panel) -> f64 {
+    length(panel) / COLUMN
+}
+
+/// Length of the axis of x in pixels.
+fn length(panel: &Panel) -> f64 {
+    if panel.is_flipped() { panel.frame.height } else { panel.frame.width }
+}
+
+/// Of readings that are thinned out, how far they reach in every column with their bounds.
+pub(crate) fn shade(view: &View, panel: &mut Panel, bars: &[Bar]) {
+    if view.scene.readings.len() <= MOST_MARKS {
+        return;
+    }
+    let columns = columns(panel);
+    // Neighbours overlap by half a pixel, or the paper would shine through.
+    let overlap = 0.25 / length(panel);
+    for (column, extremes) in extremes(bars, columns, true).into_iter().enumerate() {
+        let Some([lowest, highest]) = extremes else { continue };
+        let (low, high) = (bars[lowest].low, bars[highest].high);
+        let (from, to) = (column as f64 / columns - overlap, (column as f64 + 1.0) / columns + overlap);
+        let corners = [[from, low], [to, low], [to, high], [from, high]];
+        panel.area(&corners.map(|corner| panel.oriented(corner)), style::ALL_READINGS);
+    }
+}
+
+/// Draws the readings of a view: others first, conflicting ones last.
+pub(crate) fn draw(view: &View, panel: &mut Panel, bars: &[Bar]) {
+    let kept = thinned(bars, columns(panel));
+    let caps = if kept.len() <= MOST_CAPS { 3.0 / length(panel) } else { 0.0 };
     for conflicting in [false, true] {
         for bar in kept.iter().filter(|bar| bar.shown.conflicting == conflicting) {
-            draw_bar(panel, bar, caps, kept.len() > MOST_MARKS / 2);
+            draw_bar(panel, bar, caps, view.scene.is_dense());
         }
     }
 }
@@ -104,19 +162,11 @@ fn draw_bar(panel: &mut Panel, bar: &Bar, caps: f64, dense: bool) {
     let place = |across: f64, up: f64| -> Place { [across, up] };
     let middle = panel.oriented(place(bar.at, bar.middle));
     if !bar.shown.fitted {
-        let shape = if dense { Shape::Square } else { Shape::Circle };
-        let radius = if dense { 1.2 } else { style::OTHER.radius };
-        panel.mark(middle, Mark { shape, radius, ..style::OTHER });
+        panel.mark(middle, style_of_other(dense));
         return;
     }
-    let (stroke, mark) = match (bar.shown.conflicting, dense) {
-        (true, _) => (style::CONFLICT_BAR, style::CONFLICT),
-        (false, false) => (style::READING_BAR, style::READING),
-        (false, true) => {
-            let thin = Stroke::new(LIGHT_GREY, 0.7, Dash::Solid);
-            (thin, Mark { shape: Shape::Square, radius: 1.0, ..style::READING })
-        }
-    };
+    let conflict = (style::CONFLICT_BAR, style::CONFLICT);
+    let (stroke, mark) = if bar.shown.conflicting { conflict } else { style_of_fitted(dense) };
     if bar.high > bar.low {
         let ends = [bar.low, bar.high];
         panel.line(&ends.map(|up| place(bar.at, up)).map(|p| panel.oriented(p)), stroke);
@@ -127,11 +177,23 @@ fn draw_bar(panel: &mut Panel, bar: &Bar, caps: f64, dense: bool) {
     }
     panel.mark(middle, mark);
     if bar.shown.conflicting {
-        let text = format!("row {}", bar.shown.measurement.row);
-        let (end, up) = if bar.high < 0.88 { (bar.high, 1) } else { (bar.low, -1) };
-        let (across, up) = if panel.is_flipped() { (up, 0) } else { (0, up) };
-        panel.text(panel.oriented(place(bar.at, end)), text, Anchor { across, up }, VERMILLION);
+        label(panel, bar);
     }
+}
+
+/// The number of a conflicting reading's row beyond its bar and mark, above or, where there is no room, below; to the
+/// side when flipped.
+fn label(panel: &mut Panel, bar: &Bar) {
+    const LINE: f64 = 19.0;
+    let text = format!("row {}", bar.shown.measurement.row);
+    let length = if panel.is_flipped() { panel.frame.width } else { panel.frame.height };
+    let room = if panel.is_flipped() { LINE * 3.0 } else { LINE };
+    let radius = style::CONFLICT.radius / length;
+    let (high, low) = (bar.high.max(bar.middle + radius), bar.low.min(bar.middle - radius));
+    let above = (1.0 - high) * length > room || low * length <= room;
+    let (end, up) = if above { (high, 1.0) } else { (low, -1.0) };
+    let (across, up) = if panel.is_flipped() { (up, 0.0) } else { (0.0, up) };
+    panel.text(panel.oriented([bar.at, end]), text, Anchor { across, up }, INK);
 }
 
 /// Of each column the reading that reaches highest and the one that reaches lowest, and those that are kept anyway;
@@ -142,19 +204,24 @@ fn thinned<'a, 'b>(bars: &'b [Bar<'a>], columns: f64) -> Vec<&'b Bar<'a>> {
     }
     let mut kept: BTreeSet<usize> = BTreeSet::new();
     for fitted in [false, true] {
-        let mut extremes: Vec<Option<[usize; 2]>> = vec![None; columns as usize + 2];
-        for (index, bar) in bars.iter().enumerate().filter(|(_, bar)| bar.shown.fitted == fitted) {
-            let column = (bar.at * columns) as usize;
-            let [lowest, highest] = extremes[column].get_or_insert([index, index]);
-            if bar.low < bars[*lowest].low {
-                *lowest = index;
-            }
-            if bar.high > bars[*highest].high {
-                *highest = index;
-            }
-        }
-        kept.extend(extremes.into_iter().flatten().flatten());
+        kept.extend(extremes(bars, columns, fitted).into_iter().flatten().flatten());
     }
     kept.extend(bars.iter().enumerate().filter(|(_, bar)| bar.shown.kept).map(|(index, _)| index));
     kept.into_iter().map(|index| &bars[index]).collect()
+}
+
+/// The lowest and the highest reading of each column, among those that are fitted or those that are not.
+fn extremes(bars: &[Bar], columns: f64, fitted: bool) -> Vec<Option<[usize; 2]>> {
+    let mut extremes: Vec<Option<[usize; 2]>> = vec![None; columns as usize + 2];
+    for (index, bar) in bars.iter().enumerate().filter(|(_, bar)| bar.shown.fitted == fitted) {
+        let column = (bar.at * columns) as usize;
+        let [lowest, highest] = extremes[column].get_or_insert([index, index]);
+        if bar.low < bars[*lowest].low {
+            *lowest = index;
+        }
+        if bar.high > bars[*highest].high {
+            *highest = index;
+        }
+    }
+    extremes
 }

@@ -3,11 +3,12 @@
 use boundfit_estimation::Measurement;
 use boundfit_exact::Rational;
 
+use super::readings::Shown;
 use super::{Reference, Scene};
 use crate::axis::Axis;
 use crate::drawing::{Anchor, Frame, Panel};
 use crate::extent::Extent;
-use crate::palette::{Dash, FAINT_INK, Stroke};
+use crate::palette::{FAINT_INK, Stroke};
 
 /// What a panel shows: values, or distances from a reference line.
 pub(crate) struct View<'a> {
@@ -43,6 +44,11 @@ impl View<'_> {
         })
     }
 
+    /// The response of a reading as the panel shows it.
+    pub(crate) fn value<'b>(&self, shown: &'b Shown) -> &'b Rational {
+        if self.reference.is_some() { &shown.distance } else { &shown.measurement.response }
+    }
+
     /// A line of the data plane as the panel shows it.
     pub(crate) fn relative(&self, theta: &[Rational; 2]) -> [Rational; 2] {
         match self.reference {
@@ -70,13 +76,13 @@ impl View<'_> {
         let mut fitted = Extent::default();
         let mut others = Extent::default();
         for shown in &self.scene.readings {
-            let Measurement { response, epsilon, .. } = &shown.measurement;
-            let middle = response - self.reference_at(&shown.measurement);
+            let epsilon = &shown.measurement.epsilon;
+            let middle = self.value(shown);
             if shown.fitted {
-                fitted.include(&(&middle - epsilon));
+                fitted.include(&(middle - epsilon));
                 fitted.include(&(middle + epsilon));
             } else {
-                others.include(&middle);
+                others.include(middle);
             }
         }
         if self.reference.is_some() {
@@ -84,12 +90,11 @@ impl View<'_> {
         }
         let whole = Rational::from(1000);
         let others_room = if self.reference.is_some() { Rational::ratio(1, 4) } else { whole };
+        // The numbers of conflicting rows stand beside their bars.
+        let margin = Rational::ratio(1, if self.scene.conflict.rows.is_empty() { 16 } else { 5 });
         let bands = self.scene.bands.extent(self);
         let band_room = Rational::ratio(3, 2);
-        fitted
-            .grown_towards(&bands, &band_room)
-            .grown_towards(&others, &others_room)
-            .padded(&Rational::ratio(1, 16))
+        fitted.grown_towards(&bands, &band_room).grown_towards(&others, &others_room).padded(&margin)
     }
 
     /// Whether a band goes on beyond the panel.
@@ -116,8 +121,8 @@ impl View<'_> {
         if let (Some(first), Some(last), None) = (rows().min(), rows().max(), self.reference) {
             let at = panel.coordinates()[0].fraction(&(lower + upper).half());
             let (place, anchor) = match scene.options.flip {
-                false => ([at, 1.0], Anchor { across: 0, up: 1 }),
-                true => ([1.0, at], Anchor { across: -1, up: 0 }),
+                false => ([at, 1.0], Anchor { across: 0.0, up: 1.0 }),
+                true => ([1.0, at], Anchor { across: -1.0, up: 0.0 }),
             };
             panel.text(place, format!("fitted rows {first}..{last}"), anchor, FAINT_INK);
         }
@@ -139,14 +144,23 @@ impl View<'_> {
         }
     }
 
+    /// Half the width of what is drawn at a row, in rows: two fifths, but never too little to be seen.
+    pub(crate) fn half_row(&self, panel: &Panel) -> Rational {
+        /// Pixels of the nominal size.
+        const LEAST_WIDTH: f64 = 2.0;
+        let length = if panel.is_flipped() { panel.frame.height } else { panel.frame.width };
+        let least = Rational::ratio((LEAST_WIDTH * 50.0) as i64, (length * 100.0) as i64);
+        Rational::ratio(2, 5).max(panel.coordinates()[0].width() * least)
+    }
+
     fn strokes_at_rows(&self, panel: &mut Panel, theta: &[Rational; 2], stroke: Stroke) {
-        let half = Rational::ratio(2, 5);
+        let half = self.half_row(panel);
         for shown in self.scene.rows_with_room() {
             let [phi1, phi2] = &shown.measurement.regressor;
             let value = &theta[0] * phi1 + &theta[1] * phi2;
             let ends =
                 [&shown.abscissa - &half, &shown.abscissa + &half].map(|row| panel.place([&row, &value]));
-            panel.line(&ends, Stroke { dash: Dash::Solid, ..stroke });
+            panel.line(&ends, stroke);
         }
     }
 }

@@ -4,7 +4,7 @@
 use boundfit_check::{Directions, ProgramRows};
 use boundfit_estimation::{Fit, Problem};
 use boundfit_exact::{Rational, Rounding};
-use boundfit_geometry::{Inequality, Polyhedron, Support, System};
+use boundfit_geometry::{Inequality, Polyhedron, Region, Support, System};
 use boundfit_lp::spread_objectives;
 
 use super::sliver::Sliver;
@@ -23,6 +23,7 @@ const INNER_EDGE: Stroke = Stroke { width: 1.8, ..style::SET_EDGE };
 const INNER_FILL: Fill = Fill { opacity: 0.18, ..style::SET_FILL };
 const OUTER_EDGE: Stroke = Stroke::new(VERMILLION, 1.5, Dash::Short);
 const OUTER_FILL: Fill = Fill { colour: VERMILLION, opacity: 0.07 };
+const EXACT_POINT: Mark = Mark::new(Shape::Diamond, 6.0, GREY);
 const OPTIMISER: Mark = Mark::new(Shape::Disc, 3.4, INK);
 
 /// The figure.
@@ -36,8 +37,15 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     let names = labels::parameters(problem, options);
     let sliver = Sliver::of(polyhedron.region());
     let mut main = panel(main_frame(usize::from(sliver.is_some())), &window(fit, &outer), &names);
-    region::draw(&mut main, &outer, OUTER_FILL, OUTER_EDGE);
+    if !matches!(outer.region(), Region::Plane) {
+        region::draw(&mut main, &outer, OUTER_FILL, OUTER_EDGE);
+    }
     region::draw(&mut main, polyhedron, EXACT_FILL, EXACT_EDGE);
+    if let ([point], Region::Point(_)) =
+        (region::places(&main, polyhedron.region()).as_slice(), polyhedron.region())
+    {
+        main.mark(*point, EXACT_POINT);
+    }
     let hull = found.inner.as_ref().map(|inner| inner.vertices.as_slice()).unwrap_or_default();
     let places: Vec<Place> = hull.iter().map(|theta| region::at(&main, theta)).collect();
     inner(&mut main, &places);
@@ -47,8 +55,11 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
         panels.push(thin(&sliver, polyhedron, &outer, hull));
         notes.push(Sliver::note("the exact set"));
     }
-    let title =
-        format!("The set between its inner and outer approximation from {} directions", options.directions);
+    let title = if hull.is_empty() && matches!(outer.region(), Region::Plane) {
+        format!("The set is unbounded in each of {} directions", options.directions)
+    } else {
+        format!("The set between its inner and outer approximation from {} directions", options.directions)
+    };
     Drawing {
         description: format!("{title}. {} {}", described_axes(&names), notes.join(" ")),
         title,
@@ -115,6 +126,7 @@ fn thin(sliver: &Sliver, exact: &Polyhedron, outer: &Polyhedron, hull: &[[Ration
 fn legend(count: usize) -> Vec<LegendEntry> {
     vec![
         LegendEntry::new(Swatch::area(EXACT_FILL, EXACT_EDGE), "exact set"),
+        LegendEntry::new(Swatch::mark(EXACT_POINT), "exact set"),
         LegendEntry::new(Swatch::area(INNER_FILL, INNER_EDGE), "inner: hull of the optimisers"),
         LegendEntry::new(Swatch::mark(OPTIMISER), "optimiser"),
         LegendEntry::new(
@@ -135,7 +147,7 @@ fn notes(found: &Directions) -> Vec<String> {
     if let (Some(inner), Some(outer)) = (inner, outer) {
         notes.push(format!("Inner area: {inner} % of the exact one. Outer area: {outer} %."));
     }
-    if found.unbounded > 0 {
+    if found.unbounded > 0 && found.unbounded < found.count {
         notes.push(format!("The set is unbounded in {} of the {} directions.", found.unbounded, found.count));
     }
     notes

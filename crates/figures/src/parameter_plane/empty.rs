@@ -1,7 +1,7 @@
 //! The picture of an empty set: the strips of the readings that contradict each other, where they come nearest.
 
 use boundfit_estimation::{BoundName, Fit, Problem};
-use boundfit_exact::{Rational, Rounding};
+use boundfit_exact::Rational;
 use boundfit_geometry::constructions::{between_parallels, meet};
 use boundfit_geometry::{Constraint, HalfPlane, Inequality, Point, Polyhedron, System};
 
@@ -52,15 +52,19 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
         legend.push(LegendEntry::new(Swatch::area(fill, Stroke { width: THICK, ..stroke }), name.clone()));
     }
     let estimates = marks::estimates(problem, fit);
-    let drawn: Vec<_> =
-        estimates.into_iter().filter(|estimate| panel.shows(region::at(&panel, &estimate.theta))).collect();
-    legend.extend(marks::draw_estimates(&mut panel, &drawn));
-    let mut notes = vec![format!("{} No parameters are in all these areas.", conflict.sentence())];
-    if let Some(minimax) = &fit.minimax {
-        notes
-            .push(format!("The smallest error bound that leaves any is {}.", least(problem, &minimax.least)));
+    legend.extend(marks::draw_estimates(&mut panel, &estimates));
+    let mut notes = vec![conflict.sentence()];
+    match lines.len() {
+        0 => panel.heading = nowhere(problem, &conflict),
+        1 => {}
+        _ => notes[0].push_str(" No parameters are in all these areas."),
     }
-    if thin.is_some() {
+    let panels: Vec<Panel> = [panel].into_iter().chain(thin).collect();
+    notes.extend(marks::outside_note(&panels, &estimates));
+    if fit.minimax.is_none() {
+        notes.push("No error bound, however large, leaves any parameters.".to_owned());
+    }
+    if panels.len() > 1 {
         notes.push(Sliver::note("the gap"));
     }
     let title = "Feasible parameter set: empty".to_owned();
@@ -68,18 +72,19 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
         description: format!("{title}. {} {}", described_axes(&names), notes.join(" ")),
         title,
         subtitle: labels::subtitle(problem, options),
-        height: panel.frame.top + panel.frame.height + BOTTOM_LABELS + 8.0,
-        panels: [panel].into_iter().chain(thin).collect(),
+        height: panels[0].frame.top + panels[0].frame.height + BOTTOM_LABELS + 8.0,
+        panels,
         legend,
         notes,
     }
 }
 
-fn least(problem: &Problem, least: &Rational) -> String {
-    let number = labels::number(least, 12, Rounding::Up);
-    match problem.measurements.error_bound() {
-        boundfit_estimation::ErrorBound::Uniform(_) => number,
-        boundfit_estimation::ErrorBound::PerRow(_) => format!("{number} times that of each row"),
+/// Who cannot be met by any parameters, and what it asks for.
+fn nowhere(problem: &Problem, conflict: &Conflict) -> String {
+    let condition = conflict.conditions.first().and_then(|number| problem.conditions.get(number - 1));
+    match condition {
+        Some(condition) => format!("{} holds nowhere", labels::condition(condition.text())),
+        None => format!("{}: regressors 0 and |{}| > ε", conflict.names(), problem.measurements.response()),
     }
 }
 
@@ -133,7 +138,8 @@ fn window(fit: &Fit, lines: &[&HalfPlane]) -> Window {
         [f, g, ..] => Some(between_parallels(f, g).coordinates()),
         _ => None,
     };
-    let centre = corners.first().cloned().or_else(minimax).or_else(between);
+    let least_squares = || fit.least_squares.as_ref().ok().map(|estimate| estimate.theta.clone());
+    let centre = corners.first().cloned().or_else(minimax).or_else(between).or_else(least_squares);
     around_lines(&centre.unwrap_or_else(|| Point::origin().coordinates()), lines)
 }
 

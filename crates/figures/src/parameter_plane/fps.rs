@@ -35,13 +35,15 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     let overview = eui_corners.clone().filter(|_| !eui_fits);
     let beside = usize::from(sliver.is_some()) + usize::from(overview.is_some());
     let mut main = panel(main_frame(beside), &window, &names);
-    let mut legend = contents(&mut main, fit, eui_fits && eui_corners.is_some(), &estimates, true);
+    let numbered = sliver.is_none();
+    let content = Content { eui: eui_fits && eui_corners.is_some(), main: true, numbered };
+    let mut legend = contents(&mut main, fit, &estimates, content);
     let mut panels = vec![main];
     if let Some([lower, upper]) = overview {
         let around = window.with(&lower).with(&upper).padded(&Rational::ratio(1, 12));
         let mut side = panel(side_frame(0), &around, &names);
         side.heading = "EUI box".to_owned();
-        contents(&mut side, fit, true, &estimates, false);
+        contents(&mut side, fit, &estimates, Content { eui: true, main: false, numbered: false });
         panels.push(side);
         legend.push(LegendEntry::new(Swatch::area(style::EUI_FILL, style::EUI_EDGE), "EUI box"));
     }
@@ -50,6 +52,7 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
         panels.push(thin(&sliver, fit, &estimates, panels.len() - 1));
         notes.push(Sliver::note("the set"));
     }
+    notes.extend(marks::outside_note(&panels, &estimates));
     if fit.least_squares.is_err() {
         notes.push("No least squares and no EUI: the regressors are linearly dependent.".to_owned());
     }
@@ -70,8 +73,17 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     }
 }
 
+/// What a panel has of the EUI box, and whether all vertices and estimates are marked, and numbered.
+#[derive(Clone, Copy)]
+struct Content {
+    eui: bool,
+    main: bool,
+    numbered: bool,
+}
+
 /// Boxes, set and estimates on a panel; gives the legend.
-fn contents(panel: &mut Panel, fit: &Fit, eui: bool, estimates: &[Estimate], main: bool) -> Vec<LegendEntry> {
+fn contents(panel: &mut Panel, fit: &Fit, estimates: &[Estimate], content: Content) -> Vec<LegendEntry> {
+    let Content { eui, main, numbered } = content;
     let polyhedron = fit.fps.polyhedron();
     let region_kind = polyhedron.region().kind();
     let mut legend = Vec::new();
@@ -96,7 +108,7 @@ fn contents(panel: &mut Panel, fit: &Fit, eui: bool, estimates: &[Estimate], mai
         legend.push(LegendEntry::new(Swatch::line(style::PUI_EDGE), "PUI box"));
     }
     if main {
-        marks::draw_vertices(panel, polyhedron.region(), true);
+        marks::draw_vertices(panel, polyhedron.region(), numbered);
         legend.extend(marks::draw_estimates(panel, estimates));
     } else {
         mark_if_tiny(panel, fit);
@@ -134,8 +146,11 @@ fn thin(sliver: &Sliver, fit: &Fit, estimates: &[Estimate], index: usize) -> Pan
         vertices.iter().filter_map(|vertex| sliver.place(&panel, &vertex.point().coordinates())).collect();
     panel.area(&outline, style::SET_FILL);
     panel.outline(&outline, style::SET_EDGE);
-    for at in outline {
-        panel.mark(at, style::VERTEX);
+    for at in &outline {
+        panel.mark(*at, style::VERTEX);
+    }
+    if outline.len() <= marks::MOST_NUMBERED {
+        marks::draw_numbers(&mut panel, &outline, [None, None]);
     }
     for Estimate { theta, mark, .. } in estimates.iter().rev() {
         if let Some(at) = sliver.place(&panel, theta) {

@@ -1,17 +1,17 @@
 //! Boxes, vertices and estimates.
 
 use boundfit_estimation::{Fit, Problem};
-use boundfit_exact::{Interval, Rational, Rounding};
+use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::Region;
 
-use super::region::{at, places};
-use crate::clip::Place;
+use super::region::{at, direction, places};
+use crate::clip::{self, Place};
 use crate::drawing::{Anchor, LegendEntry, Panel, Swatch};
 use crate::labels;
 use crate::palette::{BLUE, Fill, Mark, Stroke, style};
 
 /// Up to so many vertices are numbered.
-const MOST_NUMBERED: usize = 12;
+pub(crate) const MOST_NUMBERED: usize = 12;
 
 /// An estimate with what it is called in the legend.
 pub(crate) struct Estimate {
@@ -39,8 +39,12 @@ pub(crate) fn estimates(problem: &Problem, fit: &Fit) -> Vec<Estimate> {
     if let Some(minimax) = &fit.minimax {
         let uniform =
             matches!(problem.measurements.error_bound(), boundfit_estimation::ErrorBound::Uniform(_));
-        let least = labels::number(&minimax.least, 4, Rounding::Up);
-        let least = if uniform { format!("least ε = {least}") } else { format!("at {least}·ε") };
+        let (sign, least) = labels::rounded_up(&minimax.least);
+        let least = if uniform {
+            format!("least ε {sign} {least}")
+        } else {
+            format!("least bound {sign} {least}·ε")
+        };
         let several = if minimax.unique { "" } else { ", one of several" };
         let name = format!("minimax estimate ({least}{several})");
         all.push(Estimate { theta: minimax.theta.clone(), mark: style::MINIMAX_MARK, name });
@@ -48,17 +52,15 @@ pub(crate) fn estimates(problem: &Problem, fit: &Fit) -> Vec<Estimate> {
     all
 }
 
-/// Draws the estimates and gives the legend's lines.
+/// Draws the estimates and gives the legend's lines, whether or not they are in the view.
 pub(crate) fn draw_estimates(panel: &mut Panel, estimates: &[Estimate]) -> Vec<LegendEntry> {
     let mut entries = Vec::new();
     // The largest mark goes first: where all three coincide, each is still to be seen.
     for Estimate { theta, mark, .. } in estimates.iter().rev() {
         panel.mark(at(panel, theta), *mark);
     }
-    for Estimate { theta, mark, name } in estimates {
-        let place = at(panel, theta);
-        let name = if panel.shows(place) { name.clone() } else { format!("{name}, outside of this view") };
-        entries.push(LegendEntry::new(Swatch::mark(*mark), name));
+    for Estimate { mark, name, .. } in estimates {
+        entries.push(LegendEntry::new(Swatch::mark(*mark), name.clone()));
     }
     entries
 }
@@ -66,7 +68,6 @@ pub(crate) fn draw_estimates(panel: &mut Panel, estimates: &[Estimate]) -> Vec<L
 /// Marks the vertices and, when there are few, numbers them as reports do.
 pub(crate) fn draw_vertices(panel: &mut Panel, region: &Region, numbered: bool) {
     let vertices = places(panel, region);
-    let shown: Vec<Place> = vertices.iter().copied().filter(|place| panel.shows(*place)).collect();
     let radius =
         if vertices.len() > MOST_NUMBERED { style::VERTEX.radius * 0.7 } else { style::VERTEX.radius };
     for place in &vertices {
@@ -75,34 +76,79 @@ pub(crate) fn draw_vertices(panel: &mut Panel, region: &Region, numbered: bool) 
     if !numbered || vertices.len() > MOST_NUMBERED || vertices.len() < 2 {
         return;
     }
-    let mean = |axis: usize| shown.iter().map(|place| place[axis]).sum::<f64>() / shown.len() as f64;
-    // Of a set that goes on without end the vertices alone do not show where its inside is.
-    let inward = |mean: f64| if region.is_bounded() { mean } else { (mean + 0.5) / 2.0 };
-    let centre = [inward(mean(0)), inward(mean(1))];
-    for (numbers, place) in neighbours_together(panel, &vertices) {
-        let away = [place[0] - centre[0], place[1] - centre[1]];
-        let size = away[0].abs().max(away[1].abs());
-        let side = |part: f64| if part.abs() < 0.35 * size { 0 } else { part.signum() as i8 };
-        let anchor = Anchor { across: side(away[0]), up: side(away[1]) };
-        panel.text(place, numbers, anchor, BLUE);
+    let ends = match region {
+        Region::UnboundedPolygon(polygon) => {
+            [polygon.incoming(), polygon.outgoing()].map(|ray| Some(direction(panel, ray)))
+        }
+        _ => [None, None],
+    };
+    draw_numbers(panel, &vertices, ends);
+}
+
+/// Numbers the vertices of a convex set, given in order, outside of it. A set that goes on without end has directions
+/// before its first and after its last vertex.
+pub(crate) fn draw_numbers(panel: &mut Panel, vertices: &[Place], [before, after]: [Option<Place>; 2]) {
+    let size = [panel.frame.width, panel.frame.height];
+    let pixels = |place: Place| [place[0] * size[0], place[1] * size[1]];
+    let mut corners: Vec<Place> = vertices.iter().copied().map(pixels).collect();
+    let beyond =
+        |corner: Option<&Place>, step: Option<Place>| Some(clip::along(*corner?, pixels(step?), 1.0));
+    let first = beyond(corners.first(), before);
+    corners.extend(beyond(corners.last(), after));
+    let shift = usize::from(first.is_some());
+    corners.splice(0..0, first);
+    let count = corners.len();
+    let mean = |axis: usize| corners.iter().map(|corner| corner[axis]).sum::<f64>() / count as f64;
+    let centre = [mean(0), mean(1)];
+    for group in neighbours_together(&corners[shift..shift + vertices.len()]) {
+        let [from, to] = [group[0], group[group.len() - 1]].map(|index| index + shift);
+        let [previous, next] = [corners[(from + count - 1) % count], corners[(to + 1) % count]];
+        let normal = outward([previous, next], corners[from], centre);
+        // A line along the chord from the vertex before to the one after touches the set at the group.
+        let reach =
+            |index: &usize| normal[0] * corners[index + shift][0] + normal[1] * corners[index + shift][1];
+        let outermost = group.iter().copied().max_by(|one, other| reach(one).total_cmp(&reach(other)));
+        let Some(vertex) = outermost else { continue };
+        let numbers: Vec<String> = group.iter().map(|index| (index + 1).to_string()).collect();
+        let anchor = Anchor { across: normal[0], up: normal[1] };
+        panel.text(vertices[vertex], numbers.join(", "), anchor, BLUE);
     }
 }
 
-/// The numbers of the vertices at their places, those of neighbours that cannot be told apart as one text.
-fn neighbours_together(panel: &Panel, vertices: &[Place]) -> Vec<(String, Place)> {
+/// The unit normal of a chord between the neighbours of a corner, away from the centre.
+fn outward([previous, next]: [Place; 2], corner: Place, centre: Place) -> Place {
+    let away = [corner[0] - centre[0], corner[1] - centre[1]];
+    let chord = [next[0] - previous[0], next[1] - previous[1]];
+    let mut normal = if chord[0].hypot(chord[1]) > 0.0 { [-chord[1], chord[0]] } else { away };
+    if normal[0] * away[0] + normal[1] * away[1] < 0.0 {
+        normal = normal.map(|part| -part);
+    }
+    let length = normal[0].hypot(normal[1]);
+    if length > 0.0 { normal.map(|part| part / length) } else { [0.0, 1.0] }
+}
+
+/// The vertices in groups of neighbours that cannot be told apart, which have their numbers in one text. In pixels.
+fn neighbours_together(vertices: &[Place]) -> Vec<Vec<usize>> {
     const APART: f64 = 15.0;
-    let far = |p: Place, q: Place| {
-        let [across, up] = [(p[0] - q[0]) * panel.frame.width, (p[1] - q[1]) * panel.frame.height];
-        across.hypot(up) > APART
+    let near = |p: usize, q: usize| {
+        let [p, q] = [vertices[p], vertices[q]];
+        (p[0] - q[0]).hypot(p[1] - q[1]) <= APART
     };
-    let mut texts: Vec<(String, Place)> = Vec::new();
-    for (index, place) in vertices.iter().enumerate() {
-        match texts.last_mut() {
-            Some((numbers, last)) if !far(*last, *place) => *numbers = format!("{numbers}, {}", index + 1),
-            _ => texts.push(((index + 1).to_string(), *place)),
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for index in 0..vertices.len() {
+        match groups.last_mut() {
+            Some(group) if near(group[0], index) => group.push(index),
+            _ => groups.push(vec![index]),
         }
     }
-    texts
+    groups
+}
+
+/// Which estimates are on none of the panels, in words.
+pub(crate) fn outside_note(panels: &[Panel], estimates: &[Estimate]) -> Option<String> {
+    let drawn = |estimate: &&Estimate| !panels.iter().any(|panel| panel.has_mark(&estimate.mark));
+    let names: Vec<&str> = estimates.iter().filter(drawn).map(|estimate| estimate.name.as_str()).collect();
+    (!names.is_empty()).then(|| format!("Outside of this view: {}.", names.join(", ")))
 }
 
 /// Draws a box; a side at infinity is left out and the others run to the edge of the panel.

@@ -94,7 +94,7 @@ pub(crate) fn at(panel: &Panel, [theta1, theta2]: &[Rational; 2]) -> Place {
 }
 
 /// A direction in fractions of the panel, of size 1.
-fn direction(panel: &Panel, direction: &Direction) -> Place {
+pub(crate) fn direction(panel: &Panel, direction: &Direction) -> Place {
     let [first, second] = panel.coordinates();
     let part = |step, width: &Rational| Rational::from(step).checked_div(width).unwrap_or_default();
     in_unit_size([part(direction.dx(), first.width()), part(direction.dy(), second.width())])

@@ -76,7 +76,8 @@ impl Sliver {
     /// An empty panel in these coordinates.
     pub(crate) fn panel(&self, index: usize) -> Panel {
         let frame = side_frame(index);
-        let margin = Rational::ratio(1, 12);
+        // Room for the numbers of the vertices.
+        let margin = Rational::ratio(1, 6);
         let width = &self.across[1] - &self.across[0];
         let [lower, upper] = [&self.across[0] - &width * &margin, &self.across[1] + &width * &margin];
         let along = Axis::new("along".to_owned(), &-&margin, &(Rational::one() + &margin), 3);

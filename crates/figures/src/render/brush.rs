@@ -6,7 +6,7 @@ use plotters::style::{Color, IntoFont, RGBColor, ShapeStyle, TextStyle, WHITE};
 
 use super::{Canvas, CanvasResult, FINE};
 use crate::palette::{Colour, Dash, Fill, INK, Mark, Shape, Stroke};
-use crate::text::FAMILY;
+use crate::text::{FAMILY, drawable};
 
 /// Plotters sizes a font by its line height.
 const LINE_HEIGHT: f64 = 1.24;
@@ -105,13 +105,46 @@ impl<'a, 'b> Brush<'a, 'b> {
             Align::End => HPos::Right,
         };
         let style = text_style(size, colour).pos(Pos::new(horizontal, VPos::Center));
-        self.canvas.draw_text(text, &style, fine(at))
+        self.canvas.draw_text(&drawable(text), &style, fine(at))
     }
 
     /// The width of a text.
     pub(super) fn text_width(&self, text: &str, size: f64) -> CanvasResult<f64> {
-        let (width, _) = self.canvas.estimate_text_size(text, &text_style(size, INK))?;
+        let (width, _) = self.canvas.estimate_text_size(&drawable(text), &text_style(size, INK))?;
         Ok(f64::from(width) / FINE)
+    }
+
+    /// A text as far as it fits a width; what is cut ends in "…".
+    pub(super) fn fitted(&self, text: &str, size: f64, room: f64) -> CanvasResult<String> {
+        let text = drawable(text);
+        if self.text_width(&text, size)? <= room {
+            return Ok(text);
+        }
+        let letters: Vec<char> = text.chars().collect();
+        let cut = |kept: usize| -> String {
+            let start: String = letters[..kept].iter().collect();
+            format!("{}…", start.trim_end())
+        };
+        // The longest beginning that fits is between these.
+        let (mut fits, mut too_long) = (0, letters.len());
+        while too_long - fits > 1 {
+            let middle = (fits + too_long) / 2;
+            if self.text_width(&cut(middle), size)? <= room { fits = middle } else { too_long = middle }
+        }
+        Ok(cut(fits))
+    }
+
+    /// A text in as many lines as it needs at a width, broken between words.
+    pub(super) fn wrapped(&self, text: &str, size: f64, room: f64) -> CanvasResult<Vec<String>> {
+        let mut lines: Vec<String> = Vec::new();
+        for word in text.split(' ') {
+            let longer = lines.last().map(|line| format!("{line} {word}"));
+            match (longer, lines.last_mut()) {
+                (Some(longer), Some(line)) if self.text_width(&longer, size)? <= room => *line = longer,
+                _ => lines.push(self.fitted(word, size, room)?),
+            }
+        }
+        Ok(lines)
     }
 }
 

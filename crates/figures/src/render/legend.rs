@@ -1,7 +1,5 @@
 //! The legend: below the panels, where it covers nothing.
 
-use plotters::prelude::{IntoDrawingArea, SVGBackend};
-
 use super::brush::{Align, Brush};
 use super::{CanvasResult, MARGIN, WIDTH};
 use crate::drawing::{LegendEntry, Swatch};
@@ -14,24 +12,21 @@ const GAP: f64 = 6.0;
 const BETWEEN: f64 = 20.0;
 
 /// Entries side by side, each with its distance from the left.
-pub(super) type Row<'a> = Vec<(f64, &'a LegendEntry)>;
+pub(super) type Row<'a> = Vec<(f64, &'a Swatch, String)>;
 
 /// Fills rows from left to right.
-pub(super) fn layout(entries: &[LegendEntry]) -> CanvasResult<Vec<Row<'_>>> {
-    // Measuring needs a canvas, but nothing is drawn on this one.
-    let mut scratch = String::new();
-    let canvas = SVGBackend::with_string(&mut scratch, (1, 1)).into_drawing_area();
-    let brush = Brush::new(&canvas);
+pub(super) fn layout<'a>(brush: &Brush, entries: &'a [LegendEntry]) -> CanvasResult<Vec<Row<'a>>> {
     let mut rows: Vec<Row> = Vec::new();
     let mut left = WIDTH;
     for entry in entries {
-        let width = SWATCH + GAP + brush.text_width(&entry.text, SIZE)?;
+        let text = brush.fitted(&entry.text, SIZE, WIDTH - 2.0 * MARGIN - SWATCH - GAP)?;
+        let width = SWATCH + GAP + brush.text_width(&text, SIZE)?;
         if left + width > WIDTH - MARGIN {
             rows.push(Vec::new());
             left = MARGIN;
         }
         if let Some(row) = rows.last_mut() {
-            row.push((left, entry));
+            row.push((left, &entry.swatch, text));
         }
         left += width + BETWEEN;
     }
@@ -46,9 +41,9 @@ pub(super) fn height(rows: usize) -> f64 {
 pub(super) fn draw(brush: &Brush, rows: &[Row], top: f64) -> CanvasResult {
     for (index, row) in rows.iter().enumerate() {
         let middle = top + (index as f64 + 0.5) * ROW;
-        for (left, entry) in row {
-            swatch(brush, *left, middle, &entry.swatch)?;
-            brush.text([left + SWATCH + GAP, middle], &entry.text, SIZE, INK, Align::Start)?;
+        for (left, sample, text) in row {
+            swatch(brush, *left, middle, sample)?;
+            brush.text([left + SWATCH + GAP, middle], text, SIZE, INK, Align::Start)?;
         }
     }
     Ok(())

@@ -15,7 +15,7 @@ use plotters::prelude::{DrawingArea, IntoDrawingArea, SVGBackend};
 use plotters::style::WHITE;
 
 use crate::drawing::Drawing;
-use crate::palette::{FAINT_INK, INK};
+use crate::palette::{Colour, FAINT_INK, INK};
 use crate::picture::{FigureError, Picture};
 use crate::text;
 use brush::{Align, Brush};
@@ -28,6 +28,8 @@ const MARGIN: f64 = 14.0;
 const HEADER: f64 = 52.0;
 /// Height of a line of notes.
 const NOTE_LINE: f64 = 17.0;
+/// Letters of subtitle and notes.
+const NOTE_SIZE: f64 = 11.5;
 /// Canvas units per nominal pixel.
 const FINE: f64 = 10.0;
 
@@ -38,13 +40,13 @@ type CanvasResult<T = ()> = Result<T, DrawingAreaErrorKind<std::io::Error>>;
 pub(crate) fn render(drawing: &Drawing) -> Result<Picture, FigureError> {
     text::register();
     let fail = |error: DrawingAreaErrorKind<std::io::Error>| FigureError(error.to_string());
-    let rows = legend::layout(&drawing.legend).map_err(fail)?;
+    let (rows, notes) = measured(drawing).map_err(fail)?;
     let notes_top = HEADER + drawing.height + legend::height(rows.len());
-    let height = notes_top + drawing.notes.len() as f64 * NOTE_LINE + MARGIN * 0.7;
+    let height = notes_top + notes.len() as f64 * NOTE_LINE + MARGIN * 0.7;
     let size = [WIDTH, height].map(|length| (length * FINE).round() as u32);
     let mut svg = String::new();
     let canvas = SVGBackend::with_string(&mut svg, (size[0], size[1])).into_drawing_area();
-    draw(&canvas, drawing, &rows, notes_top).map_err(fail)?;
+    draw(&canvas, drawing, &rows, (&notes, notes_top)).map_err(fail)?;
     drop(canvas);
     let large = format!("width=\"{}\" height=\"{}\"", size[0], size[1]);
     let nominal = format!("width=\"{WIDTH}\" height=\"{}\"", f64::from(size[1]) / FINE);
@@ -52,18 +54,41 @@ pub(crate) fn render(drawing: &Drawing) -> Result<Picture, FigureError> {
     Picture::new(&svg, drawing.title.clone(), drawing.description.clone())
 }
 
-fn draw(canvas: &Canvas, drawing: &Drawing, rows: &[legend::Row], notes_top: f64) -> CanvasResult {
+/// The rows of the legend and the lines of the notes, as long as there is room.
+fn measured(drawing: &Drawing) -> CanvasResult<(Vec<legend::Row<'_>>, Vec<String>)> {
+    // Measuring needs a canvas, but nothing is drawn on this one.
+    let mut scratch = String::new();
+    let canvas = SVGBackend::with_string(&mut scratch, (1, 1)).into_drawing_area();
+    let brush = Brush::new(&canvas);
+    let rows = legend::layout(&brush, &drawing.legend)?;
+    let mut lines = Vec::new();
+    for note in &drawing.notes {
+        lines.extend(brush.wrapped(note, NOTE_SIZE, WIDTH - 2.0 * MARGIN)?);
+    }
+    Ok((rows, lines))
+}
+
+fn draw(
+    canvas: &Canvas,
+    drawing: &Drawing,
+    rows: &[legend::Row],
+    (notes, notes_top): (&[String], f64),
+) -> CanvasResult {
     canvas.fill(&WHITE)?;
     let brush = Brush::new(canvas);
-    brush.text([MARGIN, 19.0], &drawing.title, 15.5, INK, Align::Start)?;
-    brush.text([MARGIN, 39.0], &drawing.subtitle, 11.5, FAINT_INK, Align::Start)?;
+    let header = |text: &str, middle: f64, size: f64, colour: Colour| {
+        let text = brush.fitted(text, size, WIDTH - 2.0 * MARGIN)?;
+        brush.text([MARGIN, middle], &text, size, colour, Align::Start)
+    };
+    header(&drawing.title, 19.0, 15.5, INK)?;
+    header(&drawing.subtitle, 39.0, NOTE_SIZE, FAINT_INK)?;
     for panel in &drawing.panels {
         panel::draw(&brush, panel, HEADER)?;
     }
     legend::draw(&brush, rows, HEADER + drawing.height)?;
-    for (index, note) in drawing.notes.iter().enumerate() {
+    for (index, note) in notes.iter().enumerate() {
         let middle = notes_top + (index as f64 + 0.5) * NOTE_LINE;
-        brush.text([MARGIN, middle], note, 11.5, FAINT_INK, Align::Start)?;
+        brush.text([MARGIN, middle], note, NOTE_SIZE, FAINT_INK, Align::Start)?;
     }
     canvas.present()
 }

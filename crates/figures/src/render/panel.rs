@@ -7,7 +7,7 @@ use super::brush::{Align, Brush, Pixel, rgb, text_style};
 use super::{CanvasResult, FINE};
 use crate::axis::Axis;
 use crate::clip::Place;
-use crate::drawing::{Frame, Item, Panel};
+use crate::drawing::{Anchor, Frame, Item, Panel};
 use crate::palette::{Dash, FAINT_INK, FRAME, Fill, GRID, INK, PAPER, Stroke};
 
 const LABEL_SIZE: f64 = 11.5;
@@ -17,6 +17,8 @@ pub(crate) const LEFT_LABELS: f64 = 66.0;
 /// Room for labels and name below a panel.
 pub(crate) const BOTTOM_LABELS: f64 = 42.0;
 const TICK: f64 = 4.0;
+/// Half the height of a label.
+const HALF_LINE: f64 = 7.0;
 /// Least distance between two texts side by side.
 const APART: f64 = 10.0;
 
@@ -36,24 +38,29 @@ pub(super) fn draw(brush: &Brush, panel: &Panel, top: f64) -> CanvasResult {
     }
     let mut scale_width = 0.0;
     if panel.labelled[1] {
-        brush.text([left, top - 9.0], vertical.scale(), LABEL_SIZE, FAINT_INK, Align::Start)?;
-        scale_width = brush.text_width(vertical.scale(), LABEL_SIZE)?;
+        let scale = brush.fitted(vertical.scale(), LABEL_SIZE, width)?;
+        brush.text([left, top - 9.0], &scale, LABEL_SIZE, FAINT_INK, Align::Start)?;
+        scale_width = brush.text_width(&scale, LABEL_SIZE)?;
     }
-    let free = (width - brush.text_width(&panel.heading, NAME_SIZE)?) / 2.0;
+    let heading = brush.fitted(&panel.heading, NAME_SIZE, width)?;
+    let free = (width - brush.text_width(&heading, NAME_SIZE)?) / 2.0;
     let raised = if free < scale_width + APART { 15.0 } else { 0.0 };
-    brush.text([left + width / 2.0, top - 9.0 - raised], &panel.heading, NAME_SIZE, INK, Align::Middle)
+    brush.text([left + width / 2.0, top - 9.0 - raised], &heading, NAME_SIZE, INK, Align::Middle)
 }
 
 /// The name of the horizontal axis in the middle, or where the scale leaves no room for that, at the left.
 fn name_below(brush: &Brush, axis: &Axis, frame: Frame) -> CanvasResult {
     let Frame { left, top, width, height } = frame;
     let below = top + height + BOTTOM_LABELS - 8.5;
-    brush.text([left + width, below], axis.scale(), LABEL_SIZE, FAINT_INK, Align::End)?;
-    let free = (width - brush.text_width(&axis.name, NAME_SIZE)?) / 2.0;
-    if free < brush.text_width(axis.scale(), LABEL_SIZE)? + APART {
-        brush.text([left, below], &axis.name, NAME_SIZE, INK, Align::Start)
+    let scale = brush.fitted(axis.scale(), LABEL_SIZE, 0.7 * width)?;
+    brush.text([left + width, below], &scale, LABEL_SIZE, FAINT_INK, Align::End)?;
+    let scale_width = if scale.is_empty() { 0.0 } else { brush.text_width(&scale, LABEL_SIZE)? + APART };
+    let name = brush.fitted(&axis.name, NAME_SIZE, width - scale_width)?;
+    let free = (width - brush.text_width(&name, NAME_SIZE)?) / 2.0;
+    if free < scale_width {
+        brush.text([left, below], &name, NAME_SIZE, INK, Align::Start)
     } else {
-        brush.text([left + width / 2.0, below], &axis.name, NAME_SIZE, INK, Align::Middle)
+        brush.text([left + width / 2.0, below], &name, NAME_SIZE, INK, Align::Middle)
     }
 }
 
@@ -65,7 +72,7 @@ fn mesh(brush: &Brush, panel: &Panel, frame: Frame) -> CanvasResult {
     let size = (fine(left + frame.width), fine(frame.height + bottom));
     let area = brush.canvas.clone().shrink(origin, (size.0 as u32, size.1 as u32));
     let [horizontal, vertical] = panel.axes.clone();
-    let name = vertical.name.clone();
+    let name = brush.fitted(&vertical.name, NAME_SIZE, frame.height)?;
     let mut chart = ChartBuilder::on(&area)
         .set_label_area_size(LabelAreaPosition::Left, fine(left))
         .set_label_area_size(LabelAreaPosition::Bottom, fine(bottom))
@@ -102,15 +109,34 @@ fn item(brush: &Brush, item: &Item, frame: Frame) -> CanvasResult {
             brush.arrow_head(pixel(*tip), down, *colour)
         }
         Item::Text { at, text, anchor, colour } => {
-            const DISTANCE: f64 = 6.0;
-            let [x, y] = pixel(*at);
-            let (across, up) = (f64::from(anchor.across), f64::from(anchor.up));
-            let (x, y) = (x + across * DISTANCE, y - up * DISTANCE * 1.6);
             let width = brush.text_width(text, LABEL_SIZE)?;
-            let left = x - width / 2.0 + across * width / 2.0;
-            let plate = [[left, y - 7.0], [left + width, y - 7.0], [left + width, y + 7.0], [left, y + 7.0]];
+            let [left, middle] = beside(*at, pixel(*at), *anchor, width, frame);
+            let (right, top, bottom) = (left + width, middle - HALF_LINE, middle + HALF_LINE);
+            let plate = [[left, top], [right, top], [right, bottom], [left, bottom]];
             brush.area(&plate, Fill { colour: PAPER, opacity: 0.7 })?;
-            brush.text([left, y], text, LABEL_SIZE, *colour, Align::Start)
+            brush.text([left, middle], text, LABEL_SIZE, *colour, Align::Start)
         }
     }
+}
+
+/// The left end and the middle line of a text beside a point: wholly beyond the line through the point that the
+/// direction of its anchor is normal to. A text whose place is inside of the frame is kept inside.
+fn beside(place: Place, at: Pixel, anchor: Anchor, width: f64, frame: Frame) -> Pixel {
+    const GAP: f64 = 3.5;
+    const EDGE: f64 = 2.0;
+    let Anchor { across, up } = anchor;
+    let far = GAP + across.abs() * (width / 2.0 + 1.0) + up.abs() * HALF_LINE;
+    let left = at[0] + across * far - width / 2.0;
+    let middle = at[1] - up * far;
+    let inside = |coordinate: f64| coordinate > 0.0 && coordinate < 1.0;
+    let kept = |value: f64, least: f64, most: f64| value.min(most).max(least);
+    let (right, bottom) = (frame.left + frame.width, frame.top + frame.height);
+    [
+        if inside(place[0]) { kept(left, frame.left + EDGE, right - EDGE - width) } else { left },
+        if inside(place[1]) {
+            kept(middle, frame.top + HALF_LINE + EDGE, bottom - HALF_LINE - EDGE)
+        } else {
+            middle
+        },
+    ]
 }

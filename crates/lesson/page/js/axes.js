@@ -3,6 +3,9 @@
 import { element } from "./dom.js";
 import { axisTicks } from "./ticks.js";
 
+// The style sheet's, for measuring.
+const AXIS_FONT = "600 13px";
+
 /** Room for tick labels and axis names. */
 export function plotArea(width, height) {
   const left = width < 480 ? 52 : 58;
@@ -45,6 +48,7 @@ export function axes(map, exact, number, names, given = null) {
       element("text", { class: "tick", x: area.left - 6, y: y + 4, "text-anchor": "end" }, label),
     ];
   });
+  const room = area.left + area.width - 4;
   return element(
     "g",
     { "aria-hidden": "true" },
@@ -54,10 +58,30 @@ export function axes(map, exact, number, names, given = null) {
     element(
       "text",
       { class: "axis", x: right, y: bottom + 38, "text-anchor": "end" },
-      `${names[0]}  ${across.note}`,
+      titled(names[0], across.note, room),
     ),
-    element("text", { class: "axis", x: 4, y: 18 }, `${names[1]}  ${up.note}`),
+    element("text", { class: "axis", x: 4, y: 18 }, titled(names[1], up.note, room)),
   );
+}
+
+/** The name of an axis and the note on its ticks; a name that does not fit into so many pixels is cut. */
+function titled(name, note, room) {
+  const text = (count) =>
+    `${count < name.length ? `${name.slice(0, count).trimEnd()}…` : name}  ${note}`;
+  let count = name.length;
+  while (count > 1 && textWidth(text(count)) > room)
+    count = Math.min(count - 1, Math.ceil((count * room) / textWidth(text(count))));
+  return text(count);
+}
+
+let ruler = null;
+
+function textWidth(text) {
+  if (ruler === null) {
+    ruler = document.createElement("canvas").getContext("2d");
+    ruler.font = `${AXIS_FONT} ${getComputedStyle(document.body).fontFamily}`;
+  }
+  return ruler.measureText(text).width;
 }
 
 /** A pixel coordinate with two decimals. */

@@ -1,7 +1,7 @@
 // Stepping through the clipping: the controls, and what each step did.
 
 import { byId, element, patch } from "./dom.js";
-import { boundText, counted, decimal, digitsFor, enumeration, kindText, withMinus } from "./format.js";
+import { boundText, counted, decimal, digitsFor, kindText, shortEnumeration, theBound, withMinus } from "./format.js";
 import { inequality } from "./inspector.js";
 import { numberWithFraction } from "./summary.js";
 import { ONE } from "./rational.js";
@@ -153,7 +153,7 @@ function story(lesson, state, scene) {
   ].flat();
 }
 
-/** "upper bound of reading 14 and lower bound of reading 36" */
+/** "the upper bound of reading 14 and the lower bound of reading 36" */
 export function namesText(names) {
-  return enumeration(names.map(boundText));
+  return shortEnumeration(names.map(theBound));
 }

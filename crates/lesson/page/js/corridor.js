@@ -96,7 +96,7 @@ function predictionBars(lesson, points, rays, frame, map) {
       const u = frame.across(reading);
       const generators = {
         points: points.map((theta) => () => frame.prediction(reading, theta)),
-        rays: rays.map((ray) => () => dot(reading.phi, ray).toNumber()),
+        rays: rays.map((ray) => () => dot(reading.phi, ray).sign()),
       };
       const [low, high] = span(generators, u, map);
       return pathThrough(

@@ -1,7 +1,7 @@
 // The frame of the data plane: heights as measured or relative to the reference line, ready for drawing.
 
 import { boundingView } from "./view.js";
-import { ONE, Rational, ZERO, decimalPower, dot, extremes } from "./rational.js";
+import { ONE, Rational, ZERO, coordinate, decimalPower, dot, extremes, proportions } from "./rational.js";
 
 /** Exact origins and units of both axes; in the residual view heights are relative to the reference line. */
 export function dataFrame(lesson, residual) {
@@ -23,28 +23,29 @@ export function dataFrame(lesson, residual) {
   // Relative heights keep the true zero.
   const y = unitOf(heights, widest);
   if (residual) y.origin = ZERO;
-  const placeX = (value) => value.minus(x.origin).over(x.unit).toNumber();
-  const placeY = (value) => value.minus(y.origin).over(y.unit).toNumber();
+  const placeX = (value) => coordinate(value.minus(x.origin).over(x.unit));
+  const placeY = (value) => coordinate(value.minus(y.origin).over(y.unit));
   return {
     isLine: lesson.isLine,
     exact: (axis, number) => Rational.fromNumber(number).times([x, y][axis].unit).plus([x, y][axis].origin),
     number: (axis, value) => [placeX, placeY][axis](value),
     across: (reading) => placeX(lesson.isLine ? reading.phi[0] : new Rational(BigInt(reading.index))),
     height: (phi, value) => placeY(value.minus(dot(phi, reference))),
-    length: (epsilon) => epsilon.over(y.unit).toNumber(),
+    length: (epsilon) => coordinate(epsilon.over(y.unit)),
     /** The line of θ as v = slope·u + start in frame coordinates. */
     line: (theta) => {
       const [d1, d2] = [theta[0].minus(reference[0]), theta[1].minus(reference[1])];
       return {
-        slope: d1.times(x.unit).over(y.unit).toNumber(),
-        start: d1.times(x.origin).plus(d2).minus(y.origin).over(y.unit).toNumber(),
+        slope: coordinate(d1.times(x.unit).over(y.unit)),
+        start: coordinate(d1.times(x.origin).plus(d2).minus(y.origin).over(y.unit)),
       };
     },
     prediction: (reading, theta) => placeY(dot(reading.phi, theta).minus(dot(reading.phi, reference))),
-    direction: (ray) => ({
-      slope: ray[0].times(x.unit).over(y.unit).toNumber(),
-      start: ray[0].times(x.origin).plus(ray[1]).over(y.unit).toNumber(),
-    }),
+    // Only the direction counts, whatever the length.
+    direction: (ray) => {
+      const [slope, start] = proportions([ray[0].times(x.unit), ray[0].times(x.origin).plus(ray[1])]).numbers;
+      return { slope, start };
+    },
   };
 }
 

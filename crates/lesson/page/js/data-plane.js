@@ -114,13 +114,17 @@ function chosenLine(lesson, state, scene, frame, map) {
     return element("path", { class: "curve of-point", d: curvePath(lesson, chosen.theta, frame, map) });
   if (chosen?.kind !== "vertex" || chosen.index >= scene.region.vertices.length) return element("path");
   const { theta } = scene.region.vertices[chosen.index];
+  const labelled = [];
   const ends = activeAt(lesson, scene.region, chosen.index)
     .filter((name) => name.row !== null)
     .map((name) => {
       const reading = lesson.readings[lesson.rowIndex.get(name.row)];
       const half = frame.length(reading.epsilon.times(scene.s)) * (name.bound === "upper" ? 1 : -1);
       const [x, y] = map.to([frame.across(reading), frame.height(reading.phi, reading.y) + half]);
-      const label = `reading ${name.row}`;
+      // Labels of readings at the same place would cover each other.
+      const free = labelled.every(([px, py]) => Math.hypot(px - x, py - y) > 12);
+      if (free) labelled.push([x, y]);
+      const label = free ? `reading ${name.row}` : "";
       const above = name.bound === "upper" ? -14 : 22;
       const anchor =
         x > map.area.left + map.area.width - 40 ? "end" : x < map.area.left + 40 ? "start" : "middle";
@@ -151,7 +155,7 @@ function drawnReading(lesson, state, scene, reading, frame, map, focused) {
   const [, bottom] = map.to([u, v - half]);
   const used = readingUse(scene, reading);
   const classes = ["reading"];
-  if (!lesson.matters.get(reading.row)) classes.push("idle");
+  if (!used.shaping) classes.push("idle");
   if (used.off) classes.push("off");
   if (used.current) classes.push("current");
   if (chosen?.kind === "reading" && chosen.row === reading.row) classes.push("chosen");
@@ -192,6 +196,7 @@ function readingUse(scene, reading) {
   return {
     off:
       without === reading.row || (among !== null && !scene.among.has(upper) && !scene.among.has(upper + 1)),
+    shaping: scene.shaping.has(upper) || scene.shaping.has(upper + 1),
     current: scene.current !== null && scene.current.half_plane >> 1 === reading.index,
   };
 }

@@ -5,6 +5,7 @@ import { Rational } from "./rational.js";
 import { decimal, withMinus } from "./format.js";
 import { numberWithFraction } from "./summary.js";
 import { namesText } from "./clipping.js";
+import { demands, hopeless } from "./model.js";
 import { givenStop } from "./sweep.js";
 
 /** Connects the slider and its buttons. */
@@ -56,11 +57,14 @@ export function epsilonText(lesson, stop) {
 /** What happens at the slider's value, in one sentence. */
 export function epsilonSentence(lesson, stop) {
   const least = lesson.data.sweep.least;
-  const sMin = least === null ? null : Rational.parse(least.exact);
-  if (sMin !== null && stop.s.equals(sMin))
-    return "Here the set is born: with any smaller error bound no parameter is left.";
-  if (sMin !== null && stop.s.compare(sMin) < 0)
-    return "Empty: the error bound is too small for these readings.";
+  if (least === null) return `Empty. ${hopeless(lesson)}`;
+  const sMin = Rational.parse(least.exact);
+  if (stop.s.equals(sMin))
+    return sMin.isZero()
+      ? `Here the set is born: some parameter agrees with all ${demands(lesson)} without any error.`
+      : "Here the set is born: with any smaller error bound no parameter is left.";
+  if (stop.s.compare(sMin) < 0)
+    return `Empty: the error bound is too small for these ${demands(lesson)}.`;
   if (stop.breakpoint === null)
     return "Between two breakpoints every vertex moves along a straight line as ε grows, and the same bounds stay active.";
   const { entering, leaving } = lesson.data.sweep.breakpoints[stop.breakpoint];

@@ -5,6 +5,9 @@ import { Rational, decimalPower, powerOfTen } from "./rational.js";
 const LONGEST_FRACTION = 44;
 const MOST_DIGITS = 40;
 const MOST_PLACES = 10;
+const LARGEST_PLAIN = 14;
+const LONGEST_LIST = 12;
+const SHORTEST_RUN = 3;
 const MINUS = "\u2212";
 
 /** Puts typographic minus signs into the text of a number. */
@@ -54,6 +57,7 @@ function placePoint(text, exponent, exact) {
 
 /** A measured value as it was written down, 0.013 and not 1.3e-2, when its decimal is short; else five digits. */
 export function plain(value) {
+  if (!value.isZero() && value.decimalExponent() > LARGEST_PLAIN) return decimal(value);
   for (let places = 0; places <= MOST_PLACES; places += 1) {
     const scaled = value.times(decimalPower(places));
     if (scaled.denominator !== 1n) continue;
@@ -85,6 +89,11 @@ export function boundText(name) {
   return `${name.bound} bound of reading ${name.row}`;
 }
 
+/** The same within a sentence: "the upper bound of reading 14" or "condition 1". */
+export function theBound(name) {
+  return name.row === null ? boundText(name) : `the ${boundText(name)}`;
+}
+
 /** "14 ▾" for lists where space is short: ▾ upper bound, ▴ lower bound. */
 export function boundMark(name) {
   if (name.row === null) return `condition ${name.bound.split(":")[1]}`;
@@ -97,22 +106,45 @@ export function enumeration(items) {
   return `${items.slice(0, -1).join(", ")} and ${items[items.length - 1]}`;
 }
 
+/** An enumeration that stops when it gets long: "a, b and 48 more". */
+export function shortEnumeration(items) {
+  if (items.length <= LONGEST_LIST + 1) return enumeration(items);
+  return enumeration([...items.slice(0, LONGEST_LIST), `${items.length - LONGEST_LIST} more`]);
+}
+
 /** "1 vertex", "3 vertices". */
 export function counted(count, one, many = `${one}s`) {
   return `${count} ${count === 1 ? one : many}`;
 }
 
-/** The name of vertex 0, 1, … : A, B, …, Z, A1, … */
+/** The number of vertex 0, 1, …, as reports and figures have it: 1, 2, … */
 export function vertexName(index) {
-  const round = Math.floor(index / 26);
-  return String.fromCharCode(65 + (index % 26)) + (round === 0 ? "" : round);
+  return `${index + 1}`;
 }
+
+/** The numbers of vertices that are drawn at one place: "4, 5", or "4–9" for many in a row. */
+export function vertexNames(indices) {
+  const runs = [];
+  for (const index of indices) {
+    const last = runs[runs.length - 1];
+    if (last !== undefined && last[1] === index - 1) last[1] = index;
+    else runs.push([index, index]);
+  }
+  const part = ([first, last]) =>
+    last - first < SHORTEST_RUN
+      ? indices.filter((index) => index >= first && index <= last).map(vertexName)
+      : [`${vertexName(first)}–${vertexName(last)}`];
+  return runs.flatMap(part).join(", ");
+}
+
+/** What is to be said of the empty set, whether readings or conditions or both make it so. */
+export const EMPTY = "empty: no parameter is feasible";
 
 /** The parameters as they are written. */
 export const THETA = ["θ₁", "θ₂"];
 
 const KINDS = {
-  empty: "empty: no parameter satisfies all readings",
+  empty: EMPTY,
   point: "a single point",
   segment: "a segment",
   ray: "a ray (unbounded)",

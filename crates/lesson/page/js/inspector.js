@@ -1,8 +1,8 @@
 // What is under the pointer, the focus or the last click, explained.
 
 import { byId, element, patch } from "./dom.js";
-import { activeAt, conflict, violations } from "./model.js";
-import { THETA, boundText, decimal, digitsFor, enumeration, plain, shortFraction, vertexName } from "./format.js";
+import { activeAt, conflict, demands, hopeless, violations } from "./model.js";
+import { THETA, boundText, decimal, digitsFor, enumeration, plain, shortEnumeration, shortFraction, theBound, vertexName } from "./format.js";
 import { numberWithFraction } from "./summary.js";
 import { ONE, dot } from "./rational.js";
 
@@ -56,7 +56,7 @@ function aboutVertex(lesson, scene, index) {
       "p",
       {},
       what,
-      enumeration(ends),
+      shortEnumeration(ends),
       ". ",
       names.length === 2
         ? "These two half-planes are active here: their boundaries cross in the vertex."
@@ -110,7 +110,7 @@ function aboutPoint(lesson, scene, choice) {
       { id: "violations", "data-count": broken.length },
       faults.length > 0
         ? `Not feasible: ${faults.join("; ")}.`
-        : `Feasible: it agrees with all readings${scene.s.equals(ONE) ? "" : " and these error bounds"}.`,
+        : `Feasible: it agrees with all ${demands(lesson)}${scene.s.equals(ONE) ? "" : ", with these error bounds"}.`,
     ),
   ];
 }
@@ -118,23 +118,37 @@ function aboutPoint(lesson, scene, choice) {
 // Positive multiples of the half-planes in conflict add up to 0 ≤ something negative.
 function aboutConflict(lesson) {
   const terms = conflict(lesson);
-  const names = terms.map(({ index }) => boundText(lesson.halfPlanes[index].name));
+  const { conditions } = lesson.data;
+  const named = ({ index }, text) => {
+    const { name, reading } = lesson.halfPlanes[index];
+    return reading === null
+      ? `${text(name)} (${conditions[index - 2 * lesson.readings.length].text})`
+      : text(name);
+  };
+  const what = enumeration(terms.map((term) => named(term, theBound)));
   const sum = terms
-    .map(({ multiplier }, k) => `${shortFraction(multiplier.exact)} × (${names[k]})`)
+    .map(({ index, multiplier }) => {
+      const { name } = lesson.halfPlanes[index];
+      return `${shortFraction(multiplier.exact)} × (${boundText(name)})`;
+    })
     .join(" + ");
+  const proof = terms.length === 1 ? "says that 0" : "adds up to 0";
   return [
     element("h3", {}, "Why the set is empty"),
     element(
       "p",
       { id: "conflict" },
-      `No θ satisfies all of these together: ${enumeration(names)}. The proof: ${sum} adds up to 0 ≤ a negative number.`,
+      `No θ satisfies ${terms.length === 1 ? "" : "all of these together: "}${what}. The proof: ${sum} ${proof} ≤ a negative number.`,
     ),
-    element(
-      "p",
-      {},
-      "So the error bound is too small, the model is wrong, or a reading is. Change ε to see where the set is born.",
-    ),
+    element("p", { id: "conflict-cause" }, causeOfConflict(lesson)),
   ];
+}
+
+function causeOfConflict(lesson) {
+  const without = hopeless(lesson);
+  if (without !== null) return without;
+  const faulty = lesson.data.conditions.length > 0 ? "a reading or a condition is" : "a reading is";
+  return `So the error bound is too small, the model is wrong, or ${faulty}. Change ε to see where the set is born.`;
 }
 
 /** Draws the explanation of the choice, or a hint. */
@@ -145,10 +159,10 @@ export function drawInspector(lesson, state, scene, choice) {
       : lesson.fps.kind === "empty"
         ? aboutConflict(lesson)
         : [
-            element("h3", {}, "Look closer"),
+            element("h3", { class: "for-screen" }, "Look closer"),
             element(
               "p",
-              {},
+              { class: "for-screen" },
               "Point at a vertex, a reading or anywhere in the parameter plane, or reach them with the Tab and arrow keys: what belongs together lights up in both pictures, and is explained here. A click keeps it.",
             ),
           ];

@@ -94,7 +94,7 @@ export function layersOf(lesson) {
       "inner-hull",
       `Inner hull, ${directions.count} directions`,
       "the hull of the optimisers of as many linear programs: inside the FPS",
-      corners(directions.inner),
+      bounded ? corners(directions.inner) : null,
       reason("central"),
     ),
     area(

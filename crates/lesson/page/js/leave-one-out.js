@@ -4,6 +4,7 @@ import { byId, element, patch } from "./dom.js";
 import { boundsOf } from "./model.js";
 import { THETA, decimal, digitsFor, plain, withMinus } from "./format.js";
 
+const LONG_NAME = 14;
 const ENDS = [
   ["theta1", "lower"],
   ["theta1", "upper"],
@@ -53,7 +54,9 @@ function effect(lesson, state, scene) {
       element(
         "p",
         { id: "leave-one-out-verdict", "data-matters": "false" },
-        `Reading ${entry.row} does not matter: without it the feasible parameter set is exactly the same, and so is the PUI.`,
+        lesson.fps.kind === "empty"
+          ? `Reading ${entry.row} does not matter: without it the feasible parameter set is empty as well.`
+          : `Reading ${entry.row} does not matter: without it the feasible parameter set is exactly the same, and so is the PUI.`,
       ),
     ];
   }
@@ -167,7 +170,9 @@ export function drawReadings(lesson, state) {
       element(
         "tr",
         {},
-        heads.map((head) => element("th", { scope: "col" }, head)),
+        heads.map((head) =>
+          element("th", { scope: "col", class: head.length > LONG_NAME ? "long" : null }, head),
+        ),
       ),
     ),
     element("tbody", {}, lesson.readings.map(row)),

@@ -1,6 +1,7 @@
 // The engine's document, made convenient: exact numbers parsed, and every region in one form whichever part of the
 // document it comes from.
 
+import { withMinus } from "./format.js";
 import { ONE, Rational, ZERO, dot, evaluate, extremes } from "./rational.js";
 
 const exactOf = (number) => Rational.parse(typeof number === "string" ? number : number.exact);
@@ -53,9 +54,9 @@ export function halfPlaneIndex(lesson, name) {
 // Heights are drawn relative to this line when error bars are too short to see.
 function referenceLine(lesson) {
   const { central, minimax } = lesson.data.fit;
-  if (lesson.leastSquares !== null) return { theta: lesson.leastSquares, name: "least-squares" };
-  if (central !== null) return { theta: pairOf(central.theta), name: "central" };
-  if (minimax !== null) return { theta: pairOf(minimax.theta), name: "minimax" };
+  if (lesson.leastSquares !== null) return { theta: lesson.leastSquares, name: "least-squares", noun: "least squares" };
+  if (central !== null) return { theta: pairOf(central.theta), name: "central", noun: "the central estimate" };
+  if (minimax !== null) return { theta: pairOf(minimax.theta), name: "minimax", noun: "the minimax estimate" };
   return null;
 }
 
@@ -139,9 +140,35 @@ export function conflict(lesson) {
   return terms.map((term) => ({ index: halfPlaneIndex(lesson, term), multiplier: term.multiplier }));
 }
 
+// What contradicts itself does so with smaller error bounds, too, and conditions do with any.
+function isStillInConflict(lesson, { among, without, s }) {
+  if (among !== null || without !== null) return false;
+  return s.compare(ONE) <= 0 || conflict(lesson).every(({ index }) => lesson.halfPlanes[index].reading === null);
+}
+
+/** Why no factor on the error bounds leaves a feasible parameter, as a sentence; null where one does. */
+export function hopeless(lesson) {
+  const { conditions, fit, sweep } = lesson.data;
+  if (sweep?.least) return null;
+  if (fit.minimax !== null)
+    return `Any multiple of ε = 0 is 0; the smallest error bound that leaves a feasible parameter is ${withMinus(fit.minimax.epsilon?.decimal ?? "greater")}.`;
+  const fixed = lesson.readings.some((reading) => reading.epsilon.isZero());
+  if (fixed) return "Readings with error bound 0 or conditions contradict each other: larger error bounds for the others do not help.";
+  return `${conditions.length === 1 ? "The condition contradicts itself" : "The conditions contradict each other"}, whatever the readings are: no error bound, however large, helps.`;
+}
+
+/** What every parameter has to agree with, in words. */
+export function demands(lesson) {
+  const { conditions } = lesson.data;
+  const words = [];
+  if (lesson.readings.length > 0) words.push("readings");
+  if (conditions.length > 0) words.push(conditions.length === 1 ? "the condition" : "conditions");
+  return words.join(" and ");
+}
+
 /** Indices of the half-planes without which the region would be another one, or, where many meet in a point, those. */
 export function shapingHalfPlanes(lesson, region) {
-  if (region === lesson.fps && region.kind === "empty")
+  if (region.kind === "empty" && isStillInConflict(lesson, region))
     return new Set(conflict(lesson).map(({ index }) => index));
   if (region === lesson.fps)
     return new Set(lesson.halfPlanes.filter((h) => h.irredundant).map((h) => h.index));

@@ -4,15 +4,15 @@ import { byId, element, patch } from "./dom.js";
 import { axes, mark, pathThrough, plotArea, round } from "./axes.js";
 import { clipped, cornersInView, cornersOf, lineInView } from "./region.js";
 import { activeAt, halfPlaneIndex } from "./model.js";
-import { withMinus } from "./format.js";
+import { EMPTY, decimal } from "./format.js";
 import { screenMap } from "./view.js";
 import { automaticView } from "./parameter-view.js";
-import { chosenPoint, vertexMarks } from "./vertex-marks.js";
+import { chosenPoint, vertexMarks, vertexNumbers } from "./vertex-marks.js";
 
 /** The names of the axes, with the meaning of the second one when it is straightened. */
 function axisNames(lesson, frame) {
   if (frame.shear.isZero()) return lesson.isLine ? ["θ₁, slope", "θ₂, intercept"] : ["θ₁", "θ₂"];
-  const at = withMinus(`${Number(frame.shear.toNumber().toPrecision(6))}`);
+  const at = decimal(frame.shear, 6);
   return lesson.isLine ? ["θ₁, slope", `height at ${lesson.data.model.x} = ${at}`] : ["θ₁", `θ₂ + ${at}·θ₁`];
 }
 
@@ -25,7 +25,7 @@ export function drawParameterPlane(lesson, state, scene, layers, size, focused) 
   const view = state.parameterView ?? automaticView(lesson, state, scene, layers);
   const map = screenMap(view, plotArea(size.width, size.height));
   const exact = (axis, number) => frame.axisValue(axis, number);
-  const number = (axis, value) => value.minus(frame.origin[axis]).over(frame.units[axis]).toNumber();
+  const number = (axis, value) => frame.coordinate(axis, value);
   const chosen = state.hover ?? state.selection;
   const { left, top, width, height } = map.area;
   patch(byId("parameter-plane"), [
@@ -53,6 +53,7 @@ export function drawParameterPlane(lesson, state, scene, layers, size, focused) 
       { role: "group", "aria-label": "Vertices", id: "vertices" },
       vertexMarks(lesson, state, scene, map, focused),
     ),
+    element("g", { "aria-hidden": "true", id: "vertex-numbers" }, vertexNumbers(state, scene, map)),
     chosenPoint(lesson, state, scene, map),
     emptyNote(scene, map),
   ]);
@@ -87,15 +88,14 @@ function filled(lesson, region, frame, map, name) {
     "g",
     {},
     element("path", { class: `${name} fill`, d: pathThrough(map, points, true) }),
-    element("path", {
-      class: `${name} edge`,
-      d: shown
-        .map((corner, k) =>
-          corner.cut ? "" : pathThrough(map, [corner.point, points[(k + 1) % points.length]], false),
-        )
-        .join(""),
-    }),
+    element("path", { class: `${name} edge`, d: edgesPath(shown, map) }),
   );
+}
+
+/** The edges of a polygon cut to the view, without those that only the view has made. */
+function edgesPath(corners, map) {
+  const edge = (corner, k) => [corner.point, corners[(k + 1) % corners.length].point];
+  return corners.map((corner, k) => (corner.cut ? "" : pathThrough(map, edge(corner, k), false))).join("");
 }
 
 function comparison(lesson, scene, state, map) {
@@ -178,10 +178,12 @@ function layerDrawing(layer, frame, map) {
       ? null
       : element("path", {
           class: `outline layer-${layer.id}`,
-          d: pathThrough(
+          d: edgesPath(
+            cornersInView(
+              layer.polygon.map((p) => frame.place(p)),
+              map.view,
+            ),
             map,
-            layer.polygon.map((p) => frame.place(p)),
-            true,
           ),
         }),
     layer.points
@@ -229,7 +231,7 @@ function emptyNote(scene, map) {
   return element(
     "text",
     { class: "note", x: left + width / 2, y: top + 26, "text-anchor": "middle" },
-    "empty: no point satisfies all readings",
+    EMPTY,
   );
 }
 

@@ -2,10 +2,13 @@
 
 import { lineInView } from "./region.js";
 import { boundingView, leapingView, scaledView } from "./view.js";
+import { conflict } from "./model.js";
 import { decimalPower } from "./rational.js";
 
 const MOST_LEAPS = 9;
 const ROOM = 0.45;
+// In a view that holds something so far away, nothing else could be told apart.
+const OUT_OF_REACH = 1e12;
 
 /** The view that is shown when the reader has not chosen one. */
 export function automaticView(lesson, state, scene, layers) {
@@ -21,7 +24,8 @@ export function automaticView(lesson, state, scene, layers) {
     const shown = layers.filter((layer) => state.layers.has(layer.id));
     const points = shown
       .flatMap((layer) => [...(layer.polygon ?? []), ...layer.points])
-      .map((p) => scene.frame.place(p));
+      .map((p) => scene.frame.place(p))
+      .filter((place) => Math.hypot(...place) < OUT_OF_REACH);
     if (!holds(sized, points))
       return boundingView([...points, ...cornersOfView(scaledView(sized, 0.7))], 0.12);
     // A chosen reading is worth nothing without the sides of its strip.
@@ -47,13 +51,14 @@ function holds({ x, y }, points) {
   );
 }
 
-// Without vertices, what there is to see are the sides nearest to the middle of the frame.
+// Without vertices, what there is to see are the sides nearest to the middle of the frame; of an empty set, the
+// boundaries that contradict each other.
 function middle(lesson, frame) {
   if (lesson.fps.vertices.length > 0) return [];
-  const sides = lesson.fps.boundaries
-    .map((index) => lesson.halfPlanes[index])
-    .map(({ a, b }) => frame.halfPlane(a, b));
-  return [[-1, -1], [1, 1], ...sides.map(({ a, b }) => [a[0] * b, a[1] * b])];
+  const indices = [...lesson.fps.boundaries, ...conflict(lesson).map(({ index }) => index)];
+  const sides = indices.map((index) => lesson.halfPlanes[index]).map(({ a, b }) => frame.halfPlane(a, b));
+  const feet = sides.map(({ a, b }) => [a[0] * b, a[1] * b]);
+  return [[-1, -1], [1, 1], ...feet.filter((foot) => Math.hypot(...foot) < OUT_OF_REACH)];
 }
 
 // A point has no size, a horizontal segment no height.

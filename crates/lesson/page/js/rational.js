@@ -134,6 +134,24 @@ export function decimalPower(exponent) {
   return exponent >= 0 ? new Rational(powerOfTen(exponent)) : new Rational(1n, powerOfTen(-exponent));
 }
 
+// Beyond this nothing is told apart in a picture; squares and products of such numbers are still finite.
+const FARTHEST = 1e60;
+const FAR_EXPONENT = 60;
+
+/** A frame coordinate as a number; what is farther out than any view stays finite. */
+export function coordinate(value) {
+  if (value.isZero()) return 0;
+  if (value.decimalExponent() >= FAR_EXPONENT) return value.sign() * FARTHEST;
+  return value.toNumber();
+}
+
+/** Numbers in the proportion of the fractions, the greatest of them near 1, and the scale that was taken out. */
+export function proportions(values) {
+  const sizes = values.filter((value) => !value.isZero()).map((value) => value.decimalExponent());
+  const scale = decimalPower(sizes.length === 0 ? 0 : Math.max(...sizes));
+  return { numbers: values.map((value) => value.over(scale).toNumber()), scale };
+}
+
 /** 0. */
 export const ZERO = new Rational(0n);
 /** 1. */

@@ -1,10 +1,13 @@
 // What the page shows, in one place. Every control changes this state; every view is drawn from it.
 
-import { ZERO } from "./rational.js";
+import { Rational, ZERO, extremes } from "./rational.js";
 import { boundsOf, halfPlanesOf, regionWithout, rightHandSide, shapingHalfPlanes, steppedRegion, sweptRegion } from "./model.js";
 import { kindText } from "./format.js";
 import { isSliver, parameterFrame, usefulShear } from "./view.js";
 import { givenStop, sweepStops } from "./sweep.js";
+
+// An error bound shorter than this share of the range of the heights is too short to see.
+const SHORT_BAR = new Rational(1n, 25n);
 
 /**
  * @typedef {Object} State
@@ -63,9 +66,9 @@ export function createStore(lesson) {
 // Where all bars are short beside the range of the heights, the picture is one line and nothing can be seen.
 function barsAreTooShort(lesson) {
   if (lesson.reference === null || lesson.readings.length === 0) return false;
-  const heights = lesson.readings.map((reading) => reading.y.toNumber());
-  const bars = lesson.readings.map((reading) => reading.epsilon.toNumber());
-  return Math.max(...bars) < 0.04 * (Math.max(...heights) - Math.min(...heights));
+  const [lowest, highest] = extremes(lesson.readings.map((reading) => reading.y));
+  const [, longest] = extremes(lesson.readings.map((reading) => reading.epsilon));
+  return longest.compare(highest.minus(lowest).times(SHORT_BAR)) < 0;
 }
 
 const frames = new Map();

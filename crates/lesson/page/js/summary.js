@@ -5,6 +5,8 @@ import { ONE, Rational, ZERO, evaluate } from "./rational.js";
 import { THETA, boundMark, decimal, digitsFor, kindText, shortFraction } from "./format.js";
 import { activeAt } from "./model.js";
 
+const MOST_ACTIVE = 12;
+
 /** An exact number as shown: its decimal, and the fraction behind it. */
 export function numberWithFraction(exact, shown, id = null) {
   const text = exact.toString();
@@ -119,6 +121,7 @@ export function drawSummary(lesson, state, scene) {
   );
   const area = areaOf(lesson, state, scene);
   const names = activeNames(lesson, scene);
+  const shown = names.length > MOST_ACTIVE + 2 ? MOST_ACTIVE : names.length;
   patch(byId("summary"), [
     element(
       "p",
@@ -156,10 +159,22 @@ export function drawSummary(lesson, state, scene) {
       "Active: ",
       names.length === 0
         ? "none"
-        : names.map((name, k) => [
-            k > 0 ? ", " : null,
-            element("span", { class: `name ${name.bound}` }, boundMark(name)),
-          ]),
+        : marks(names.slice(0, shown)),
     ),
+    names.length > shown
+      ? element(
+          "details",
+          { id: "active-more" },
+          element("summary", {}, `and ${names.length - shown} more`),
+          element("p", {}, marks(names.slice(shown))),
+        )
+      : null,
+  ].filter((part) => part !== null));
+}
+
+function marks(names) {
+  return names.map((name, k) => [
+    k > 0 ? ", " : null,
+    element("span", { class: `name ${name.bound}` }, boundMark(name)),
   ]);
 }

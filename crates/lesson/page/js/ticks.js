@@ -6,6 +6,7 @@ import { decimal, withMinus } from "./format.js";
 
 // Labels with more digits than this are shortened by an offset.
 const LONGEST_LABEL = 4;
+const LONGEST_OFFSET = 16;
 const LARGEST_PLAIN_EXPONENT = 3;
 
 const SUPERSCRIPTS = {
@@ -45,6 +46,19 @@ function plainDecimal(value) {
   );
 }
 
+/** Whether so many digits are all there are. */
+function isShort(value) {
+  if (value.isZero()) return true;
+  const scale = decimalPower(LONGEST_OFFSET - 1 - value.decimalExponent());
+  return value.times(scale).denominator === 1n;
+}
+
+function offsetText(value) {
+  if (isShort(value)) return decimal(value, LONGEST_OFFSET);
+  // The rest of the digits is the same in all labels, but there is no room for it.
+  return decimal(value, LONGEST_OFFSET, "down").replace(/(e.*)?$/, "…$1");
+}
+
 /**
  * Ticks on [low, high], exact.
  * @param {Rational} low
@@ -65,6 +79,8 @@ export function axisTicks(low, high, count) {
   if (longest > LONGEST_LABEL) {
     const round = 10n ** BigInt(`${multiples[multiples.length - 1] - multiples[0]}`.length);
     offset = (multiples[0] / round) * round;
+    // 0.999…9 + a little is better written as 1 − a little.
+    if (!isShort(new Rational(offset))) offset = new Rational(multiples[0]).roundedTo(new Rational(round)).numerator;
   }
   const labels = multiples.map((m) => new Rational(m - offset).times(unit));
   const magnitudes = labels.filter((label) => !label.isZero()).map((label) => label.decimalExponent());
@@ -74,7 +90,7 @@ export function axisTicks(low, high, count) {
   const offsetValue = new Rational(offset).times(unit);
   const notes = [];
   if (shown !== 0) notes.push(`×${powerText(shown)}`);
-  if (offset !== 0n) notes.push(`${offset < 0n ? "−" : "+"} ${decimal(offsetValue.absolute(), 40)}`);
+  if (offset !== 0n) notes.push(`${offset < 0n ? "−" : "+"} ${offsetText(offsetValue.absolute())}`);
   return {
     ticks: multiples.map((m, k) => ({
       value: new Rational(m).times(unit),

@@ -3,38 +3,27 @@
 import { element } from "./dom.js";
 import { round } from "./axes.js";
 import { activeAt } from "./model.js";
-import { boundText, enumeration, vertexName } from "./format.js";
+import { boundText, shortEnumeration, vertexName, vertexNames } from "./format.js";
+
+const NEAREST_LABELS = 24;
+const LABEL_DISTANCE = 16;
+const DIGIT_WIDTH = 8;
+const BASELINE = 5;
+// Labels stand beside marks rather than above or below them when the way out is mostly to a side.
+const SIDEWAYS = 0.7;
 
 /** The vertices of the region shown, each a button of its own. */
 export function vertexMarks(lesson, state, scene, map, focused) {
   const chosen = state.hover ?? state.selection;
   const born = new Set(scene.current?.born ?? []);
   const bornPlaces = [...born].map((index) => lesson.points[index]);
-  const middlePlace = scene.places.reduce(
-    (sum, p) => [sum[0] + p[0] / scene.places.length, sum[1] + p[1] / scene.places.length],
-    [0, 0],
-  );
-  const centre = map.to(middlePlace);
-  const lettered = [];
   return scene.places.map((place, index) => {
     const [x, y] = map.to(place);
     const { theta } = scene.region.vertices[index];
-    const shown =
-      x >= map.area.left - 1 &&
-      x <= map.area.left + map.area.width + 1 &&
-      y >= map.area.top - 1 &&
-      y <= map.area.top + map.area.height + 1;
+    const shown = isInside([x, y], map.area);
     const isNew = bornPlaces.some((point) => point[0].equals(theta[0]) && point[1].equals(theta[1]));
     const isChosen = chosen?.kind === "vertex" && chosen.index === index;
-    const length = Math.hypot(x - centre[0], y - centre[1]) || 1;
-    const offset =
-      scene.places.length === 1
-        ? [14, -8]
-        : [((x - centre[0]) / length) * 16, ((y - centre[1]) / length) * 16 + 5];
-    // Letters that would cover each other say nothing.
-    const free = isChosen || lettered.every(([px, py]) => Math.hypot(px - x, py - y) > 15);
-    if (free && shown) lettered.push([x, y]);
-    const active = enumeration(activeAt(lesson, scene.region, index).map(boundText));
+    const active = shortEnumeration(activeAt(lesson, scene.region, index).map(boundText));
     return element(
       "g",
       {
@@ -52,15 +41,60 @@ export function vertexMarks(lesson, state, scene, map, focused) {
       },
       element("circle", { class: "hit", r: 13 }),
       element("circle", { class: "dot", r: isChosen ? 7 : 5 }),
-      free
-        ? element(
-            "text",
-            { class: "letter", x: round(offset[0]), y: round(offset[1]), "text-anchor": "middle" },
-            vertexName(index),
-          )
-        : null,
     );
   });
+}
+
+function isInside([x, y], { left, top, width, height }) {
+  return x >= left - 1 && x <= left + width + 1 && y >= top - 1 && y <= top + height + 1;
+}
+
+/** The numbers beside the vertices. */
+export function vertexNumbers(state, scene, map) {
+  const chosen = state.hover ?? state.selection;
+  const pixels = scene.places.map(map.to);
+  const share = (axis) => pixels.reduce((sum, pixel) => sum + pixel[axis] / pixels.length, 0);
+  const centre = [share(0), share(1)];
+  return labelGroups(pixels, map.area).map((group) => {
+    const isChosen = chosen?.kind === "vertex" && group.includes(chosen.index);
+    return element(
+      "text",
+      { class: `vertex-number${isChosen ? " chosen" : ""}`, ...besideGroup(group, pixels, centre, map.area) },
+      vertexNames(group),
+    );
+  });
+}
+
+/** The vertices in view, in groups that share a label: labels that cover each other say nothing. */
+function labelGroups(pixels, area) {
+  const groups = [];
+  pixels.forEach(([x, y], index) => {
+    if (!isInside([x, y], area)) return;
+    const near = groups.find((group) =>
+      group.some((other) => Math.hypot(pixels[other][0] - x, pixels[other][1] - y) <= NEAREST_LABELS),
+    );
+    if (near === undefined) groups.push([index]);
+    else near.push(index);
+  });
+  return groups;
+}
+
+/** Where the label of a group stands: on the outer side of the set, clear of the group's marks. */
+function besideGroup(group, pixels, centre, { left, width }) {
+  const [xs, ys] = [0, 1].map((axis) => group.map((index) => pixels[index][axis]));
+  const middle = [xs, ys].map((values) => values.reduce((sum, value) => sum + value, 0) / values.length);
+  const away = pixels.length === 1 ? [1, -1] : [middle[0] - centre[0], middle[1] - centre[1]];
+  const length = Math.hypot(...away) || 1;
+  const [dx, dy] = away.map((value) => value / length);
+  const beside = middle[1] + dy * LABEL_DISTANCE + BASELINE;
+  const right = Math.max(...xs) + LABEL_DISTANCE / 2;
+  const isRoom = right + DIGIT_WIDTH * vertexNames(group).length < left + width;
+  const place = (x, y, anchor) => ({ x: round(x), y: round(y), "text-anchor": anchor });
+  if (dx > SIDEWAYS && isRoom) return place(right, beside, "start");
+  if (dx < -SIDEWAYS) return place(Math.min(...xs) - LABEL_DISTANCE / 2, beside, "end");
+  if (group.length === 1) return place(middle[0] + dx * LABEL_DISTANCE, beside, "middle");
+  const edge = dy < 0 ? Math.min(...ys) - LABEL_DISTANCE : Math.max(...ys) + LABEL_DISTANCE;
+  return place(middle[0], edge + BASELINE, "middle");
 }
 
 /** The free point, under the pointer or chosen. */

@@ -2,9 +2,10 @@
 // fractions, so that what remains is small and safe as a floating-point number. A view is the part of the frame that
 // is shown.
 
-import { ONE, Rational, ZERO, decimalPower, dot, extremes } from "./rational.js";
+import { ONE, Rational, ZERO, coordinate, decimalPower, dot, extremes, proportions } from "./rational.js";
 
 const WORTH_STRAIGHTENING = 0.02;
+const FARTHEST_PIXEL = 1e6;
 
 /** A power of ten near a positive width: as a unit it keeps the fractions short. */
 function unitFor(width) {
@@ -30,12 +31,17 @@ class ParameterFrame {
 
   /** Frame coordinates, as numbers. */
   place(theta) {
-    return this.axes(theta).map((value, k) => value.minus(this.origin[k]).over(this.units[k]).toNumber());
+    return this.axes(theta).map((value, k) => this.coordinate(k, value));
+  }
+
+  /** The frame coordinate of an exact value on an axis. */
+  coordinate(axis, value) {
+    return coordinate(value.minus(this.origin[axis]).over(this.units[axis]));
   }
 
   /** A direction in frame coordinates, of length 1. */
   direction(theta) {
-    const [x, y] = this.axes(theta).map((value, k) => value.over(this.units[k]).toNumber());
+    const [x, y] = proportions(this.axes(theta).map((value, k) => value.over(this.units[k]))).numbers;
     const length = Math.hypot(x, y) || 1;
     return [x / length, y / length];
   }
@@ -57,10 +63,9 @@ class ParameterFrame {
   halfPlane(a, b) {
     const sheared = [a[0].minus(this.shear.times(a[1])), a[1]];
     const rest = b.minus(dot(sheared, this.origin));
-    const exact = [sheared[0].times(this.units[0]), sheared[1].times(this.units[1]), rest];
-    const [x, y, right] = exact.map((value) => value.toNumber());
-    const length = Math.hypot(x, y) || 1;
-    return { a: [x / length, y / length], b: right / length };
+    const { numbers, scale } = proportions(sheared.map((value, k) => value.times(this.units[k])));
+    const length = Math.hypot(...numbers) || 1;
+    return { a: numbers.map((value) => value / length), b: coordinate(rest.over(scale)) / length };
   }
 }
 
@@ -157,12 +162,14 @@ export function leapingView(base, isFit, most) {
 
 /** Maps frame coordinates to pixels of a drawing area {left, top, width, height} and back. */
 export function screenMap(view, area) {
+  // Pixels that far outside the picture only need to stay outside: greater numbers are no coordinates for SVG.
+  const pixel = (value) => Math.max(-FARTHEST_PIXEL, Math.min(FARTHEST_PIXEL, value));
   const sx = area.width / (view.x[1] - view.x[0]);
   const sy = area.height / (view.y[1] - view.y[0]);
   return {
     area,
     view,
-    to: ([x, y]) => [area.left + (x - view.x[0]) * sx, area.top + (view.y[1] - y) * sy],
+    to: ([x, y]) => [pixel(area.left + (x - view.x[0]) * sx), pixel(area.top + (view.y[1] - y) * sy)],
     from: ([px, py]) => [view.x[0] + (px - area.left) / sx, view.y[1] - (py - area.top) / sy],
   };
 }

@@ -4,7 +4,7 @@ use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::RegionKind;
 use boundfit_lp::{End, Verdict};
 
-use super::wording::{THETA, counted, listed, size};
+use super::wording::{THETA, counted, in_words, listed, size};
 use super::{Facts, Question, Show};
 use crate::layers::{ENDS, LpAnswer, reason};
 use crate::leave_one_out::end_name;
@@ -53,26 +53,43 @@ pub(super) fn inner_or_outer(facts: &Facts<'_>) -> Option<Question> {
     if facts.region().kind() != RegionKind::Polygon {
         return None;
     }
-    let inner = found.inner.as_ref()?.area.as_ref()?;
+    let inner = found.inner.as_ref()?;
     let outer = found.outer.as_ref()?.area.as_ref()?;
+    let inner_area = inner.area.as_ref()?;
     let exact = facts.region().area()?;
-    let all = if *inner == exact {
-        " Here the optimisers happen to be all the vertices, so that the hull is the set itself."
+    // Every optimiser is a vertex of the set, and so of the hull.
+    let optimisers = inner.vertices.len();
+    let [area_of_hull, area_of_set] = [inner_area, &exact].map(|area| size(area, Rounding::Nearest));
+    let hull = if *inner_area == exact {
+        format!(
+            "Here the {} optimisers are all the vertices, so that the hull is the set itself, with area {area_of_set}.",
+            in_words(optimisers)
+        )
+    } else if inner_area.is_zero() {
+        format!(
+            "Here it is only the segment between two of them, without area; the set has area {area_of_set}."
+        )
+    } else if area_of_hull == area_of_set {
+        format!("Here it has a little less area than the set, which has {area_of_set}.")
     } else {
-        ""
+        format!("Here it has area {area_of_hull}, the set {area_of_set}.")
+    };
+    let outer_text = if *outer == exact {
+        "here that, too, is the set itself".to_owned()
+    } else {
+        format!("its area is {}", size(outer, Rounding::Up))
     };
     let answer = format!(
-        "An inner one. Each optimiser is a point of the set, and a convex set contains the hull of any of its points: the \
-         hull has area {}, the set {}.{all} An outer approximation is the intersection of the {} half-planes behind the \
-         optimal values; its area is {}.",
-        size(inner, Rounding::Nearest),
-        size(&exact, Rounding::Nearest),
-        found.count,
-        size(outer, Rounding::Up)
+        "An inner one. Each optimiser is a point of the set, and a convex set contains the hull of any of its points. \
+         {hull} An outer approximation is the intersection of the {} half-planes behind the optimal values; \
+         {outer_text}.",
+        found.count
     );
     let question = format!(
-        "Linear programs in {} directions give {} optimisers. Is their hull an inner or an outer approximation of the set?",
-        found.count, found.count
+        "{} linear programs, one for each of as many directions, end in {}. Is the hull of these points an inner or an \
+         outer approximation of the set?",
+        found.count,
+        counted(optimisers, "optimiser", "different optimisers")
     );
     Some(Question { id: "inner-or-outer", question, answer, show: Some(Show::Layer { layer: "directions" }) })
 }
@@ -85,11 +102,14 @@ pub(super) fn solvers(facts: &Facts<'_>) -> Option<Question> {
     }
     let found: Vec<String> =
         floating.iter().map(|answer| format!("{}: {}.", answer.source, finding(facts, answer))).collect();
-    let question = match floating.as_slice() {
-        [only] => {
-            format!("Did the linear-programming solver {} get the ends of both intervals right?", only.source)
-        }
-        _ => "Did the linear-programming solvers get the ends of both intervals right?".to_owned(),
+    let who = match floating.as_slice() {
+        [only] => format!("the linear-programming solver {}", only.source),
+        _ => "the linear-programming solvers".to_owned(),
+    };
+    let question = if facts.region().is_empty() {
+        format!("Did {who} find out that the set is empty?")
+    } else {
+        format!("Did {who} get the ends of both intervals right?")
     };
     let answer = format!("Judged against the exact answer. {}", found.join(" "));
     Some(Question { id: "solvers-right", question, answer, show: Some(Show::Layer { layer: "lp" }) })
@@ -100,7 +120,7 @@ fn finding(facts: &Facts<'_>, answer: &LpAnswer) -> String {
     let worst = judgements.map(|judgement| judgement.verdict).max().unwrap_or(Verdict::NoAnswer);
     match worst {
         Verdict::Exact if facts.region().is_empty() => "yes, it finds no feasible point".to_owned(),
-        Verdict::Exact => "yes, all four ends".to_owned(),
+        Verdict::Exact => format!("yes, {}", four_ends(facts)),
         Verdict::Rounded { ulps: 0 } => "yes, all four ends, rounded to the nearest doubles".to_owned(),
         Verdict::Rounded { ulps } => {
             let count = counted(usize::try_from(ulps).unwrap_or(usize::MAX), "double", "doubles");
@@ -118,6 +138,21 @@ fn finding(facts: &Facts<'_>, answer: &LpAnswer) -> String {
             let why = why.trim_end_matches('.');
             format!("{word}, the verdict on {ends} is “{}”{why}", verdict.name())
         }
+    }
+}
+
+/// The ends of both intervals, of which some may be infinite.
+fn four_ends(facts: &Facts<'_>) -> &'static str {
+    let bounded = facts.fit.pui_intervals().map_or(0, |pui| {
+        pui.iter()
+            .flat_map(|range| [range.lower(), range.upper()])
+            .filter(|end| end.value().is_some())
+            .count()
+    });
+    match bounded {
+        0 => "neither interval has an end",
+        4 => "all four ends",
+        _ => "all four ends, with those that are infinite",
     }
 }
 

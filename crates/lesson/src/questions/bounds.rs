@@ -5,25 +5,30 @@ use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::{BoundProof, Direction, Multiplier, Region, RegionKind, UnboundedProof};
 use boundfit_lp::End;
 
-use super::wording::{THETA, bound, combination, described, in_words, listed, owners, pair, sentence, value};
+use super::wording::{
+    THETA, clash, combination, counted, described, every_bound, listed, never, owners, pair, sentence, value,
+};
 use super::{Facts, Question, Show};
+use crate::half_planes::contradiction as contradiction_of;
 use crate::number::DIGITS;
 
 /// Why is there no feasible line?
 pub(super) fn contradiction(facts: &Facts<'_>) -> Option<Question> {
-    let terms = facts.fit.contradiction(facts.problem.measurements.error_bound())?;
+    let terms = contradiction_of(facts.problem, facts.fit)?;
     let products = terms.iter().map(|(name, times)| Some(&facts.inequality(*name)?.b * times));
     let sum: Rational = products.collect::<Option<Vec<_>>>()?.into_iter().sum();
     let sum = value(&sum, DIGITS, Rounding::Up);
     let answer = match terms.as_slice() {
         [(name, _)] => {
-            let alone = sentence(&bound(*name, facts.problem));
-            format!("{alone} alone leaves nothing: it says 0 ≤ {sum}, which no θ can change.")
+            let says = value(&facts.inequality(*name)?.b, DIGITS, Rounding::Up);
+            format!(
+                "{} can never hold: it says 0 ≤ {says}, whatever θ is.",
+                sentence(&never(*name, facts.problem))
+            )
         }
         _ => format!(
-            "{} bounds contradict each other. As inequalities in θ, {} add up to 0 ≤ {sum}, which is false for \
-             every θ.",
-            sentence(&in_words(terms.len())),
+            "{}. As inequalities in θ, {} add up to 0 ≤ {sum}, which is false for every θ.",
+            sentence(&contradicting(&terms, facts)),
             combination(&terms, facts.problem)
         ),
     };
@@ -35,6 +40,24 @@ pub(super) fn contradiction(facts: &Facts<'_>) -> Option<Question> {
         answer,
         show: row.map(|row| Show::Row { row }),
     })
+}
+
+/// `three bounds contradict each other`, of several half-planes.
+fn contradicting(terms: &[(BoundName, Rational)], facts: &Facts<'_>) -> String {
+    let bounds = terms.iter().filter(|(name, _)| row_of(*name).is_some()).count();
+    let conditions = terms.len() - bounds;
+    let bounds_text = counted(bounds, "bound", "bounds");
+    match (bounds, conditions) {
+        (0, _) => {
+            let names: Vec<BoundName> = terms.iter().map(|(name, _)| *name).collect();
+            format!("{}, whatever the readings are", clash(&names, facts.problem))
+        }
+        (_, 0) => format!("{bounds_text} contradict each other"),
+        _ => format!(
+            "{bounds_text} and {} contradict each other",
+            counted(conditions, "condition", "conditions")
+        ),
+    }
 }
 
 /// What fixes the largest feasible θ₁?
@@ -56,7 +79,7 @@ pub(super) fn upper_end(facts: &Facts<'_>) -> Option<Question> {
 fn unbounded(proof: &UnboundedProof) -> String {
     format!(
         "As large as you like. From the feasible point {} one can go on for ever in the direction {} without \
-         breaking a bound, and θ₁ grows all the way.",
+         leaving the set, and θ₁ grows all the way.",
         pair(&proof.point.coordinates()),
         direction(&proof.ray)
     )
@@ -109,14 +132,21 @@ fn end(
     let vertex = vertices.iter().position(|vertex| *vertex.point() == proof.attained_at);
     let show = vertex.map(|index| Show::Vertex { index });
     let attained = match vertex {
+        Some(_) if facts.region().kind() == RegionKind::Point => {
+            ", and the only feasible parameter pair attains it"
+        }
+        Some(_) if facts.region().kind() == RegionKind::Segment => ", and an end of the segment attains it",
         Some(_) => ", and a vertex of the set attains it",
         None => ", and there are feasible parameters that attain it",
     };
+    let is_only_one =
+        facts.fit.pui_intervals().and_then(|pui| pui[axis].width()).is_some_and(|w| w.is_zero());
+    let only = if is_only_one { format!(" No other {theta} is feasible.") } else { String::new() };
     Question {
         id,
         question: format!("{} the {extreme} feasible {theta}?", who_fixes(&terms)),
         answer: format!(
-            "{}. {proof_text}, so that no feasible {theta} is {beyond}{attained}.",
+            "{}. {proof_text}, so that no feasible {theta} is {beyond}{attained}.{only}",
             sentence(&owners)
         ),
         show: show.or_else(|| terms.iter().find_map(|(name, _)| row_of(*name)).map(|row| Show::Row { row })),
@@ -143,7 +173,10 @@ pub(super) fn recession(facts: &Facts<'_>) -> Option<Question> {
         return None;
     }
     let answer = if region.kind() == RegionKind::Plane {
-        "In every direction: nothing bounds anything.".to_owned()
+        format!(
+            "In every direction: {} holds for every θ, so that the set is the whole plane.",
+            every_bound(facts.problem)
+        )
     } else {
         let phi = if facts.is_line() { "φ = (x, 1)" } else { "φ" };
         format!(
@@ -163,7 +196,7 @@ fn ways(region: &Region) -> String {
     let lines: Vec<String> = region.lines().iter().map(direction).collect();
     match (rays.as_slice(), lines.as_slice()) {
         ([from, to], _) => format!("along {from}, along {to} and in every direction between the two"),
-        ([ray], [line]) => format!("to both sides along {line} and in every direction towards {ray}"),
+        ([ray], [line]) => format!("to both sides along {line} and in every direction on the side of {ray}"),
         (_, [line]) => format!("to both sides along {line}"),
         _ => format!("along {}", listed(&rays)),
     }

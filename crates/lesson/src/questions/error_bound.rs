@@ -1,10 +1,11 @@
 //! The smallest error bound.
 
-use boundfit_estimation::{ErrorBound, Minimax};
+use boundfit_estimation::{BoundName, ErrorBound, Minimax};
 use boundfit_exact::{Rational, Rounding};
 
-use super::wording::{combination, owners, sentence, size, value};
+use super::wording::{clash, combination, owners, sentence, size, value};
 use super::{Facts, Question, Show};
+use crate::half_planes::of_conditions;
 use crate::number::DIGITS;
 
 /// What is the smallest error bound that leaves anything, and who fixes it?
@@ -16,15 +17,33 @@ pub(super) fn least(facts: &Facts<'_>) -> Question {
         "All error bounds are multiplied by one factor s. What is the smallest s that leaves a feasible parameter pair, and what fixes it?"
     };
     let answer = match &facts.fit.minimax {
-        None if uniform => "There is none: the conditions contradict each other, however large ε is.".to_owned(),
-        None => "There is none: bounds that no factor changes (conditions, and readings with ε = 0) contradict each \
-                 other."
-            .to_owned(),
+        None => none(facts, uniform),
         Some(minimax) if minimax.least.is_zero() => zero(facts, uniform),
         Some(minimax) => positive(facts, minimax, uniform),
     };
     let show = facts.fit.minimax.as_ref().map(|_| Show::Layer { layer: "minimax" });
     Question { id: "smallest-error-bound", question: question.to_owned(), answer, show }
+}
+
+/// Why no error bound, however large, leaves anything.
+fn none(facts: &Facts<'_>, uniform: bool) -> String {
+    let symbol = if uniform { "ε" } else { "s" };
+    if let Some(terms) = of_conditions(&facts.problem.conditions) {
+        let names: Vec<BoundName> = terms.iter().map(|(name, _)| *name).collect();
+        return format!("There is none: {}, however large {symbol} is.", clash(&names, facts.problem));
+    }
+    let rows = facts.problem.measurements.rows();
+    let grows = |index: &usize| rows.get(index / 2).is_some_and(|row| !row.epsilon.is_zero());
+    let growing: Vec<usize> = (0..facts.inequalities().len()).filter(grows).collect();
+    let (fixed, names) = facts.others(&growing);
+    let multipliers = fixed.region().certificate().map_or(&[][..], |certificate| certificate.multipliers());
+    let names: Vec<BoundName> = multipliers.iter().filter_map(|m| names.get(m.index).copied()).collect();
+    let fixed = if facts.problem.conditions.is_empty() {
+        "an error bound of 0"
+    } else {
+        "an error bound of 0 or a condition"
+    };
+    format!("There is none: no factor changes {fixed}, and {}.", clash(&names, facts.problem))
 }
 
 fn zero(facts: &Facts<'_>, uniform: bool) -> String {
@@ -34,9 +53,14 @@ fn zero(facts: &Facts<'_>, uniform: bool) -> String {
     } else {
         ("a parameter pair", "reproduces every reading exactly")
     };
-    let conditions = if facts.problem.conditions.is_empty() { "" } else { " and satisfies the conditions" };
+    let conditions = match facts.problem.conditions.len() {
+        0 => "",
+        1 => " and satisfies the condition",
+        _ => " and satisfies the conditions",
+    };
     format!(
-        "{symbol} = 0: there is {noun} that {meets}{conditions}, so nothing keeps the error bound from 0."
+        "{symbol} = 0: there is {noun} that {meets}{conditions}, so nothing keeps the error bound from 0.{}",
+        present(facts, &Rational::zero(), symbol)
     )
 }
 

@@ -1,8 +1,11 @@
 //! How many half-planes the set needs.
 
-use super::wording::{bounds, counted, in_words, sentence};
+use boundfit_geometry::{Redundancy, RegionKind};
+
+use super::wording::{bounds, counted, every_bound, in_words, sentence};
 use super::{Facts, Question};
 use crate::half_planes::irredundant;
+use crate::region::same_set;
 
 /// How many of the half-planes matter?
 pub(super) fn how_many_matter(facts: &Facts<'_>) -> Question {
@@ -10,13 +13,18 @@ pub(super) fn how_many_matter(facts: &Facts<'_>) -> Question {
     let total = facts.inequalities().len();
     let names = bounds(needed.iter().map(|&index| facts.fit.fps.name(index)), facts.problem);
     let count = sentence(&in_words(needed.len()));
+    let others = if total == needed.len() + 1 { "The other one" } else { "All the others" };
     let (asked, rest) = if facts.region().is_empty() {
-        ("are enough to leave nothing", "All the others could be left out.")
+        (
+            "are enough to leave nothing",
+            format!("{others} could be left out, and the set would still be empty."),
+        )
     } else {
-        ("shape the set", "All the others could be left out, and the set would be the same.")
+        let choice = if has_choice(facts, &needed) { " This is not the only such choice." } else { "" };
+        ("shape the set", format!("{others} could be left out, and the set would be the same.{choice}"))
     };
     let answer = match needed.len() {
-        0 => "None: each of them holds for every θ.".to_owned(),
+        0 => format!("None: {} holds for every θ.", every_bound(facts.problem)),
         count if count == total => format!("All of them: {names}."),
         _ => format!("{count}: {names}. {rest}"),
     };
@@ -26,6 +34,17 @@ pub(super) fn how_many_matter(facts: &Facts<'_>) -> Question {
         counted(total, "half-plane", "half-planes")
     );
     Question { id: "how-many-matter", question, answer, show: None }
+}
+
+/// Whether other half-planes than these would shape the set just as well: some repeat one of them, or the set is flat
+/// and one of them could be replaced.
+fn has_choice(facts: &Facts<'_>, needed: &[usize]) -> bool {
+    use RegionKind::{Line, Point, Ray, Segment};
+    let polyhedron = facts.fit.fps.polyhedron();
+    let repeats = |reason: &Option<Redundancy>| matches!(reason, Some(Redundancy::SameAs(_)));
+    let replaceable = |index: &usize| same_set(facts.others(&[*index]).0.region(), facts.region());
+    polyhedron.redundancies().iter().any(repeats)
+        || (matches!(facts.region().kind(), Point | Segment | Ray | Line) && needed.iter().any(replaceable))
 }
 
 /// `23 readings and one condition give`.

@@ -11,7 +11,7 @@ mod rows;
 mod wording;
 
 use boundfit_estimation::{BoundName, Fit, Model, Problem};
-use boundfit_geometry::{Inequality, Region};
+use boundfit_geometry::{Inequality, Polyhedron, Region};
 use serde::Serialize;
 
 use crate::layers::Programs;
@@ -80,6 +80,14 @@ impl Facts<'_> {
 
     fn is_line(&self) -> bool {
         matches!(self.problem.measurements.model(), Model::Line { .. })
+    }
+
+    /// The intersection of the half-planes but those given, with the names of the others by their indices there.
+    fn others(&self, left_out: &[usize]) -> (Polyhedron, Vec<BoundName>) {
+        let kept = self.inequalities().iter().enumerate().filter(|(index, _)| !left_out.contains(index));
+        let (names, inequalities): (Vec<BoundName>, Vec<Inequality>) =
+            kept.map(|(index, inequality)| (self.fit.fps.name(index), inequality.clone())).unzip();
+        (Polyhedron::intersect(inequalities.into_iter().collect()), names)
     }
 
     /// The inequality with a name.

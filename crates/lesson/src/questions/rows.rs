@@ -1,13 +1,15 @@
 //! What changes when a reading is left out.
 
-use boundfit_exact::Rounding;
-use boundfit_geometry::{Redundancy, RegionKind};
+use boundfit_estimation::BoundName;
+use boundfit_exact::{Rational, Rounding};
+use boundfit_geometry::{Inequality, Multiplier, Polyhedron, Region, RegionKind, Support};
 use boundfit_lp::End;
 
-use super::wording::{THETA, bound, bounds, described, sentence, size, value};
+use super::wording::{THETA, bound, clash, combination, described, sentence, size, value};
 use super::{Facts, Question, Show};
-use crate::half_planes::irredundant;
+use crate::half_planes::{irredundant, of_conditions};
 use crate::leave_one_out::{Moved, Without};
+use crate::number::DIGITS;
 
 /// A reading that matters: the one without which most ends move.
 pub(super) fn one_that_matters(facts: &Facts<'_>) -> Option<Question> {
@@ -53,12 +55,27 @@ fn moved_end(facts: &Facts<'_>, moved: &Moved) -> String {
 fn shape_change(facts: &Facts<'_>, without: &Without) -> String {
     let before = facts.region();
     let after = &without.region;
-    match (before.area(), after.area()) {
-        (Some(old), Some(new)) if after.kind() == RegionKind::Polygon => {
-            let [old, new] = [&old, &new].map(|area| size(area, Rounding::Nearest));
+    let area = |region: &Region| region.area().map(|area| size(&area, Rounding::Nearest));
+    match (area(before), area(after)) {
+        (Some(old), Some(new)) if before.kind() == RegionKind::Polygon => {
             format!("The set is then {}, and its area grows from {old} to {new}.", described(after))
         }
-        _ => format!("The set is then {}.", described(after)),
+        (_, Some(new)) if after.kind() == RegionKind::Polygon => {
+            format!("Instead of {} the set is then {}, with area {new}.", described(before), described(after))
+        }
+        _ if before.kind() == after.kind() => format!("The set is then {}.", larger(after)),
+        _ => format!("Instead of {} the set is then {}.", described(before), described(after)),
+    }
+}
+
+/// A set of the same kind as one that it contains.
+fn larger(region: &Region) -> String {
+    match region.kind() {
+        RegionKind::Segment => "a longer segment".to_owned(),
+        RegionKind::Ray => "a ray that starts farther back".to_owned(),
+        RegionKind::Strip => "a wider strip between two parallel lines".to_owned(),
+        RegionKind::HalfPlane => "a larger half-plane".to_owned(),
+        _ => described(region),
     }
 }
 
@@ -70,21 +87,7 @@ pub(super) fn one_that_does_not(facts: &Facts<'_>) -> Option<Question> {
     let idle = || facts.without.iter().enumerate().filter(|(_, without)| !without.matters);
     // Better one with a reason of its own than the twin of one that matters.
     let (position, without) = idle().find(|(position, _)| !is_needed(*position)).or_else(|| idle().next())?;
-    let answer = if facts.region().is_empty() {
-        "Nothing: the set is empty without it too, because what is left still contradicts itself.".to_owned()
-    } else {
-        let redundancies = facts.fit.fps.polyhedron().redundancies();
-        let reason = |index: usize, which: &str| {
-            redundancies
-                .get(index)?
-                .as_ref()
-                .map(|redundancy| format!("Its {which} bound {}", why(facts, redundancy)))
-        };
-        match (reason(2 * position, "upper"), reason(2 * position + 1, "lower")) {
-            (Some(upper), Some(lower)) => format!("Nothing at all. {upper}. {lower}."),
-            _ => "Nothing at all: other bounds are the same half-planes as its own.".to_owned(),
-        }
-    };
+    let answer = without_it(facts, [2 * position, 2 * position + 1]);
     Some(Question {
         id: "remove-a-reading-that-does-not-matter",
         question: format!("Leave out reading {}: what changes?", without.row),
@@ -93,22 +96,51 @@ pub(super) fn one_that_does_not(facts: &Facts<'_>) -> Option<Question> {
     })
 }
 
-/// Why a half-plane could be left out.
-fn why(facts: &Facts<'_>, redundancy: &Redundancy) -> String {
-    match redundancy {
-        Redundancy::Always => "holds for every θ".to_owned(),
-        Redundancy::SameAs(index) => {
-            format!("is the same half-plane as {}", bound(facts.fit.fps.name(*index), facts.problem))
-        }
-        Redundancy::Dominated { by, slack } => {
-            let names = bounds(by.iter().map(|m| facts.fit.fps.name(m.index)), facts.problem);
-            let spare = if slack.is_zero() {
-                "with nothing to spare: it touches the set".to_owned()
-            } else {
-                format!("with {} to spare", size(slack, Rounding::Down))
-            };
-            format!("follows from {names}, {spare}")
-        }
-        Redundancy::EmptyWithout => "is not needed".to_owned(),
+/// Why nothing changes without the two bounds of a reading, proved from all other half-planes.
+fn without_it(facts: &Facts<'_>, [upper, lower]: [usize; 2]) -> String {
+    let (others, names) = facts.others(&[upper, lower]);
+    if let Some(certificate) = others.region().certificate() {
+        let named = |m: &Multiplier| names.get(m.index).copied();
+        let of_rest: Vec<BoundName> = certificate.multipliers().iter().filter_map(named).collect();
+        let conditions = of_conditions(&facts.problem.conditions);
+        let clashing = conditions.map_or(of_rest, |terms| terms.into_iter().map(|(name, _)| name).collect());
+        return format!(
+            "Nothing: the set is empty without it too, because {}.",
+            clash(&clashing, facts.problem)
+        );
     }
+    let reason = |index: usize, which: &str| {
+        let inequality = facts.inequalities().get(index)?;
+        Some(format!(" Its {which} bound {}.", why(facts, inequality, &others, &names)?))
+    };
+    let reasons = [reason(upper, "upper"), reason(lower, "lower")];
+    format!("Nothing at all.{}", reasons.into_iter().flatten().collect::<String>())
+}
+
+/// Why a half-plane holds wherever others do; `None` where it does not.
+fn why(
+    facts: &Facts<'_>,
+    inequality: &Inequality,
+    others: &Polyhedron,
+    names: &[BoundName],
+) -> Option<String> {
+    let Support::Bounded { proof, .. } = others.support(&inequality.a) else { return None };
+    let slack = &inequality.b - &proof.value;
+    let named = |m: &Multiplier| Some((names.get(m.index).copied()?, m.value.clone()));
+    let terms: Vec<(BoundName, Rational)> = proof.multipliers.iter().map(named).collect::<Option<_>>()?;
+    Some(match terms.as_slice() {
+        _ if slack.is_negative() => return None,
+        [] => "holds for every θ".to_owned(),
+        [(only, _)] if slack.is_zero() => {
+            format!("is the same half-plane as {}", bound(*only, facts.problem))
+        }
+        _ => {
+            let spare = if slack.is_zero() {
+                "with nothing to spare: its boundary touches the set".to_owned()
+            } else {
+                format!("with {} to spare", value(&slack, DIGITS, Rounding::Down))
+            };
+            format!("follows from {}, {spare}", combination(&terms, facts.problem))
+        }
+    })
 }

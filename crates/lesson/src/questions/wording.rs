@@ -4,7 +4,7 @@ use boundfit_estimation::{BoundName, Problem};
 use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::{Region, RegionKind};
 
-use crate::number::{DIGITS, exact_decimal};
+use crate::number::{DIGITS, exact_decimal, with_minus};
 
 /// The longest fraction that a sentence shows.
 const LONGEST_FRACTION: usize = 40;
@@ -20,11 +20,6 @@ pub(super) fn value(value: &Rational, digits: usize, rounding: Rounding) -> Stri
         None if fraction.len() > LONGEST_FRACTION => value.to_decimal(digits, rounding),
         None => format!("{} (exactly {fraction})", value.to_decimal(digits, rounding)),
     })
-}
-
-/// A number with a minus sign in place of the hyphen.
-fn with_minus(number: &str) -> String {
-    number.replace('-', "−")
 }
 
 /// A size, rounded.
@@ -125,6 +120,42 @@ pub(super) fn combination(terms: &[(BoundName, Rational)], problem: &Problem) ->
     terms.iter().map(term).collect::<Vec<_>>().join(" plus ")
 }
 
+/// What contradicts itself when these half-planes leave nothing, as a clause: `condition 1 (0*theta1>=1) can never hold`.
+pub(super) fn clash(names: &[BoundName], problem: &Problem) -> String {
+    match names {
+        [only] => format!("{} can never hold", never(*only, problem)),
+        _ if names.iter().all(|name| matches!(name, BoundName::Where(_))) => {
+            "the conditions contradict each other".to_owned()
+        }
+        _ => format!("{} contradict each other", bounds(names.iter().copied(), problem)),
+    }
+}
+
+/// A half-plane that no θ satisfies.
+pub(super) fn never(name: BoundName, problem: &Problem) -> String {
+    match name {
+        BoundName::Where(number) => match number.checked_sub(1).and_then(|i| problem.conditions.get(i)) {
+            Some(condition) => format!("condition {number} ({})", condition.text()),
+            None => format!("condition {number}"),
+        },
+        _ => bound(name, problem),
+    }
+}
+
+/// `bounds`, `bounds and conditions`: what the half-planes of a problem are.
+pub(super) fn all_bounds(problem: &Problem) -> &'static str {
+    if problem.conditions.is_empty() { "bounds" } else { "bounds and conditions" }
+}
+
+/// `every bound`, `every bound and the condition`.
+pub(super) fn every_bound(problem: &Problem) -> &'static str {
+    match problem.conditions.len() {
+        0 => "every bound",
+        1 => "every bound and the condition",
+        _ => "every bound and every condition",
+    }
+}
+
 /// What a set is: `a polygon with 6 vertices`.
 pub(super) fn described(region: &Region) -> String {
     let vertices = counted(region.vertices().len(), "vertex", "vertices");
@@ -132,7 +163,7 @@ pub(super) fn described(region: &Region) -> String {
         RegionKind::Empty => "empty".to_owned(),
         RegionKind::Point => "a single point".to_owned(),
         RegionKind::Segment => "a segment".to_owned(),
-        RegionKind::Ray => "a half-line".to_owned(),
+        RegionKind::Ray => "a ray".to_owned(),
         RegionKind::Line => "a whole line".to_owned(),
         RegionKind::Polygon => format!("a polygon with {vertices}"),
         RegionKind::UnboundedPolygon => format!("an unbounded polygon with {vertices}"),
