@@ -1,0 +1,277 @@
+//! Rational numbers.
+
+use std::cmp::Ordering;
+use std::fmt;
+
+use super::{Integer, Sign, number, operators};
+
+/// A rational number in lowest terms with a positive denominator. Every operation is exact.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Rational {
+    numerator: Integer,
+    denominator: Integer,
+}
+
+number!(Rational);
+operators!(Rational: Add add sum_of, Sub sub difference_of, Mul mul product_of);
+
+fn sum_of(left: &Rational, right: &Rational) -> Rational {
+    combined(left, right, |own, other| own + other)
+}
+
+fn difference_of(left: &Rational, right: &Rational) -> Rational {
+    combined(left, right, |own, other| own - other)
+}
+
+/// A sum or difference in lowest terms by common divisors of the denominators only, which are smaller than those of the
+/// result (Knuth, *The Art of Computer Programming* 2, section 4.5.1).
+fn combined(left: &Rational, right: &Rational, combine: impl Fn(Integer, Integer) -> Integer) -> Rational {
+    let (Rational { numerator: a, denominator: b }, Rational { numerator: c, denominator: d }) =
+        (left, right);
+    if b == d {
+        return Rational::reduced(combine(a.clone(), c.clone()), b.clone());
+    }
+    let common = b.gcd(d);
+    if common == Integer::one() {
+        return Rational { numerator: combine(a * d, c * b), denominator: b * d };
+    }
+    let (b_rest, d_rest) = (b.quotient(&common), d.quotient(&common));
+    let numerator = combine(a * &d_rest, c * &b_rest);
+    let shared = numerator.gcd(&common);
+    Rational { numerator: numerator.quotient(&shared), denominator: b_rest * d.quotient(&shared) }
+}
+
+/// Numerators against the other's denominators: what is left has no common divisor.
+fn product_of(left: &Rational, right: &Rational) -> Rational {
+    let (Rational { numerator: a, denominator: b }, Rational { numerator: c, denominator: d }) =
+        (left, right);
+    let (above, below) = (a.gcd(d), c.gcd(b));
+    Rational {
+        numerator: a.quotient(&above) * c.quotient(&below),
+        denominator: b.quotient(&below) * d.quotient(&above),
+    }
+}
+
+impl Ord for Rational {
+    fn cmp(&self, other: &Self) -> Ordering {
+        if self.denominator == other.denominator {
+            return self.numerator.cmp(&other.numerator);
+        }
+        (&self.numerator * &other.denominator).cmp(&(&other.numerator * &self.denominator))
+    }
+}
+
+/// The exact value: `n`, or `p/q` in lowest terms.
+impl fmt::Display for Rational {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.denominator == Integer::one() {
+            return self.numerator.fmt(f);
+        }
+        f.pad_integral(
+            !self.numerator.is_negative(),
+            "",
+            &format!("{}/{}", self.numerator.abs(), self.denominator),
+        )
+    }
+}
+
+macro_rules! from_integer {
+    ($($integer:ty),*) => {$(
+        impl From<$integer> for Rational {
+            fn from(value: $integer) -> Self { Rational { numerator: Integer::from(value), denominator: Integer::one() } }
+        }
+    )*};
+}
+
+from_integer!(i32, i64, i128, u32, u64, u128, usize, Integer);
+
+impl From<&Integer> for Rational {
+    fn from(value: &Integer) -> Self {
+        Rational::from(value.clone())
+    }
+}
+
+impl Rational {
+    /// The number 0.
+    pub fn zero() -> Self {
+        Rational { numerator: Integer::zero(), denominator: Integer::one() }
+    }
+
+    /// The number 1.
+    pub fn one() -> Self {
+        Rational { numerator: Integer::one(), denominator: Integer::one() }
+    }
+
+    /// `numerator / denominator` in lowest terms, or `None` when the denominator is 0.
+    pub fn new(numerator: Integer, denominator: Integer) -> Option<Self> {
+        match denominator.sign() {
+            Sign::Zero => None,
+            Sign::Positive => Some(Rational::reduced(numerator, denominator)),
+            Sign::Negative => Some(Rational::reduced(-numerator, -denominator)),
+        }
+    }
+
+    /// `numerator / denominator` for literals.
+    ///
+    /// # Panics
+    /// When the denominator is 0.
+    pub fn ratio(numerator: i64, denominator: i64) -> Self {
+        Rational::new(numerator.into(), denominator.into()).expect("a literal with denominator 0")
+    }
+
+    /// Lowest terms of a fraction with a positive denominator.
+    fn reduced(numerator: Integer, denominator: Integer) -> Self {
+        let divisor = numerator.gcd(&denominator);
+        Rational { numerator: numerator.quotient(&divisor), denominator: denominator.quotient(&divisor) }
+    }
+
+    /// Whether the number is less than, equal to or greater than 0.
+    pub fn sign(&self) -> Sign {
+        self.numerator.sign()
+    }
+
+    fn negated(&self) -> Self {
+        Rational { numerator: self.numerator.negated(), denominator: self.denominator.clone() }
+    }
+
+    /// The numerator, which carries the sign.
+    pub fn numerator(&self) -> Integer {
+        self.numerator.clone()
+    }
+
+    /// The denominator, always positive.
+    pub fn denominator(&self) -> Integer {
+        self.denominator.clone()
+    }
+
+    /// The quotient, or `None` when the divisor is 0.
+    pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
+        divisor.recip().map(|reciprocal| self * reciprocal)
+    }
+
+    /// `1 / self`, or `None` for 0.
+    pub fn recip(&self) -> Option<Self> {
+        let (numerator, denominator) = (self.denominator.clone(), self.numerator.clone());
+        match self.sign() {
+            Sign::Zero => None,
+            Sign::Positive => Some(Rational { numerator, denominator }),
+            Sign::Negative => Some(Rational { numerator: -numerator, denominator: -denominator }),
+        }
+    }
+
+    /// Half of the number.
+    pub fn half(&self) -> Self {
+        Rational::reduced(self.numerator.clone(), &self.denominator + &self.denominator)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use num_bigint::BigInt;
+    use num_rational::BigRational;
+
+    use super::*;
+
+    fn in_library(value: &Rational) -> BigRational {
+        BigRational::new_raw(value.numerator.to_big(), value.denominator.to_big())
+    }
+
+    fn of_library(value: BigRational) -> Rational {
+        let (numerator, denominator) = value.into_raw();
+        Rational { numerator: Integer::from_big(numerator), denominator: Integer::from_big(denominator) }
+    }
+
+    #[test]
+    fn lowest_terms_with_positive_denominator() {
+        let number = Rational::new(Integer::from(6), Integer::from(-4)).unwrap();
+        assert_eq!(number.to_string(), "-3/2");
+        assert_eq!(number.denominator(), Integer::from(2));
+        assert_eq!(Rational::new(Integer::one(), Integer::zero()), None);
+        assert_eq!(Rational::ratio(8, 4).to_string(), "2");
+    }
+
+    #[test]
+    fn arithmetic_is_exact() {
+        let (a, b) = (Rational::ratio(1, 10), Rational::ratio(2, 10));
+        assert_eq!(&a + &b, Rational::ratio(3, 10));
+        assert_eq!(&a - &b, Rational::ratio(-1, 10));
+        assert_eq!(&a * &b, Rational::ratio(1, 50));
+        assert_eq!(a.checked_div(&b), Some(Rational::ratio(1, 2)));
+        assert_eq!(a.checked_div(&Rational::zero()), None);
+        assert_eq!(b.half(), a);
+        assert_eq!((-&a).sign(), Sign::Negative);
+    }
+
+    /// The library's operators are the reference, for terms on both sides of 63 and of 127 bits.
+    #[test]
+    fn all_sizes_agree_with_the_library() {
+        let edges =
+            [0, 1, -1, 2, -6, 97, i64::MAX.into(), i64::MIN.into(), i128::from(i64::MAX) + 1, 1 << 62]
+                .into_iter()
+                .chain([-(1 << 40), 1 << 100, i128::MAX, i128::MIN, i128::MAX - 1, i128::MIN + 1])
+                .map(BigInt::from)
+                .chain([BigInt::from(i128::MAX) + 1, BigInt::from(i128::MIN) - 1, BigInt::from(3) << 200]);
+        let numerators: Vec<BigInt> = edges.collect();
+        let denominators = [1, 2, 6, 1_000_000_007, i128::from(i64::MAX), i128::MAX - 1].map(BigInt::from);
+        let numbers: Vec<BigRational> = numerators
+            .iter()
+            .flat_map(|n| denominators.iter().map(|d| BigRational::new(n.clone(), d.clone())))
+            .collect();
+        let own: Vec<Rational> = numbers.iter().cloned().map(of_library).collect();
+        for (left, own_left) in numbers.iter().zip(&own) {
+            assert_eq!(own_left.to_string(), left.to_string());
+            assert_eq!(in_library(&own_left.half()), left / BigInt::from(2));
+            assert_eq!(in_library(&-own_left), -left);
+            assert!(!own_left.abs().is_negative());
+            for (right, own_right) in numbers.iter().zip(&own) {
+                assert_eq!(own_left + own_right, of_library(left + right));
+                assert_eq!(own_left - own_right, of_library(left - right));
+                assert_eq!(own_left * own_right, of_library(left * right));
+                assert_eq!(own_left.cmp(own_right), left.cmp(right));
+                assert_eq!(own_left == own_right, left == right);
+                let quotient = own_left.checked_div(own_right);
+                let expected = (!own_right.is_zero()).then(|| of_library(left / right));
+                assert_eq!(quotient, expected);
+            }
+        }
+    }
+
+    #[test]
+    fn integers_of_all_sizes_agree_with_the_library() {
+        use num_integer::Integer as _;
+        let edges: Vec<BigInt> = [0, 1, -1, 2, -3, 12, i64::MAX.into(), i64::MIN.into(), 1 << 64, -(1 << 90)]
+            .into_iter()
+            .chain([i128::MAX, i128::MIN, i128::MIN + 1])
+            .map(BigInt::from)
+            .chain([BigInt::from(i128::MAX) + 1, BigInt::from(i128::MIN) - 1, BigInt::from(6) << 150])
+            .collect();
+        for left in &edges {
+            let own_left = Integer::from_big(left.clone());
+            assert_eq!(own_left.bits(), left.bits());
+            assert_eq!(own_left.is_even(), left.is_even());
+            assert_eq!(own_left.to_string(), left.to_string());
+            let digits = left.magnitude().to_string();
+            assert_eq!(Integer::from_ascii_digits(digits.as_bytes()), Some(own_left.abs()));
+            for right in &edges {
+                let own_right = Integer::from_big(right.clone());
+                let of = |value: BigInt| Integer::from_big(value);
+                assert_eq!(&own_left + &own_right, of(left + right));
+                assert_eq!(&own_left - &own_right, of(left - right));
+                assert_eq!(&own_left * &own_right, of(left * right));
+                assert_eq!(own_left.cmp(&own_right), left.cmp(right));
+                assert_eq!(own_left.gcd(&own_right), of(left.gcd(right)));
+                assert_eq!(own_left.lcm(&own_right), of(left.lcm(right)));
+                if !own_right.is_zero() {
+                    let (quotient, remainder) = left.div_mod_floor(right);
+                    assert_eq!(own_left.div_rem_floor(&own_right), (of(quotient), of(remainder)));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn floor_division_follows_the_divisor() {
+        let (quotient, remainder) = Integer::from(-7).div_rem_floor(&Integer::from(2));
+        assert_eq!((quotient, remainder), (Integer::from(-4), Integer::from(1)));
+    }
+}
