@@ -249,15 +249,8 @@ pub(crate) struct PlotArguments {
     /// What to draw
     #[arg(long, value_enum, default_value_t = FigureName::Fps)]
     pub(crate) figure: FigureName,
-    /// Unit of x for the axes, such as V; with two regressors, of both
-    #[arg(long, value_name = "UNIT")]
-    pub(crate) x_unit: Option<String>,
-    /// Unit of y for the axes, such as m
-    #[arg(long, value_name = "UNIT")]
-    pub(crate) y_unit: Option<String>,
-    /// Title above the figure; a plain description when left out
-    #[arg(long, value_name = "TEXT")]
-    pub(crate) title: Option<String>,
+    #[command(flatten)]
+    pub(crate) labels: LabelArguments,
     /// Draw the response y along the horizontal axis and x along the vertical one
     #[arg(long)]
     pub(crate) flip: bool,
@@ -317,17 +310,24 @@ Exit status:
 pub(crate) struct LessonArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
-    /// Unit of x, such as V
+    #[command(flatten)]
+    pub(crate) labels: LabelArguments,
+    #[command(flatten)]
+    pub(crate) file: FileArguments,
+}
+
+/// What pictures and pages say besides what follows from the data.
+#[derive(Debug, Args)]
+pub(crate) struct LabelArguments {
+    /// Unit of x, such as V; with two regressors, of both
     #[arg(long, value_name = "UNIT")]
     pub(crate) x_unit: Option<String>,
     /// Unit of y, such as m
     #[arg(long, value_name = "UNIT")]
     pub(crate) y_unit: Option<String>,
-    /// Title of the page
+    /// Title; a plain one when left out
     #[arg(long, value_name = "TEXT")]
     pub(crate) title: Option<String>,
-    #[command(flatten)]
-    pub(crate) file: FileArguments,
 }
 
 /// How the input is read.

@@ -50,6 +50,12 @@ impl Rational {
         format!("{sign}{}", place_point(text, exponent, exact))
     }
 
+    /// The decimal that so many significant digits hold exactly, if they do. Cost: two of [`Rational::to_decimal`].
+    pub fn exact_decimal(&self, digits: usize) -> Option<String> {
+        let decimal = self.to_decimal(digits, Rounding::Down);
+        (decimal == self.to_decimal(digits, Rounding::Up)).then_some(decimal)
+    }
+
     /// The power of ten that the first significant digit weighs, `floor(log10 |self|)`, or `None` for 0. Exact.
     pub fn decimal_exponent(&self) -> Option<i64> {
         (!self.is_zero()).then(|| exponent_of(&self.abs()))

@@ -99,6 +99,21 @@ impl Interval {
     pub fn midpoint(&self) -> Option<Rational> {
         self.ends().map(|(lower, upper)| (lower + upper).half())
     }
+
+    /// How many significant digits the ends are to be shown with: `usual`, unless one unit of the last of these is wider
+    /// than the interval; then one digit beyond the first that differs. Beyond 40 digits a reader is better served by the
+    /// exact fractions, and it is `usual` again.
+    pub fn resolving_digits(&self, usual: usize) -> usize {
+        const MOST: usize = 40;
+        let Some((lower, upper)) = self.ends() else { return usual };
+        let magnitude = upper.abs().max(lower.abs()).decimal_exponent();
+        let Some((magnitude, width)) = magnitude.zip((upper - lower).decimal_exponent()) else {
+            return usual;
+        };
+        let first_that_differs = usize::try_from(magnitude - width + 1).unwrap_or(0);
+        let resolves = first_that_differs > usual && first_that_differs < MOST;
+        if resolves { first_that_differs + 1 } else { usual }
+    }
 }
 
 #[cfg(test)]

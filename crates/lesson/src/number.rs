@@ -27,7 +27,7 @@ pub(crate) struct Range {
 impl Number {
     /// A number that was given: in full where twenty digits will do.
     pub(crate) fn given(value: &Rational) -> Self {
-        let full = exact_decimal(value, GIVEN_DIGITS);
+        let full = value.exact_decimal(GIVEN_DIGITS);
         let decimal = full.unwrap_or_else(|| value.to_decimal(DIGITS, Rounding::Nearest));
         Number { exact: value.to_string(), decimal }
     }
@@ -47,12 +47,6 @@ impl Number {
     }
 }
 
-/// The decimal of a value that so many digits hold exactly.
-pub(crate) fn exact_decimal(value: &Rational, digits: usize) -> Option<String> {
-    let decimal = value.to_decimal(digits, Rounding::Down);
-    (decimal == value.to_decimal(digits, Rounding::Up)).then_some(decimal)
-}
-
 /// A number in a sentence: with a minus sign in place of the hyphen.
 pub(crate) fn with_minus(number: &str) -> String {
     number.replace('-', "−")
@@ -65,7 +59,8 @@ pub(crate) struct ParameterDigits([usize; 2]);
 impl ParameterDigits {
     pub(crate) fn of(fit: &Fit) -> Self {
         ParameterDigits(
-            fit.pui_intervals().map_or([DIGITS; 2], |pui| [resolving(&pui[0]), resolving(&pui[1])]),
+            fit.pui_intervals()
+                .map_or([DIGITS; 2], |pui| [0, 1].map(|axis| pui[axis].resolving_digits(DIGITS))),
         )
     }
 
@@ -88,17 +83,6 @@ impl ParameterDigits {
     }
 }
 
-/// The digits it takes to tell the ends of an interval apart, and one more where that is more than usual.
-fn resolving(interval: &Interval) -> usize {
-    // Beyond this many digits a reader is better served by the exact fraction.
-    const MOST: usize = 40;
-    let Some((lower, upper)) = interval.ends() else { return DIGITS };
-    let magnitude = upper.abs().max(lower.abs()).decimal_exponent();
-    let Some((magnitude, width)) = magnitude.zip((upper - lower).decimal_exponent()) else { return DIGITS };
-    let first_that_differs = usize::try_from(magnitude - width + 1).unwrap_or(0);
-    if (DIGITS + 1..MOST).contains(&first_that_differs) { first_that_differs + 1 } else { DIGITS }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -116,8 +100,8 @@ mod tests {
         };
         let base = Rational::ratio(17, 10);
         let narrow = interval(base.clone(), &base + Rational::ratio(3, 1_000_000_000));
-        assert_eq!(resolving(&narrow), 11);
-        assert_eq!(resolving(&interval(base.clone(), &base + Rational::one())), DIGITS);
-        assert_eq!(resolving(&interval(base.clone(), base)), DIGITS);
+        assert_eq!((narrow).resolving_digits(DIGITS), 11);
+        assert_eq!((interval(base.clone(), &base + Rational::one())).resolving_digits(DIGITS), DIGITS);
+        assert_eq!((interval(base.clone(), base)).resolving_digits(DIGITS), DIGITS);
     }
 }

@@ -61,7 +61,8 @@ impl Style {
     /// A given number as text, in full: its decimal when that is exact, else its fraction.
     pub(crate) fn given_text(&self, value: &Rational) -> String {
         const MOST: usize = 20;
-        self.exact_decimal(value, MOST.max(self.digits))
+        value
+            .exact_decimal(MOST.max(self.digits))
             .filter(|_| !self.exact)
             .unwrap_or_else(|| self.proof_text(value))
     }
@@ -78,7 +79,7 @@ impl Style {
 
     /// An error bound as text, with the exact value behind it when the decimal is rounded.
     pub(crate) fn upper_text_with_exact(&self, value: &Rational) -> String {
-        match self.exact_decimal(value, self.digits) {
+        match value.exact_decimal(self.digits) {
             _ if self.exact => value.to_string(),
             Some(decimal) => decimal,
             None if value.to_string().len() > LONGEST_FRACTION => self.upper_text(value),
@@ -89,28 +90,12 @@ impl Style {
     /// This style with as many more digits as it takes to tell the ends of an interval apart: when one unit of the last
     /// digit is wider than the interval, one digit beyond the first that differs.
     pub(crate) fn resolving(&self, interval: &Interval) -> Style {
-        // Beyond this many digits a reader is better served by the exact fraction.
-        const MOST: usize = 40;
-        let Some((lower, upper)) = interval.ends() else { return self.clone() };
-        let magnitude = upper.abs().max(lower.abs()).decimal_exponent();
-        let Some((magnitude, width)) = magnitude.zip((upper - lower).decimal_exponent()) else {
-            return self.clone();
-        };
-        let first_that_differs = usize::try_from(magnitude - width + 1).unwrap_or(0);
-        let resolves = first_that_differs > self.digits && first_that_differs < MOST;
-        let digits = if resolves { first_that_differs + 1 } else { self.digits };
-        Style { digits, ..self.clone() }
+        Style { digits: interval.resolving_digits(self.digits), ..self.clone() }
     }
 
     /// One style for each of two parameters, resolving their ranges when these are known.
     pub(crate) fn resolving_both(&self, ranges: Option<&[Interval; 2]>) -> [Style; 2] {
         [0, 1].map(|axis| ranges.map_or_else(|| self.clone(), |ranges| self.resolving(&ranges[axis])))
-    }
-
-    /// The decimal of a value that so many digits hold exactly.
-    fn exact_decimal(&self, value: &Rational, digits: usize) -> Option<String> {
-        let decimal = value.to_decimal(digits, Rounding::Down);
-        (decimal == value.to_decimal(digits, Rounding::Up)).then_some(decimal)
     }
 
     /// A number as text.

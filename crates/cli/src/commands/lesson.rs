@@ -15,9 +15,9 @@ pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
     let fit = fit(&problem);
     let options = LessonOptions {
         file: arguments.data.file_name().to_owned(),
-        title: arguments.title.clone(),
-        x_unit: arguments.x_unit.clone(),
-        y_unit: arguments.y_unit.clone(),
+        title: arguments.labels.title.clone(),
+        x_unit: arguments.labels.x_unit.clone(),
+        y_unit: arguments.labels.y_unit.clone(),
     };
     let page = page(&problem, &fit, reading, &options).map_err(|error| match error {
         LessonError::TooManyRows { .. } => Failure::data(format_args!(

@@ -26,9 +26,9 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
     let problem = arguments.data.problem_with_others()?;
     let fit = fit(&problem);
     let options = PlotOptions {
-        x_unit: arguments.x_unit.clone(),
-        y_unit: arguments.y_unit.clone(),
-        title: arguments.title.clone(),
+        x_unit: arguments.labels.x_unit.clone(),
+        y_unit: arguments.labels.y_unit.clone(),
+        title: arguments.labels.title.clone(),
         flip: arguments.flip,
         directions: usize::from(arguments.directions),
     };

@@ -3,11 +3,8 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use num_bigint::BigInt;
-use num_integer::Integer as _;
-use num_traits::ToPrimitive;
-
 use super::gcd::gcd;
+use super::library::{BigInt, BigSign, DivisionAndGcd as _, ToPrimitive as _};
 use super::{Sign, number, operators};
 
 /// An integer of any size. Every operation is exact.
@@ -63,8 +60,8 @@ impl Ord for Integer {
             (Small(own), Small(other)) => own.cmp(other),
             (Big(own), Big(other)) => own.cmp(other),
             // Beyond all small numbers, on the side of its sign.
-            (Big(own), Small(_)) => own.sign().cmp(&num_bigint::Sign::NoSign),
-            (Small(_), Big(other)) => num_bigint::Sign::NoSign.cmp(&other.sign()),
+            (Big(own), Small(_)) => own.sign().cmp(&BigSign::NoSign),
+            (Small(_), Big(other)) => BigSign::NoSign.cmp(&other.sign()),
         }
     }
 }
@@ -108,7 +105,7 @@ impl Integer {
     pub fn sign(&self) -> Sign {
         match &self.0 {
             Small(value) => value.cmp(&0).into(),
-            Big(value) => value.sign().cmp(&num_bigint::Sign::NoSign).into(),
+            Big(value) => value.sign().cmp(&BigSign::NoSign).into(),
         }
     }
 

@@ -1,10 +1,11 @@
-//! The two number types. No other folder of the project names the libraries behind them.
+//! The two number types.
 //!
 //! Numbers that fit into 128 bits are machine words, all others the libraries' big ones. Which of the two a number is
 //! follows from its value alone, so that equal numbers are equal in memory, and no result depends on it.
 
 mod gcd;
 mod integer;
+mod library;
 mod rational;
 
 use std::cmp::Ordering;

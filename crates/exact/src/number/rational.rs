@@ -167,9 +167,7 @@ impl Rational {
 
 #[cfg(test)]
 mod tests {
-    use num_bigint::BigInt;
-    use num_rational::BigRational;
-
+    use super::super::library::{BigInt, BigRational};
     use super::*;
 
     fn in_library(value: &Rational) -> BigRational {
@@ -238,7 +236,7 @@ mod tests {
 
     #[test]
     fn integers_of_all_sizes_agree_with_the_library() {
-        use num_integer::Integer as _;
+        use super::super::library::DivisionAndGcd as _;
         let edges: Vec<BigInt> = [0, 1, -1, 2, -3, 12, i64::MAX.into(), i64::MIN.into(), 1 << 64, -(1 << 90)]
             .into_iter()
             .chain([i128::MAX, i128::MIN, i128::MIN + 1])

@@ -9,13 +9,12 @@ use boundfit_lp::spread_objectives;
 
 use super::sliver::Sliver;
 use super::view::{self, Window};
-use super::{described_axes, empty, main_frame, panel, region};
+use super::{empty, finished, main_frame, panel, region};
 use crate::clip::Place;
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
 use crate::palette::{Dash, FAINT_INK, Fill, GREY, INK, Mark, Shape, Stroke, VERMILLION, style};
-use crate::render::BOTTOM_LABELS;
 
 const EXACT_FILL: Fill = Fill { colour: GREY, opacity: 0.28 };
 const EXACT_EDGE: Stroke = Stroke::new(FAINT_INK, 1.2, Dash::Solid);
@@ -60,15 +59,7 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     } else {
         format!("The set between its inner and outer approximation from {} directions", options.directions)
     };
-    Drawing {
-        description: format!("{title}. {} {}", described_axes(&names), notes.join(" ")),
-        title,
-        subtitle: labels::subtitle(problem, options),
-        height: panels[0].frame.top + panels[0].frame.height + BOTTOM_LABELS + 8.0,
-        panels,
-        legend: legend(options.directions),
-        notes,
-    }
+    finished(problem, options, title, panels, legend(options.directions), notes)
 }
 
 /// The intersection of the supporting half-planes of the set in as many directions as linear programs are solved.

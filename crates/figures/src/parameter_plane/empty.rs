@@ -7,13 +7,12 @@ use boundfit_geometry::{Constraint, HalfPlane, Inequality, Point, Polyhedron, Sy
 
 use super::sliver::Sliver;
 use super::view::{Window, around_lines};
-use super::{described_axes, main_frame, marks, panel, region};
+use super::{finished, main_frame, marks, panel, region};
 use crate::clip::{self, Place};
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels::{self, Conflict};
 use crate::palette::{BLUE, Colour, Dash, Fill, GREEN, ORANGE, PURPLE, SKY, Stroke, style};
-use crate::render::BOTTOM_LABELS;
 
 /// The set of parameters that one reading or condition allows.
 struct Allowed {
@@ -68,15 +67,7 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
         notes.push(Sliver::note("the gap"));
     }
     let title = "Feasible parameter set: empty".to_owned();
-    Drawing {
-        description: format!("{title}. {} {}", described_axes(&names), notes.join(" ")),
-        title,
-        subtitle: labels::subtitle(problem, options),
-        height: panels[0].frame.top + panels[0].frame.height + BOTTOM_LABELS + 8.0,
-        panels,
-        legend,
-        notes,
-    }
+    finished(problem, options, title, panels, legend, notes)
 }
 
 /// Who cannot be met by any parameters, and what it asks for.

@@ -7,12 +7,11 @@ use boundfit_geometry::RegionKind;
 use super::marks::{self, Estimate};
 use super::sliver::Sliver;
 use super::view;
-use super::{described_axes, empty, kind, main_frame, panel, pui_note, region, side_frame};
+use super::{empty, finished, kind, main_frame, panel, pui_note, region, side_frame};
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
 use crate::palette::{Mark, style};
-use crate::render::BOTTOM_LABELS;
 
 /// The figure.
 pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Drawing {
@@ -62,15 +61,7 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
         notes.push("Arrows: the set goes on without end.".to_owned());
     }
     let title = format!("Feasible parameter set: {}", kind(polyhedron.region()));
-    Drawing {
-        description: format!("{title}. {} {}", described_axes(&names), notes.join(" ")),
-        title,
-        subtitle: labels::subtitle(problem, options),
-        height: panels[0].frame.top + panels[0].frame.height + BOTTOM_LABELS + 8.0,
-        panels,
-        legend,
-        notes,
-    }
+    finished(problem, options, title, panels, legend, notes)
 }
 
 /// What a panel has of the EUI box, and whether all vertices and estimates are marked, and numbered.

@@ -13,14 +13,15 @@ mod view;
 pub(crate) use directions::drawing as directions;
 pub(crate) use fps::drawing as fps;
 
-use boundfit_estimation::Fit;
-use boundfit_exact::{Endpoint, Interval, Rational, Rounding};
+use boundfit_estimation::{Fit, Problem};
+use boundfit_exact::{Endpoint, Rational, Rounding};
 use boundfit_geometry::{Region, RegionKind};
 
 use crate::axis::Axis;
-use crate::drawing::{Frame, Panel};
+use crate::drawing::{Drawing, Frame, LegendEntry, Panel};
+use crate::figure::PlotOptions;
 use crate::labels;
-use crate::render::{LEFT_LABELS, WIDTH};
+use crate::render::{BOTTOM_LABELS, LEFT_LABELS, WIDTH};
 use view::Window;
 
 const TOP: f64 = 24.0;
@@ -68,6 +69,28 @@ fn kind(region: &Region) -> String {
     }
 }
 
+/// A figure with all its parts; the first panel is the tallest.
+fn finished(
+    problem: &Problem,
+    options: &PlotOptions,
+    title: String,
+    panels: Vec<Panel>,
+    legend: Vec<LegendEntry>,
+    notes: Vec<String>,
+) -> Drawing {
+    let axes = described_axes(&labels::parameters(problem, options));
+    let main = panels[0].frame;
+    Drawing {
+        description: format!("{title}. {axes} {}", notes.join(" ")),
+        title,
+        subtitle: labels::subtitle(problem, options),
+        height: main.top + main.height + BOTTOM_LABELS + 8.0,
+        panels,
+        legend,
+        notes,
+    }
+}
+
 /// What the axes are called in the description of a figure.
 fn described_axes(names: &[String; 2]) -> String {
     format!("Horizontal axis: {}. Vertical axis: {}.", names[0], names[1])
@@ -75,16 +98,6 @@ fn described_axes(names: &[String; 2]) -> String {
 
 /// Significant digits of the ends of intervals.
 const DIGITS: usize = 5;
-
-/// As many digits as it takes to tell the ends of an interval apart.
-fn digits_of(interval: &Interval) -> usize {
-    const MOST: i64 = 20;
-    let Some((lower, upper)) = interval.ends() else { return DIGITS };
-    let magnitude = upper.abs().max(lower.abs()).decimal_exponent();
-    let needed =
-        magnitude.zip((upper - lower).decimal_exponent()).map_or(0, |(size, width)| size - width + 2);
-    usize::try_from(needed.min(MOST)).map_or(DIGITS, |needed| needed.max(DIGITS))
-}
 
 /// The parameter uncertainty intervals in words; nothing when they are unbounded on all sides.
 fn pui_note(fit: &Fit, names: &[String; 2]) -> Option<String> {
@@ -99,7 +112,7 @@ fn pui_note(fit: &Fit, names: &[String; 2]) -> Option<String> {
         end.value().map_or_else(|| unbounded.to_owned(), |value| labels::number(value, digits, rounding))
     };
     let each = [0, 1].map(|j| {
-        let digits = digits_of(&intervals[j]);
+        let digits = intervals[j].resolving_digits(DIGITS);
         let lower = text(intervals[j].lower(), digits, Rounding::Down, "−∞");
         let upper = text(intervals[j].upper(), digits, Rounding::Up, "∞");
         let (symbol, unit) = names[j].split_once(' ').unwrap_or((&names[j], ""));

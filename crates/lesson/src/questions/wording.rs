@@ -4,7 +4,7 @@ use boundfit_estimation::{BoundName, Problem};
 use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::{Region, RegionKind};
 
-use crate::number::{DIGITS, exact_decimal, with_minus};
+use crate::number::{DIGITS, with_minus};
 
 /// The longest fraction that a sentence shows.
 const LONGEST_FRACTION: usize = 40;
@@ -15,7 +15,7 @@ pub(super) const THETA: [&str; 2] = ["θ₁", "θ₂"];
 /// A number with its exact value behind it, unless that is the decimal itself or too long to read.
 pub(super) fn value(value: &Rational, digits: usize, rounding: Rounding) -> String {
     let fraction = value.to_string();
-    with_minus(&match exact_decimal(value, digits) {
+    with_minus(&match value.exact_decimal(digits) {
         Some(decimal) => decimal,
         None if fraction.len() > LONGEST_FRACTION => value.to_decimal(digits, rounding),
         None => format!("{} (exactly {fraction})", value.to_decimal(digits, rounding)),
