@@ -1,11 +1,21 @@
 //! The one door between exact numbers and IEEE 754 binary64.
 
-use crate::{Integer, Rational};
+use crate::{Integer, Rational, plain_decimal};
 
 /// Binary exponent of the smallest positive binary64.
 const LEAST_EXPONENT: i64 = -1074;
 /// Bits of a binary64 significand.
 const SIGNIFICAND_BITS: i64 = 53;
+
+/// Significand and exponent of a finite binary64: `significand * 2^exponent`, exactly.
+pub(crate) fn parts(value: f64) -> (i64, i32) {
+    let bits = value.to_bits();
+    let fraction = (bits & ((1 << 52) - 1)) as i64;
+    let biased = ((bits >> 52) & 0x7ff) as i32;
+    let (significand, exponent) =
+        if biased == 0 { (fraction, LEAST_EXPONENT as i32) } else { (fraction | (1 << 52), biased - 1075) };
+    (if value.is_sign_negative() { -significand } else { significand }, exponent)
+}
 
 impl Rational {
     /// The exact value of a finite binary64, or `None` for an infinity or NaN.
@@ -18,18 +28,13 @@ impl Rational {
         if !value.is_finite() {
             return None;
         }
-        let bits = value.to_bits();
-        let fraction = bits & ((1 << 52) - 1);
-        let biased = ((bits >> 52) & 0x7ff) as i64;
-        let (significand, exponent) =
-            if biased == 0 { (fraction, LEAST_EXPONENT) } else { (fraction | (1 << 52), biased - 1075) };
-        let power = Integer::power_of_two(exponent.unsigned_abs());
-        let magnitude = if exponent >= 0 {
-            Rational::from(Integer::from(significand) * power)
+        let (significand, exponent) = parts(value);
+        let power = Integer::power_of_two(u64::from(exponent.unsigned_abs()));
+        if exponent >= 0 {
+            Some(Rational::from(Integer::from(significand) * power))
         } else {
-            Rational::new(Integer::from(significand), power)?
-        };
-        Some(if value.is_sign_negative() { -magnitude } else { magnitude })
+            Rational::new(Integer::from(significand), power)
+        }
     }
 
     /// The nearest binary64, ties to even, as IEEE 754 rounds: overflows to an infinity, underflows to 0.
@@ -38,6 +43,30 @@ impl Rational {
         let magnitude = nearest_magnitude(&self.numerator().abs(), &self.denominator());
         if self.is_negative() { -magnitude } else { magnitude }
     }
+}
+
+/// The binary64 nearest to `mantissa · 10^exponent`, when that takes one division or multiplication of numbers that
+/// binary64 has: up to 2^53 and 10^22. Correctly rounded (Clinger, *How to read floating point numbers accurately*,
+/// 1990, section 3).
+#[inline]
+pub fn nearest_double(mantissa: i64, exponent: i32) -> Option<f64> {
+    const POWERS: [f64; 23] = [
+        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17,
+        1e18, 1e19, 1e20, 1e21, 1e22,
+    ];
+    let power = *POWERS.get(exponent.unsigned_abs() as usize)?;
+    if mantissa.unsigned_abs() > 1 << SIGNIFICAND_BITS {
+        return None;
+    }
+    Some(if exponent < 0 { mantissa as f64 / power } else { mantissa as f64 * power })
+}
+
+/// The binary64 nearest to a text that [`plain_decimal`] reads; `None` for other texts and beyond the largest binary64.
+/// Correctly rounded.
+pub fn plain_double(text: &[u8]) -> Option<f64> {
+    let (mantissa, exponent) = plain_decimal(text)?;
+    let parsed = || std::str::from_utf8(text.trim_ascii()).ok()?.parse().ok();
+    nearest_double(mantissa, exponent).or_else(parsed).filter(|double: &f64| double.is_finite())
 }
 
 fn nearest_magnitude(numerator: &Integer, denominator: &Integer) -> f64 {
@@ -105,6 +134,25 @@ mod tests {
             let text = format!("{}{digits}e{exponent}", if state & 1 == 0 { "-" } else { "" });
             assert_eq!(exact(&text).to_f64(), text.parse::<f64>().unwrap(), "{text}");
         }
+    }
+
+    #[test]
+    fn plain_doubles_are_the_nearest() {
+        let mut state: u64 = 0x2545_f491_4f6c_dd1d;
+        for _ in 0..20_000 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let digits = (state >> 1) >> (state % 60);
+            let exponent = (state >> 40) as i64 % [50, 700][(state >> 33) as usize % 2] - 25;
+            let text = format!("{digits}e{exponent}");
+            let nearest = exact(&text).to_f64();
+            assert_eq!(
+                plain_double(text.as_bytes()),
+                Some(nearest).filter(|_| nearest.is_finite()),
+                "{text}"
+            );
+        }
+        assert_eq!(plain_double(b"1e400"), None);
+        assert_eq!(plain_double(b"1/3"), None);
     }
 
     #[test]

@@ -17,13 +17,18 @@
 
 mod binary64;
 mod decimal;
+mod double_sum;
 mod interval;
 mod number;
 mod parse;
+mod scaled;
 mod sum;
 
+pub use binary64::{nearest_double, plain_double};
 pub use decimal::Rounding;
+pub use double_sum::DoubleSum;
 pub use interval::{Endpoint, Interval};
 pub use number::{Integer, Rational, Sign};
 pub use parse::{Limits, ParseNumberError, ParseNumberErrorKind, Reading};
+pub use scaled::{PLAIN_DIGITS, PLAIN_EXPONENT, PlainPrefix, Scaled, plain_decimal, plain_prefix};
 pub use sum::Sum;

@@ -6,6 +6,8 @@ use std::io;
 use boundfit_exact::ParseNumberError;
 use thiserror::Error;
 
+use crate::reduction::ReductionError;
+
 /// The longest piece of a file that an error message repeats.
 const LONGEST_QUOTE: usize = 40;
 
@@ -40,6 +42,12 @@ pub enum Problem {
     /// The operating system reports an error.
     #[error("cannot read: {0}")]
     Io(#[from] io::Error),
+    /// A file that is read twice has other readings the second time.
+    #[error("the file changed while it was read")]
+    Changed,
+    /// Something is wrong with a reduction.
+    #[error("{0}")]
+    Reduction(#[from] ReductionError),
     /// A directory was named.
     #[error("is a directory")]
     IsDirectory,
@@ -60,6 +68,9 @@ pub enum Problem {
         /// `cell` or `line`.
         unit: &'static str,
     },
+    /// The work was stopped from outside.
+    #[error("interrupted")]
+    Interrupted,
     /// A line without end.
     #[error("the line is longer than {limit} bytes (the limit)")]
     LineTooLong {

@@ -4,10 +4,11 @@ use std::io::{Cursor, Read};
 
 use boundfit_geometry::{Inequality, System};
 
-use crate::error::{InputError, Place};
+use crate::columns::ColumnSelector;
+use crate::error::InputError;
 use crate::ine::parse_ine;
 use crate::source::Source;
-use crate::table::{ColumnSelector, TableOptions, read_table};
+use crate::table::{TableOptions, read_table};
 
 /// The two file formats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,10 +62,7 @@ pub fn read_half_planes(source: Source, options: &TableOptions) -> Result<HalfPl
     let format = HalfPlaneFormat::of_name(source.name());
     let (name, mut bytes) = source.watched();
     let mut content = Vec::new();
-    if let Err(error) = bytes.read_to_end(&mut content) {
-        let place = Place { line: Some(bytes.line()), ..Place::default() };
-        return Err(Source::error(&name, place, bytes.problem(error)));
-    }
+    bytes.read_to_end(&mut content).map_err(|error| Source::stopped(&name, error))?;
     let has_begin =
         || content.split(|&byte| byte == b'\n').any(|line| line.trim_ascii().starts_with(b"begin"));
     let is_ine = format.map_or_else(has_begin, |format| format == HalfPlaneFormat::Ine);

@@ -18,12 +18,17 @@ pub(crate) struct LineCounter<R> {
 }
 
 impl<R> LineCounter<R> {
-    pub(crate) fn new(inner: R) -> Self {
-        LineCounter { inner, offset: 0, ends: VecDeque::new(), line: 1, after_carriage_return: None }
+    /// A counter for bytes that start on this line.
+    pub(crate) fn new(inner: R, line: u64) -> Self {
+        LineCounter { inner, offset: 0, ends: VecDeque::new(), line, after_carriage_return: None }
     }
 
     pub(crate) fn get_ref(&self) -> &R {
         &self.inner
+    }
+
+    pub(crate) fn get_mut(&mut self) -> &mut R {
+        &mut self.inner
     }
 
     /// The line of the first byte at or after `start` that does not end a line. Asked in ascending order.
@@ -63,7 +68,7 @@ mod tests {
     #[test]
     fn every_kind_of_line_end_counts_once() {
         let text = b"a\nb\r\nc\rd\n\n\ne";
-        let mut counter = LineCounter::new(&text[..]);
+        let mut counter = LineCounter::new(&text[..], 1);
         io::copy(&mut counter, &mut io::sink()).unwrap();
         let line_of = |counter: &mut LineCounter<_>, start| counter.line_at(start);
         assert_eq!(line_of(&mut counter, 0), 1);

@@ -4,8 +4,10 @@ use std::fs::File;
 use std::io::{self, Read};
 
 use sha2::{Digest, Sha256};
+use thiserror::Error;
 
 use crate::error::{InputError, Place, Problem};
+use crate::reduction::ReductionError;
 
 /// The longest line that is read, in bytes. Without a bound, a file without line ends would be held in memory whole.
 pub const LONGEST_LINE: usize = 1 << 24;
@@ -17,7 +19,8 @@ pub struct Source {
 }
 
 impl Source {
-    /// Opens a file, or standard input for `-`.
+    /// Opens a file, or standard input for `-`. Of a file that grows while it is read, what was there when it was opened
+    /// is seen.
     ///
     /// # Errors
     /// When the file cannot be opened or is a directory.
@@ -27,15 +30,29 @@ impl Source {
         }
         let fail = |problem: Problem| Source::error(path, Place::default(), problem);
         let file = File::open(path).map_err(|error| fail(Problem::Io(error)))?;
-        if file.metadata().is_ok_and(|metadata| metadata.is_dir()) {
+        let metadata = file.metadata().map_err(|error| fail(Problem::Io(error)))?;
+        if metadata.is_dir() {
             return Err(fail(Problem::IsDirectory));
         }
-        Ok(Source::new(path, file))
+        let source = Source::new(path, file);
+        // Pipes, devices and the files of /proc state no length.
+        let states_length = metadata.is_file() && metadata.len() > 0;
+        Ok(if states_length { source.limited(metadata.len()) } else { source })
     }
 
     /// A source with a name for messages.
     pub fn new(name: impl Into<String>, bytes: impl Read + 'static) -> Self {
         Source { name: name.into(), bytes: Box::new(bytes) }
+    }
+
+    /// The same, but not more than so many bytes of it.
+    pub fn limited(self, most_bytes: u64) -> Self {
+        Source { name: self.name, bytes: Box::new(self.bytes.take(most_bytes)) }
+    }
+
+    /// The error for a file in which something is wrong as a whole.
+    pub fn failed(name: &str, problem: impl Into<Problem>) -> InputError {
+        Source::error(name, Place::default(), problem)
     }
 
     /// The name that messages use.
@@ -48,10 +65,43 @@ impl Source {
         InputError { file: name.to_owned(), place: Box::new(place), problem: problem.into() }
     }
 
+    /// The error for bytes that stopped coming, as a [`WatchedReader`] reports it.
+    pub(crate) fn stopped(name: &str, error: io::Error) -> InputError {
+        let (line, problem) = match error.downcast::<Stopped>() {
+            Ok(Stopped { line, problem }) => (Some(line), problem),
+            Err(error) => (None, error.into()),
+        };
+        let problem = match problem {
+            Problem::Io(error) => match error.downcast::<ReductionError>() {
+                Ok(error) => Problem::Reduction(error),
+                Err(error) => Problem::Io(error),
+            },
+            other => other,
+        };
+        Source::error(name, Place { line, ..Place::default() }, problem)
+    }
+
+    pub(crate) fn into_parts(self) -> (String, Box<dyn Read>) {
+        (self.name, self.bytes)
+    }
+
     pub(crate) fn watched(self) -> (String, WatchedReader) {
         let reader = WatchedReader { bytes: self.bytes, hash: Sha256::new(), line: 1, since_line_end: 0 };
         (self.name, reader)
     }
+}
+
+/// Why no more bytes come, and in which line, counted by line feeds from 1.
+#[derive(Debug, Error)]
+#[error("{problem}")]
+pub(crate) struct Stopped {
+    pub(crate) line: u64,
+    pub(crate) problem: Problem,
+}
+
+/// The hash of what was hashed so far, in hexadecimal.
+pub(crate) fn hexadecimal(hash: &Sha256) -> String {
+    hash.clone().finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// A reader that hashes what passes and stops at a line that never ends.
@@ -65,33 +115,28 @@ pub(crate) struct WatchedReader {
 impl WatchedReader {
     /// SHA-256 of all bytes read so far, in hexadecimal.
     pub(crate) fn sha256(&self) -> String {
-        self.hash.clone().finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+        hexadecimal(&self.hash)
     }
 
-    /// The line in which the reader stands, from 1.
-    pub(crate) fn line(&self) -> u64 {
-        self.line
-    }
-
-    /// The problem behind a reading error: the line limit comes out of the reader as an error of its own.
-    pub(crate) fn problem(&self, error: io::Error) -> Problem {
-        if self.since_line_end > LONGEST_LINE {
-            Problem::LineTooLong { limit: LONGEST_LINE }
-        } else {
-            error.into()
-        }
+    fn stopped(&self, problem: Problem) -> io::Error {
+        io::Error::other(Stopped { line: self.line, problem })
     }
 }
 
 impl Read for WatchedReader {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let count = self.bytes.read(buffer)?;
+        let count = loop {
+            match self.bytes.read(buffer) {
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+                result => break result.map_err(|error| self.stopped(error.into()))?,
+            }
+        };
         let bytes = &buffer[..count];
         self.hash.update(bytes);
         for piece in bytes.split_inclusive(|&byte| byte == b'\n') {
             self.since_line_end += piece.len();
             if self.since_line_end > LONGEST_LINE {
-                return Err(io::Error::other("line too long"));
+                return Err(self.stopped(Problem::LineTooLong { limit: LONGEST_LINE }));
             }
             if piece.ends_with(b"\n") {
                 self.line += 1;

@@ -1,0 +1,299 @@
+//! Decimals as integers on a common power of ten.
+
+use crate::{Integer, Rational};
+
+/// Integers on a common power of ten: number `i` is `mantissas[i] · 10^exponent`.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Scaled {
+    /// The integers; any `i64`.
+    pub mantissas: Vec<i64>,
+    /// The power of ten that each of them counts.
+    pub exponent: i32,
+}
+
+impl Scaled {
+    /// How many numbers there are.
+    pub fn len(&self) -> usize {
+        self.mantissas.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.mantissas.is_empty()
+    }
+
+    /// A number, exactly.
+    ///
+    /// # Panics
+    /// When there are not that many.
+    pub fn get(&self, index: usize) -> Rational {
+        decimal(self.mantissas[index], self.exponent)
+    }
+}
+
+/// `mantissa · 10^exponent`. Exact. Cost: the size of the power.
+pub(crate) fn decimal(mantissa: i64, exponent: i32) -> Rational {
+    let power = Integer::power_of_ten(exponent.unsigned_abs());
+    let mantissa = Integer::from(mantissa);
+    if exponent >= 0 {
+        return Rational::from(mantissa * power);
+    }
+    Rational::new(mantissa, power).unwrap_or_default()
+}
+
+/// The most digits of a text that [`plain_decimal`] reads, zeros included.
+pub const PLAIN_DIGITS: usize = 40;
+/// The largest absolute value of an exponent in a text that [`plain_decimal`] reads.
+pub const PLAIN_EXPONENT: u32 = 9_999;
+
+/// A decimal (digits with an optional sign, point and exponent, in blanks or not) as `(mantissa, exponent)`, meaning
+/// `mantissa · 10^exponent`, when the mantissa fits an `i64` and the text keeps to [`PLAIN_DIGITS`] and
+/// [`PLAIN_EXPONENT`]. The exponent is that of the last digit written; for zero it is 0.
+///
+/// `None` says nothing about whether the text is a number: [`Reading::read`](crate::Reading::read) tells. Exact.
+pub fn plain_decimal(text: &[u8]) -> Option<(i64, i32)> {
+    let text = text.trim_ascii();
+    let text = text.strip_prefix(b"+").filter(|rest| !rest.starts_with(b"-")).unwrap_or(text);
+    let prefix = plain_prefix(text).or_else(|| long_prefix(text))?;
+    let exponent = match &text[prefix.length..] {
+        [] => 0,
+        [b'e' | b'E', exponent @ ..] => written_exponent(exponent)?,
+        _ => return None,
+    };
+    let PlainPrefix { mantissa, fraction_digits, .. } = prefix;
+    Some(if mantissa == 0 { (0, 0) } else { (mantissa, exponent - fraction_digits) })
+}
+
+/// What a text starts with: `mantissa · 10^-fraction_digits`, written in `length` bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PlainPrefix {
+    /// All digits, with the sign.
+    pub mantissa: i64,
+    /// How many digits come after the point.
+    pub fraction_digits: i32,
+    /// How many bytes were read: up to the first that is no digit.
+    pub length: usize,
+}
+
+/// Reads the digits, with or without a minus sign and a point, at the start of a text: from 1 to 18 of them, so that
+/// the mantissa fits. `None` when there are more or none. Exact. Cost: a few nanoseconds.
+#[inline]
+pub fn plain_prefix(text: &[u8]) -> Option<PlainPrefix> {
+    let negative = text.first() == Some(&b'-');
+    let start = usize::from(negative);
+    let (whole, whole_digits) = leading_digits(text, start);
+    let mut length = start + whole_digits;
+    let (mut fraction, mut fraction_digits) = (0, 0);
+    if text.get(length) == Some(&b'.') {
+        (fraction, fraction_digits) = leading_digits(text, length + 1);
+        length += 1 + fraction_digits;
+    }
+    let digits = whole_digits + fraction_digits;
+    if digits > 8 || whole_digits == 8 || fraction_digits == 8 {
+        return longer_prefix(text, negative);
+    }
+    if digits == 0 {
+        return None;
+    }
+    // The digits before the point move to where they stand before those after it.
+    let magnitude = value_of_digits(whole >> (8 * fraction_digits) | fraction) as i64;
+    let mantissa = if negative { -magnitude } else { magnitude };
+    Some(PlainPrefix { mantissa, fraction_digits: fraction_digits as i32, length })
+}
+
+/// [`plain_prefix`] for more than eight digits.
+#[inline(never)]
+fn longer_prefix(text: &[u8], negative: bool) -> Option<PlainPrefix> {
+    let start = usize::from(negative);
+    let (whole, whole_digits) = digits(text, start)?;
+    let mut length = start + whole_digits;
+    let (mut magnitude, mut fraction_digits) = (whole, 0);
+    if text.get(length) == Some(&b'.') {
+        let fraction;
+        (fraction, fraction_digits) = digits(text, length + 1)?;
+        length += 1 + fraction_digits;
+        if whole_digits + fraction_digits > MOST_DIGITS {
+            return None;
+        }
+        // Less than 10^18, by the line before.
+        magnitude = whole.wrapping_mul(POWERS_OF_TEN[fraction_digits]).wrapping_add(fraction);
+    }
+    let mantissa = if negative { -(magnitude as i64) } else { magnitude as i64 };
+    Some(PlainPrefix { mantissa, fraction_digits: fraction_digits as i32, length })
+}
+
+/// So many digits always fit an `i64`.
+const MOST_DIGITS: usize = 18;
+
+const POWERS_OF_TEN: [u64; MOST_DIGITS + 1] = {
+    let mut powers = [1; MOST_DIGITS + 1];
+    let mut exponent = 1;
+    while exponent <= MOST_DIGITS {
+        powers[exponent] = 10 * powers[exponent - 1];
+        exponent += 1;
+    }
+    powers
+};
+
+/// The number that the digits from a position on spell, and how many they are; `None` for more than 18.
+#[inline]
+fn digits(text: &[u8], at: usize) -> Option<(u64, usize)> {
+    let (mut value, mut count) = (0_u64, 0);
+    loop {
+        let (more, digits) = leading_digits(text, at + count);
+        count += digits;
+        if count > MOST_DIGITS {
+            return None;
+        }
+        // Less than 10^18, by the line before.
+        value = value.wrapping_mul(POWERS_OF_TEN[digits]).wrapping_add(value_of_digits(more));
+        if digits < 8 {
+            return Some((value, count));
+        }
+    }
+}
+
+/// The digits among the next eight bytes, up to the first other byte: their values in the high bytes of a word, the last
+/// one highest, with zeros below, and how many they are.
+#[inline]
+fn leading_digits(text: &[u8], at: usize) -> (u64, usize) {
+    const LOW_BITS: u64 = 0x7f7f_7f7f_7f7f_7f7f;
+    // Digits become 0 to 9; every other byte becomes 10 or more.
+    let values = next_eight_bytes(text, at) ^ 0x3030_3030_3030_3030;
+    // 118 more sets the high bit of what is 10 to 127, and carries into no other byte; from 128 on it is set already.
+    let others = (((values & LOW_BITS) + 0x7676_7676_7676_7676) | values) & !LOW_BITS;
+    let count = others.trailing_zeros() / 8;
+    (values.unbounded_shl(64 - 8 * count), count as usize)
+}
+
+/// The number that eight digits spell, the first one in the lowest byte (Lemire, *Quickly parsing eight digits*, 2018).
+#[inline]
+fn value_of_digits(values: u64) -> u64 {
+    // Neighbours are joined: eight digits, four pairs, two fours. Every sum stays within its part of the word, and what
+    // a product carries beyond the word is not needed.
+    let pairs = (values.wrapping_mul(1 + (10 << 8)) >> 8) & 0x00ff_00ff_00ff_00ff;
+    let fours = (pairs.wrapping_mul(1 + (100 << 16)) >> 16) & 0x0000_ffff_0000_ffff;
+    fours.wrapping_mul(1 + (10_000 << 32)) >> 32
+}
+
+/// Eight bytes as a word, the first one lowest; behind the end of the text there are zeros.
+#[inline]
+fn next_eight_bytes(text: &[u8], at: usize) -> u64 {
+    let rest = text.get(at..).unwrap_or_default();
+    match rest.first_chunk() {
+        Some(bytes) => u64::from_le_bytes(*bytes),
+        None => last_bytes(rest),
+    }
+}
+
+#[cold]
+fn last_bytes(rest: &[u8]) -> u64 {
+    rest.iter().rev().fold(0, |word, &byte| word << 8 | u64::from(byte))
+}
+
+/// Like [`plain_prefix`], for up to 40 digits whose value fits; slower.
+fn long_prefix(text: &[u8]) -> Option<PlainPrefix> {
+    let negative = text.first() == Some(&b'-');
+    let start = usize::from(negative);
+    let (mut magnitude, mut point, mut length) = (0_u64, None, start);
+    while let Some(&byte) = text.get(length) {
+        match byte {
+            b'0'..=b'9' => magnitude = magnitude.checked_mul(10)?.checked_add(u64::from(byte - b'0'))?,
+            b'.' if point.is_none() => point = Some(length),
+            _ => break,
+        }
+        length += 1;
+    }
+    let digits = length - start - usize::from(point.is_some());
+    if digits == 0 || digits > PLAIN_DIGITS {
+        return None;
+    }
+    let mantissa =
+        if negative { 0_i64.checked_sub_unsigned(magnitude) } else { 0_i64.checked_add_unsigned(magnitude) };
+    let fraction_digits = point.map_or(0, |point| length - point - 1) as i32;
+    Some(PlainPrefix { mantissa: mantissa?, fraction_digits, length })
+}
+
+/// The exponent after the `e`.
+fn written_exponent(text: &[u8]) -> Option<i32> {
+    let (negative, digits) = match text {
+        [b'-', digits @ ..] => (true, digits),
+        [b'+', digits @ ..] => (false, digits),
+        digits => (false, digits),
+    };
+    if digits.is_empty() || digits.len() > 8 || !digits.iter().all(u8::is_ascii_digit) {
+        return None;
+    }
+    let magnitude = digits.iter().fold(0, |value, digit| value * 10 + i32::from(digit - b'0'));
+    (magnitude.unsigned_abs() <= PLAIN_EXPONENT).then_some(if negative { -magnitude } else { magnitude })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Limits, Reading};
+
+    #[test]
+    fn edges_of_plain_decimals() {
+        for (text, expected) in [
+            ("0", Some((0, 0))),
+            ("-0.000e50", Some((0, 0))),
+            ("1.50", Some((150, -2))),
+            ("-.5", Some((-5, -1))),
+            ("5.", Some((5, 0))),
+            (" \t+12.5e-3 ", Some((125, -4))),
+            ("2E+3", Some((2, 3))),
+            ("12345678", Some((12_345_678, 0))),
+            ("12345678.12345678", Some((1_234_567_812_345_678, -8))),
+            ("123456789012345678", Some((123_456_789_012_345_678, 0))),
+            ("9223372036854775807", Some((i64::MAX, 0))),
+            ("9223372036854775808", None),
+            ("-9223372036854775808", Some((i64::MIN, 0))),
+            ("-9223372036854775809", None),
+            ("18446744073709551616", None),
+            ("0.000000000000000000000000000000000000001", Some((1, -39))),
+            ("0.0000000000000000000000000000000000000001", None),
+            ("1e9999", Some((1, 9999))),
+            ("1e10000", None),
+            ("1e-00000009", Some((1, -9))),
+            ("", None),
+            ("-", None),
+            (".", None),
+            ("+-1", None),
+            ("--1", None),
+            ("1e", None),
+            ("1e+-1", None),
+            ("1.2.3", None),
+            ("12345678.1.1", None),
+            ("1/2", None),
+            ("1 2", None),
+            ("\u{660}1", None),
+        ] {
+            assert_eq!(plain_decimal(text.as_bytes()), expected, "{text}");
+            if let (Some((mantissa, exponent)), Ok(number)) =
+                (expected, Reading::Decimal.read(text, &Limits::default()))
+            {
+                assert_eq!(decimal(mantissa, exponent), number, "{text}");
+            }
+        }
+    }
+
+    /// Every byte in every place of a word, and every length.
+    #[test]
+    fn a_prefix_ends_at_the_first_byte_that_is_no_digit() {
+        for length in 0..=18 {
+            let digits = &b"918273645546372819"[..length];
+            for byte in 0..=u8::MAX {
+                let text = [digits, &[byte], b"55"].concat();
+                let expected = match byte {
+                    b'0'..=b'9' | b'.' => continue,
+                    _ if length == 0 && byte == b'-' => Some((-55, 3)),
+                    _ if length == 0 => None,
+                    _ => std::str::from_utf8(digits).unwrap().parse().ok().map(|value| (value, length)),
+                };
+                let prefix = plain_prefix(&text).map(|prefix| (prefix.mantissa, prefix.length));
+                assert_eq!(prefix, expected, "{text:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! Which columns of a table are meant: names in a header, or numbers.
+
+use csv::ByteRecord;
+
+use crate::error::{InputError, Place, Problem};
+use crate::source::Source;
+
+/// How a column is asked for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ColumnSelector {
+    text: String,
+    /// Where the column is when there is no header, from 1.
+    position: Option<usize>,
+    non_negative: bool,
+}
+
+impl ColumnSelector {
+    /// A header name, or a number from 1.
+    pub fn name_or_number(text: &str) -> Self {
+        let mut selector =
+            ColumnSelector { text: text.trim().to_owned(), position: None, non_negative: false };
+        if selector.is_number() {
+            selector.position = Some(selector.text.parse().unwrap_or(usize::MAX));
+        }
+        selector
+    }
+
+    /// A header name, or a position from 1 in a table without a header.
+    pub fn name_at(name: &str, position: usize) -> Self {
+        ColumnSelector { text: name.to_owned(), position: Some(position), non_negative: false }
+    }
+
+    /// The same column, in which every number must be at least 0.
+    pub fn non_negative(self) -> Self {
+        ColumnSelector { non_negative: true, ..self }
+    }
+
+    /// Whether every number in the column must be at least 0.
+    pub(crate) fn is_non_negative(&self) -> bool {
+        self.non_negative
+    }
+
+    fn is_number(&self) -> bool {
+        !self.text.is_empty() && self.text.bytes().all(|byte| byte.is_ascii_digit())
+    }
+}
+
+/// Whether the first row names the columns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Header {
+    /// It does when a column is asked for by name, or when the cells asked for look like names.
+    #[default]
+    Auto,
+    /// It does.
+    Present,
+    /// It does not.
+    Absent,
+}
+
+/// What the first record says about the columns of a table.
+pub(crate) struct Heading {
+    /// Cells in every row.
+    pub(crate) width: usize,
+    /// The names, when the first record is a header.
+    pub(crate) names: Option<Vec<String>>,
+    line: u64,
+}
+
+/// A column of a table.
+#[derive(Debug, Clone)]
+pub(crate) struct ColumnPlace {
+    /// Its number, from 1.
+    pub(crate) position: usize,
+    /// Its name, when there is a header.
+    pub(crate) name: Option<String>,
+}
+
+impl Heading {
+    /// Reads the first record, which starts on this line. Numbers are wanted from `columns`, text from `key`.
+    pub(crate) fn new(
+        file: &str,
+        record: &ByteRecord,
+        line: u64,
+        header: Header,
+        columns: &[ColumnSelector],
+        key: Option<&ColumnSelector>,
+    ) -> Result<Self, InputError> {
+        let is_header = match header {
+            Header::Present => true,
+            Header::Absent => false,
+            Header::Auto => {
+                let by_name = columns.iter().chain(key).any(|column| column.position.is_none());
+                let cells: Vec<&[u8]> = columns
+                    .iter()
+                    .filter_map(|column| record.get(column.position?.checked_sub(1)?))
+                    .collect();
+                by_name || (!cells.is_empty() && cells.iter().all(|cell| looks_like_name(cell)))
+            }
+        };
+        let names = record.iter().enumerate().map(|(index, cell)| {
+            decode(cell).map(|name| name.trim().to_owned()).map_err(|problem| {
+                let place = ColumnPlace { position: index + 1, name: None };
+                place.error(file, line, cell, problem)
+            })
+        });
+        let names = if is_header { Some(names.collect::<Result<_, _>>()?) } else { None };
+        Ok(Heading { width: record.len(), names, line })
+    }
+
+    /// Where the column asked for is.
+    pub(crate) fn find(&self, file: &str, column: &ColumnSelector) -> Result<ColumnPlace, InputError> {
+        let fail =
+            |problem| Source::error(file, Place { line: Some(self.line), ..Place::default() }, problem);
+        let names = self.names.as_deref().unwrap_or_default();
+        let mut matches = names.iter().enumerate().filter(|(_, name)| **name == column.text);
+        let position = match (matches.next(), matches.next()) {
+            (Some(_), Some(_)) => Err(fail(Problem::AmbiguousColumn { wanted: column.text.clone() })),
+            (Some((index, _)), None) => Ok(index + 1),
+            (None, _) => column
+                .position
+                .filter(|position| (1..=self.width).contains(position))
+                .filter(|_| self.names.is_none() || column.is_number())
+                .ok_or_else(|| {
+                    let numbered = column.position.is_none() || column.is_number();
+                    fail(Problem::UnknownColumn {
+                        wanted: column.text.clone(),
+                        available: names.to_vec(),
+                        numbers: numbered.then_some(self.width),
+                    })
+                }),
+        }?;
+        Ok(ColumnPlace { position, name: names.get(position - 1).cloned() })
+    }
+}
+
+impl ColumnPlace {
+    /// What to call the column: `col1` and so on where it has no name.
+    pub(crate) fn title(&self) -> String {
+        let given = self.name.clone().filter(|name| !name.is_empty());
+        given.unwrap_or_else(|| format!("col{}", self.position))
+    }
+
+    /// The error for a problem with a cell of this column.
+    pub(crate) fn error(&self, file: &str, line: u64, cell: &[u8], problem: Problem) -> InputError {
+        let place = Place {
+            line: Some(line),
+            column: Some((self.position, self.name.clone())),
+            text: Some(String::from_utf8_lossy(cell).into_owned()),
+        };
+        Source::error(file, place, problem)
+    }
+}
+
+/// The text of a cell.
+pub(crate) fn decode(cell: &[u8]) -> Result<&str, Problem> {
+    std::str::from_utf8(cell)
+        .map_err(|error| Problem::NotUtf8 { position: error.valid_up_to(), unit: "cell" })
+}
+
+/// Whether a cell of the first row is a name rather than a number, a failed number or a missing one.
+fn looks_like_name(cell: &[u8]) -> bool {
+    let text = String::from_utf8_lossy(cell);
+    let text = text.trim();
+    let missing = ["nan", "inf", "infinity", "na", "n/a", "null", "none"];
+    text.starts_with(|first: char| first.is_alphabetic() || first == '_')
+        && !missing.contains(&text.to_lowercase().as_str())
+}

@@ -1,0 +1,179 @@
+//! What a scan hands out: consecutive rows, in columns.
+
+use std::sync::Arc;
+
+use boundfit_exact::{Rational, Scaled};
+
+use crate::columns::ColumnSelector;
+use crate::table::TableOptions;
+
+/// Numbers of one column for some consecutive rows.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Column {
+    /// Decimals as integers on their finest power of ten.
+    Scaled(Scaled),
+    /// Under the binary64 reading: finite doubles, each meant exactly; zero is never negative.
+    Doubles(Vec<f64>),
+    /// Decimals and fractions that are not all integers of 64 bits on one power of ten.
+    Exact(Vec<Rational>),
+}
+
+impl Column {
+    /// How many numbers there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Column::Scaled(scaled) => scaled.len(),
+            Column::Doubles(doubles) => doubles.len(),
+            Column::Exact(numbers) => numbers.len(),
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// A number, exactly.
+    ///
+    /// # Panics
+    /// When there are not that many.
+    pub fn get(&self, index: usize) -> Rational {
+        match self {
+            Column::Scaled(scaled) => scaled.get(index),
+            Column::Doubles(doubles) => Rational::from_f64(doubles[index]).unwrap_or_default(),
+            Column::Exact(numbers) => numbers[index].clone(),
+        }
+    }
+}
+
+/// One piece of text per row, in one buffer.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Pieces<B> {
+    buffer: B,
+    ends: Vec<usize>,
+}
+
+impl<B> Pieces<B> {
+    /// How many pieces there are.
+    pub fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.ends.is_empty()
+    }
+
+    fn range(&self, index: usize) -> std::ops::Range<usize> {
+        let start = index.checked_sub(1).map_or(0, |before| self.ends[before]);
+        start..self.ends[index]
+    }
+}
+
+impl Pieces<String> {
+    /// A piece.
+    ///
+    /// # Panics
+    /// When there are not that many.
+    pub fn get(&self, index: usize) -> &str {
+        &self.buffer[self.range(index)]
+    }
+
+    pub(super) fn push(&mut self, piece: &str) {
+        self.buffer.push_str(piece);
+        self.ends.push(self.buffer.len());
+    }
+}
+
+impl Pieces<Vec<u8>> {
+    /// A piece.
+    ///
+    /// # Panics
+    /// When there are not that many.
+    pub fn get(&self, index: usize) -> &[u8] {
+        &self.buffer[self.range(index)]
+    }
+
+    pub(super) fn push(&mut self, piece: &[u8]) {
+        self.buffer.extend_from_slice(piece);
+        self.ends.push(self.buffer.len());
+    }
+}
+
+/// Consecutive wanted data rows, in columns; at least one row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Batch {
+    /// Number of the first of these rows among the data rows of the file, from 1; the next one has the next number.
+    pub first_row: usize,
+    /// The columns asked for, in the order asked, all of the same length.
+    pub columns: Vec<Column>,
+    /// The cells of [`ScanOptions::key`], without the spaces and tabs around them.
+    pub keys: Option<Pieces<String>>,
+    /// With [`ScanOptions::keep_text`], each row as it stands in the file, without its line end.
+    pub lines: Option<Pieces<Vec<u8>>>,
+    /// How many rows there are.
+    pub rows: usize,
+}
+
+/// How a scan is to go.
+#[derive(Clone)]
+pub struct ScanOptions {
+    /// How the table is to be read. Rows that are not wanted are never kept.
+    pub table: TableOptions,
+    /// A column of text.
+    pub key: Option<ColumnSelector>,
+    /// Whether the text of the rows is handed out too.
+    pub keep_text: bool,
+    /// Whether the bytes are hashed.
+    pub hash: bool,
+    /// About how many bytes a batch stands for, at least 1.
+    pub chunk_bytes: usize,
+    /// Who is told how far it is, and may stop it.
+    pub progress: Option<Arc<dyn Progress>>,
+}
+
+/// From 128 KiB to 1 MiB the time is the same; twice as much no longer fits a level-2 cache beside its numbers.
+const CHUNK_BYTES: usize = 1 << 18;
+
+impl Default for ScanOptions {
+    fn default() -> Self {
+        ScanOptions {
+            table: TableOptions::default(),
+            key: None,
+            keep_text: false,
+            hash: true,
+            chunk_bytes: CHUNK_BYTES,
+            progress: None,
+        }
+    }
+}
+
+/// Follows a scan.
+pub trait Progress: Send + Sync {
+    /// So many more bytes are done.
+    fn advanced(&self, bytes: u64);
+
+    /// Whether the scan is to stop, with [`Problem::Interrupted`](crate::Problem::Interrupted).
+    fn is_cancelled(&self) -> bool {
+        false
+    }
+}
+
+/// What is known about a table after its scan.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Scanned {
+    /// The names of the columns asked for; `col1` and so on where there is none.
+    pub names: Vec<String>,
+    /// The name of the key column.
+    pub key_name: Option<String>,
+    /// With [`ScanOptions::keep_text`], the header as it stands in the file, without its line end.
+    pub header_line: Option<Vec<u8>>,
+    /// What separates cells.
+    pub delimiter: u8,
+    /// How many data rows the file has.
+    pub rows_total: usize,
+    /// How many bytes the file has.
+    pub bytes: u64,
+    /// With [`ScanOptions::hash`], SHA-256 of the file's bytes, in hexadecimal.
+    pub sha256: Option<String>,
+}

@@ -1,0 +1,234 @@
+//! The bytes of a table in chunks of whole lines.
+
+use std::io::{self, Read};
+use std::ops::Deref;
+
+use memchr::{memchr, memchr_iter, memrchr};
+use sha2::{Digest, Sha256};
+
+use crate::error::{InputError, Place, Problem};
+use crate::source::{LONGEST_LINE, Source, hexadecimal};
+use crate::start::{FirstLine, refuse_other, without_mark};
+
+/// How much is read beyond the size of a chunk, to find the end of its last line without another call.
+const BEYOND: usize = 4096;
+
+/// Some consecutive bytes, in a buffer that is used again.
+#[derive(Default)]
+pub(super) struct Chunk {
+    buffer: Vec<u8>,
+    length: usize,
+}
+
+impl Deref for Chunk {
+    type Target = [u8];
+
+    fn deref(&self) -> &[u8] {
+        &self.buffer[..self.length]
+    }
+}
+
+impl Chunk {
+    /// Replaces what is in it.
+    pub(super) fn set(&mut self, bytes: &[u8]) {
+        self.length = bytes.len();
+        if self.buffer.len() < bytes.len() {
+            self.buffer.resize(bytes.len(), 0);
+        }
+        self.buffer[..bytes.len()].copy_from_slice(bytes);
+    }
+}
+
+impl From<&[u8]> for Chunk {
+    fn from(bytes: &[u8]) -> Self {
+        Chunk { buffer: bytes.to_vec(), length: bytes.len() }
+    }
+}
+
+/// Whether more bytes come.
+enum State {
+    More,
+    End,
+    Failed(Problem),
+}
+
+/// Cuts a stream of bytes into chunks of whole lines, and hashes it.
+///
+/// A chunk ends with the first line end at or after its size, so that the cuts follow from the bytes alone.
+pub(super) struct ChunkReader {
+    bytes: Box<dyn Read>,
+    hash: Option<Sha256>,
+    chunk_bytes: usize,
+    /// What was read but belongs to the next chunk.
+    rest: Chunk,
+    state: State,
+    since_line_end: usize,
+    total: u64,
+    spare: Vec<Chunk>,
+}
+
+impl ChunkReader {
+    pub(super) fn new(bytes: Box<dyn Read>, chunk_bytes: usize, hash: bool) -> Self {
+        ChunkReader {
+            bytes,
+            hash: hash.then(Sha256::new),
+            chunk_bytes: chunk_bytes.clamp(1, LONGEST_LINE),
+            rest: Chunk::default(),
+            state: State::More,
+            since_line_end: 0,
+            total: 0,
+            spare: Vec::new(),
+        }
+    }
+
+    /// Reads the first line that is not blank, if there is one, and passes over a byte order mark.
+    pub(super) fn start(&mut self, file: &str) -> Result<(), InputError> {
+        let mut search = FirstLine::default();
+        let mut added = 0;
+        while matches!(self.state, State::More) && !search.is_in(&self.rest, added) {
+            let mut rest = std::mem::take(&mut self.rest);
+            added = self.read_more(&mut rest);
+            self.rest = rest;
+        }
+        // What fails after the line is not about the line.
+        if !FirstLine::default().is_in(&self.rest, self.rest.len())
+            && let Some(problem) = self.failure()
+        {
+            let line = Some(1 + memchr_iter(b'\n', &self.rest).count() as u64);
+            return Err(Source::error(file, Place { line, ..Place::default() }, problem));
+        }
+        refuse_other(&self.rest).map_err(|problem| Source::error(file, Place::default(), problem))?;
+        self.skip(self.rest.len() - without_mark(&self.rest).len());
+        Ok(())
+    }
+
+    /// What was read but not handed out.
+    pub(super) fn rest(&self) -> &[u8] {
+        &self.rest
+    }
+
+    /// Passes over the first bytes of what was not handed out.
+    pub(super) fn skip(&mut self, count: usize) {
+        self.rest.buffer.copy_within(count..self.rest.length, 0);
+        self.rest.length -= count;
+    }
+
+    /// The next chunk of whole lines; the last one may lack its line end. `None` at the end, and when the bytes stop
+    /// for another reason: then [`Self::failure`] has it, and [`Self::rest`] the bytes before it.
+    pub(super) fn next_chunk(&mut self) -> Option<Chunk> {
+        let mut chunk = std::mem::take(&mut self.rest);
+        let mut searched = (self.chunk_bytes - 1).min(chunk.len());
+        let end = loop {
+            if let Some(position) = memchr(b'\n', &chunk[searched..]) {
+                break searched + position + 1;
+            }
+            searched = chunk.len().max(searched);
+            match self.state {
+                State::More => {
+                    self.read_more(&mut chunk);
+                    searched = searched.max((self.chunk_bytes - 1).min(chunk.len()));
+                }
+                State::End if chunk.is_empty() => return None,
+                State::End => break chunk.len(),
+                State::Failed(_) => {
+                    self.rest = chunk;
+                    return None;
+                }
+            }
+        };
+        self.rest = self.spare.pop().unwrap_or_default();
+        self.rest.set(&chunk[end..]);
+        chunk.length = end;
+        Some(chunk)
+    }
+
+    /// Whether all bytes have been handed out.
+    pub(super) fn is_at_end(&self) -> bool {
+        matches!(self.state, State::End) && self.rest.is_empty()
+    }
+
+    /// Whether the bytes stopped before their end, and [`Self::failure`] was not asked why.
+    pub(super) fn has_failed(&self) -> bool {
+        matches!(self.state, State::Failed(_))
+    }
+
+    /// Why the bytes stopped, unless at their end.
+    pub(super) fn failure(&mut self) -> Option<Problem> {
+        match std::mem::replace(&mut self.state, State::End) {
+            State::Failed(problem) => Some(problem),
+            state => {
+                self.state = state;
+                None
+            }
+        }
+    }
+
+    /// Takes back the buffers of chunks.
+    pub(super) fn recycle(&mut self, chunks: Vec<Chunk>) {
+        self.spare.extend(chunks);
+    }
+
+    /// How many bytes were read.
+    pub(super) fn total(&self) -> u64 {
+        self.total
+    }
+
+    /// SHA-256 of all bytes read, in hexadecimal.
+    pub(super) fn sha256(&self) -> Option<String> {
+        self.hash.as_ref().map(hexadecimal)
+    }
+
+    /// Reads into the free part of a buffer once; returns how many bytes came.
+    fn read_more(&mut self, chunk: &mut Chunk) -> usize {
+        let before = chunk.length;
+        let size = (self.chunk_bytes.saturating_add(BEYOND)).max(before + BEYOND);
+        if chunk.buffer.len() < size {
+            // A line that goes on and on is read in pieces that grow with it.
+            chunk.buffer.resize(size.max(before + before / 2), 0);
+        }
+        let count = loop {
+            match self.bytes.read(&mut chunk.buffer[before..]) {
+                Ok(0) => {
+                    self.state = State::End;
+                    return 0;
+                }
+                Ok(count) => break count,
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+                Err(error) => {
+                    self.state = State::Failed(error.into());
+                    return 0;
+                }
+            }
+        };
+        let fresh = &chunk.buffer[before..before + count];
+        self.total += count as u64;
+        if let Some(hash) = &mut self.hash {
+            hash.update(fresh);
+        }
+        if self.since_line_end + count > LONGEST_LINE
+            && let Some(end) = end_of_longest(fresh, self.since_line_end)
+        {
+            self.state = State::Failed(Problem::LineTooLong { limit: LONGEST_LINE });
+            chunk.length = before + end;
+            return end;
+        }
+        self.since_line_end =
+            memrchr(b'\n', fresh).map_or(self.since_line_end + count, |position| count - position - 1);
+        chunk.length = before + count;
+        count
+    }
+}
+
+/// Where the first line beyond the limit reaches it, when so many bytes of the first line came before.
+fn end_of_longest(bytes: &[u8], before: usize) -> Option<usize> {
+    let mut line_start = 0;
+    let mut before = before;
+    for end in memchr_iter(b'\n', bytes).map(|position| position + 1).chain([bytes.len()]) {
+        if before + end - line_start > LONGEST_LINE {
+            return Some(line_start + LONGEST_LINE - before);
+        }
+        before = 0;
+        line_start = end;
+    }
+    None
+}

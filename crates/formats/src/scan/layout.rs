@@ -1,0 +1,128 @@
+//! What is taken from every row of a table.
+
+use std::io::Read;
+
+use boundfit_exact::{PLAIN_DIGITS, PLAIN_EXPONENT, Reading, plain_decimal, plain_double};
+use csv::ByteRecord;
+
+use crate::columns::{ColumnPlace, ColumnSelector, Heading, decode};
+use crate::error::{InputError, Problem};
+use crate::records::Records;
+use crate::table::read_number;
+
+use super::batch::{Pieces, ScanOptions};
+use super::builder::{BatchBuilder, ColumnBuilder};
+use super::tape::Tape;
+
+/// A table's columns, once its first record is known.
+pub(super) struct Layout<'a> {
+    pub(super) file: &'a str,
+    pub(super) options: &'a ScanOptions,
+    pub(super) selectors: &'a [ColumnSelector],
+    pub(super) width: usize,
+    pub(super) delimiter: u8,
+    pub(super) has_header: bool,
+    /// Where the columns asked for are.
+    pub(super) places: Vec<ColumnPlace>,
+    pub(super) key: Option<ColumnPlace>,
+}
+
+impl<'a> Layout<'a> {
+    /// The layout that follows from the first record, which starts on this line.
+    pub(super) fn new(
+        file: &'a str,
+        first: &ByteRecord,
+        line: u64,
+        delimiter: u8,
+        selectors: &'a [ColumnSelector],
+        options: &'a ScanOptions,
+    ) -> Result<Self, InputError> {
+        let key = options.key.as_ref();
+        let heading = Heading::new(file, first, line, options.table.header, selectors, key)?;
+        let places = selectors.iter().map(|selector| heading.find(file, selector));
+        Ok(Layout {
+            file,
+            options,
+            selectors,
+            width: heading.width,
+            delimiter,
+            has_header: heading.names.is_some(),
+            places: places.collect::<Result<_, _>>()?,
+            key: key.map(|selector| heading.find(file, selector)).transpose()?,
+        })
+    }
+
+    /// Records of an input that starts on this line.
+    pub(super) fn records<R: Read>(&self, input: R, line: u64) -> Records<Tape<R>> {
+        Records::new(Tape::new(input, self.options.keep_text), self.delimiter, line)
+    }
+
+    /// An empty batch.
+    pub(super) fn batch(&self) -> BatchBuilder {
+        BatchBuilder::new(self.places.len(), self.key.is_some(), self.options.keep_text)
+    }
+
+    /// Whether a data row, counted from 1, is wanted.
+    pub(super) fn is_wanted(&self, row: usize) -> bool {
+        self.options.table.rows.is_none_or(|rows| rows.contains(row))
+    }
+
+    /// Whether every text that `plain_decimal` reads keeps to the limits.
+    pub(super) fn limits_allow_plain_decimals(&self) -> bool {
+        let limits = &self.options.table.limits;
+        limits.digits >= PLAIN_DIGITS && limits.exponent >= PLAIN_EXPONENT
+    }
+
+    /// Adds the numbers and the key of a record to a batch.
+    pub(super) fn add(
+        &self,
+        record: &ByteRecord,
+        line: u64,
+        batch: &mut BatchBuilder,
+    ) -> Result<(), InputError> {
+        for ((place, selector), column) in self.places.iter().zip(self.selectors).zip(&mut batch.columns) {
+            let cell = &record[place.position - 1];
+            self.add_number(cell, selector, column)
+                .map_err(|problem| place.error(self.file, line, cell, problem))?;
+        }
+        if let (Some(place), Some(keys)) = (&self.key, &mut batch.keys) {
+            let cell = &record[place.position - 1];
+            Layout::add_key(cell, keys).map_err(|problem| place.error(self.file, line, cell, problem))?;
+        }
+        Ok(())
+    }
+
+    /// Adds the number in a cell to a column.
+    pub(super) fn add_number(
+        &self,
+        cell: &[u8],
+        selector: &ColumnSelector,
+        column: &mut ColumnBuilder,
+    ) -> Result<(), Problem> {
+        let options = &self.options.table;
+        let plain = self.limits_allow_plain_decimals();
+        match options.reading {
+            Reading::Decimal => match plain_decimal(cell).filter(|_| plain) {
+                Some((mantissa, _)) if mantissa < 0 && selector.is_non_negative() => {
+                    return Err(Problem::NegativeErrorBound);
+                }
+                Some((mantissa, exponent)) => column.push_decimal(mantissa, exponent),
+                None => column.push_exact(read_number(cell, selector, options)?),
+            },
+            Reading::Binary64 => match plain_double(cell).filter(|_| plain) {
+                Some(double) if double < 0.0 && selector.is_non_negative() => {
+                    return Err(Problem::NegativeErrorBound);
+                }
+                Some(double) => column.push_double(double),
+                None => column.push_double(read_number(cell, selector, options)?.to_f64()),
+            },
+        }
+        Ok(())
+    }
+
+    /// Adds the text in a cell to the keys.
+    pub(super) fn add_key(cell: &[u8], keys: &mut Pieces<String>) -> Result<(), Problem> {
+        keys.push(decode(cell)?.trim_matches([' ', '\t']));
+        Ok(())
+    }
+}

@@ -1,0 +1,264 @@
+//! The fast lane: chunks without quotes, in which line feeds end lines.
+
+use boundfit_exact::{Reading, nearest_double, plain_prefix};
+use memchr::{memchr, memchr_iter, memchr2, memchr3};
+
+use super::builder::BatchBuilder;
+use super::layout::Layout;
+use super::library::Rows;
+
+/// Separators that are no part of a number.
+const SEPARATORS: &[u8] = b",;\t| :";
+
+/// How to go through a row.
+pub(super) struct Route {
+    steps: Vec<Step>,
+    /// How many cells come after the last that is wanted.
+    behind: usize,
+}
+
+/// A cell that is wanted.
+struct Step {
+    /// How many separators come since the cell before; `None` for the same cell again.
+    separators: Option<usize>,
+    what: What,
+}
+
+/// What a cell is wanted for.
+#[derive(Clone, Copy)]
+enum What {
+    /// As a number of a column, which may have to be at least 0.
+    Number { column: usize, non_negative: bool },
+    /// As the key.
+    Key,
+}
+
+impl Route {
+    /// The route through the rows of a table, or `None` when the fast lane cannot tell numbers from separators, or reads
+    /// numbers beyond the limits.
+    pub(super) fn new(layout: &Layout) -> Option<Self> {
+        if !SEPARATORS.contains(&layout.delimiter) || !layout.limits_allow_plain_decimals() {
+            return None;
+        }
+        let numbers = layout.places.iter().zip(layout.selectors).enumerate();
+        let numbers = numbers.map(|(column, (place, selector))| {
+            (place.position, What::Number { column, non_negative: selector.is_non_negative() })
+        });
+        let key = layout.key.iter().map(|place| (place.position, What::Key));
+        let mut cells: Vec<(usize, What)> = numbers.chain(key).collect();
+        cells.sort_by_key(|(position, _)| *position);
+        let mut last = None;
+        let step = |(position, what): (usize, What)| {
+            let separators = match last.replace(position) {
+                None => Some(position - 1),
+                Some(last) => (position > last).then(|| position - last),
+            };
+            Step { separators, what }
+        };
+        let steps = cells.into_iter().map(step).collect();
+        Some(Route { steps, behind: layout.width - last.unwrap_or(1) })
+    }
+}
+
+/// Reads the rows of a chunk that comes after so many rows; `None` when it is for the CSV library.
+pub(super) fn parse(chunk: &[u8], layout: &Layout, route: &Route, rows_before: usize) -> Option<Rows> {
+    if !is_plain(chunk) {
+        return None;
+    }
+    let mut lane = Lane::new(chunk, layout, route);
+    lane.batch.reserve(likely_rows(chunk));
+    let (mut total, mut lines, mut at) = (0, 0, 0);
+    while at < chunk.len() {
+        lines += 1;
+        if let Some(next) = lane.after_blank_line(at) {
+            at = next;
+            continue;
+        }
+        total += 1;
+        let start = at;
+        if layout.is_wanted(rows_before + total) {
+            at = lane.row(start)?;
+            let text = layout.options.keep_text.then(|| without_line_end(&chunk[start..at]));
+            lane.batch.end_row(rows_before + total, text);
+        } else {
+            at = lane.end_of_row(start, layout.width - 1)?;
+        }
+    }
+    Some(Rows { batch: lane.batch, total, lines, line_feeds: lines })
+}
+
+/// About how many rows a chunk has, rather too many, by its first lines; in steps, so that freed memory fits again.
+fn likely_rows(chunk: &[u8]) -> usize {
+    const STEP: usize = 1 << 11;
+    let sample = &chunk[..chunk.len().min(1 << 12)];
+    let rows = (memchr_iter(b'\n', sample).count() + 1) * chunk.len() / sample.len().max(1);
+    if chunk.len() == sample.len() { rows } else { (rows + rows / 16).next_multiple_of(STEP) }
+}
+
+/// How many rows a chunk has; `None` when it is for the CSV library.
+pub(super) fn count(chunk: &[u8], layout: &Layout, route: &Route) -> Option<usize> {
+    if !is_plain(chunk) {
+        return None;
+    }
+    let lane = Lane::new(chunk, layout, route);
+    let mut start = 0;
+    let mut total = 0;
+    while start < chunk.len() {
+        total += usize::from(lane.after_blank_line(start).is_none());
+        start = lane.next_line(start);
+    }
+    Some(total)
+}
+
+/// Whether line feeds end lines, nothing else does, and there are no quotes.
+fn is_plain(chunk: &[u8]) -> bool {
+    memchr(b'"', chunk).is_none()
+        && memchr_iter(b'\r', chunk).all(|position| chunk.get(position + 1) == Some(&b'\n'))
+}
+
+fn without_line_end(line: &[u8]) -> &[u8] {
+    let line = line.strip_suffix(b"\n").unwrap_or(line);
+    line.strip_suffix(b"\r").unwrap_or(line)
+}
+
+/// A plain chunk on the way into a batch. Positions are offsets in the chunk.
+struct Lane<'a> {
+    chunk: &'a [u8],
+    layout: &'a Layout<'a>,
+    route: &'a Route,
+    /// Whether numbers are read as they are written.
+    is_decimal: bool,
+    batch: BatchBuilder,
+}
+
+impl<'a> Lane<'a> {
+    fn new(chunk: &'a [u8], layout: &'a Layout<'a>, route: &'a Route) -> Self {
+        let is_decimal = layout.options.table.reading == Reading::Decimal;
+        Lane { chunk, layout, route, is_decimal, batch: layout.batch() }
+    }
+}
+
+impl Lane<'_> {
+    /// Adds the cells wanted of the row that starts here; gives the start of the next line, or `None` when the row is
+    /// not as it should be.
+    fn row(&mut self, start: usize) -> Option<usize> {
+        let mut cell = start;
+        let mut at = start;
+        for step in &self.route.steps {
+            match step.separators {
+                Some(separators) => {
+                    for _ in 0..separators {
+                        at = self.after_separator(at)?;
+                    }
+                    cell = at;
+                }
+                None => at = cell,
+            }
+            at = match step.what {
+                What::Number { column, non_negative } => self.number(at, column, non_negative)?,
+                What::Key => self.key(at)?,
+            };
+        }
+        self.end_of_row(at, self.route.behind)
+    }
+
+    /// Adds the number in the cell that starts here to a column; gives the end of the cell.
+    #[inline]
+    fn number(&mut self, at: usize, column: usize, non_negative: bool) -> Option<usize> {
+        if let Some(prefix) = plain_prefix(self.chunk.get(at..)?)
+            && self.is_end_of_cell(at + prefix.length)
+            && !(non_negative && prefix.mantissa < 0)
+        {
+            let exponent = -prefix.fraction_digits;
+            let builder = &mut self.batch.columns[column];
+            if self.is_decimal {
+                builder.push_decimal(prefix.mantissa, exponent);
+                return Some(at + prefix.length);
+            }
+            if let Some(double) = nearest_double(prefix.mantissa, exponent) {
+                builder.push_double(double);
+                return Some(at + prefix.length);
+            }
+        }
+        self.long_number(at, column)
+    }
+
+    /// The same for any number.
+    #[inline(never)]
+    fn long_number(&mut self, at: usize, column: usize) -> Option<usize> {
+        let end = self.end_of_cell(at);
+        let selector = &self.layout.selectors[column];
+        self.layout.add_number(&self.chunk[at..end], selector, &mut self.batch.columns[column]).ok()?;
+        Some(end)
+    }
+
+    /// Adds the text of the cell that starts here to the keys; gives the end of the cell.
+    fn key(&mut self, at: usize) -> Option<usize> {
+        let end = self.end_of_cell(at);
+        Layout::add_key(&self.chunk[at..end], self.batch.keys.as_mut()?).ok()?;
+        Some(end)
+    }
+
+    /// Whether a cell ends here.
+    #[inline]
+    fn is_end_of_cell(&self, at: usize) -> bool {
+        self.chunk.get(at).is_none_or(|&byte| byte == self.layout.delimiter || byte == b'\n' || byte == b'\r')
+    }
+
+    /// The end of the cell in which this position is.
+    fn end_of_cell(&self, at: usize) -> usize {
+        let rest = &self.chunk[at..];
+        memchr3(self.layout.delimiter, b'\n', b'\r', rest).map_or(self.chunk.len(), |length| at + length)
+    }
+
+    /// The start of the next cell of the same row.
+    #[inline]
+    fn after_separator(&self, at: usize) -> Option<usize> {
+        let rest = self.chunk.get(at..)?;
+        let length = if rest.first() == Some(&self.layout.delimiter) {
+            0
+        } else {
+            memchr2(self.layout.delimiter, b'\n', rest)?
+        };
+        (rest[length] == self.layout.delimiter).then_some(at + length + 1)
+    }
+
+    /// The start of the next line, when exactly so many separators come before it.
+    #[inline]
+    fn end_of_row(&self, at: usize, separators: usize) -> Option<usize> {
+        if separators == 0 && self.chunk.get(at) == Some(&b'\n') {
+            return Some(at + 1);
+        }
+        self.end_of_long_row(at, separators)
+    }
+
+    fn end_of_long_row(&self, at: usize, separators: usize) -> Option<usize> {
+        let mut at = at;
+        for _ in 0..separators {
+            at = self.after_separator(at)?;
+        }
+        let rest = self.chunk.get(at..)?;
+        match memchr2(self.layout.delimiter, b'\n', rest) {
+            Some(length) if rest[length] == b'\n' => Some(at + length + 1),
+            Some(_) => None,
+            None => Some(self.chunk.len()),
+        }
+    }
+
+    /// The start of the line after this one.
+    fn next_line(&self, at: usize) -> usize {
+        memchr(b'\n', &self.chunk[at..]).map_or(self.chunk.len(), |length| at + length + 1)
+    }
+
+    /// The start of the line after this one, when this one is white space in one cell.
+    #[inline]
+    fn after_blank_line(&self, at: usize) -> Option<usize> {
+        // Nothing that is white space comes after the space.
+        if self.chunk[at] > b' ' {
+            return None;
+        }
+        let next = self.next_line(at);
+        let line = &self.chunk[at..next];
+        (line.trim_ascii().is_empty() && memchr(self.layout.delimiter, line).is_none()).then_some(next)
+    }
+}

@@ -1,0 +1,8 @@
+//! A scan gives the rows and the errors of `read_table`, whatever the chunks, the threads and the way the bytes come.
+
+mod agreement;
+mod both;
+mod bytes;
+mod handing_out;
+mod numbers;
+mod tables;

@@ -1,0 +1,56 @@
+//! Plain decimals are read as the full parser reads them.
+
+use boundfit_exact::{Limits, Rational, Reading, Scaled, plain_decimal, plain_double, plain_prefix};
+use boundfit_tests::generate::seeded;
+use rand::RngExt;
+use rand::seq::IndexedRandom;
+
+#[test]
+fn plain_decimals_are_what_they_spell() {
+    let mut rng = seeded(0xdec1);
+    let limits = Limits::default();
+    let read = |reading: Reading, text: &str| reading.read(text, &limits);
+    let (mut plain, mut other) = (0, 0);
+    for _ in 0..100_000 {
+        let digits = |rng: &mut rand_chacha::ChaCha8Rng, most: usize| -> String {
+            let count = rng.random_range(0..=most);
+            (0..count).map(|_| *b"0012345678999".choose(rng).unwrap() as char).collect()
+        };
+        let most = *[3, 8, 9, 17, 22].choose(&mut rng).unwrap();
+        let mut text = ["", "", "-", "+", " ", "--"].choose(&mut rng).unwrap().to_string();
+        text += &digits(&mut rng, most);
+        text += ["", ".", ".", "."].choose(&mut rng).unwrap();
+        text += &digits(&mut rng, most);
+        if rng.random_bool(0.3) {
+            let sign = ["", "-", "+"].choose(&mut rng).unwrap();
+            text += &format!("e{sign}{}", digits(&mut rng, 3));
+        }
+        if rng.random_bool(0.1) {
+            let at = rng.random_range(0..=text.len());
+            text.insert(at, *['.', ' ', '/', 'e', ':', '\t', '5', '\u{e9}'].choose(&mut rng).unwrap());
+        }
+        let exact = read(Reading::Decimal, &text);
+        match plain_decimal(text.as_bytes()) {
+            Some((mantissa, exponent)) => {
+                let number = Scaled { mantissas: vec![mantissa], exponent }.get(0);
+                assert_eq!(Ok(number), exact, "{text:?}");
+                plain += 1;
+            }
+            // Nothing plain and short is left to the full parser.
+            None => {
+                let is_short = text.bytes().filter(u8::is_ascii_digit).count() <= 18;
+                assert!(!is_short || exact.is_err() || text.contains('/'), "{text:?}");
+                other += 1;
+            }
+        }
+        if let Some(double) = plain_double(text.as_bytes()) {
+            assert_eq!(Rational::from_f64(double), read(Reading::Binary64, &text).ok(), "{text:?}");
+        }
+        if let Some(prefix) = plain_prefix(text.as_bytes()) {
+            let number =
+                Scaled { mantissas: vec![prefix.mantissa], exponent: -prefix.fraction_digits }.get(0);
+            assert_eq!(Ok(number), read(Reading::Decimal, &text[..prefix.length]), "{text:?}");
+        }
+    }
+    assert!(plain > 30_000 && other > 10_000, "{plain} were plain, {other} not");
+}
