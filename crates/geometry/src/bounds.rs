@@ -186,14 +186,11 @@ impl<'a> Bounds<'a> {
 
     /// Walks along both envelopes: first to where the gap opens, then to where it closes.
     fn overlap(&self, left: Option<Abscissa>, right: Option<&Abscissa>) -> Option<Overlap> {
-        let mut at = Position {
-            upper: self.upper.first_after(left.as_ref()),
-            lower: self.lower.first_after(left.as_ref()),
-        };
+        let mut walk = Walk::new(self, left.as_ref(), right);
         let mut start = left;
         let mut reaches_left = start.is_some();
         loop {
-            let gap = self.gap(&at);
+            let gap = walk.gap();
             let sign = start.as_ref().map_or_else(|| gap.sign_far_left(), |start| gap.sign_at(start));
             if sign != Sign::Negative {
                 break;
@@ -203,64 +200,86 @@ impl<'a> Bounds<'a> {
                 return None;
             }
             reaches_left = false;
-            let end = self.end_of(&at, right);
-            if end.as_ref().is_none_or(|end| gap.root().compare(end) != Ordering::Greater) {
+            if walk.end().is_none_or(|end| gap.root().compare(end) != Ordering::Greater) {
                 break;
             }
-            start = end;
-            self.advance(&mut at, start.as_ref()?, right)?;
+            start = Some(walk.advance()?);
         }
-        let (first_upper, first_lower) = (at.upper, at.lower);
+        let (first_upper, first_lower) = (walk.upper.piece, walk.lower.piece);
         let reaches_right = loop {
-            let gap = self.gap(&at);
-            let Some(end) = self.end_of(&at, right) else {
+            let Some(end) = walk.end() else {
                 break false;
             };
-            if gap.sign_at(&end) == Sign::Negative {
+            if walk.gap().sign_at(end) == Sign::Negative {
                 break false;
             }
-            if self.advance(&mut at, &end, right).is_none() {
+            if walk.advance().is_none() {
                 break true;
             }
         };
         Some(Overlap {
-            upper: first_upper..=at.upper,
-            lower: first_lower..=at.lower,
+            upper: first_upper..=walk.upper.piece,
+            lower: first_lower..=walk.lower.piece,
             reaches_left,
             reaches_right,
         })
     }
+}
 
-    fn gap(&self, at: &Position) -> Gap {
-        Gap::between(self.lower.pieces[at.lower].1, self.upper.pieces[at.upper].1)
+/// A piece of an envelope and where it ends, unless it is the last.
+struct Piece<'b, 'a> {
+    envelope: &'b Envelope<'a>,
+    piece: usize,
+    end: Option<Abscissa>,
+}
+
+impl<'b, 'a> Piece<'b, 'a> {
+    fn new(envelope: &'b Envelope<'a>, piece: usize) -> Self {
+        Piece { envelope, piece, end: envelope.end_of(piece) }
     }
 
-    /// Where the next piece begins or θ1 ends, whichever comes first.
-    fn end_of(&self, at: &Position, right: Option<&Abscissa>) -> Option<Abscissa> {
-        [self.upper.end_of(at.upper), self.lower.end_of(at.lower), right.cloned()]
-            .into_iter()
-            .flatten()
-            .min_by(Abscissa::compare)
-    }
-
-    /// Goes on to the pieces that follow `end`; `None` where θ1 ends.
-    fn advance(&self, at: &mut Position, end: &Abscissa, right: Option<&Abscissa>) -> Option<()> {
-        if right.is_some_and(|right| end.compare(right) != Ordering::Less) {
-            return None;
+    /// Goes on to the next piece when this one ends here.
+    fn pass(&mut self, here: &Abscissa) {
+        if self.end.as_ref().is_some_and(|end| end.compare(here) == Ordering::Equal) {
+            *self = Piece::new(self.envelope, self.piece + 1);
         }
-        let ends_here = |abscissa: Option<Abscissa>| {
-            abscissa.is_some_and(|abscissa| abscissa.compare(end) == Ordering::Equal)
-        };
-        let (upper_ends, lower_ends) =
-            (ends_here(self.upper.end_of(at.upper)), ends_here(self.lower.end_of(at.lower)));
-        at.upper += usize::from(upper_ends);
-        at.lower += usize::from(lower_ends);
-        Some(())
     }
 }
 
-/// A piece of each envelope.
-struct Position {
-    upper: usize,
-    lower: usize,
+/// A place between changes of either envelope.
+struct Walk<'b, 'a> {
+    upper: Piece<'b, 'a>,
+    lower: Piece<'b, 'a>,
+    right: Option<&'b Abscissa>,
+}
+
+impl<'b, 'a> Walk<'b, 'a> {
+    fn new(bounds: &'b Bounds<'a>, left: Option<&Abscissa>, right: Option<&'b Abscissa>) -> Self {
+        let from = |envelope: &'b Envelope<'a>| Piece::new(envelope, envelope.first_after(left));
+        Walk { upper: from(&bounds.upper), lower: from(&bounds.lower), right }
+    }
+
+    fn gap(&self) -> Gap {
+        Gap::between(
+            self.lower.envelope.pieces[self.lower.piece].1,
+            self.upper.envelope.pieces[self.upper.piece].1,
+        )
+    }
+
+    /// Where the next piece begins or θ1 ends, whichever comes first.
+    fn end(&self) -> Option<&Abscissa> {
+        let ends = [self.upper.end.as_ref(), self.lower.end.as_ref(), self.right];
+        ends.into_iter().flatten().min_by(|one, other| one.compare(other))
+    }
+
+    /// Goes on to the pieces that follow this end, and tells where that is; `None` where θ1 ends.
+    fn advance(&mut self) -> Option<Abscissa> {
+        let end = self.end()?.clone();
+        if self.right.is_some_and(|right| end.compare(right) != Ordering::Less) {
+            return None;
+        }
+        self.upper.pass(&end);
+        self.lower.pass(&end);
+        Some(end)
+    }
 }

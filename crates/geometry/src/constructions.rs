@@ -2,7 +2,7 @@
 
 use boundfit_exact::Rational;
 
-use crate::half_plane::{HalfPlane, Inequality};
+use crate::half_plane::HalfPlane;
 use crate::point::{Direction, Point};
 
 /// The common point of two boundaries, unless they are parallel (Cramer's rule).
@@ -49,18 +49,6 @@ pub fn translated<'a>(start: &Point, steps: impl IntoIterator<Item = &'a Directi
 /// `c1·θ1 + c2·θ2` at a point.
 pub fn value_of(form: &[Rational; 2], point: &Point) -> Rational {
     &form[0] * point.theta1() + &form[1] * point.theta2()
-}
-
-/// The multipliers `(s, t)` with `s·f.a + t·g.a = form`, unless the two normals are parallel.
-pub fn combination(f: &Inequality, g: &Inequality, form: &[Rational; 2]) -> Option<[Rational; 2]> {
-    let minor = |u: &[Rational; 2], v: &[Rational; 2]| &u[0] * &v[1] - &u[1] * &v[0];
-    let determinant = minor(&f.a, &g.a);
-    Some([minor(form, &g.a).checked_div(&determinant)?, minor(&f.a, form).checked_div(&determinant)?])
-}
-
-/// The multiplier `s` with `s·f.a = form` when the two are parallel and `f.a` is not zero.
-pub fn multiple(f: &Inequality, form: &[Rational; 2]) -> Option<Rational> {
-    form[0].checked_div(&f.a[0]).or_else(|| form[1].checked_div(&f.a[1]))
 }
 
 /// The mid-point between the nearest points to the origin of two parallel boundaries.

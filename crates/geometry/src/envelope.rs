@@ -7,11 +7,12 @@ use std::cmp::Ordering;
 
 use boundfit_exact::Rational;
 
+use crate::angle_key;
 use crate::bounds::{Bounds, Facet};
 use crate::constructions::meet;
 use crate::fan::NormalFan;
 use crate::half_plane::{Constraint, HalfPlane};
-use crate::predicates::{Side, Turn, by_angle, by_tightness, normal_turn, side};
+use crate::predicates::{Side, Turn, by_angle, normal_turn, side};
 use crate::proof::{Farkas, Multiplier};
 use crate::region::{
     Boundary, EmptyRegion, HalfPlaneRegion, Region, Vertex, from_chain, from_line, from_parallels,
@@ -44,25 +45,30 @@ fn first_never(system: &System) -> Option<usize> {
 }
 
 /// The half-planes of a system in angular order; of those with the same direction, the tightest first.
-struct SortedHalfPlanes<'a> {
-    sorted: Vec<Facet<'a>>,
+struct SortedHalfPlanes {
+    /// Copies, since a walk in this order over those of the system would wait for memory at every step.
+    sorted: Vec<(usize, HalfPlane)>,
 }
 
-impl<'a> SortedHalfPlanes<'a> {
-    fn new(system: &'a System) -> Self {
-        let mut sorted: Vec<Facet<'a>> = system.half_planes().collect();
-        sorted.sort_by(|(i, f), (j, g)| by_angle(f, g).then_with(|| by_tightness(f, g)).then(i.cmp(j)));
-        SortedHalfPlanes { sorted }
+impl SortedHalfPlanes {
+    fn new(system: &System) -> Self {
+        let mut facets: Vec<Facet> = system.half_planes().collect();
+        angle_key::sort(&mut facets);
+        SortedHalfPlanes { sorted: facets.into_iter().map(|(index, h)| (index, h.clone())).collect() }
+    }
+
+    /// The half-planes of the first `prefix` inequalities.
+    fn iter(&self, prefix: usize) -> impl Iterator<Item = Facet<'_>> {
+        self.sorted.iter().filter(move |(index, _)| *index < prefix).map(|(index, h)| (*index, h))
     }
 
     /// The half-planes on the boundary of the region of the first `prefix` inequalities, by angle; `None` when
     /// that region is empty.
-    fn facets(&self, prefix: usize) -> Option<Vec<Facet<'a>>> {
+    fn facets(&self, prefix: usize) -> Option<Vec<Facet<'_>>> {
         let mut bounds = Bounds::default();
         let mut last: Option<&HalfPlane> = None;
-        for &(index, half_plane) in &self.sorted {
-            let new_direction = last.is_none_or(|last| normal_turn(last, half_plane) != Turn::None);
-            if index < prefix && new_direction {
+        for (index, half_plane) in self.iter(prefix) {
+            if last.is_none_or(|last| normal_turn(last, half_plane) != Turn::None) {
                 bounds.push((index, half_plane));
                 last = Some(half_plane);
             }
@@ -82,7 +88,7 @@ impl<'a> SortedHalfPlanes<'a> {
     }
 
     /// The region of the first `prefix` inequalities, from its facets.
-    fn region(&self, facets: &[Facet<'a>], prefix: usize) -> Region {
+    fn region(&self, facets: &[Facet<'_>], prefix: usize) -> Region {
         let count = facets.len();
         let follower = |position: usize| facets[(position + 1) % count].1;
         // Neighbours meet in a corner unless the region goes on between them.
@@ -119,7 +125,7 @@ impl<'a> SortedHalfPlanes<'a> {
     }
 
     /// The distinct corners in the order of the boundary, and for each facet which of them follows it.
-    fn chain(&self, facets: &[Facet<'a>], start: usize, closed: bool) -> (Vec<Vertex>, Vec<Option<usize>>) {
+    fn chain(&self, facets: &[Facet<'_>], start: usize, closed: bool) -> (Vec<Vertex>, Vec<Option<usize>>) {
         let count = facets.len();
         let mut vertices: Vec<Vertex> = Vec::new();
         let mut vertex_after = vec![None; count];
@@ -144,14 +150,20 @@ impl<'a> SortedHalfPlanes<'a> {
     /// two neighbouring facets, and it can touch the region only where they meet.
     fn attach_active(
         &self,
-        facets: &[Facet<'a>],
+        facets: &[Facet<'_>],
         vertex_after: &[Option<usize>],
         prefix: usize,
         vertices: &mut [Vertex],
     ) {
         let count = facets.len();
-        for &(index, half_plane) in self.sorted.iter().filter(|(index, _)| *index < prefix) {
-            let upto = facets.partition_point(|(_, facet)| by_angle(facet, half_plane) != Ordering::Greater);
+        let mut upto = 0;
+        for (index, half_plane) in self.iter(prefix) {
+            if facets.get(upto).is_some_and(|(facet, _)| *facet == index) {
+                upto += 1;
+            }
+            while upto < count && by_angle(facets[upto].1, half_plane) != Ordering::Greater {
+                upto += 1;
+            }
             let position = (upto + count - 1) % count;
             let facet = facets[position].1;
             if half_plane == facet {
@@ -174,8 +186,8 @@ impl<'a> SortedHalfPlanes<'a> {
 
     /// A whole line of the boundary with the half-planes that coincide with it.
     fn boundary(&self, half_plane: &HalfPlane, prefix: usize) -> Boundary {
-        let same = self.sorted.iter().filter(|(index, other)| *index < prefix && *other == half_plane);
-        let mut active: Vec<usize> = same.map(|(index, _)| *index).collect();
+        let same = self.iter(prefix).filter(|(_, other)| *other == half_plane);
+        let mut active: Vec<usize> = same.map(|(index, _)| index).collect();
         active.sort_unstable();
         Boundary { half_plane: half_plane.clone(), active }
     }

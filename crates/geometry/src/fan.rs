@@ -5,12 +5,12 @@
 
 use std::cmp::Ordering;
 
-use boundfit_exact::{Rational, Sign};
+use boundfit_exact::{Integer, Rational, Sign};
 
-use crate::constructions::{combination, direction_between, multiple};
-use crate::half_plane::HalfPlane;
-use crate::point::{Direction, Point};
-use crate::predicates::{Turn, approach, by_angle, direction_by_angle, normal_turn, turn};
+use crate::constructions::direction_between;
+use crate::half_plane::{HalfPlane, Inequality};
+use crate::point::Direction;
+use crate::predicates::{Turn, angle_order, approach, by_angle, normal_turn, turn, turn_between};
 use crate::proof::{Farkas, Multiplier};
 use crate::region::{Region, Vertex};
 use crate::system::System;
@@ -36,7 +36,7 @@ pub(crate) struct NormalFan {
 impl NormalFan {
     /// The fan of a non-empty region of this system. Cost: the size of the region and of its active sets.
     pub(crate) fn of(system: &System, region: &Region) -> Self {
-        let mut spokes = match region {
+        let mut spokes: Vec<usize> = match region {
             Region::Empty(_) | Region::Plane => Vec::new(),
             Region::Point(region) => point_generators(system, &region.vertex.active),
             Region::Segment(region) => {
@@ -59,11 +59,11 @@ impl NormalFan {
             Region::Polygon(region) => {
                 let vertices = &region.vertices;
                 let next = vertices.iter().cycle().skip(1);
-                vertices.iter().zip(next).filter_map(|(from, to)| edge(system, from, &to.point)).collect()
+                vertices.iter().zip(next).filter_map(|(from, to)| edge(from, to)).collect()
             }
             Region::UnboundedPolygon(region) => {
                 let chain: Vec<&Vertex> = region.chain().collect();
-                let edges = chain.windows(2).filter_map(|pair| edge(system, pair[0], &pair[1].point));
+                let edges = chain.windows(2).filter_map(|pair| edge(pair[0], pair[1]));
                 let incoming = with_normal(system, &chain[0].active, &region.incoming.turned_left());
                 let last = chain[chain.len() - 1];
                 let outgoing = with_normal(system, &last.active, &region.outgoing.turned_right());
@@ -73,7 +73,16 @@ impl NormalFan {
                 region.boundaries().iter().filter_map(|boundary| boundary.active.first().copied()).collect()
             }
         };
-        spokes.sort_by(|&f, &g| by_angle(normal_of(system, f), normal_of(system, g)));
+        let order = |f: usize, g: usize| by_angle(normal_of(system, f), normal_of(system, g));
+        match (region, spokes.first()) {
+            // These go once around already, from somewhere.
+            (Region::Polygon(_) | Region::UnboundedPolygon(_), Some(&first)) => {
+                let before_the_end =
+                    spokes.partition_point(|&spoke| order(first, spoke) != Ordering::Greater);
+                spokes.rotate_left(before_the_end);
+            }
+            _ => spokes.sort_by(|&f, &g| order(f, g)),
+        }
         NormalFan { spokes }
     }
 
@@ -84,32 +93,30 @@ impl NormalFan {
 
     /// The maximum of a form over the region. Cost: logarithmic in the number of irredundant half-planes.
     pub(crate) fn support(&self, system: &System, form: &[Rational; 2]) -> FanSupport {
-        let Some(direction) = Direction::from_rational(form) else {
+        let Some(form) = IntegerForm::new(form) else {
             return FanSupport::Bounded { value: Rational::zero(), multipliers: Vec::new() };
         };
-        let Some((before, after)) = self.neighbours(system, &direction) else {
+        let Some((before, after)) = self.neighbours(system, &form) else {
             return FanSupport::Unbounded;
         };
-        let (f, g) = (&system.inequalities()[before], &system.inequalities()[after]);
-        let (turn_in, turn_out) = (
-            turn(&normal_of(system, before).normal(), &direction),
-            turn(&direction, &normal_of(system, after).normal()),
-        );
-        let taken = if turn_in == Turn::None {
-            multiple(f, form).map(|value| vec![Multiplier { index: before, value }])
-        } else if turn_in == Turn::Left
-            && turn_out == Turn::Left
-            && normal_turn(normal_of(system, before), normal_of(system, after)) == Turn::Left
-        {
-            combination(f, g, form).map(|[s, t]| {
-                vec![Multiplier { index: before, value: s }, Multiplier { index: after, value: t }]
-            })
-        } else {
-            None
-        };
-        let Some(mut multipliers) = taken else { return FanSupport::Unbounded };
+        let (f, g) = (normal_of(system, before), normal_of(system, after));
+        let turn_in = turn_between(normal(f), form.vector());
+        if turn_in == Turn::None {
+            let multiplier = form.multiple(&system.inequalities()[before], f);
+            let value = &system.inequalities()[before].b * &multiplier;
+            let multipliers = vec![Multiplier { index: before, value: multiplier }];
+            return FanSupport::Bounded { value, multipliers };
+        }
+        let within = turn_in == Turn::Left
+            && turn_between(form.vector(), normal(g)) == Turn::Left
+            && normal_turn(f, g) == Turn::Left;
+        if !within {
+            return FanSupport::Unbounded;
+        }
+        let (value, [s, t]) = form.combination([before, after].map(|i| &system.inequalities()[i]), [f, g]);
+        let mut multipliers =
+            vec![Multiplier { index: before, value: s }, Multiplier { index: after, value: t }];
         multipliers.sort_by_key(|multiplier| multiplier.index);
-        let value = multipliers.iter().map(|m| &system.inequalities()[m.index].b * &m.value).sum();
         FanSupport::Bounded { value, multipliers }
     }
 
@@ -126,16 +133,74 @@ impl NormalFan {
     }
 
     /// The irredundant half-planes whose normals come last at or before, and first after, a direction.
-    fn neighbours(&self, system: &System, direction: &Direction) -> Option<(usize, usize)> {
+    fn neighbours(&self, system: &System, form: &IntegerForm) -> Option<(usize, usize)> {
         let count = self.spokes.len();
         if count == 0 {
             return None;
         }
         let after = self.spokes.partition_point(|&index| {
-            direction_by_angle(direction, normal_of(system, index)) != Ordering::Less
+            angle_order(form.vector(), normal(normal_of(system, index))) != Ordering::Less
         });
         Some((self.spokes[(after + count - 1) % count], self.spokes[after % count]))
     }
+}
+
+/// A linear form other than zero as integers over a common denominator.
+struct IntegerForm {
+    vector: [Integer; 2],
+    denominator: Integer,
+}
+
+impl IntegerForm {
+    fn new([c1, c2]: &[Rational; 2]) -> Option<Self> {
+        let denominator = c1.denominator().lcm(&c2.denominator());
+        let vector = [c1, c2].map(|c| c.numerator() * denominator.quotient(&c.denominator()));
+        let is_zero = vector.iter().all(Integer::is_zero);
+        (!is_zero).then_some(IntegerForm { vector, denominator })
+    }
+
+    fn vector(&self) -> (&Integer, &Integer) {
+        (&self.vector[0], &self.vector[1])
+    }
+
+    /// The multiplier `s` with `s·a = form` for an inequality whose normal has the direction of the form.
+    fn multiple(&self, inequality: &Inequality, half_plane: &HalfPlane) -> Rational {
+        let axis = usize::from(half_plane.a1().is_zero());
+        let coefficient = &inequality.a[axis];
+        quotient(&self.vector[axis] * coefficient.denominator(), &self.denominator * coefficient.numerator())
+    }
+
+    /// The maximum of the form at the corner of two half-planes, by Cramer's rule, and the multipliers `(s, t)` of
+    /// their inequalities with `s·a + t·a' = form`. The normals must not be parallel. Every fraction is reduced once.
+    fn combination(
+        &self,
+        inequalities: [&Inequality; 2],
+        half_planes: [&HalfPlane; 2],
+    ) -> (Rational, [Rational; 2]) {
+        let [f, g] = half_planes;
+        let minor = |u: (&Integer, &Integer), v: (&Integer, &Integer)| u.0 * v.1 - u.1 * v.0;
+        let determinant = minor(normal(f), normal(g)) * &self.denominator;
+        // In multiples of the half-planes' integer triples.
+        let (s, t) = (minor(self.vector(), normal(g)), minor(normal(f), self.vector()));
+        let value = quotient(f.b() * &s + g.b() * &t, determinant.clone());
+        let of_inequality = |times: Integer, inequality: &Inequality, half_plane: &HalfPlane| {
+            // The triple is a positive multiple of the inequality: this often, with a second coefficient of 1, an integer.
+            let axis = usize::from(!half_plane.a2().is_zero());
+            let (given, integer) = (&inequality.a[axis], [half_plane.a1(), half_plane.a2()][axis]);
+            quotient(times * integer * given.denominator(), &determinant * given.numerator())
+        };
+        let multipliers = [of_inequality(s, inequalities[0], f), of_inequality(t, inequalities[1], g)];
+        (value, multipliers)
+    }
+}
+
+/// A fraction whose denominator is not 0.
+fn quotient(numerator: Integer, denominator: Integer) -> Rational {
+    Rational::new(numerator, denominator).expect("a form between two normals that are not parallel")
+}
+
+fn normal(half_plane: &HalfPlane) -> (&Integer, &Integer) {
+    (half_plane.a1(), half_plane.a2())
 }
 
 /// The half-plane of an index that came from an active set: those have a normal.
@@ -145,12 +210,23 @@ fn normal_of(system: &System, index: usize) -> &HalfPlane {
 
 /// The lowest active index whose outward normal has this direction.
 fn with_normal(system: &System, active: &[usize], normal: &Direction) -> Option<usize> {
-    active.iter().copied().find(|&index| turn(&normal_of(system, index).normal(), normal) == Turn::None)
+    let vector = (normal.dx(), normal.dy());
+    let faces_it =
+        |&index: &usize| turn_between(self::normal(normal_of(system, index)), vector) == Turn::None;
+    active.iter().copied().find(faces_it)
 }
 
-/// The lowest index of a half-plane that bounds the edge from a vertex to the next one counter-clockwise.
-fn edge(system: &System, from: &Vertex, to: &Point) -> Option<usize> {
-    with_normal(system, &from.active, &direction_between(&from.point, to)?.turned_right())
+/// The lowest index of a half-plane that bounds the edge between neighbouring vertices of a region with an interior: it
+/// is active at both, and what is has its boundary along the edge.
+fn edge(from: &Vertex, to: &Vertex) -> Option<usize> {
+    let (mut own, mut others) = (from.active.iter().peekable(), to.active.iter().peekable());
+    loop {
+        match own.peek()?.cmp(others.peek()?) {
+            Ordering::Less => own.next(),
+            Ordering::Greater => others.next(),
+            Ordering::Equal => return own.next().copied(),
+        };
+    }
 }
 
 /// Generators of a region inside a line: the line from both sides, and at each end one half-plane that cuts it

@@ -23,8 +23,14 @@ impl Inequality {
     pub fn constraint(&self) -> Constraint {
         let [a1, a2] = &self.a;
         let common = a1.denominator().lcm(&a2.denominator()).lcm(&self.b.denominator());
-        let scaled = |value: &Rational| value.numerator() * common.div_rem_floor(&value.denominator()).0;
-        match HalfPlane::new(scaled(a1), scaled(a2), scaled(&self.b)) {
+        let scaled = |value: &Rational| value.numerator() * common.quotient(&value.denominator());
+        let (p1, p2, q) = (scaled(a1), scaled(a2), scaled(&self.b));
+        // A prime of the common denominator leaves some scaled number indivisible, and one of them is ± that denominator:
+        // no common divisor is to be looked for.
+        if p1.abs() == common || p2.abs() == common {
+            return Constraint::HalfPlane(HalfPlane { a1: p1, a2: p2, b: q });
+        }
+        match HalfPlane::new(p1, p2, q) {
             Some(half_plane) => Constraint::HalfPlane(half_plane),
             None if self.b.is_negative() => Constraint::Never,
             None => Constraint::Always,
@@ -65,21 +71,24 @@ impl HalfPlane {
             return None;
         }
         let divisor = a1.gcd(&a2).gcd(&b);
-        let reduced = |value: Integer| value.div_rem_floor(&divisor).0;
+        let reduced = |value: Integer| value.quotient(&divisor);
         Some(HalfPlane { a1: reduced(a1), a2: reduced(a2), b: reduced(b) })
     }
 
     /// First coefficient of the outward normal.
+    #[inline]
     pub fn a1(&self) -> &Integer {
         &self.a1
     }
 
     /// Second coefficient of the outward normal.
+    #[inline]
     pub fn a2(&self) -> &Integer {
         &self.a2
     }
 
     /// The right-hand side.
+    #[inline]
     pub fn b(&self) -> &Integer {
         &self.b
     }

@@ -19,8 +19,23 @@ impl Hulls {
     /// The hulls of items at points, sorted by [`lexicographic`](crate::predicates::lexicographic). Exact. Cost: linear.
     pub fn of_sorted<T>(items: &[T], point: impl Fn(&T) -> &Point) -> Self {
         let at = |position: usize| point(&items[position]);
-        let lower = chain(0..items.len(), at);
-        let mut upper = chain((0..items.len()).rev(), at);
+        Hulls::by(
+            items.len(),
+            |p, q| by_theta1(at(p), at(q)).is_eq(),
+            |p, q, r| orientation(at(p), at(q), at(r)),
+        )
+    }
+
+    /// The hulls of points of any kind, sorted by θ1, then by θ2, from what is asked about their positions: whether two
+    /// are above each other, and on which side of the line through two, in that order, a third lies (`Positive` is to the
+    /// left). As exact as the answers. Cost: linear.
+    pub fn by(
+        count: usize,
+        above_each_other: impl Fn(usize, usize) -> bool,
+        orientation: impl Fn(usize, usize, usize) -> Sign,
+    ) -> Self {
+        let lower = chain(0..count, &above_each_other, &orientation);
+        let mut upper = chain((0..count).rev(), &above_each_other, &orientation);
         upper.reverse();
         Hulls { lower, upper }
     }
@@ -40,15 +55,19 @@ impl Hulls {
 }
 
 /// The positions where a walk over sorted points, either way, keeps turning left.
-fn chain<'a>(walk: impl Iterator<Item = usize>, at: impl Fn(usize) -> &'a Point) -> Vec<usize> {
+fn chain(
+    walk: impl Iterator<Item = usize>,
+    above_each_other: &impl Fn(usize, usize) -> bool,
+    orientation: &impl Fn(usize, usize, usize) -> Sign,
+) -> Vec<usize> {
     let mut chain: Vec<usize> = Vec::new();
     for next in walk {
         // Walking forward the first point of each θ1 is its lowest, walking back its highest.
-        if chain.last().is_some_and(|&last| by_theta1(at(last), at(next)).is_eq()) {
+        if chain.last().is_some_and(|&last| above_each_other(last, next)) {
             continue;
         }
         while let [.., before, last] = chain.as_slice()
-            && orientation(at(*before), at(*last), at(next)) != Sign::Positive
+            && orientation(*before, *last, next) != Sign::Positive
         {
             chain.pop();
         }

@@ -23,11 +23,13 @@
 //! assert_eq!(proof.verify(triangle.system()), Ok(()));
 //! ```
 
+mod angle_key;
 mod bounds;
 pub mod clipping;
 pub mod constructions;
 pub mod envelope;
 mod fan;
+pub mod grid;
 mod half_plane;
 mod hull;
 mod invariants;

@@ -16,10 +16,7 @@ impl Point {
     /// The point with the given coordinates.
     pub fn new(theta1: &Rational, theta2: &Rational) -> Self {
         let w = theta1.denominator().lcm(&theta2.denominator());
-        let scaled = |value: &Rational| {
-            let (factor, _) = w.div_rem_floor(&value.denominator());
-            value.numerator() * factor
-        };
+        let scaled = |value: &Rational| value.numerator() * w.quotient(&value.denominator());
         Point { x: scaled(theta1), y: scaled(theta2), w }
     }
 
@@ -28,9 +25,10 @@ impl Point {
         if w.is_zero() {
             return None;
         }
-        let divisor = x.gcd(&y).gcd(&w);
+        // The gcd of two numbers is often 1 already, and then the third does not matter.
+        let divisor = w.gcd(&x).gcd(&y);
         let divisor = if w.is_negative() { -divisor } else { divisor };
-        let reduced = |value: Integer| value.div_rem_floor(&divisor).0;
+        let reduced = |value: Integer| value.quotient(&divisor);
         Some(Point { x: reduced(x), y: reduced(y), w: reduced(w) })
     }
 
@@ -55,6 +53,7 @@ impl Point {
     }
 
     /// The primitive triple `(x, y, w)`, `w > 0`.
+    #[inline]
     pub fn homogeneous(&self) -> (&Integer, &Integer, &Integer) {
         (&self.x, &self.y, &self.w)
     }
@@ -74,7 +73,7 @@ impl Direction {
         if divisor.is_zero() {
             return None;
         }
-        Some(Direction { dx: dx.div_rem_floor(&divisor).0, dy: dy.div_rem_floor(&divisor).0 })
+        Some(Direction { dx: dx.quotient(&divisor), dy: dy.quotient(&divisor) })
     }
 
     /// The direction of a rational vector, or `None` for the zero vector.
@@ -84,11 +83,13 @@ impl Direction {
     }
 
     /// First component.
+    #[inline]
     pub fn dx(&self) -> &Integer {
         &self.dx
     }
 
     /// Second component.
+    #[inline]
     pub fn dy(&self) -> &Integer {
         &self.dy
     }

@@ -2,7 +2,7 @@
 
 use boundfit_exact::{Endpoint, Interval, Rational};
 
-use crate::constructions::{foot, value_of};
+use crate::constructions::foot;
 use crate::fan::{FanSupport, NormalFan};
 use crate::point::{Direction, Point};
 use crate::predicates::{Turn, turn};
@@ -133,7 +133,7 @@ impl Polyhedron {
         }
         match self.fan.support(&self.system, form) {
             FanSupport::Bounded { value, multipliers } => {
-                let (face, attained_at) = self.face(form, &value);
+                let (face, attained_at) = self.face(form, &multipliers);
                 let form = form.clone();
                 Support::Bounded { proof: BoundProof { form, value, multipliers, attained_at }, face }
             }
@@ -231,7 +231,9 @@ impl Polyhedron {
     }
 
     /// The points of the region where the form has the value of its maximum, and one of them.
-    fn face(&self, form: &[Rational; 2], value: &Rational) -> (Face, Point) {
+    ///
+    /// A point attains the maximum exactly when every inequality of its proof is active there (complementary slackness).
+    fn face(&self, form: &[Rational; 2], proof: &[Multiplier]) -> (Face, Point) {
         let Some(direction) = Direction::from_rational(form) else {
             return (Face::Whole, self.region.witness().unwrap_or_else(Point::origin));
         };
@@ -239,8 +241,8 @@ impl Polyhedron {
             .region
             .vertices()
             .iter()
+            .filter(|vertex| proof.iter().all(|m| vertex.active().binary_search(&m.index).is_ok()))
             .map(|vertex| vertex.point())
-            .filter(|point| value_of(form, point) == *value)
             .collect();
         match attaining.as_slice() {
             [one, other, ..] => (Face::Segment([(*one).clone(), (*other).clone()]), (*one).clone()),

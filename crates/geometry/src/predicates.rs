@@ -57,7 +57,8 @@ pub fn normal_turn(f: &HalfPlane, g: &HalfPlane) -> Turn {
     turn_between((f.a1(), f.a2()), (g.a1(), g.a2()))
 }
 
-fn turn_between(u: (&Integer, &Integer), v: (&Integer, &Integer)) -> Turn {
+/// How the vector `v`, as components, is reached from `u`. Neither may be zero.
+pub(crate) fn turn_between(u: (&Integer, &Integer), v: (&Integer, &Integer)) -> Turn {
     match (u.0 * v.1).cmp(&(u.1 * v.0)) {
         Ordering::Greater => Turn::Left,
         Ordering::Less => Turn::Right,
@@ -72,12 +73,8 @@ pub fn by_angle(f: &HalfPlane, g: &HalfPlane) -> Ordering {
     angle_order((f.a1(), f.a2()), (g.a1(), g.a2()))
 }
 
-/// Compares a direction with an outward normal by angle in [0, 2π).
-pub fn direction_by_angle(u: &Direction, g: &HalfPlane) -> Ordering {
-    angle_order((u.dx(), u.dy()), (g.a1(), g.a2()))
-}
-
-fn angle_order(u: (&Integer, &Integer), v: (&Integer, &Integer)) -> Ordering {
+/// Compares two vectors, as components, by angle in [0, 2π).
+pub(crate) fn angle_order(u: (&Integer, &Integer), v: (&Integer, &Integer)) -> Ordering {
     // Angles in [0, π) come before those in [π, 2π); within each half the cross product decides.
     let lower_half = |(x, y): (&Integer, &Integer)| y.is_negative() || (y.is_zero() && x.is_negative());
     lower_half(u).cmp(&lower_half(v)).then_with(|| (u.1 * v.0).cmp(&(u.0 * v.1)))

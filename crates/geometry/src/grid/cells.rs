@@ -1,0 +1,121 @@
+//! Division of the x-axis into cells.
+
+use super::filter::Coordinate;
+
+/// A line `slope·offset + intercept`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Chord {
+    pub(super) slope: f64,
+    pub(super) intercept: f64,
+}
+
+impl Chord {
+    #[inline]
+    pub(super) fn at(self, offset: f64) -> f64 {
+        self.slope * offset + self.intercept
+    }
+
+    /// The mirror image in the x-axis.
+    pub(super) fn mirrored(self) -> Self {
+        Chord { slope: -self.slope, intercept: -self.intercept }
+    }
+}
+
+/// Where a point of this cell must be to be discarded: above one chord and below another.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cell {
+    pub(super) above: Chord,
+    pub(super) below: Chord,
+}
+
+impl Cell {
+    /// Nothing is above an infinity.
+    pub(super) const KEEPS_ALL: Self = Cell {
+        above: Chord { slope: 0.0, intercept: f64::INFINITY },
+        below: Chord { slope: 0.0, intercept: f64::NEG_INFINITY },
+    };
+}
+
+/// No division has more cells: 16 KiB of them, half of a first-level cache.
+pub(super) const MOST_CELLS: usize = 512;
+
+/// Finds the cell of an x.
+pub(super) trait Index<C> {
+    /// Number of cells.
+    const CELLS: usize;
+    /// Less than the number of cells for every x; does not decrease from the least to the greatest x of the sample.
+    fn cell(&self, x: C, offset: f64) -> usize;
+    /// Whether nothing in the cell is left of this x.
+    fn is_before(&self, x: C, offset: f64, cell: usize) -> bool;
+    /// Whether nothing in the cell is right of this x.
+    fn is_after(&self, x: C, offset: f64, cell: usize) -> bool;
+}
+
+/// Cells of equal width.
+pub(super) struct Equal {
+    scale: f64,
+}
+
+impl Equal {
+    /// For offsets from 0 to `span`.
+    pub(super) fn of_span(span: f64) -> Option<Self> {
+        let scale = if span > 0.0 { (MOST_CELLS - 1) as f64 / span } else { 0.0 };
+        scale.is_finite().then_some(Equal { scale })
+    }
+}
+
+impl<C> Index<C> for Equal {
+    const CELLS: usize = MOST_CELLS;
+
+    #[inline]
+    fn cell(&self, _: C, offset: f64) -> usize {
+        /// Added to a number from 0 to 2⁵¹, it leaves the nearest integer in the last bits of the sum.
+        const ROUNDING: f64 = (1_u64 << 52) as f64;
+        // Subtraction, product and sum round monotonically, and `span * scale` is less than half above the last cell.
+        (offset * self.scale + ROUNDING).to_bits() as usize % MOST_CELLS
+    }
+
+    fn is_before(&self, x: C, offset: f64, cell: usize) -> bool {
+        self.cell(x, offset) < cell
+    }
+
+    fn is_after(&self, x: C, offset: f64, cell: usize) -> bool {
+        self.cell(x, offset) > cell
+    }
+}
+
+/// Cells between ascending knots: cell k from knot k - 1 on until before knot k.
+pub(super) struct Between<C> {
+    knots: [C; KNOTS],
+}
+
+const KNOTS: usize = 63;
+
+impl<C: Coordinate> Between<C> {
+    /// Between some of ascending places, evenly chosen if there are many; `None` without any.
+    pub(super) fn places(places: &[C]) -> Option<Self> {
+        let last = places.len().checked_sub(1)?;
+        let knots = std::array::from_fn(|k| if last < KNOTS { k.min(last) } else { k * last / (KNOTS - 1) });
+        Some(Between { knots: knots.map(|place| places[place]) })
+    }
+}
+
+impl<C: Coordinate> Index<C> for Between<C> {
+    const CELLS: usize = KNOTS + 1;
+
+    #[inline]
+    fn cell(&self, x: C, _: f64) -> usize {
+        // Binary search for the number of knots that are not right of x, without branches.
+        [32, 16, 8, 4, 2, 1]
+            .into_iter()
+            .fold(0, |cell, step| cell + step * usize::from(self.knots[(cell + step - 1) % KNOTS] <= x))
+    }
+
+    fn is_before(&self, x: C, _: f64, cell: usize) -> bool {
+        cell > 0 && x <= self.knots[cell - 1]
+    }
+
+    fn is_after(&self, x: C, _: f64, cell: usize) -> bool {
+        cell < KNOTS && x >= self.knots[cell]
+    }
+}

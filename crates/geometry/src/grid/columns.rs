@@ -1,0 +1,26 @@
+//! Touching points of integer columns.
+
+use super::filter::{Plan, candidates};
+use super::{GridPoint, touching};
+
+/// The [`touching`] points of two columns of equal length, with ids `first_id`, `first_id + 1`, …
+///
+/// Exact: a float filter discards only what is certainly strictly between the hulls. Cost: linear when few rows are close
+/// to the hulls, O(n log n) at worst.
+///
+/// # Panics
+/// When an id does not fit into 64 bits.
+pub fn touching_of_columns(x: &[i64], y: &[i64], first_id: u64) -> Vec<GridPoint> {
+    touching(points(x, y, first_id, None))
+}
+
+/// The same with a given plan for the filter, to test that it does not matter.
+#[doc(hidden)]
+pub fn touching_of_columns_by(x: &[i64], y: &[i64], first_id: u64, plan: &Plan) -> Vec<GridPoint> {
+    touching(points(x, y, first_id, Some(plan)))
+}
+
+fn points(x: &[i64], y: &[i64], first_id: u64, plan: Option<&Plan>) -> Vec<GridPoint> {
+    let point = |row: usize| GridPoint { x: x[row], y: y[row], id: first_id + row as u64 };
+    candidates(x, y, plan).into_iter().map(point).collect()
+}

@@ -1,0 +1,160 @@
+//! A sample of the rows, its hulls, and chords above and below these that bear all rounding.
+//!
+//! # The margin
+//!
+//! Let u = 2⁻⁵³, let a chord be v = s·d + c with d = x - origin and 0 ≤ d ≤ D, let Y bound |y| in the sample, and
+//! B = |s|·D + |c| + Y. Every operation has a relative error of at most u, and underflow adds at most 2⁻¹⁰⁷⁵. So v is
+//! evaluated, from a rounded d, within 2.1u·|s|·D + u·(|s|·D + |c|)·1.1 < 4u·B. Its distance to the true chord is linear
+//! in x and hence largest at the ends of the chord; r, the evaluated one there, is within 4u·B + u·Y of the true. A y that
+//! is not above the true chord is rounded to no more than u·Y above it. With c + m in place of c, the evaluated v is
+//! therefore no less than any rounded y that is not above the chord, as soon as m ≥ r + 12u·B + 6u·m, where 6u·m is the
+//! rounding that the larger c brings. m = 2r + 32u·B + 2⁻¹⁰⁶⁸ is more. What overflows becomes infinite or NaN, and
+//! comparisons with these discard nothing.
+
+use std::cmp::Ordering;
+
+use super::cells::{Between, Cell, Chord, Equal, Index, MOST_CELLS};
+use super::chain::{Hull, Site};
+use super::filter::Coordinate;
+
+/// A row of the sample.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sampled<C> {
+    pub(super) x: C,
+    /// Of x from the sample's least, rounded.
+    pub(super) offset: f64,
+    /// Rounded.
+    pub(super) y: f64,
+}
+
+impl<C: Coordinate> Site for Sampled<C> {
+    fn is_above_or_below(&self, other: &Self) -> bool {
+        self.x == other.x
+    }
+
+    fn coincides(&self, other: &Self) -> bool {
+        self.x == other.x && self.y == other.y
+    }
+}
+
+/// Rows taken at equal distances.
+pub(super) struct Sample<C> {
+    /// Sorted by x, then y.
+    pub(super) points: Vec<Sampled<C>>,
+    /// The least x.
+    pub(super) origin: C,
+    /// The greatest x.
+    pub(super) end: C,
+    /// Offset of the greatest x.
+    span: f64,
+    /// The greatest |y|.
+    height: f64,
+    /// From left to right.
+    lower: Vec<Sampled<C>>,
+    /// From left to right, mirrored in the x-axis: a lower hull too.
+    upper: Vec<Sampled<C>>,
+}
+
+impl<C: Coordinate> Sample<C> {
+    /// About `size` rows; `None` when no finite offsets exist.
+    pub(super) fn of(x: &[C], y: &[C], size: usize) -> Option<Self> {
+        let stride = (x.len() / size.max(1)).max(1);
+        let finite = |(x, y): &(C, f64)| x.value().is_finite() && y.is_finite();
+        let rows = x.iter().zip(y).step_by(stride).map(|(&x, &y)| (x, y.value())).filter(finite);
+        let rows: Vec<(C, f64)> = rows.collect();
+        let x = || rows.iter().map(|&(x, _)| x);
+        let origin = x().reduce(|least, x| if x < least { x } else { least })?;
+        let end = x().reduce(|greatest, x| if x > greatest { x } else { greatest })?;
+        if !origin.reaches(end) {
+            return None;
+        }
+        let sampled = |&(x, y): &(C, f64)| Sampled { x, offset: x.offset(origin), y };
+        let mut points: Vec<Sampled<C>> = rows.iter().map(sampled).collect();
+        points.sort_unstable_by(|p, q| {
+            let by_x = p.x.partial_cmp(&q.x).unwrap_or(Ordering::Equal);
+            by_x.then_with(|| p.y.total_cmp(&q.y))
+        });
+        let hull = |hull: Hull| -> Vec<Sampled<C>> {
+            hull.chain(&points, rough_orientation).into_iter().map(|position| points[position]).collect()
+        };
+        let lower = hull(Hull::Lower);
+        let mut upper = hull(Hull::Upper);
+        upper.reverse();
+        upper.iter_mut().for_each(|point| point.y = -point.y);
+        let height = points.iter().map(|point| point.y.abs()).fold(0.0, f64::max);
+        let span = end.offset(origin);
+        Some(Sample { points, origin, end, span, height, lower, upper })
+    }
+
+    /// Cells of equal width; `None` when the sample is too narrow for the exponents of binary64.
+    pub(super) fn equal_cells(&self) -> Option<Equal> {
+        Equal::of_span(self.span)
+    }
+
+    /// Cells between the corners of both hulls.
+    pub(super) fn cells_between_corners(&self) -> Option<Between<C>> {
+        let mut corners: Vec<C> = self.lower.iter().chain(&self.upper).map(|corner| corner.x).collect();
+        corners.sort_unstable_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal));
+        corners.dedup();
+        Between::places(&corners)
+    }
+
+    /// The chords of all cells.
+    pub(super) fn cells<I: Index<C>>(&self, index: &I) -> Box<[Cell; MOST_CELLS]> {
+        let mut cells = Box::new([Cell::KEEPS_ALL; MOST_CELLS]);
+        let chords = self.chords(&self.lower, index).zip(self.chords(&self.upper, index));
+        for (cell, (above, mirrored)) in cells.iter_mut().zip(chords) {
+            *cell = Cell { above, below: mirrored.mirrored() };
+        }
+        cells
+    }
+
+    /// For each cell, a line that is certainly not below the chord between two points of the hull on both sides of it.
+    fn chords<I: Index<C>>(&self, hull: &[Sampled<C>], index: &I) -> impl Iterator<Item = Chord> {
+        let (mut before, mut after) = (0, 0);
+        let mut last = ([usize::MAX; 2], Cell::KEEPS_ALL.above);
+        (0..I::CELLS).map(move |cell| {
+            let is_left = |point: &Sampled<C>| index.is_before(point.x, point.offset, cell);
+            let is_not_right = |point: &Sampled<C>| !index.is_after(point.x, point.offset, cell);
+            while hull.get(before).is_some_and(is_left) {
+                before += 1;
+            }
+            while hull.get(after).is_some_and(is_not_right) {
+                after += 1;
+            }
+            // Where none is before or after the cell, the first or the last of the hull is: the sample has no other x.
+            let ends = [before.saturating_sub(1), after.min(hull.len() - 1)];
+            if last.0 != ends {
+                last = (ends, self.chord(ends.map(|end| &hull[end])));
+            }
+            last.1
+        })
+    }
+
+    /// A line that is certainly not below the chord between two points.
+    fn chord(&self, [p, q]: [&Sampled<C>; 2]) -> Chord {
+        let width = q.offset - p.offset;
+        let chord = if width > 0.0 {
+            let slope = (q.y - p.y) / width;
+            Chord { slope, intercept: p.y - slope * p.offset }
+        } else {
+            Chord { slope: 0.0, intercept: p.y.max(q.y) }
+        };
+        Chord { slope: chord.slope, intercept: chord.intercept + self.margin(chord, [p, q]) }
+    }
+
+    /// What must be added to the intercept; see the top of this file.
+    fn margin(&self, chord: Chord, ends: [&Sampled<C>; 2]) -> f64 {
+        /// 2⁻¹⁰⁶⁸.
+        const UNDERFLOW: f64 = f64::from_bits(1 << 6);
+        let [p, q] = ends.map(|end| end.y - chord.at(end.offset));
+        let bound = chord.slope.abs() * self.span + chord.intercept.abs() + self.height;
+        2.0 * p.max(q).max(0.0) + 16.0 * f64::EPSILON * bound + UNDERFLOW
+    }
+}
+
+/// Rounded, for hulls that need not be convex: any points of the sample have a chord.
+fn rough_orientation<C>(p: &Sampled<C>, q: &Sampled<C>, r: &Sampled<C>) -> Ordering {
+    let turn = (q.offset - p.offset) * (r.y - p.y) - (q.y - p.y) * (r.offset - p.offset);
+    turn.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
+}

@@ -1,0 +1,330 @@
+//! Touching points and line regions on the integer grid: against the definition and against the general algorithms.
+
+use boundfit_exact::{Integer, Rational, Sign};
+use boundfit_geometry::grid::{
+    Division, GridLine, GridPoint, Plan, line_region, touching, touching_doubles, touching_doubles_by,
+    touching_of_columns, touching_of_columns_by,
+};
+use boundfit_geometry::predicates::{lexicographic, orientation};
+use boundfit_geometry::{Hulls, Inequality, Point, RegionKind, System, envelope};
+use boundfit_tests::columns::{Columns, Shape, points};
+use boundfit_tests::generate::{seeded, shuffled};
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+
+/// The definition: a point is above the lower hull when another point is below it or the line from one point on its left
+/// to another on its right passes below it; mirrored for the upper hull.
+fn touching_by_definition(points: &[GridPoint]) -> Vec<GridPoint> {
+    let wide = |value: i64| Integer::from(value);
+    // Positive when the line from p to q passes below r.
+    let height = |p: &GridPoint, q: &GridPoint, r: &GridPoint| {
+        ((wide(q.x) - wide(p.x)) * (wide(r.y) - wide(p.y))
+            - (wide(q.y) - wide(p.y)) * (wide(r.x) - wide(p.x)))
+        .sign()
+    };
+    let is_beyond = |r: &GridPoint, side: Sign| {
+        points.iter().any(|p| p.x == r.x && Sign::from(r.y.cmp(&p.y)) == side)
+            || points
+                .iter()
+                .filter(|p| p.x < r.x)
+                .any(|p| points.iter().filter(|q| q.x > r.x).any(|q| height(p, q, r) == side))
+    };
+    let is_touching = |r: &&GridPoint| !(is_beyond(r, Sign::Positive) && is_beyond(r, Sign::Negative));
+    let mut touching: Vec<GridPoint> = points.iter().filter(is_touching).copied().collect();
+    touching.sort_unstable();
+    touching
+}
+
+/// Positions, ascending, of the touching ones by the hulls of rational points.
+fn touching_by_rationals(points: &[Point]) -> Vec<usize> {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(lexicographic);
+    let Hulls { lower, upper } = Hulls::of_sorted(&sorted, |point| point);
+    let is_on = |hull: &[usize], r: &Point| {
+        let corner = |place: usize| &sorted[hull[place]];
+        (0..hull.len()).any(|place| corner(place) == r)
+            || (1..hull.len()).any(|place| {
+                let (p, q) = (corner(place - 1), corner(place));
+                orientation(p, q, r) == Sign::Zero
+                    && lexicographic(p, r).is_lt()
+                    && lexicographic(r, q).is_lt()
+            })
+    };
+    (0..points.len()).filter(|&k| is_on(&lower, &points[k]) || is_on(&upper, &points[k])).collect()
+}
+
+/// Plans that force every path: no filter, tiny samples, a sample of everything, both divisions.
+fn plans(count: usize) -> Vec<Plan> {
+    let mut plans = vec![Plan { sample: 1, division: None, exact: usize::MAX }];
+    for sample in [1, 2, 3, 7, count / 2, count] {
+        for division in [None, Some(Division::Equal), Some(Division::Corners)] {
+            plans.push(Plan { sample, division, exact: 0 });
+        }
+    }
+    plans
+}
+
+/// Generated sets of every shape.
+fn cases(seed: u64, rounds: usize, largest: usize) -> impl Iterator<Item = (Shape, Columns, ChaCha8Rng)> {
+    let mut rng = seeded(seed);
+    (0..rounds).flat_map(move |_| {
+        Shape::ALL.map(|shape| {
+            let count = rng.random_range(0..=largest);
+            (shape, shape.columns(&mut rng, count), rng.clone())
+        })
+    })
+}
+
+#[test]
+fn touching_points_are_those_of_the_definition() {
+    for (shape, columns, _) in cases(1, 2_000, 9) {
+        let points = points(&columns);
+        assert_eq!(touching(points.clone()), touching_by_definition(&points), "{shape:?} {columns:?}");
+    }
+}
+
+#[test]
+fn touching_points_are_those_of_the_general_hulls() {
+    for (shape, columns, _) in cases(2, 150, 60) {
+        let points = points(&columns);
+        let rational = |point: &GridPoint| Point::new(&point.x.into(), &point.y.into());
+        let rationals: Vec<Point> = points.iter().map(rational).collect();
+        let mut expected: Vec<GridPoint> =
+            touching_by_rationals(&rationals).into_iter().map(|position| points[position]).collect();
+        expected.sort_unstable();
+        assert_eq!(touching(points), expected, "{shape:?} {columns:?}");
+    }
+}
+
+#[test]
+fn points_above_each_other_at_the_ends_touch_only_at_top_and_bottom() {
+    let columns = (vec![0, 0, 0, 1, 1, 2, 2, 2, 2], vec![0, 5, 9, -4, 7, 3, 4, 4, 4]);
+    let ids: Vec<u64> = touching(points(&columns)).iter().map(|point| point.id).collect();
+    // In the middle, 7 is on the line from 9 to 4 only if that were lower; at the right end, 4 is there three times.
+    assert_eq!(ids, [0, 2, 3, 4, 5, 6, 7, 8]);
+    let above = (vec![3; 5], vec![2, 1, 2, 3, 1]);
+    let ids: Vec<u64> = touching(points(&above)).iter().map(|point| point.id).collect();
+    assert_eq!(ids, [1, 4, 3]);
+}
+
+#[test]
+fn parts_reduced_first_reduce_to_the_same() {
+    for (shape, columns, mut rng) in cases(3, 400, 80) {
+        let points = points(&columns);
+        let whole = touching(points.clone());
+        let parts = rng.random_range(1..=5);
+        let mut split = vec![Vec::new(); parts];
+        for point in points {
+            split[rng.random_range(0..parts)].push(point);
+        }
+        let reduced: Vec<GridPoint> = split.into_iter().flat_map(touching).collect();
+        assert_eq!(touching(reduced), whole, "{shape:?} {columns:?}");
+        assert_eq!(touching(whole.clone()), whole);
+    }
+}
+
+#[test]
+fn columns_have_the_same_touching_points_by_every_plan() {
+    for (shape, columns, _) in cases(4, 60, 400) {
+        let (x, y) = &columns;
+        let expected = touching(points(&columns));
+        assert_eq!(touching_of_columns(x, y, 0), expected, "{shape:?}");
+        for plan in plans(x.len()) {
+            assert_eq!(touching_of_columns_by(x, y, 0, &plan), expected, "{shape:?} {plan:?} {columns:?}");
+        }
+    }
+}
+
+#[test]
+fn long_columns_have_the_same_touching_points() {
+    for shape in Shape::ALL {
+        let columns = shape.columns(&mut seeded(5), 200_000);
+        let (x, y) = &columns;
+        assert_eq!(touching_of_columns(x, y, 0), touching(points(&columns)), "{shape:?}");
+    }
+}
+
+#[test]
+fn ids_count_from_the_first() {
+    let ids = |first: u64| {
+        touching_of_columns(&[0, 1, 2], &[0, 9, 0], first).iter().map(|p| p.id).collect::<Vec<_>>()
+    };
+    assert_eq!(ids(1 << 40), [1 << 40, (1 << 40) + 1, (1 << 40) + 2]);
+}
+
+/// Columns of doubles that are hard in their own ways, besides the shapes.
+fn doubles(rng: &mut ChaCha8Rng, count: usize) -> (Vec<f64>, Vec<f64>) {
+    let shape = Shape::ALL[rng.random_range(0..Shape::ALL.len())];
+    let (x, y) = shape.columns(rng, count);
+    let [x_unit, y_unit] =
+        [(); 2].map(|()| [1.0, 0.1, 1e-5, 1e280, 1e-162, 1e-290, 1e-323][rng.random_range(0..7)]);
+    let style = rng.random_range(0..6);
+    let slope = rng.random_range(-2.0..2.0_f64);
+    let least = [6, 100, 10_000][rng.random_range(0..3)];
+    x.iter()
+        .zip(&y)
+        .map(|(&x, &y)| {
+            let (x, y) = (x as f64 * x_unit, y as f64 * y_unit);
+            match style {
+                // Collinear but for the roundings.
+                0 => (x / 3.0, slope * (x / 3.0) + 0.7 * x_unit),
+                // Any exponents.
+                1 => {
+                    let mut any =
+                        || rng.random_range(-2.0..2.0_f64) * 10_f64.powi(rng.random_range(-308..308));
+                    (any(), any())
+                }
+                // The numbers next to zero, and both zeros.
+                2 => {
+                    let mut any =
+                        || f64::from_bits(rng.random_range(0..least) | u64::from(rng.random_bool(0.5)) << 63);
+                    (any(), any())
+                }
+                // A line with noise, of such numbers.
+                3 => {
+                    let x = rng.random_range(0..least);
+                    (f64::from_bits(x), f64::from_bits(3 * x / 7 + rng.random_range(0..3)))
+                }
+                4 if rng.random_bool(0.05) => (f64::MAX, if rng.random_bool(0.5) { f64::MIN } else { y }),
+                _ => (x, y),
+            }
+        })
+        .map(|(x, y)| (x.clamp(f64::MIN, f64::MAX), y.clamp(f64::MIN, f64::MAX)))
+        .unzip()
+}
+
+#[test]
+fn doubles_have_the_touching_points_of_their_exact_values() {
+    let mut rng = seeded(6);
+    for round in 0..1_500 {
+        let count = if round % 10 == 0 { 120 } else { 15 };
+        let (x, y) = doubles(&mut rng, count);
+        let exact = |value: f64| Rational::from_f64(value).unwrap();
+        let points: Vec<Point> = x.iter().zip(&y).map(|(&x, &y)| Point::new(&exact(x), &exact(y))).collect();
+        let expected = touching_by_rationals(&points);
+        assert_eq!(touching_doubles(&x, &y), expected, "{x:?} {y:?}");
+        for plan in plans(count) {
+            assert_eq!(touching_doubles_by(&x, &y, &plan), expected, "{plan:?} {x:?} {y:?}");
+        }
+    }
+}
+
+#[test]
+fn whole_numbers_touch_alike_as_integers_and_as_doubles() {
+    for shape in [Shape::Levels, Shape::NoisyLine, Shape::Parabola, Shape::Outlier] {
+        let (x, y) = shape.columns(&mut seeded(7), 100_000);
+        let double = |column: &[i64]| column.iter().map(|&value| value as f64).collect::<Vec<f64>>();
+        let mut rows: Vec<usize> =
+            touching_of_columns(&x, &y, 0).iter().map(|point| point.id as usize).collect();
+        rows.sort_unstable();
+        assert_eq!(touching_doubles(&double(&x), &double(&y)), rows, "{shape:?}");
+    }
+}
+
+#[test]
+fn rows_without_a_place_are_kept_and_change_nothing() {
+    let mut x: Vec<f64> = (0..2_000).map(|k| f64::from(k * 37 % 2_000)).collect();
+    let mut y: Vec<f64> = (0..2_000).map(|k| f64::from(k * 53 % 1_999)).collect();
+    let without = touching_doubles(&x, &y);
+    let nowhere =
+        [(f64::NAN, 0.0), (5.0, f64::INFINITY), (f64::NEG_INFINITY, f64::NAN), (f64::INFINITY, 1.0)];
+    for (nowhere_x, nowhere_y) in nowhere {
+        x.push(nowhere_x);
+        y.push(nowhere_y);
+    }
+    let expected: Vec<usize> = without.into_iter().chain(2_000..2_004).collect();
+    assert_eq!(touching_doubles(&x, &y), expected);
+}
+
+/// The half-planes of points in the order of their ids, the upper bound of each before its lower bound.
+fn system(points: &[GridPoint], line: &GridLine) -> System {
+    let mut by_id = points.to_vec();
+    by_id.sort_by_key(|point| point.id);
+    let bounds = |point: &GridPoint| {
+        let (x, y) = (Rational::from(point.x) * &line.x_unit, Rational::from(point.y) * &line.y_unit);
+        let (high, low) = (&y + &line.epsilon, &line.epsilon - &y);
+        [Inequality::new(x.clone(), Rational::one(), high), Inequality::new(-x, -Rational::one(), low)]
+    };
+    by_id.iter().flat_map(bounds).collect()
+}
+
+/// Checks one region and says whether it is a polygon.
+fn check_region(points: &[GridPoint], line: &GridLine) -> bool {
+    let expected = envelope::intersect(&system(points, line));
+    let is_polygon = expected.kind() == RegionKind::Polygon;
+    assert_eq!(line_region(points, line), is_polygon.then_some(expected), "{points:?} {line:?}");
+    is_polygon
+}
+
+#[test]
+fn regions_of_grid_points_are_those_of_their_half_planes() {
+    let mut polygons = 0;
+    let mut others = 0;
+    for (_, columns, mut rng) in cases(8, 700, 16) {
+        let mut points = points(&columns);
+        // Ids in any order, with gaps.
+        for (point, id) in points.iter_mut().zip(shuffled(&mut rng, columns.0.len())) {
+            point.id = 3 * id as u64 + 5;
+        }
+        let all = {
+            let mut sorted = points.clone();
+            sorted.sort_unstable();
+            sorted
+        };
+        let touching = touching(points);
+        let unit = |rng: &mut ChaCha8Rng| {
+            [Rational::one(), Rational::ratio(1, 1_000), Rational::from(100), Rational::ratio(3, 7)]
+                [rng.random_range(0..4)]
+            .clone()
+        };
+        let (x_unit, y_unit) = (unit(&mut rng), unit(&mut rng));
+        // ε in steps of y of all sizes; halves of small whole numbers are often the least possible.
+        let size = 1_i64 << rng.random_range(0..63);
+        let steps = match rng.random_range(0..3) {
+            0 => Rational::ratio(rng.random_range(0..20), 2),
+            1 => Rational::ratio(rng.random_range(0..size), 2),
+            _ => Rational::from(u64::MAX) * Rational::ratio(rng.random_range(1..100), 97),
+        };
+        let epsilon = steps * &y_unit;
+        let line = GridLine { x_unit, y_unit, epsilon };
+        let is_polygon = check_region(&touching, &line);
+        // Points between the hulls do no harm.
+        assert_eq!(check_region(&all, &line), is_polygon);
+        *(if is_polygon { &mut polygons } else { &mut others }) += 1;
+    }
+    assert!(polygons > 2_000 && others > 1_000, "{polygons} {others}");
+}
+
+#[test]
+fn larger_regions_of_grid_points_are_those_of_their_half_planes() {
+    let mut rng = seeded(9);
+    let unit = Rational::ratio(1, 10_000);
+    for count in [50, 300, 1_000] {
+        for shape in [Shape::Parabola, Shape::NoisyLine, Shape::LastBits] {
+            let points = touching(points(&shape.columns(&mut rng, count)));
+            for epsilon in
+                [Rational::ratio(1, 20), Rational::from(700_000), Rational::from(1_000_000_000_000_i64)]
+            {
+                check_region(&points, &GridLine { x_unit: unit.clone(), y_unit: unit.clone(), epsilon });
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_no_polygon_is_left_to_the_general_way() {
+    let line =
+        |epsilon: i64| GridLine { x_unit: Rational::one(), y_unit: Rational::one(), epsilon: epsilon.into() };
+    let region = |columns: &Columns, epsilon: i64| line_region(&touching(points(columns)), &line(epsilon));
+    assert_eq!(region(&(vec![], vec![]), 1), None);
+    // A strip, a point, nothing.
+    assert_eq!(region(&(vec![4, 4], vec![0, 1]), 1), None);
+    assert_eq!(region(&(vec![0, 1, 2], vec![0, 2, 0]), 1), None);
+    assert_eq!(region(&(vec![0, 1, 2], vec![0, 3, 0]), 1), None);
+    // A segment: two parallel edges at the distance 2·ε.
+    assert_eq!(region(&(vec![0, 3, 1, 2], vec![0, 0, 2, 2]), 1), None);
+    assert!(region(&(vec![0, 1, 2], vec![0, 1, 0]), 1).is_some());
+    assert_eq!(region(&(vec![0, 1, 2], vec![0, 1, 0]), -1), None);
+    let upside_down = GridLine { y_unit: -Rational::one(), ..line(1) };
+    assert_eq!(line_region(&touching(points(&(vec![0, 1], vec![0, 0]))), &upside_down), None);
+}
