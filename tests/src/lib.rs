@@ -1,8 +1,10 @@
 //! What the end-to-end and cross-crate tests share: generators with fixed seeds and a brute-force oracle.
 
+pub mod columns;
 pub mod generate;
 pub mod lp_cases;
 pub mod oracle;
 pub mod program;
 pub mod readings;
 pub mod shape;
+pub mod tables;

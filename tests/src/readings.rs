@@ -3,6 +3,7 @@
 use boundfit_estimation::{Condition, ErrorBound, Measurement, Measurements, Model, Problem};
 use boundfit_exact::{Limits, Rational, Reading};
 use rand::RngExt;
+use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
 
 use crate::generate::seeded;
@@ -83,20 +84,35 @@ pub fn rebuilt(problem: &Problem, rows: Vec<Measurement>, error_bound: ErrorBoun
 /// A line sampled at `count` places with four decimals, with uniform noise below the error bound: the benchmarks' data.
 pub fn noisy_line(count: i64) -> Problem {
     let mut rng = seeded(7);
-    let epsilon = Rational::ratio(1, 4);
-    let rows = (0..count).map(|k| {
+    let points = (0..count).map(|k| {
         let x = (k - count / 2) * 100_000 / count;
-        Measurement {
-            row: k as usize + 1,
-            regressor: [Rational::ratio(x, 10_000), Rational::one()],
-            response: Rational::ratio(18 * x + 227_000 + rng.random_range(-2000..=2000), 10_000),
-            epsilon: epsilon.clone(),
-        }
+        (
+            Rational::ratio(x, 10_000),
+            Rational::ratio(18 * x + 227_000 + rng.random_range(-2000..=2000), 10_000),
+        )
+    });
+    line(points, Rational::ratio(1, 4))
+}
+
+/// Integer points of the parabola y = x² in random order, every one extreme, with an error bound that a line meets: the
+/// benchmarks' hardest data.
+pub fn parabola(count: i64) -> Problem {
+    let mut abscissas: Vec<i64> = (0..count).map(|k| k - count / 2).collect();
+    abscissas.shuffle(&mut seeded(8));
+    let points = abscissas.into_iter().map(|x| (Rational::from(x), Rational::from(x * x)));
+    line(points, Rational::from(count * count))
+}
+
+/// Readings of a line under a uniform error bound.
+pub fn line(points: impl IntoIterator<Item = (Rational, Rational)>, epsilon: Rational) -> Problem {
+    let rows = (1..).zip(points).map(|(row, (x, response))| Measurement {
+        row,
+        regressor: [x, Rational::one()],
+        response,
+        epsilon: epsilon.clone(),
     });
     let model = Model::Line { x: "x".to_owned() };
-    let bound = ErrorBound::Uniform(epsilon.clone());
-    Problem {
-        measurements: Measurements::new(model, "y".to_owned(), bound, rows.collect()),
-        conditions: Vec::new(),
-    }
+    let measurements =
+        Measurements::new(model, "y".to_owned(), ErrorBound::Uniform(epsilon.clone()), rows.collect());
+    Problem { measurements, conditions: Vec::new() }
 }

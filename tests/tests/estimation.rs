@@ -48,7 +48,7 @@ fn every_proof_verifies_and_the_known_facts_hold() {
         assert_eq!(fit.verify(&problem), Ok(()), "case {case}");
         assert_eq!(region.check_invariants(polyhedron.system()), Ok(()), "case {case}");
         if let (Some(pui), Ok(least_squares)) = (fit.pui_intervals(), &fit.least_squares) {
-            for (pui, eui) in pui.iter().zip(&least_squares.eui) {
+            for (pui, eui) in pui.iter().zip(least_squares.eui.as_ref().unwrap()) {
                 assert!(eui.contains_interval(pui), "PUI not within EUI in case {case}");
             }
         }

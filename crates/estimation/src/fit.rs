@@ -1,16 +1,18 @@
 //! The whole set-membership answer for a set of readings.
 
 use boundfit_exact::{Interval, Rational};
-use boundfit_geometry::ProofError;
+use boundfit_geometry::{Inequality, Polyhedron, ProofError, System, verify_membership};
 
 use crate::bounds::{Central, ParameterInterval, central, guaranteed_error, parameter_intervals};
 use crate::condition::Condition;
 use crate::float_least_squares::FloatLeastSquares;
-use crate::fps::{BoundName, Fps};
+use crate::fps::{BoundName, Fps, every_half_plane};
+use crate::grid::Grid;
+use crate::hulls::Extremes;
 use crate::inverse::Inverse;
 use crate::least_squares::{LeastSquares, SingularRegressors};
 use crate::measurements::{ErrorBound, Measurements, Model};
-use crate::minimax::Minimax;
+use crate::minimax::{Minimax, has_hulls};
 
 /// What is to be fitted.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -26,9 +28,8 @@ pub struct Problem {
 pub struct Fit {
     /// The least-squares estimate with its EUI.
     pub least_squares: Result<LeastSquares, SingularRegressors>,
-    /// The same in binary64, when the exact estimate exists.
-    pub float_least_squares: Option<FloatLeastSquares>,
-    /// The feasible parameter set.
+    /// The feasible parameter set. Of a line under a uniform error bound it has the half-planes that can be active only;
+    /// [`Fit::with_every_half_plane`] has all of them.
     pub fps: Fps,
     /// The parameter uncertainty intervals; `None` when the FPS is empty.
     pub pui: Option<[ParameterInterval; 2]>,
@@ -40,33 +41,89 @@ pub struct Fit {
     pub inverse: Option<Inverse>,
 }
 
-/// Computes everything. Exact, but for the binary64 estimates. Cost: O(N log N).
+/// What is computed from the readings themselves: all of a [`Fit`] but the inverse line, which follows from it.
+#[derive(Debug, Clone)]
+pub struct FitBounds {
+    /// As [`Fit::least_squares`].
+    pub least_squares: Result<LeastSquares, SingularRegressors>,
+    /// As [`Fit::fps`].
+    pub fps: Fps,
+    /// As [`Fit::pui`].
+    pub pui: Option<[ParameterInterval; 2]>,
+    /// As [`Fit::central`].
+    pub central: Option<Central>,
+    /// As [`Fit::minimax`].
+    pub minimax: Option<Minimax>,
+}
+
+/// Computes everything. Exact. Cost: O(N log N).
 pub fn fit(problem: &Problem) -> Fit {
-    let Problem { measurements, conditions } = problem;
-    let least_squares = LeastSquares::new(measurements);
-    let float_least_squares =
-        least_squares.as_ref().ok().map(|exact| FloatLeastSquares::new(measurements, &exact.theta));
-    let fps = Fps::new(measurements, conditions);
-    let pui = parameter_intervals(fps.polyhedron());
-    let central = pui.as_ref().and_then(central);
-    let inverse = matches!(measurements.model(), Model::Line { .. }).then(|| {
+    let FitBounds { least_squares, fps, pui, central, minimax } = fit_bounds(problem);
+    let inverse = matches!(problem.measurements.model(), Model::Line { .. }).then(|| {
         let estimate = least_squares.as_ref().ok();
         Inverse::new(
             fps.polyhedron(),
             pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval)).as_ref(),
-            estimate.map(|estimate| &estimate.eui),
+            estimate.and_then(|estimate| estimate.eui.as_ref().ok()),
             central.as_ref().map(|central| &central.theta),
             estimate.map(|estimate| &estimate.theta),
         )
     });
-    let minimax = Minimax::new(measurements, conditions);
-    Fit { least_squares, float_least_squares, fps, pui, central, minimax, inverse }
+    Fit { least_squares, fps, pui, central, minimax, inverse }
+}
+
+/// Computes everything but the inverse line. Exact. Cost: O(N log N).
+///
+/// Sums and hulls are decided on machine integers where the readings, as integers on common denominators, fit into them.
+pub fn fit_bounds(problem: &Problem) -> FitBounds {
+    bounds_on(problem, Grid::new(&problem.measurements).as_ref())
+}
+
+/// The same, equal in every part, with numbers of any size alone: what [`fit_bounds`] does with readings that do not fit
+/// into machine integers.
+pub fn fit_bounds_in_general(problem: &Problem) -> FitBounds {
+    bounds_on(problem, None)
+}
+
+fn bounds_on(problem: &Problem, grid: Option<&Grid>) -> FitBounds {
+    let Problem { measurements, conditions } = problem;
+    let least_squares = LeastSquares::with_grid(measurements, grid);
+    let extremes = has_hulls(measurements).then(|| Extremes::new(measurements.rows(), grid));
+    let fps = match &extremes {
+        Some(extremes) => Fps::of_extremes(measurements, conditions, extremes),
+        None => Fps::new(measurements, conditions),
+    };
+    let pui = parameter_intervals(fps.polyhedron());
+    let central = pui.as_ref().and_then(central);
+    let minimax = Minimax::with_extremes(measurements, conditions, extremes.as_ref());
+    FitBounds { least_squares, fps, pui, central, minimax }
 }
 
 impl Fit {
+    /// The same answer with all half-planes of the readings in its FPS, also those that cannot be active.
+    pub fn with_every_half_plane(&self, problem: &Problem) -> Fit {
+        let fps = Fps::new(&problem.measurements, &problem.conditions);
+        // The proofs name half-planes by their position.
+        let pui = parameter_intervals(fps.polyhedron());
+        Fit { fps, pui, ..self.clone() }
+    }
+
+    /// The least-squares estimate in binary64, for comparison; `None` when there is no exact one, or not all readings are
+    /// kept. Rounded.
+    /// Cost: linear in the number of readings.
+    pub fn float_least_squares(&self, measurements: &Measurements) -> Option<FloatLeastSquares> {
+        let exact = self.least_squares.as_ref().ok().filter(|_| measurements.reduction().is_none())?;
+        Some(FloatLeastSquares::new(measurements, &exact.theta))
+    }
+
     /// The parameter uncertainty intervals without their proofs.
     pub fn pui_intervals(&self) -> Option<[Interval; 2]> {
         self.pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval))
+    }
+
+    /// The EUI, when there is one.
+    pub fn eui(&self) -> Option<&[Interval; 2]> {
+        self.least_squares.as_ref().ok()?.eui.as_ref().ok()
     }
 
     /// How far the least-squares estimate keeps inside the FPS: the smallest slack over all half-planes and the
@@ -92,7 +149,9 @@ impl Fit {
     }
 
     /// For an empty FPS, at most three half-planes with positive multipliers whose sum is `0 ≤ negative`. Where a
-    /// larger error bound would leave something, these are the readings that ask for the largest one.
+    /// larger error bound would leave something, these are the readings that ask for the largest one; where none would
+    /// under a uniform bound, the conditions that contradict each other. So it does not depend on which half-planes that
+    /// are never active the FPS has.
     pub fn contradiction(&self, error_bound: &ErrorBound) -> Option<Vec<(BoundName, Rational)>> {
         let certificate = self.fps.polyhedron().region().certificate()?;
         let in_use = match error_bound {
@@ -101,10 +160,22 @@ impl Fit {
         };
         match &self.minimax {
             Some(minimax) if minimax.least > in_use => Some(minimax.proof.multipliers.clone()),
+            None if matches!(error_bound, ErrorBound::Uniform(_)) => self.contradiction_of_conditions(),
             _ => Some(
                 certificate.multipliers().iter().map(|m| (self.fps.name(m.index), m.value.clone())).collect(),
             ),
         }
+    }
+
+    fn contradiction_of_conditions(&self) -> Option<Vec<(BoundName, Rational)>> {
+        let named = self.fps.names().iter().zip(self.fps.polyhedron().system().inequalities());
+        let (names, system): (Vec<BoundName>, Vec<Inequality>) = named
+            .filter(|(name, _)| matches!(name, BoundName::Where(_)))
+            .map(|(name, inequality)| (*name, inequality.clone()))
+            .unzip();
+        let conditions = Polyhedron::intersect(System::new(system));
+        let multipliers = conditions.region().certificate()?.multipliers();
+        Some(multipliers.iter().map(|m| (names[m.index], m.value.clone())).collect())
     }
 
     /// Recomputes every proof of the answer from the readings: emptiness, each end of the PUI and ε_min. Exact.
@@ -114,14 +185,21 @@ impl Fit {
     pub fn verify(&self, problem: &Problem) -> Result<(), ProofError> {
         use crate::bounds::ParameterBound::{Bounded, Unbounded};
         let system = self.fps.polyhedron().system();
+        let (names, every) = every_half_plane(&problem.measurements, &problem.conditions);
+        if let Some(index) = first_unknown(&self.fps, &names, &every) {
+            return Err(ProofError::UnknownInequality(index));
+        }
         if let Some(certificate) = self.fps.polyhedron().region().certificate() {
             certificate.verify(system)?;
         }
         for interval in self.pui.iter().flatten() {
             for end in [&interval.lower, &interval.upper] {
                 match end {
-                    Bounded { proof, .. } => proof.verify(system)?,
-                    Unbounded(proof) => proof.verify(system)?,
+                    Bounded { proof, .. } => {
+                        proof.verify(system)?;
+                        verify_membership(&every, &proof.attained_at)?;
+                    }
+                    Unbounded(proof) => proof.verify(&every)?,
                 }
             }
         }
@@ -134,4 +212,11 @@ impl Fit {
             _ => Ok(()),
         }
     }
+}
+
+/// The first half-plane of a set that is not one of some others, given in the same order.
+fn first_unknown(fps: &Fps, names: &[BoundName], system: &System) -> Option<usize> {
+    let mut known = names.iter().zip(system.inequalities());
+    let mut own = fps.names().iter().zip(fps.polyhedron().system().inequalities());
+    own.position(|own| !known.any(|known| known == own))
 }

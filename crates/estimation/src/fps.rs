@@ -7,6 +7,7 @@ use boundfit_exact::Rational;
 use boundfit_geometry::{Inequality, Polyhedron, System};
 
 use crate::condition::Condition;
+use crate::hulls::Extremes;
 use crate::measurements::{Measurement, Measurements};
 
 /// The name of one half-plane of an FPS.
@@ -63,18 +64,46 @@ pub struct Fps {
 impl Fps {
     /// The FPS of readings and conditions. Exact. Cost: O(N log N).
     pub fn new(measurements: &Measurements, conditions: &[Condition]) -> Self {
-        let (names, inequalities): (Vec<BoundName>, Vec<Inequality>) = measurements
-            .rows()
-            .iter()
-            .flat_map(|measurement| strip(measurement, &measurement.epsilon))
-            .chain(conditions_by_name(conditions))
-            .unzip();
+        let (names, system) = every_half_plane(measurements, conditions);
+        Fps { polyhedron: Polyhedron::intersect(system), names }
+    }
+
+    /// The same set of a line under a uniform error bound from the half-planes that can be active: the upper bounds of the
+    /// readings on the lower hull of (x, y), the lower bounds of those on the upper one, and the conditions, in the same
+    /// order. Vertices, active sets, bounds with their proofs and the tightest half-planes of a point are those of
+    /// [`Fps::new`], by name; what may differ is which of several certificates proves that the set is empty.
+    pub(crate) fn of_extremes(
+        measurements: &Measurements,
+        conditions: &[Condition],
+        extremes: &Extremes,
+    ) -> Self {
+        let count = 2 * extremes.touching.len() + conditions.len();
+        let (mut names, mut inequalities) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        let mut add = |(name, inequality): (BoundName, Inequality)| {
+            names.push(name);
+            inequalities.push(inequality);
+        };
+        for touching in &extremes.touching {
+            let measurement = &measurements.rows()[touching.position];
+            if touching.lower {
+                add(upper_bound(measurement, &measurement.epsilon));
+            }
+            if touching.upper {
+                add(lower_bound(measurement, &measurement.epsilon));
+            }
+        }
+        conditions_by_name(conditions).for_each(add);
         Fps { polyhedron: Polyhedron::intersect(System::new(inequalities)), names }
     }
 
     /// The half-planes and their intersection.
     pub fn polyhedron(&self) -> &Polyhedron {
         &self.polyhedron
+    }
+
+    /// The names of the inequalities of the system, in order.
+    pub fn names(&self) -> &[BoundName] {
+        &self.names
     }
 
     /// The name of an inequality of the system.
@@ -86,13 +115,33 @@ impl Fps {
     }
 }
 
+/// All half-planes of readings and conditions, with their names.
+pub(crate) fn every_half_plane(
+    measurements: &Measurements,
+    conditions: &[Condition],
+) -> (Vec<BoundName>, System) {
+    let (names, inequalities): (Vec<BoundName>, Vec<Inequality>) = measurements
+        .rows()
+        .iter()
+        .flat_map(|measurement| strip(measurement, &measurement.epsilon))
+        .chain(conditions_by_name(conditions))
+        .unzip();
+    (names, System::new(inequalities))
+}
+
 /// The two half-planes of a reading with an error bound: the strip of all θ whose line passes that close.
 pub(crate) fn strip(measurement: &Measurement, epsilon: &Rational) -> [(BoundName, Inequality); 2] {
+    [upper_bound(measurement, epsilon), lower_bound(measurement, epsilon)]
+}
+
+fn upper_bound(measurement: &Measurement, epsilon: &Rational) -> (BoundName, Inequality) {
     let Measurement { row, regressor: [phi1, phi2], response, .. } = measurement;
-    [
-        (BoundName::Upper(*row), Inequality::new(phi1.clone(), phi2.clone(), response + epsilon)),
-        (BoundName::Lower(*row), Inequality::new(-phi1, -phi2, epsilon - response)),
-    ]
+    (BoundName::Upper(*row), Inequality::new(phi1.clone(), phi2.clone(), response + epsilon))
+}
+
+fn lower_bound(measurement: &Measurement, epsilon: &Rational) -> (BoundName, Inequality) {
+    let Measurement { row, regressor: [phi1, phi2], response, .. } = measurement;
+    (BoundName::Lower(*row), Inequality::new(-phi1, -phi2, epsilon - response))
 }
 
 /// The conditions as named inequalities.

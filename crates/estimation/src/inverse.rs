@@ -1,7 +1,7 @@
 //! The inverse line x = gain·y + offset of y = θ1·x + θ2: gain 1/θ1, offset -θ2/θ1.
 
-use boundfit_exact::{Endpoint, Interval, Rational};
-use boundfit_geometry::{Branch, Inequality, Polyhedron, System, inverse_line_image};
+use boundfit_exact::{Endpoint, Integer, Interval, Rational, Sign};
+use boundfit_geometry::{Branch, Inequality, Polyhedron, Region, System, Vertex, inverse_line_image};
 
 /// What is known about one parameter of the inverse line. Ranges are unions of at most two disjoint intervals, in
 /// ascending order: two where θ1 may have either sign, none where there is no feasible θ with θ1 ≠ 0.
@@ -29,7 +29,8 @@ pub struct Inverse {
 }
 
 impl Inverse {
-    /// Gain and offset from the FPS, the PUI box, the EUI box and the estimates. Exact.
+    /// Gain and offset from the FPS, its PUI box, the EUI box and the estimates. Exact. Cost: linear in the number of
+    /// vertices of a bounded FPS, else that of [`inverse_line_image`].
     pub fn new(
         fps: &Polyhedron,
         pui: Option<&[Interval; 2]>,
@@ -37,9 +38,41 @@ impl Inverse {
         central: Option<&[Rational; 2]>,
         least_squares: Option<&[Rational; 2]>,
     ) -> Self {
-        let [exact_gain, exact_offset] = ranges(fps);
-        let [box_gain, box_offset] = pui.map(|pui| ranges(&box_of(pui))).unwrap_or_default();
-        let (eui_gain, eui_offset) = eui.map(|eui| ranges(&box_of(eui))).map(|[g, o]| (g, o)).unzip();
+        let exact = pui.and_then(|[theta1, _]| ranges_of_region(fps.region(), theta1));
+        let of_box = |intervals: &[Interval; 2]| {
+            let bounded = ranges_of_box(intervals).or_else(|| ranges_of_wide_box(intervals));
+            bounded.unwrap_or_else(|| ranges(&box_of(intervals)))
+        };
+        Inverse::from_ranges(
+            exact.unwrap_or_else(|| ranges(fps)),
+            pui.map(of_box).unwrap_or_default(),
+            eui.map(of_box),
+            central,
+            least_squares,
+        )
+    }
+
+    /// The same by the projective image alone, for sets of any kind.
+    pub fn in_general(
+        fps: &Polyhedron,
+        pui: Option<&[Interval; 2]>,
+        eui: Option<&[Interval; 2]>,
+        central: Option<&[Rational; 2]>,
+        least_squares: Option<&[Rational; 2]>,
+    ) -> Self {
+        let of_box = |intervals: &[Interval; 2]| ranges(&box_of(intervals));
+        let of_pui = pui.map(of_box).unwrap_or_default();
+        Inverse::from_ranges(ranges(fps), of_pui, eui.map(of_box), central, least_squares)
+    }
+
+    fn from_ranges(
+        [exact_gain, exact_offset]: Ranges,
+        [box_gain, box_offset]: Ranges,
+        eui: Option<Ranges>,
+        central: Option<&[Rational; 2]>,
+        least_squares: Option<&[Rational; 2]>,
+    ) -> Self {
+        let (eui_gain, eui_offset) = eui.map(|[gain, offset]| (gain, offset)).unzip();
         let gain = |theta: &[Rational; 2]| theta[0].recip();
         let offset = |theta: &[Rational; 2]| (-&theta[1]).checked_div(&theta[0]);
         Inverse {
@@ -61,8 +94,11 @@ impl Inverse {
     }
 }
 
+/// The ranges of gain and offset.
+type Ranges = [Vec<Interval>; 2];
+
 /// The range of gain and offset over a set of θ.
-fn ranges(set: &Polyhedron) -> [Vec<Interval>; 2] {
+fn ranges(set: &Polyhedron) -> Ranges {
     let mut ranges = [Vec::new(), Vec::new()];
     for branch in [Branch::Negative, Branch::Positive] {
         let Some(intervals) = inverse_line_image(set, branch).and_then(|image| image.bounding_box()) else {
@@ -73,6 +109,115 @@ fn ranges(set: &Polyhedron) -> [Vec<Interval>; 2] {
         }
     }
     ranges.map(united)
+}
+
+/// The same for a bounded region whose θ1 has this range.
+fn ranges_of_region(region: &Region, theta1: &Interval) -> Option<Ranges> {
+    if !region.is_bounded() {
+        return None;
+    }
+    let place = |vertex: &Vertex| {
+        let (x, y, _) = vertex.point().homogeneous();
+        [x.clone(), y.clone()]
+    };
+    ranges_of_corners(&region.vertices().iter().map(place).collect::<Vec<_>>(), theta1)
+}
+
+/// The same for a bounded box.
+fn ranges_of_wide_box([theta1, theta2]: &[Interval; 2]) -> Option<Ranges> {
+    let ((left, right), (low, high)) = (theta1.ends()?, theta2.ends()?);
+    let corners = [(left, low), (right, low), (right, high), (left, high)];
+    let place =
+        |(x, y): (&Rational, &Rational)| [x.numerator() * y.denominator(), y.numerator() * x.denominator()];
+    ranges_of_corners(&corners.map(place), theta1)
+}
+
+/// The ranges over a convex polygon with these corners in order, each as (θ1, θ2) times a positive number of its own, and
+/// this range of θ1.
+///
+/// A quotient of linear forms is monotone along every segment on one side of θ1 = 0, so -θ2/θ1 has its bounds in corners,
+/// but for what it does towards θ1 = 0: there it tends to where the sign of θ2 sends it.
+fn ranges_of_corners(corners: &[[Integer; 2]], theta1: &Interval) -> Option<Ranges> {
+    let (lower, upper) = theta1.ends()?;
+    let mut on_axis = Vec::new();
+    if !lower.is_positive() && !upper.is_negative() {
+        let next = corners.iter().cycle().skip(1);
+        on_axis.extend(corners.iter().zip(next).filter_map(|(corner, next)| sign_on_axis(corner, next)));
+    }
+    let mut ranges = [Vec::new(), Vec::new()];
+    for side in [Sign::Negative, Sign::Positive] {
+        let own = corners.iter().filter(|[x, _]| x.sign() == side);
+        let Some([least, most]) = offsets(own) else { continue };
+        // Towards θ1 = 0 from the right, -θ2/θ1 grows where θ2 < 0; from the left, where θ2 > 0.
+        let (falls, grows) = (side, if side == Sign::Negative { Sign::Positive } else { Sign::Negative });
+        let end = |end: Rational, goes_on: Sign| {
+            if on_axis.contains(&goes_on) { Endpoint::Unbounded } else { Endpoint::Finite(end) }
+        };
+        ranges[1].push(Interval::new(end(least, falls), end(most, grows))?);
+        // 1/θ1 at an end of the range on this side; without end towards 0.
+        let inverse = |theta1: &Rational| match theta1.recip() {
+            Some(gain) if theta1.sign() == side => Endpoint::Finite(gain),
+            _ => Endpoint::Unbounded,
+        };
+        ranges[0].push(Interval::new(inverse(upper), inverse(lower))?);
+    }
+    Some(ranges.map(united))
+}
+
+/// The sign of θ2 where the edge between two corners meets θ1 = 0, when it does; for an edge along it, that of its start.
+fn sign_on_axis([x, y]: &[Integer; 2], [next_x, next_y]: &[Integer; 2]) -> Option<Sign> {
+    match (x.sign(), next_x.sign()) {
+        (Sign::Zero, _) => Some(y.sign()),
+        (Sign::Negative, Sign::Positive) => Some((next_x * y).cmp(&(x * next_y)).into()),
+        (Sign::Positive, Sign::Negative) => Some((x * next_y).cmp(&(next_x * y)).into()),
+        _ => None,
+    }
+}
+
+/// The least and the largest -θ2/θ1 of corners with θ1 ≠ 0; `None` without any.
+fn offsets<'a>(corners: impl Iterator<Item = &'a [Integer; 2]>) -> Option<[Rational; 2]> {
+    // With positive denominators, not reduced: these are only compared.
+    let fraction = |[x, y]: &[Integer; 2]| if x.is_negative() { (y.clone(), -x) } else { (-y, x.clone()) };
+    let is_less = |p: &(Integer, Integer), q: &(Integer, Integer)| &p.0 * &q.1 < &q.0 * &p.1;
+    let mut offsets = corners.map(fraction);
+    let first = offsets.next()?;
+    let (least, most) = offsets.fold((first.clone(), first), |(least, most), offset| {
+        if is_less(&offset, &least) {
+            (offset, most)
+        } else if is_less(&most, &offset) {
+            (least, offset)
+        } else {
+            (least, most)
+        }
+    });
+    Some([Rational::new(least.0, least.1)?, Rational::new(most.0, most.1)?])
+}
+
+/// The same for a bounded box whose θ1 keeps one sign.
+fn ranges_of_box([theta1, theta2]: &[Interval; 2]) -> Option<Ranges> {
+    let gain = inverse_of(theta1)?;
+    let ((left, right), (low, high)) = (theta1.ends()?, theta2.ends()?);
+    let mut nearest_and_furthest = [left.abs(), right.abs()];
+    let (least, most) = if right.is_negative() {
+        nearest_and_furthest.reverse();
+        (low.clone(), high.clone())
+    } else {
+        (-high, -low)
+    };
+    // A positive number is largest when divided by the smallest |θ1|, a negative one by the largest.
+    let [near, far] = nearest_and_furthest;
+    let lower = least.checked_div(if least.is_negative() { &near } else { &far })?;
+    let upper = most.checked_div(if most.is_negative() { &far } else { &near })?;
+    Some([vec![gain], vec![Interval::new(Endpoint::Finite(lower), Endpoint::Finite(upper))?]])
+}
+
+/// 1/θ1 for a bounded interval that 0 does not belong to.
+fn inverse_of(theta1: &Interval) -> Option<Interval> {
+    let (lower, upper) = theta1.ends()?;
+    if lower.sign() != upper.sign() {
+        return None;
+    }
+    Interval::new(Endpoint::Finite(upper.recip()?), Endpoint::Finite(lower.recip()?))
 }
 
 /// The union of at most two intervals, as disjoint intervals in ascending order.

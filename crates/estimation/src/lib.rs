@@ -37,12 +37,14 @@ mod family;
 mod fit;
 mod float_least_squares;
 mod fps;
+mod grid;
 mod hulls;
 mod inverse;
 mod least_growth;
 mod least_squares;
 mod measurements;
 mod minimax;
+mod summary;
 
 pub use bounds::{Central, ParameterBound, ParameterInterval};
 pub use condition::{Condition, ParseConditionError, ParseConditionErrorKind};
@@ -51,7 +53,7 @@ pub use family::{
     Breakpoint, Family, Linear, MovingBoundary, MovingVertex, Piece, Quadratic, Section, SectionBoundary,
     SectionVertex,
 };
-pub use fit::{Fit, Problem, fit};
+pub use fit::{Fit, FitBounds, Problem, fit, fit_bounds, fit_bounds_in_general};
 pub use float_least_squares::{FloatEstimate, FloatLeastSquares};
 pub use fps::{BoundName, Fps};
 pub use inverse::{Inverse, InverseParameter};
@@ -59,3 +61,6 @@ pub use least_growth::{GrowingInequality, LeastGrowth, least_growth};
 pub use least_squares::{LeastSquares, SingularRegressors};
 pub use measurements::{Columns, EpsilonColumn, ErrorBound, Measurement, Measurements, Model};
 pub use minimax::{Minimax, MinimaxProof};
+pub use summary::{
+    Extremes, Keep, LineSums, NoEui, ReducedColumns, ReducedTable, Reduction, Spread, Thresholds,
+};

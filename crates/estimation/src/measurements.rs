@@ -1,7 +1,11 @@
 //! Readings: what was measured, under which model, with which error bound.
 
 use boundfit_exact::Rational;
-use boundfit_formats::{ColumnSelector, InputError, Source, TableOptions, TableRow, read_table};
+use boundfit_formats::{
+    Batch, ColumnSelector, InputError, Scanned, Source, TableOptions, TableRow, read_table,
+};
+
+use crate::summary::{NoEui, Reduction};
 
 /// One reading.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -48,6 +52,7 @@ pub struct Measurements {
     error_bound: ErrorBound,
     rows: Vec<Measurement>,
     others: Vec<Measurement>,
+    reduction: Option<Reduction>,
     rows_total: usize,
     sha256: Option<String>,
 }
@@ -74,11 +79,50 @@ pub struct Columns {
     pub epsilon: EpsilonColumn,
 }
 
+impl Columns {
+    /// The columns in the order in which they are read: regressors, response, error bound.
+    pub(crate) fn selectors(&self) -> Vec<ColumnSelector> {
+        let mut selectors = vec![self.first.clone()];
+        selectors.extend(self.second.clone());
+        selectors.push(self.response.clone());
+        if let EpsilonColumn::Column(epsilon) = &self.epsilon {
+            selectors.push(epsilon.clone().non_negative());
+        }
+        selectors
+    }
+
+    /// Model, response and error bound by the names of those columns.
+    fn described(&self, names: &[String]) -> (Model, String, ErrorBound) {
+        let mut names = names.iter().cloned();
+        let mut name = || names.next().unwrap_or_default();
+        let first = name();
+        let model = match self.second {
+            None => Model::Line { x: first },
+            Some(_) => Model::TwoRegressors { regressors: [first, name()] },
+        };
+        let response = name();
+        let error_bound = match &self.epsilon {
+            EpsilonColumn::Uniform(epsilon) => ErrorBound::Uniform(epsilon.clone()),
+            EpsilonColumn::Column(_) => ErrorBound::PerRow(name()),
+        };
+        (model, response, error_bound)
+    }
+}
+
 impl Measurements {
     /// Readings that do not come from a file.
     pub fn new(model: Model, response: String, error_bound: ErrorBound, rows: Vec<Measurement>) -> Self {
         let rows_total = rows.len();
-        Measurements { model, response, error_bound, rows, others: Vec::new(), rows_total, sha256: None }
+        Measurements {
+            model,
+            response,
+            error_bound,
+            rows,
+            others: Vec::new(),
+            reduction: None,
+            rows_total,
+            sha256: None,
+        }
     }
 
     /// Reads the columns of a table.
@@ -86,30 +130,49 @@ impl Measurements {
     /// # Errors
     /// The first thing wrong with the file, a negative error bound included.
     pub fn read(source: Source, columns: &Columns, options: &TableOptions) -> Result<Self, InputError> {
-        let mut selectors = vec![columns.first.clone()];
-        selectors.extend(columns.second.clone());
-        selectors.push(columns.response.clone());
-        if let EpsilonColumn::Column(epsilon) = &columns.epsilon {
-            selectors.push(epsilon.clone().non_negative());
-        }
-        let table = read_table(source, &selectors, options)?;
-        let mut names = table.names.iter().cloned();
-        let mut name = || names.next().unwrap_or_default();
-        let first = name();
-        let model = match columns.second {
-            None => Model::Line { x: first },
-            Some(_) => Model::TwoRegressors { regressors: [first, name()] },
-        };
-        let response = name();
-        let error_bound = match &columns.epsilon {
-            EpsilonColumn::Uniform(epsilon) => ErrorBound::Uniform(epsilon.clone()),
-            EpsilonColumn::Column(_) => ErrorBound::PerRow(name()),
-        };
+        let table = read_table(source, &columns.selectors(), options)?;
+        let (model, response, error_bound) = columns.described(&table.names);
         let measured =
             |rows: &[TableRow]| rows.iter().map(|row| measurement(row, &model, &error_bound)).collect();
         let (rows, others) = (measured(&table.rows), measured(&table.others));
         let (rows_total, sha256) = (table.rows_total, Some(table.sha256));
-        Ok(Measurements { model, response, error_bound, rows, others, rows_total, sha256 })
+        let reduction = None;
+        Ok(Measurements { model, response, error_bound, rows, others, reduction, rows_total, sha256 })
+    }
+
+    /// All readings of these batches.
+    pub(crate) fn of_batches(columns: &Columns, scanned: Scanned, batches: &[Batch]) -> Self {
+        let (model, response, error_bound) = columns.described(&scanned.names);
+        let row = |batch: &Batch, k: usize| {
+            let numbers = batch.columns.iter().map(|column| column.get(k)).collect();
+            TableRow { row: batch.first_row + k, line: 0, numbers }
+        };
+        let rows = batches.iter().flat_map(|batch| (0..batch.rows).map(move |k| row(batch, k)));
+        let rows = rows.map(|row| measurement(&row, &model, &error_bound)).collect();
+        Measurements {
+            rows_total: scanned.rows_total,
+            sha256: scanned.sha256,
+            ..Measurements::new(model, response, error_bound, rows)
+        }
+    }
+
+    /// The readings of a line that touch a hull, and what is known about all of them.
+    pub(crate) fn of_reduction(
+        columns: &Columns,
+        scanned: Scanned,
+        mut rows: Vec<Measurement>,
+        reduction: Reduction,
+    ) -> Self {
+        let (model, response, error_bound) = columns.described(&scanned.names);
+        if let ErrorBound::Uniform(epsilon) = &error_bound {
+            rows.iter_mut().for_each(|row| row.epsilon = epsilon.clone());
+        }
+        Measurements {
+            rows_total: scanned.rows_total,
+            sha256: scanned.sha256,
+            reduction: Some(reduction),
+            ..Measurements::new(model, response, error_bound, rows)
+        }
     }
 
     /// The model.
@@ -127,9 +190,25 @@ impl Measurements {
         &self.error_bound
     }
 
-    /// The readings that are fitted.
+    /// The readings that are fitted; where [`Measurements::reduction`] is given, those of them that touch a hull.
     pub fn rows(&self) -> &[Measurement] {
         &self.rows
+    }
+
+    /// What is known about all readings where only those that touch a hull are kept. These decide everything but
+    /// least squares.
+    pub fn reduction(&self) -> Option<&Reduction> {
+        self.reduction.as_ref()
+    }
+
+    /// Whether the rows were read from reductions, which number them anew.
+    pub fn is_of_reductions(&self) -> bool {
+        self.reduction.as_ref().is_some_and(|reduction| reduction.spread == Err(NoEui::Reduced))
+    }
+
+    /// How many readings are fitted, kept or not.
+    pub fn fitted(&self) -> usize {
+        self.reduction.as_ref().map_or(self.rows.len(), |reduction| reduction.sums.count)
     }
 
     /// Readings of the file that are not fitted, kept where the table was read with

@@ -5,7 +5,8 @@ use boundfit_geometry::{Inequality, Multiplier, RegionKind, System, envelope};
 
 use crate::condition::Condition;
 use crate::fps::{BoundName, conditions_by_name, strip};
-use crate::hulls::minimum_from_hulls;
+use crate::grid::Grid;
+use crate::hulls::{Extremes, Gap, HullMinimum};
 use crate::least_growth::{GrowingInequality, LeastGrowth, least_growth};
 use crate::measurements::{ErrorBound, Measurement, Measurements, Model};
 
@@ -60,47 +61,64 @@ impl Minimax {
     /// The least error bound of readings under conditions; `None` when no bound, however large, leaves anything.
     ///
     /// Exact. For a line under a uniform bound and no conditions from the two hulls, O(N log N); otherwise by
-    /// [`least_growth`].
+    /// [`least_growth`], which for a line under a uniform bound sees the readings on the hulls alone.
     pub fn new(measurements: &Measurements, conditions: &[Condition]) -> Option<Self> {
-        let of_hulls = matches!(measurements.model(), Model::Line { .. })
-            && matches!(measurements.error_bound(), ErrorBound::Uniform(_))
-            && conditions.is_empty();
-        if of_hulls {
-            Minimax::from_hulls(measurements)
-        } else {
-            Minimax::in_general(measurements, conditions)
+        let extremes = has_hulls(measurements)
+            .then(|| Extremes::new(measurements.rows(), Grid::new(measurements).as_ref()));
+        Minimax::with_extremes(measurements, conditions, extremes.as_ref())
+    }
+
+    /// The same with the extremes of a line under a uniform bound.
+    pub(crate) fn with_extremes(
+        measurements: &Measurements,
+        conditions: &[Condition],
+        extremes: Option<&Extremes>,
+    ) -> Option<Self> {
+        let rows = measurements.rows();
+        match extremes {
+            Some(Extremes { widest: Some(widest), corners, .. }) if conditions.is_empty() => {
+                Some(Minimax::from_hulls(rows, widest, corners))
+            }
+            // The reading that a line misses most is on a hull, and so are all that it misses as much.
+            Some(extremes) => {
+                let touching = extremes.touching.iter().map(|touching| &rows[touching.position]);
+                Growing::of_rows(touching, |_| Rational::one()).with(conditions).minimax()
+            }
+            None => Minimax::in_general(measurements, conditions),
         }
     }
 
     /// The same by the general method alone, for any model, error bound and conditions.
     pub fn in_general(measurements: &Measurements, conditions: &[Condition]) -> Option<Self> {
-        let growing = Growing::new(measurements, conditions);
-        let LeastGrowth::From { t, multipliers, .. } = least_growth(&growing.inequalities) else {
-            return None;
-        };
-        let multipliers = if t.is_zero() { Vec::new() } else { multipliers };
-        let named = |Multiplier { index, value }: Multiplier| (growing.names[index], value);
-        let mut multipliers: Vec<_> = multipliers.into_iter().map(named).collect();
-        multipliers.sort();
-        Some(growing.minimisers(t, MinimaxProof { multipliers }))
+        Growing::new(measurements, conditions).minimax()
     }
 
-    fn from_hulls(measurements: &Measurements) -> Option<Self> {
-        let rows = measurements.rows();
-        let minimum = minimum_from_hulls(rows)?;
+    fn from_hulls(rows: &[Measurement], widest: &Gap, corners: &[usize]) -> Self {
+        let HullMinimum { epsilon, proof, theta } = widest.minimum(rows);
         let named = |(position, is_lower, multiplier): (usize, bool, Rational)| {
             let row = rows[position].row;
             (if is_lower { BoundName::Lower(row) } else { BoundName::Upper(row) }, multiplier)
         };
-        let mut multipliers: Vec<_> = minimum.proof.into_iter().map(named).collect();
+        let mut multipliers: Vec<_> = proof.into_iter().map(named).collect();
         multipliers.sort();
-        if minimum.epsilon.is_zero() {
+        if epsilon.is_zero() {
             multipliers.clear();
         }
-        let growing =
-            Growing::of_rows(minimum.extreme.iter().map(|&position| &rows[position]), |_| Rational::one());
-        Some(growing.minimisers(minimum.epsilon, MinimaxProof { multipliers }))
+        let proof = MinimaxProof { multipliers };
+        match theta {
+            Some(theta) => Minimax { least: epsilon, theta, unique: true, proof },
+            None => {
+                let corners = corners.iter().map(|&position| &rows[position]);
+                Growing::of_rows(corners, |_| Rational::one()).minimisers(epsilon, proof)
+            }
+        }
     }
+}
+
+/// Whether two hulls of the readings tell which of them can bound anything.
+pub(crate) fn has_hulls(measurements: &Measurements) -> bool {
+    matches!(measurements.model(), Model::Line { .. })
+        && matches!(measurements.error_bound(), ErrorBound::Uniform(_))
 }
 
 /// The half-planes of readings and conditions as functions of the error bound.
@@ -111,15 +129,19 @@ struct Growing {
 
 impl Growing {
     fn new(measurements: &Measurements, conditions: &[Condition]) -> Self {
-        let mut growing = match measurements.error_bound() {
+        let growing = match measurements.error_bound() {
             ErrorBound::Uniform(_) => Growing::of_rows(measurements.rows().iter(), |_| Rational::one()),
             ErrorBound::PerRow(_) => Growing::of_rows(measurements.rows().iter(), |row| row.epsilon.clone()),
         };
+        growing.with(conditions)
+    }
+
+    fn with(mut self, conditions: &[Condition]) -> Self {
         for (name, at_zero) in conditions_by_name(conditions) {
-            growing.names.push(name);
-            growing.inequalities.push(GrowingInequality { at_zero, growth: Rational::zero() });
+            self.names.push(name);
+            self.inequalities.push(GrowingInequality { at_zero, growth: Rational::zero() });
         }
-        growing
+        self
     }
 
     fn of_rows<'a>(
@@ -135,6 +157,17 @@ impl Growing {
             })
             .unzip();
         Growing { names, inequalities }
+    }
+
+    fn minimax(self) -> Option<Minimax> {
+        let LeastGrowth::From { t, multipliers, .. } = least_growth(&self.inequalities) else {
+            return None;
+        };
+        let multipliers = if t.is_zero() { Vec::new() } else { multipliers };
+        let named = |Multiplier { index, value }: Multiplier| (self.names[index], value);
+        let mut multipliers: Vec<_> = multipliers.into_iter().map(named).collect();
+        multipliers.sort();
+        Some(self.minimisers(t, MinimaxProof { multipliers }))
     }
 
     /// The answer for a least bound: all minimisers are the region that it leaves.

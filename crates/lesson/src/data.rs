@@ -65,6 +65,8 @@ pub(crate) fn build(
     if rows > MOST_ROWS {
         return Err(LessonError::TooManyRows { rows });
     }
+    // Half-planes that cannot be active are part of the lesson.
+    let fit = &fit.with_every_half_plane(problem);
     let digits = ParameterDigits::of(fit);
     let mut points = Points::new(digits);
     let programs = programs(problem);

@@ -3,13 +3,14 @@
 use std::collections::BTreeMap;
 
 use boundfit_estimation::{
-    BoundName, ErrorBound, Family, Fit, FloatEstimate, InverseParameter, Model, ParameterBound,
+    BoundName, ErrorBound, Family, Fit, FloatEstimate, InverseParameter, LeastSquares, Model, ParameterBound,
     ParameterInterval, Problem,
 };
 use boundfit_exact::{Endpoint, Interval, Rational, Reading};
 use boundfit_geometry::Multiplier;
 use serde::Serialize;
 
+use crate::fit_text::NO_BINARY64;
 use crate::region::{BoundJson, IntervalJson, RegionJson, TermJson};
 use crate::style::{Number, Style};
 use crate::sweep_json::{SweepJson, sweep};
@@ -110,8 +111,8 @@ pub fn fit_json(
     let report = FitJson {
         schema: "boundfit/fit/1",
         input: input(problem, reading, style),
-        least_squares: least_squares(fit, style),
-        eui: fit.least_squares.as_ref().ok().map(|ls| ls.eui.each_ref().map(|eui| range(eui, style))),
+        least_squares: least_squares(problem, fit, style),
+        eui: fit.eui().map(|eui| eui.each_ref().map(|eui| range(eui, style))),
         fps: fps(problem, fit, style),
         pui: fit
             .pui
@@ -177,7 +178,7 @@ fn input(problem: &Problem, reading: Reading, style: &Style) -> InputJson {
         ErrorBound::PerRow(column) => (None, Some(column.clone())),
     };
     InputJson {
-        rows: measurements.rows().len(),
+        rows: measurements.fitted(),
         rows_total: measurements.rows_total(),
         reading: reading.name(),
         sha256: measurements.sha256().map(ToOwned::to_owned),
@@ -190,7 +191,7 @@ fn input(problem: &Problem, reading: Reading, style: &Style) -> InputJson {
     }
 }
 
-fn least_squares(fit: &Fit, style: &Style) -> Option<LeastSquaresJson> {
+fn least_squares(problem: &Problem, fit: &Fit, style: &Style) -> Option<LeastSquaresJson> {
     let estimate = fit.least_squares.as_ref().ok()?;
     let float = |float: &Option<FloatEstimate>| {
         float.as_ref().map(|float| FloatJson {
@@ -198,7 +199,7 @@ fn least_squares(fit: &Fit, style: &Style) -> Option<LeastSquaresJson> {
             distance: float.distance.each_ref().map(|distance| style.upper_number(distance)),
         })
     };
-    let float = fit.float_least_squares.as_ref().map(|floats| {
+    let float = fit.float_least_squares(&problem.measurements).map(|floats| {
         BTreeMap::from([("qr", float(&floats.qr)), ("pseudo_inverse", float(&floats.pseudo_inverse))])
     });
     Some(LeastSquaresJson {
@@ -288,6 +289,12 @@ fn reasons(problem: &Problem, fit: &Fit) -> BTreeMap<&'static str, String> {
     if let Err(singular) = &fit.least_squares {
         reasons.insert("least_squares", singular.to_string());
         reasons.insert("eui", singular.to_string());
+    }
+    if let Ok(LeastSquares { eui: Err(reason), .. }) = &fit.least_squares {
+        reasons.insert("eui", reason.to_string());
+    }
+    if fit.least_squares.is_ok() && problem.measurements.reduction().is_some() {
+        reasons.insert("binary64", NO_BINARY64.to_owned());
     }
     if !has_bounded_end(fit) {
         reasons.insert("pui", if region.is_empty() { without_fps() } else { "no end is bounded".to_owned() });

@@ -1,8 +1,8 @@
 //! The text report of a fit.
 
 use boundfit_estimation::{
-    BoundName, ErrorBound, Fit, FloatEstimate, InverseParameter, Model, ParameterBound, ParameterInterval,
-    Problem,
+    BoundName, ErrorBound, Fit, FloatEstimate, InverseParameter, LeastSquares, Model, ParameterBound,
+    ParameterInterval, Problem,
 };
 use boundfit_exact::{Interval, Rational, Reading};
 
@@ -10,6 +10,9 @@ use crate::advice::bounding_reading;
 use crate::region::{point_text, region_text};
 use crate::style::{EndRounding, Style};
 use crate::text::{counted, list, table};
+
+/// Why binary64 least squares is left out of a report.
+pub(crate) const NO_BINARY64: &str = "not computed, since not every reading is kept in memory";
 
 /// The report as text. `file` and `rows` say where the readings come from, in the words of the user.
 pub fn fit_text(
@@ -65,8 +68,12 @@ impl<'a> Writer<'a> {
             ErrorBound::Uniform(epsilon) => format!("|e| <= {}", self.style.given_text(epsilon)),
             ErrorBound::PerRow(column) => format!("|e| <= {column}, one bound per row"),
         };
-        let (used, total) = (measurements.rows().len(), measurements.rows_total());
+        let (used, total) = (measurements.fitted(), measurements.rows_total());
         let rows = match rows {
+            None if measurements.is_of_reductions() => {
+                let kept = counted(measurements.rows().len(), "row", "rows");
+                format!("a reduction: {kept} for {}", counted(total, "reading", "readings"))
+            }
             None => counted(total, "row", "rows"),
             Some(rows) => format!("rows {rows}: {used} of {total}"),
         };
@@ -93,7 +100,9 @@ impl<'a> Writer<'a> {
         if let Ok(least_squares) = &fit.least_squares {
             let inverse = of_inverse(|parameter| parameter.least_squares.as_ref());
             rows.push(self.estimate_row("least squares", &least_squares.theta, inverse));
-            rows.push(self.interval_row("EUI", &least_squares.eui, |inverse| inverse.eui_range.as_deref()));
+        }
+        if let Some(eui) = fit.eui() {
+            rows.push(self.interval_row("EUI", eui, |inverse| inverse.eui_range.as_deref()));
         }
         if let Some(pui) = fit.pui_intervals() {
             rows.push(self.interval_row("PUI", &pui, |inverse| Some(&inverse.box_range)));
@@ -309,10 +318,17 @@ impl<'a> Writer<'a> {
             }
             None => format!("{method} fails"),
         };
-        if let Some(floats) = &fit.float_least_squares {
+        let floats = fit.float_least_squares(&self.problem.measurements);
+        if fit.least_squares.is_ok() && floats.is_none() {
+            lines.push(("", format!("in binary64: {NO_BINARY64}")));
+        }
+        if let Some(floats) = &floats {
             let (qr, pseudo_inverse) =
                 (float("QR", &floats.qr), float("pseudo-inverse", &floats.pseudo_inverse));
             lines.push(("", format!("in binary64: {qr}; {pseudo_inverse}")));
+        }
+        if let Ok(LeastSquares { eui: Err(reason), .. }) = &fit.least_squares {
+            lines.push(("EUI", format!("none: {reason}")));
         }
         lines
     }

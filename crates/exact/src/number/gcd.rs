@@ -5,42 +5,50 @@
 pub(super) fn gcd(left: u128, right: u128) -> u128 {
     match (u64::try_from(left), u64::try_from(right)) {
         (Ok(left), Ok(right)) => u128::from(gcd_of_words(left, right)),
-        _ if left == 0 => right,
-        _ if right == 0 => left,
-        _ => {
-            let twos = (left | right).trailing_zeros();
-            let (mut left, mut right) = (left >> left.trailing_zeros(), right >> right.trailing_zeros());
-            while left != right {
-                if left < right {
-                    (left, right) = (right, left);
-                }
-                left -= right;
-                left >>= left.trailing_zeros();
-                if let (Ok(small), Ok(other)) = (u64::try_from(left), u64::try_from(right)) {
-                    return u128::from(gcd_of_words(small, other)) << twos;
-                }
-            }
-            left << twos
-        }
+        (Ok(0), _) => right,
+        (_, Ok(0)) => left,
+        // One division brings both down to a word.
+        (_, Ok(word)) => u128::from(gcd_of_words((left % u128::from(word)) as u64, word)),
+        (Ok(word), _) => u128::from(gcd_of_words((right % u128::from(word)) as u64, word)),
+        _ => gcd_of_pairs(left, right),
     }
 }
 
-fn gcd_of_words(left: u64, right: u64) -> u64 {
-    if left == 0 || right == 0 {
-        return left | right;
-    }
-    // Frequent, and the longest way for what follows.
-    if left == 1 || right == 1 {
-        return 1;
-    }
+fn gcd_of_pairs(left: u128, right: u128) -> u128 {
     let twos = (left | right).trailing_zeros();
     let (mut left, mut right) = (left >> left.trailing_zeros(), right >> right.trailing_zeros());
     while left != right {
-        if left < right {
-            (left, right) = (right, left);
+        // The larger one is as often left as right: without a branch that cannot be foretold.
+        let difference = left.abs_diff(right);
+        right = left.min(right);
+        left = difference >> difference.trailing_zeros();
+        if let (Ok(small), Ok(other)) = (u64::try_from(left), u64::try_from(right)) {
+            return u128::from(gcd_of_words(small, other)) << twos;
         }
-        left -= right;
-        left >>= left.trailing_zeros();
+    }
+    left << twos
+}
+
+fn gcd_of_words(left: u64, right: u64) -> u64 {
+    /// How many bits apart two numbers must be for a division to save more than it costs.
+    const FAR_APART: u32 = 12;
+    let (mut left, mut right) = (left, right);
+    if left == 0 || right == 0 {
+        return left | right;
+    }
+    if left.leading_zeros().abs_diff(right.leading_zeros()) > FAR_APART {
+        (left, right) = (left.max(right) % left.min(right), left.min(right));
+        if left == 0 {
+            return right;
+        }
+    }
+    let twos = (left | right).trailing_zeros();
+    left >>= left.trailing_zeros();
+    right >>= right.trailing_zeros();
+    while left != right {
+        let difference = left.abs_diff(right);
+        right = left.min(right);
+        left = difference >> difference.trailing_zeros();
     }
     left << twos
 }

@@ -39,18 +39,22 @@ macro_rules! operators {
     ($type:ident: $($trait:ident $method:ident $function:ident),*) => {$(
         impl std::ops::$trait<&$type> for &$type {
             type Output = $type;
+            #[inline]
             fn $method(self, other: &$type) -> $type { $function(self, other) }
         }
         impl std::ops::$trait<$type> for &$type {
             type Output = $type;
+            #[inline]
             fn $method(self, other: $type) -> $type { $function(self, &other) }
         }
         impl std::ops::$trait<&$type> for $type {
             type Output = $type;
+            #[inline]
             fn $method(self, other: &$type) -> $type { $function(&self, other) }
         }
         impl std::ops::$trait<$type> for $type {
             type Output = $type;
+            #[inline]
             fn $method(self, other: $type) -> $type { $function(&self, &other) }
         }
     )*};
@@ -61,30 +65,36 @@ macro_rules! number {
     ($type:ident) => {
         impl std::ops::Neg for $type {
             type Output = $type;
+            #[inline]
             fn neg(self) -> $type {
                 self.negated()
             }
         }
         impl std::ops::Neg for &$type {
             type Output = $type;
+            #[inline]
             fn neg(self) -> $type {
                 self.negated()
             }
         }
         impl $type {
             /// Whether the number is 0.
+            #[inline]
             pub fn is_zero(&self) -> bool {
                 self.sign() == Sign::Zero
             }
             /// Whether the number is less than 0.
+            #[inline]
             pub fn is_negative(&self) -> bool {
                 self.sign() == Sign::Negative
             }
             /// Whether the number is greater than 0.
+            #[inline]
             pub fn is_positive(&self) -> bool {
                 self.sign() == Sign::Positive
             }
             /// The absolute value.
+            #[inline]
             pub fn abs(&self) -> Self {
                 if self.is_negative() { self.negated() } else { self.clone() }
             }

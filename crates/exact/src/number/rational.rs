@@ -25,18 +25,18 @@ fn difference_of(left: &Rational, right: &Rational) -> Rational {
 
 /// A sum or difference in lowest terms by common divisors of the denominators only, which are smaller than those of the
 /// result (Knuth, *The Art of Computer Programming* 2, section 4.5.1).
-fn combined(left: &Rational, right: &Rational, combine: impl Fn(Integer, Integer) -> Integer) -> Rational {
+fn combined(left: &Rational, right: &Rational, combine: impl Fn(&Integer, &Integer) -> Integer) -> Rational {
     let (Rational { numerator: a, denominator: b }, Rational { numerator: c, denominator: d }) =
         (left, right);
     if b == d {
-        return Rational::reduced(combine(a.clone(), c.clone()), b.clone());
+        return Rational::reduced(combine(a, c), b.clone());
     }
     let common = b.gcd(d);
     if common == Integer::one() {
-        return Rational { numerator: combine(a * d, c * b), denominator: b * d };
+        return Rational { numerator: combine(&(a * d), &(c * b)), denominator: b * d };
     }
     let (b_rest, d_rest) = (b.quotient(&common), d.quotient(&common));
-    let numerator = combine(a * &d_rest, c * &b_rest);
+    let numerator = combine(&(a * &d_rest), &(c * &b_rest));
     let shared = numerator.gcd(&common);
     Rational { numerator: numerator.quotient(&shared), denominator: b_rest * d.quotient(&shared) }
 }
@@ -93,11 +93,13 @@ impl From<&Integer> for Rational {
 
 impl Rational {
     /// The number 0.
+    #[inline]
     pub fn zero() -> Self {
         Rational { numerator: Integer::zero(), denominator: Integer::one() }
     }
 
     /// The number 1.
+    #[inline]
     pub fn one() -> Self {
         Rational { numerator: Integer::one(), denominator: Integer::one() }
     }
@@ -126,22 +128,32 @@ impl Rational {
     }
 
     /// Whether the number is less than, equal to or greater than 0.
+    #[inline]
     pub fn sign(&self) -> Sign {
         self.numerator.sign()
     }
 
+    #[inline]
     fn negated(&self) -> Self {
         Rational { numerator: self.numerator.negated(), denominator: self.denominator.clone() }
     }
 
     /// The numerator, which carries the sign.
+    #[inline]
     pub fn numerator(&self) -> Integer {
         self.numerator.clone()
     }
 
     /// The denominator, always positive.
+    #[inline]
     pub fn denominator(&self) -> Integer {
         self.denominator.clone()
+    }
+
+    /// Numerator and denominator, when both fit into 64 bits.
+    #[inline]
+    pub fn to_words(&self) -> Option<(i64, i64)> {
+        Some((self.numerator.to_i64()?, self.denominator.to_i64()?))
     }
 
     /// The quotient, or `None` when the divisor is 0.
@@ -161,7 +173,10 @@ impl Rational {
 
     /// Half of the number.
     pub fn half(&self) -> Self {
-        Rational::reduced(self.numerator.clone(), &self.denominator + &self.denominator)
+        if self.numerator.is_even() {
+            return Rational { numerator: self.numerator.halved(), denominator: self.denominator.clone() };
+        }
+        Rational { numerator: self.numerator.clone(), denominator: &self.denominator + &self.denominator }
     }
 }
 

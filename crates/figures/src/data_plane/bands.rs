@@ -64,7 +64,7 @@ impl Scene<'_> {
 impl Bands {
     /// The bands of a figure over a range of x.
     pub(crate) fn new(scene: &Scene, abscissas: &[Rational; 2]) -> Self {
-        let eui = || scene.fit.least_squares.as_ref().ok().map(|estimate| estimate.eui.clone());
+        let eui = || scene.fit.eui().cloned();
         let pui = || scene.fit.pui_intervals();
         let boxed = |name, intervals: Option<[Interval; 2]>, fill, edge| {
             let shape = of_box(scene, &intervals?, abscissas);

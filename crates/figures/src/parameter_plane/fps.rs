@@ -21,7 +21,7 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     }
     let names = labels::parameters(problem, options);
     let estimates = marks::estimates(problem, fit);
-    let eui = fit.least_squares.as_ref().ok().map(|estimate| &estimate.eui);
+    let eui = fit.eui();
     let mut window = view::of_set(fit);
     let eui_corners = eui.and_then(view::corners).filter(|[lower, upper]| lower != upper);
     let eui_fits =
@@ -84,7 +84,7 @@ fn contents(panel: &mut Panel, fit: &Fit, estimates: &[Estimate], content: Conte
         _ => Swatch::area(style::SET_FILL, style::SET_EDGE),
     };
     legend.push(LegendEntry::new(set, "feasible parameter set (FPS)"));
-    if let Some(intervals) = fit.least_squares.as_ref().ok().map(|estimate| &estimate.eui).filter(|_| eui) {
+    if let Some(intervals) = fit.eui().filter(|_| eui) {
         marks::draw_box(panel, intervals, Some(style::EUI_FILL), style::EUI_EDGE);
         legend.push(LegendEntry::new(Swatch::area(style::EUI_FILL, style::EUI_EDGE), "EUI box"));
     }

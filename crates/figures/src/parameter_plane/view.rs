@@ -110,7 +110,7 @@ pub(crate) fn of_set(fit: &Fit) -> Window {
 /// The box of the vertices; where it has no width, the EUI around it.
 fn bounded(points: &[[Rational; 2]], fit: &Fit) -> Window {
     let window = Window::around(points);
-    let eui = fit.least_squares.as_ref().ok().and_then(|estimate| corners(&estimate.eui));
+    let eui = fit.eui().and_then(corners);
     match eui {
         Some([lower, upper]) => window.widened_by(&Window::around(&[lower, upper])),
         None => window,

@@ -1,0 +1,273 @@
+//! Every way to compute a fit gives the same answer: on machine integers or on numbers of any size, from the half-planes
+//! that can be active or from all, by vertices or by projective images.
+
+use boundfit_estimation::{
+    BoundName, Condition, ErrorBound, Fit, Fps, Inverse, LeastSquares, Measurement, Measurements, Minimax,
+    Model, ParameterBound, ParameterInterval, Problem, fit, fit_bounds, fit_bounds_in_general,
+};
+use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_geometry::{Direction, HalfPlane, Multiplier, Point, RegionKind};
+use boundfit_tests::generate::seeded;
+use boundfit_tests::readings::{line, parse_condition, problem, with_error_bound};
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+
+const CASES: usize = 2_000;
+
+/// A set and everything that refers to its half-planes, by their names.
+#[derive(Debug, PartialEq)]
+struct NamedSet {
+    kind: RegionKind,
+    vertices: Vec<(Point, Vec<BoundName>)>,
+    boundaries: Vec<(HalfPlane, Vec<BoundName>)>,
+    directions: [Vec<Direction>; 2],
+    witness: Option<Point>,
+    irredundant: Vec<BoundName>,
+    pui: Option<[[End; 2]; 2]>,
+}
+
+/// One end of an interval: its value, the proof by names and where it is attained; or the proof that there is none.
+type End = (Option<Rational>, Vec<(BoundName, Rational)>, Point, Option<Direction>);
+
+fn named_set(fps: &Fps, pui: Option<&[ParameterInterval; 2]>) -> NamedSet {
+    let polyhedron = fps.polyhedron();
+    let region = polyhedron.region();
+    let names = |indices: &[usize]| indices.iter().map(|&index| fps.name(index)).collect();
+    let end = |bound: &ParameterBound| match bound {
+        ParameterBound::Bounded { value, proof } => {
+            let named = |m: &Multiplier| (fps.name(m.index), m.value.clone());
+            let multipliers = proof.multipliers.iter().map(named).collect();
+            (Some(value.clone()), multipliers, proof.attained_at.clone(), None)
+        }
+        ParameterBound::Unbounded(proof) => (None, Vec::new(), proof.point.clone(), Some(proof.ray.clone())),
+    };
+    NamedSet {
+        kind: region.kind(),
+        vertices: region.vertices().iter().map(|v| (v.point().clone(), names(v.active()))).collect(),
+        boundaries: region.boundaries().iter().map(|b| (b.half_plane().clone(), names(b.active()))).collect(),
+        directions: [region.rays(), region.lines()],
+        witness: region.witness(),
+        irredundant: names(polyhedron.irredundant_by_angle()),
+        pui: pui.map(|pui| pui.each_ref().map(|interval| [end(&interval.lower), end(&interval.upper)])),
+    }
+}
+
+/// The tightest half-plane of a point, by name.
+fn tightest(fps: &Fps, theta: &[Rational; 2]) -> (Option<Rational>, Option<BoundName>) {
+    let membership = fps.polyhedron().membership(theta);
+    (membership.slack, membership.tightest.map(|index| fps.name(index)))
+}
+
+/// Asserts that all paths agree; gives the fit.
+fn same_on_all_paths(problem: &Problem, case: &str) -> Fit {
+    let Problem { measurements, conditions } = problem;
+    let fit = fit(problem);
+    let (bounds, general) = (fit_bounds(problem), fit_bounds_in_general(problem));
+    for other in [&bounds, &general] {
+        assert_eq!(other.least_squares, fit.least_squares, "{case}");
+        assert_eq!(other.fps.names(), fit.fps.names(), "{case}");
+        assert_eq!(other.fps.polyhedron().system(), fit.fps.polyhedron().system(), "{case}");
+        assert_eq!(other.fps.polyhedron().region(), fit.fps.polyhedron().region(), "{case}");
+        assert_eq!(other.pui, fit.pui, "{case}");
+        assert_eq!(other.central, fit.central, "{case}");
+        assert_eq!(other.minimax, fit.minimax, "{case}");
+    }
+    assert_eq!(LeastSquares::in_general(measurements), fit.least_squares, "{case}");
+
+    let every = fit.with_every_half_plane(problem);
+    assert_eq!(every.fps.names().len(), 2 * measurements.rows().len() + conditions.len(), "{case}");
+    assert_eq!(named_set(&fit.fps, fit.pui.as_ref()), named_set(&every.fps, every.pui.as_ref()), "{case}");
+    let bound = measurements.error_bound();
+    assert_eq!(fit.contradiction(bound), every.contradiction(bound), "{case}");
+    let estimates = [
+        fit.least_squares.as_ref().ok().map(|estimate| &estimate.theta),
+        fit.central.as_ref().map(|central| &central.theta),
+        fit.minimax.as_ref().map(|minimax| &minimax.theta),
+    ];
+    if !measurements.rows().is_empty() {
+        for theta in estimates.into_iter().flatten() {
+            assert_eq!(tightest(&fit.fps, theta), tightest(&every.fps, theta), "{case}");
+        }
+    }
+
+    let least =
+        |minimax: &Option<Minimax>| minimax.as_ref().map(|m| (m.least.clone(), m.theta.clone(), m.unique));
+    assert_eq!(least(&fit.minimax), least(&Minimax::in_general(measurements, conditions)), "{case}");
+    if let Some(inverse) = &fit.inverse {
+        let estimate = fit.least_squares.as_ref().ok();
+        let by_images = Inverse::in_general(
+            every.fps.polyhedron(),
+            fit.pui_intervals().as_ref(),
+            estimate.and_then(|estimate| estimate.eui.as_ref().ok()),
+            fit.central.as_ref().map(|central| &central.theta),
+            estimate.map(|estimate| &estimate.theta),
+        );
+        assert_eq!(inverse, &by_images, "{case}");
+    }
+    assert_eq!(fit.verify(problem), Ok(()), "{case}");
+    fit
+}
+
+fn number(text: &str) -> Rational {
+    Reading::Decimal.read(text, &Limits::default()).unwrap()
+}
+
+fn points(texts: &[(&str, &str)]) -> Vec<(Rational, Rational)> {
+    texts.iter().map(|(x, y)| (number(x), number(y))).collect()
+}
+
+#[test]
+fn generated_readings() {
+    let mut rng = seeded(20);
+    let (mut fewer, mut empty, mut one_sign) = (0, 0, 0);
+    for case in 0..CASES {
+        let mut problem = problem(&mut rng);
+        // At its least error bound a set has no interior: the hardest cases.
+        if case % 3 == 0
+            && let Some(minimax) = Minimax::new(&problem.measurements, &problem.conditions)
+        {
+            problem = with_error_bound(&problem, &minimax.least);
+        }
+        let fit = same_on_all_paths(&problem, &format!("case {case}"));
+        let all = 2 * problem.measurements.rows().len() + problem.conditions.len();
+        fewer += usize::from(fit.fps.names().len() < all);
+        empty += usize::from(fit.pui.is_none());
+        one_sign += usize::from(fit.inverse.is_some_and(|inverse| inverse.offset.box_range.len() == 1));
+    }
+    assert!(fewer > 500 && empty > 300 && one_sign > 200, "{fewer} {empty} {one_sign}");
+}
+
+/// Readings of a line with few different values: many in line, above each other and repeated.
+fn ties(rng: &mut ChaCha8Rng) -> Problem {
+    let spread = rng.random_range(0..=4);
+    let mut small = || Rational::from(rng.random_range(-spread..=spread));
+    let readings: Vec<_> = (0..16).map(|_| (small(), small())).collect();
+    let count = rng.random_range(0..=16);
+    let epsilon = Rational::ratio(rng.random_range(0..=12), 2);
+    let mut problem = line(readings.into_iter().take(count), epsilon);
+    let conditions = ["theta1 >= 0", "theta2 <= 1", "theta1 + theta2 >= 9", "theta1 + theta2 <= 8"];
+    problem.conditions =
+        conditions.iter().filter(|_| rng.random_bool(0.2)).map(|text| parse_condition(text)).collect();
+    problem
+}
+
+#[test]
+fn readings_in_line_above_each_other_and_repeated() {
+    let mut rng = seeded(21);
+    for case in 0..CASES {
+        same_on_all_paths(&ties(&mut rng), &format!("case {case}"));
+    }
+}
+
+#[test]
+fn degenerate_readings() {
+    type Texts<'a> = &'a [(&'a str, &'a str)];
+    let cases: [(&str, Texts, &str); 8] = [
+        ("none", &[], "1"),
+        ("one", &[("2", "3")], "1"),
+        ("one, exact", &[("2", "3")], "0"),
+        ("one x", &[("2", "3"), ("2", "1"), ("2", "2"), ("2", "3")], "1"),
+        ("one x, empty", &[("2", "3"), ("2", "1"), ("2", "2")], "1/2"),
+        ("in line", &[("0", "1"), ("1", "3"), ("2", "5"), ("5", "11"), ("1", "3")], "0"),
+        ("repeated", &[("0", "1"), ("0", "1"), ("4", "3"), ("4", "3"), ("2", "2.5")], "1/10"),
+        ("empty", &[("0", "0"), ("1", "5"), ("2", "0"), ("3", "5")], "1/1000"),
+    ];
+    for (name, texts, epsilon) in cases {
+        let mut problem = line(points(texts), number(epsilon));
+        same_on_all_paths(&problem, name);
+        for conditions in [&["theta1 >= 0"][..], &["theta1 <= -1", "theta1 >= 1"], &["0*theta1 <= -1"]] {
+            problem.conditions = conditions.iter().map(|text| parse_condition(text)).collect();
+            same_on_all_paths(&problem, &format!("{name} under {conditions:?}"));
+        }
+    }
+}
+
+/// Where integers on a common denominator leave 62 bits, their products 127, and everything else.
+#[test]
+fn edges_of_machine_integers() {
+    let edges = (60..=65).flat_map(|bits| [-1, 0, 1].map(|beside| (1_i128 << bits) + beside));
+    let mut sizes: Vec<Rational> = edges.map(Rational::from).collect();
+    let texts = [
+        "9999999999999999999",
+        "1234567890123456789",
+        "1e-300",
+        "1e300",
+        "1e-18",
+        "1e19",
+        "1/3",
+        "1/9223372036854775807",
+    ];
+    sizes.extend(texts.into_iter().map(number));
+    let mut rng = seeded(22);
+    for case in 0..CASES {
+        let mut size = || {
+            let size = &sizes[rng.random_range(0..sizes.len())];
+            match rng.random_range(0..3) {
+                0 => Rational::from(rng.random_range(-9..=9)),
+                1 => -size,
+                _ => size + Rational::from(rng.random_range(-2..=2)),
+            }
+        };
+        let readings: Vec<_> = (0..5).map(|_| (size(), size())).collect();
+        let epsilon = size().abs();
+        let count = rng.random_range(2..=5);
+        same_on_all_paths(&line(readings.into_iter().take(count), epsilon), &format!("case {case}"));
+    }
+}
+
+/// The same with two regressors and an error bound for each reading, which have sums on machine integers only.
+#[test]
+fn edges_of_machine_integers_in_least_squares() {
+    let mut rng = seeded(23);
+    for case in 0..CASES {
+        let bits = rng.random_range(1..=66);
+        let mut number = || {
+            let limit = 1_i128 << bits;
+            Rational::new(
+                rng.random_range(-limit..=limit).into(),
+                [1, 2, 10, 1000][rng.random_range(0..4)].into(),
+            )
+            .unwrap()
+        };
+        let rows = (1..=6).map(|row| Measurement {
+            row,
+            regressor: [number(), number()],
+            response: number(),
+            epsilon: number().abs(),
+        });
+        let rows: Vec<Measurement> = rows.collect();
+        let model = Model::TwoRegressors { regressors: ["u".to_owned(), "v".to_owned()] };
+        let bound = ErrorBound::PerRow("eps".to_owned());
+        let measurements = Measurements::new(model, "y".to_owned(), bound, rows);
+        assert_eq!(LeastSquares::new(&measurements), LeastSquares::in_general(&measurements), "case {case}");
+    }
+}
+
+/// A set on both sides of θ1 = 0, touching it and beside it.
+#[test]
+fn the_inverse_line_beside_a_vertical_one() {
+    let readings = points(&[("0", "0"), ("1", "1"), ("2", "2")]);
+    let conditions: [&[&str]; 5] =
+        [&[], &["theta1 >= 1/2"], &["theta1 >= 0"], &["theta1 <= 0"], &["theta1 <= -1/4"]];
+    let mut ranges = Vec::new();
+    for texts in conditions {
+        let conditions: Vec<Condition> = texts.iter().map(|text| parse_condition(text)).collect();
+        let problem = Problem { conditions, ..line(readings.clone(), Rational::from(3)) };
+        let fit = same_on_all_paths(&problem, &format!("{texts:?}"));
+        ranges.push(fit.inverse.unwrap().gain.exact_range.len());
+    }
+    assert_eq!(ranges, [2, 1, 1, 1, 1]);
+}
+
+/// Enough half-planes for the sort by keys, in an order that is not theirs.
+#[test]
+fn many_extreme_readings() {
+    let count = 400_i64;
+    let places = (0..count).map(|k| k * 171 % count - count / 2);
+    let readings: Vec<_> = places.map(|x| (Rational::from(x), Rational::from(x * x))).collect();
+    for epsilon in [count * count / 8, count * count / 4, 4 * count * count] {
+        let fit =
+            same_on_all_paths(&line(readings.clone(), Rational::from(epsilon)), &format!("ε = {epsilon}"));
+        assert!(fit.fps.names().len() > count as usize);
+    }
+}

@@ -1,0 +1,243 @@
+//! Fits of readings of which only those that touch a hull are kept, against fits of all of them.
+
+use std::fs;
+use std::path::Path;
+
+use boundfit_estimation::{
+    BoundName, Columns, Condition, EpsilonColumn, Fit, Keep, Measurements, ParameterBound, Problem,
+    ReducedColumns, ReducedTable, fit,
+};
+use boundfit_exact::{Rational, Reading};
+use boundfit_formats::{ColumnSelector, ScanOptions, Source, TableOptions};
+use boundfit_geometry::RegionKind;
+use boundfit_tests::generate::seeded;
+use boundfit_tests::readings::parse_condition;
+use boundfit_tests::tables::TableKind;
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+use rayon::ThreadPool;
+
+fn columns(epsilon: &Rational) -> Columns {
+    Columns {
+        first: ColumnSelector::name_or_number("x"),
+        second: None,
+        response: ColumnSelector::name_or_number("y"),
+        epsilon: EpsilonColumn::Uniform(epsilon.clone()),
+    }
+}
+
+fn text(rows: &[[String; 2]]) -> String {
+    rows.iter().fold("x,y\n".to_owned(), |text, [x, y]| text + x + "," + y + "\n")
+}
+
+fn options(reading: Reading, chunk_bytes: usize) -> ScanOptions {
+    let table = TableOptions { reading, ..TableOptions::default() };
+    ScanOptions { table, chunk_bytes, ..ScanOptions::default() }
+}
+
+fn pools() -> Vec<ThreadPool> {
+    let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    [1, 2, 8].map(pool).into()
+}
+
+/// A table and how it is to be fitted.
+struct Case {
+    rows: Vec<[String; 2]>,
+    reading: Reading,
+    epsilon: Rational,
+    conditions: Vec<Condition>,
+}
+
+impl Case {
+    fn random(rng: &mut ChaCha8Rng) -> Self {
+        let kind = TableKind::ALL[rng.random_range(0..TableKind::ALL.len())];
+        let count = rng.random_range(1..=40);
+        let rows = kind.rows(rng, count);
+        let binary = rng.random_bool(0.3);
+        let reading = if binary { Reading::Binary64 } else { Reading::Decimal };
+        let small = Rational::ratio(rng.random_range(0..=40), [1, 8, 100][rng.random_range(0..3)]);
+        let scale = match kind {
+            TableKind::WideIntegers => Rational::from(1_i128 << 62),
+            TableKind::Extreme => Rational::from(100),
+            _ => Rational::one(),
+        };
+        let mut conditions = Vec::new();
+        while rng.random_bool(0.25) {
+            let [a, b, c] = [0; 3].map(|_| rng.random_range(-4..=4));
+            let relation = if rng.random_bool(0.5) { "<=" } else { ">=" };
+            conditions.push(parse_condition(
+                &format!("{a}*theta1 + {b}*theta2 {relation} {c}").replace("+ -", "- "),
+            ));
+        }
+        Case { rows, reading, epsilon: small * scale, conditions }
+    }
+
+    fn columns(&self) -> Columns {
+        columns(&self.epsilon)
+    }
+
+    /// The fit of all readings at once.
+    fn whole(&self) -> (Problem, Fit) {
+        let source = Source::new("table", std::io::Cursor::new(text(&self.rows).into_bytes()));
+        let table = options(self.reading, 1).table;
+        self.fitted(Measurements::read(source, &self.columns(), &table).unwrap())
+    }
+
+    fn fitted(&self, measurements: Measurements) -> (Problem, Fit) {
+        let problem = Problem { measurements, conditions: self.conditions.clone() };
+        let fit = fit(&problem);
+        fit.verify(&problem).unwrap();
+        (problem, fit)
+    }
+
+    fn scanned(&self, path: &Path, chunk_bytes: usize, keep: Keep) -> Measurements {
+        let options = options(self.reading, chunk_bytes);
+        Measurements::scan(path.to_str().unwrap(), &self.columns(), &options, keep).unwrap()
+    }
+
+    fn reduced(&self, path: &Path, chunk_bytes: usize) -> String {
+        let columns = ReducedColumns {
+            x: ColumnSelector::name_or_number("x"),
+            y: ColumnSelector::name_or_number("y"),
+            epsilon: None,
+        };
+        let options = options(self.reading, chunk_bytes);
+        let table = ReducedTable::scan(path.to_str().unwrap(), &columns, &options).unwrap();
+        let mut text = Vec::new();
+        table.write(&mut text).unwrap();
+        String::from_utf8(text).unwrap()
+    }
+}
+
+/// Everything about a fit that does not need every reading, with rows renamed.
+fn essence((problem, fit): &(Problem, Fit), row: &dyn Fn(usize) -> usize) -> String {
+    let name = |name: BoundName| match name {
+        BoundName::Upper(own) => BoundName::Upper(row(own)),
+        BoundName::Lower(own) => BoundName::Lower(row(own)),
+        BoundName::Where(number) => BoundName::Where(number),
+    };
+    let indices = |indices: &[usize]| -> Vec<BoundName> {
+        indices.iter().map(|&index| name(fit.fps.name(index))).collect()
+    };
+    let named = |terms: Vec<(BoundName, Rational)>| -> Vec<_> {
+        terms.into_iter().map(|(own, m)| (name(own), m)).collect()
+    };
+    let region = fit.fps.polyhedron().region();
+    let vertices: Vec<_> = region
+        .vertices()
+        .iter()
+        .map(|vertex| (vertex.point().coordinates(), indices(vertex.active())))
+        .collect();
+    let boundaries: Vec<_> = region.boundaries().iter().map(|boundary| indices(boundary.active())).collect();
+    let ends: Vec<_> = fit
+        .pui
+        .iter()
+        .flatten()
+        .flat_map(|interval| [&interval.lower, &interval.upper])
+        .map(|end| match end {
+            ParameterBound::Bounded { value, proof } => {
+                let terms =
+                    proof.multipliers.iter().map(|m| (fit.fps.name(m.index), m.value.clone())).collect();
+                Some((value.clone(), named(terms)))
+            }
+            ParameterBound::Unbounded(_) => None,
+        })
+        .collect();
+    let theta = fit.least_squares.as_ref().map(|estimate| estimate.theta.clone());
+    let minimax = fit.minimax.as_ref().map(|minimax| {
+        let proof = named(minimax.proof.multipliers.clone());
+        (minimax.least.clone(), minimax.theta.clone(), minimax.unique, proof)
+    });
+    let slack = fit.least_squares_slack().map(|(slack, own)| (slack, name(own)));
+    let contradiction = fit.contradiction(problem.measurements.error_bound()).map(named);
+    format!(
+        "{} readings\n{:?} {vertices:?} {boundaries:?} {:?} {:?}\n{ends:?}\n{:?}\n{theta:?} {slack:?}\n{minimax:?}\n{contradiction:?}",
+        problem.measurements.fitted(),
+        region.kind(),
+        region.rays(),
+        region.lines(),
+        fit.central,
+    )
+}
+
+#[test]
+fn a_scan_gives_the_fit_of_all_readings_for_any_parts_and_threads() {
+    let mut rng = seeded(51);
+    let pools = pools();
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.csv");
+    let mut kinds = Vec::new();
+    for case_number in 0..600 {
+        let mut case = Case::random(&mut rng);
+        fs::write(&path, text(&case.rows)).unwrap();
+        let mut whole = case.whole();
+        // At its least error bound the set is a point, or flat.
+        if let Some(minimax) = whole.1.minimax.as_ref().filter(|_| rng.random_bool(0.2)) {
+            case.epsilon = minimax.least.clone();
+            whole = case.whole();
+        }
+        kinds.push(whole.1.fps.polyhedron().region().kind());
+        let expected = essence(&whole, &|row| row);
+        for (chunk_bytes, pool) in [1, 7, 4096].into_iter().zip(&pools) {
+            // The x in memory, and the file read a second time.
+            for most_bytes in [None, Some(0)] {
+                let keep = Keep { most_rows: 0, eui: true, most_bytes };
+                let reduced = case.fitted(pool.install(|| case.scanned(&path, chunk_bytes, keep)));
+                let rows = &case.rows;
+                assert_eq!(essence(&reduced, &|row| row), expected, "case {case_number}: {rows:?}");
+                assert_eq!(reduced.1.eui(), whole.1.eui(), "case {case_number}: {rows:?}");
+                let [one, other] = [&reduced, &whole].map(|(_, fit)| format!("{:?}", fit.inverse));
+                assert_eq!(one, other, "case {case_number}: {rows:?}");
+            }
+            let all = case.scanned(&path, chunk_bytes, Keep::default());
+            assert_eq!(all.rows(), whole.0.measurements.rows(), "case {case_number}");
+            assert!(all.reduction().is_none());
+        }
+    }
+    for kind in
+        [RegionKind::Empty, RegionKind::Point, RegionKind::Polygon, RegionKind::Strip, RegionKind::Line]
+    {
+        assert!(kinds.iter().filter(|own| **own == kind).count() >= 10, "{kind:?} is too rare");
+    }
+}
+
+#[test]
+fn reductions_of_parts_put_together_and_reduced_are_the_reduction_of_the_whole() {
+    let mut rng = seeded(52);
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.csv");
+    for case_number in 0..600 {
+        let case = Case::random(&mut rng);
+        fs::write(&path, text(&case.rows)).unwrap();
+        let whole = case.whole();
+        let of_whole = case.reduced(&path, 7);
+        let mut together = String::new();
+        let mut rest = case.rows.as_slice();
+        while !rest.is_empty() {
+            let (part, others) = rest.split_at(rng.random_range(1..=rest.len()));
+            fs::write(&path, text(part)).unwrap();
+            together += &case.reduced(&path, 4096);
+            rest = others;
+        }
+        // Twice: the reduction of a reduction is itself.
+        fs::write(&path, &together).unwrap();
+        let again = case.reduced(&path, 1);
+        assert_eq!(again, of_whole, "case {case_number}: {:?}", case.rows);
+        let from_parts = case.fitted(case.scanned(&path, 7, Keep::default()));
+        fs::write(&path, &again).unwrap();
+        assert_eq!(case.reduced(&path, 64), of_whole, "case {case_number}");
+        // The k-th row kept is the k-th that touches a hull.
+        let kept: Vec<usize> = {
+            fs::write(&path, text(&case.rows)).unwrap();
+            let keep = Keep { most_rows: 0, ..Keep::default() };
+            case.scanned(&path, 4096, keep).rows().iter().map(|reading| reading.row).collect()
+        };
+        fs::write(&path, &of_whole).unwrap();
+        let reduced = case.fitted(case.scanned(&path, 7, Keep::default()));
+        let expected = essence(&whole, &|row| row);
+        assert_eq!(essence(&reduced, &|row| kept[row - 1]), expected, "case {case_number}: {:?}", case.rows);
+        let area = |fit: &Fit| fit.fps.polyhedron().region().area();
+        assert_eq!(area(&from_parts.1), area(&whole.1), "case {case_number}");
+        assert!(reduced.1.eui().is_none());
+    }
+}
