@@ -1,14 +1,15 @@
 //! The command line.
 
-use boundfit_estimation::{Columns, Condition, EpsilonColumn, Measurements, Problem};
+use boundfit_estimation::{Columns, Condition, EpsilonColumn, Keep, Measurements, Problem};
 use boundfit_exact::{Limits, Rational, Reading};
-use boundfit_formats::{ColumnSelector, Header, RowRange, Source, TableOptions};
+use boundfit_formats::{ColumnSelector, Header, RowRange, ScanOptions, Source, TableOptions};
 use boundfit_report::{EndRounding, Style};
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use crate::exit::Failure;
+use crate::progress::ReadingProgress;
 
 /// Exact bounded-error (set-membership) estimation in two parameters, and exact polygons from half-planes.
 ///
@@ -24,6 +25,7 @@ pub(crate) struct Arguments {
 #[allow(clippy::large_enum_variant, reason = "one per run")]
 pub(crate) enum Command {
     Fit(FitArguments),
+    Reduce(ReduceArguments),
     Check(CheckArguments),
     BenchSolvers(BenchSolversArguments),
     Polygon(PolygonArguments),
@@ -90,8 +92,63 @@ pub(crate) struct FitArguments {
     /// Leave out the line about what an LP solver makes of the same data
     #[arg(long)]
     pub(crate) no_lp: bool,
+    /// Leave out the estimate uncertainty intervals (EUI) where they would take a second look at more readings than
+    /// are kept in memory (10000)
+    #[arg(long)]
+    pub(crate) no_eui: bool,
+    #[command(flatten)]
+    pub(crate) threads: ThreadArguments,
     #[command(flatten)]
     pub(crate) output: OutputArguments,
+}
+
+const REDUCE_EXAMPLES: &str = "\
+Examples:
+  A million rows become a few dozen that give the same feasible set:
+    boundfit reduce readings.csv --x x --y y -o reduced.csv
+    boundfit fit reduced.csv --x x --y y --eps 0.01
+  Parts reduced apart, put together, and reduced again:
+    cat monday.csv tuesday.csv | boundfit reduce - --x x --y y -o both.csv
+
+Exit status:
+  0  the reduction is written
+  1  bad data, or a file that cannot be read or written
+  2  bad usage";
+
+/// Keep only the rows that decide every fit of a line: those that touch the convex hull of the readings
+///
+/// Written are the same columns, each number as it stood, after a line that says how many readings these stand for and
+/// the sums that least squares needs. 'boundfit fit' reads the result like the whole: feasible set, PUI, eps_min and
+/// least squares are the same for every error bound; only the EUI needs every reading and is left out. Several
+/// reductions one after the other, as 'cat' writes them, are a reduction of all their readings, and can be reduced again.
+#[derive(Debug, Args)]
+#[command(after_help = REDUCE_EXAMPLES)]
+pub(crate) struct ReduceArguments {
+    /// A table of readings, or reductions of such, or - for standard input
+    pub(crate) data: String,
+    /// Column of x by header name or number from 1
+    #[arg(long, value_name = "COL", value_parser = parse_column)]
+    pub(crate) x: ColumnSelector,
+    /// Column of y
+    #[arg(long, value_name = "COL", value_parser = parse_column)]
+    pub(crate) y: ColumnSelector,
+    /// Column with the error bound of each reading: keep the rows that touch the hull of those with the same bound
+    #[arg(long, value_name = "COL", value_parser = parse_column)]
+    pub(crate) eps_column: Option<ColumnSelector>,
+    #[command(flatten)]
+    pub(crate) table: TableArguments,
+    #[command(flatten)]
+    pub(crate) threads: ThreadArguments,
+    #[command(flatten)]
+    pub(crate) file: FileArguments,
+}
+
+/// How much of the machine is used.
+#[derive(Debug, Args)]
+pub(crate) struct ThreadArguments {
+    /// Threads that read and reduce the data; as many as there are processors when left out. The answer is the same
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
 }
 
 const CHECK_EXAMPLES: &str = "\
@@ -438,7 +495,28 @@ impl DataArguments {
         self.read(true)
     }
 
+    /// Reads the problem in memory that does not grow with the file, where the model allows it; with the hash of the data
+    /// if it will be shown.
+    pub(crate) fn scanned_problem(&self, eui: bool, hash: bool) -> Result<Problem, Failure> {
+        let (columns, conditions) = self.asked()?;
+        let options = self.table.scan_options(&self.data, self.rows.as_ref().map(|rows| rows.range));
+        let options = ScanOptions { hash, ..options };
+        let keep = Keep { eui, ..Keep::default() };
+        let measurements = Measurements::scan(&self.data, &columns, &options, keep).map_err(Failure::data)?;
+        Ok(Problem { measurements, conditions })
+    }
+
     fn read(&self, keep_others: bool) -> Result<Problem, Failure> {
+        let (columns, conditions) = self.asked()?;
+        let rows = self.rows.as_ref().map(|rows| rows.range);
+        let options = TableOptions { keep_others, ..self.table.options(rows) };
+        let source = Source::open(&self.data).map_err(Failure::data)?;
+        let measurements = Measurements::read(source, &columns, &options).map_err(Failure::data)?;
+        Ok(Problem { measurements, conditions })
+    }
+
+    /// The columns and conditions asked for.
+    fn asked(&self) -> Result<(Columns, Vec<Condition>), Failure> {
         let reading = self.table.reading();
         let limits = Limits::default();
         let epsilon = match (&self.epsilon.eps, &self.epsilon.eps_column) {
@@ -457,17 +535,7 @@ impl DataArguments {
             response: self.y.clone(),
             epsilon,
         };
-        let options = TableOptions {
-            header: self.table.header(),
-            delimiter: self.table.delimiter(),
-            rows: self.rows.as_ref().map(|rows| rows.range),
-            keep_others,
-            reading,
-            limits,
-        };
-        let source = Source::open(&self.data).map_err(Failure::data)?;
-        let measurements = Measurements::read(source, &columns, &options).map_err(Failure::data)?;
-        Ok(Problem { measurements, conditions })
+        Ok((columns, conditions))
     }
 }
 
@@ -480,6 +548,26 @@ fn error_bound(text: &str, reading: Reading, limits: &Limits) -> Result<Rational
 }
 
 impl TableArguments {
+    fn options(&self, rows: Option<RowRange>) -> TableOptions {
+        TableOptions {
+            header: self.header(),
+            delimiter: self.delimiter(),
+            rows,
+            keep_others: false,
+            reading: self.reading(),
+            limits: Limits::default(),
+        }
+    }
+
+    /// How the table at a path is read in parts.
+    pub(crate) fn scan_options(&self, path: &str, rows: Option<RowRange>) -> ScanOptions {
+        ScanOptions {
+            table: self.options(rows),
+            progress: Some(ReadingProgress::new(path)),
+            ..ScanOptions::default()
+        }
+    }
+
     pub(crate) fn reading(&self) -> Reading {
         match self.reading {
             ReadingName::Decimal => Reading::Decimal,
@@ -502,6 +590,15 @@ impl TableArguments {
             DelimiterName::Semicolon => Some(b';'),
             DelimiterName::Tab => Some(b'\t'),
         }
+    }
+}
+
+impl ThreadArguments {
+    /// Sets the number of threads for the rest of the program.
+    pub(crate) fn set(&self) -> Result<(), Failure> {
+        let Some(threads) = self.threads else { return Ok(()) };
+        let builder = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
+        builder.build_global().map_err(Failure::data)
     }
 }
 

@@ -3,7 +3,9 @@
 mod arguments;
 mod commands;
 mod exit;
+mod interrupt;
 mod output;
+mod progress;
 
 use std::process::ExitCode;
 
@@ -13,12 +15,15 @@ use crate::arguments::{Arguments, Command};
 use crate::exit::Exit;
 
 /// Runs the command that the program's arguments ask for and gives the exit status: 0 an answer, 1 bad data or
-/// I/O, 2 bad usage, 3 an empty set, 4 a refuted claim.
+/// I/O, 2 bad usage, 3 an empty set, 4 a refuted claim, 130 an interruption.
 pub fn main() -> ExitCode {
-    let result = match Arguments::parse().command {
+    let arguments = Arguments::parse();
+    interrupt::leave_nothing_behind();
+    let result = match arguments.command {
         Command::Fit(arguments) => commands::fit::run(&arguments),
         Command::Check(arguments) => commands::check::run(&arguments),
         Command::BenchSolvers(arguments) => commands::bench_solvers::run(&arguments),
+        Command::Reduce(arguments) => commands::reduce::run(&arguments),
         Command::Polygon(arguments) => commands::polygon::run(&arguments),
         Command::Plot(arguments) => commands::plot::run(&arguments),
         Command::Lesson(arguments) => commands::lesson::run(&arguments),

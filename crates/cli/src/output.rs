@@ -3,60 +3,158 @@
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
-use tempfile::Builder;
+use tempfile::{Builder, NamedTempFile};
 
 use crate::exit::Failure;
 
 /// Writes an answer to a file, or to standard output without one or for `-`. A reader of standard output that has gone
 /// away is no error.
 pub(crate) fn write(answer: impl AsRef<[u8]>, file: Option<&str>) -> Result<(), Failure> {
-    let bytes = answer.as_ref();
-    match file.filter(|file| *file != "-") {
-        Some(file) => write_file(bytes, Path::new(file))
-            .map_err(|error| Failure::data(format_args!("{file}: cannot write: {error}"))),
-        None => match io::stdout().write_all(bytes).and_then(|()| io::stdout().flush()) {
-            Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-                Err(Failure::data(format_args!("standard output: cannot write: {error}")))
-            }
-            _ => Ok(()),
-        },
+    let mut output = Output::open(file)?;
+    match output.write(answer.as_ref()) {
+        Ok(()) => output.finish(),
+        Err(Stop::Closed) => Ok(()),
+        Err(Stop::Failed(failure)) => Err(failure),
     }
 }
 
-/// Writes to a temporary file beside the target and renames it, so that the target is never half written.
-fn write_file(bytes: &[u8], file: &Path) -> io::Result<()> {
-    // A link is written through, and a device or pipe is written to: neither may be replaced.
-    let target = resolved(file);
-    let existing = fs::metadata(&target).ok();
-    if existing.as_ref().is_some_and(fs::Metadata::is_dir) {
-        return Err(io::Error::other("is a directory"));
+/// The temporary file that would be left behind if the program ended now. There is never more than one.
+static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
+
+fn remember_unfinished(path: Option<PathBuf>) {
+    if let Ok(mut unfinished) = UNFINISHED.lock() {
+        *unfinished = path;
     }
-    if existing.as_ref().is_some_and(|metadata| !metadata.is_file()) {
-        return fs::OpenOptions::new().write(true).open(&target)?.write_all(bytes);
+}
+
+/// Removes the file that is being written, if there is one: the program is about to end.
+pub(crate) fn remove_unfinished() {
+    if let Some(path) = UNFINISHED.lock().ok().and_then(|mut unfinished| unfinished.take()) {
+        // Nothing is left to do when it cannot be removed.
+        let _ = fs::remove_file(path);
     }
-    let directory = match target.parent() {
-        Some(parent) if parent != Path::new("") => parent.to_owned(),
-        _ => PathBuf::from("."),
-    };
-    let mut builder = Builder::new();
-    if let Some(permissions) = new_file_permissions() {
-        builder.permissions(permissions);
+}
+
+/// Why writing ends before everything is written.
+pub(crate) enum Stop {
+    /// The reader of standard output has gone away; that is no error.
+    Closed,
+    /// It cannot be written.
+    Failed(Failure),
+}
+
+/// An answer that is written in parts. A file appears whole when it is finished, or not at all.
+pub(crate) struct Output {
+    /// As messages call it.
+    name: String,
+    target: Target,
+}
+
+#[allow(clippy::large_enum_variant, reason = "one per run")]
+enum Target {
+    Standard,
+    /// A device or a pipe, which may not be replaced.
+    Device(fs::File),
+    /// Beside the file that it becomes.
+    Temporary {
+        temporary: NamedTempFile,
+        becomes: PathBuf,
+        existing: Option<fs::Metadata>,
+    },
+}
+
+impl Output {
+    /// Gets ready to write to a file, or to standard output without one or for `-`.
+    pub(crate) fn open(file: Option<&str>) -> Result<Self, Failure> {
+        let Some(file) = file.filter(|file| *file != "-") else {
+            return Ok(Output { name: "standard output".to_owned(), target: Target::Standard });
+        };
+        let target = Target::open(Path::new(file)).map_err(|error| cannot_write(file, &error))?;
+        Ok(Output { name: file.to_owned(), target })
     }
-    // The library's message goes on with the name of the temporary file, which says nothing to the user.
-    let plain = |error: io::Error| {
-        let message = error.to_string();
-        io::Error::new(error.kind(), message.split(" at path ").next().unwrap_or_default().to_owned())
-    };
-    let mut temporary = builder.prefix(".boundfit-").tempfile_in(directory).map_err(plain)?;
-    temporary.write_all(bytes)?;
+
+    /// Writes the next part.
+    pub(crate) fn write(&mut self, bytes: &[u8]) -> Result<(), Stop> {
+        let written = match &mut self.target {
+            Target::Standard => io::stdout().write_all(bytes),
+            Target::Device(device) => device.write_all(bytes),
+            Target::Temporary { temporary, .. } => temporary.write_all(bytes),
+        };
+        written.map_err(|error| self.stop(&error))
+    }
+
+    /// Lets the file appear.
+    pub(crate) fn finish(self) -> Result<(), Failure> {
+        let finished = match self.target {
+            Target::Standard => return flush(),
+            Target::Device(_) => Ok(()),
+            Target::Temporary { temporary, becomes, existing } => persist(temporary, &becomes, existing),
+        };
+        finished.map_err(|error| cannot_write(&self.name, &error))
+    }
+
+    fn stop(&self, error: &io::Error) -> Stop {
+        let is_closed = matches!(self.target, Target::Standard) && error.kind() == io::ErrorKind::BrokenPipe;
+        if is_closed { Stop::Closed } else { Stop::Failed(cannot_write(&self.name, error)) }
+    }
+}
+
+fn flush() -> Result<(), Failure> {
+    match io::stdout().flush() {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(cannot_write("standard output", &error))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn cannot_write(name: &str, error: &io::Error) -> Failure {
+    Failure::data(format_args!("{name}: cannot write: {error}"))
+}
+
+impl Target {
+    fn open(file: &Path) -> io::Result<Self> {
+        // A link is written through, and a device or pipe is written to: neither may be replaced.
+        let becomes = resolved(file);
+        let existing = fs::metadata(&becomes).ok();
+        if existing.as_ref().is_some_and(fs::Metadata::is_dir) {
+            return Err(io::Error::other("is a directory"));
+        }
+        if existing.as_ref().is_some_and(|metadata| !metadata.is_file()) {
+            return Ok(Target::Device(fs::OpenOptions::new().write(true).open(&becomes)?));
+        }
+        let directory = match becomes.parent() {
+            Some(parent) if parent != Path::new("") => parent.to_owned(),
+            _ => PathBuf::from("."),
+        };
+        let mut builder = Builder::new();
+        if let Some(permissions) = new_file_permissions() {
+            builder.permissions(permissions);
+        }
+        let temporary = builder.prefix(".boundfit-").tempfile_in(directory).map_err(|error| plain(&error))?;
+        remember_unfinished(Some(temporary.path().to_owned()));
+        Ok(Target::Temporary { temporary, becomes, existing })
+    }
+}
+
+/// Renames a temporary file, so that its target is never half written.
+fn persist(temporary: NamedTempFile, becomes: &Path, existing: Option<fs::Metadata>) -> io::Result<()> {
     if let Some(metadata) = existing {
         // The user's mask was applied on creation; a file that is replaced keeps what it had.
         temporary.as_file().set_permissions(metadata.permissions())?;
     }
     temporary.as_file().sync_all()?;
-    temporary.persist(&target).map_err(|error| plain(error.error))?;
+    temporary.persist(becomes).map_err(|error| plain(&error.error))?;
+    remember_unfinished(None);
     Ok(())
+}
+
+/// The library's message goes on with the name of the temporary file, which says nothing to the user.
+fn plain(error: &io::Error) -> io::Error {
+    let message = error.to_string();
+    io::Error::new(error.kind(), message.split(" at path ").next().unwrap_or_default().to_owned())
 }
 
 /// The file behind any links, which need not exist yet.

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use boundfit_check::{CheckOptions, check, source_names};
-use boundfit_estimation::{Family, Problem, fit};
+use boundfit_estimation::{Family, Keep, Problem, fit};
 use boundfit_exact::{Rational, Reading};
 use boundfit_report::{fit_json, fit_text, sweep_text, verdict_line};
 
@@ -11,19 +11,18 @@ use crate::CommandResult;
 use crate::arguments::{FactorRange, FitArguments, Format};
 use crate::exit::{Exit, Failure};
 use crate::output;
-
-/// Above this many rows a fit does not wait for an LP solver.
-const MOST_ROWS_FOR_LP: usize = 100_000;
+use crate::progress::while_working;
 
 /// Reads the data, fits and writes the report.
 pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     let reading = arguments.data.table.reading();
-    let problem = arguments.data.problem()?;
-    let fit = fit(&problem);
-    let family = arguments
-        .sweep
-        .as_ref()
-        .map(|FactorRange { from, to }| Family::new(&problem, from.clone(), to.clone()));
+    arguments.threads.set()?;
+    let is_hash_shown = arguments.output.format == Format::Json;
+    let problem = arguments.data.scanned_problem(!arguments.no_eui, is_hash_shown)?;
+    let fit = while_working("fitting", || fit(&problem));
+    let family = arguments.sweep.as_ref().map(|FactorRange { from, to }| {
+        while_working("sweeping", || Family::new(&problem, from.clone(), to.clone()))
+    });
     let style = arguments.output.style();
     let report = match arguments.output.format {
         Format::Json => fit_json(&problem, &fit, family.as_ref(), reading, &style),
@@ -41,8 +40,8 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
 
 /// What the default solver makes of the same data.
 fn lp_line(problem: &Problem, reading: Reading) -> Result<String, Failure> {
-    if problem.measurements.rows().len() > MOST_ROWS_FOR_LP {
-        return Ok(format!("LP solver      not asked above {MOST_ROWS_FOR_LP} rows (see boundfit check)\n"));
+    if problem.measurements.fitted() > Keep::MOST_ROWS {
+        return Ok(format!("LP solver      not asked above {} rows (see boundfit check)\n", Keep::MOST_ROWS));
     }
     let options = CheckOptions {
         solvers: source_names().into_iter().take(1).collect(),

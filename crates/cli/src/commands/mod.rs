@@ -8,3 +8,4 @@ pub(crate) mod lesson;
 pub(crate) mod man;
 pub(crate) mod plot;
 pub(crate) mod polygon;
+pub(crate) mod reduce;

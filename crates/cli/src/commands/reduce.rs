@@ -1,0 +1,25 @@
+//! `boundfit reduce`.
+
+use boundfit_estimation::{ReducedColumns, ReducedTable};
+
+use crate::CommandResult;
+use crate::arguments::ReduceArguments;
+use crate::exit::{Exit, Failure};
+use crate::output;
+
+/// Reads the data and writes those rows that decide every fit.
+pub(crate) fn run(arguments: &ReduceArguments) -> CommandResult {
+    arguments.threads.set()?;
+    let columns = ReducedColumns {
+        x: arguments.x.clone(),
+        y: arguments.y.clone(),
+        epsilon: arguments.eps_column.clone(),
+    };
+    let options = arguments.table.scan_options(&arguments.data, None);
+    let reduced = ReducedTable::scan(&arguments.data, &columns, &options).map_err(Failure::data)?;
+    let mut text = Vec::new();
+    // Writing to memory cannot fail.
+    reduced.write(&mut text).map_err(Failure::data)?;
+    output::write(&text, arguments.file.output.as_deref())?;
+    Ok(Exit::Answer)
+}

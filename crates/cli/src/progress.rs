@@ -1,0 +1,100 @@
+//! Progress on standard error: only on a terminal, and only of what takes longer than a second.
+
+use std::fs;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, OnceLock};
+use std::time::{Duration, Instant};
+
+use boundfit_formats::Progress;
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// What is done sooner than this shows no progress.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// The bar on the terminal, if there is one.
+static SHOWN: Mutex<Option<ProgressBar>> = Mutex::new(None);
+
+/// Takes the bar off the terminal.
+pub(crate) fn clear() {
+    if let Some(bar) = SHOWN.lock().ok().and_then(|mut shown| shown.take()) {
+        bar.finish_and_clear();
+    }
+}
+
+/// Remembers the bar that is about to appear.
+fn showing(bar: ProgressBar) -> ProgressBar {
+    if let Ok(mut shown) = SHOWN.lock() {
+        *shown = Some(bar.clone());
+    }
+    bar
+}
+
+/// How far the reading of a file is.
+pub(crate) struct ReadingProgress {
+    started: Instant,
+    bytes: AtomicU64,
+    total: Option<u64>,
+    bar: OnceLock<ProgressBar>,
+}
+
+impl ReadingProgress {
+    /// Progress through the file at a path, or standard input for `-`.
+    pub(crate) fn new(path: &str) -> Arc<Self> {
+        let metadata = if path == "-" { None } else { fs::metadata(path).ok() };
+        let total = metadata.filter(fs::Metadata::is_file).map(|metadata| metadata.len());
+        Arc::new(ReadingProgress {
+            started: Instant::now(),
+            bytes: AtomicU64::new(0),
+            total,
+            bar: OnceLock::new(),
+        })
+    }
+
+    fn bar(&self) -> &ProgressBar {
+        self.bar.get_or_init(|| {
+            showing(match self.total {
+                Some(total) => {
+                    // The bar itself shows nothing unless standard error is a terminal.
+                    let template = "reading {bar:30} {bytes} of {total_bytes} ({bytes_per_sec}, {eta})";
+                    ProgressBar::new(total).with_style(style(template))
+                }
+                None => {
+                    ProgressBar::no_length().with_style(style("reading {spinner} {bytes} ({bytes_per_sec})"))
+                }
+            })
+        })
+    }
+}
+
+impl Progress for ReadingProgress {
+    fn advanced(&self, bytes: u64) {
+        let sum = self.bytes.fetch_add(bytes, Ordering::Relaxed) + bytes;
+        if self.started.elapsed() >= PATIENCE {
+            // A file that is read a second time starts again.
+            self.bar()
+                .set_position(self.total.map_or(sum, |total| if sum > total { sum - total } else { sum }));
+        }
+    }
+}
+
+impl Drop for ReadingProgress {
+    fn drop(&mut self) {
+        if self.bar.get().is_some() {
+            clear();
+        }
+    }
+}
+
+/// Does some work, with a sign of life and its name once it takes long.
+pub(crate) fn while_working<T>(name: &'static str, work: impl FnOnce() -> T) -> T {
+    let bar = ProgressBar::new_spinner().with_style(style("{msg} {spinner} {elapsed}")).with_message(name);
+    showing(bar).enable_steady_tick(PATIENCE);
+    let result = work();
+    clear();
+    result
+}
+
+/// The templates are constants; a plain bar takes the place of one that is wrong.
+fn style(template: &str) -> ProgressStyle {
+    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
+}
