@@ -184,6 +184,7 @@ mod unix {
         directory_with(&[
             ("transducer.csv", fixture("transducer/transducer.csv").as_bytes()),
             ("steam.csv", fixture("steam-generator/steam_generator.csv").as_bytes()),
+            ("fleet.csv", fixture("fleet/levels.csv").as_bytes()),
             ("readings.csv", b"1,0,2\n0,1,3\n1,1,5\n"),
             ("square.ine", b"H-representation\nbegin\n4 3 integer\n1 1 0\n1 -1 0\n1 0 1\n1 0 -1\nend\n"),
         ])
@@ -208,6 +209,7 @@ mod unix {
             "fit: Set-membership fit",
             "fit: Set-membership fit",
             "fit: {",
+            "fit: group              rows  kind     theta1              theta2                   eps_min",
             "polygon: Half-planes of square.ine, 4 rows",
             "polygon: Half-planes of standard input, 3 rows",
             "plot: ",

@@ -67,12 +67,14 @@ Examples:
     boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --sweep 0.5..2
   Two regressors without a constant, from standard input, as JSON:
     boundfit fit - --x 1,2 --y 3 --eps 1/100 --format json < readings.csv
+  Every sensor of a fleet on its own, one line each (--format json or csv for programs):
+    boundfit fit fleet.csv --by sensor --x V --y level --eps 0.03
 
 Exit status:
   0  an answer was found
   1  bad data, or a file that cannot be read or written
   2  bad usage
-  3  the feasible parameter set is empty; the proof is printed";
+  3  the feasible parameter set is empty, with --by that of at least one group; the proof is printed";
 
 /// Fit y = theta1*x + theta2 + e with |e| <= eps: every parameter pair that agrees with all readings
 ///
@@ -89,6 +91,10 @@ pub(crate) struct FitArguments {
     /// and every vertex and PUI end as an exact function of s
     #[arg(long, value_name = "FROM..TO", value_parser = parse_factors)]
     pub(crate) sweep: Option<FactorRange>,
+    /// Fit each group of rows with the same text in this column on its own: one line of text, JSON or CSV per group, in the
+    /// order in which they first occur, and a summary (with JSON and CSV on standard error)
+    #[arg(long, value_name = "COL", value_parser = parse_column, conflicts_with = "sweep")]
+    pub(crate) by: Option<ColumnSelector>,
     /// Leave out the line about what an LP solver makes of the same data
     #[arg(long)]
     pub(crate) no_lp: bool,
@@ -99,7 +105,7 @@ pub(crate) struct FitArguments {
     #[command(flatten)]
     pub(crate) threads: ThreadArguments,
     #[command(flatten)]
-    pub(crate) output: OutputArguments,
+    pub(crate) output: OutputArguments<FitFormat>,
 }
 
 const REDUCE_EXAMPLES: &str = "\
@@ -403,10 +409,10 @@ pub(crate) struct TableArguments {
 
 /// How the answer is written.
 #[derive(Debug, Args)]
-pub(crate) struct OutputArguments {
+pub(crate) struct OutputArguments<F: ValueEnum + Default + Send + Sync + 'static = Format> {
     /// Text for people or JSON for programs
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(crate) format: Format,
+    #[arg(long, value_enum, default_value_t = F::default())]
+    pub(crate) format: F,
     #[command(flatten)]
     pub(crate) file: FileArguments,
     /// Significant digits of decimals
@@ -420,10 +426,21 @@ pub(crate) struct OutputArguments {
     exact: bool,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub(crate) enum Format {
+    #[default]
     Text,
     Json,
+}
+
+/// Formats of a fit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub(crate) enum FitFormat {
+    #[default]
+    Text,
+    Json,
+    /// Bounds and estimates of each group; with --by only
+    Csv,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
@@ -506,6 +523,16 @@ impl DataArguments {
         Ok(Problem { measurements, conditions })
     }
 
+    /// Opens the file.
+    pub(crate) fn source(&self) -> Result<Source, Failure> {
+        Source::open(&self.data).map_err(Failure::data)
+    }
+
+    /// How the file is read in parts.
+    pub(crate) fn scan_options(&self) -> ScanOptions {
+        self.table.scan_options(&self.data, self.rows.as_ref().map(|rows| rows.range))
+    }
+
     fn read(&self, keep_others: bool) -> Result<Problem, Failure> {
         let (columns, conditions) = self.asked()?;
         let rows = self.rows.as_ref().map(|rows| rows.range);
@@ -516,7 +543,7 @@ impl DataArguments {
     }
 
     /// The columns and conditions asked for.
-    fn asked(&self) -> Result<(Columns, Vec<Condition>), Failure> {
+    pub(crate) fn asked(&self) -> Result<(Columns, Vec<Condition>), Failure> {
         let reading = self.table.reading();
         let limits = Limits::default();
         let epsilon = match (&self.epsilon.eps, &self.epsilon.eps_column) {
@@ -602,7 +629,7 @@ impl ThreadArguments {
     }
 }
 
-impl OutputArguments {
+impl<F: ValueEnum + Default + Send + Sync + 'static> OutputArguments<F> {
     pub(crate) fn style(&self) -> Style {
         let ends = match self.rounding {
             RoundingName::Outward => EndRounding::Outward,

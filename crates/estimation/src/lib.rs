@@ -35,6 +35,7 @@ mod condition;
 mod corridor;
 mod family;
 mod fit;
+mod fleet;
 mod float_least_squares;
 mod fps;
 mod grid;
@@ -54,6 +55,7 @@ pub use family::{
     SectionVertex,
 };
 pub use fit::{Fit, FitBounds, Problem, fit, fit_bounds, fit_bounds_in_general};
+pub use fleet::{Fleet, fit_group, least_squares_is_feasible};
 pub use float_least_squares::{FloatEstimate, FloatLeastSquares};
 pub use fps::{BoundName, Fps};
 pub use inverse::{Inverse, InverseParameter};

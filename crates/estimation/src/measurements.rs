@@ -92,7 +92,7 @@ impl Columns {
     }
 
     /// Model, response and error bound by the names of those columns.
-    fn described(&self, names: &[String]) -> (Model, String, ErrorBound) {
+    pub(crate) fn described(&self, names: &[String]) -> (Model, String, ErrorBound) {
         let mut names = names.iter().cloned();
         let mut name = || names.next().unwrap_or_default();
         let first = name();

@@ -1,5 +1,10 @@
 //! Decimals out: rounded to a number of significant digits, in a stated direction.
 
+mod words;
+
+use std::fmt;
+
+use crate::short_text::ShortText;
 use crate::{Integer, Rational};
 
 /// The direction in which a printed decimal may differ from the exact value.
@@ -11,6 +16,35 @@ pub enum Rounding {
     Down,
     /// Towards plus infinity: the decimal is never below the value.
     Up,
+}
+
+impl Rounding {
+    /// Whether a value that needs rounding is rounded away from zero; `None` when that depends on what is cut off.
+    fn away_from_zero(self, value: &Rational) -> Option<bool> {
+        match self {
+            Rounding::Nearest => None,
+            Rounding::Down => Some(value.is_negative()),
+            Rounding::Up => Some(value.is_positive()),
+        }
+    }
+}
+
+/// A number as a decimal, see [`Rational::decimal`].
+#[derive(Debug, Clone, Copy)]
+pub struct Decimal<'a> {
+    value: &'a Rational,
+    digits: usize,
+    rounding: Rounding,
+}
+
+/// Rounded digits of a number's absolute value.
+struct Significand<T> {
+    /// As many digits as asked for, as an integer.
+    digits: T,
+    /// What the first of them weighs, as a power of ten.
+    exponent: i64,
+    /// Whether nothing was cut off.
+    exact: bool,
 }
 
 impl Rational {
@@ -28,26 +62,13 @@ impl Rational {
     /// assert_eq!(Rational::ratio(-3, 2).to_decimal(5, Rounding::Up), "-1.5");
     /// ```
     pub fn to_decimal(&self, digits: usize, rounding: Rounding) -> String {
-        if self.is_zero() {
-            return "0".to_owned();
-        }
-        let digits = digits.max(1);
-        let away_from_zero = match rounding {
-            Rounding::Nearest => None,
-            Rounding::Down => Some(self.is_negative()),
-            Rounding::Up => Some(self.is_positive()),
-        };
-        let magnitude = self.abs();
-        let mut exponent = exponent_of(&magnitude);
-        let (mut significand, exact) = significand(&magnitude, exponent, digits, away_from_zero);
-        if significand == Integer::power_of_ten(digits as u32) {
-            significand = Integer::power_of_ten(digits as u32 - 1);
-            exponent += 1;
-        }
-        let text = significand.to_string();
-        let text = if exact { text.trim_end_matches('0') } else { &text };
-        let sign = if self.is_negative() { "-" } else { "" };
-        format!("{sign}{}", place_point(text, exponent, exact))
+        self.decimal(digits, rounding).to_string()
+    }
+
+    /// The decimal of [`Rational::to_decimal`] for writing into something that exists already. Takes no memory of its
+    /// own for numbers of up to 128 bits.
+    pub fn decimal(&self, digits: usize, rounding: Rounding) -> Decimal<'_> {
+        Decimal { value: self, digits: digits.max(1), rounding }
     }
 
     /// The decimal that so many significant digits hold exactly, if they do. Cost: two of [`Rational::to_decimal`].
@@ -58,8 +79,47 @@ impl Rational {
 
     /// The power of ten that the first significant digit weighs, `floor(log10 |self|)`, or `None` for 0. Exact.
     pub fn decimal_exponent(&self) -> Option<i64> {
-        (!self.is_zero()).then(|| exponent_of(&self.abs()))
+        (!self.is_zero()).then(|| words::exponent(self).unwrap_or_else(|| exponent_of(&self.abs())))
     }
+}
+
+impl fmt::Display for Decimal<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Decimal { value, digits, rounding } = *self;
+        if value.is_zero() {
+            return f.write_str("0");
+        }
+        match words::significand(value, digits, rounding) {
+            Some(found) => {
+                let mut digits = itoa::Buffer::new();
+                let mut text = ShortText::new();
+                let parts = Parts::new(digits.format(found.digits), found.exponent, found.exact);
+                parts.write(value.is_negative(), |part| text.push(part));
+                f.write_str(text.as_str()?)
+            }
+            None => {
+                let found = long_significand(value, digits, rounding);
+                let digits = found.digits.to_string();
+                let mut text = String::new();
+                let parts = Parts::new(&digits, found.exponent, found.exact);
+                parts.write(value.is_negative(), |part| text.push_str(part));
+                f.write_str(&text)
+            }
+        }
+    }
+}
+
+/// The rounded significand of a number that is not 0, whatever its size.
+fn long_significand(value: &Rational, digits: usize, rounding: Rounding) -> Significand<Integer> {
+    let magnitude = value.abs();
+    let mut exponent = exponent_of(&magnitude);
+    let away_from_zero = rounding.away_from_zero(value);
+    let (mut significand, exact) = significand(&magnitude, exponent, digits, away_from_zero);
+    if significand == Integer::power_of_ten(digits as u32) {
+        significand = Integer::power_of_ten(digits as u32 - 1);
+        exponent += 1;
+    }
+    Significand { digits: significand, exponent, exact }
 }
 
 /// `floor(log10(magnitude))` of a positive number.
@@ -106,20 +166,51 @@ fn significand(
     (if up { floor + Integer::one() } else { floor }, false)
 }
 
-/// Writes significant digits whose first one weighs `10^exponent`.
-fn place_point(digits: &str, exponent: i64, exact: bool) -> String {
-    let count = digits.len() as i64;
-    match exponent {
-        -1 => format!("0.{digits}"),
-        0.. if exponent < count - 1 => {
-            let (whole, fraction) = digits.split_at(exponent as usize + 1);
-            format!("{whole}.{fraction}")
+/// A decimal without its sign: `before`, the digits around the point, zeros or a power of ten after them.
+struct Parts<'a> {
+    before: &'static str,
+    whole: &'a str,
+    fraction: &'a str,
+    zeros: &'static str,
+    power: Option<i64>,
+}
+
+impl<'a> Parts<'a> {
+    /// From significant digits whose first one weighs `10^exponent`.
+    fn new(digits: &'a str, exponent: i64, exact: bool) -> Self {
+        let digits = if exact { digits.trim_end_matches('0') } else { digits };
+        let count = digits.len() as i64;
+        let plain = Parts { before: "", whole: digits, fraction: "", zeros: "", power: None };
+        match exponent {
+            -1 => Parts { before: "0.", ..plain },
+            0.. if exponent < count => {
+                let (whole, fraction) = digits.split_at(exponent as usize + 1);
+                Parts { whole, fraction, ..plain }
+            }
+            // A short exact integer reads better as 20 than as 2e1.
+            0..=5 if exact => Parts { zeros: &"00000"[..(exponent + 1 - count) as usize], ..plain },
+            _ => {
+                let (whole, fraction) = digits.split_at(1);
+                Parts { whole, fraction, power: Some(exponent), ..plain }
+            }
         }
-        0.. if exponent == count - 1 => digits.to_owned(),
-        // A short exact integer reads better as 20 than as 2e1.
-        0..=5 if exact => format!("{digits}{}", "0".repeat((exponent + 1 - count) as usize)),
-        _ if count == 1 => format!("{digits}e{exponent}"),
-        _ => format!("{}.{}e{exponent}", &digits[..1], &digits[1..]),
+    }
+
+    fn write(&self, negative: bool, mut write: impl FnMut(&str)) {
+        if negative {
+            write("-");
+        }
+        write(self.before);
+        write(self.whole);
+        if !self.fraction.is_empty() {
+            write(".");
+            write(self.fraction);
+        }
+        write(self.zeros);
+        if let Some(power) = self.power {
+            write("e");
+            write(itoa::Buffer::new().format(power));
+        }
     }
 }
 
@@ -209,5 +300,53 @@ mod tests {
         assert_eq!(tiny.to_decimal(5, Rounding::Nearest), "1.5e-9999");
         let huge = value("12345678e9000");
         assert_eq!(huge.to_decimal(3, Rounding::Up), "1.24e9007");
+    }
+
+    /// The way that takes numbers of any size is the reference.
+    #[test]
+    fn numbers_of_up_to_128_bits_are_printed_like_longer_ones() {
+        let mut seed = 1_u64;
+        let mut next = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            u128::from(seed >> 1)
+        };
+        let edges = (0..38).flat_map(|exponent| {
+            let power = 10_i128.pow(exponent);
+            [power - 1, power, power + 1, power / 2, 3 * (power / 2)]
+        });
+        let edges: Vec<i128> =
+            edges.chain([i128::MAX, i128::MAX - 1, 1 << 126, 7]).filter(|n| *n > 0).collect();
+        let mut terms: Vec<(i128, i128)> = Vec::new();
+        for (index, &numerator) in edges.iter().enumerate() {
+            terms
+                .extend(edges.iter().skip(index % 7).step_by(7).map(|&denominator| (numerator, denominator)));
+        }
+        for _ in 0..3000 {
+            let mut wide = || ((next() << 63 | next()) >> (next() % 126)) as i128 + 1;
+            terms.push((wide(), wide()));
+        }
+        let mut in_words = 0;
+        for (numerator, denominator) in terms {
+            let value = Rational::new(numerator.into(), denominator.into()).unwrap();
+            for value in [-&value, value] {
+                let exponent = exponent_of(&value.abs());
+                assert_eq!(value.decimal_exponent(), Some(exponent), "{value}");
+                for (digits, rounding) in [
+                    (1, Rounding::Nearest),
+                    (5, Rounding::Down),
+                    (5, Rounding::Up),
+                    (6, Rounding::Nearest),
+                    (18, Rounding::Up),
+                    (18, Rounding::Nearest),
+                ] {
+                    let long = long_significand(&value, digits, rounding);
+                    let Some(short) = words::significand(&value, digits, rounding) else { continue };
+                    in_words += 1;
+                    assert_eq!(Integer::from(short.digits), long.digits, "{value} {digits} {rounding:?}");
+                    assert_eq!((short.exponent, short.exact), (long.exponent, long.exact), "{value}");
+                }
+            }
+        }
+        assert!(in_words > 30_000, "only {in_words}");
     }
 }

@@ -22,10 +22,11 @@ mod interval;
 mod number;
 mod parse;
 mod scaled;
+mod short_text;
 mod sum;
 
 pub use binary64::{nearest_double, plain_double};
-pub use decimal::Rounding;
+pub use decimal::{Decimal, Rounding};
 pub use double_sum::DoubleSum;
 pub use interval::{Endpoint, Interval};
 pub use number::{Integer, Rational, Sign};

@@ -33,6 +33,9 @@ impl Scaled {
 
 /// `mantissa · 10^exponent`. Exact. Cost: the size of the power.
 pub(crate) fn decimal(mantissa: i64, exponent: i32) -> Rational {
+    if (-18..=0).contains(&exponent) {
+        return Rational::of_decimal(mantissa, exponent.unsigned_abs());
+    }
     let power = Integer::power_of_ten(exponent.unsigned_abs());
     let mantissa = Integer::from(mantissa);
     if exponent >= 0 {

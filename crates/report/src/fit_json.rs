@@ -63,7 +63,7 @@ struct FloatJson {
 }
 
 #[derive(Serialize)]
-struct RangeJson {
+pub(crate) struct RangeJson {
     lower: Option<Number>,
     upper: Option<Number>,
 }
@@ -76,9 +76,9 @@ pub(crate) struct ActiveJson {
 }
 
 #[derive(Serialize)]
-struct CentralJson {
-    theta: [Number; 2],
-    guaranteed_error: [Number; 2],
+pub(crate) struct CentralJson {
+    pub(crate) theta: [Number; 2],
+    pub(crate) guaranteed_error: [Number; 2],
 }
 
 #[derive(Serialize)]
@@ -220,14 +220,14 @@ fn fps(problem: &Problem, fit: &Fit, style: &Style) -> RegionJson<ActiveJson> {
     RegionJson::new(fit.fps.polyhedron().region(), style, name, farkas)
 }
 
-fn has_bounded_end(fit: &Fit) -> bool {
+pub(crate) fn has_bounded_end(fit: &Fit) -> bool {
     fit.pui_intervals()
         .iter()
         .flatten()
         .any(|interval| interval.lower() != &Endpoint::Unbounded || interval.upper() != &Endpoint::Unbounded)
 }
 
-fn parameter_interval(fit: &Fit, interval: &ParameterInterval, style: &Style) -> IntervalJson {
+pub(crate) fn parameter_interval(fit: &Fit, interval: &ParameterInterval, style: &Style) -> IntervalJson {
     let bound = |bound: &ParameterBound, number: &dyn Fn(&Rational) -> Number| match bound {
         ParameterBound::Unbounded(_) => BoundJson { value: None, active: Vec::new() },
         ParameterBound::Bounded { value, proof } => {
@@ -242,7 +242,7 @@ fn parameter_interval(fit: &Fit, interval: &ParameterInterval, style: &Style) ->
 }
 
 /// ε_min exists under a uniform error bound only.
-fn uniform_minimum<'a>(problem: &Problem, fit: &'a Fit) -> Option<&'a Rational> {
+pub(crate) fn uniform_minimum<'a>(problem: &Problem, fit: &'a Fit) -> Option<&'a Rational> {
     let uniform = matches!(problem.measurements.error_bound(), ErrorBound::Uniform(_));
     fit.minimax.as_ref().filter(|_| uniform).map(|minimax| &minimax.least)
 }
@@ -269,14 +269,14 @@ fn inverse_parameter(parameter: &InverseParameter, style: &Style) -> InverseJson
     }
 }
 
-fn range(interval: &Interval, style: &Style) -> RangeJson {
+pub(crate) fn range(interval: &Interval, style: &Style) -> RangeJson {
     RangeJson {
         lower: interval.lower().value().map(|value| style.lower_number(value)),
         upper: interval.upper().value().map(|value| style.upper_number(value)),
     }
 }
 
-fn numbers(theta: &[Rational; 2], style: &Style) -> [Number; 2] {
+pub(crate) fn numbers(theta: &[Rational; 2], style: &Style) -> [Number; 2] {
     theta.each_ref().map(|value| style.number(value))
 }
 

@@ -33,8 +33,8 @@ struct BoundaryJson<A> {
 }
 
 #[derive(Debug, Serialize)]
-struct CertificateJson {
-    farkas: Vec<TermJson>,
+pub(crate) struct CertificateJson {
+    pub(crate) farkas: Vec<TermJson>,
 }
 
 /// A multiple of a named half-plane. `row` is null for a condition.

@@ -1,7 +1,9 @@
 //! How numbers are shown.
 
-use boundfit_exact::{Endpoint, Interval, Rational, Rounding};
-use serde::Serialize;
+use std::fmt;
+
+use boundfit_exact::{Decimal, Endpoint, Interval, Rational, Rounding};
+use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 /// The longest fraction that text reports show without being asked for exact numbers.
 const LONGEST_FRACTION: usize = 80;
@@ -35,11 +37,45 @@ impl Default for Style {
     }
 }
 
-/// A number in JSON: `{"exact": "p/q", "decimal": "1.8194e-3"}`.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+/// A number in JSON: `{"exact": "p/q", "decimal": "1.8194e-3"}`. It becomes text only where it is written.
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Number {
-    exact: String,
-    decimal: String,
+    exact: Rational,
+    digits: usize,
+    rounding: Rounding,
+}
+
+impl Serialize for Number {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut fields = serializer.serialize_struct("Number", 2)?;
+        fields.serialize_field("exact", &Written(&self.exact))?;
+        fields.serialize_field("decimal", &Written(self.exact.decimal(self.digits, self.rounding)))?;
+        fields.end()
+    }
+}
+
+/// Something with a text as a string in JSON, without a `String` between.
+struct Written<T>(T);
+
+impl<T: fmt::Display> Serialize for Written<T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(&self.0)
+    }
+}
+
+/// A number in the form that text shows.
+pub(crate) enum Shown<'a> {
+    Exact(&'a Rational),
+    Rounded(Decimal<'a>),
+}
+
+impl fmt::Display for Shown<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Shown::Exact(value) => value.fmt(f),
+            Shown::Rounded(decimal) => decimal.fmt(f),
+        }
+    }
 }
 
 impl Style {
@@ -100,17 +136,32 @@ impl Style {
 
     /// A number as text.
     pub(crate) fn text(&self, value: &Rational) -> String {
-        self.choose(self.number(value))
+        self.shown(value).to_string()
     }
 
     /// A lower end as text.
     pub(crate) fn lower_text(&self, value: &Rational) -> String {
-        self.choose(self.lower_number(value))
+        self.lower_shown(value).to_string()
     }
 
     /// An upper end or an error bound as text.
     pub(crate) fn upper_text(&self, value: &Rational) -> String {
-        self.choose(self.upper_number(value))
+        self.upper_shown(value).to_string()
+    }
+
+    /// A number as text, for writing.
+    pub(crate) fn shown<'a>(&self, value: &'a Rational) -> Shown<'a> {
+        self.chosen(value, Rounding::Nearest)
+    }
+
+    /// A lower end as text, for writing.
+    pub(crate) fn lower_shown<'a>(&self, value: &'a Rational) -> Shown<'a> {
+        self.chosen(value, self.directed(Rounding::Down))
+    }
+
+    /// An upper end or an error bound as text, for writing.
+    pub(crate) fn upper_shown<'a>(&self, value: &'a Rational) -> Shown<'a> {
+        self.chosen(value, self.directed(Rounding::Up))
     }
 
     /// An interval as text: `[1.5, 2]`, `(-inf, 2]`.
@@ -140,11 +191,11 @@ impl Style {
     }
 
     fn rounded(&self, value: &Rational, rounding: Rounding) -> Number {
-        Number { exact: value.to_string(), decimal: value.to_decimal(self.digits, rounding) }
+        Number { exact: value.clone(), digits: self.digits, rounding }
     }
 
-    fn choose(&self, number: Number) -> String {
-        if self.exact { number.exact } else { number.decimal }
+    fn chosen<'a>(&self, value: &'a Rational, rounding: Rounding) -> Shown<'a> {
+        if self.exact { Shown::Exact(value) } else { Shown::Rounded(value.decimal(self.digits, rounding)) }
     }
 }
 

@@ -8,16 +8,23 @@ use boundfit_exact::{Rational, Reading};
 use boundfit_report::{fit_json, fit_text, sweep_text, verdict_line};
 
 use crate::CommandResult;
-use crate::arguments::{FactorRange, FitArguments, Format};
+use crate::arguments::{FactorRange, FitArguments, FitFormat};
+use crate::commands::fleet;
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
 
 /// Reads the data, fits and writes the report.
 pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
-    let reading = arguments.data.table.reading();
     arguments.threads.set()?;
-    let is_hash_shown = arguments.output.format == Format::Json;
+    if let Some(by) = &arguments.by {
+        return fleet::run(arguments, by);
+    }
+    if arguments.output.format == FitFormat::Csv {
+        return Err(Failure::Usage("'--format csv' needs '--by <COL>': it has one row per group".to_owned()));
+    }
+    let reading = arguments.data.table.reading();
+    let is_hash_shown = arguments.output.format == FitFormat::Json;
     let problem = arguments.data.scanned_problem(!arguments.no_eui, is_hash_shown)?;
     let fit = while_working("fitting", || fit(&problem));
     let family = arguments.sweep.as_ref().map(|FactorRange { from, to }| {
@@ -25,8 +32,8 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     });
     let style = arguments.output.style();
     let report = match arguments.output.format {
-        Format::Json => fit_json(&problem, &fit, family.as_ref(), reading, &style),
-        Format::Text => {
+        FitFormat::Json => fit_json(&problem, &fit, family.as_ref(), reading, &style),
+        FitFormat::Text | FitFormat::Csv => {
             let (file, rows) = (arguments.data.file_name(), arguments.data.rows_asked());
             let report = fit_text(&problem, &fit, file, rows, reading, &style);
             let lp_line = if arguments.no_lp { String::new() } else { lp_line(&problem, reading)? };

@@ -4,6 +4,7 @@ pub(crate) mod bench_solvers;
 pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod fit;
+pub(crate) mod fleet;
 pub(crate) mod lesson;
 pub(crate) mod man;
 pub(crate) mod plot;

@@ -163,7 +163,10 @@ impl Integer {
 
     /// 10 to the given power. Cost: the size of the result.
     pub fn power_of_ten(exponent: u32) -> Self {
-        Integer::from_big(BigInt::from(10).pow(exponent))
+        match 10_i128.checked_pow(exponent) {
+            Some(power) => Integer::of_word(power),
+            None => Integer::from_big(BigInt::from(10).pow(exponent)),
+        }
     }
 
     /// 2 to the given power.

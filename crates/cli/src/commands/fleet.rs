@@ -1,0 +1,110 @@
+//! `boundfit fit --by`: every group of rows on its own.
+
+use std::io::{self, Write};
+use std::ops::Range;
+
+use boundfit_estimation::{Condition, Fleet, Problem, fit_group};
+use boundfit_formats::{ColumnSelector, ScanOptions};
+use boundfit_report::{FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, Style, write_group_json};
+
+use crate::CommandResult;
+use crate::arguments::{FitArguments, FitFormat};
+use crate::exit::{Exit, Failure};
+use crate::output::{Output, Stop};
+
+/// Reads the data, then fits group after group and writes what is ready.
+pub(crate) fn run(arguments: &FitArguments, by: &ColumnSelector) -> CommandResult {
+    let data = &arguments.data;
+    let (columns, conditions) = data.asked()?;
+    let options = ScanOptions { hash: false, ..data.scan_options() };
+    let fleet = Fleet::read(data.source()?, &columns, by, options).map_err(Failure::data)?;
+    let job = Job { fleet: &fleet, conditions: &conditions, style: arguments.output.style() };
+    let mut output = Output::open(arguments.output.file.output.as_deref())?;
+    let mut summary = FleetSummary::default();
+    let written = match arguments.output.format {
+        FitFormat::Text => job.write_text(&mut output, &mut summary),
+        FitFormat::Json => job.write_json(&mut output, &mut summary),
+        FitFormat::Csv => job.write_csv(&mut output, &mut summary),
+    };
+    match written {
+        Ok(()) => {
+            output.finish()?;
+            if arguments.output.format != FitFormat::Text {
+                // The answer is written, whether or not somebody reads the summary.
+                let _ = io::stderr().write_all(summary.to_text().as_bytes());
+            }
+        }
+        Err(Stop::Closed) => {}
+        Err(Stop::Failed(failure)) => return Err(failure),
+    }
+    Ok(if summary.has_empty() { Exit::Empty } else { Exit::Answer })
+}
+
+/// What is to be fitted and how it is shown.
+struct Job<'a> {
+    fleet: &'a Fleet,
+    conditions: &'a [Condition],
+    style: Style,
+}
+
+impl Job<'_> {
+    fn write_json(&self, output: &mut Output, whole: &mut FleetSummary) -> Result<(), Stop> {
+        let lines = |groups| {
+            let mut lines = Vec::new();
+            let summary = self.each(groups, |group| write_group_json(&mut lines, &group, &self.style));
+            (lines, summary)
+        };
+        self.fleet.in_order(lines, |(lines, summary)| {
+            whole.append(summary);
+            output.write(&lines)
+        })
+    }
+
+    fn write_csv(&self, output: &mut Output, whole: &mut FleetSummary) -> Result<(), Stop> {
+        let mut header = FleetCsv::new();
+        header.header(self.fleet.is_bounded_per_row());
+        output.write(&header.into_bytes())?;
+        let rows = |groups| {
+            let mut rows = FleetCsv::new();
+            let summary = self.each(groups, |group| rows.group(&group, &self.style));
+            (rows.into_bytes(), summary)
+        };
+        self.fleet.in_order(rows, |(rows, summary)| {
+            whole.append(summary);
+            output.write(&rows)
+        })
+    }
+
+    fn write_text(&self, output: &mut Output, whole: &mut FleetSummary) -> Result<(), Stop> {
+        let mut table = FleetTable::new(self.fleet.is_bounded_per_row());
+        let lines = |groups| {
+            let mut lines = Vec::new();
+            let summary = self.each(groups, |group| lines.push(GroupCells::new(&group, &self.style)));
+            (lines, summary)
+        };
+        self.fleet.in_order(lines, |(lines, summary)| {
+            whole.append(summary);
+            let mut text = String::new();
+            lines.into_iter().for_each(|cells| table.push(cells, &mut text));
+            output.write(text.as_bytes())
+        })?;
+        let mut text = String::new();
+        table.finish(&mut text);
+        output.write(format!("{text}\n{}", whole.to_text()).as_bytes())
+    }
+
+    /// Fits groups and shows each.
+    fn each(&self, groups: Range<usize>, mut show: impl FnMut(GroupReport<'_>)) -> FleetSummary {
+        let mut summary = FleetSummary::default();
+        let mut conditions = self.conditions.to_vec();
+        for group in groups {
+            let problem = Problem { measurements: self.fleet.measurements(group), conditions };
+            let fit = fit_group(&problem);
+            let report = GroupReport { key: self.fleet.key(group), problem: &problem, fit: &fit };
+            summary.add(&report);
+            show(report);
+            conditions = problem.conditions;
+        }
+        summary
+    }
+}

@@ -1,0 +1,28 @@
+//! What a fleet reports of each group.
+
+use boundfit_geometry::Point;
+use boundfit_geometry::predicates::{Side, side};
+
+use crate::fit::{Fit, FitBounds, Problem, fit_bounds};
+
+/// The [`fit`](crate::fit()) without its inverse line, which is `None`. Exact.
+/// Cost: O(N log N), less than half of the whole.
+pub fn fit_group(problem: &Problem) -> Fit {
+    let FitBounds { least_squares, fps, pui, central, minimax } = fit_bounds(problem);
+    Fit { least_squares, fps, pui, central, minimax, inverse: None }
+}
+
+/// Whether the least-squares estimate lies in the FPS; `None` when there is no estimate. Exact. Cost: linear in the number
+/// of vertices.
+pub fn least_squares_is_feasible(fit: &Fit) -> Option<bool> {
+    let estimate = fit.least_squares.as_ref().ok()?;
+    let polyhedron = fit.fps.polyhedron();
+    if polyhedron.region().is_empty() {
+        return Some(false);
+    }
+    let point = Point::new(&estimate.theta[0], &estimate.theta[1]);
+    // The irredundant half-planes are the region.
+    let half_planes =
+        polyhedron.irredundant_by_angle().iter().filter_map(|&index| polyhedron.system().half_plane(index));
+    Some(half_planes.into_iter().all(|half_plane| side(half_plane, &point) != Side::Outside))
+}

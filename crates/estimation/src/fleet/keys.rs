@@ -1,0 +1,69 @@
+//! The names of groups, each kept once.
+
+use std::hash::BuildHasher;
+
+use hashbrown::{DefaultHashBuilder, HashTable};
+
+/// Distinct texts, numbered in the order in which they were first seen.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Keys {
+    /// All texts, one after the other.
+    text: String,
+    /// Where each text ends.
+    ends: Vec<usize>,
+    /// The numbers of the texts, by their hashes.
+    numbers: HashTable<u32>,
+    hasher: DefaultHashBuilder,
+}
+
+impl Keys {
+    /// How many there are.
+    pub(super) fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// The text with a number.
+    pub(super) fn get(&self, number: usize) -> &str {
+        get(&self.text, &self.ends, number)
+    }
+
+    /// The number of a text, a new one for a new text; `None` when there are no numbers left.
+    pub(super) fn number_of(&mut self, key: &str) -> Option<u32> {
+        let Keys { text, ends, numbers, hasher } = self;
+        let hash = hasher.hash_one(key);
+        let is_key = |&number: &u32| get(text, ends, number as usize) == key;
+        if let Some(&number) = numbers.find(hash, is_key) {
+            return Some(number);
+        }
+        let number = u32::try_from(ends.len()).ok()?;
+        text.push_str(key);
+        ends.push(text.len());
+        numbers.insert_unique(hash, number, |&number| hasher.hash_one(get(text, ends, number as usize)));
+        Some(number)
+    }
+}
+
+fn get<'a>(text: &'a str, ends: &[usize], number: usize) -> &'a str {
+    let start = number.checked_sub(1).map_or(0, |before| ends[before]);
+    &text[start..ends[number]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_are_numbered_as_they_come() {
+        let mut keys = Keys::default();
+        let texts = ["b", "", "a", "b", "", "ba", "a", "ab"];
+        let numbers: Vec<u32> = texts.iter().map(|text| keys.number_of(text).unwrap()).collect();
+        assert_eq!(numbers, [0, 1, 2, 0, 1, 3, 2, 4]);
+        assert_eq!(
+            (0..keys.len()).map(|number| keys.get(number)).collect::<Vec<_>>(),
+            ["b", "", "a", "ba", "ab"]
+        );
+        let many: Vec<u32> = (0..10_000).map(|k| keys.number_of(&format!("sensor {k}")).unwrap()).collect();
+        assert!(many.iter().zip(5..).all(|(&number, expected)| number == expected));
+        assert_eq!(keys.number_of("sensor 77"), Some(82));
+    }
+}

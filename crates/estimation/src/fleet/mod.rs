@@ -1,0 +1,203 @@
+//! Fleets: the readings of many sensors in one table, each sensor fitted on its own.
+//!
+//! The table is read once. A number takes eight bytes where the text allows it, a row one column of numbers each and the
+//! number of its group; the rows of a group need not be neighbours and are gathered by counting.
+
+mod fit;
+mod groups;
+mod keys;
+mod series;
+
+use std::io;
+use std::ops::Range;
+
+use boundfit_exact::Rational;
+use boundfit_formats::{Batch, ColumnSelector, InputError, Place, Problem, ScanOptions, Source, scan};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
+use crate::measurements::{Columns, ErrorBound, Measurement, Measurements, Model};
+use groups::Groups;
+use keys::Keys;
+use series::Series;
+
+pub use fit::{fit_group, least_squares_is_feasible};
+
+/// How many groups one piece of work has.
+const GROUPS_PER_PIECE: usize = 64;
+/// How many pieces are computed while those before are taken: enough for many threads, few enough to hold.
+const PIECES_PER_BLOCK: usize = 32;
+
+/// Readings with a text that says to which group each belongs. Groups are numbered from 0 in the order in which they
+/// first occur.
+#[derive(Debug, Clone)]
+pub struct Fleet {
+    model: Model,
+    response: String,
+    error_bound: ErrorBound,
+    keys: Keys,
+    groups: Groups,
+    /// x or φ1 and φ2, then y, then the error bounds that are a column.
+    columns: Vec<Series>,
+    first_row: usize,
+}
+
+impl Fleet {
+    /// Reads the columns of a table. Rows with the same text in the column `by`, spaces and tabs around it aside, are a
+    /// group. What `options` say about keys is not looked at. Exact. Cost: one pass, on the threads of the current rayon
+    /// pool; 8 bytes of memory per number and 4 to 8 per row.
+    ///
+    /// # Errors
+    /// The first thing wrong with the file, a negative error bound included; more than 2³² - 1 rows.
+    pub fn read(
+        source: Source,
+        columns: &Columns,
+        by: &ColumnSelector,
+        options: ScanOptions,
+    ) -> Result<Self, InputError> {
+        let selectors = columns.selectors();
+        let options = ScanOptions { key: Some(by.clone()), ..options };
+        let file = source.name().to_owned();
+        let mut store = Store { columns: vec![Series::default(); selectors.len()], ..Store::default() };
+        let scanned = scan(source, &selectors, &options, Runs::new, |runs| store.push(&runs))?;
+        if store.is_full {
+            let problem =
+                Problem::Io(io::Error::other(format_args!("more than {} rows", u32::MAX).to_string()));
+            return Err(InputError { file, place: Box::new(Place::default()), problem });
+        }
+        let (model, response, error_bound) = columns.described(&scanned.names);
+        let groups = Groups::new(&store.group_of, store.keys.len());
+        Ok(Fleet {
+            model,
+            response,
+            error_bound,
+            keys: store.keys,
+            groups,
+            columns: store.columns,
+            first_row: store.first_row,
+        })
+    }
+
+    /// How many groups there are.
+    pub fn len(&self) -> usize {
+        self.groups.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Whether every reading has its own error bound.
+    pub fn is_bounded_per_row(&self) -> bool {
+        matches!(self.error_bound, ErrorBound::PerRow(_))
+    }
+
+    /// The text that the rows of a group have in common.
+    ///
+    /// # Panics
+    /// When there are not that many groups.
+    pub fn key(&self, group: usize) -> &str {
+        self.keys.get(group)
+    }
+
+    /// The readings of a group in the order of the file.
+    ///
+    /// # Panics
+    /// When there are not that many groups.
+    pub fn measurements(&self, group: usize) -> Measurements {
+        let rows = self.groups.rows(group).map(|index| self.measurement(index)).collect();
+        Measurements::new(self.model.clone(), self.response.clone(), self.error_bound.clone(), rows)
+    }
+
+    fn measurement(&self, index: usize) -> Measurement {
+        let mut numbers = self.columns.iter().map(|column| column.get(index));
+        let mut next = || numbers.next().unwrap_or_default();
+        let regressor = match self.model {
+            Model::Line { .. } => [next(), Rational::one()],
+            Model::TwoRegressors { .. } => [next(), next()],
+        };
+        let response = next();
+        let epsilon = match &self.error_bound {
+            ErrorBound::Uniform(epsilon) => epsilon.clone(),
+            ErrorBound::PerRow(_) => next(),
+        };
+        Measurement { row: self.first_row + index, regressor, response, epsilon }
+    }
+
+    /// Calls `work` for consecutive groups, on the threads of the current rayon pool and in any order, and `take` with
+    /// what it made of them, in order. Which groups go together is the same for any number of threads. Holds what a few
+    /// thousand groups make.
+    ///
+    /// # Errors
+    /// The first error of `take`, after which nothing more is computed.
+    pub fn in_order<T: Send, E: Send>(
+        &self,
+        work: impl Fn(Range<usize>) -> T + Sync,
+        mut take: impl FnMut(T) -> Result<(), E> + Send,
+    ) -> Result<(), E> {
+        let pieces = self.len().div_ceil(GROUPS_PER_PIECE);
+        let piece =
+            |index: usize| work(index * GROUPS_PER_PIECE..self.len().min((index + 1) * GROUPS_PER_PIECE));
+        let mut ready: Vec<T> = Vec::new();
+        for start in (0..pieces).step_by(PIECES_PER_BLOCK) {
+            let block = start..pieces.min(start + PIECES_PER_BLOCK);
+            let (next, taken) = rayon::join(
+                || block.into_par_iter().map(piece).collect(),
+                || ready.drain(..).try_for_each(&mut take),
+            );
+            taken?;
+            ready = next;
+        }
+        ready.into_iter().try_for_each(take)
+    }
+}
+
+/// The rows read so far.
+#[derive(Default)]
+struct Store {
+    columns: Vec<Series>,
+    group_of: Vec<u32>,
+    keys: Keys,
+    /// Number of the first row in the file.
+    first_row: usize,
+    /// Whether there are more rows than can be numbered.
+    is_full: bool,
+}
+
+impl Store {
+    fn push(&mut self, Runs { batch, starts }: &Runs) {
+        let Some(keys) = &batch.keys else { return };
+        if self.group_of.is_empty() {
+            self.first_row = batch.first_row;
+        }
+        self.is_full |= u32::try_from(self.group_of.len() + batch.rows).is_err();
+        if self.is_full {
+            return;
+        }
+        for (series, column) in self.columns.iter_mut().zip(&batch.columns) {
+            series.push(column);
+        }
+        let ends = starts.iter().skip(1).copied().chain([batch.rows]);
+        for (&start, end) in starts.iter().zip(ends) {
+            // There are no more groups than rows.
+            let Some(group) = self.keys.number_of(keys.get(start)) else { return };
+            self.group_of.extend(std::iter::repeat_n(group, end - start));
+        }
+    }
+}
+
+/// Rows with the places where a new key begins: a sorted table needs one look-up per group then.
+struct Runs {
+    batch: Batch,
+    starts: Vec<usize>,
+}
+
+impl Runs {
+    fn new(batch: Batch) -> Self {
+        let begins = |&row: &usize| {
+            batch.keys.as_ref().is_some_and(|keys| row == 0 || keys.get(row) != keys.get(row - 1))
+        };
+        let starts = (0..batch.rows).filter(begins).collect();
+        Runs { batch, starts }
+    }
+}

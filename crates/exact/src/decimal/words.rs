@@ -1,0 +1,95 @@
+//! The same decimals for numbers whose terms fit into 128 bits: no big number, no memory, one division.
+
+use super::{Rounding, Significand};
+use crate::Rational;
+
+/// The most digits of a significand that fits into 64 bits, whatever they are.
+const MOST_DIGITS: usize = 18;
+
+/// The powers of ten below 2¹²⁸.
+const POWERS_OF_TEN: [u128; 39] = {
+    let mut powers = [1; 39];
+    let mut exponent = 1;
+    while exponent < powers.len() {
+        powers[exponent] = powers[exponent - 1] * 10;
+        exponent += 1;
+    }
+    powers
+};
+
+/// Numerator and denominator of |value|, when both fit.
+fn terms(value: &Rational) -> Option<(u128, u128)> {
+    Some((value.numerator().to_i128()?.unsigned_abs(), value.denominator().to_i128()?.unsigned_abs()))
+}
+
+/// The rounded significand of a number that is not 0; `None` where it takes longer numbers.
+pub(super) fn significand(value: &Rational, digits: usize, rounding: Rounding) -> Option<Significand<u64>> {
+    if digits > MOST_DIGITS {
+        return None;
+    }
+    let (numerator, denominator) = terms(value)?;
+    let Scaled { exponent, quotient, remainder, divisor } = scaled(numerator, denominator, digits)?;
+    if remainder == 0 {
+        return Some(Significand { digits: quotient, exponent, exact: true });
+    }
+    let up = rounding.away_from_zero(value).unwrap_or_else(|| {
+        // Twice the remainder may have 129 bits.
+        let rest = divisor - remainder;
+        remainder > rest || (remainder == rest && !quotient.is_multiple_of(2))
+    });
+    let rounded = quotient + u64::from(up);
+    if u128::from(rounded) == POWERS_OF_TEN[digits] {
+        return Some(Significand { digits: rounded / 10, exponent: exponent + 1, exact: false });
+    }
+    Some(Significand { digits: rounded, exponent, exact: false })
+}
+
+/// `floor(log10 |value|)` of a number that is not 0; `None` where it takes longer numbers.
+pub(super) fn exponent(value: &Rational) -> Option<i64> {
+    let (numerator, denominator) = terms(value)?;
+    scaled(numerator, denominator, 1).map(|scaled| scaled.exponent)
+}
+
+/// `numerator / denominator / 10^(exponent - digits + 1)` as quotient and remainder.
+struct Scaled {
+    /// Such that the quotient has the digits asked for.
+    exponent: i64,
+    quotient: u64,
+    remainder: u128,
+    divisor: u128,
+}
+
+fn scaled(numerator: u128, denominator: u128, digits: usize) -> Option<Scaled> {
+    // Both logarithms are right to a few units of their last place, so that the guess is off by one at most, and only
+    // next to a power of ten. The quotient decides.
+    let mut exponent = (numerator as f64 / denominator as f64).log10().floor() as i64;
+    for _ in 0..3 {
+        let shift = digits as i64 - 1 - exponent;
+        let power = *POWERS_OF_TEN.get(usize::try_from(shift.unsigned_abs()).ok()?)?;
+        let (dividend, divisor) = if shift >= 0 {
+            (numerator.checked_mul(power)?, denominator)
+        } else {
+            (numerator, denominator.checked_mul(power)?)
+        };
+        let (quotient, remainder) = divided(dividend, divisor);
+        if quotient >= POWERS_OF_TEN[digits] {
+            exponent += 1;
+        } else if quotient < POWERS_OF_TEN[digits - 1] {
+            exponent -= 1;
+        } else {
+            return Some(Scaled { exponent, quotient: u64::try_from(quotient).ok()?, remainder, divisor });
+        }
+    }
+    None
+}
+
+/// A division of 64 bits is several times faster than one of 128.
+fn divided(dividend: u128, divisor: u128) -> (u128, u128) {
+    match (u64::try_from(dividend), u64::try_from(divisor)) {
+        (Ok(dividend), Ok(divisor)) => (u128::from(dividend / divisor), u128::from(dividend % divisor)),
+        _ => {
+            let quotient = dividend / divisor;
+            (quotient, dividend - quotient * divisor)
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! The groups of a fleet as CSV: one row of bounds and estimates each.
+
+use std::fmt::{self, Write};
+
+use boundfit_estimation::ParameterInterval;
+use boundfit_exact::{Endpoint, Rational};
+use csv::Writer;
+
+use crate::fleet_summary::GroupReport;
+use crate::style::Style;
+
+/// The names of the columns but for the last, which says what it is about.
+const COLUMNS: [&str; 14] = [
+    "group",
+    "rows",
+    "first_row",
+    "kind",
+    "theta1_lower",
+    "theta1_upper",
+    "theta2_lower",
+    "theta2_upper",
+    "theta1_central",
+    "theta1_error",
+    "theta2_central",
+    "theta2_error",
+    "theta1_least_squares",
+    "theta2_least_squares",
+];
+
+/// Rows of CSV that are put together in memory.
+#[derive(Debug)]
+pub struct FleetCsv {
+    writer: Writer<Vec<u8>>,
+    /// A cell on its way.
+    cell: String,
+}
+
+// Nothing can go wrong: memory takes whatever is written, and every row has as many cells as the header.
+const WRITTEN: &str = "a row that memory does not take";
+
+impl FleetCsv {
+    /// Nothing yet.
+    pub fn new() -> Self {
+        FleetCsv { writer: Writer::from_writer(Vec::new()), cell: String::new() }
+    }
+
+    /// Adds the header. The last column is `epsilon_min`, or `epsilon_factor` where each reading has its own bound.
+    pub fn header(&mut self, is_bounded_per_row: bool) {
+        let last = if is_bounded_per_row { "epsilon_factor" } else { "epsilon_min" };
+        self.writer.write_record(COLUMNS.iter().chain([&last])).expect(WRITTEN);
+    }
+
+    /// Adds a group. What there is not is left out; an end that is not bounded is `-inf` or `inf`. Ends have the digits
+    /// that tell them apart.
+    pub fn group(&mut self, group: &GroupReport<'_>, style: &Style) {
+        let fit = group.fit;
+        self.writer.write_field(group.key).expect(WRITTEN);
+        self.cell(group.rows());
+        self.optional(group.first_row());
+        self.cell(group.kind().name());
+        let pui = fit.pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval));
+        let styles = style.resolving_both(pui.as_ref());
+        for axis in 0..2 {
+            match &pui {
+                Some(pui) => {
+                    self.end(pui[axis].lower(), "-inf", |value| styles[axis].lower_shown(value));
+                    self.end(pui[axis].upper(), "inf", |value| styles[axis].upper_shown(value));
+                }
+                None => {
+                    self.cell("");
+                    self.cell("");
+                }
+            }
+        }
+        let central = fit.central.as_ref();
+        for (axis, own) in styles.iter().enumerate() {
+            self.optional(central.map(|central| own.shown(&central.theta[axis])));
+            self.optional(central.map(|central| style.upper_shown(&central.guaranteed_error[axis])));
+        }
+        for (axis, own) in styles.iter().enumerate() {
+            let estimate = fit.least_squares.as_ref().ok();
+            self.optional(estimate.map(|estimate| own.shown(&estimate.theta[axis])));
+        }
+        self.optional(group.least().map(|least| style.upper_shown(least)));
+        self.writer.write_record(None::<&[u8]>).expect(WRITTEN);
+    }
+
+    /// What was added, as text in UTF-8.
+    pub fn into_bytes(self) -> Vec<u8> {
+        self.writer.into_inner().expect(WRITTEN)
+    }
+
+    fn end<'a, T: fmt::Display>(
+        &mut self,
+        end: &'a Endpoint,
+        unbounded: &str,
+        shown: impl Fn(&'a Rational) -> T,
+    ) {
+        match end {
+            Endpoint::Finite(value) => self.cell(shown(value)),
+            Endpoint::Unbounded => self.cell(unbounded),
+        }
+    }
+
+    fn optional(&mut self, content: Option<impl fmt::Display>) {
+        match content {
+            Some(content) => self.cell(content),
+            None => self.cell(""),
+        }
+    }
+
+    fn cell(&mut self, content: impl fmt::Display) {
+        self.cell.clear();
+        write!(self.cell, "{content}").expect(WRITTEN);
+        self.writer.write_field(&self.cell).expect(WRITTEN);
+    }
+}
+
+impl Default for FleetCsv {
+    fn default() -> Self {
+        FleetCsv::new()
+    }
+}

@@ -1,0 +1,81 @@
+//! One group of a fleet as a line of JSON, schema `boundfit/fleet/1`. What means the same as in `boundfit/fit/1` has the
+//! same name and the same shape.
+
+use boundfit_estimation::{ParameterInterval, least_squares_is_feasible};
+use serde::Serialize;
+
+use crate::fit_json::{
+    CentralJson, RangeJson, has_bounded_end, numbers, parameter_interval, range, term, uniform_minimum,
+};
+use crate::fleet_summary::GroupReport;
+use crate::region::{CertificateJson, IntervalJson};
+use crate::style::{Number, Style};
+
+#[derive(Serialize)]
+struct GroupJson<'a> {
+    schema: &'static str,
+    group: &'a str,
+    rows: usize,
+    first_row: Option<usize>,
+    least_squares: Option<LeastSquaresJson>,
+    eui: Option<[RangeJson; 2]>,
+    fps: FpsJson,
+    pui: Option<[IntervalJson; 2]>,
+    central: Option<CentralJson>,
+    epsilon_min: Option<Number>,
+    epsilon_factor: Option<Number>,
+}
+
+#[derive(Serialize)]
+struct LeastSquaresJson {
+    theta: [Number; 2],
+    in_fps: bool,
+}
+
+#[derive(Serialize)]
+struct FpsJson {
+    kind: &'static str,
+    vertex_count: usize,
+    certificate: Option<CertificateJson>,
+}
+
+/// Appends the line of a group, with its line end.
+pub fn write_group_json(text: &mut Vec<u8>, group: &GroupReport<'_>, style: &Style) {
+    let GroupReport { key, problem, fit } = *group;
+    let region = fit.fps.polyhedron().region();
+    let least_squares = fit.least_squares.as_ref().ok();
+    let contradiction = fit.contradiction(problem.measurements.error_bound());
+    let line = GroupJson {
+        schema: "boundfit/fleet/1",
+        group: key,
+        rows: group.rows(),
+        first_row: group.first_row(),
+        least_squares: least_squares.map(|estimate| LeastSquaresJson {
+            theta: numbers(&estimate.theta, style),
+            in_fps: least_squares_is_feasible(fit).unwrap_or(false),
+        }),
+        eui: fit.eui().map(|eui| eui.each_ref().map(|eui| range(eui, style))),
+        fps: FpsJson {
+            kind: group.kind().name(),
+            vertex_count: region.vertices().len(),
+            certificate: contradiction.map(|terms| CertificateJson {
+                farkas: terms.iter().map(|(name, multiplier)| term(*name, multiplier, style)).collect(),
+            }),
+        },
+        pui: fit.pui.as_ref().filter(|_| has_bounded_end(fit)).map(|pui| {
+            pui.each_ref().map(|interval: &ParameterInterval| parameter_interval(fit, interval, style))
+        }),
+        central: fit.central.as_ref().map(|central| CentralJson {
+            theta: numbers(&central.theta, style),
+            guaranteed_error: central.guaranteed_error.each_ref().map(|error| style.upper_number(error)),
+        }),
+        epsilon_min: uniform_minimum(problem, fit).map(|epsilon| style.upper_number(epsilon)),
+        epsilon_factor: group
+            .least()
+            .filter(|_| group.is_bounded_per_row())
+            .map(|factor| style.upper_number(factor)),
+    };
+    // The types hold strings, numbers and lists only, and memory takes whatever is written.
+    serde_json::to_writer(&mut *text, &line).expect("a group that is not JSON");
+    text.push(b'\n');
+}

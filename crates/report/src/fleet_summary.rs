@@ -1,0 +1,144 @@
+//! A group of a fleet, and what a whole fleet comes to.
+
+use boundfit_estimation::{ErrorBound, Fit, Problem};
+use boundfit_exact::Rational;
+use boundfit_geometry::RegionKind;
+
+use crate::text::counted;
+
+/// How many of the groups without an answer a summary names.
+const MOST_NAMED: usize = 5;
+
+/// One group of a fleet with its fit.
+#[derive(Debug, Clone, Copy)]
+pub struct GroupReport<'a> {
+    /// The text that its rows have in common.
+    pub key: &'a str,
+    /// Its readings and the conditions.
+    pub problem: &'a Problem,
+    /// Their fit; the parts that fleets do not report may be missing.
+    pub fit: &'a Fit,
+}
+
+impl<'a> GroupReport<'a> {
+    pub(crate) fn kind(&self) -> RegionKind {
+        self.fit.fps.polyhedron().region().kind()
+    }
+
+    pub(crate) fn rows(&self) -> usize {
+        self.problem.measurements.rows().len()
+    }
+
+    pub(crate) fn first_row(&self) -> Option<usize> {
+        self.problem.measurements.rows().first().map(|measurement| measurement.row)
+    }
+
+    /// ε_min, or the least factor where every reading has its own error bound.
+    pub(crate) fn least(&self) -> Option<&'a Rational> {
+        self.fit.minimax.as_ref().map(|minimax| &minimax.least)
+    }
+
+    /// Whether every reading has its own error bound.
+    pub(crate) fn is_bounded_per_row(&self) -> bool {
+        matches!(self.problem.measurements.error_bound(), ErrorBound::PerRow(_))
+    }
+}
+
+/// How many groups of a fleet are what. Parts of a fleet add up in order.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct FleetSummary {
+    groups: usize,
+    rows: usize,
+    empty: usize,
+    unbounded: usize,
+    degenerate: usize,
+    /// Keys of the first empty ones.
+    first_empty: Vec<String>,
+}
+
+impl FleetSummary {
+    /// Counts a group.
+    pub fn add(&mut self, group: &GroupReport<'_>) {
+        let region = group.fit.fps.polyhedron().region();
+        self.groups += 1;
+        self.rows += group.rows();
+        match group.kind() {
+            RegionKind::Empty => {
+                self.empty += 1;
+                if self.first_empty.len() < MOST_NAMED {
+                    self.first_empty.push(shown_key(group.key));
+                }
+            }
+            RegionKind::Point | RegionKind::Segment => self.degenerate += 1,
+            _ if !region.is_bounded() => self.unbounded += 1,
+            _ => {}
+        }
+    }
+
+    /// Adds the groups that come after these.
+    pub fn append(&mut self, later: FleetSummary) {
+        self.groups += later.groups;
+        self.rows += later.rows;
+        self.empty += later.empty;
+        self.unbounded += later.unbounded;
+        self.degenerate += later.degenerate;
+        let room = MOST_NAMED - self.first_empty.len();
+        self.first_empty.extend(later.first_empty.into_iter().take(room));
+    }
+
+    /// Whether the FPS of some group is empty.
+    pub fn has_empty(&self) -> bool {
+        self.empty > 0
+    }
+
+    /// The summary as text, one line, and a second one when groups are empty.
+    pub fn to_text(&self) -> String {
+        let FleetSummary { groups, rows, empty, unbounded, degenerate, first_empty } = self;
+        let polygons = groups - empty - unbounded - degenerate;
+        let mut text = format!(
+            "{}, {}: {}, {unbounded} unbounded, {degenerate} degenerate (point or segment), {empty} empty\n",
+            counted(*groups, "group", "groups"),
+            counted(*rows, "row", "rows"),
+            counted(polygons, "polygon", "polygons"),
+        );
+        if self.has_empty() {
+            let more = empty - first_empty.len();
+            let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+            text.push_str(&format!("No theta meets every bound of: {}{more}\n", first_empty.join(", ")));
+        }
+        text
+    }
+}
+
+/// A key on a line of its own: quoted where it is not plain to see.
+pub(crate) fn shown_key(key: &str) -> String {
+    let plain = !key.is_empty()
+        && key.trim() == key
+        && !key.contains(|c: char| c.is_control() || c == '"' || c == ',');
+    if plain { key.to_owned() } else { format!("{key:?}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_add_up_to_the_whole() {
+        let part = |keys: &[&str], groups| FleetSummary {
+            groups,
+            rows: 10 * groups,
+            empty: keys.len(),
+            unbounded: 1,
+            degenerate: 0,
+            first_empty: keys.iter().take(MOST_NAMED).map(|key| shown_key(key)).collect(),
+        };
+        let mut whole = part(&["a", "", "b\n"], 9);
+        whole.append(part(&["c", "d", "e", "f"], 7));
+        assert_eq!(
+            whole.to_text(),
+            "16 groups, 160 rows: 7 polygons, 2 unbounded, 0 degenerate (point or segment), 7 empty\n\
+             No theta meets every bound of: a, \"\", \"b\\n\", c, d and 2 more\n"
+        );
+        assert!(whole.has_empty() && !FleetSummary::default().has_empty());
+    }
+}

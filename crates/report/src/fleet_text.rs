@@ -1,0 +1,117 @@
+//! The groups of a fleet as text: one line each, aligned.
+
+use boundfit_estimation::ParameterInterval;
+use unicode_width::UnicodeWidthStr;
+
+use crate::fleet_summary::{GroupReport, shown_key};
+use crate::style::Style;
+
+/// How many cells a line has.
+const CELLS: usize = 6;
+/// So many lines tell how wide the columns are.
+const LINES_MEASURED: usize = 1000;
+
+/// The cells of a line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct GroupCells([String; CELLS]);
+
+impl GroupCells {
+    /// The line of a group: key, rows, kind, PUI, ε_min.
+    pub fn new(group: &GroupReport<'_>, style: &Style) -> Self {
+        let none = || "-".to_owned();
+        let pui = group.fit.pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval));
+        let styles = style.resolving_both(pui.as_ref());
+        let interval =
+            |axis: usize| pui.as_ref().map_or_else(none, |pui| styles[axis].interval_text(&pui[axis]));
+        GroupCells([
+            shown_key(group.key),
+            group.rows().to_string(),
+            group.kind().name().to_owned(),
+            interval(0),
+            interval(1),
+            group.least().map_or_else(none, |least| style.upper_text(least)),
+        ])
+    }
+
+    /// The names of the cells. `is_bounded_per_row`: whether each reading has its own error bound.
+    fn header(is_bounded_per_row: bool) -> Self {
+        let last = if is_bounded_per_row { "eps_min / eps" } else { "eps_min" };
+        GroupCells(["group", "rows", "kind", "theta1", "theta2", last].map(ToOwned::to_owned))
+    }
+}
+
+/// Lines under each other. The first thousand tell how wide the columns are; a later cell that is wider moves the rest of
+/// its line.
+#[derive(Debug)]
+pub struct FleetTable {
+    widths: Option<[usize; CELLS]>,
+    waiting: Vec<GroupCells>,
+}
+
+impl FleetTable {
+    /// A table with its header. `is_bounded_per_row`: whether each reading has its own error bound.
+    pub fn new(is_bounded_per_row: bool) -> Self {
+        FleetTable { widths: None, waiting: vec![GroupCells::header(is_bounded_per_row)] }
+    }
+
+    /// Appends a line to the text, or keeps it until it is known how wide the columns are.
+    pub fn push(&mut self, cells: GroupCells, text: &mut String) {
+        match &self.widths {
+            Some(widths) => write_line(&cells, widths, text),
+            None => {
+                self.waiting.push(cells);
+                if self.waiting.len() > LINES_MEASURED {
+                    self.finish(text);
+                }
+            }
+        }
+    }
+
+    /// Appends the lines that are still waiting.
+    pub fn finish(&mut self, text: &mut String) {
+        let waiting = std::mem::take(&mut self.waiting);
+        let widths = self.widths.get_or_insert_with(|| {
+            let width = |column: usize| waiting.iter().map(|line| line.0[column].width()).max().unwrap_or(0);
+            std::array::from_fn(width)
+        });
+        for cells in &waiting {
+            write_line(cells, widths, text);
+        }
+    }
+}
+
+fn write_line(cells: &GroupCells, widths: &[usize; CELLS], text: &mut String) {
+    for (column, (cell, &width)) in cells.0.iter().zip(widths).enumerate() {
+        text.push_str(cell);
+        if column + 1 < CELLS {
+            text.extend(std::iter::repeat_n(' ', width.saturating_sub(cell.width()) + 2));
+        }
+    }
+    text.push('\n');
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_as_wide_as_their_first_thousand_cells() {
+        let cells =
+            |key: &str| GroupCells([key, "3", "point", "[1, 1]", "[2, 2]", "0"].map(ToOwned::to_owned));
+        let (mut table, mut text) = (FleetTable::new(false), String::new());
+        for _ in 0..998 {
+            table.push(cells("α"), &mut text);
+        }
+        table.push(cells("温度計"), &mut text);
+        assert_eq!(text, "");
+        table.push(cells("b"), &mut text);
+        table.push(cells("much wider than the others"), &mut text);
+        table.finish(&mut text);
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines.len(), 1002);
+        assert_eq!(lines[0], "group   rows  kind   theta1  theta2  eps_min");
+        assert_eq!(lines[1], "α       3     point  [1, 1]  [2, 2]  0");
+        assert_eq!(lines[999], "温度計  3     point  [1, 1]  [2, 2]  0");
+        assert_eq!(lines[1001], "much wider than the others  3     point  [1, 1]  [2, 2]  0");
+    }
+}

@@ -1,0 +1,227 @@
+//! Fleets: every group is fitted as it would be alone, whatever else is in the table and however the rows take turns.
+
+use std::fmt::Write as _;
+use std::io::Cursor;
+
+use boundfit_estimation::{
+    Columns, EpsilonColumn, ErrorBound, Fleet, Measurement, Measurements, Model, Problem, fit, fit_group,
+    least_squares_is_feasible,
+};
+use boundfit_exact::{Rational, Reading};
+use boundfit_formats::{ColumnSelector, RowRange, ScanOptions, Source, TableOptions};
+use boundfit_geometry::RegionKind;
+use boundfit_tests::generate::{seeded, shuffled};
+use boundfit_tests::readings::{problem, rebuilt};
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+
+/// The columns of the tables of these tests.
+fn columns(model: &Model, error_bound: &ErrorBound) -> Columns {
+    let named = ColumnSelector::name_or_number;
+    Columns {
+        first: named("a"),
+        second: matches!(model, Model::TwoRegressors { .. }).then(|| named("b")),
+        response: named("y"),
+        epsilon: match error_bound {
+            ErrorBound::Uniform(epsilon) => EpsilonColumn::Uniform(epsilon.clone()),
+            ErrorBound::PerRow(_) => EpsilonColumn::Column(named("eps")),
+        },
+    }
+}
+
+fn read(text: &str, columns: &Columns, options: ScanOptions) -> Fleet {
+    let source = Source::new("table", Cursor::new(text.to_owned().into_bytes()));
+    Fleet::read(source, columns, &ColumnSelector::name_or_number("key"), options).unwrap()
+}
+
+/// A number as a decimal with or without spare zeros, with an exponent, or as a fraction.
+fn text(rng: &mut ChaCha8Rng, number: &Rational) -> String {
+    match (number.exact_decimal(30), rng.random_range(0..40)) {
+        (None, _) | (_, 0) => number.to_string(),
+        (Some(decimal), 1) => format!("{decimal}{}", if decimal.contains('e') { "" } else { "e0" }),
+        (Some(decimal), 2) if decimal.contains('.') && !decimal.contains('e') => format!("{decimal}00"),
+        (Some(decimal), _) => decimal,
+    }
+}
+
+/// Groups with one model, one kind of error bound and the same conditions, and the table in which their rows take turns.
+struct Case {
+    groups: Vec<Problem>,
+    table: String,
+}
+
+impl Case {
+    fn new(rng: &mut ChaCha8Rng, count: usize) -> Self {
+        let base = problem(rng);
+        let mut groups: Vec<Problem> = Vec::new();
+        while groups.len() < count {
+            let other = problem(rng);
+            let (own, base) = (&other.measurements, &base.measurements);
+            let alike = std::mem::discriminant(own.model()) == std::mem::discriminant(base.model())
+                && std::mem::discriminant(own.error_bound()) == std::mem::discriminant(base.error_bound());
+            if alike {
+                groups.push(other);
+            }
+        }
+        let bound = match base.measurements.error_bound() {
+            ErrorBound::Uniform(epsilon) => ErrorBound::Uniform(epsilon.clone()),
+            ErrorBound::PerRow(_) => ErrorBound::PerRow("eps".to_owned()),
+        };
+        let far = Rational::new(7.into(), boundfit_exact::Integer::power_of_ten(40)).unwrap();
+        for (number, group) in groups.iter_mut().enumerate() {
+            let mut rows = group.measurements.rows().to_vec();
+            for row in &mut rows {
+                if let ErrorBound::Uniform(epsilon) = &bound {
+                    row.epsilon = epsilon.clone();
+                }
+                // Some numbers have no short form.
+                if number % 17 == 3 {
+                    row.response = &row.response + &far;
+                }
+            }
+            *group = Problem { conditions: base.conditions.clone(), ..rebuilt(group, rows, bound.clone()) };
+        }
+        Case::in_turn(rng, groups)
+    }
+
+    /// Rows of all groups in random order, each group's own order kept; the groups in the order of their first rows.
+    fn in_turn(rng: &mut ChaCha8Rng, groups: Vec<Problem>) -> Self {
+        let mut turns: Vec<usize> = Vec::new();
+        for (group, problem) in groups.iter().enumerate() {
+            turns.extend(std::iter::repeat_n(group, problem.measurements.rows().len()));
+        }
+        let turns: Vec<usize> = shuffled(rng, turns.len()).into_iter().map(|k| turns[k]).collect();
+        let mut table = "eps,b,key,y,a\n".to_owned();
+        let mut gathered: Vec<(usize, Vec<Measurement>)> = Vec::new();
+        for (number, &group) in (1..).zip(&turns) {
+            let place = gathered.iter().position(|(own, _)| *own == group).unwrap_or_else(|| {
+                gathered.push((group, Vec::new()));
+                gathered.len() - 1
+            });
+            let own = &mut gathered[place].1;
+            let row = Measurement { row: number, ..groups[group].measurements.rows()[own.len()].clone() };
+            let [a, b, y, epsilon] = [&row.regressor[0], &row.regressor[1], &row.response, &row.epsilon]
+                .map(|number| text(rng, number));
+            writeln!(table, "{epsilon},{b},sensor {group},{y},{a}").unwrap();
+            own.push(row);
+        }
+        let bound = |group: &Problem| group.measurements.error_bound().clone();
+        let groups = gathered
+            .into_iter()
+            .map(|(group, rows)| named(rebuilt(&groups[group], rows, bound(&groups[group]))))
+            .collect();
+        Case { groups, table }
+    }
+}
+
+/// The problem under the names that the table's columns have.
+fn named(problem: Problem) -> Problem {
+    let model = match problem.measurements.model() {
+        Model::Line { .. } => Model::Line { x: "a".to_owned() },
+        Model::TwoRegressors { .. } => Model::TwoRegressors { regressors: ["a".to_owned(), "b".to_owned()] },
+    };
+    let (bound, rows) = (problem.measurements.error_bound().clone(), problem.measurements.rows().to_vec());
+    Problem { measurements: Measurements::new(model, "y".to_owned(), bound, rows), ..problem }
+}
+
+#[test]
+fn every_group_is_fitted_as_it_would_be_alone() {
+    let mut rng = seeded(2201);
+    let mut kinds = [0_usize; RegionKind::ALL.len()];
+    let mut long = 0;
+    for round in 0..60 {
+        let Case { groups, table } = Case::new(&mut rng, 60);
+        let columns = columns(groups[0].measurements.model(), groups[0].measurements.error_bound());
+        let options = ScanOptions { chunk_bytes: [1, 100, 1 << 16][round % 3], ..ScanOptions::default() };
+        let fleet = read(&table, &columns, options);
+        assert_eq!(fleet.len(), groups.len());
+        for (number, alone) in groups.iter().enumerate() {
+            let measurements = fleet.measurements(number);
+            assert_eq!(measurements, alone.measurements, "{}", fleet.key(number));
+            let problem = Problem { measurements, conditions: alone.conditions.clone() };
+            let (own, expected) = (fit_group(&problem), fit(alone));
+            assert_eq!(own.least_squares, expected.least_squares);
+            assert_eq!(own.fps.polyhedron().region(), expected.fps.polyhedron().region());
+            assert_eq!((&own.pui, &own.central), (&expected.pui, &expected.central));
+            assert_eq!(own.minimax, expected.minimax);
+            let bound = problem.measurements.error_bound();
+            assert_eq!(own.contradiction(bound), expected.contradiction(bound));
+            assert_eq!(own.verify(&problem), Ok(()));
+            let slack = expected.least_squares_slack().map(|(slack, _)| !slack.is_negative());
+            assert_eq!(least_squares_is_feasible(&own), slack, "{alone:?}");
+            let kind = own.fps.polyhedron().region().kind();
+            kinds[RegionKind::ALL.iter().position(|other| *other == kind).unwrap()] += 1;
+            let numbers = alone.measurements.rows().iter().map(|row| row.response.denominator().bits());
+            long += usize::from(numbers.max() > Some(100));
+        }
+    }
+    // Without readings there would be no group, and each confines θ to a strip: the plane and half-planes cannot occur.
+    for (kind, count) in RegionKind::ALL.iter().zip(kinds) {
+        let never = matches!(kind, RegionKind::Plane | RegionKind::HalfPlane);
+        assert!(never && count == 0 || !never && count > 0, "{kind:?}: {count}");
+    }
+    assert!(long > 100, "{long}");
+}
+
+#[test]
+fn doubles_are_taken_as_they_are() {
+    let table = "key,a,y\ns,0.1,1e-310\nt,1/3,2\ns,0.3,0\n";
+    let uniform = ErrorBound::Uniform(Rational::one());
+    let columns = columns(&Model::Line { x: String::new() }, &uniform);
+    let table_options = TableOptions { reading: Reading::Binary64, ..TableOptions::default() };
+    let fleet = read(table, &columns, ScanOptions { table: table_options, ..ScanOptions::default() });
+    let numbers = |group| -> Vec<[Rational; 2]> {
+        let rows = fleet.measurements(group).rows().to_vec();
+        rows.into_iter().map(|row| [row.regressor[0].clone(), row.response]).collect()
+    };
+    let double = |value: f64| Rational::from_f64(value).unwrap();
+    assert_eq!(numbers(0), [[double(0.1), double(1e-310)], [double(0.3), double(0.0)]]);
+    assert_eq!(numbers(1), [[double(1.0 / 3.0), double(2.0)]]);
+}
+
+#[test]
+fn rows_left_out_are_no_group() {
+    let table = "key,a,y\nx,1,1\ny,2,2\nz,3,3\ny,4,4\nw,5,5\n";
+    let columns = columns(&Model::Line { x: String::new() }, &ErrorBound::Uniform(Rational::one()));
+    let rows = RowRange::new(2, 4);
+    let options =
+        ScanOptions { table: TableOptions { rows, ..TableOptions::default() }, ..ScanOptions::default() };
+    let fleet = read(table, &columns, options);
+    let rows =
+        |group: usize| -> Vec<usize> { fleet.measurements(group).rows().iter().map(|row| row.row).collect() };
+    let groups: Vec<(&str, Vec<usize>)> =
+        (0..fleet.len()).map(|group| (fleet.key(group), rows(group))).collect();
+    assert_eq!(groups, [("y", vec![2, 4]), ("z", vec![3])]);
+}
+
+#[test]
+fn groups_are_worked_on_in_order_for_any_number_of_threads() {
+    let mut table = "key,a,y\n".to_owned();
+    for number in 0..5000 {
+        writeln!(table, "s{number},1,{number}").unwrap();
+    }
+    let columns = columns(&Model::Line { x: String::new() }, &ErrorBound::Uniform(Rational::one()));
+    let fleet = read(&table, &columns, ScanOptions::default());
+    let pieces = |threads: usize, stop_after: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let mut seen = Vec::new();
+        let end = pool.install(|| {
+            fleet.in_order(
+                |groups| groups,
+                |groups| {
+                    seen.push(groups);
+                    if seen.len() == stop_after { Err(stop_after) } else { Ok(()) }
+                },
+            )
+        });
+        (seen, end)
+    };
+    let (one, end) = pieces(1, usize::MAX);
+    assert_eq!(end, Ok(()));
+    assert!(one.iter().cloned().flatten().eq(0..5000) && one.len() > 70);
+    for threads in [1, 2, 8] {
+        assert_eq!(pieces(threads, usize::MAX).0, one);
+        let (some, end) = pieces(threads, 40);
+        assert_eq!((some.as_slice(), end), (&one[..40], Err(40)));
+    }
+}
