@@ -16,6 +16,8 @@ const LONGEST_QUOTE: usize = 40;
 pub struct Place {
     /// Line of the file, from 1.
     pub line: Option<u64>,
+    /// Number of the data row, from 1, in a file without lines.
+    pub row: Option<usize>,
     /// Column of the table, from 1, with its name when there is a header.
     pub column: Option<(usize, Option<String>)>,
     /// The text found there.
@@ -48,6 +50,39 @@ pub enum Problem {
     /// Something is wrong with a reduction.
     #[error("{0}")]
     Reduction(#[from] ReductionError),
+    /// A binary table where text belongs.
+    #[error("this is {format}; {instead}")]
+    BinaryTable {
+        /// The format, with its article.
+        format: &'static str,
+        /// What could be done.
+        instead: &'static str,
+    },
+    /// A binary table that its library cannot read.
+    #[error("cannot read {format}: {reason}")]
+    Unreadable {
+        /// The format, with its article.
+        format: &'static str,
+        /// The library's words.
+        reason: String,
+    },
+    /// A cell of a binary table without a value.
+    #[error("the cell is null")]
+    Null,
+    /// A column of a binary table that has no numbers, or no names where names are wanted.
+    #[error("the column has the type {data_type}")]
+    ColumnType {
+        /// The type, as its library names it.
+        data_type: String,
+        /// What the column is wanted for.
+        expected: &'static str,
+    },
+    /// A binary table whose rows are wanted as text.
+    #[error("the rows of {format} have no text of their own")]
+    NoText {
+        /// The format, with its article.
+        format: &'static str,
+    },
     /// A directory was named.
     #[error("is a directory")]
     IsDirectory,
@@ -168,6 +203,9 @@ impl Problem {
                 names.into_iter().chain(number).collect::<Vec<_>>().join(" or ")
             }
             Problem::AmbiguousColumn { .. } => "a name that occurs once, or the column's number".to_owned(),
+            Problem::Null => "a value".to_owned(),
+            Problem::ColumnType { expected, .. } => (*expected).to_owned(),
+            Problem::NoText { .. } => "a text table; CSV can be made from it".to_owned(),
             Problem::NotANumber(error) if error.kind.is_limit() => return None,
             Problem::NotANumber(_) => "a decimal such as 1.30e-2 or a fraction such as 7/19".to_owned(),
             Problem::NegativeErrorBound => "a number that is at least 0".to_owned(),
@@ -199,8 +237,12 @@ impl fmt::Display for Place {
         if let Some(line) = self.line {
             write!(f, ": line {line}")?;
         }
+        if let Some(row) = self.row {
+            write!(f, ": row {row}")?;
+        }
         if let Some((number, name)) = &self.column {
-            write!(f, ", column {number}")?;
+            let separator = if self.line.is_none() && self.row.is_none() { ":" } else { "," };
+            write!(f, "{separator} column {number}")?;
             if let Some(name) = name {
                 write!(f, " ({name})")?;
             }

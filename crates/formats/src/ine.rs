@@ -147,6 +147,7 @@ impl<'a> Parser<'a> {
     fn error(&self, token: Token<'a>, problem: Problem) -> InputError {
         let place = Place {
             line: Some(token.line),
+            row: None,
             column: Some((token.column, None)),
             text: Some(token.text.to_owned()),
         };

@@ -6,6 +6,9 @@
 //! as [`boundfit_exact::Reading`] says. Every error is an [`InputError`], which names the file, the line, the column, the
 //! text found there and what would be accepted.
 
+#[cfg(feature = "arrow")]
+mod arrow;
+mod binary;
 mod columns;
 mod error;
 mod half_planes;

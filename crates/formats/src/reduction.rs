@@ -167,6 +167,9 @@ impl Reductions {
 /// # Errors
 /// When the source cannot be read or its first line is not understood.
 pub fn open_reduction(source: Source) -> Result<(Source, Option<Reductions>), InputError> {
+    if source.is_binary() {
+        return Ok((source, None));
+    }
     let (name, mut bytes) = source.into_parts();
     let mut start = Vec::new();
     let mark = REDUCTION_MARK.len() as u64;

@@ -6,16 +6,22 @@ use std::io::{self, Read};
 use sha2::{Digest, Sha256};
 use thiserror::Error;
 
+use crate::binary::BinaryTable;
 use crate::error::{InputError, Place, Problem};
 use crate::reduction::ReductionError;
 
 /// The longest line that is read, in bytes. Without a bound, a file without line ends would be held in memory whole.
 pub const LONGEST_LINE: usize = 1 << 24;
 
+/// What messages call the input named `-`.
+pub(crate) const STANDARD_INPUT: &str = "standard input";
+
 /// A named stream of bytes.
 pub struct Source {
     name: String,
     bytes: Box<dyn Read>,
+    /// The same file, when it is a binary table that this build can read.
+    binary: Option<BinaryTable>,
 }
 
 impl Source {
@@ -26,7 +32,7 @@ impl Source {
     /// When the file cannot be opened or is a directory.
     pub fn open(path: &str) -> Result<Self, InputError> {
         if path == "-" {
-            return Ok(Source::new("standard input", io::stdin()));
+            return Ok(Source::new(STANDARD_INPUT, io::stdin()));
         }
         let fail = |problem: Problem| Source::error(path, Place::default(), problem);
         let file = File::open(path).map_err(|error| fail(Problem::Io(error)))?;
@@ -34,7 +40,8 @@ impl Source {
         if metadata.is_dir() {
             return Err(fail(Problem::IsDirectory));
         }
-        let source = Source::new(path, file);
+        let binary = BinaryTable::of(&file).map_err(|error| fail(Problem::Io(error)))?;
+        let source = Source { binary, ..Source::new(path, file) };
         // Pipes, devices and the files of /proc state no length.
         let states_length = metadata.is_file() && metadata.len() > 0;
         Ok(if states_length { source.limited(metadata.len()) } else { source })
@@ -42,12 +49,12 @@ impl Source {
 
     /// A source with a name for messages.
     pub fn new(name: impl Into<String>, bytes: impl Read + 'static) -> Self {
-        Source { name: name.into(), bytes: Box::new(bytes) }
+        Source { name: name.into(), bytes: Box::new(bytes), binary: None }
     }
 
     /// The same, but not more than so many bytes of it.
     pub fn limited(self, most_bytes: u64) -> Self {
-        Source { name: self.name, bytes: Box::new(self.bytes.take(most_bytes)) }
+        Source { bytes: Box::new(self.bytes.take(most_bytes)), ..self }
     }
 
     /// The error for a file in which something is wrong as a whole.
@@ -79,6 +86,20 @@ impl Source {
             other => other,
         };
         Source::error(name, Place { line, ..Place::default() }, problem)
+    }
+
+    /// Whether this is a binary table that this build can read.
+    pub(crate) fn is_binary(&self) -> bool {
+        self.binary.is_some()
+    }
+
+    /// The name and the binary table, if this is one.
+    #[cfg(feature = "arrow")]
+    pub(crate) fn into_binary(mut self) -> Result<(String, BinaryTable), Self> {
+        match self.binary.take() {
+            Some(table) => Ok((self.name, table)),
+            None => Err(self),
+        }
     }
 
     pub(crate) fn into_parts(self) -> (String, Box<dyn Read>) {

@@ -5,6 +5,7 @@ use std::io::{self, Cursor, Read};
 use boundfit_exact::{Limits, Rational, Reading};
 use csv::ByteRecord;
 
+use crate::binary::refuse_binary;
 use crate::columns::{ColumnPlace, ColumnSelector, Header, Heading, decode};
 use crate::error::{InputError, Place, Problem};
 use crate::records::Records;
@@ -22,6 +23,12 @@ impl RowRange {
     /// The range, or `None` unless `1 ≤ first ≤ last`.
     pub fn new(first: usize, last: usize) -> Option<Self> {
         (1 <= first && first <= last).then_some(RowRange { first, last })
+    }
+
+    /// Those of the rows from `start` to before `end` that are in the range.
+    #[cfg(feature = "arrow")]
+    pub(crate) fn among(&self, start: usize, end: usize) -> std::ops::Range<usize> {
+        start.max(self.first)..end.min(self.last.saturating_add(1))
     }
 
     pub(crate) fn contains(&self, row: usize) -> bool {
@@ -86,6 +93,7 @@ pub fn read_table(
 ) -> Result<Table, InputError> {
     let (file, mut bytes) = source.watched();
     let start = first_line(&mut bytes).map_err(|error| Source::stopped(&file, error))?;
+    refuse_binary(&file, &start)?;
     refuse_other(&start).map_err(|problem| Source::error(&file, Place::default(), problem))?;
     let start = without_mark(&start).to_vec();
     let delimiter = options.delimiter.unwrap_or_else(|| detect_delimiter(&start));

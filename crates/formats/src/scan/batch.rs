@@ -79,7 +79,7 @@ impl Pieces<String> {
         &self.buffer[self.range(index)]
     }
 
-    pub(super) fn push(&mut self, piece: &str) {
+    pub(crate) fn push(&mut self, piece: &str) {
         self.buffer.push_str(piece);
         self.ends.push(self.buffer.len());
     }

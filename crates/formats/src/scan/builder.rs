@@ -9,7 +9,7 @@ const ANY_EXPONENT: i32 = i32::MIN;
 
 /// A column under construction. How its numbers are kept follows from their values alone.
 #[derive(Debug)]
-pub(super) struct ColumnBuilder(Column);
+pub(crate) struct ColumnBuilder(Column);
 
 impl Default for ColumnBuilder {
     fn default() -> Self {
@@ -20,7 +20,7 @@ impl Default for ColumnBuilder {
 impl ColumnBuilder {
     /// Adds `mantissa · 10^exponent`.
     #[inline]
-    pub(super) fn push_decimal(&mut self, mantissa: i64, exponent: i32) {
+    pub(crate) fn push_decimal(&mut self, mantissa: i64, exponent: i32) {
         match &mut self.0 {
             Column::Scaled(scaled) if scaled.exponent == exponent => scaled.mantissas.push(mantissa),
             _ => self.push_rescaled(mantissa, exponent),
@@ -38,7 +38,7 @@ impl ColumnBuilder {
     }
 
     /// Adds a number that is not a decimal of 64 bits.
-    pub(super) fn push_exact(&mut self, number: Rational) {
+    pub(crate) fn push_exact(&mut self, number: Rational) {
         if let Column::Exact(numbers) = &mut self.0 {
             numbers.push(number);
             return;
@@ -50,7 +50,7 @@ impl ColumnBuilder {
 
     /// Adds a double to a column of nothing else.
     #[inline]
-    pub(super) fn push_double(&mut self, double: f64) {
+    pub(crate) fn push_double(&mut self, double: f64) {
         // Zero has one sign.
         let double = double + 0.0;
         match &mut self.0 {
@@ -67,7 +67,8 @@ impl ColumnBuilder {
         }
     }
 
-    fn finish(mut self) -> Column {
+    /// The numbers added so far.
+    pub(crate) fn finish(mut self) -> Column {
         if let Column::Scaled(Scaled { exponent: exponent @ ANY_EXPONENT, .. }) = &mut self.0 {
             *exponent = 0;
         }

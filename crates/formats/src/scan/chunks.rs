@@ -6,6 +6,7 @@ use std::ops::Deref;
 use memchr::{memchr, memchr_iter, memrchr};
 use sha2::{Digest, Sha256};
 
+use crate::binary::refuse_binary;
 use crate::error::{InputError, Place, Problem};
 use crate::source::{LONGEST_LINE, Source, hexadecimal};
 use crate::start::{FirstLine, refuse_other, without_mark};
@@ -97,6 +98,7 @@ impl ChunkReader {
             let line = Some(1 + memchr_iter(b'\n', &self.rest).count() as u64);
             return Err(Source::error(file, Place { line, ..Place::default() }, problem));
         }
+        refuse_binary(file, &self.rest)?;
         refuse_other(&self.rest).map_err(|problem| Source::error(file, Place::default(), problem))?;
         self.skip(self.rest.len() - without_mark(&self.rest).len());
         Ok(())

@@ -6,7 +6,7 @@
 //! (`sequential`). So rows and errors are those of [`read_table`](crate::read_table).
 
 mod batch;
-mod builder;
+pub(crate) mod builder;
 mod chunks;
 mod head;
 mod layout;
@@ -29,7 +29,7 @@ use library::RowReader;
 use sequential::Rest;
 
 /// Reads the columns asked for like [`read_table`](crate::read_table), with the same numbers and the same errors, but
-/// hands the rows out in batches instead of keeping them. `work` is called for each batch of consecutive wanted rows,
+/// hands the rows out in batches instead of keeping them; with the feature `arrow`, Parquet and Arrow IPC files too. `work` is called for each batch of consecutive wanted rows,
 /// on the threads of the current rayon pool, in any order; `take` with what it made of them, on the calling thread and
 /// in the order of the file. A file of one batch needs no pool.
 ///
@@ -58,6 +58,11 @@ pub fn scan<T: Send>(
     work: impl Fn(Batch) -> T + Sync,
     take: impl FnMut(T),
 ) -> Result<Scanned, InputError> {
+    #[cfg(feature = "arrow")]
+    let source = match source.into_binary() {
+        Ok((name, table)) => return crate::arrow::scan_arrow(&name, table, columns, options, work, take),
+        Err(text) => text,
+    };
     let (file, bytes) = source.into_parts();
     let mut reader = ChunkReader::new(bytes, options.chunk_bytes, options.hash);
     reader.start(&file)?;

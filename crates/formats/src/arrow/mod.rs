@@ -1,0 +1,216 @@
+//! Numeric columns of Parquet and Arrow IPC files, in batches.
+
+mod numbers;
+mod open;
+mod texts;
+
+use std::fs::File;
+use std::io::{self, Read, Seek};
+
+use arrow_array::RecordBatch;
+use csv::ByteRecord;
+use rayon::prelude::*;
+use sha2::{Digest, Sha256};
+
+use crate::binary::BinaryTable;
+use crate::columns::{ColumnPlace, ColumnSelector, Header, Heading};
+use crate::error::{InputError, Place, Problem};
+use crate::scan::{Batch, ScanOptions, Scanned};
+use crate::source::Source;
+use crate::table::check_rows;
+
+use numbers::numbers;
+use open::{batches, column_names, guarded, plain};
+use texts::{BadCell, keys};
+
+/// The most rows that are decoded at a time: two columns of them take 1 MB.
+const BATCH_ROWS: usize = 1 << 16;
+
+/// Reads a Parquet file or an Arrow IPC file or stream like [`scan`](crate::scan) reads text: the same numbers, rows and
+/// batches in order as from a CSV of the same table. The names of the columns are those of the schema.
+///
+/// Integers and decimals are exact. A float stands, under [`Reading::Decimal`](boundfit_exact::Reading::Decimal), for the
+/// shortest decimal that reads back as the same float of its width, which is what a CSV of it shows (0.1 is 1/10); under
+/// [`Reading::Binary64`](boundfit_exact::Reading::Binary64) for itself. Text is read as numbers, dictionaries as their
+/// values. Only cells of wanted rows and columns need be numbers.
+///
+/// Cost: one pass over the wanted columns, and one over the bytes where they are hashed; memory for some batches per
+/// thread, and for one record batch or the pages of a row group of the wanted columns.
+///
+/// # Errors
+/// The first thing wrong, with the row and column.
+pub(crate) fn scan_arrow<T: Send>(
+    name: &str,
+    BinaryTable { format, mut file }: BinaryTable,
+    columns: &[ColumnSelector],
+    options: &ScanOptions,
+    work: impl Fn(Batch) -> T + Sync,
+    mut take: impl FnMut(T),
+) -> Result<Scanned, InputError> {
+    let fail = |problem: Problem| Source::error(name, Place::default(), problem);
+    if options.keep_text {
+        return Err(fail(Problem::NoText { format: format.name() }));
+    }
+    let bytes = file.metadata().map_err(|error| fail(error.into()))?.len();
+    let sha256 = options.hash.then(|| sha256(&file)).transpose().map_err(|error| fail(error.into()))?;
+    let names = guarded(format, || column_names(format, &file)).map_err(fail)?;
+    let layout = Layout::new(name, &names, columns, options)?;
+    let mut batches = guarded(format, || batches(format, &file, layout.positions())).map_err(fail)?;
+    let mut progress = Follower { options, reported: 0 };
+    let (mut rows_total, mut more) = (0, true);
+    while more {
+        let mut group = Vec::new();
+        while more && group.len() < rayon::current_num_threads() {
+            more = match guarded(format, || batches.next().transpose()).map_err(fail)? {
+                Some(batch) => {
+                    group.extend(layout.wanted(rows_total + 1, &batch));
+                    rows_total += batch.num_rows();
+                    true
+                }
+                None => false,
+            };
+        }
+        let decoded: Vec<Result<T, InputError>> =
+            group.par_iter().map(|(row, batch)| layout.decode(*row, batch).map(&work)).collect();
+        for result in decoded {
+            take(result?);
+        }
+        // Clones of a file share their position; in Parquet it jumps between columns.
+        progress.at(file.stream_position().unwrap_or_default()).map_err(fail)?;
+    }
+    progress.at(bytes).map_err(fail)?;
+    check_rows(name, rows_total, options.table.rows)?;
+    Ok(Scanned {
+        names: layout.places.iter().map(ColumnPlace::title).collect(),
+        key_name: layout.key.as_ref().map(ColumnPlace::title),
+        header_line: None,
+        delimiter: b',',
+        rows_total,
+        bytes,
+        sha256,
+    })
+}
+
+/// Which columns of a table are wanted.
+struct Layout<'a> {
+    file: &'a str,
+    options: &'a ScanOptions,
+    selectors: &'a [ColumnSelector],
+    places: Vec<ColumnPlace>,
+    key: Option<ColumnPlace>,
+}
+
+impl<'a> Layout<'a> {
+    fn new(
+        file: &'a str,
+        names: &[String],
+        selectors: &'a [ColumnSelector],
+        options: &'a ScanOptions,
+    ) -> Result<Self, InputError> {
+        let key = options.key.as_ref();
+        let record = ByteRecord::from(names.to_vec());
+        let heading = Heading::new(file, &record, 1, Header::Present, selectors, key)?;
+        let find = |selector| {
+            heading.find(file, selector).map_err(|mut error| {
+                // There are no lines here.
+                error.place.line = None;
+                error
+            })
+        };
+        Ok(Layout {
+            file,
+            options,
+            selectors,
+            places: selectors.iter().map(find).collect::<Result<_, _>>()?,
+            key: key.map(find).transpose()?,
+        })
+    }
+
+    /// The indices of all columns that are read, ascending.
+    fn positions(&self) -> Vec<usize> {
+        let mut positions: Vec<usize> =
+            self.places.iter().chain(&self.key).map(|place| place.position - 1).collect();
+        positions.sort_unstable();
+        positions.dedup();
+        positions
+    }
+
+    /// The wanted rows of a batch that starts with this row, in parts that are not too large.
+    fn wanted(&self, first_row: usize, batch: &RecordBatch) -> Vec<(usize, RecordBatch)> {
+        let end = first_row + batch.num_rows();
+        let wanted = match self.options.table.rows {
+            Some(rows) => rows.among(first_row, end),
+            None => first_row..end,
+        };
+        let part = |start: usize| {
+            let length = BATCH_ROWS.min(wanted.end - start);
+            (start, batch.slice(start - first_row, length))
+        };
+        wanted.clone().step_by(BATCH_ROWS).map(part).collect()
+    }
+
+    /// The numbers and keys of a batch that starts with this row.
+    fn decode(&self, first_row: usize, batch: &RecordBatch) -> Result<Batch, InputError> {
+        let positions = self.positions();
+        let array = |place: &ColumnPlace| {
+            let index = positions.partition_point(|&position| position < place.position - 1);
+            plain(batch.column(index)).map_err(|problem| self.error(place, None, BadCell::of_column(problem)))
+        };
+        let column = |(place, selector): (&ColumnPlace, &ColumnSelector)| {
+            numbers(&array(place)?, selector, &self.options.table)
+                .map_err(|bad| self.error(place, Some(first_row), bad))
+        };
+        let key_column =
+            |place: &ColumnPlace| keys(&array(place)?).map_err(|bad| self.error(place, Some(first_row), bad));
+        Ok(Batch {
+            first_row,
+            columns: self.places.iter().zip(self.selectors).map(column).collect::<Result<_, _>>()?,
+            keys: self.key.as_ref().map(key_column).transpose()?,
+            lines: None,
+            rows: batch.num_rows(),
+        })
+    }
+
+    fn error(&self, place: &ColumnPlace, first_row: Option<usize>, bad: BadCell) -> InputError {
+        let place = Place {
+            row: first_row.zip(bad.index).map(|(first, index)| first + index),
+            column: Some((place.position, place.name.clone())),
+            text: bad.text,
+            ..Place::default()
+        };
+        Source::error(self.file, place, bad.problem)
+    }
+}
+
+/// Tells who follows the scan how far it is.
+struct Follower<'a> {
+    options: &'a ScanOptions,
+    reported: u64,
+}
+
+impl Follower<'_> {
+    fn at(&mut self, position: u64) -> Result<(), Problem> {
+        if let Some(progress) = &self.options.progress {
+            progress.advanced(position.saturating_sub(self.reported));
+            if progress.is_cancelled() {
+                return Err(Problem::Interrupted);
+            }
+        }
+        self.reported = self.reported.max(position);
+        Ok(())
+    }
+}
+
+/// SHA-256 of a file's bytes, in hexadecimal.
+fn sha256(mut file: &File) -> io::Result<String> {
+    let mut hash = Sha256::new();
+    let mut buffer = vec![0; 1 << 16];
+    loop {
+        match file.read(&mut buffer) {
+            Ok(0) => return Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()),
+            Ok(count) => hash.update(&buffer[..count]),
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+            Err(error) => return Err(error),
+        }
+    }
+}

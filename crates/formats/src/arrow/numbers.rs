@@ -1,0 +1,163 @@
+//! Arrays as columns of exact numbers.
+
+use std::fmt::Write;
+
+use arrow_array::cast::AsArray;
+use arrow_array::types::{
+    Decimal32Type, Decimal64Type, Decimal128Type, Decimal256Type, Float32Type, Float64Type, Int8Type,
+    Int16Type, Int32Type, Int64Type, UInt8Type, UInt16Type, UInt32Type, UInt64Type,
+};
+use arrow_array::{Array, ArrayRef, ArrowPrimitiveType};
+use arrow_schema::DataType;
+use boundfit_exact::{Integer, PLAIN_DIGITS, PLAIN_EXPONENT, Rational, Reading, Scaled, plain_decimal};
+
+use super::texts::{BadCell, refuse_nulls};
+use crate::columns::ColumnSelector;
+use crate::error::Problem;
+use crate::scan::Column;
+use crate::scan::builder::ColumnBuilder;
+use crate::table::{TableOptions, read_number};
+
+/// The numbers of an array without a dictionary.
+pub(super) fn numbers(
+    array: &ArrayRef,
+    selector: &ColumnSelector,
+    options: &TableOptions,
+) -> Result<Column, BadCell> {
+    refuse_nulls(array)?;
+    let reader = Reader { array, selector, options };
+    let column = match array.data_type() {
+        DataType::Int8 => reader.integers::<Int8Type>(0),
+        DataType::Int16 => reader.integers::<Int16Type>(0),
+        DataType::Int32 => reader.integers::<Int32Type>(0),
+        DataType::Int64 => reader.integers::<Int64Type>(0),
+        DataType::UInt8 => reader.integers::<UInt8Type>(0),
+        DataType::UInt16 => reader.integers::<UInt16Type>(0),
+        DataType::UInt32 => reader.integers::<UInt32Type>(0),
+        DataType::UInt64 => reader.integers::<UInt64Type>(0),
+        DataType::Decimal32(_, scale) => reader.integers::<Decimal32Type>(*scale),
+        DataType::Decimal64(_, scale) => reader.integers::<Decimal64Type>(*scale),
+        DataType::Decimal128(_, scale) => reader.integers::<Decimal128Type>(*scale),
+        DataType::Decimal256(..) => {
+            let decimals = array.as_primitive::<Decimal256Type>();
+            reader.texts((0..decimals.len()).map(|index| decimals.value_as_string(index)))?
+        }
+        DataType::Float32 => {
+            let floats = array.as_primitive::<Float32Type>().values();
+            reader.floats(floats, |&float| f64::from(float), |float, text| write!(text, "{float:e}"))?
+        }
+        DataType::Float64 => {
+            let floats = array.as_primitive::<Float64Type>().values();
+            reader.floats(floats, |&float| float, |float, text| write!(text, "{float:e}"))?
+        }
+        DataType::Utf8 => reader.texts(array.as_string::<i32>().iter().flatten())?,
+        DataType::LargeUtf8 => reader.texts(array.as_string::<i64>().iter().flatten())?,
+        DataType::Utf8View => reader.texts(array.as_string_view().iter().flatten())?,
+        other => return Err(BadCell::of_type(other, "a column of integers, decimals, floats or text")),
+    };
+    if selector.is_non_negative()
+        && let Some(index) = first_negative(&column)
+    {
+        return Err(BadCell::at(array, index, Problem::NegativeErrorBound));
+    }
+    Ok(column)
+}
+
+struct Reader<'a> {
+    array: &'a ArrayRef,
+    selector: &'a ColumnSelector,
+    options: &'a TableOptions,
+}
+
+impl Reader<'_> {
+    /// Integers that count `10^-scale`.
+    fn integers<T: ArrowPrimitiveType<Native: Into<i128>>>(&self, scale: i8) -> Column {
+        let values = self.array.as_primitive::<T>().values();
+        let exponent = -i32::from(scale);
+        if self.options.reading == Reading::Binary64 {
+            return Column::Doubles(values.iter().map(|&value| nearest(value.into(), exponent)).collect());
+        }
+        let mantissas = values.iter().map(|&value| i64::try_from(value.into()));
+        match mantissas.collect() {
+            Ok(mantissas) => Column::Scaled(Scaled { mantissas, exponent }),
+            Err(_) => Column::Exact(values.iter().map(|&value| decimal(value.into(), exponent)).collect()),
+        }
+    }
+
+    /// Finite floats: themselves, or what their shortest text says.
+    fn floats<F>(
+        &self,
+        floats: &[F],
+        double: impl Fn(&F) -> f64,
+        write: impl Fn(&F, &mut String) -> std::fmt::Result,
+    ) -> Result<Column, BadCell> {
+        let mut column = ColumnBuilder::default();
+        let mut text = String::new();
+        for (index, float) in floats.iter().enumerate() {
+            let finite = double(float).is_finite();
+            if finite && self.options.reading == Reading::Binary64 {
+                column.push_double(double(float));
+                continue;
+            }
+            text.clear();
+            // Writing to a string does not fail; what is not finite is refused as text.
+            let written = write(float, &mut text);
+            debug_assert!(written.is_ok());
+            self.add(&text, &mut column).map_err(|problem| BadCell::at(self.array, index, problem))?;
+        }
+        Ok(column.finish())
+    }
+
+    /// Numbers as text.
+    fn texts<S: AsRef<str>>(&self, texts: impl Iterator<Item = S>) -> Result<Column, BadCell> {
+        let mut column = ColumnBuilder::default();
+        for (index, text) in texts.enumerate() {
+            let added = self.add(text.as_ref(), &mut column);
+            added.map_err(|problem| BadCell::at(self.array, index, problem))?;
+        }
+        Ok(column.finish())
+    }
+
+    fn add(&self, text: &str, column: &mut ColumnBuilder) -> Result<(), Problem> {
+        let limits = &self.options.limits;
+        let plain = limits.digits >= PLAIN_DIGITS && limits.exponent >= PLAIN_EXPONENT;
+        let exact = || read_number(text.as_bytes(), self.selector, self.options);
+        match (self.options.reading, plain_decimal(text.as_bytes()).filter(|_| plain)) {
+            (Reading::Decimal, Some((mantissa, exponent))) => column.push_decimal(mantissa, exponent),
+            (Reading::Decimal, None) => column.push_exact(exact()?),
+            (Reading::Binary64, _) => column.push_double(exact()?.to_f64()),
+        }
+        Ok(())
+    }
+}
+
+/// `mantissa · 10^exponent`.
+fn decimal(mantissa: i128, exponent: i32) -> Rational {
+    let power = Integer::power_of_ten(exponent.unsigned_abs());
+    let mantissa = Integer::from(mantissa);
+    if exponent >= 0 {
+        return Rational::from(mantissa * power);
+    }
+    Rational::new(mantissa, power).unwrap_or_default()
+}
+
+/// The double nearest to `mantissa · 10^exponent`.
+fn nearest(mantissa: i128, exponent: i32) -> f64 {
+    // The conversion of an integer rounds to the nearest. So does the division of two doubles: integers up to 2⁵³ and
+    // powers of ten up to 10¹⁹ are doubles (Clinger 1990).
+    match exponent {
+        0 => mantissa as f64,
+        -19..0 if mantissa.unsigned_abs() <= 1 << 53 => {
+            mantissa as f64 / 10_u64.pow(exponent.unsigned_abs()) as f64
+        }
+        _ => decimal(mantissa, exponent).to_f64(),
+    }
+}
+
+fn first_negative(column: &Column) -> Option<usize> {
+    match column {
+        Column::Scaled(scaled) => scaled.mantissas.iter().position(|&mantissa| mantissa < 0),
+        Column::Doubles(doubles) => doubles.iter().position(|&double| double < 0.0),
+        Column::Exact(numbers) => numbers.iter().position(Rational::is_negative),
+    }
+}

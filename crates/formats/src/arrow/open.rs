@@ -1,0 +1,85 @@
+//! Record batches out of files, by the libraries of the formats.
+
+use std::fs::File;
+use std::io::{BufReader, Seek};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+
+use arrow_array::cast::AsArray;
+use arrow_array::{ArrayRef, RecordBatch};
+use arrow_ipc::reader::{FileReader, StreamReader};
+use arrow_schema::{ArrowError, Schema};
+use arrow_select::take::take;
+use parquet::arrow::ProjectionMask;
+use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
+
+use super::BATCH_ROWS;
+use crate::binary::BinaryFormat;
+use crate::error::Problem;
+
+/// The names of all columns.
+pub(super) fn column_names(format: BinaryFormat, file: &File) -> Result<Vec<String>, Problem> {
+    let fail = |error| unreadable(format, error);
+    let schema: Arc<Schema> = match format {
+        BinaryFormat::Parquet => {
+            let builder = ParquetRecordBatchReaderBuilder::try_new(file.try_clone()?);
+            builder.map_err(|error| fail(error.into()))?.schema().clone()
+        }
+        BinaryFormat::ArrowFile => FileReader::try_new(buffered(file)?, None).map_err(fail)?.schema(),
+        BinaryFormat::ArrowStream => StreamReader::try_new(buffered(file)?, None).map_err(fail)?.schema(),
+    };
+    Ok(schema.fields().iter().map(|field| field.name().clone()).collect())
+}
+
+/// Lets a library work. Damaged files make the Parquet library crash in places; that is an error like the others.
+pub(super) fn guarded<T>(
+    format: BinaryFormat,
+    work: impl FnOnce() -> Result<T, Problem>,
+) -> Result<T, Problem> {
+    let crashed = || Problem::Unreadable { format: format.name(), reason: "it is damaged".to_owned() };
+    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Err(crashed()))
+}
+
+type Batches = Box<dyn Iterator<Item = Result<RecordBatch, Problem>>>;
+
+/// The columns at these indices, which ascend, of all rows.
+pub(super) fn batches(format: BinaryFormat, file: &File, columns: Vec<usize>) -> Result<Batches, Problem> {
+    let fail = move |error| unreadable(format, error);
+    Ok(match format {
+        BinaryFormat::Parquet => {
+            let builder = ParquetRecordBatchReaderBuilder::try_new(file.try_clone()?)
+                .map_err(|error| fail(error.into()))?;
+            let mask = ProjectionMask::roots(builder.parquet_schema(), columns);
+            let reader = builder.with_projection(mask).with_batch_size(BATCH_ROWS).build();
+            let reader = reader.map_err(|error| fail(error.into()))?;
+            Box::new(reader.map(move |batch| batch.map_err(fail)))
+        }
+        BinaryFormat::ArrowFile => {
+            let reader = FileReader::try_new(buffered(file)?, Some(columns)).map_err(fail)?;
+            Box::new(reader.map(move |batch| batch.map_err(fail)))
+        }
+        BinaryFormat::ArrowStream => {
+            let reader = StreamReader::try_new(buffered(file)?, Some(columns)).map_err(fail)?;
+            Box::new(reader.map(move |batch| batch.map_err(fail)))
+        }
+    })
+}
+
+/// The array with its dictionary, when it has one, looked up.
+pub(super) fn plain(array: &ArrayRef) -> Result<ArrayRef, Problem> {
+    match array.as_any_dictionary_opt() {
+        Some(dictionary) => take(dictionary.values(), dictionary.keys(), None)
+            .map_err(|error| unreadable(BinaryFormat::ArrowFile, error)),
+        None => Ok(array.clone()),
+    }
+}
+
+fn buffered(file: &File) -> Result<BufReader<File>, Problem> {
+    let mut file = file.try_clone()?;
+    file.rewind()?;
+    Ok(BufReader::new(file))
+}
+
+fn unreadable(format: BinaryFormat, error: ArrowError) -> Problem {
+    Problem::Unreadable { format: format.name(), reason: error.to_string() }
+}

@@ -1,0 +1,82 @@
+//! Cells as text: keys, and what messages repeat.
+
+use arrow_array::cast::AsArray;
+use arrow_array::types::{
+    Decimal32Type, Decimal64Type, Decimal128Type, Decimal256Type, Float32Type, Float64Type, Int8Type,
+    Int16Type, Int32Type, Int64Type, UInt8Type, UInt16Type, UInt32Type, UInt64Type,
+};
+use arrow_array::{Array, ArrayRef};
+use arrow_schema::DataType;
+
+use crate::error::Problem;
+use crate::scan::Pieces;
+
+/// What is wrong with a column, and with which of its cells.
+pub(super) struct BadCell {
+    pub(super) index: Option<usize>,
+    pub(super) text: Option<String>,
+    pub(super) problem: Problem,
+}
+
+impl BadCell {
+    /// A problem with the column as a whole.
+    pub(super) fn of_column(problem: Problem) -> Self {
+        BadCell { index: None, text: None, problem }
+    }
+
+    /// A problem with one cell.
+    pub(super) fn at(array: &dyn Array, index: usize, problem: Problem) -> Self {
+        BadCell { index: Some(index), text: text(array, index), problem }
+    }
+
+    /// A column of another type than is wanted.
+    pub(super) fn of_type(data_type: &DataType, expected: &'static str) -> Self {
+        BadCell::of_column(Problem::ColumnType { data_type: data_type.to_string(), expected })
+    }
+}
+
+/// Refuses cells without a value.
+pub(super) fn refuse_nulls(array: &dyn Array) -> Result<(), BadCell> {
+    if array.null_count() == 0 {
+        return Ok(());
+    }
+    let null = (0..array.len()).find(|&index| array.is_null(index));
+    Err(BadCell { index: null, text: None, problem: Problem::Null })
+}
+
+/// The cells as text, without the spaces and tabs around it.
+pub(super) fn keys(array: &ArrayRef) -> Result<Pieces<String>, BadCell> {
+    refuse_nulls(array)?;
+    let mut keys = Pieces::default();
+    for index in 0..array.len() {
+        let key = text(array, index)
+            .ok_or_else(|| BadCell::of_type(array.data_type(), "a column of text or of numbers"))?;
+        keys.push(key.trim_matches([' ', '\t']));
+    }
+    Ok(keys)
+}
+
+/// A cell that is not null as a CSV would show it; `None` for types that are neither text nor numbers.
+pub(super) fn text(array: &dyn Array, index: usize) -> Option<String> {
+    Some(match array.data_type() {
+        DataType::Utf8 => array.as_string::<i32>().value(index).to_owned(),
+        DataType::LargeUtf8 => array.as_string::<i64>().value(index).to_owned(),
+        DataType::Utf8View => array.as_string_view().value(index).to_owned(),
+        DataType::Boolean => array.as_boolean().value(index).to_string(),
+        DataType::Int8 => array.as_primitive::<Int8Type>().value(index).to_string(),
+        DataType::Int16 => array.as_primitive::<Int16Type>().value(index).to_string(),
+        DataType::Int32 => array.as_primitive::<Int32Type>().value(index).to_string(),
+        DataType::Int64 => array.as_primitive::<Int64Type>().value(index).to_string(),
+        DataType::UInt8 => array.as_primitive::<UInt8Type>().value(index).to_string(),
+        DataType::UInt16 => array.as_primitive::<UInt16Type>().value(index).to_string(),
+        DataType::UInt32 => array.as_primitive::<UInt32Type>().value(index).to_string(),
+        DataType::UInt64 => array.as_primitive::<UInt64Type>().value(index).to_string(),
+        DataType::Float32 => array.as_primitive::<Float32Type>().value(index).to_string(),
+        DataType::Float64 => array.as_primitive::<Float64Type>().value(index).to_string(),
+        DataType::Decimal32(..) => array.as_primitive::<Decimal32Type>().value_as_string(index),
+        DataType::Decimal64(..) => array.as_primitive::<Decimal64Type>().value_as_string(index),
+        DataType::Decimal128(..) => array.as_primitive::<Decimal128Type>().value_as_string(index),
+        DataType::Decimal256(..) => array.as_primitive::<Decimal256Type>().value_as_string(index),
+        _ => return None,
+    })
+}
