@@ -18,6 +18,8 @@ pub enum TableKind {
     Extreme,
     /// Decimals of different lengths, exponents and signs.
     MixedDecimals,
+    /// A line with noise, all 16 or 17 digits of binary64 numbers printed.
+    LongDecimals,
     /// Integers of 18 to 20 digits around the powers of two from 2^61 to 2^64.
     WideIntegers,
     /// 1e300 beside 1e-300.
@@ -28,13 +30,14 @@ pub enum TableKind {
 
 impl TableKind {
     /// All of them.
-    pub const ALL: [TableKind; 9] = [
+    pub const ALL: [TableKind; 10] = [
         TableKind::Noise,
         TableKind::Ties,
         TableKind::Collinear,
         TableKind::Vertical,
         TableKind::Extreme,
         TableKind::MixedDecimals,
+        TableKind::LongDecimals,
         TableKind::WideIntegers,
         TableKind::FarApart,
         TableKind::Fractions,
@@ -62,6 +65,12 @@ impl TableKind {
             TableKind::Vertical => [own.to_string(), small(rng).to_string()],
             TableKind::Extreme => [row.to_string(), (row * row).to_string()],
             TableKind::MixedDecimals => [mixed_decimal(rng), mixed_decimal(rng)],
+            TableKind::LongDecimals => {
+                let x = rng.random_range(-5.0..5.0_f64);
+                let y = own as f64 * x + rng.random_range(-0.1..0.1_f64);
+                let power = if row % 7 == 0 { 1e-4 } else { 1.0 };
+                [(x * power).to_string(), (y * power).to_string()]
+            }
             TableKind::WideIntegers => [wide_integer(rng), wide_integer(rng)],
             TableKind::FarApart => {
                 let exponent = [300, -300, 0, 299][rng.random_range(0..4)];

@@ -160,9 +160,12 @@ fn waiting(arguments: &[&str]) -> Child {
 fn signalled(mut child: Child, signal: &str) -> (Option<i32>, String, String) {
     // The handler is set before anything is read; a moment is enough for a program that has nothing else to do.
     thread::sleep(Duration::from_millis(300));
+    // Held open: at its end the program would answer.
+    let stdin = child.stdin.take();
     let kill = std::process::Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();
     assert!(kill.success());
     let status = child.wait().unwrap();
+    drop(stdin);
     let [mut stdout, mut stderr] = [String::new(), String::new()];
     child.stdout.take().unwrap().read_to_string(&mut stdout).unwrap();
     child.stderr.take().unwrap().read_to_string(&mut stderr).unwrap();

@@ -2,8 +2,8 @@
 
 use boundfit_exact::{Integer, Rational, Sign};
 use boundfit_geometry::grid::{
-    Division, GridLine, GridPoint, Plan, line_region, touching, touching_doubles, touching_doubles_by,
-    touching_of_columns, touching_of_columns_by,
+    Division, GridLine, GridPoint, Plan, candidates_of_columns, line_region, touching, touching_doubles,
+    touching_doubles_by, touching_of_columns, touching_of_columns_by,
 };
 use boundfit_geometry::predicates::{lexicographic, orientation};
 use boundfit_geometry::{Hulls, Inequality, Point, RegionKind, System, envelope};
@@ -142,6 +142,29 @@ fn long_columns_have_the_same_touching_points() {
         let (x, y) = &columns;
         assert_eq!(touching_of_columns(x, y, 0), touching(points(&columns)), "{shape:?}");
     }
+}
+
+#[test]
+fn wide_columns_keep_every_touching_point_and_few_others() {
+    let (mut rows, mut kept) = (0, 0);
+    for (shape, (x, y), mut rng) in cases(73, 30, 3000) {
+        // Growing and moving the plane changes no hull.
+        let factors = [0; 2].map(|_| 1_i128 << rng.random_range(0..=60));
+        let grown = |column: &[i64], factor: i128| -> Vec<i128> {
+            column.iter().map(|&value| i128::from(value) * factor + 12_345_678_901_234_567_890).collect()
+        };
+        let candidates = candidates_of_columns(&grown(&x, factors[0]), &grown(&y, factors[1]));
+        assert!(candidates.is_sorted());
+        for point in touching_of_columns(&x, &y, 0) {
+            assert!(candidates.binary_search(&(point.id as usize)).is_ok(), "{shape:?} {point:?}");
+        }
+        if shape == Shape::NoisyLine && x.len() > 1000 {
+            rows += x.len();
+            kept += candidates.len();
+        }
+    }
+    // Some are lines of two levels, on which every point touches.
+    assert!(3 * kept < 2 * rows, "{kept} of {rows}");
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! A clean stop on Ctrl-C and on a request to terminate.
 
 use std::io::Write;
-use std::process;
 
 use crate::{output, progress};
 
@@ -12,9 +11,8 @@ const INTERRUPTED: i32 = 130;
 pub(crate) fn leave_nothing_behind() {
     // Where no handler can be set, the system's own way of stopping remains.
     let _ = ctrlc::set_handler(|| {
-        output::remove_unfinished();
         progress::clear();
         let _ = writeln!(std::io::stderr(), "interrupted");
-        process::exit(INTERRUPTED);
+        output::end_without_unfinished(INTERRUPTED);
     });
 }

@@ -3,7 +3,8 @@
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
+use std::process;
+use std::sync::{Mutex, PoisonError};
 
 use tempfile::{Builder, NamedTempFile};
 
@@ -23,18 +24,15 @@ pub(crate) fn write(answer: impl AsRef<[u8]>, file: Option<&str>) -> Result<(), 
 /// The temporary file that would be left behind if the program ended now. There is never more than one.
 static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
 
-fn remember_unfinished(path: Option<PathBuf>) {
-    if let Ok(mut unfinished) = UNFINISHED.lock() {
-        *unfinished = path;
-    }
-}
-
-/// Removes the file that is being written, if there is one: the program is about to end.
-pub(crate) fn remove_unfinished() {
-    if let Some(path) = UNFINISHED.lock().ok().and_then(|mut unfinished| unfinished.take()) {
+/// Ends the program now, and lets no temporary file remain or come into being.
+pub(crate) fn end_without_unfinished(status: i32) -> ! {
+    // Held until the end. Nothing panics while it holds the lock; if it did, there would be no more file to come.
+    let unfinished = UNFINISHED.lock();
+    if let Ok(Some(path)) = unfinished.as_deref() {
         // Nothing is left to do when it cannot be removed.
         let _ = fs::remove_file(path);
     }
+    process::exit(status)
 }
 
 /// Why writing ends before everything is written.
@@ -133,8 +131,10 @@ impl Target {
         if let Some(permissions) = new_file_permissions() {
             builder.permissions(permissions);
         }
+        let mut unfinished = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
         let temporary = builder.prefix(".boundfit-").tempfile_in(directory).map_err(|error| plain(&error))?;
-        remember_unfinished(Some(temporary.path().to_owned()));
+        *unfinished = Some(temporary.path().to_owned());
+        drop(unfinished);
         Ok(Target::Temporary { temporary, becomes, existing })
     }
 }
@@ -147,7 +147,7 @@ fn persist(temporary: NamedTempFile, becomes: &Path, existing: Option<fs::Metada
     }
     temporary.as_file().sync_all()?;
     temporary.persist(becomes).map_err(|error| plain(&error.error))?;
-    remember_unfinished(None);
+    *UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner) = None;
     Ok(())
 }
 

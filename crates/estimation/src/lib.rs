@@ -63,6 +63,4 @@ pub use least_growth::{GrowingInequality, LeastGrowth, least_growth};
 pub use least_squares::{LeastSquares, SingularRegressors};
 pub use measurements::{Columns, EpsilonColumn, ErrorBound, Measurement, Measurements, Model};
 pub use minimax::{Minimax, MinimaxProof};
-pub use summary::{
-    Extremes, Keep, LineSums, NoEui, ReducedColumns, ReducedTable, Reduction, Spread, Thresholds,
-};
+pub use summary::{Keep, LineSums, NoEui, ReducedColumns, ReducedTable, Reduction, Spread};

@@ -3,6 +3,7 @@
 use boundfit_exact::{Rational, Scaled};
 use boundfit_formats::Column;
 
+use super::columns::{LineColumns, WideColumn};
 use super::spread::{Spread, Thresholds};
 use super::sums::power_of_ten;
 
@@ -24,11 +25,13 @@ pub(super) enum StoredPart {
         base: i64,
         offsets: Vec<u32>,
     },
-    Wide(Column),
+    Wide(WideColumn),
+    Any(Column),
 }
 
 impl StoredPart {
-    pub(super) fn new(x: &Column) -> Self {
+    pub(super) fn new(columns: &LineColumns) -> Self {
+        let x = columns.x;
         let narrow = |x: &Scaled| {
             let base = x.mantissas.iter().copied().min()?;
             let offset = |mantissa: &i64| u32::try_from(mantissa.checked_sub(base)?).ok();
@@ -36,24 +39,29 @@ impl StoredPart {
             Some(StoredPart::Narrow { exponent: x.exponent, base, offsets })
         };
         match x {
-            Column::Scaled(scaled) => narrow(scaled).unwrap_or_else(|| StoredPart::Wide(x.clone())),
-            Column::Exact(_) | Column::Doubles(_) => StoredPart::Wide(x.clone()),
+            Column::Scaled(scaled) => narrow(scaled).unwrap_or_else(|| StoredPart::Any(x.clone())),
+            Column::Exact(_) | Column::Doubles(_) => match &columns.wide {
+                Some([wide, _]) => StoredPart::Wide(wide.clone()),
+                None => StoredPart::Any(x.clone()),
+            },
         }
     }
 
     fn bytes(&self) -> usize {
         match self {
             StoredPart::Narrow { offsets, .. } => size_of_val(offsets.as_slice()),
-            StoredPart::Wide(Column::Scaled(scaled)) => size_of_val(scaled.mantissas.as_slice()),
-            StoredPart::Wide(Column::Doubles(doubles)) => size_of_val(doubles.as_slice()),
-            StoredPart::Wide(Column::Exact(numbers)) => size_of_val(numbers.as_slice()),
+            StoredPart::Wide(wide) => size_of_val(wide.mantissas.as_slice()),
+            StoredPart::Any(Column::Scaled(scaled)) => size_of_val(scaled.mantissas.as_slice()),
+            StoredPart::Any(Column::Doubles(doubles)) => size_of_val(doubles.as_slice()),
+            StoredPart::Any(Column::Exact(numbers)) => size_of_val(numbers.as_slice()),
         }
     }
 
     fn spread(&self, thresholds: &Thresholds) -> Spread {
         let (exponent, base, offsets) = match self {
             StoredPart::Narrow { exponent, base, offsets } => (*exponent, *base, offsets),
-            StoredPart::Wide(column) => return thresholds.of_column(column),
+            StoredPart::Wide(wide) => return thresholds.of_wide(wide),
+            StoredPart::Any(column) => return thresholds.of_column(column),
         };
         let unit = power_of_ten(exponent);
         Spread::of_counts(thresholds.on_grid(exponent).map(|threshold| {

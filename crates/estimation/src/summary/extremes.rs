@@ -2,8 +2,11 @@
 
 use boundfit_exact::Rational;
 use boundfit_formats::Column;
-use boundfit_geometry::grid::{GridPoint, touching, touching_doubles, touching_of_columns};
+use boundfit_geometry::grid::{
+    GridPoint, candidates_of_columns, touching, touching_doubles, touching_of_columns,
+};
 
+use super::columns::LineColumns;
 use super::sums::power_of_ten;
 use crate::hulls::touching_a_hull;
 use crate::measurements::Measurement;
@@ -15,7 +18,7 @@ const LEAST_TO_MERGE: usize = 4096;
 /// Of the readings seen so far, those on the lower or the upper hull of (x, y), repeated ones and those within edges
 /// included. They depend on the readings alone, not on how these were split or in which order the parts came.
 #[derive(Debug, Clone, Default)]
-pub struct Extremes {
+pub(super) struct Extremes {
     merged: Vec<Part>,
     pending: Vec<Part>,
     pending_rows: usize,
@@ -33,26 +36,30 @@ enum Part {
 impl Extremes {
     /// The extreme ones of two columns of equal length whose rows are numbered from `first_row`. Exact. Cost: linear
     /// in almost all cases, O(n log n) in all.
-    pub fn of_columns(x: &Column, y: &Column, first_row: usize) -> Self {
+    pub(super) fn of_columns(columns: &LineColumns, first_row: usize) -> Self {
+        let LineColumns { x, y, wide } = columns;
+        let read = |k: usize| reading(first_row + k, x.get(k), y.get(k));
         let part = match (x, y) {
             (Column::Scaled(x), Column::Scaled(y)) => Part::Grid {
                 exponents: [x.exponent, y.exponent],
                 points: touching_of_columns(&x.mantissas, &y.mantissas, first_row as u64),
             },
             (Column::Doubles(doubles_x), Column::Doubles(doubles_y)) => {
-                let kept = touching_doubles(doubles_x, doubles_y).into_iter();
-                Part::General(kept.map(|k| reading(first_row + k, x.get(k), y.get(k))).collect())
+                Part::General(touching_doubles(doubles_x, doubles_y).into_iter().map(read).collect())
             }
             _ => {
-                let rows = (0..x.len().min(y.len())).map(|k| reading(first_row + k, x.get(k), y.get(k)));
-                Part::General(rows.collect()).reduced()
+                let candidates = match wide {
+                    Some([x, y]) => candidates_of_columns(&x.mantissas, &y.mantissas),
+                    None => (0..x.len().min(y.len())).collect(),
+                };
+                Part::General(candidates.into_iter().map(read).collect()).reduced()
             }
         };
         Extremes { merged: vec![part], ..Extremes::default() }
     }
 
     /// The extreme ones of readings that are given by number of their row, x and y. Exact.
-    pub fn of_readings(readings: impl Iterator<Item = (usize, Rational, Rational)>) -> Self {
+    pub(super) fn of_readings(readings: impl Iterator<Item = (usize, Rational, Rational)>) -> Self {
         let rows = readings.map(|(row, x, y)| reading(row, x, y)).collect();
         Extremes { merged: vec![Part::General(rows).reduced()], ..Extremes::default() }
     }
@@ -63,7 +70,7 @@ impl Extremes {
     }
 
     /// Adds the readings of another part. Exact. Cost: amortised O(log n) per reading that is kept.
-    pub fn merge(&mut self, other: Extremes) {
+    pub(super) fn merge(&mut self, other: Extremes) {
         for part in other.merged.into_iter().chain(other.pending) {
             self.pending_rows += part.len();
             self.pending.push(part);
@@ -75,7 +82,7 @@ impl Extremes {
     }
 
     /// The readings, by row, with an error bound of 0.
-    pub fn into_rows(mut self) -> Vec<Measurement> {
+    pub(super) fn into_rows(mut self) -> Vec<Measurement> {
         self.settle();
         let mut rows: Vec<Measurement> = self.merged.into_iter().flat_map(Part::into_rows).collect();
         rows.sort_by_key(|reading| reading.row);

@@ -4,6 +4,7 @@
 //! and both of a whole are found from those of its parts. Only the EUI needs a second look at x, when the sums are known.
 
 mod abscissas;
+mod columns;
 mod estimate;
 mod extremes;
 mod reduce;
@@ -14,12 +15,14 @@ use boundfit_exact::Rational;
 use boundfit_formats::{Batch, InputError, Problem, ScanOptions, Scanned, Source, open_reduction, scan};
 use thiserror::Error;
 
-pub use extremes::Extremes;
 pub use reduce::{ReducedColumns, ReducedTable};
-pub use spread::{Spread, Thresholds};
+pub use spread::Spread;
 pub use sums::LineSums;
 
 use abscissas::{Abscissas, StoredPart};
+use columns::LineColumns;
+use extremes::Extremes;
+use spread::Thresholds;
 
 use crate::measurements::{Columns, EpsilonColumn, Measurements};
 
@@ -121,9 +124,10 @@ impl Measurements {
         };
         let digest = |batch: Batch| {
             let line = of_line.then(|| {
-                let (x, y) = (&batch.columns[0], &batch.columns[1]);
-                let sums = LineSums::of_columns(x, y);
-                (sums, Extremes::of_columns(x, y, batch.first_row), keep.eui.then(|| StoredPart::new(x)))
+                let columns = LineColumns::new(&batch.columns[0], &batch.columns[1]);
+                let extremes = Extremes::of_columns(&columns, batch.first_row);
+                let stored = keep.eui.then(|| StoredPart::new(&columns));
+                (LineSums::of_columns(&columns), extremes, stored)
             });
             Digest { batch, line }
         };
@@ -199,7 +203,7 @@ fn second_look(
     let (mut count, mut total) = (0, Rational::zero());
     let look = |batch: Batch| {
         let x = &batch.columns[0];
-        (x.len(), LineSums::of_columns(x, x).x, thresholds.of_column(x))
+        (x.len(), LineSums::of_x(x), thresholds.of_column(x))
     };
     let again = Source::open(path)?.limited(scanned.bytes);
     scan(again, &columns.selectors()[..1], &options, look, |(rows, x, part)| {

@@ -9,6 +9,7 @@ use boundfit_formats::{
     Source, open_reduction, scan,
 };
 
+use super::columns::LineColumns;
 use super::{Extremes, LineSums};
 
 /// Texts of rows that have meanwhile turned out to lie between the hulls are dropped when there are so many of them, so
@@ -151,13 +152,14 @@ impl LineSums {
 impl Digest {
     fn new(batch: Batch) -> Self {
         let (x, y) = (&batch.columns[0], &batch.columns[1]);
+        let columns = LineColumns::new(x, y);
         let extremes = match batch.columns.get(2) {
-            None => ByBound::from([(None, Extremes::of_columns(x, y, batch.first_row))]),
+            None => ByBound::from([(None, Extremes::of_columns(&columns, batch.first_row))]),
             Some(epsilon) => by_bound(x, y, epsilon, batch.first_row),
         };
         let kept = extremes.values().flat_map(Extremes::row_numbers);
         let text = |row: usize| (row, text_of(&batch, row));
-        Digest { sums: LineSums::of_columns(x, y), texts: kept.map(text).collect(), extremes }
+        Digest { sums: LineSums::of_columns(&columns), texts: kept.map(text).collect(), extremes }
     }
 }
 

@@ -3,12 +3,13 @@
 use boundfit_exact::{Integer, Rational, Scaled, Sum};
 use boundfit_formats::Column;
 
+use super::columns::WideColumn;
 use super::sums::{LineSums, power_of_ten};
 
 /// The two values of x at which a weight of least squares changes its sign: A_1k that of N·x_k − Σx, A_2k that of
 /// Σx² − x_k·Σx.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Thresholds {
+pub(super) struct Thresholds {
     values: [Rational; 2],
 }
 
@@ -26,24 +27,31 @@ struct Above {
 
 impl Thresholds {
     /// The thresholds of readings with these sums. Where Σx = 0 no A_2k changes its sign, and any second one will do.
-    pub fn new(sums: &LineSums) -> Self {
+    pub(super) fn new(sums: &LineSums) -> Self {
         let first = sums.x.checked_div(&Rational::from(sums.count)).unwrap_or_default();
         let second = sums.xx.checked_div(&sums.x).unwrap_or_default();
         Thresholds { values: [first, second] }
     }
 
     /// What a column of x has above each. Exact. Cost: linear; on machine integers where they fit.
-    pub fn of_column(&self, x: &Column) -> Spread {
+    pub(super) fn of_column(&self, x: &Column) -> Spread {
         match x {
             Column::Scaled(x) => self.of_scaled(x),
-            Column::Exact(_) | Column::Doubles(_) => Spread {
-                above: self.values.each_ref().map(|threshold| {
-                    let mut total = Sum::default();
-                    let above = (0..x.len()).map(|k| x.get(k)).filter(|x| x > threshold);
-                    let count = above.map(|x| total.add(&x)).count();
-                    Above { count, x: total.total() }
-                }),
+            Column::Exact(_) | Column::Doubles(_) => match WideColumn::new(x) {
+                Some(wide) => self.of_wide(&wide),
+                None => self.of_any(x),
             },
+        }
+    }
+
+    fn of_any(&self, x: &Column) -> Spread {
+        Spread {
+            above: self.values.each_ref().map(|threshold| {
+                let mut total = Sum::default();
+                let above = (0..x.len()).map(|k| x.get(k)).filter(|x| x > threshold);
+                let count = above.map(|x| total.add(&x)).count();
+                Above { count, x: total.total() }
+            }),
         }
     }
 
@@ -55,6 +63,22 @@ impl Thresholds {
                 (count + 1, sum.wrapping_add(i128::from(mantissa)))
             });
             Above { count, x: Rational::from(sum) * &unit }
+        });
+        Spread { above }
+    }
+
+    pub(super) fn of_wide(&self, x: &WideColumn) -> Spread {
+        let denominator = Rational::from(x.denominator);
+        let above = self.values.each_ref().map(|threshold| {
+            let mantissa = threshold * &denominator;
+            let (floor, _) = mantissa.numerator().div_rem_floor(&mantissa.denominator());
+            let beyond = if floor.is_negative() { i128::MIN } else { i128::MAX };
+            let threshold = floor.to_i128().unwrap_or(beyond);
+            let above = x.mantissas.iter().filter(|&&mantissa| mantissa > threshold);
+            let (count, sum) = above.fold((0, Integer::zero()), |(count, sum), &mantissa| {
+                (count + 1, sum + Integer::from(mantissa))
+            });
+            Above { count, x: Rational::new(sum, x.denominator.into()).unwrap_or_default() }
         });
         Spread { above }
     }

@@ -20,6 +20,12 @@ pub fn touching_of_columns_by(x: &[i64], y: &[i64], first_id: u64, plan: &Plan) 
     touching(points(x, y, first_id, Some(plan)))
 }
 
+/// Positions, ascending, of the rows of two columns of equal length that may [touch](super::touching) a hull: every one that
+/// does is among them, and of data with some width few others. Exact in this sense. Cost: linear.
+pub fn candidates_of_columns(x: &[i128], y: &[i128]) -> Vec<usize> {
+    candidates(x, y, None)
+}
+
 fn points(x: &[i64], y: &[i64], first_id: u64, plan: Option<&Plan>) -> Vec<GridPoint> {
     let point = |row: usize| GridPoint { x: x[row], y: y[row], id: first_id + row as u64 };
     candidates(x, y, plan).into_iter().map(point).collect()

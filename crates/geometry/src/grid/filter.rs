@@ -41,6 +41,26 @@ impl Coordinate for i64 {
     }
 }
 
+impl Coordinate for i128 {
+    fn value(self) -> f64 {
+        self as f64
+    }
+
+    fn offset(self, origin: Self) -> f64 {
+        // Wraps beyond its reach only.
+        self.wrapping_sub(origin) as f64
+    }
+
+    fn reaches(self, end: Self) -> bool {
+        end.checked_sub(self).is_some()
+    }
+
+    #[inline]
+    fn is_within(self, origin: Self, end: Self) -> bool {
+        self.wrapping_sub(origin) as u128 <= end.wrapping_sub(origin) as u128
+    }
+}
+
 impl Coordinate for f64 {
     fn value(self) -> f64 {
         self

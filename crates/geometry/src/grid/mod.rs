@@ -31,9 +31,9 @@ mod sample;
 
 use std::cmp::Ordering;
 
-pub use columns::touching_of_columns;
 #[doc(hidden)]
 pub use columns::touching_of_columns_by;
+pub use columns::{candidates_of_columns, touching_of_columns};
 pub use doubles::touching_doubles;
 #[doc(hidden)]
 pub use doubles::touching_doubles_by;
