@@ -2,8 +2,8 @@
 
 use boundfit_exact::{Integer, Rational, Sign};
 use boundfit_geometry::grid::{
-    Division, GridLine, GridPoint, Plan, candidates_of_columns, line_region, touching, touching_doubles,
-    touching_doubles_by, touching_of_columns, touching_of_columns_by,
+    Division, GridLine, GridPoint, Plan, Sieve, candidates_of_columns, line_region, touching,
+    touching_doubles, touching_doubles_by, touching_of_columns, touching_of_columns_by,
 };
 use boundfit_geometry::predicates::{lexicographic, orientation};
 use boundfit_geometry::{Hulls, Inequality, Point, RegionKind, System, envelope};
@@ -165,6 +165,22 @@ fn wide_columns_keep_every_touching_point_and_few_others() {
     }
     // Some are lines of two levels, on which every point touches.
     assert!(3 * kept < 2 * rows, "{kept} of {rows}");
+}
+
+#[test]
+fn a_sieve_of_the_first_rows_loses_nothing_of_the_others() {
+    let mut sieves = 0;
+    for (shape, columns, mut rng) in cases(74, 60, 1500) {
+        let (x, y) = &columns;
+        let first = rng.random_range(0..=x.len());
+        let known = touching_of_columns(&x[..first], &y[..first], 0);
+        let Some(sieve) = Sieve::new(&known) else { continue };
+        sieves += 1;
+        let mut all = known;
+        all.extend(sieve.touching_of_columns(&x[first..], &y[first..], first as u64));
+        assert_eq!(touching(all), touching(points(&columns)), "{shape:?} {first} {columns:?}");
+    }
+    assert!(sieves > 300, "{sieves}");
 }
 
 #[test]

@@ -58,6 +58,19 @@ impl Extremes {
         Extremes { merged: vec![part], ..Extremes::default() }
     }
 
+    /// Points on a grid whose units have these exponents; ids are numbers of rows.
+    pub(super) fn of_grid(exponents: [i32; 2], points: Vec<GridPoint>) -> Self {
+        Extremes { merged: vec![Part::Grid { exponents, points }], ..Extremes::default() }
+    }
+
+    /// All points that may turn out to be extreme, on the finest of their grids; `None` when some are on none.
+    pub(super) fn grid_points(&self) -> Option<([i32; 2], Vec<GridPoint>)> {
+        match united(self.merged.iter().chain(&self.pending).cloned().collect()) {
+            Part::Grid { exponents, points } => Some((exponents, points)),
+            Part::General(_) => None,
+        }
+    }
+
     /// The extreme ones of readings that are given by number of their row, x and y. Exact.
     pub(super) fn of_readings(readings: impl Iterator<Item = (usize, Rational, Rational)>) -> Self {
         let rows = readings.map(|(row, x, y)| reading(row, x, y)).collect();

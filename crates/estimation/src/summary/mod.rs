@@ -8,6 +8,7 @@ mod columns;
 mod estimate;
 mod extremes;
 mod reduce;
+mod sieve;
 mod spread;
 mod sums;
 
@@ -22,6 +23,7 @@ pub use sums::LineSums;
 use abscissas::{Abscissas, StoredPart};
 use columns::LineColumns;
 use extremes::Extremes;
+use sieve::SharedSieve;
 use spread::Thresholds;
 
 use crate::measurements::{Columns, EpsilonColumn, Measurements};
@@ -122,10 +124,11 @@ impl Measurements {
             extremes: Extremes::default(),
             abscissas: Abscissas::new(keep.most_bytes.unwrap_or(usual)),
         };
+        let sieve = SharedSieve::default();
         let digest = |batch: Batch| {
             let line = of_line.then(|| {
                 let columns = LineColumns::new(&batch.columns[0], &batch.columns[1]);
-                let extremes = Extremes::of_columns(&columns, batch.first_row);
+                let extremes = sieve.extremes(&columns, batch.first_row);
                 let stored = keep.eui.then(|| StoredPart::new(&columns));
                 (LineSums::of_columns(&columns), extremes, stored)
             });
@@ -138,7 +141,7 @@ impl Measurements {
             options.table.header = reductions.header();
         }
         let scanned = scan(source, &columns.selectors(), &options, digest, |digest| {
-            all.take(digest, most_rows);
+            all.take(digest, most_rows, &sieve);
         })?;
         if let Some(reductions) = &reductions {
             let line = columns.second.is_none();
@@ -172,7 +175,7 @@ impl Measurements {
 }
 
 impl Collected {
-    fn take(&mut self, Digest { batch, line }: Digest, most_rows: usize) {
+    fn take(&mut self, Digest { batch, line }: Digest, most_rows: usize, sieve: &SharedSieve) {
         self.rows += batch.rows;
         if self.rows <= most_rows {
             self.batches.push(batch);
@@ -182,6 +185,7 @@ impl Collected {
         if let Some((sums, extremes, abscissas)) = line {
             self.sums = self.sums.merged(&sums);
             self.extremes.merge(extremes);
+            sieve.learn(&self.extremes, self.rows);
             if let Some(part) = abscissas {
                 self.abscissas.push(part);
             }

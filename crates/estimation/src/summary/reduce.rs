@@ -10,6 +10,7 @@ use boundfit_formats::{
 };
 
 use super::columns::LineColumns;
+use super::sieve::SharedSieve;
 use super::{Extremes, LineSums};
 
 /// Texts of rows that have meanwhile turned out to lie between the hulls are dropped when there are so many of them, so
@@ -73,7 +74,9 @@ impl ReducedTable {
         let mut selectors = vec![columns.x.clone(), columns.y.clone()];
         selectors.extend(columns.epsilon.clone().map(ColumnSelector::non_negative));
         let mut all = Collected::default();
-        let scanned = scan(source, &selectors, &options, Digest::new, |digest| all.take(digest))?;
+        let sieve = SharedSieve::default();
+        let digest = |batch| Digest::new(batch, &sieve);
+        let scanned = scan(source, &selectors, &options, digest, |digest| all.take(digest, &sieve))?;
         let sums = match &reductions {
             Some(reductions) => LineSums::stated(reductions, path, true, &scanned.names, &options)?,
             None => all.sums,
@@ -150,11 +153,11 @@ impl LineSums {
 }
 
 impl Digest {
-    fn new(batch: Batch) -> Self {
+    fn new(batch: Batch, sieve: &SharedSieve) -> Self {
         let (x, y) = (&batch.columns[0], &batch.columns[1]);
         let columns = LineColumns::new(x, y);
         let extremes = match batch.columns.get(2) {
-            None => ByBound::from([(None, Extremes::of_columns(&columns, batch.first_row))]),
+            None => ByBound::from([(None, sieve.extremes(&columns, batch.first_row))]),
             Some(epsilon) => by_bound(x, y, epsilon, batch.first_row),
         };
         let kept = extremes.values().flat_map(Extremes::row_numbers);
@@ -164,10 +167,13 @@ impl Digest {
 }
 
 impl Collected {
-    fn take(&mut self, digest: Digest) {
+    fn take(&mut self, digest: Digest, sieve: &SharedSieve) {
         self.sums = self.sums.merged(&digest.sums);
         for (bound, extremes) in digest.extremes {
             self.extremes.entry(bound).or_default().merge(extremes);
+        }
+        if let Some(extremes) = self.extremes.get(&None) {
+            sieve.learn(extremes, self.sums.count);
         }
         self.texts.extend(digest.texts);
         let kept = || self.extremes.values().flat_map(Extremes::row_numbers);

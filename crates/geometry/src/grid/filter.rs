@@ -148,7 +148,7 @@ fn survivors<C: Coordinate>(x: &[C], y: &[C], plan: Option<&Plan>) -> Option<Vec
 }
 
 /// Cells from the least to the greatest x of a sample.
-struct Filter<C, I> {
+pub(super) struct Filter<C, I> {
     origin: C,
     end: C,
     index: I,
@@ -156,7 +156,7 @@ struct Filter<C, I> {
 }
 
 impl<C: Coordinate, I: Index<C>> Filter<C, I> {
-    fn new(sample: &Sample<C>, index: I) -> Self {
+    pub(super) fn new(sample: &Sample<C>, index: I) -> Self {
         let cells = sample.cells(&index);
         Filter { origin: sample.origin, end: sample.end, index, cells }
     }
@@ -169,7 +169,8 @@ impl<C: Coordinate, I: Index<C>> Filter<C, I> {
         x.is_within(self.origin, self.end) & (y > above.at(offset)) & (y < below.at(offset))
     }
 
-    fn survivors(&self, x: &[C], y: &[C]) -> Vec<usize> {
+    /// Positions of the rows that may be on a hull, ascending.
+    pub(super) fn survivors(&self, x: &[C], y: &[C]) -> Vec<usize> {
         const BLOCK: usize = u64::BITS as usize;
         let ((x_blocks, x_rest), (y_blocks, y_rest)) = (x.as_chunks::<BLOCK>(), y.as_chunks::<BLOCK>());
         let mut survivors = Vec::new();

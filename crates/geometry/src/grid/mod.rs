@@ -28,6 +28,7 @@ mod envelopes;
 mod filter;
 mod region;
 mod sample;
+mod sieve;
 
 use std::cmp::Ordering;
 
@@ -40,6 +41,7 @@ pub use doubles::touching_doubles_by;
 #[doc(hidden)]
 pub use filter::{Division, Plan};
 pub use region::{GridLine, line_region};
+pub use sieve::Sieve;
 
 use chain::marked;
 
