@@ -1,14 +1,16 @@
 //! Fits of readings of which only those that touch a hull are kept, against fits of all of them.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use boundfit_estimation::{
     BoundName, Columns, Condition, EpsilonColumn, Fit, Keep, Measurements, ParameterBound, Problem,
     ReducedColumns, ReducedTable, fit,
 };
 use boundfit_exact::{Rational, Reading};
-use boundfit_formats::{ColumnSelector, ScanOptions, Source, TableOptions};
+use boundfit_formats::{ColumnSelector, Progress, ScanOptions, Source, TableOptions};
 use boundfit_geometry::RegionKind;
 use boundfit_tests::generate::seeded;
 use boundfit_tests::readings::parse_condition;
@@ -226,6 +228,51 @@ fn of_long_tables_too_only_the_rows_that_touch_a_hull_count() {
                 let kept = reduced.0.measurements.rows().len();
                 assert!(kept < 200 || kind == TableKind::WideIntegers, "{kind:?} {reading:?}: {kept}");
             }
+        }
+    }
+}
+
+/// Replaces a file when all of it has been read once.
+struct Replacing {
+    path: PathBuf,
+    left: AtomicU64,
+    text: String,
+}
+
+impl Progress for Replacing {
+    fn advanced(&self, bytes: u64) {
+        if self.left.fetch_sub(bytes, Ordering::Relaxed) == bytes {
+            fs::write(&self.path, &self.text).unwrap();
+        }
+    }
+}
+
+#[test]
+fn a_file_that_changes_between_two_looks_is_refused() {
+    let mut rng = seeded(54);
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.csv");
+    let columns = columns(&Rational::one());
+    let keep = Keep { most_rows: 0, eui: true, most_bytes: Some(0) };
+    let rows = TableKind::Noise.rows(&mut rng, 500);
+    let first = text(&rows);
+    // The same; one x less by 1000; a row less; rows that were not there the first time.
+    let mut moved = rows.clone();
+    moved[123][0] = "-1000".to_owned();
+    let longer = first.clone() + "1000000,0\n";
+    for (second, is_refused) in
+        [(first.clone(), false), (text(&moved), true), (text(&rows[1..]), true), (longer, false)]
+    {
+        fs::write(&path, &first).unwrap();
+        let replacing =
+            Replacing { path: path.clone(), left: AtomicU64::new(first.len() as u64), text: second };
+        let options = ScanOptions { progress: Some(Arc::new(replacing)), ..options(Reading::Decimal, 1000) };
+        let scanned = Measurements::scan(path.to_str().unwrap(), &columns, &options, keep);
+        match scanned {
+            Err(error) => {
+                assert!(is_refused && error.to_string().ends_with("the file changed while it was read"))
+            }
+            Ok(measurements) => assert!(!is_refused && measurements.fitted() == 500),
         }
     }
 }

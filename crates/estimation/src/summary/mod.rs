@@ -214,6 +214,11 @@ fn second_look(
         count += rows;
         total = &total + x;
         spread = spread.merged(&part);
+    })
+    // What was right the first time is wrong only because it is something else now.
+    .map_err(|error| match error.problem {
+        Problem::Io(_) | Problem::Interrupted => error,
+        _ => Source::failed(path, Problem::Changed),
     })?;
     if count == sums.count && total == sums.x {
         Ok(spread)
