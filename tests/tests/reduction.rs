@@ -232,7 +232,7 @@ fn of_long_tables_too_only_the_rows_that_touch_a_hull_count() {
     }
 }
 
-/// Replaces a file when all of it has been read once.
+/// Replaces a file when all of it has been read once: the next part is read before one is reported.
 struct Replacing {
     path: PathBuf,
     left: AtomicU64,
@@ -241,7 +241,8 @@ struct Replacing {
 
 impl Progress for Replacing {
     fn advanced(&self, bytes: u64) {
-        if self.left.fetch_sub(bytes, Ordering::Relaxed) == bytes {
+        let before = self.left.fetch_sub(bytes, Ordering::Relaxed);
+        if (bytes..bytes + 200).contains(&before) {
             fs::write(&self.path, &self.text).unwrap();
         }
     }
