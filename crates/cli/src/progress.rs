@@ -2,7 +2,9 @@
 
 use std::fs;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Arc, Mutex, OnceLock};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use boundfit_formats::Progress;
@@ -55,12 +57,10 @@ impl ReadingProgress {
             showing(match self.total {
                 Some(total) => {
                     // The bar itself shows nothing unless standard error is a terminal.
-                    let template = "reading {bar:30} {bytes} of {total_bytes} ({bytes_per_sec}, {eta})";
+                    let template = "reading {bar:30} {bytes} of {total_bytes}";
                     ProgressBar::new(total).with_style(style(template))
                 }
-                None => {
-                    ProgressBar::no_length().with_style(style("reading {spinner} {bytes} ({bytes_per_sec})"))
-                }
+                None => ProgressBar::no_length().with_style(style("reading {spinner} {bytes}")),
             })
         })
     }
@@ -87,11 +87,23 @@ impl Drop for ReadingProgress {
 
 /// Does some work, with a sign of life and its name once it takes long.
 pub(crate) fn while_working<T>(name: &'static str, work: impl FnOnce() -> T) -> T {
-    let bar = ProgressBar::new_spinner().with_style(style("{msg} {spinner} {elapsed}")).with_message(name);
-    showing(bar).enable_steady_tick(PATIENCE);
-    let result = work();
-    clear();
-    result
+    /// How often a spinner turns.
+    const TURN: Duration = Duration::from_millis(100);
+    let (done, is_done) = mpsc::channel::<()>();
+    thread::scope(|scope| {
+        scope.spawn(move || {
+            if is_done.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
+                let bar = ProgressBar::new_spinner().with_style(style("{msg} {spinner}")).with_message(name);
+                showing(bar).enable_steady_tick(TURN);
+                // Until the work is done.
+                let _ = is_done.recv();
+                clear();
+            }
+        });
+        let result = work();
+        drop(done);
+        result
+    })
 }
 
 /// The templates are constants; a plain bar takes the place of one that is wrong.

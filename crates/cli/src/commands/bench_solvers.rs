@@ -14,6 +14,7 @@ use crate::CommandResult;
 use crate::arguments::{BenchSolversArguments, Format};
 use crate::exit::{Exit, Failure};
 use crate::output;
+use crate::progress::while_working;
 
 /// Runs every solver on every case of a folder and prints the worst verdict of each.
 pub(crate) fn run(arguments: &BenchSolversArguments) -> CommandResult {
@@ -29,11 +30,10 @@ pub(crate) fn run(arguments: &BenchSolversArguments) -> CommandResult {
     if names.is_empty() {
         return Err(Failure::data(format_args!("{folder}: there is no case NAME.csv with NAME.json")));
     }
-    let mut cases = Vec::new();
-    for name in names {
-        let judged = judged_case(Path::new(folder), &name)?;
-        cases.push((name, judged));
-    }
+    let cases = while_working("solving", || {
+        let judged = |name: String| judged_case(Path::new(folder), &name).map(|judged| (name, judged));
+        names.into_iter().map(judged).collect::<Result<Vec<_>, Failure>>()
+    })?;
     let report = match arguments.format {
         Format::Text => conformance_table(&cases),
         Format::Json => conformance_json(&cases),

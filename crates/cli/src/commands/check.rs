@@ -13,6 +13,7 @@ use crate::CommandResult;
 use crate::arguments::{CheckArguments, Format};
 use crate::exit::{Exit, Failure};
 use crate::output;
+use crate::progress::while_working;
 
 /// The largest claims file that is read, in bytes.
 const LARGEST_CLAIM: u64 = 1 << 28;
@@ -22,7 +23,8 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
     let reading = arguments.data.table.reading();
     let options = options(arguments)?;
     let problem = arguments.data.problem()?;
-    let check = check(&problem, reading, &options).map_err(|error| Failure::Usage(error.to_string()))?;
+    let check = while_working("solving", || check(&problem, reading, &options));
+    let check = check.map_err(|error| Failure::Usage(error.to_string()))?;
     let style = arguments.output.style();
     let report = match arguments.output.format {
         Format::Json => check_json(&check, reading, &style),

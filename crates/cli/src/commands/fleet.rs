@@ -1,6 +1,6 @@
 //! `boundfit fit --by`: every group of rows on its own.
 
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::ops::Range;
 
 use boundfit_estimation::{Condition, Fleet, Problem, fit_group};
@@ -11,6 +11,7 @@ use crate::CommandResult;
 use crate::arguments::{FitArguments, FitFormat};
 use crate::exit::{Exit, Failure};
 use crate::output::{Output, Stop};
+use crate::progress::while_working;
 
 /// Reads the data, then fits group after group and writes what is ready.
 pub(crate) fn run(arguments: &FitArguments, by: &ColumnSelector) -> CommandResult {
@@ -21,11 +22,14 @@ pub(crate) fn run(arguments: &FitArguments, by: &ColumnSelector) -> CommandResul
     let job = Job { fleet: &fleet, conditions: &conditions, style: arguments.output.style() };
     let mut output = Output::open(arguments.output.file.output.as_deref())?;
     let mut summary = FleetSummary::default();
-    let written = match arguments.output.format {
+    let mut write = || match arguments.output.format {
         FitFormat::Text => job.write_text(&mut output, &mut summary),
         FitFormat::Json => job.write_json(&mut output, &mut summary),
         FitFormat::Csv => job.write_csv(&mut output, &mut summary),
     };
+    // Lines that scroll by on a terminal are progress enough.
+    let is_watched = arguments.output.file.output.is_none() && io::stdout().is_terminal();
+    let written = if is_watched { write() } else { while_working("fitting", write) };
     match written {
         Ok(()) => {
             output.finish()?;

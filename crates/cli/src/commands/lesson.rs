@@ -7,6 +7,7 @@ use crate::CommandResult;
 use crate::arguments::LessonArguments;
 use crate::exit::{Exit, Failure};
 use crate::output;
+use crate::progress::while_working;
 
 /// Reads the data, fits and writes the page.
 pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
@@ -19,7 +20,8 @@ pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
         x_unit: arguments.labels.x_unit.clone(),
         y_unit: arguments.labels.y_unit.clone(),
     };
-    let page = page(&problem, &fit, reading, &options).map_err(|error| match error {
+    let page = while_working("writing the page", || page(&problem, &fit, reading, &options));
+    let page = page.map_err(|error| match error {
         LessonError::TooManyRows { .. } => Failure::data(format_args!(
             "{}: {error}; choose some with --rows FIRST..LAST",
             arguments.data.file_name()

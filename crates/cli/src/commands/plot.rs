@@ -11,6 +11,7 @@ use crate::CommandResult;
 use crate::arguments::{FigureName, PictureFormat, PlotArguments};
 use crate::exit::{Exit, Failure};
 use crate::output;
+use crate::progress::while_working;
 
 /// Where pictures go.
 enum Destination<'a> {
@@ -33,7 +34,8 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
         directions: usize::from(arguments.directions),
     };
     let picture = |figure: Figure| {
-        let picture = draw(&problem, &fit, figure, &options).map_err(Failure::data)?;
+        let picture = while_working("drawing", || draw(&problem, &fit, figure, &options));
+        let picture = picture.map_err(Failure::data)?;
         encoded(&picture, format)
     };
     match destination {
