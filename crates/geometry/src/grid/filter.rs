@@ -20,46 +20,33 @@ pub(super) trait Coordinate: Copy + PartialOrd {
     fn is_within(self, origin: Self, end: Self) -> bool;
 }
 
-impl Coordinate for i64 {
-    fn value(self) -> f64 {
-        self as f64
-    }
+macro_rules! integer_coordinate {
+    ($integer:ty, $unsigned:ty) => {
+        impl Coordinate for $integer {
+            fn value(self) -> f64 {
+                self as f64
+            }
 
-    fn offset(self, origin: Self) -> f64 {
-        // Wraps beyond its reach only.
-        self.wrapping_sub(origin) as f64
-    }
+            fn offset(self, origin: Self) -> f64 {
+                // Wraps beyond its reach only.
+                self.wrapping_sub(origin) as f64
+            }
 
-    fn reaches(self, end: Self) -> bool {
-        end.checked_sub(self).is_some()
-    }
+            fn reaches(self, end: Self) -> bool {
+                end.checked_sub(self).is_some()
+            }
 
-    #[inline]
-    fn is_within(self, origin: Self, end: Self) -> bool {
-        // One comparison: what is before the origin wraps to beyond the end.
-        self.wrapping_sub(origin) as u64 <= end.wrapping_sub(origin) as u64
-    }
+            #[inline]
+            fn is_within(self, origin: Self, end: Self) -> bool {
+                // One comparison: what is before the origin wraps to beyond the end.
+                self.wrapping_sub(origin) as $unsigned <= end.wrapping_sub(origin) as $unsigned
+            }
+        }
+    };
 }
 
-impl Coordinate for i128 {
-    fn value(self) -> f64 {
-        self as f64
-    }
-
-    fn offset(self, origin: Self) -> f64 {
-        // Wraps beyond its reach only.
-        self.wrapping_sub(origin) as f64
-    }
-
-    fn reaches(self, end: Self) -> bool {
-        end.checked_sub(self).is_some()
-    }
-
-    #[inline]
-    fn is_within(self, origin: Self, end: Self) -> bool {
-        self.wrapping_sub(origin) as u128 <= end.wrapping_sub(origin) as u128
-    }
-}
+integer_coordinate!(i64, u64);
+integer_coordinate!(i128, u128);
 
 impl Coordinate for f64 {
     fn value(self) -> f64 {
