@@ -29,6 +29,7 @@ pub mod clipping;
 pub mod constructions;
 pub mod envelope;
 mod fan;
+mod generators;
 pub mod grid;
 mod half_plane;
 mod hull;
@@ -42,6 +43,7 @@ mod proof;
 mod region;
 mod system;
 
+pub use generators::{Generator, Generators};
 pub use half_plane::{Constraint, HalfPlane, Inequality};
 pub use hull::Hulls;
 pub use invariants::InvariantViolation;

@@ -1,11 +1,12 @@
-//! The JSON report of any half-planes, schema `boundfit/polygon/1`.
+//! The JSON report of any half-planes or generators, schema `boundfit/polygon/1`.
 
 use boundfit_exact::{Rational, Reading};
 use boundfit_formats::{HalfPlaneFile, RowOrigin};
-use boundfit_geometry::{Multiplier, Polyhedron, Support};
+use boundfit_geometry::{Inequality, Multiplier, Polyhedron, Support};
 use serde::Serialize;
 
 use crate::fit_json::to_text;
+use crate::polygon_rows::{redundant_rows, rows_of};
 use crate::region::{BoundJson, IntervalJson, RegionJson, TermJson};
 use crate::style::{Number, Style};
 
@@ -15,6 +16,8 @@ struct PolygonJson {
     input: InputJson,
     region: RegionJson<usize>,
     redundant: Vec<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    facets: Option<Vec<HalfPlaneJson>>,
     bounds: Option<[IntervalJson; 2]>,
     area_centroid: Option<[Number; 2]>,
     squared_diameter: Option<Number>,
@@ -27,8 +30,19 @@ struct InputJson {
     sha256: String,
 }
 
+/// The half-plane `a·θ ≤ b`.
+#[derive(Serialize)]
+struct HalfPlaneJson {
+    a: [Number; 2],
+    b: Number,
+}
+
 /// The report as JSON, with a line end. Half-planes are named by their row in the file, from 1; the bound is `upper`
 /// for a row as given and `lower` for the other direction of an equation.
+///
+/// Of a V-representation the rows are generators: active at a vertex are the points that equal it, at a boundary those on
+/// it; redundant are generators. The half-planes are then listed as `facets`, and named in proofs by their number there,
+/// from 1, with the bound `facet`.
 pub fn polygon_json(
     file: &HalfPlaneFile,
     polyhedron: &Polyhedron,
@@ -44,6 +58,7 @@ pub fn polygon_json(
         schema: "boundfit/polygon/1",
         input: InputJson { rows: file.rows, reading: reading.name(), sha256: file.sha256.clone() },
         region: RegionJson::new(region, style, |indices| rows_of(file, indices), farkas),
+        facets: file.generators.is_some().then(|| facets(polyhedron, style)),
         redundant: redundant_rows(file, polyhedron),
         bounds: bounds(file, polyhedron, style),
         area_centroid: region.area_centroid().map(|point| numbers(&point.coordinates())),
@@ -52,25 +67,22 @@ pub fn polygon_json(
     to_text(&report)
 }
 
-/// The rows of the file behind inequalities, ascending, each once.
-pub(crate) fn rows_of(file: &HalfPlaneFile, indices: &[usize]) -> Vec<usize> {
-    let mut rows: Vec<usize> = indices.iter().map(|&index| file.origins[index].row).collect();
-    rows.sort_unstable();
-    rows.dedup();
-    rows
-}
-
-/// The rows that could be left out together; an equation only when both of its directions could.
-pub(crate) fn redundant_rows(file: &HalfPlaneFile, polyhedron: &Polyhedron) -> Vec<usize> {
-    let needed = rows_of(file, &polyhedron.irredundant());
-    let all: Vec<usize> = (0..file.origins.len()).collect();
-    rows_of(file, &all).into_iter().filter(|row| needed.binary_search(row).is_err()).collect()
+fn facets(polyhedron: &Polyhedron, style: &Style) -> Vec<HalfPlaneJson> {
+    let facet = |Inequality { a, b }: &Inequality| HalfPlaneJson {
+        a: a.each_ref().map(|coefficient| style.number(coefficient)),
+        b: style.number(b),
+    };
+    polyhedron.system().inequalities().iter().map(facet).collect()
 }
 
 fn term(file: &HalfPlaneFile, multiplier: &Multiplier, style: &Style) -> TermJson {
     let RowOrigin { row, reversed } = file.origins[multiplier.index];
-    let bound = if reversed { "lower" } else { "upper" }.to_owned();
-    TermJson { row: Some(row), bound, multiplier: style.number(&multiplier.value) }
+    let bound = match (&file.generators, reversed) {
+        (Some(_), _) => "facet",
+        (None, true) => "lower",
+        (None, false) => "upper",
+    };
+    TermJson { row: Some(row), bound: bound.to_owned(), multiplier: style.number(&multiplier.value) }
 }
 
 fn bounds(file: &HalfPlaneFile, polyhedron: &Polyhedron, style: &Style) -> Option<[IntervalJson; 2]> {

@@ -1,89 +1,101 @@
-//! The text report of any half-planes.
+//! The text report of any half-planes or generators.
 
 use boundfit_exact::Rational;
-use boundfit_formats::{HalfPlaneFile, RowOrigin};
-use boundfit_geometry::{Multiplier, Polyhedron, Redundancy};
+use boundfit_formats::HalfPlaneFile;
+use boundfit_geometry::{Multiplier, Polyhedron};
 
-use crate::polygon_json::{redundant_rows, rows_of};
-use crate::region::{point_text, region_text};
+use crate::document::{Block, Text};
+use crate::polygon_rows::rows_of;
+use crate::polygon_tables::{polygon_tables, products};
+use crate::region::{VERTEX_HEADER, point_text, region_lines, region_text, region_title, vertex_rows};
 use crate::style::Style;
-use crate::text::{counted, list, table};
+use crate::text::{counted, table};
 
 /// The report as text.
 pub fn polygon_text(file: &HalfPlaneFile, polyhedron: &Polyhedron, name: &str, style: &Style) -> String {
     let region = polyhedron.region();
     let rows = counted(file.rows, "row", "rows");
-    let bounds = polyhedron.bounding_box();
-    let styles = style.resolving_both(bounds.as_ref());
-    let names = |indices: &[usize]| rows_of(file, indices).iter().map(ToString::to_string).collect();
-    let mut text =
-        format!("Half-planes of {name}, {rows}\n\nRegion: {}", region_text(region, &styles, names));
-    if let Some(certificate) = region.certificate() {
-        let products = products(file, certificate.multipliers(), style);
-        let right_hand_side = |m: &Multiplier| &polyhedron.system().inequalities()[m.index].b * &m.value;
-        let sum: Rational = certificate.multipliers().iter().map(right_hand_side).sum();
-        text.push_str(&format!("  Proof: {products} gives 0 <= {}.\n", style.upper_text(&sum)));
+    let styles = style.resolving_both(polyhedron.bounding_box().as_ref());
+    let names = |indices: &[usize]| row_names(file, indices);
+    let what = given(file);
+    let mut text = format!("{what} of {name}, {rows}\n\nRegion: {}", region_text(region, &styles, names));
+    if let Some(proof) = emptiness(file, polyhedron, style) {
+        text.push_str(&format!("  {proof}\n"));
     }
-    if let Some(bounds) = &bounds {
-        let row = |axis: usize| {
-            vec![["theta1", "theta2"][axis].to_owned(), styles[axis].interval_text(&bounds[axis])]
-        };
+    if let Some(ranges) = ranges(polyhedron, &styles) {
         text.push('\n');
-        text.push_str(&table(&["", "range"], vec![row(0), row(1)]));
+        text.push_str(&table(&RANGE_HEADER, ranges));
     }
-    if let Some(area) = region.area().filter(|_| !region.is_empty()) {
-        text.push_str(&format!("  area      {}\n", style.text(&area)));
+    for (label, value) in measures(polyhedron, style, &styles) {
+        text.push_str(&format!("  {label:<8}  {value}\n"));
     }
-    if let Some(centroid) = region.area_centroid() {
-        text.push_str(&format!("  centroid  {}\n", point_text(&centroid.coordinates(), &styles)));
+    for part in polygon_tables(file, polyhedron, style) {
+        text.push_str(&format!("\n{}\n{}", part.sentence, table(part.header, part.rows)));
     }
-    if let Some(diameter) = region.squared_diameter() {
-        text.push_str(&format!("  diameter  square root of {}\n", style.text(&diameter)));
-    }
-    text.push('\n');
-    text.push_str(&redundancy(file, polyhedron, style));
     text
 }
 
-fn redundancy(file: &HalfPlaneFile, polyhedron: &Polyhedron, style: &Style) -> String {
-    let redundant = redundant_rows(file, polyhedron);
-    if redundant.is_empty() {
-        return "No row is redundant.\n".to_owned();
-    }
-    let mut rows = Vec::new();
-    for (index, reason) in polyhedron.redundancies().iter().enumerate() {
-        let RowOrigin { row, reversed } = file.origins[index];
-        let Some(reason) = reason.as_ref().filter(|_| redundant.binary_search(&row).is_ok()) else {
-            continue;
-        };
-        let reason = match reason {
-            Redundancy::Always => "holds everywhere".to_owned(),
-            Redundancy::SameAs(other) => {
-                let RowOrigin { row, reversed } = file.origins[*other];
-                format!("the same half-plane as row {row}{}", if reversed { " (>=)" } else { "" })
-            }
-            Redundancy::EmptyWithout => "the region is empty without it".to_owned(),
-            Redundancy::Dominated { by, slack } if slack.is_zero() => {
-                format!("touches the region; implied by {}", products(file, by, style))
-            }
-            Redundancy::Dominated { by, slack } => {
-                format!("implied by {} with {} to spare", products(file, by, style), style.text(slack))
-            }
-        };
-        let direction = if reversed { " (>=)" } else { "" };
-        rows.push(vec![format!("{row}{direction}"), reason]);
-    }
-    let listed = list(redundant.iter().map(ToString::to_string));
-    format!("Redundant rows: {listed}\n{}", table(&["row", "why"], rows))
+fn given(file: &HalfPlaneFile) -> &'static str {
+    if file.generators.is_some() { "Generators" } else { "Half-planes" }
 }
 
-/// `2 * (row 3) + 1/2 * (row 5)`.
-fn products(file: &HalfPlaneFile, multipliers: &[Multiplier], style: &Style) -> String {
-    let product = |multiplier: &Multiplier| {
-        let RowOrigin { row, reversed } = file.origins[multiplier.index];
-        let sign = if reversed { "-" } else { "" };
-        format!("{sign}{} * (row {row})", style.proof_text(&multiplier.value))
-    };
-    let products: Vec<String> = multipliers.iter().map(product).collect();
-    products.join(" + ")
+/// The report as blocks.
+pub(crate) fn polygon_blocks(
+    file: &HalfPlaneFile,
+    polyhedron: &Polyhedron,
+    name: &str,
+    style: &Style,
+) -> Vec<Block> {
+    let region = polyhedron.region();
+    let styles = style.resolving_both(polyhedron.bounding_box().as_ref());
+    let names = |indices: &[usize]| row_names(file, indices);
+    let rows = counted(file.rows, "row", "rows");
+    let data = Text::own(format!("{} of ", given(file)))
+        .then(Text::given(name))
+        .then(Text::own(format!(", {rows}")));
+    let mut blocks = vec![Block::Paragraph(data), Block::Title(format!("Region: {}", region_title(region)))];
+    blocks.push(Block::table(&VERTEX_HEADER, vertex_rows(region, &styles, names)));
+    let lines = region_lines(region, names).into_iter().chain(emptiness(file, polyhedron, style));
+    blocks.extend(lines.map(|line| Block::Paragraph(Text::own(line))));
+    blocks.push(Block::table(&RANGE_HEADER, ranges(polyhedron, &styles).unwrap_or_default()));
+    let measures = measures(polyhedron, style, &styles).into_iter();
+    blocks.push(Block::Facts(measures.map(|(label, value)| (label.to_owned(), Text::own(value))).collect()));
+    for part in polygon_tables(file, polyhedron, style) {
+        blocks.push(Block::Paragraph(Text::own(part.sentence)));
+        blocks.push(Block::table(part.header, part.rows));
+    }
+    blocks
+}
+
+const RANGE_HEADER: [&str; 2] = ["", "range"];
+
+fn row_names(file: &HalfPlaneFile, indices: &[usize]) -> Vec<String> {
+    rows_of(file, indices).iter().map(ToString::to_string).collect()
+}
+
+/// What proves that an empty region is empty.
+fn emptiness(file: &HalfPlaneFile, polyhedron: &Polyhedron, style: &Style) -> Option<String> {
+    let certificate = polyhedron.region().certificate()?;
+    let products = products(file, certificate.multipliers(), style);
+    let right_hand_side = |m: &Multiplier| &polyhedron.system().inequalities()[m.index].b * &m.value;
+    let sum: Rational = certificate.multipliers().iter().map(right_hand_side).sum();
+    Some(format!("Proof: {products} gives 0 <= {}.", style.upper_text(&sum)))
+}
+
+/// The range of each parameter.
+fn ranges(polyhedron: &Polyhedron, styles: &[Style; 2]) -> Option<Vec<Vec<String>>> {
+    let bounds = polyhedron.bounding_box()?;
+    let rows = ["theta1", "theta2"].into_iter().zip(styles).zip(&bounds);
+    Some(rows.map(|((name, style), range)| vec![name.to_owned(), style.interval_text(range)]).collect())
+}
+
+/// Area, centroid and diameter, where there are such.
+fn measures(polyhedron: &Polyhedron, style: &Style, styles: &[Style; 2]) -> Vec<(&'static str, String)> {
+    let region = polyhedron.region();
+    let area = region.area().filter(|_| !region.is_empty()).map(|area| ("area", style.text(&area)));
+    let centroid = region.area_centroid();
+    let centroid = centroid.map(|point| ("centroid", point_text(&point.coordinates(), styles)));
+    let diameter = region.squared_diameter();
+    let diameter = diameter.map(|square| ("diameter", format!("square root of {}", style.text(&square))));
+    area.into_iter().chain(centroid).chain(diameter).collect()
 }

@@ -1,33 +1,40 @@
 //! `boundfit polygon`.
 
-use boundfit_exact::Limits;
-use boundfit_formats::{Source, TableOptions, read_half_planes};
+use boundfit_formats::{Source, read_half_planes};
 use boundfit_geometry::Polyhedron;
-use boundfit_report::{polygon_json, polygon_text};
+use boundfit_report::{
+    h_representation, polygon_json, polygon_latex, polygon_markdown, polygon_text, region_script, region_wkt,
+    v_representation, vertices_csv,
+};
 
 use crate::CommandResult;
-use crate::arguments::{Format, PolygonArguments};
+use crate::arguments::{PolygonArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
 use crate::output;
 
-/// Reads the half-planes, intersects them and writes the report.
+/// Reads the half-planes, or finds those of generators, intersects them and writes the report.
 pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     let reading = arguments.table.reading();
-    let options = TableOptions {
-        header: arguments.table.header(),
-        delimiter: arguments.table.delimiter(),
-        reading,
-        limits: Limits::default(),
-        ..TableOptions::default()
-    };
+    let options = arguments.table.options(None);
     let source = Source::open(&arguments.file).map_err(Failure::data)?;
     let name = source.name().to_owned();
     let file = read_half_planes(source, &options).map_err(Failure::data)?;
     let polyhedron = Polyhedron::intersect(file.system.clone());
+    let active = |index: usize| {
+        let row = file.origins.get(index).map_or(0, |origin| origin.row);
+        if file.generators.is_some() { format!("facet:{row}") } else { row.to_string() }
+    };
     let style = arguments.output.style();
     let report = match arguments.output.format {
-        Format::Json => polygon_json(&file, &polyhedron, reading, &style),
-        Format::Text => polygon_text(&file, &polyhedron, &name, &style),
+        ReportFormat::Text => polygon_text(&file, &polyhedron, &name, &style),
+        ReportFormat::Json => polygon_json(&file, &polyhedron, reading, &style),
+        ReportFormat::Latex => polygon_latex(&file, &polyhedron, &name, &style),
+        ReportFormat::Markdown => polygon_markdown(&file, &polyhedron, &name, &style),
+        ReportFormat::Csv => vertices_csv(&polyhedron, &active, &style),
+        ReportFormat::Wkt => region_wkt(&polyhedron, &style).map_err(Failure::data)?,
+        ReportFormat::M => region_script(&polyhedron, &active),
+        ReportFormat::Ine => h_representation(&polyhedron),
+        ReportFormat::Ext => v_representation(&polyhedron),
     };
     output::write(&report, arguments.output.file.output.as_deref())?;
     Ok(if polyhedron.region().is_empty() { Exit::Empty } else { Exit::Answer })

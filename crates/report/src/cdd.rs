@@ -1,0 +1,110 @@
+//! The representations of cdd and lrs (Fukuda, *cddlib Reference Manual*, "Polyhedra H- and V-Formats").
+
+use std::fmt::Write;
+
+use boundfit_exact::Rational;
+use boundfit_geometry::constructions::foot;
+use boundfit_geometry::{Constraint, Direction, Inequality, Point, Polyhedron, Region};
+
+/// A matrix under construction.
+#[derive(Default)]
+struct Matrix {
+    rows: Vec<[Rational; 3]>,
+    /// The rows on the `linearity` line, from 1.
+    linear: Vec<usize>,
+}
+
+impl Matrix {
+    fn push(&mut self, row: [Rational; 3]) {
+        self.rows.push(row);
+    }
+
+    fn push_linear(&mut self, row: [Rational; 3]) {
+        self.rows.push(row);
+        self.linear.push(self.rows.len());
+    }
+
+    /// The file, with `integer` when every number is one.
+    fn text(&self, representation: &str) -> String {
+        let mut text = format!("{representation}\n");
+        if !self.linear.is_empty() {
+            text += &format!("linearity {}", self.linear.len());
+            self.linear.iter().for_each(|row| text += &format!(" {row}"));
+            text.push('\n');
+        }
+        let whole = self.rows.iter().flatten().all(|number| number.denominator() == 1.into());
+        let kind = if whole { "integer" } else { "rational" };
+        text += &format!("begin\n{} 3 {kind}\n", self.rows.len());
+        for [first, second, third] in &self.rows {
+            // Writing to a String never fails.
+            let _ = writeln!(text, "{first} {second} {third}");
+        }
+        text + "end\n"
+    }
+}
+
+/// A minimal H-representation: a row `b -a1 -a2` for each irredundant inequality a1·θ1 + a2·θ2 ≤ b, with the numbers as
+/// given. Exact.
+///
+/// A set within a line has its equations as linearity rows: one for the line, two for a point. The plane has the row
+/// `1 0 0`, since lrs takes no matrix without rows; the empty set has the at most three inequalities that prove it empty.
+/// Cost: linear.
+pub fn h_representation(polyhedron: &Polyhedron) -> String {
+    let inequalities = polyhedron.system().inequalities();
+    let row = |Inequality { a: [a1, a2], b }: &Inequality| [b.clone(), -a1, -a2];
+    let mut matrix = Matrix::default();
+    match polyhedron.region() {
+        Region::Plane => matrix.push([1, 0, 0].map(Rational::from)),
+        Region::Point(_) => {
+            for point in polyhedron.region().vertices() {
+                let [theta1, theta2] = point.point().coordinates();
+                matrix.push_linear([-theta1, Rational::one(), Rational::zero()]);
+                matrix.push_linear([-theta2, Rational::zero(), Rational::one()]);
+            }
+        }
+        region => {
+            let irredundant = polyhedron.irredundant();
+            let constraints = polyhedron.system().constraints();
+            let opposite = |index: usize| match constraints.get(index) {
+                Some(Constraint::HalfPlane(half_plane)) => {
+                    let opposite = Constraint::HalfPlane(half_plane.opposite());
+                    irredundant.iter().copied().find(|&other| constraints.get(other) == Some(&opposite))
+                }
+                _ => None,
+            };
+            let is_flat = matches!(region, Region::Segment(_) | Region::Ray(_) | Region::Line(_));
+            for &index in &irredundant {
+                let Some(inequality) = inequalities.get(index) else { continue };
+                match opposite(index).filter(|_| is_flat) {
+                    Some(other) if other < index => {}
+                    Some(_) => matrix.push_linear(row(inequality)),
+                    None => matrix.push(row(inequality)),
+                }
+            }
+        }
+    }
+    matrix.text("H-representation")
+}
+
+/// A minimal V-representation: the vertices as rows `1 x y` in their order, then rays and lines `0 x y`, the lines as
+/// linearity rows. Exact.
+///
+/// A set without vertices has the points of its boundary lines nearest to the origin in their place, the plane the
+/// origin. The empty set has no row, as cdd writes it; neither cdd nor lrs reads that. Cost: linear.
+pub fn v_representation(polyhedron: &Polyhedron) -> String {
+    let region = polyhedron.region();
+    let mut matrix = Matrix::default();
+    let mut push_point = |point: &Point| {
+        let [theta1, theta2] = point.coordinates();
+        matrix.push([Rational::one(), theta1, theta2]);
+    };
+    region.vertices().iter().for_each(|vertex| push_point(vertex.point()));
+    region.boundaries().iter().for_each(|boundary| push_point(&foot(boundary.half_plane())));
+    if matches!(region, Region::Plane) {
+        push_point(&Point::origin());
+    }
+    let row = |along: &Direction| [Rational::zero(), Rational::from(along.dx()), Rational::from(along.dy())];
+    region.rays().iter().for_each(|ray| matrix.push(row(ray)));
+    region.lines().iter().for_each(|line| matrix.push_linear(row(line)));
+    matrix.text("V-representation")
+}
