@@ -85,9 +85,14 @@ fn exact_claim(axis: usize, outcome: ExactOutcome, rows: usize) -> BoundClaim {
     match outcome {
         ExactOutcome::Optimal { theta, multipliers, .. } => {
             let mut duals = vec![0.0; rows];
-            multipliers.iter().for_each(|multiplier| duals[multiplier.row] = multiplier.value.to_f64());
+            for multiplier in multipliers {
+                if let Some(dual) = duals.get_mut(multiplier.row) {
+                    *dual = multiplier.value.to_f64();
+                }
+            }
+            let [theta1, theta2] = &theta;
             BoundClaim {
-                claimed: Claimed::Value(theta[axis].clone()),
+                claimed: Claimed::Value(if axis == 0 { theta1 } else { theta2 }.clone()),
                 point: Some(theta),
                 duals: Some(duals),
             }
@@ -108,8 +113,9 @@ fn float_claim(axis: usize, outcome: Outcome) -> BoundClaim {
             let [theta1, theta2] = theta.map(Rational::from_f64);
             match theta1.zip(theta2) {
                 Some((theta1, theta2)) => {
-                    let point = [theta1, theta2];
-                    BoundClaim { claimed: Claimed::Value(point[axis].clone()), point: Some(point), duals }
+                    let end = if axis == 0 { &theta1 } else { &theta2 };
+                    let claimed = Claimed::Value(end.clone());
+                    BoundClaim { claimed, point: Some([theta1, theta2]), duals }
                 }
                 None => nothing("an optimum that is not finite"),
             }

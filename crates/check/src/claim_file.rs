@@ -1,39 +1,11 @@
-//! Claims brought from elsewhere.
+//! Claims about all four ends at once: JSON files and texts.
 
-use boundfit_exact::{Limits, ParseNumberError, Rational, Reading};
+use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_lp::{BoundClaim, Claimed};
 use serde::Deserialize;
-use thiserror::Error;
 
 use crate::answer::{Answer, nothing};
-
-/// Why a claim cannot be used.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum ClaimError {
-    /// Not JSON, or not of the form of a claim.
-    #[error(
-        "{0} (expected {{\"source\": \"...\", \"status\": \"optimal|infeasible|unbounded\", \"pui\": [[LO, HI], [LO, HI]]}})"
-    )]
-    Json(#[from] serde_json::Error),
-    /// A text that should be a number.
-    #[error("{text:?} is not a number: {error}")]
-    Number {
-        /// The text.
-        text: String,
-        /// What is wrong with it.
-        error: ParseNumberError,
-    },
-    /// A status that is none.
-    #[error("{0:?} is not a status (expected optimal, infeasible, unbounded or infeasible-or-unbounded)")]
-    Status(String),
-    /// An optimum without a value.
-    #[error("the status is optimal, but there is neither \"pui\" nor \"points\"")]
-    NoValue,
-    /// A number of values other than four.
-    #[error("{0} values (expected four: LO1,HI1,LO2,HI2, each a number, inf or -inf)")]
-    Count(usize),
-}
+use crate::claims::{ClaimError, ClaimLimits};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -54,29 +26,28 @@ enum NumberOrText {
 }
 
 impl NumberOrText {
-    fn exact(&self) -> Result<Rational, ClaimError> {
+    fn exact(&self, limits: &Limits) -> Result<Rational, ClaimError> {
         match self {
             // JSON has no infinities and no NaN.
             NumberOrText::Number(value) => Ok(Rational::from_f64(*value).unwrap_or_default()),
-            NumberOrText::Text(text) => number(text),
+            NumberOrText::Text(text) => number(text, limits),
         }
     }
 }
 
-fn number(text: &str) -> Result<Rational, ClaimError> {
-    Reading::Decimal
-        .read(text, &Limits::default())
-        .map_err(|error| ClaimError::Number { text: text.to_owned(), error })
+fn number(text: &str, limits: &Limits) -> Result<Rational, ClaimError> {
+    Reading::Decimal.read(text, limits).map_err(|error| ClaimError::Number { text: text.to_owned(), error })
 }
 
-/// Reads a claims file. `name` stands in for a missing source. A missing or null end of an optimal answer is claimed
+/// Reads a claims file in JSON. `name` stands in for a missing source. A missing or null end of an optimal answer is claimed
 /// unbounded; without `pui` the ends are read off the points, which come in the order of the four programs: minimum and
 /// maximum of θ1, then of θ2.
 ///
 /// # Errors
 /// What is wrong with the file.
-pub fn parse_claim_file(text: &str, name: &str) -> Result<Answer, ClaimError> {
-    let file: ClaimFile = serde_json::from_str(text)?;
+pub(crate) fn parse_claim_file(text: &str, name: &str, limits: &ClaimLimits) -> Result<Answer, ClaimError> {
+    check_nesting(text, limits.nesting)?;
+    let file: ClaimFile = serde_json::from_str(text.trim_start_matches('\u{feff}'))?;
     let source = file.source.clone().unwrap_or_else(|| name.to_owned());
     let status = match file.status.as_deref() {
         None | Some("optimal") => None,
@@ -93,23 +64,45 @@ pub fn parse_claim_file(text: &str, name: &str) -> Result<Answer, ClaimError> {
             return Ok(BoundClaim { claimed: status.clone(), point: None, duals: None });
         }
         let number = 2 * axis + end;
-        let point = match file.points.as_ref().and_then(|points| points[number].as_ref()) {
-            Some([theta1, theta2]) => Some([theta1.exact()?, theta2.exact()?]),
+        let point = match file.points.as_ref().and_then(|points| points.get(number)?.as_ref()) {
+            Some([theta1, theta2]) => Some([theta1.exact(&limits.number)?, theta2.exact(&limits.number)?]),
             None => None,
         };
         let claimed = match (&file.pui, &point) {
-            (Some(pui), _) => match &pui[axis][end] {
-                Some(value) => Claimed::Value(value.exact()?),
+            (Some(pui), _) => match pui.get(axis).and_then(|ends| ends.get(end)?.as_ref()) {
+                Some(value) => Claimed::Value(value.exact(&limits.number)?),
                 None => Claimed::Unbounded,
             },
-            (None, Some(point)) => Claimed::Value(point[axis].clone()),
+            (None, Some(point)) => Claimed::Value(point.get(axis).cloned().unwrap_or_default()),
             (None, None) => return Ok(nothing("no point given")),
         };
-        let duals = file.duals.as_ref().and_then(|duals| duals[number].clone());
+        let duals = file.duals.as_ref().and_then(|duals| duals.get(number)?.clone());
         Ok(BoundClaim { claimed, point, duals })
     };
     let claims = [[claim(0, 0)?, claim(0, 1)?], [claim(1, 0)?, claim(1, 1)?]];
     Ok(Answer { source, exact_input: false, claims })
+}
+
+/// Refuses JSON that is nested too deep, before it is read. What stands in a text does not count.
+fn check_nesting(text: &str, limit: usize) -> Result<(), ClaimError> {
+    let (mut depth, mut is_text, mut is_escaped) = (0_usize, false, false);
+    let (mut line, mut column) = (1, 0);
+    for byte in text.bytes() {
+        column += 1;
+        match byte {
+            _ if is_escaped => is_escaped = false,
+            b'\\' if is_text => is_escaped = true,
+            b'"' => is_text = !is_text,
+            b'[' | b'{' if !is_text => depth += 1,
+            b']' | b'}' if !is_text => depth = depth.saturating_sub(1),
+            b'\n' => (line, column) = (line + 1, 0),
+            _ => {}
+        }
+        if depth > limit {
+            return Err(ClaimError::Nesting { limit, line, column });
+        }
+    }
+    Ok(())
 }
 
 /// Reads `LO1,HI1,LO2,HI2`. `-inf` as a lower and `inf` as an upper end claim that it is unbounded.
@@ -123,7 +116,8 @@ pub fn parse_claim_pui(text: &str) -> Result<Answer, ClaimError> {
     };
     let claim = |text: &str, unbounded: &[&str]| -> Result<BoundClaim, ClaimError> {
         let unbounded = unbounded.contains(&text.to_ascii_lowercase().as_str());
-        let claimed = if unbounded { Claimed::Unbounded } else { Claimed::Value(number(text)?) };
+        let claimed =
+            if unbounded { Claimed::Unbounded } else { Claimed::Value(number(text, &Limits::default())?) };
         Ok(BoundClaim { claimed, point: None, duals: None })
     };
     let lower = |text: &str| claim(text, &["-inf", "-infinity"]);

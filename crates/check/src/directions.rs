@@ -73,7 +73,8 @@ fn hull(mut points: Vec<Point>) -> Approximation {
     points.sort_by(lexicographic);
     points.dedup();
     let corners = Hulls::of_sorted(&points, |point| point).corners();
-    let vertices: Vec<[Rational; 2]> = corners.into_iter().map(|k| points[k].coordinates()).collect();
+    let vertices: Vec<[Rational; 2]> =
+        corners.into_iter().filter_map(|k| points.get(k)).map(Point::coordinates).collect();
     let next = vertices.iter().cycle().skip(1);
     let doubled: Rational = vertices.iter().zip(next).map(|(p, q)| &p[0] * &q[1] - &p[1] * &q[0]).sum();
     Approximation { vertices, area: Some(doubled.half()) }

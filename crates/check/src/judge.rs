@@ -80,7 +80,10 @@ pub fn check(problem: &Problem, reading: Reading, options: &CheckOptions) -> Res
     let judged = |answer: &Answer, referee: &Referee, reading: Reading| JudgedAnswer {
         source: answer.source.clone(),
         reading,
-        bounds: [0, 1].map(|axis| referee.judge_interval(axis, &answer.claims[axis])),
+        bounds: {
+            let [theta1, theta2] = &answer.claims;
+            [referee.judge_interval(0, theta1), referee.judge_interval(1, theta2)]
+        },
     };
     let mut judged_answers = Vec::new();
     for answer in &answers {

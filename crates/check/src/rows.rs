@@ -43,10 +43,19 @@ impl ProgramRows {
         self.rows.iter().map(|row| row.row.clone()).collect()
     }
 
+    /// The names of the rows.
+    pub fn names(&self) -> &[BoundName] {
+        &self.names
+    }
+
     /// The name of a row.
     ///
     /// # Panics
     /// When there is no such row.
+    #[allow(
+        clippy::indexing_slicing,
+        reason = "documented to panic; rows are counted by the referee of the same rows"
+    )]
     pub fn name(&self, row: usize) -> BoundName {
         self.names[row]
     }

@@ -3,8 +3,12 @@
 //! [`Program`] is `min c·θ` subject to `a·θ ≤ b`. [`exact_simplex`] solves it in rational arithmetic with a proof of
 //! every outcome; it shares nothing with the polygon engine and is its independent witness. [`Solver`] is one interface
 //! to floating-point solvers, which receive the program rounded to binary64. [`Referee`] says, exactly and with a named
-//! reason, what an answer is worth, whoever gave it.
+//! reason, what an answer is worth, whoever gave it. [`ExchangeProgram`] writes a program exactly for solvers elsewhere.
 
+// What reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
+#![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
+
+mod exchange;
 mod outcome;
 mod program;
 mod referee;
@@ -13,6 +17,7 @@ mod solvers;
 mod standard_form;
 mod verdict;
 
+pub use exchange::{ExchangeFormat, ExchangeProgram, ExchangeRow, Sense};
 pub use outcome::{ExactOutcome, Multiplier, Optimum, Outcome};
 pub use program::{FloatProgram, Program, Row, pui_objectives, spread_objectives};
 pub use referee::{BoundClaim, Claimed, End, Referee, RefereeRow};

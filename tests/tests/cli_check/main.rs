@@ -4,6 +4,7 @@ mod claims;
 mod commands;
 mod refusals;
 mod report;
+mod solutions;
 
 use boundfit_tests::program::{Run, run};
 use serde_json::Value;

@@ -1,26 +1,26 @@
 //! `boundfit check`.
 
 use std::fs;
-use std::io::Read;
+use std::io::{self, Read};
+use std::path::Path;
 use std::time::Duration;
 
-use boundfit_check::{Answer, CheckOptions, check, parse_claim_file, parse_claim_pui, source_names};
+use boundfit_check::{
+    CheckOptions, ClaimLimits, ClaimText, check, is_solution_name, parse_claim_pui, read_claims, source_names,
+};
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_lp::Verdict;
 use boundfit_report::{check_json, check_text};
 
 use crate::CommandResult;
-use crate::arguments::{CheckArguments, Format};
+use crate::arguments::{CheckArguments, Format, number_problem};
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
 
-/// The largest claims file that is read, in bytes.
-const LARGEST_CLAIM: u64 = 1 << 28;
-
 /// Reads the data and the claims, runs the solvers, judges and writes the report.
 pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
-    let reading = arguments.data.table.reading();
+    let reading = arguments.data.reading();
     let options = options(arguments)?;
     let problem = arguments.data.problem()?;
     let check = while_working("solving", || check(&problem, reading, &options));
@@ -34,22 +34,31 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
     Ok(if check.worst(reading).is_some_and(Verdict::is_refutation) { Exit::Refuted } else { Exit::Answer })
 }
 
+/// How much a claim may be off. Limits that are lower than usual are meant for the data: they leave this alone.
+fn tolerance(arguments: &CheckArguments) -> Result<Rational, Failure> {
+    let refuse = |problem: String| Failure::value("--tolerance <NUM>", &arguments.tolerance, problem);
+    let (asked, usual) = (arguments.data.table.limits.number(), Limits::default());
+    let limits =
+        Limits { digits: asked.digits.max(usual.digits), exponent: asked.exponent.max(usual.exponent) };
+    let expected = "expected a number that is at least 0, such as 1e-6";
+    let tolerance = Reading::Decimal.read(&arguments.tolerance, &limits);
+    let tolerance = tolerance.map_err(|error| refuse(number_problem(&error, expected)))?;
+    if tolerance.is_negative() { Err(refuse("negative".to_owned())) } else { Ok(tolerance) }
+}
+
 fn options(arguments: &CheckArguments) -> Result<CheckOptions, Failure> {
-    let mut answers = Vec::new();
-    for file in &arguments.claims {
-        answers.push(read_claim(file)?);
+    let limits = &arguments.data.table.limits;
+    let limits = ClaimLimits { number: limits.number(), nesting: limits.sizes().nesting };
+    let mut claims = Vec::new();
+    for file in claim_files(&arguments.claims)? {
+        claims.push(read_claim(file, arguments.max_claim_size)?);
     }
+    let mut answers = read_claims(&claims, &limits).map_err(Failure::data)?;
     for text in &arguments.claimed_pui {
         let answer = parse_claim_pui(text);
         answers.push(answer.map_err(|error| Failure::value("--claim-pui <LO1,HI1,LO2,HI2>", text, error))?);
     }
-    let tolerance = &arguments.tolerance;
-    let tolerance = Reading::Decimal.read(tolerance, &Limits::default()).map_err(|error| {
-        Failure::value("--tolerance <NUM>", tolerance, format_args!("not a number: {error}"))
-    })?;
-    if tolerance < Rational::zero() {
-        return Err(Failure::value("--tolerance <NUM>", &arguments.tolerance, "negative"));
-    }
+    let tolerance = tolerance(arguments)?;
     // Without a word about whom to judge, everybody is.
     let solvers = if arguments.solvers.is_empty() && answers.is_empty() && arguments.directions.is_none() {
         source_names()
@@ -65,14 +74,44 @@ fn options(arguments: &CheckArguments) -> Result<CheckOptions, Failure> {
     })
 }
 
-fn read_claim(file: &str) -> Result<Answer, Failure> {
-    let mut text = String::new();
-    let opened =
-        fs::File::open(file).map_err(|error| Failure::data(format_args!("{file}: cannot read: {error}")))?;
-    let read = opened.take(LARGEST_CLAIM + 1).read_to_string(&mut text);
-    read.map_err(|error| Failure::data(format_args!("{file}: cannot read: {error}")))?;
-    if text.len() as u64 > LARGEST_CLAIM {
-        return Err(Failure::data(format_args!("{file}: larger than {LARGEST_CLAIM} bytes (the limit)")));
+/// The files asked for, and of each folder those that answer one of the four programs, by name.
+fn claim_files(asked: &[String]) -> Result<Vec<String>, Failure> {
+    let mut files = Vec::new();
+    for name in asked {
+        if !Path::new(name).is_dir() {
+            files.push(name.clone());
+            continue;
+        }
+        let fail = |error| Failure::data(format_args!("{name}: cannot read: {error}"));
+        let entries = fs::read_dir(name).map_err(fail)?.collect::<Result<Vec<_>, _>>().map_err(fail)?;
+        let paths = entries.into_iter().map(|entry| entry.path());
+        let mut found: Vec<String> = paths
+            .filter(|path| path.is_file() && is_solution_name(path))
+            .map(|path| path.to_string_lossy().into_owned())
+            .collect();
+        if found.is_empty() {
+            return Err(Failure::data(format_args!(
+                "{name}: no solution is in this folder (expected files named after theta1-min, theta1-max, theta2-min, theta2-max)"
+            )));
+        }
+        found.sort();
+        files.extend(found);
     }
-    parse_claim_file(&text, file).map_err(|error| Failure::data(format_args!("{file}: {error}")))
+    Ok(files)
+}
+
+fn read_claim(file: String, largest: u64) -> Result<ClaimText, Failure> {
+    let unreadable = |error: io::Error| Failure::data(format_args!("{file}: cannot read: {error}"));
+    let mut bytes = Vec::new();
+    let opened = fs::File::open(&file).map_err(unreadable)?;
+    opened.take(largest.saturating_add(1)).read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() as u64 > largest {
+        return Err(Failure::data(format_args!(
+            "{file}: larger than {largest} bytes (the limit; --max-claim-size raises it)"
+        )));
+    }
+    match String::from_utf8(bytes) {
+        Ok(text) => Ok(ClaimText { file, text }),
+        Err(_) => Err(Failure::data(format_args!("{file}: this is no text in UTF-8"))),
+    }
 }

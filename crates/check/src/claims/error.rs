@@ -1,0 +1,138 @@
+//! What can be wrong with a claim.
+
+use boundfit_exact::ParseNumberError;
+use thiserror::Error;
+
+use crate::target::Target;
+
+/// Why a claim cannot be used.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ClaimError {
+    /// Not JSON, or not of the form of a claim.
+    #[error(
+        "{0} (expected {{\"source\": \"...\", \"status\": \"optimal|infeasible|unbounded\", \"pui\": [[LO, HI], [LO, HI]]}})"
+    )]
+    Json(#[from] serde_json::Error),
+    /// JSON with arrays or objects too deep inside each other.
+    #[error(
+        "nested deeper than {limit} levels (the limit; --max-nesting raises it) at line {line} column {column}"
+    )]
+    Nesting {
+        /// The deepest level that is read.
+        limit: usize,
+        /// The line of the bracket that is too much, from 1.
+        line: usize,
+        /// Its byte in the line, from 1.
+        column: usize,
+    },
+    /// A text that should be a number.
+    #[error("{text:?} is not a number: {error}")]
+    Number {
+        /// The text.
+        text: String,
+        /// What is wrong with it.
+        error: ParseNumberError,
+    },
+    /// A status that is none.
+    #[error("{0:?} is not a status (expected optimal, infeasible, unbounded or infeasible-or-unbounded)")]
+    Status(String),
+    /// An optimum without a value.
+    #[error("the status is optimal, but there is neither \"pui\" nor \"points\"")]
+    NoValue,
+    /// A number of values other than four.
+    #[error("{0} values (expected four: LO1,HI1,LO2,HI2, each a number, inf or -inf)")]
+    Count(usize),
+    /// Content of no known kind.
+    #[error(
+        "this is no claim (expected JSON, or a solution as GLPK, HiGHS, CBC, SCIP or, in XML, CPLEX writes it)"
+    )]
+    UnknownFormat,
+    /// A line of a solution file that is not understood.
+    #[error("line {line}: {text:?} (expected {expected}, as {format} writes it)")]
+    Line {
+        /// Who writes such files.
+        format: &'static str,
+        /// From 1.
+        line: usize,
+        /// The line, cut where it is long.
+        text: String,
+        /// What would be accepted.
+        expected: &'static str,
+    },
+    /// A number of a solution file that is none, or beyond a limit.
+    #[error("line {line}: {text:?}: {error}{} (expected a number, as {format} writes it)", flag(.error))]
+    NumberAt {
+        /// Who writes such files.
+        format: &'static str,
+        /// From 1.
+        line: usize,
+        /// The number, cut where it is long.
+        text: String,
+        /// What is wrong with it.
+        error: ParseNumberError,
+    },
+    /// A solution file that stops too early.
+    #[error("the file stops without {missing}, which {format} writes")]
+    End {
+        /// Who writes such files.
+        format: &'static str,
+        /// What is not there.
+        missing: &'static str,
+    },
+    /// XML that is none.
+    #[error("{0} (expected a <CPLEXSolution>, as CPLEX writes it)")]
+    Xml(#[from] roxmltree::Error),
+    /// Nothing says which program the file answers.
+    #[error(
+        "nothing says which of the four programs this answers (expected theta1-min, theta1-max, theta2-min or theta2-max in the file's name)"
+    )]
+    NoTarget,
+    /// The name says one program and the content another.
+    #[error("the file is named after {} and answers {}", .named.name(), .inside.name())]
+    OtherTarget {
+        /// The program that the file's name says.
+        named: Target,
+        /// The program that its content says.
+        inside: Target,
+    },
+    /// Two files of one solver for one program.
+    #[error("{} is answered by {other} already", .target.name())]
+    Twice {
+        /// The program.
+        target: Target,
+        /// The other file.
+        other: String,
+    },
+}
+
+/// A claims file that cannot be used, and why.
+#[derive(Debug, Error)]
+#[error("{file}: {problem}")]
+pub struct ClaimFileError {
+    /// The file, as it was named.
+    pub file: String,
+    /// What is wrong with it.
+    #[source]
+    pub problem: ClaimError,
+}
+
+/// The option that raises the limit that a number passes.
+fn flag(error: &ParseNumberError) -> &'static str {
+    use boundfit_exact::ParseNumberErrorKind::{ExponentTooLarge, TooManyDigits};
+    match error.kind {
+        TooManyDigits(_) => "; --max-digits raises it",
+        ExponentTooLarge(_) => "; --max-exponent raises it",
+        _ => "",
+    }
+}
+
+/// A text, cut where it is long.
+pub(super) fn quoted(text: &str) -> String {
+    const LONGEST: usize = 60;
+    let text = text.trim();
+    match text.char_indices().nth(LONGEST).and_then(|(end, _)| text.split_at_checked(end)) {
+        Some((start, _)) => format!("{start}..."),
+        None => text.to_owned(),
+    }
+}

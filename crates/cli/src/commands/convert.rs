@@ -1,0 +1,127 @@
+//! `boundfit convert`.
+
+use std::fs;
+use std::path::Path;
+
+use boundfit_check::{ExchangeRows, ProgramRows, Target};
+use boundfit_estimation::{ErrorBound, Model, Problem};
+use boundfit_lp::ExchangeFormat;
+
+use crate::CommandResult;
+use crate::arguments::{ConvertArguments, ObjectiveName, ProgramFormat};
+use crate::commands::plot::write_all;
+use crate::exit::{Exit, Failure};
+use crate::output;
+use crate::progress::while_working;
+
+/// Where programs go.
+enum Destination<'a> {
+    /// One program to a file, or to standard output.
+    One(Target, Option<&'a str>),
+    /// All programs into a folder.
+    All(&'a str),
+}
+
+/// Reads the data and writes the programs that are asked for.
+pub(crate) fn run(arguments: &ConvertArguments) -> CommandResult {
+    let destination = destination(arguments)?;
+    let problem = arguments.data.problem()?;
+    let rows = ExchangeRows::new(&ProgramRows::new(&problem));
+    let format = match arguments.to {
+        ProgramFormat::Mps => ExchangeFormat::Mps,
+        ProgramFormat::Lp => ExchangeFormat::Lp,
+    };
+    let about = comments(arguments, &problem);
+    let text = |target: Target| {
+        let comments: Vec<String> = [heading(target)].into_iter().chain(about.iter().cloned()).collect();
+        while_working("writing", || rows.text(target, format, &comments))
+    };
+    match destination {
+        Destination::One(target, file) => output::write(text(target), file)?,
+        Destination::All(folder) => {
+            fs::create_dir_all(folder)
+                .map_err(|error| Failure::data(format_args!("{folder}: cannot create: {error}")))?;
+            let files = Target::ALL.map(|target| {
+                let file = Path::new(folder).join(format!("{}.{}", target.name(), extension(arguments.to)));
+                file.to_string_lossy().into_owned()
+            });
+            let texts: Vec<Vec<u8>> =
+                Target::ALL.into_iter().map(|target| text(target).into_bytes()).collect();
+            write_all(folder, &files, &texts)?;
+        }
+    }
+    Ok(Exit::Answer)
+}
+
+/// What goes where.
+fn destination(arguments: &ConvertArguments) -> Result<Destination<'_>, Failure> {
+    let file = arguments.output.as_deref().filter(|file| *file != "-");
+    if let Some(objective) = arguments.objective {
+        return Ok(Destination::One(target(objective), file));
+    }
+    let folder = file.ok_or_else(|| {
+        Failure::Usage(
+            "a fit makes four programs: name a folder for them with '--output <DIR>', or one of them with '--objective'"
+                .to_owned(),
+        )
+    })?;
+    let ending =
+        Path::new(folder).extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
+    let is_file_name = ending.is_some_and(|ending| ending == "mps" || ending == "lp");
+    if is_file_name && !Path::new(folder).is_dir() {
+        let problem =
+            "a fit makes four programs (expected a folder for them, or '--objective' for one of them)";
+        return Err(Failure::value("--output <DIR|FILE>", folder, problem));
+    }
+    Ok(Destination::All(folder))
+}
+
+fn target(name: ObjectiveName) -> Target {
+    match name {
+        ObjectiveName::Theta1Min => Target::Theta1Min,
+        ObjectiveName::Theta1Max => Target::Theta1Max,
+        ObjectiveName::Theta2Min => Target::Theta2Min,
+        ObjectiveName::Theta2Max => Target::Theta2Max,
+    }
+}
+
+fn extension(format: ProgramFormat) -> &'static str {
+    match format {
+        ProgramFormat::Mps => "mps",
+        ProgramFormat::Lp => "lp",
+    }
+}
+
+/// What the program asks for.
+fn heading(target: Target) -> String {
+    let what = match target {
+        Target::Theta1Min => "the smallest theta1",
+        Target::Theta1Max => "the largest theta1, as the smallest -theta1",
+        Target::Theta2Min => "the smallest theta2",
+        Target::Theta2Max => "the largest theta2, as the smallest -theta2",
+    };
+    format!("{}: {what}, that agrees with every reading", target.name())
+}
+
+/// Where the rows come from.
+fn comments(arguments: &ConvertArguments, problem: &Problem) -> Vec<String> {
+    let measurements = &problem.measurements;
+    let bound = match measurements.error_bound() {
+        ErrorBound::Uniform(epsilon) => epsilon.to_string(),
+        ErrorBound::PerRow(column) => column.clone(),
+    };
+    let rows = arguments.data.rows_asked().map(|rows| format!(", rows {rows}")).unwrap_or_default();
+    let y = measurements.response();
+    let line = match measurements.model() {
+        Model::Line { x } => format!("theta1*{x} + theta2"),
+        Model::TwoRegressors { regressors: [first, second] } => format!("theta1*{first} + theta2*{second}"),
+    };
+    let mut comments = vec![
+        format!("model: {y} = {line} + e, |e| <= {bound}"),
+        format!("data: {}{rows}, every row of them", arguments.data.file_name()),
+        format!("reading: {}; no number is rounded", arguments.data.reading().name()),
+    ];
+    let conditions = (1..).zip(&problem.conditions);
+    comments.extend(conditions.map(|(number, condition)| format!("where_{number}: {}", condition.text())));
+    comments
+}
