@@ -7,7 +7,8 @@ fn check(expected: &str, arguments: &[&str], status: i32) {
     let run = run(arguments);
     assert_eq!((run.status, run.stderr.as_str()), (status, ""), "{arguments:?}");
     let file = root().join("fixtures").join(expected);
-    Assert::new().action_env("SNAPSHOTS").eq(run.stdout, Data::read_from(&file, None));
+    // A backslash is one, not part of a path.
+    Assert::new().action_env("SNAPSHOTS").normalize_paths(false).eq(run.stdout, Data::read_from(&file, None));
 }
 
 #[test]
@@ -33,4 +34,26 @@ fn norris_is_empty_at_one_unit() {
     let fit = ["fit", "fixtures/norris/norris.csv", "--x", "x", "--y", "y", "--eps", "1"];
     check("norris/fit.txt", &fit, 3);
     check("norris/fit.json", &[&fit[..], &["--format", "json"]].concat(), 3);
+}
+
+#[test]
+fn documents() {
+    let transducer =
+        ["fit", "fixtures/transducer/transducer.csv", "--x", "Vz", "--y", "z", "--rows", "14..36"];
+    let transducer = [&transducer[..], &["--eps", "0.5e-3", "--sweep", "0.75..0.9"]].concat();
+    let empty = ["fit", "fixtures/hard-lp/empty-by-1e-9.csv", "--x", "x", "--y", "y", "--eps", "0.373923265"];
+    let unbounded = ["fit", "fixtures/claims/strip.csv", "--x", "x", "--y", "y", "--eps", "0.2", "--exact"];
+    let house = ["polygon", "fixtures/polygon/house.ine"];
+    let cases = [
+        ("transducer", &transducer[..], 0),
+        ("empty", &empty, 3),
+        ("strip", &unbounded, 0),
+        ("house", &house, 0),
+    ];
+    for (name, arguments, status) in cases {
+        for (format, ending) in [("latex", "tex"), ("markdown", "md")] {
+            let file = format!("documents/{name}.{ending}");
+            check(&file, &[arguments, &["--format", format]].concat(), status);
+        }
+    }
 }

@@ -4,6 +4,7 @@ use std::fs::File;
 use std::io::{self, Read, Seek};
 
 use crate::error::{InputError, Place, Problem};
+use crate::mat::{START, kind_of};
 use crate::source::{STANDARD_INPUT, Source};
 
 /// A format of columns in binary.
@@ -15,6 +16,8 @@ pub(crate) enum BinaryFormat {
     ArrowFile,
     /// Apache Arrow IPC as a sequence of messages.
     ArrowStream,
+    /// MATLAB's `.mat`, of any version.
+    Matlab,
 }
 
 impl BinaryFormat {
@@ -26,7 +29,13 @@ impl BinaryFormat {
             // A continuation marker; no text in UTF-8 starts so.
             (b"\xff\xff\xff\xff", BinaryFormat::ArrowStream),
         ];
-        magic.iter().find(|(magic, _)| start.starts_with(magic)).map(|&(_, format)| format)
+        let arrow = magic.iter().find(|(magic, _)| start.starts_with(magic)).map(|&(_, format)| format);
+        arrow.or_else(|| kind_of(start).map(|_| BinaryFormat::Matlab))
+    }
+
+    /// Whether this is MATLAB's, which every build reads.
+    pub(crate) fn is_matlab(self) -> bool {
+        self == BinaryFormat::Matlab
     }
 
     /// The name with its article.
@@ -35,12 +44,12 @@ impl BinaryFormat {
             BinaryFormat::Parquet => "a Parquet file",
             BinaryFormat::ArrowFile => "an Arrow IPC file",
             BinaryFormat::ArrowStream => "an Arrow IPC stream",
+            BinaryFormat::Matlab => "a MATLAB file",
         }
     }
 }
 
 /// A file in a binary format that this build can read.
-#[cfg_attr(not(feature = "arrow"), allow(dead_code, reason = "no build without the feature makes one"))]
 pub(crate) struct BinaryTable {
     pub(crate) format: BinaryFormat,
     pub(crate) file: File,
@@ -50,14 +59,15 @@ impl BinaryTable {
     /// The table in a file that stands at its start and is left there. Only a regular file is looked into: nothing else
     /// can be read from its start again.
     pub(crate) fn of(mut file: &File) -> io::Result<Option<Self>> {
-        if !cfg!(feature = "arrow") || !file.metadata()?.is_file() {
+        if !file.metadata()?.is_file() {
             return Ok(None);
         }
         let mut start = Vec::new();
-        file.take(8).read_to_end(&mut start)?;
+        file.take(START as u64).read_to_end(&mut start)?;
         file.rewind()?;
+        let is_read = |format: &BinaryFormat| cfg!(feature = "arrow") || format.is_matlab();
         let table = |format| Ok(BinaryTable { format, file: file.try_clone()? });
-        BinaryFormat::of(&start).map(table).transpose()
+        BinaryFormat::of(&start).filter(is_read).map(table).transpose()
     }
 }
 
@@ -65,7 +75,9 @@ impl BinaryTable {
 pub(crate) fn refuse_binary(file: &str, start: &[u8]) -> Result<(), InputError> {
     let Some(format) = BinaryFormat::of(start) else { return Ok(()) };
     let instead = match file {
-        _ if !cfg!(feature = "arrow") => "this build reads text tables only (build with --features arrow)",
+        _ if !cfg!(feature = "arrow") && !format.is_matlab() => {
+            "this build reads text tables only (build with --features arrow)"
+        }
         STANDARD_INPUT => "it is read from a named file, not from standard input",
         _ => "only text is read here",
     };

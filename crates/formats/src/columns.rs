@@ -40,6 +40,16 @@ impl ColumnSelector {
         self.non_negative
     }
 
+    /// What was asked for.
+    pub(crate) fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The column's number, when that is what was asked for.
+    pub(crate) fn number(&self) -> Option<usize> {
+        self.position.filter(|_| self.is_number())
+    }
+
     fn is_number(&self) -> bool {
         !self.text.is_empty() && self.text.bytes().all(|byte| byte.is_ascii_digit())
     }

@@ -7,6 +7,7 @@ use boundfit_estimation::{
 use boundfit_exact::{Interval, Rational, Reading};
 
 use crate::advice::bounding_reading;
+use crate::document::Text;
 use crate::region::{point_text, region_text};
 use crate::style::{EndRounding, Style};
 use crate::text::{counted, list, table};
@@ -14,39 +15,51 @@ use crate::text::{counted, list, table};
 /// Why binary64 least squares is left out of a report.
 pub(crate) const NO_BINARY64: &str = "not computed, since not every reading is kept in memory";
 
-/// The report as text. `file` and `rows` say where the readings come from, in the words of the user.
-pub fn fit_text(
-    problem: &Problem,
-    fit: &Fit,
-    file: &str,
-    rows: Option<&str>,
-    reading: Reading,
-    style: &Style,
-) -> String {
+/// Where the readings come from.
+#[derive(Debug, Clone, Copy)]
+pub struct Origin<'a> {
+    /// The file, in the words of the user.
+    pub file: &'a str,
+    /// The range of rows, in the words of the user; `None` for all.
+    pub rows: Option<&'a str>,
+    /// How numbers were read.
+    pub reading: Reading,
+    /// Whether the file stores them in binary, so that they were not read from text.
+    pub is_stored: bool,
+}
+
+/// The report as text.
+pub fn fit_text(problem: &Problem, fit: &Fit, origin: &Origin, style: &Style) -> String {
     let writer = Writer::new(problem, fit, style);
     let sections = [
-        writer.heading(file, rows, reading),
-        writer.estimates(),
+        writer.heading(origin),
+        writer.estimates_text(),
         writer.feasible_set(),
-        writer.proofs(),
-        writer.remarks(),
+        writer.proofs_text(),
+        writer.remarks_text(),
     ];
     let sections: Vec<String> = sections.into_iter().filter(|section| !section.is_empty()).collect();
     sections.join("\n")
 }
 
-struct Writer<'a> {
+pub(crate) const TITLE: &str = "Set-membership fit";
+pub(crate) const FPS: &str = "Feasible parameter set (FPS)";
+pub(crate) const PROOFS: &str = "What proves each end of the PUI";
+pub(crate) const PROOF_HEADER: [&str; 3] = ["", "", "multiplier * (row and bound)"];
+
+/// Builds the parts of a report.
+pub(crate) struct Writer<'a> {
     problem: &'a Problem,
     fit: &'a Fit,
     style: &'a Style,
     /// With the digits that tell the ends of each PUI apart.
-    theta: [Style; 2],
+    pub(crate) theta: [Style; 2],
     /// With those for the range of gain and of offset.
     inverse: [Style; 2],
 }
 
 impl<'a> Writer<'a> {
-    fn new(problem: &'a Problem, fit: &'a Fit, style: &'a Style) -> Self {
+    pub(crate) fn new(problem: &'a Problem, fit: &'a Fit, style: &'a Style) -> Self {
         let inverse = fit.inverse.as_ref().map(|inverse| [&inverse.gain, &inverse.offset]);
         let inverse = [0, 1].map(|axis| match inverse.map(|inverse| inverse[axis].exact_range.as_slice()) {
             Some([range]) => style.resolving(range),
@@ -55,18 +68,30 @@ impl<'a> Writer<'a> {
         Writer { problem, fit, style, theta: style.resolving_both(fit.pui_intervals().as_ref()), inverse }
     }
 
-    fn heading(&self, file: &str, rows: Option<&str>, reading: Reading) -> String {
+    fn heading(&self, origin: &Origin) -> String {
+        let facts = self.facts(origin).into_iter();
+        let facts = facts.map(|(label, text)| format!("  {label:<7}  {}\n", text.plain()));
+        format!("{TITLE}\n{}", facts.collect::<String>())
+    }
+
+    /// What was fitted, in which way.
+    pub(crate) fn facts(&self, &Origin { file, rows, reading, is_stored }: &Origin) -> Vec<(String, Text)> {
         let measurements = &self.problem.measurements;
         let y = measurements.response();
-        let model = match measurements.model() {
-            Model::Line { x } => format!("{y} = theta1*{x} + theta2 + e"),
-            Model::TwoRegressors { regressors: [first, second] } => {
-                format!("{y} = theta1*{first} + theta2*{second} + e")
-            }
+        let (first, second) = match measurements.model() {
+            Model::Line { x } => (x, None),
+            Model::TwoRegressors { regressors: [first, second] } => (first, Some(second)),
+        };
+        let model = Text::given(y).then(Text::own(" = theta1*")).then(Text::given(first));
+        let model = match second {
+            None => model.then(Text::own(" + theta2")),
+            Some(second) => model.then(Text::own(" + theta2*")).then(Text::given(second)),
         };
         let bound = match measurements.error_bound() {
-            ErrorBound::Uniform(epsilon) => format!("|e| <= {}", self.style.given_text(epsilon)),
-            ErrorBound::PerRow(column) => format!("|e| <= {column}, one bound per row"),
+            ErrorBound::Uniform(epsilon) => Text::own(format!("|e| <= {}", self.style.given_text(epsilon))),
+            ErrorBound::PerRow(column) => {
+                Text::own("|e| <= ").then(Text::given(column)).then(Text::own(", one bound per row"))
+            }
         };
         let (used, total) = (measurements.fitted(), measurements.rows_total());
         let rows = match rows {
@@ -78,20 +103,31 @@ impl<'a> Writer<'a> {
             Some(rows) => format!("rows {rows}: {used} of {total}"),
         };
         let reading = match reading {
+            _ if is_stored => "binary64: the numbers of the file exactly as stored",
             Reading::Decimal => "decimal: numbers exactly as written",
             Reading::Binary64 => "binary64: the double nearest to each number, exactly",
         };
-        let mut text = format!(
-            "Set-membership fit\n  model    {model}\n  error    {bound}\n  data     {file}, {rows}\n  reading  {reading}\n"
-        );
-        for (number, condition) in (1..).zip(&self.problem.conditions) {
-            text.push_str(&format!("  where:{number}  {}\n", condition.text()));
-        }
-        text
+        let data = Text::given(file).then(Text::own(format!(", {rows}")));
+        let facts = [
+            ("model", model.then(Text::own(" + e"))),
+            ("error", bound),
+            ("data", data),
+            ("reading", Text::own(reading)),
+        ];
+        let conditions = (1..).zip(&self.problem.conditions);
+        let conditions =
+            conditions.map(|(number, condition)| (format!("where:{number}"), Text::given(condition.text())));
+        facts.map(|(label, text)| (label.to_owned(), text)).into_iter().chain(conditions).collect()
     }
 
-    /// The table of estimates and intervals.
-    fn estimates(&self) -> String {
+    /// The table of estimates and intervals as text.
+    fn estimates_text(&self) -> String {
+        self.estimates()
+            .map_or_else(String::new, |(header, rows)| format!("{}  {}\n", table(header, rows), self.note()))
+    }
+
+    /// The header and rows of the table of estimates and intervals.
+    pub(crate) fn estimates(&self) -> Option<(&'static [&'static str], Vec<Vec<String>>)> {
         let fit = self.fit;
         let mut rows = Vec::new();
         let of_inverse = |pick: fn(&InverseParameter) -> Option<&Rational>| {
@@ -128,12 +164,14 @@ impl<'a> Writer<'a> {
             rows.push(self.estimate_row("minimax", &minimax.theta, inverse));
         }
         if rows.is_empty() {
-            return String::new();
+            return None;
         }
-        let header = ["", "theta1", "theta2", "gain 1/theta1", "offset -theta2/theta1"];
-        let width = if fit.inverse.is_some() { 5 } else { 3 };
-        rows.iter_mut().for_each(|row| row.resize(width, String::new()));
-        table(&header[..width], rows) + &self.note()
+        let header: &[&str] = match fit.inverse {
+            Some(_) => &["", "theta1", "theta2", "gain 1/theta1", "offset -theta2/theta1"],
+            None => &["", "theta1", "theta2"],
+        };
+        rows.iter_mut().for_each(|row| row.resize(header.len(), String::new()));
+        Some((header, rows))
     }
 
     /// An estimate with gain and offset, when the model has an inverse.
@@ -169,67 +207,70 @@ impl<'a> Writer<'a> {
     }
 
     /// What the numbers of the table are.
-    fn note(&self) -> String {
+    pub(crate) fn note(&self) -> String {
         if self.style.exact {
-            return "  All numbers are exact.\n".to_owned();
+            return "All numbers are exact.".to_owned();
         }
         let digits = self.style.digits;
         let more = self.theta.iter().chain(&self.inverse).any(|style| style.digits > digits);
         let more = if more { " (more where ends would look alike)" } else { "" };
         match self.style.ends {
             EndRounding::Outward => {
-                format!("  Rounded to {digits} digits{more}; ends of intervals and errors outward.\n")
+                format!("Rounded to {digits} digits{more}; ends of intervals and errors outward.")
             }
             EndRounding::Nearest => format!(
-                "  Rounded to {digits} digits{more}, to nearest: a printed interval may be too narrow by half a unit.\n"
+                "Rounded to {digits} digits{more}, to nearest: a printed interval may be too narrow by half a unit."
             ),
         }
     }
 
     fn feasible_set(&self) -> String {
         let region = self.fit.fps.polyhedron().region();
-        let name =
-            |indices: &[usize]| indices.iter().map(|&index| self.fit.fps.name(index).to_string()).collect();
-        let mut text = format!("Feasible parameter set (FPS): {}", region_text(region, &self.theta, name));
-        if region.is_empty() {
-            text.push_str(&self.emptiness());
-        }
-        if let Some(advice) = bounding_reading(region, self.problem.measurements.model(), self.style) {
-            text.push_str(&format!("  {advice}\n"));
-        }
-        text
+        let names = |indices: &[usize]| self.names(indices);
+        let text = format!("{FPS}: {}", region_text(region, &self.theta, names));
+        let lines = self.emptiness().into_iter().chain(self.advice());
+        text + &lines.map(|line| format!("  {line}\n")).collect::<String>()
     }
 
-    /// Which rows contradict each other, and what would help.
-    fn emptiness(&self) -> String {
+    pub(crate) fn names(&self, indices: &[usize]) -> Vec<String> {
+        indices.iter().map(|&index| self.fit.fps.name(index).to_string()).collect()
+    }
+
+    /// What would bound an unbounded set.
+    pub(crate) fn advice(&self) -> Option<String> {
+        let region = self.fit.fps.polyhedron().region();
+        bounding_reading(region, self.problem.measurements.model(), self.style)
+    }
+
+    /// Which rows contradict each other, and what would help; nothing when the set is not empty.
+    pub(crate) fn emptiness(&self) -> Vec<String> {
+        if !self.fit.fps.polyhedron().region().is_empty() {
+            return Vec::new();
+        }
         let error_bound = self.problem.measurements.error_bound();
         let terms = self.fit.contradiction(error_bound).unwrap_or_default();
         let names: Vec<String> = terms.iter().map(|(name, _)| name.to_string()).collect();
         let plural = if names.len() == 1 { "cannot hold" } else { "contradict each other" };
-        let mut text = format!("  No theta meets every bound. These {plural}: {}.\n", names.join(", "));
+        let contradiction = format!("No theta meets every bound. These {plural}: {}.", names.join(", "));
         let products: Vec<String> = terms
             .iter()
             .map(|(name, multiplier)| format!("{} * ({name})", self.style.proof_text(multiplier)))
             .collect();
         let sum = self.sum_of(&terms);
-        text.push_str(&format!(
-            "  Proof: {} gives 0 <= {}.\n",
-            products.join(" + "),
-            self.style.upper_text(&sum)
-        ));
-        text.push_str(&match (&self.fit.minimax, error_bound) {
-            (None, _) => "  A larger error bound would not help.\n".to_owned(),
+        let proof = format!("Proof: {} gives 0 <= {}.", products.join(" + "), self.style.upper_text(&sum));
+        let help = match (&self.fit.minimax, error_bound) {
+            (None, _) => "A larger error bound would not help.".to_owned(),
             (Some(minimax), ErrorBound::Uniform(epsilon)) => format!(
-                "  The error bound would have to grow by {}, to at least {}.\n",
+                "The error bound would have to grow by {}, to at least {}.",
                 self.style.upper_text(&(&minimax.least - epsilon)),
                 self.style.upper_text_with_exact(&minimax.least)
             ),
             (Some(minimax), ErrorBound::PerRow(_)) => format!(
-                "  All error bounds would have to grow by a factor of at least {}.\n",
+                "All error bounds would have to grow by a factor of at least {}.",
                 self.style.upper_text_with_exact(&minimax.least)
             ),
-        });
-        text
+        };
+        vec![contradiction, proof, help]
     }
 
     /// The right-hand side of a combination of half-planes.
@@ -243,9 +284,15 @@ impl<'a> Writer<'a> {
         terms.iter().filter_map(|(name, multiplier)| Some(right_hand_side(name)? * multiplier)).sum()
     }
 
-    /// The readings behind each end of the PUI.
-    fn proofs(&self) -> String {
-        let Some(pui) = &self.fit.pui else { return String::new() };
+    /// The readings behind each end of the PUI as text.
+    fn proofs_text(&self) -> String {
+        let rows = self.proofs();
+        if rows.is_empty() { String::new() } else { format!("{PROOFS}\n{}", table(&PROOF_HEADER, rows)) }
+    }
+
+    /// The readings behind each end of the PUI as rows.
+    pub(crate) fn proofs(&self) -> Vec<Vec<String>> {
+        let Some(pui) = &self.fit.pui else { return Vec::new() };
         let mut rows = Vec::new();
         for (axis, ParameterInterval { lower, upper }) in pui.iter().enumerate() {
             let (parameter, style) = (["theta1", "theta2"][axis], &self.theta[axis]);
@@ -259,16 +306,18 @@ impl<'a> Writer<'a> {
                 rows.push(vec![format!("{parameter} {relation}"), value, products.join(" + ")]);
             }
         }
-        if rows.is_empty() {
-            return String::new();
-        }
-        format!("What proves each end of the PUI\n{}", table(&["", "", "multiplier * (row and bound)"], rows))
+        rows
     }
 
-    /// One line for each remaining result.
-    fn remarks(&self) -> String {
+    /// One line for each remaining result as text.
+    fn remarks_text(&self) -> String {
+        self.remarks().iter().map(|(label, line)| format!("{label:<14} {line}\n")).collect()
+    }
+
+    /// One line for each remaining result, some without a label.
+    pub(crate) fn remarks(&self) -> Vec<(&'static str, String)> {
         let (fit, style) = (self.fit, self.style);
-        let mut lines: Vec<(&str, String)> = Vec::new();
+        let mut lines: Vec<(&'static str, String)> = Vec::new();
         match (&fit.minimax, self.problem.measurements.error_bound()) {
             (None, _) => lines.push(("eps_min", "none: no error bound, however large, is enough".to_owned())),
             (Some(minimax), bound) => {
@@ -294,7 +343,7 @@ impl<'a> Writer<'a> {
             lines.push(("centroid", point_text(&centroid.coordinates(), &self.theta)));
         }
         lines.extend(self.least_squares_remarks());
-        lines.iter().map(|(label, line)| format!("{label:<14} {line}\n")).collect()
+        lines
     }
 
     fn least_squares_remarks(&self) -> Vec<(&'static str, String)> {

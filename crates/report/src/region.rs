@@ -101,6 +101,47 @@ pub(crate) fn direction_text(direction: &Direction) -> String {
     format!("({}, {})", direction.dx(), direction.dy())
 }
 
+/// The header of a table of vertices.
+pub(crate) const VERTEX_HEADER: [&str; 4] = ["vertex", "theta1", "theta2", "active"];
+
+/// The kind of a region, with the number of vertices where that varies.
+pub(crate) fn region_title(region: &Region) -> String {
+    match region.kind() {
+        RegionKind::Polygon | RegionKind::UnboundedPolygon => {
+            let count = counted(region.vertices().len(), "vertex", "vertices");
+            format!("{} with {count}", region.kind().name())
+        }
+        kind => kind.name().to_owned(),
+    }
+}
+
+/// The table of vertices. `styles` are those of the two coordinates; `name` gives the names of active half-planes.
+pub(crate) fn vertex_rows(
+    region: &Region,
+    [style1, style2]: &[Style; 2],
+    name: impl Fn(&[usize]) -> Vec<String>,
+) -> Vec<Vec<String>> {
+    let row = |(number, vertex): (usize, &Vertex)| {
+        let [theta1, theta2] = vertex.point().coordinates();
+        let active = list(name(vertex.active()).into_iter());
+        vec![number.to_string(), style1.text(&theta1), style2.text(&theta2), active]
+    };
+    (1..).zip(region.vertices()).map(row).collect()
+}
+
+/// Where a region goes on for ever, and which lines bound it.
+pub(crate) fn region_lines(region: &Region, name: impl Fn(&[usize]) -> Vec<String>) -> Vec<String> {
+    let rays = region.rays();
+    let rays = rays.iter().map(|ray| format!("goes on for ever in direction {}", direction_text(ray)));
+    let lines = region.lines();
+    let lines =
+        lines.iter().map(|line| format!("goes on for ever in both directions of {}", direction_text(line)));
+    let boundaries = region.boundaries().iter();
+    let boundaries =
+        boundaries.map(|boundary| format!("bounded by {}", list(name(boundary.active()).into_iter())));
+    rays.chain(lines).chain(boundaries).collect()
+}
+
 /// The region in a line, then its vertices, rays and lines. `styles` are those of the two coordinates; `name` gives the
 /// names of active half-planes.
 pub(crate) fn region_text(
@@ -108,32 +149,8 @@ pub(crate) fn region_text(
     styles: &[Style; 2],
     name: impl Fn(&[usize]) -> Vec<String>,
 ) -> String {
-    let vertices = region.vertices();
-    let mut text = match region.kind() {
-        RegionKind::Polygon | RegionKind::UnboundedPolygon => {
-            let count = counted(vertices.len(), "vertex", "vertices");
-            format!("{} with {count}", region.kind().name())
-        }
-        kind => kind.name().to_owned(),
-    };
-    text.push('\n');
-    if !vertices.is_empty() {
-        let row = |(number, vertex): (usize, &Vertex)| {
-            let [theta1, theta2] = vertex.point().coordinates();
-            let active = list(name(vertex.active()).into_iter());
-            vec![number.to_string(), styles[0].text(&theta1), styles[1].text(&theta2), active]
-        };
-        let rows = (1..).zip(vertices).map(row).collect();
-        text.push_str(&table(&["vertex", "theta1", "theta2", "active"], rows));
-    }
-    for ray in region.rays() {
-        text.push_str(&format!("  goes on for ever in direction {}\n", direction_text(&ray)));
-    }
-    for line in region.lines() {
-        text.push_str(&format!("  goes on for ever in both directions of {}\n", direction_text(&line)));
-    }
-    for boundary in region.boundaries() {
-        text.push_str(&format!("  bounded by {}\n", list(name(boundary.active()).into_iter())));
-    }
-    text
+    let vertices = table(&VERTEX_HEADER, vertex_rows(region, styles, &name));
+    let lines = region_lines(region, &name);
+    let lines: String = lines.iter().map(|line| format!("  {line}\n")).collect();
+    format!("{}\n{vertices}{lines}", region_title(region))
 }

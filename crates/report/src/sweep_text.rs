@@ -6,31 +6,63 @@ use boundfit_estimation::{
 use boundfit_exact::Rational;
 use boundfit_geometry::{Direction, RegionKind};
 
-use crate::region::direction_text;
+use crate::document::{Block, Text};
+use crate::region::{VERTEX_HEADER, direction_text};
 use crate::style::Style;
 use crate::text::{counted, list, table};
 
 /// The sets FPS(s·ε): where the set changes its shape, then every vertex and every end of the PUI between, as exact
 /// functions of s.
 pub fn sweep_text(problem: &Problem, family: &Family, style: &Style) -> String {
+    let Some((title, birth)) = heading(family, style) else { return String::new() };
+    let (header, rows) = breakpoint_rows(problem, family, style);
+    let mut text = format!("{title}\n  {birth}\n{}", table(&header, rows));
+    for piece in family.pieces() {
+        text.push_str(&format!("\n{}\n", piece_title(piece, style)));
+        text.push_str(&table(&VERTEX_HEADER, piece_vertices(piece, style)));
+        let lines = piece_lines(piece, style).into_iter().chain(piece_bounds(piece, style));
+        lines.for_each(|line| text.push_str(&format!("  {line}\n")));
+    }
+    text
+}
+
+/// The same as blocks.
+pub(crate) fn sweep_blocks(problem: &Problem, family: &Family, style: &Style) -> Vec<Block> {
+    let Some((title, birth)) = heading(family, style) else { return Vec::new() };
+    let (header, rows) = breakpoint_rows(problem, family, style);
+    let mut blocks =
+        vec![Block::Title(title), Block::Paragraph(Text::own(birth)), Block::table(&header, rows)];
+    for piece in family.pieces() {
+        blocks.push(Block::Title(piece_title(piece, style)));
+        blocks.push(Block::table(&VERTEX_HEADER, piece_vertices(piece, style)));
+        blocks.extend(piece_lines(piece, style).into_iter().map(|line| Block::Paragraph(Text::own(line))));
+        // A label, spaces, a function.
+        let bounds = piece_bounds(piece, style);
+        let bounds = bounds.iter().filter_map(|bound| bound.split_once("  "));
+        let bounds = bounds.map(|(label, text)| (label.to_owned(), Text::own(text.trim_start())));
+        blocks.push(Block::Facts(bounds.collect()));
+    }
+    blocks
+}
+
+/// What the sweep is about, and where the set is born.
+fn heading(family: &Family, style: &Style) -> Option<(String, String)> {
     let breakpoints = family.breakpoints();
-    let [Some(first), Some(last)] = [breakpoints.first(), breakpoints.last()] else { return String::new() };
+    let (first, last) = (breakpoints.first()?, breakpoints.last()?);
     let range = format!("s from {} to {}", style.given_text(&first.s), style.given_text(&last.s));
     let birth = match family.least() {
         None => "No factor, however large, leaves a feasible parameter.".to_owned(),
         Some(least) if least.is_zero() => "The set is never empty.".to_owned(),
         Some(least) => format!("The set is born at s = {}.", style.upper_text_with_exact(least)),
     };
-    let mut text = format!("Sweep of the error bound: FPS(s*eps) for {range}\n  {birth}\n");
-    text.push_str(&breakpoint_table(problem, family, style));
-    for piece in family.pieces() {
-        text.push('\n');
-        text.push_str(&piece_text(piece, style));
-    }
-    text
+    Some((format!("Sweep of the error bound: FPS(s*eps) for {range}"), birth))
 }
 
-fn breakpoint_table(problem: &Problem, family: &Family, style: &Style) -> String {
+fn breakpoint_rows(
+    problem: &Problem,
+    family: &Family,
+    style: &Style,
+) -> (Vec<&'static str>, Vec<Vec<String>>) {
     let epsilon = match problem.measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => Some(epsilon),
         ErrorBound::PerRow(_) => None,
@@ -53,39 +85,50 @@ fn breakpoint_table(problem: &Problem, family: &Family, style: &Style) -> String
     }
     header.extend(epsilon.map(|_| "eps"));
     header.extend(["set", "begins to shape it", "ceases to"]);
-    table(&header, rows.collect())
+    let rows = rows.collect();
+    (header, rows)
 }
 
-fn piece_text(piece: &Piece, style: &Style) -> String {
-    let function = |function: &Linear| linear_text(function, style);
+fn piece_title(piece: &Piece, style: &Style) -> String {
     let kind = kind_text(piece.kind, piece.vertices.len());
-    let mut text =
-        format!("For s from {} to {}: {kind}\n", style.proof_text(&piece.from), style.proof_text(&piece.to));
+    format!("For s from {} to {}: {kind}", style.proof_text(&piece.from), style.proof_text(&piece.to))
+}
+
+fn piece_vertices(piece: &Piece, style: &Style) -> Vec<Vec<String>> {
     let vertex = |(number, vertex): (usize, &MovingVertex)| {
-        let [theta1, theta2] = vertex.theta.each_ref().map(function);
+        let [theta1, theta2] = vertex.theta.each_ref().map(|function| linear_text(function, style));
         vec![number.to_string(), theta1, theta2, names_text(&vertex.active)]
     };
-    let rows = (1..).zip(&piece.vertices).map(vertex).collect();
-    text.push_str(&table(&["vertex", "theta1", "theta2", "active"], rows));
-    for ray in &piece.rays {
-        text.push_str(&format!("  goes on for ever in direction {}\n", direction_text(ray)));
-    }
-    for line in &piece.lines {
-        text.push_str(&format!("  goes on for ever in both directions of {}\n", direction_text(line)));
-    }
-    for MovingBoundary { normal, offset, active } in &piece.boundaries {
-        let form = form_text(normal);
-        text.push_str(&format!("  bounded by {form} <= {}: {}\n", function(offset), names_text(active)));
-    }
+    (1..).zip(&piece.vertices).map(vertex).collect()
+}
+
+/// Where the set goes on for ever, and which lines bound it.
+fn piece_lines(piece: &Piece, style: &Style) -> Vec<String> {
+    let rays = piece.rays.iter().map(|ray| format!("goes on for ever in direction {}", direction_text(ray)));
+    let lines = piece
+        .lines
+        .iter()
+        .map(|line| format!("goes on for ever in both directions of {}", direction_text(line)));
+    let boundaries = piece.boundaries.iter().map(|MovingBoundary { normal, offset, active }| {
+        let (form, offset) = (form_text(normal), linear_text(offset, style));
+        format!("bounded by {form} <= {offset}: {}", names_text(active))
+    });
+    rays.chain(lines).chain(boundaries).collect()
+}
+
+/// The ends of the PUI and the area: a label, spaces, a function.
+fn piece_bounds(piece: &Piece, style: &Style) -> Vec<String> {
+    let function = |function: &Linear| linear_text(function, style);
+    let mut bounds = Vec::new();
     for (axis, [lower, upper]) in piece.pui.iter().flatten().enumerate() {
         let lower = lower.as_ref().map_or("(-inf".to_owned(), |end| format!("[{}", function(end)));
         let upper = upper.as_ref().map_or("inf)".to_owned(), |end| format!("{}]", function(end)));
-        text.push_str(&format!("  PUI theta{}  {lower}, {upper}\n", axis + 1));
+        bounds.push(format!("PUI theta{}  {lower}, {upper}", axis + 1));
     }
     if let Some(area) = &piece.area {
-        text.push_str(&format!("  area        {}\n", quadratic_text(area, style)));
+        bounds.push(format!("area        {}", quadratic_text(area, style)));
     }
-    text
+    bounds
 }
 
 fn kind_text(kind: RegionKind, vertices: usize) -> String {

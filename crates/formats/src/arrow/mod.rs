@@ -85,6 +85,7 @@ pub(crate) fn scan_arrow<T: Send>(
         key_name: layout.key.as_ref().map(ColumnPlace::title),
         header_line: None,
         delimiter: b',',
+        layout: None,
         rows_total,
         bytes,
         sha256,
@@ -208,7 +209,7 @@ fn sha256(mut file: &File) -> io::Result<String> {
     loop {
         match file.read(&mut buffer) {
             Ok(0) => return Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()),
-            Ok(count) => hash.update(&buffer[..count]),
+            Ok(count) => hash.update(buffer.get(..count).unwrap_or(&buffer)),
             Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
             Err(error) => return Err(error),
         }

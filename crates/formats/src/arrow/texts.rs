@@ -47,7 +47,7 @@ pub(super) fn refuse_nulls(array: &dyn Array) -> Result<(), BadCell> {
 /// The cells as text, without the spaces and tabs around it.
 pub(super) fn keys(array: &ArrayRef) -> Result<Pieces<String>, BadCell> {
     refuse_nulls(array)?;
-    let mut keys = Pieces::default();
+    let mut keys = Pieces::<String>::default();
     for index in 0..array.len() {
         let key = text(array, index)
             .ok_or_else(|| BadCell::of_type(array.data_type(), "a column of text or of numbers"))?;

@@ -1,0 +1,178 @@
+//! The columns as rows: in batches, or all at once.
+
+use std::ops::Range;
+
+use csv::WriterBuilder;
+use rayon::prelude::*;
+
+use super::columns::{MatColumn, MatColumns};
+use super::numbers::BadNumber;
+use crate::binary::BinaryTable;
+use crate::columns::{ColumnPlace, ColumnSelector};
+use crate::error::{InputError, Place, Problem};
+use crate::scan::{Batch, Pieces, ScanOptions, Scanned};
+use crate::source::Source;
+use crate::table::{Table, TableOptions, TableRow, check_rows};
+
+/// The most rows that are handed out at a time: two columns of them take 1 MB.
+const BATCH_ROWS: usize = 1 << 16;
+
+/// Reads columns of a MATLAB file like [`scan`](crate::scan) reads those of a text. Every number is the one that is
+/// stored, whichever way text is to be read. With [`ScanOptions::keep_text`], the rows are written as CSV of the columns
+/// asked for, which reads back the same under the binary64 reading.
+///
+/// Exact. Cost: one pass; memory for the variables that are asked for.
+///
+/// # Errors
+/// The first thing wrong, with the variable, or the row and column.
+pub(crate) fn scan_mat<T: Send>(
+    name: &str,
+    table: BinaryTable,
+    columns: &[ColumnSelector],
+    options: &ScanOptions,
+    work: impl Fn(Batch) -> T + Sync,
+    mut take: impl FnMut(T),
+) -> Result<Scanned, InputError> {
+    let fail = |problem: Problem| Source::error(name, Place::default(), problem);
+    let selectors: Vec<&ColumnSelector> = columns.iter().chain(&options.key).collect();
+    let progress = options.progress.as_deref();
+    let found = MatColumns::read(table.file, &selectors, &options.table.sizes, options.hash, progress);
+    let MatColumns { columns: found, rows, sha256, bytes } = found.map_err(fail)?;
+    check_rows(name, rows, options.table.rows)?;
+    let (numbers, key) = found.split_at_checked(columns.len()).unwrap_or_default();
+    let rows_of = Rows { file: name, selectors: columns, columns: numbers, key: key.first(), options };
+    let wanted = options.table.rows.map_or(1..rows + 1, |wanted| wanted.among(1, rows + 1));
+    let starts: Vec<usize> = wanted.clone().step_by(BATCH_ROWS).collect();
+    for group in starts.chunks(rayon::current_num_threads().max(1)) {
+        let batch = |&start: &usize| rows_of.batch(start..wanted.end.min(start + BATCH_ROWS)).map(&work);
+        let done: Vec<Result<T, InputError>> = group.par_iter().map(batch).collect();
+        for result in done {
+            take(result?);
+        }
+        if progress.is_some_and(|progress| progress.is_cancelled()) {
+            return Err(fail(Problem::Interrupted));
+        }
+    }
+    let names: Vec<String> = numbers.iter().map(|column| column.place.title()).collect();
+    Ok(Scanned {
+        layout: None,
+        header_line: options.keep_text.then(|| csv_line(&names)),
+        names,
+        key_name: key.first().map(|column| column.place.title()),
+        delimiter: b',',
+        rows_total: rows,
+        bytes,
+        sha256,
+    })
+}
+
+/// Reads columns of a MATLAB file like [`read_table`](crate::read_table) reads those of a text.
+///
+/// # Errors
+/// As [`scan_mat`].
+pub(crate) fn read_mat_table(
+    name: &str,
+    table: BinaryTable,
+    columns: &[ColumnSelector],
+    options: &TableOptions,
+) -> Result<Table, InputError> {
+    let fail = |problem: Problem| Source::error(name, Place::default(), problem);
+    let selectors: Vec<&ColumnSelector> = columns.iter().collect();
+    let found = MatColumns::read(table.file, &selectors, &options.sizes, true, None).map_err(fail)?;
+    check_rows(name, found.rows, options.rows)?;
+    let scan = ScanOptions { table: options.clone(), ..ScanOptions::default() };
+    let rows_of = Rows { file: name, selectors: columns, columns: &found.columns, key: None, options: &scan };
+    let mut table = Table {
+        layout: None,
+        names: found.columns.iter().map(|column| column.place.title()).collect(),
+        rows: Vec::new(),
+        others: Vec::new(),
+        rows_total: found.rows,
+        sha256: found.sha256.clone().unwrap_or_default(),
+    };
+    for row in 1..=found.rows {
+        let wanted = options.rows.is_none_or(|rows| rows.contains(row));
+        if !wanted && !options.keep_others {
+            continue;
+        }
+        match rows_of.batch(row..row + 1) {
+            Ok(batch) => {
+                let numbers = batch.columns.iter().map(|column| column.get(0)).collect();
+                let row = TableRow { row, line: 0, numbers };
+                if wanted { table.rows.push(row) } else { table.others.push(row) }
+            }
+            Err(error) if wanted => return Err(error),
+            Err(_) => {}
+        }
+    }
+    Ok(table)
+}
+
+/// Rows of columns of one length.
+struct Rows<'a> {
+    file: &'a str,
+    selectors: &'a [ColumnSelector],
+    columns: &'a [MatColumn],
+    key: Option<&'a MatColumn>,
+    options: &'a ScanOptions,
+}
+
+impl Rows<'_> {
+    /// The rows with these numbers, counted from 1.
+    fn batch(&self, rows: Range<usize>) -> Result<Batch, InputError> {
+        let mut columns = Vec::new();
+        for (column, selector) in self.columns.iter().zip(self.selectors) {
+            let range = indices(column, &rows);
+            if self.options.keep_text
+                && let Some(index) = column.numbers.first_beyond_doubles(range.clone())
+            {
+                let text = column.numbers.text(index);
+                return Err(self.error(column, BadNumber { index, text, problem: Problem::NotBinary64 }));
+            }
+            let numbers = column.numbers.column(range, selector.is_non_negative());
+            columns.push(numbers.map_err(|bad| self.error(column, bad))?);
+        }
+        let text = |column: &MatColumn, row: usize| column.numbers.text(column.start + row - 1);
+        let keys = self.key.map(|key| {
+            let mut keys = Pieces::<String>::default();
+            rows.clone().for_each(|row| keys.push(&text(key, row)));
+            keys
+        });
+        let lines = self.options.keep_text.then(|| {
+            let mut lines = Pieces::<Vec<u8>>::default();
+            for row in rows.clone() {
+                let cells: Vec<String> = self.columns.iter().map(|column| text(column, row)).collect();
+                lines.push(&csv_line(&cells));
+            }
+            lines
+        });
+        Ok(Batch { first_row: rows.start, columns, keys, lines, rows: rows.len() })
+    }
+
+    fn error(&self, column: &MatColumn, bad: BadNumber) -> InputError {
+        let ColumnPlace { position, name } = column.place.clone();
+        let place = Place {
+            row: Some(bad.index + 1 - column.start),
+            column: Some((position, name)),
+            text: Some(bad.text),
+            ..Place::default()
+        };
+        Source::error(self.file, place, bad.problem)
+    }
+}
+
+/// Where the numbers of rows, counted from 1, stand in a column's variable.
+fn indices(column: &MatColumn, rows: &Range<usize>) -> Range<usize> {
+    column.start + rows.start - 1..column.start + rows.end - 1
+}
+
+/// Cells as a line of CSV, without its end.
+fn csv_line(cells: &[String]) -> Vec<u8> {
+    let mut writer = WriterBuilder::new().from_writer(Vec::new());
+    // Writing to memory does not fail.
+    let written = writer.write_record(cells);
+    debug_assert!(written.is_ok());
+    let mut line = writer.into_inner().unwrap_or_default();
+    line.pop();
+    line
+}

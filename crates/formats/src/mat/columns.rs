@@ -1,0 +1,322 @@
+//! The columns that are asked for.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::sync::Arc;
+
+use flate2::read::ZlibDecoder;
+
+use super::elements::{COMPRESSED, Damage, Elements, MATRIX};
+use super::file::MatFile;
+use super::kind::{ByteOrder, MatKind, START, byte_order, kind_of};
+use super::numbers::Numbers;
+use super::variable::{Content, Variable};
+use crate::columns::{ColumnPlace, ColumnSelector};
+use crate::error::Problem;
+use crate::limits::SizeLimits;
+use crate::scan::Progress;
+
+/// What reports call such files.
+const FORMAT: &str = "a MATLAB file";
+
+/// Columns of one length out of a file.
+pub(super) struct MatColumns {
+    /// Those asked for, in that order.
+    pub(super) columns: Vec<MatColumn>,
+    /// How many numbers each has.
+    pub(super) rows: usize,
+    /// SHA-256 of the file's bytes, in hexadecimal, if it was wanted.
+    pub(super) sha256: Option<String>,
+    /// How many bytes the file has.
+    pub(super) bytes: u64,
+}
+
+/// A column: numbers of a variable, from one of them on.
+#[derive(Clone)]
+pub(super) struct MatColumn {
+    pub(super) place: ColumnPlace,
+    pub(super) numbers: Arc<Numbers>,
+    pub(super) start: usize,
+    rows: u64,
+}
+
+/// A variable as it was found, with its numbers if they may be wanted.
+struct Found {
+    variable: Variable,
+    numbers: Option<Arc<Numbers>>,
+    /// How many columns there are before it.
+    before: u64,
+}
+
+impl Found {
+    fn has_number(&self, number: u64) -> bool {
+        (self.before + 1..=self.before + self.variable.content.columns()).contains(&number)
+    }
+}
+
+/// Which column is meant by a selector.
+struct Wanted<'a> {
+    text: &'a str,
+    /// `M` and 2 of `M(:,2)`.
+    of_matrix: Option<(String, u64)>,
+    number: Option<u64>,
+}
+
+impl<'a> Wanted<'a> {
+    fn new(selector: &'a ColumnSelector) -> Self {
+        let text = selector.text();
+        let bare: String = text.split_whitespace().collect();
+        let of_matrix = bare.strip_suffix(')').and_then(|bare| {
+            let (name, column) = bare.split_once("(:,")?;
+            Some((name.to_owned(), column.parse().ok()?))
+        });
+        Wanted { text, of_matrix, number: selector.number().map(|number| number as u64) }
+    }
+
+    /// Whether this may be a column of a variable.
+    fn is_in(&self, found: &Found) -> bool {
+        self.is_named(&found.variable) || self.number.is_some_and(|number| found.has_number(number))
+    }
+
+    fn is_named(&self, variable: &Variable) -> bool {
+        variable.name == self.text || self.of_matrix.as_ref().is_some_and(|(name, _)| *name == variable.name)
+    }
+}
+
+impl MatColumns {
+    /// Reads the columns that are asked for, and nothing of the other variables but their names.
+    pub(super) fn read(
+        file: File,
+        selectors: &[&ColumnSelector],
+        sizes: &SizeLimits,
+        hash: bool,
+        progress: Option<&dyn Progress>,
+    ) -> Result<Self, Problem> {
+        let mut file = MatFile::new(file, hash, progress);
+        let order = header(&mut file)?;
+        let wanted: Vec<Wanted> = selectors.iter().map(|selector| Wanted::new(selector)).collect();
+        let mut all: Vec<Found> = Vec::new();
+        let mut before = 0;
+        loop {
+            file.go_on()?;
+            let start = file.position();
+            let found = next(&mut file, order, &wanted, before, sizes);
+            let found = match found {
+                Ok(None) => break,
+                Ok(Some(Outcome::Found(found))) => found,
+                Ok(Some(Outcome::Refused(problem))) => return Err(problem),
+                Err(damage) => return Err(unreadable(start, damage)),
+            };
+            // Only one of several variables of a name is held.
+            let is_other =
+                |other: &Found| other.numbers.is_some() && other.variable.name == found.variable.name;
+            if found.numbers.is_some()
+                && wanted.iter().any(|wanted| wanted.is_named(&found.variable))
+                && all.iter().any(is_other)
+            {
+                return Err(Problem::AmbiguousColumn { wanted: found.variable.name });
+            }
+            before = before.saturating_add(found.variable.content.columns());
+            all.push(found);
+        }
+        let columns = wanted.iter().map(|wanted| resolve(wanted, &all)).collect::<Result<Vec<_>, _>>()?;
+        let rows = common_length(&columns)?;
+        Ok(MatColumns { columns, rows, sha256: file.sha256(), bytes: file.position() })
+    }
+}
+
+/// Reads the header.
+fn header(file: &mut MatFile) -> Result<ByteOrder, Problem> {
+    let mut header = Vec::new();
+    file.by_ref().take(START as u64).read_to_end(&mut header)?;
+    let refused = |format, instead| Err(Problem::BinaryTable { format, instead });
+    match kind_of(&header) {
+        Some(MatKind::V73) => refused(
+            "a MATLAB file of version 7.3, which is HDF5",
+            "save it with -v7: save('FILE.mat', '-v7')",
+        ),
+        Some(MatKind::Hdf5) => refused("an HDF5 file", "save it with -v7: save('FILE.mat', '-v7')"),
+        Some(MatKind::V4) => {
+            refused("a MATLAB file of version 4", "save it with -v7: save('FILE.mat', '-v7')")
+        }
+        Some(MatKind::V5) | None => byte_order(&header).ok_or_else(|| {
+            let reason = "its header of 128 bytes does not end with version and byte order".to_owned();
+            Problem::Unreadable { format: FORMAT, reason }
+        }),
+    }
+}
+
+/// What comes of a variable.
+enum Outcome {
+    Found(Found),
+    Refused(Problem),
+}
+
+/// Reads the next variable; `None` at the end of the file.
+fn next(
+    file: &mut MatFile,
+    order: ByteOrder,
+    wanted: &[Wanted],
+    before: u64,
+    sizes: &SizeLimits,
+) -> Result<Option<Outcome>, Damage> {
+    let Some(tag) = Elements::new(file.by_ref(), order).tag()? else { return Ok(None) };
+    let mut body = file.by_ref().take(tag.bytes);
+    let outcome = match tag.kind {
+        MATRIX => matrix(&mut body, order, wanted, before, sizes)?,
+        COMPRESSED => {
+            let mut inflated = ZlibDecoder::new(&mut body);
+            let inner = Elements::new(inflated.by_ref(), order).some_tag()?;
+            if inner.kind != MATRIX {
+                return Err(Damage::format(format!("the element type {} is inflated", inner.kind)));
+            }
+            let outcome = matrix(inflated.by_ref().take(inner.bytes), order, wanted, before, sizes)?;
+            // The end of what is inflated has a checksum.
+            let is_read = matches!(&outcome, Outcome::Found(Found { numbers: Some(_), .. }));
+            if is_read && inflated.read(&mut [0])? > 0 {
+                return Err(Damage::format("more is inflated than announced"));
+            }
+            outcome
+        }
+        other => return Err(Damage::format(format!("the element type {other} is not that of a variable"))),
+    };
+    io::copy(&mut body, &mut io::sink())?;
+    if body.limit() > 0 {
+        return Err(Damage::Io(io::ErrorKind::UnexpectedEof.into()));
+    }
+    Ok(Some(outcome))
+}
+
+/// Reads a variable, and its numbers if they may be wanted.
+fn matrix(
+    body: impl Read,
+    order: ByteOrder,
+    wanted: &[Wanted],
+    before: u64,
+    sizes: &SizeLimits,
+) -> Result<Outcome, Damage> {
+    let mut elements = Elements::new(body, order);
+    let variable = Variable::read(&mut elements)?;
+    let mut found = Found { variable, numbers: None, before };
+    let Content::Numbers { rows, columns } = found.variable.content else { return Ok(Outcome::Found(found)) };
+    if found.variable.name.is_empty() {
+        found.variable.content = Content::Other("MATLAB's own".to_owned());
+        return Ok(Outcome::Found(found));
+    }
+    if !wanted.iter().any(|wanted| wanted.is_in(&found)) {
+        return Ok(Outcome::Found(found));
+    }
+    // Both are below 2³¹.
+    let count = rows * columns;
+    if usize::try_from(count).map_or(true, |count| count > sizes.elements) {
+        let (variable, limit) = (found.variable.name, sizes.elements);
+        return Ok(Outcome::Refused(Problem::TooManyElements { variable, elements: count, limit }));
+    }
+    found.numbers = Some(Arc::new(Numbers::read(&mut elements, count)?));
+    // What is left of the variable is inflated for its checksum, and is at most padding.
+    if elements.tag()?.is_some() {
+        return Err(Damage::format(format!("{:?} goes on behind its numbers", found.variable.name)));
+    }
+    Ok(Outcome::Found(found))
+}
+
+/// The column that is meant.
+fn resolve(wanted: &Wanted, all: &[Found]) -> Result<MatColumn, Problem> {
+    let ambiguous = || Problem::AmbiguousColumn { wanted: wanted.text.to_owned() };
+    let mut named = all.iter().filter(|found| found.variable.name == wanted.text);
+    if let Some(found) = named.next() {
+        if named.next().is_some() {
+            return Err(ambiguous());
+        }
+        return match &found.variable.content {
+            Content::Other(what) => {
+                Err(Problem::NoNumbers { variable: found.variable.name.clone(), what: what.clone() })
+            }
+            &Content::Numbers { rows, columns } if found.variable.content.columns() > 1 => {
+                Err(Problem::WholeMatrix { variable: found.variable.name.clone(), rows, columns })
+            }
+            Content::Numbers { .. } => column(found, 1),
+        };
+    }
+    if let Some((name, number)) = &wanted.of_matrix {
+        let mut named = all.iter().filter(|found| found.variable.name == *name);
+        match (named.next(), named.next()) {
+            (Some(_), Some(_)) => return Err(ambiguous()),
+            (Some(found), None) => {
+                if let Content::Other(what) = &found.variable.content {
+                    return Err(Problem::NoNumbers { variable: name.clone(), what: what.clone() });
+                }
+                // A row has as many columns as numbers in MATLAB, and is one here.
+                let is_row = matches!(found.variable.content, Content::Numbers { rows: 1, columns: 2.. });
+                if !is_row && (1..=found.variable.content.columns()).contains(number) {
+                    return column(found, *number);
+                }
+            }
+            (None, _) => {}
+        }
+    }
+    let number = wanted
+        .number
+        .and_then(|number| all.iter().find(|found| found.has_number(number)).map(|found| (found, number)));
+    match number {
+        Some((found, number)) => column(found, number - found.before),
+        None => Err(unknown(wanted, all)),
+    }
+}
+
+fn unknown(wanted: &Wanted, all: &[Found]) -> Problem {
+    let names = |found: &Found| match (&found.variable, found.variable.content.columns()) {
+        (_, 0) => None,
+        (variable, 1) => Some(variable.name.clone()),
+        (variable, last) => Some(format!("{} to {}", variable.column_name(1), variable.column_name(last))),
+    };
+    let total = all.last().map_or(0, |last| last.before.saturating_add(last.variable.content.columns()));
+    Problem::UnknownColumn {
+        wanted: wanted.text.to_owned(),
+        available: all.iter().filter_map(names).collect(),
+        numbers: wanted.number.and(usize::try_from(total).ok()).filter(|total| *total > 0),
+    }
+}
+
+/// A column of a variable, counted from 1.
+fn column(found: &Found, number: u64) -> Result<MatColumn, Problem> {
+    let rows = found.variable.content.rows();
+    let whole = |number: u64| usize::try_from(number).unwrap_or(usize::MAX);
+    let place = ColumnPlace {
+        position: whole(found.before + number),
+        name: Some(found.variable.column_name(number)),
+    };
+    match &found.numbers {
+        Some(numbers) => {
+            let start = whole((number - 1).saturating_mul(rows));
+            Ok(MatColumn { place, numbers: numbers.clone(), start, rows })
+        }
+        // What is asked for has been read.
+        None => Err(Problem::Changed),
+    }
+}
+
+/// The length that all columns have.
+fn common_length(columns: &[MatColumn]) -> Result<usize, Problem> {
+    let Some(first) = columns.first() else { return Ok(0) };
+    if let Some(other) = columns.iter().find(|other| other.rows != first.rows) {
+        let described = |column: &MatColumn| (column.place.title(), column.rows);
+        return Err(Problem::DifferentLengths { first: described(first), other: described(other) });
+    }
+    Ok(usize::try_from(first.rows).unwrap_or(usize::MAX))
+}
+
+/// What is wrong with the variable that starts at this byte.
+fn unreadable(start: u64, damage: Damage) -> Problem {
+    let reason = match damage {
+        Damage::Format(reason) => format!("the variable at byte {start}: {reason}"),
+        Damage::Io(error) => match error.kind() {
+            io::ErrorKind::UnexpectedEof => format!("it stops within the variable at byte {start}"),
+            io::ErrorKind::InvalidData | io::ErrorKind::InvalidInput => {
+                format!("the variable at byte {start} cannot be inflated: {error}")
+            }
+            _ => return Problem::Io(error),
+        },
+    };
+    Problem::Unreadable { format: FORMAT, reason }
+}

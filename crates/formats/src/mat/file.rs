@@ -1,0 +1,54 @@
+//! A file from front to back, with the hash of its bytes.
+
+use std::fs::File;
+use std::io::{self, BufReader, Read};
+
+use sha2::{Digest, Sha256};
+
+use crate::error::Problem;
+use crate::scan::Progress;
+use crate::source::hexadecimal;
+
+/// Reads a file, hashes what passes if that is wanted, and tells who follows how far it is.
+pub(super) struct MatFile<'a> {
+    inner: BufReader<File>,
+    hash: Option<Sha256>,
+    progress: Option<&'a dyn Progress>,
+    position: u64,
+}
+
+impl<'a> MatFile<'a> {
+    pub(super) fn new(file: File, hash: bool, progress: Option<&'a dyn Progress>) -> Self {
+        MatFile { inner: BufReader::new(file), hash: hash.then(Sha256::new), progress, position: 0 }
+    }
+
+    /// How many bytes have been read.
+    pub(super) fn position(&self) -> u64 {
+        self.position
+    }
+
+    /// SHA-256 of all bytes read so far, in hexadecimal.
+    pub(super) fn sha256(&self) -> Option<String> {
+        self.hash.as_ref().map(hexadecimal)
+    }
+
+    /// Stops where that is asked for.
+    pub(super) fn go_on(&self) -> Result<(), Problem> {
+        let is_cancelled = self.progress.is_some_and(Progress::is_cancelled);
+        if is_cancelled { Err(Problem::Interrupted) } else { Ok(()) }
+    }
+}
+
+impl Read for MatFile<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let count = self.inner.read(buffer)?;
+        if let (Some(hash), Some(bytes)) = (&mut self.hash, buffer.get(..count)) {
+            hash.update(bytes);
+        }
+        self.position += count as u64;
+        if let Some(progress) = self.progress {
+            progress.advanced(count as u64);
+        }
+        Ok(count)
+    }
+}

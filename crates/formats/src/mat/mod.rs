@@ -1,0 +1,21 @@
+//! MATLAB's `.mat` files of version 5 (`save -v6` and `-v7`) as tables.
+//!
+//! The columns are the real, full vectors and matrices of numbers or logicals: a vector `x` is the column `x`, a matrix
+//! `M` with k columns (and at least two rows) is the columns `M(:,1)` to `M(:,k)`. They are counted from 1 in the order
+//! of the file. Nothing else in a file is looked at, and only the columns that are asked for must have one length.
+//!
+//! The bytes are read once, from front to back: `elements` cuts them into tagged elements, `variable` reads what a
+//! variable says about itself, `numbers` its numbers, `columns` finds those that are asked for, `batches` hands them out.
+//!
+//! Source: The MathWorks, *MAT-File Format* (version 5).
+
+mod batches;
+mod columns;
+mod elements;
+mod file;
+mod kind;
+mod numbers;
+mod variable;
+
+pub(crate) use batches::{read_mat_table, scan_mat};
+pub(crate) use kind::{START, kind_of};

@@ -1,0 +1,223 @@
+//! The numbers of a variable, whichever way they are stored.
+
+use std::io::Read;
+use std::ops::Range;
+
+use boundfit_exact::{Integer, Rational};
+
+use super::elements::{Damage, Elements};
+use super::kind::ByteOrder;
+use crate::error::Problem;
+use crate::scan::Column;
+
+/// Numbers exactly as they are stored.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Numbers {
+    /// Doubles, singles, and integers of up to 32 bits: doubles have them all.
+    Doubles(Vec<f64>),
+    /// Integers of 64 bits.
+    Integers(Vec<i128>),
+}
+
+/// A number that cannot be used: which one, its text, and why.
+pub(super) struct BadNumber {
+    pub(super) index: usize,
+    pub(super) text: String,
+    pub(super) problem: Problem,
+}
+
+impl Numbers {
+    /// Reads the element with so many numbers. Memory is taken for what is there, not for what is announced.
+    pub(super) fn read<R: Read>(elements: &mut Elements<R>, count: u64) -> Result<Self, Damage> {
+        let tag = elements.some_tag()?;
+        let size: u64 = match tag.kind {
+            1 | 2 => 1,
+            3 | 4 => 2,
+            5..=7 => 4,
+            9 | 12 | 13 => 8,
+            other => return Err(Damage::format(format!("its numbers have the element type {other}"))),
+        };
+        if count.checked_mul(size) != Some(tag.bytes) {
+            let reason =
+                format!("{count} numbers of {size} bytes are announced, but {} bytes follow", tag.bytes);
+            return Err(Damage::format(reason));
+        }
+        let order = elements.order();
+        let mut numbers = match tag.kind {
+            12 | 13 => Numbers::Integers(Vec::new()),
+            _ => Numbers::Doubles(Vec::new()),
+        };
+        elements.each_part(tag, |part| match &mut numbers {
+            Numbers::Integers(integers) if tag.kind == 12 => {
+                integers.extend(words(part, order).map(|word| i128::from(i64::from_le_bytes(word))));
+            }
+            Numbers::Integers(integers) => {
+                integers.extend(words(part, order).map(|word| i128::from(u64::from_le_bytes(word))));
+            }
+            Numbers::Doubles(doubles) => extend(doubles, tag.kind, part, order),
+        })?;
+        Ok(numbers)
+    }
+
+    /// The numbers in a range as a column.
+    pub(super) fn column(&self, range: Range<usize>, non_negative: bool) -> Result<Column, BadNumber> {
+        let bad = |index: usize, problem| {
+            let index = range.start + index;
+            BadNumber { index, text: self.text(index), problem }
+        };
+        let column = match self {
+            Numbers::Doubles(doubles) => {
+                let doubles = doubles.get(range.clone()).unwrap_or_default();
+                if let Some(index) = doubles.iter().position(|double| !double.is_finite()) {
+                    return Err(bad(index, Problem::NotFinite));
+                }
+                // Zero has one sign.
+                Column::Doubles(doubles.iter().map(|double| double + 0.0).collect())
+            }
+            Numbers::Integers(integers) => {
+                let integers = integers.get(range.clone()).unwrap_or_default();
+                let doubles = integers.iter().map(|&integer| as_double(integer)).collect();
+                let exact = || Column::Exact(integers.iter().map(|&integer| exact(integer)).collect());
+                Option::map_or_else(doubles, exact, Column::Doubles)
+            }
+        };
+        let negative = match &column {
+            _ if !non_negative => None,
+            Column::Doubles(doubles) => doubles.iter().position(|&double| double < 0.0),
+            Column::Exact(numbers) => numbers.iter().position(Rational::is_negative),
+            Column::Scaled(_) => None,
+        };
+        match negative {
+            Some(index) => Err(bad(index, Problem::NegativeErrorBound)),
+            None => Ok(column),
+        }
+    }
+
+    /// A number as text that reads back as the same one; nothing where there is none.
+    pub(super) fn text(&self, index: usize) -> String {
+        let text = match self {
+            Numbers::Doubles(doubles) => doubles.get(index).map(|&double| double_text(double)),
+            Numbers::Integers(integers) => integers.get(index).map(i128::to_string),
+        };
+        text.unwrap_or_default()
+    }
+
+    /// The first number in a range that no double has.
+    pub(super) fn first_beyond_doubles(&self, range: Range<usize>) -> Option<usize> {
+        let Numbers::Integers(integers) = self else { return None };
+        let beyond = |&integer: &i128| as_double(integer).is_none();
+        integers.get(range.clone())?.iter().position(beyond).map(|index| range.start + index)
+    }
+}
+
+/// The words of a part with their bytes in little-endian order.
+fn words<const N: usize>(part: &[u8], order: ByteOrder) -> impl Iterator<Item = [u8; N]> {
+    part.as_chunks().0.iter().map(move |word: &[u8; N]| {
+        let mut word = *word;
+        if order == ByteOrder::Big {
+            word.reverse();
+        }
+        word
+    })
+}
+
+/// Adds the numbers in a part, of an element type that doubles have all numbers of.
+fn extend(doubles: &mut Vec<f64>, kind: u32, part: &[u8], order: ByteOrder) {
+    match kind {
+        1 => doubles.extend(words(part, order).map(|word| f64::from(i8::from_le_bytes(word)))),
+        2 => doubles.extend(words(part, order).map(|word| f64::from(u8::from_le_bytes(word)))),
+        3 => doubles.extend(words(part, order).map(|word| f64::from(i16::from_le_bytes(word)))),
+        4 => doubles.extend(words(part, order).map(|word| f64::from(u16::from_le_bytes(word)))),
+        5 => doubles.extend(words(part, order).map(|word| f64::from(i32::from_le_bytes(word)))),
+        6 => doubles.extend(words(part, order).map(|word| f64::from(u32::from_le_bytes(word)))),
+        7 => doubles.extend(words(part, order).map(|word| f64::from(f32::from_le_bytes(word)))),
+        _ => doubles.extend(words(part, order).map(f64::from_le_bytes)),
+    }
+}
+
+/// The double with this value, if there is one.
+fn as_double(integer: i128) -> Option<f64> {
+    let double = integer as f64;
+    (double as i128 == integer).then_some(double)
+}
+
+fn exact(integer: i128) -> Rational {
+    Rational::from(Integer::from(integer))
+}
+
+/// The shortest text that reads back as the same double, as MATLAB spells what is not finite.
+fn double_text(double: f64) -> String {
+    let usual = 1e-5..1e16;
+    match double.abs() {
+        size if size.is_nan() => "NaN".to_owned(),
+        size if size.is_infinite() => if double > 0.0 { "Inf" } else { "-Inf" }.to_owned(),
+        size if size == 0.0 || usual.contains(&size) => double.to_string(),
+        _ => format!("{double:e}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(kind: u8, bytes: &[u8], order: ByteOrder, count: u64) -> Result<Numbers, Damage> {
+        let mut element = vec![kind, 0, 0, 0, bytes.len() as u8, 0, 0, 0];
+        if order == ByteOrder::Big {
+            element[..4].reverse();
+            element[4..].reverse();
+        }
+        element.extend(bytes);
+        Numbers::read(&mut Elements::new(element.as_slice(), order), count)
+    }
+
+    #[test]
+    fn every_storage_type_is_exact_in_both_byte_orders() {
+        for order in [ByteOrder::Little, ByteOrder::Big] {
+            let number = |kind: u8, little: &[u8]| {
+                let mut bytes = little.to_vec();
+                if order == ByteOrder::Big {
+                    bytes.reverse();
+                }
+                read(kind, &bytes, order, 1).unwrap()
+            };
+            let double = |double: f64| Numbers::Doubles(vec![double]);
+            assert_eq!(number(1, &(-7_i8).to_le_bytes()), double(-7.0));
+            assert_eq!(number(2, &[250]), double(250.0));
+            assert_eq!(number(3, &(-30_000_i16).to_le_bytes()), double(-30_000.0));
+            assert_eq!(number(4, &60_000_u16.to_le_bytes()), double(60_000.0));
+            assert_eq!(number(5, &i32::MIN.to_le_bytes()), double(-2_147_483_648.0));
+            assert_eq!(number(6, &u32::MAX.to_le_bytes()), double(4_294_967_295.0));
+            assert_eq!(number(7, &0.1_f32.to_le_bytes()), double(f64::from(0.1_f32)));
+            assert_eq!(number(9, &0.1_f64.to_le_bytes()), double(0.1));
+            assert_eq!(number(12, &i64::MIN.to_le_bytes()), Numbers::Integers(vec![i64::MIN.into()]));
+            assert_eq!(number(13, &u64::MAX.to_le_bytes()), Numbers::Integers(vec![u64::MAX.into()]));
+        }
+    }
+
+    #[test]
+    fn more_or_fewer_bytes_than_announced_are_refused() {
+        for count in [0, 1, 3, u64::MAX] {
+            assert!(matches!(read(9, &[0; 16], ByteOrder::Little, count), Err(Damage::Format(_))), "{count}");
+        }
+        assert!(matches!(read(8, &[0; 16], ByteOrder::Little, 2), Err(Damage::Format(_))));
+    }
+
+    #[test]
+    fn integers_stay_exact_where_no_double_has_them() {
+        let numbers = Numbers::Integers(vec![1 << 53, (1 << 53) + 1, -1]);
+        let column = |range: Range<usize>, non_negative| numbers.column(range, non_negative).ok();
+        assert_eq!(column(0..1, true), Some(Column::Doubles(vec![9_007_199_254_740_992.0])));
+        assert_eq!(column(1..2, true), Some(Column::Exact(vec![exact((1 << 53) + 1)])));
+        assert_eq!(column(0..3, true), None);
+        assert_eq!(column(0..3, false).map(|column| column.len()), Some(3));
+        assert_eq!((numbers.first_beyond_doubles(0..3), numbers.first_beyond_doubles(2..3)), (Some(1), None));
+    }
+
+    #[test]
+    fn texts_read_back() {
+        for (double, text) in [(0.0, "0"), (0.1, "0.1"), (-1.5e300, "-1.5e300"), (f64::NEG_INFINITY, "-Inf")]
+        {
+            assert_eq!(double_text(double), text);
+        }
+    }
+}

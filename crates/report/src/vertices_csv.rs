@@ -1,0 +1,37 @@
+//! The vertices as CSV.
+
+use boundfit_exact::Rounding;
+use boundfit_geometry::Polyhedron;
+use csv::WriterBuilder;
+
+use crate::generators::generators;
+use crate::style::Style;
+
+/// The region as a table: a header `kind,theta1,theta2,theta1_decimal,theta2_decimal,active`, then one row for each
+/// `vertex` (counter-clockwise), `ray` and `line`; a region without vertices has a `point` of each of its boundaries
+/// instead. The region is the convex hull of the points, plus the cone of the rays, plus the span of the lines; no row
+/// means that it is empty. `name` names the half-plane with an index; the names of those active at a point are separated
+/// by `; `.
+///
+/// `theta1` and `theta2` are exact (`p/q` or `n`), the decimals rounded to nearest with the style's digits, and more where
+/// the ends of the region's range would look alike.
+pub fn vertices_csv(polyhedron: &Polyhedron, name: &dyn Fn(usize) -> String, style: &Style) -> String {
+    let styles = style.resolving_both(polyhedron.bounding_box().as_ref());
+    let mut writer = WriterBuilder::new().from_writer(Vec::new());
+    let header = ["kind", "theta1", "theta2", "theta1_decimal", "theta2_decimal", "active"];
+    let mut rows = vec![header.map(str::to_owned)];
+    for generator in generators(polyhedron.region()) {
+        let [theta1, theta2] = &generator.coordinates;
+        let [decimal1, decimal2] = [(theta1, &styles[0]), (theta2, &styles[1])]
+            .map(|(value, style)| value.to_decimal(style.digits, Rounding::Nearest));
+        let active = generator.active_names(name);
+        let kind = generator.kind.name().to_owned();
+        rows.push([kind, theta1.to_string(), theta2.to_string(), decimal1, decimal2, active]);
+    }
+    for row in rows {
+        // Writing to memory does not fail.
+        let written = writer.write_record(&row);
+        debug_assert!(written.is_ok());
+    }
+    String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
+}
