@@ -75,7 +75,7 @@ fn cells_that_are_not_numbers() {
         let options = format!("--x x --y y --eps 1 --rows {row}..{row}");
         let line = row + 1;
         let verdict = if problem.ends_with("(the limit)") {
-            format!("refused: {problem} at byte {byte}")
+            format!("refused: {problem} at byte {byte}; --max-exponent raises it")
         } else {
             format!("not a number: {problem} at byte {byte} {A_NUMBER}")
         };
@@ -98,7 +98,9 @@ fn numbers_without_end() {
         ("matrix.ine", format!("begin\n1 3 integer\n1 {digits} 0\nend\n").as_bytes()),
     ]);
     let message = |place: &str, byte: usize| {
-        format!("{place}: {quoted}: refused: more than 10000 digits (the limit) at byte {byte}")
+        format!(
+            "{place}: {quoted}: refused: more than 10000 digits (the limit) at byte {byte}; --max-digits raises it"
+        )
     };
     let fit = "--x x --y y --eps 1";
     let path = directory.path();
@@ -122,7 +124,9 @@ fn a_line_without_end() {
         [("fit", "row.csv", 3), ("fit", "header.csv", 1), ("polygon", "matrix.ine", 2)]
     {
         let options = if command == "fit" { "--x x --y y --eps 1" } else { "" };
-        let message = format!("{file}: line {line}: the line is longer than 16777216 bytes (the limit)");
+        let message = format!(
+            "{file}: line {line}: the line is longer than 16777216 bytes (the limit); --max-line raises it"
+        );
         refuses(directory.path(), &format!("{command} {file} {options}"), 1, &message);
     }
 }
@@ -174,7 +178,7 @@ fn error_bounds_below_zero() {
 
 #[test]
 fn h_representations_that_are_not_what_they_announce() {
-    let whole = "(expected an H-representation: begin, rows, end)";
+    let whole = "(expected an H- or V-representation: begin, rows, end)";
     let size = "the size line is not understood (expected \"ROWS 3 integer\", \"ROWS 3 rational\" or \"ROWS 3 real\")";
     let linearity = "this does not list rows of the matrix to come (expected \"linearity COUNT ROW...\" before begin, with rows counted from 1)";
     refuses_files(
@@ -195,12 +199,33 @@ fn h_representations_that_are_not_what_they_announce() {
                 ": line 5: the file stops before the line \"end\"; 2 rows were announced and 6 numbers found",
             ),
             (
-                "v-representation.ine",
-                &format!(": line 1, column 1: \"V-representation\": this is a V-representation {whole}"),
+                "rows-beyond-limit.ine",
+                ": line 3, column 1: \"10000001\": there are more than 10000000 rows (the limit); --max-rows raises it",
+            ),
+            (
+                "nonnegative.ine",
+                ": line 2, column 1: \"nonnegative\": this option makes the set another one (expected rows \"0 1 0\" and \"0 0 1\")",
+            ),
+            (
+                "hull.ine",
+                ": line 7, column 1: \"hull\": this option makes the set another one (expected a line \"V-representation\" before begin)",
+            ),
+            (
+                "two-matrices.ine",
+                ": line 8, column 1: \"begin\": a second matrix begins here (expected one representation in a file)",
+            ),
+            ("part-of-a-row.ext", ": line 6, column 1: \"end\": the last row has 2 of 3 numbers"),
+            (
+                "negative-weight.ext",
+                ": line 5, column 1: \"-1\": the row starts with a negative number (expected 1 for a point or 0 for a ray)",
+            ),
+            (
+                "linear-point.ext",
+                ": line 5, column 1: \"1\": the row is a point, but a linearity line lists it (expected 0 x y for a line)",
             ),
             (
                 "four-columns.ine",
-                ": line 3, column 3: \"4\": the matrix has 4 columns, so it is not about the plane (expected 3 columns: b, -a1, -a2)",
+                ": line 3, column 3: \"4\": the matrix has 4 columns, so it is not about the plane (expected 3 columns: b, -a1, -a2 or 1, x, y)",
             ),
             ("bad-size.ine", &format!(": line 3, column 1: \"many\": {size}")),
             ("bad-type.ine", &format!(": line 3, column 5: \"complex\": {size}")),
@@ -229,7 +254,7 @@ fn every_bad_file_is_refused() {
             "README.md" => continue,
             "other-names.csv" => format!("polygon {file}"),
             "negative-bound.csv" => format!("fit {file} --x x --y y --eps-column eps"),
-            file if file.ends_with(".ine") => format!("polygon {file}"),
+            file if file.ends_with(".ine") || file.ends_with(".ext") => format!("polygon {file}"),
             file => format!("fit {file} --x x --y y --eps 1 {reading}"),
         };
         assert_eq!(boundfit(&folder, &line).status, 1, "{line}");

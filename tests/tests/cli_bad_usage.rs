@@ -29,7 +29,9 @@ fn options_that_say_nothing_sensible() {
         ("--x Vz --y z --eps ''".to_owned(), eps("", "nothing to read at byte 0")),
         (
             "--x Vz --y z --eps 1e999999999".to_owned(),
-            eps("1e999999999", "exponent beyond 10000 (the limit) at byte 2"),
+            "invalid value '1e999999999' for '--eps <NUM>': refused: exponent beyond 10000 (the limit) at byte 2; \
+             --max-exponent raises it"
+                .to_owned(),
         ),
         (
             format!("{base} --where 'theta1 > 0'"),

@@ -90,7 +90,10 @@ fn what_does_not_belong_together_is_refused() {
         (format!("{cut}{one}"), "the reduction from line 1 on announces 2 lines of readings, but 1 follow"),
         (binary, "the reduction is about the reading binary64, not decimal"),
         (one.replace("rows\":2", "rows\":-2"), "the line in front of a reduction is not understood"),
-        (one.replace("\"1\"", "\"1e5\""), "the line in front of a reduction is not understood"),
+        (
+            one.replace("\"1\"", "\"1e5\""),
+            "a sum in the line in front of a reduction: exponent beyond 0 (the limit) at byte 2\n",
+        ),
     ];
     for (input, message) in cases {
         let run = reduce(&input, &[]);

@@ -1,5 +1,7 @@
 //! Prior knowledge of the parameters as linear inequalities: `theta1 >= 0`, `2*theta1 - theta2 <= 1/3`.
 
+use std::fmt;
+
 use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading};
 use boundfit_geometry::Inequality;
 use thiserror::Error;
@@ -13,7 +15,7 @@ pub struct Condition {
 
 /// Why a text is not a condition, and where.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("{kind} at byte {position} (expected a linear inequality such as \"2*theta1 - theta2 <= 1/3\")")]
+#[error("{kind} at byte {position}{}", Expected(.kind))]
 pub struct ParseConditionError {
     /// Offset in the text, from 0.
     pub position: usize,
@@ -28,7 +30,7 @@ pub enum ParseConditionErrorKind {
     #[error("neither a number nor theta1 nor theta2")]
     NotATerm,
     /// A number that is not one.
-    #[error("not a number: {0}")]
+    #[error("{verdict}: {0}", verdict = if .0.is_limit() { "refused" } else { "not a number" })]
     NotANumber(ParseNumberErrorKind),
     /// No `<=` or `>=` where one belongs.
     #[error("neither <= nor >= nor another term")]
@@ -39,6 +41,18 @@ pub enum ParseConditionErrorKind {
     /// A second `<=` or `>=`.
     #[error("a second relation")]
     SecondRelation,
+}
+
+/// What would be accepted, unless it is the size of a number that is not.
+struct Expected<'a>(&'a ParseConditionErrorKind);
+
+impl fmt::Display for Expected<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            ParseConditionErrorKind::NotANumber(kind) if kind.is_limit() => Ok(()),
+            _ => f.write_str(" (expected a linear inequality such as \"2*theta1 - theta2 <= 1/3\")"),
+        }
+    }
 }
 
 impl Condition {

@@ -90,12 +90,12 @@ impl Interval {
         below && above
     }
 
-    /// Upper minus lower end, or `None` when an end is unbounded.
+    /// Upper minus lower end, or `None` when an end is unbounded. Exact.
     pub fn width(&self) -> Option<Rational> {
         self.ends().map(|(lower, upper)| upper - lower)
     }
 
-    /// The centre, or `None` when an end is unbounded.
+    /// The centre, or `None` when an end is unbounded. Exact.
     pub fn midpoint(&self) -> Option<Rational> {
         self.ends().map(|(lower, upper)| (lower + upper).half())
     }
@@ -148,5 +148,23 @@ mod tests {
         assert_eq!(interval(Some(1), Some(4)).unwrap().midpoint(), Some(Rational::ratio(5, 2)));
         assert_eq!(interval(Some(1), Some(4)).unwrap().width(), Some(Rational::from(3)));
         assert_eq!(interval(Some(1), None).unwrap().width(), None);
+    }
+
+    #[test]
+    fn narrow_intervals_are_shown_to_one_digit_beyond_the_first_that_differs() {
+        let digits = |lower: i64, exponent: u32| {
+            let unit = Rational::from(crate::Integer::power_of_ten(exponent)).recip().unwrap();
+            let start = Rational::from(lower);
+            Interval::new(Endpoint::Finite(start.clone()), Endpoint::Finite(start + unit))
+                .unwrap()
+                .resolving_digits(5)
+        };
+        // One unit of the fifth digit is as wide as the interval.
+        assert_eq!([0, 3, 4, 5, 6].map(|exponent| digits(1, exponent)), [5, 5, 5, 7, 8]);
+        assert_eq!([2, 3, 4].map(|exponent| digits(-70, exponent)), [5, 5, 7]);
+        assert_eq!([38, 39, 60].map(|exponent| digits(1, exponent)), [40, 5, 5]);
+        let point = |at: i64| interval(Some(at), Some(at)).unwrap();
+        assert_eq!([0, 1].map(|at| point(at).resolving_digits(5)), [5, 5]);
+        assert_eq!(interval(Some(1), None).unwrap().resolving_digits(5), 5);
     }
 }

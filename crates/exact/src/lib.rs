@@ -15,6 +15,9 @@
 //! # Ok::<(), boundfit_exact::ParseNumberError>(())
 //! ```
 
+// What reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
+#![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
+
 mod binary64;
 mod decimal;
 mod double_sum;

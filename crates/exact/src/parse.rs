@@ -43,7 +43,22 @@ impl Reading {
 
     /// Reads a number such as `1.30e-2`, `-.5`, `+3` or `7/19`. White space around it is ignored.
     ///
-    /// Exact. Cost: quadratic in the number of digits, which `limits` bounds.
+    /// Exact. Cost: quadratic in the number of digits, which `limits` bounds; what is beyond them is refused before any
+    /// number is made of it.
+    ///
+    /// ```
+    /// use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading};
+    ///
+    /// let limits = Limits::default();
+    /// assert_eq!(Reading::Decimal.read("0.1", &limits)?, Rational::ratio(1, 10));
+    /// assert_eq!(Reading::Decimal.read("-7/21", &limits)?, Rational::ratio(-1, 3));
+    /// // The nearest double is not 1/10, and is taken for what it is.
+    /// let double = Reading::Binary64.read("0.1", &limits)?;
+    /// assert_eq!(double.to_string(), "3602879701896397/36028797018963968");
+    /// let refused = Reading::Decimal.read("1e999999999", &limits).unwrap_err();
+    /// assert_eq!((refused.position, refused.kind), (2, ParseNumberErrorKind::ExponentTooLarge(10_000)));
+    /// # Ok::<(), boundfit_exact::ParseNumberError>(())
+    /// ```
     ///
     /// # Errors
     /// With the byte position in `text` where the number stops making sense or passes a limit; under
@@ -166,7 +181,7 @@ impl Scanner<'_> {
     fn decimal(&mut self, whole: &[u8]) -> Result<Rational, ParseNumberError> {
         let fraction = if self.next_is(b".") {
             self.position += 1;
-            self.digits(self.limits.digits - whole.len())?
+            self.digits(self.limits.digits.saturating_sub(whole.len()))?
         } else {
             &[]
         };
@@ -174,8 +189,14 @@ impl Scanner<'_> {
         let Some(mantissa) = Integer::from_ascii_digits(&digits) else {
             return Err(self.unexpected());
         };
-        let exponent = self.exponent()? - fraction.len() as i64;
-        let power = Integer::power_of_ten(exponent.unsigned_abs() as u32);
+        let start = self.position;
+        let too_large = |scanner: &Self| {
+            scanner.error_at(start, ParseNumberErrorKind::ExponentTooLarge(scanner.limits.exponent))
+        };
+        let places = i64::try_from(fraction.len()).map_err(|_| too_large(self))?;
+        let exponent = self.exponent()?.saturating_sub(places);
+        let power = u32::try_from(exponent.unsigned_abs()).map_err(|_| too_large(self))?;
+        let power = Integer::power_of_ten(power);
         let value = if exponent >= 0 {
             Some(Rational::from(mantissa * power))
         } else {
@@ -210,14 +231,14 @@ impl Scanner<'_> {
     where
         Self: 'b,
     {
-        let rest = &self.bytes[self.position..];
+        let rest = self.bytes.get(self.position..).unwrap_or_default();
         let count = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
         if count > most {
             let kind = ParseNumberErrorKind::TooManyDigits(self.limits.digits);
             return Err(self.error_at(self.position + most, kind));
         }
         self.position += count;
-        Ok(&rest[..count])
+        Ok(rest.get(..count).unwrap_or_default())
     }
 
     fn sign(&mut self) -> bool {
@@ -352,5 +373,15 @@ mod tests {
         assert_eq!(read("0.5"), Ok(Rational::ratio(1, 2)));
         assert_eq!(read("1e-400"), Ok(Rational::zero()));
         assert_eq!(read("1e400").unwrap_err().kind, Kind::Binary64Overflow);
+    }
+
+    #[test]
+    fn limits_are_told_from_what_is_no_number() {
+        for (text, is_limit) in [("1e99999", true), ("x", false), ("", false), ("1/0", false), ("1_0", false)]
+        {
+            assert_eq!(read(text).unwrap_err().kind.is_limit(), is_limit, "{text:?}");
+        }
+        assert!(read(&"7".repeat(20_000)).unwrap_err().kind.is_limit());
+        assert!(Reading::Binary64.read("1e400", &Limits::default()).unwrap_err().kind.is_limit());
     }
 }

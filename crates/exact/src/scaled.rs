@@ -26,6 +26,10 @@ impl Scaled {
     ///
     /// # Panics
     /// When there are not that many.
+    #[allow(
+        clippy::indexing_slicing,
+        reason = "documented to panic; who asks counts the rows of the same batch"
+    )]
     pub fn get(&self, index: usize) -> Rational {
         decimal(self.mantissas[index], self.exponent)
     }
@@ -58,7 +62,7 @@ pub fn plain_decimal(text: &[u8]) -> Option<(i64, i32)> {
     let text = text.trim_ascii();
     let text = text.strip_prefix(b"+").filter(|rest| !rest.starts_with(b"-")).unwrap_or(text);
     let prefix = plain_prefix(text).or_else(|| long_prefix(text))?;
-    let exponent = match &text[prefix.length..] {
+    let exponent = match text.get(prefix.length..)? {
         [] => 0,
         [b'e' | b'E', exponent @ ..] => written_exponent(exponent)?,
         _ => return None,
@@ -106,6 +110,7 @@ pub fn plain_prefix(text: &[u8]) -> Option<PlainPrefix> {
 
 /// [`plain_prefix`] for more than eight digits.
 #[inline(never)]
+#[allow(clippy::indexing_slicing, reason = "at most MOST_DIGITS digits, by the line before")]
 fn longer_prefix(text: &[u8], negative: bool) -> Option<PlainPrefix> {
     let start = usize::from(negative);
     let (whole, whole_digits) = digits(text, start)?;
@@ -128,6 +133,10 @@ fn longer_prefix(text: &[u8], negative: bool) -> Option<PlainPrefix> {
 /// So many digits always fit an `i64`.
 const MOST_DIGITS: usize = 18;
 
+#[allow(
+    clippy::indexing_slicing,
+    reason = "evaluated by the compiler, which would refuse an index out of range"
+)]
 const POWERS_OF_TEN: [u64; MOST_DIGITS + 1] = {
     let mut powers = [1; MOST_DIGITS + 1];
     let mut exponent = 1;
@@ -140,6 +149,7 @@ const POWERS_OF_TEN: [u64; MOST_DIGITS + 1] = {
 
 /// The number that the digits from a position on spell, and how many they are; `None` for more than 18.
 #[inline]
+#[allow(clippy::indexing_slicing, reason = "eight digits at a time, and nine powers or more")]
 fn digits(text: &[u8], at: usize) -> Option<(u64, usize)> {
     let (mut value, mut count) = (0_u64, 0);
     loop {
@@ -254,6 +264,9 @@ mod tests {
             ("-9223372036854775808", Some((i64::MIN, 0))),
             ("-9223372036854775809", None),
             ("18446744073709551616", None),
+            ("9.999999999999999999", None),
+            ("-9.999999999999999999", None),
+            ("1.999999999999999999", Some((1_999_999_999_999_999_999, -18))),
             ("0.000000000000000000000000000000000000001", Some((1, -39))),
             ("0.0000000000000000000000000000000000000001", None),
             ("1e9999", Some((1, 9999))),
@@ -278,6 +291,20 @@ mod tests {
             {
                 assert_eq!(decimal(mantissa, exponent), number, "{text}");
             }
+        }
+    }
+
+    #[test]
+    fn up_to_eighteen_digits_are_read_as_a_prefix() {
+        let prefix =
+            |text: &str| plain_prefix(text.as_bytes()).map(|prefix| (prefix.mantissa, prefix.length));
+        assert_eq!(prefix("12345678.12345678,"), Some((1_234_567_812_345_678, 17)));
+        assert_eq!(prefix("-123456789.123456789x"), Some((-123_456_789_123_456_789, 20)));
+        assert_eq!(prefix("1.99999999999999999"), Some((199_999_999_999_999_999, 19)));
+        for more in
+            ["1.999999999999999999", "9.999999999999999999", "1234567890123456789", "1234567890.123456789"]
+        {
+            assert_eq!(prefix(more), None, "{more}");
         }
     }
 

@@ -31,7 +31,7 @@ impl Sum {
         self.add_fraction(left.numerator() * right.numerator(), &denominator);
     }
 
-    /// The sum so far, in lowest terms.
+    /// The sum so far, in lowest terms. Exact.
     pub fn total(&self) -> Rational {
         Rational::new(self.numerator.clone(), self.denominator.clone()).unwrap_or_default()
     }

@@ -6,6 +6,7 @@ use std::io;
 use boundfit_exact::ParseNumberError;
 use thiserror::Error;
 
+use crate::limits::Limit;
 use crate::reduction::ReductionError;
 
 /// The longest piece of a file that an error message repeats.
@@ -26,7 +27,7 @@ pub struct Place {
 
 /// An input file that cannot be used.
 #[derive(Debug, Error)]
-#[error("{file}{place}: {problem}{}", Expected(.problem))]
+#[error("{file}{place}: {problem}{}{}", Expected(.problem), RaisedBy(.problem))]
 pub struct InputError {
     /// The file, as it was named.
     pub file: String,
@@ -83,6 +84,48 @@ pub enum Problem {
         /// The format, with its article.
         format: &'static str,
     },
+    /// A number of a binary table that is not finite.
+    #[error("not a finite number")]
+    NotFinite,
+    /// An integer that no double has, where a text in binary64 is made.
+    #[error("no double has this value")]
+    NotBinary64,
+    /// A variable of a MATLAB file that has no columns of numbers.
+    #[error("the variable {variable:?} is {what}")]
+    NoNumbers {
+        /// The variable.
+        variable: String,
+        /// What it holds.
+        what: String,
+    },
+    /// A matrix of a MATLAB file where one column is wanted.
+    #[error("the variable {variable:?} is a matrix of {rows} rows and {columns} columns")]
+    WholeMatrix {
+        /// The variable.
+        variable: String,
+        /// Its rows.
+        rows: u64,
+        /// Its columns.
+        columns: u64,
+    },
+    /// Columns of a MATLAB file that do not make a table.
+    #[error("the column {:?} has {} numbers, but {:?} has {}", .first.0, .first.1, .other.0, .other.1)]
+    DifferentLengths {
+        /// A column and how many numbers it has.
+        first: (String, u64),
+        /// Another one.
+        other: (String, u64),
+    },
+    /// A variable of a MATLAB file beyond the limit.
+    #[error("refused: the variable {variable:?} has {elements} elements, more than {limit} (the limit)")]
+    TooManyElements {
+        /// The variable.
+        variable: String,
+        /// How many elements it announces.
+        elements: u64,
+        /// The most that are read.
+        limit: usize,
+    },
     /// A directory was named.
     #[error("is a directory")]
     IsDirectory,
@@ -110,6 +153,18 @@ pub enum Problem {
     #[error("the line is longer than {limit} bytes (the limit)")]
     LineTooLong {
         /// The longest line that is read.
+        limit: usize,
+    },
+    /// A row without end, because quotes are never closed.
+    #[error("the row is longer than {limit} bytes (the limit); are its quotes closed?")]
+    RowTooLong {
+        /// The longest row that is read.
+        limit: usize,
+    },
+    /// A table with too many columns.
+    #[error("there are more than {limit} columns (the limit)")]
+    TooManyColumns {
+        /// The most columns that are read.
         limit: usize,
     },
     /// A row with more or fewer cells than the first one.
@@ -152,12 +207,9 @@ pub enum Problem {
     /// An error bound below zero.
     #[error("the error bound is negative")]
     NegativeErrorBound,
-    /// An H-representation without its `begin` line.
+    /// An H- or V-representation without its `begin` line.
     #[error("there is no line \"begin\"")]
     NoBegin,
-    /// A V-representation where an H-representation belongs.
-    #[error("this is a V-representation")]
-    VRepresentation,
     /// The line after `begin` is not of the form `rows columns type`.
     #[error("the size line is not understood")]
     BadSizeLine,
@@ -173,19 +225,62 @@ pub enum Problem {
         found: usize,
     },
     /// The file stops before `end`.
-    #[error("the file stops before the line \"end\"; {rows} rows were announced and {found} numbers found")]
+    #[error("the file stops before the line \"end\"; {}{found} numbers found", announced(*.rows))]
     NoEnd {
-        /// Rows announced.
-        rows: usize,
+        /// Rows announced, if any number was.
+        rows: Option<usize>,
         /// Numbers found.
         found: usize,
     },
     /// A `linearity` line that does not list rows of the matrix, or comes after it.
     #[error("this does not list rows of the matrix to come")]
     BadLinearity,
+    /// More rows than the limit allows, announced or found.
+    #[error("there are more than {limit} rows (the limit)")]
+    TooManyRows {
+        /// The most rows that are read.
+        limit: usize,
+    },
+    /// A matrix of unknown size that ends within a row.
+    #[error("the last row has {found} of 3 numbers")]
+    PartOfARow {
+        /// Numbers in the last row.
+        found: usize,
+    },
+    /// An option of cdd or lrs that makes the set another one than that of the rows.
+    #[error("this option makes the set another one")]
+    OtherSet {
+        /// What would be accepted.
+        instead: &'static str,
+    },
+    /// A matrix after the matrix.
+    #[error("a second matrix begins here")]
+    SecondMatrix,
+    /// A row of a V-representation that starts with a negative number.
+    #[error("the row starts with a negative number")]
+    NegativeWeight,
+    /// A point on a `linearity` line of a V-representation.
+    #[error("the row is a point, but a linearity line lists it")]
+    LinearPoint,
 }
 
 impl Problem {
+    /// The limit that was passed, if that is the problem.
+    pub fn limit(&self) -> Option<Limit> {
+        match self {
+            Problem::NotANumber(error) => Limit::of_number(&error.kind),
+            // Sums are written without exponents.
+            Problem::Reduction(ReductionError::BadSum(error)) => {
+                Limit::of_number(&error.kind).filter(|limit| *limit == Limit::Digits)
+            }
+            Problem::LineTooLong { .. } | Problem::RowTooLong { .. } => Some(Limit::Line),
+            Problem::TooManyColumns { .. } => Some(Limit::Columns),
+            Problem::TooManyRows { .. } => Some(Limit::Rows),
+            Problem::TooManyElements { .. } => Some(Limit::Elements),
+            _ => None,
+        }
+    }
+
     /// What would be accepted instead, where that can be said.
     fn expected(&self) -> Option<String> {
         Some(match self {
@@ -204,14 +299,27 @@ impl Problem {
             }
             Problem::AmbiguousColumn { .. } => "a name that occurs once, or the column's number".to_owned(),
             Problem::Null => "a value".to_owned(),
+            Problem::NotFinite => "a finite number".to_owned(),
+            Problem::NotBinary64 => "a number that binary64 has: a reduction is text of such".to_owned(),
+            Problem::NoNumbers { .. } => {
+                "a vector or matrix of real numbers: double, single, integer or logical, full".to_owned()
+            }
+            Problem::WholeMatrix { variable, columns, .. } => {
+                format!("one of its columns, \"{variable}(:,1)\" to \"{variable}(:,{columns})\"")
+            }
+            Problem::DifferentLengths { .. } => "columns of one length".to_owned(),
             Problem::ColumnType { expected, .. } => (*expected).to_owned(),
             Problem::NoText { .. } => "a text table; CSV can be made from it".to_owned(),
             Problem::NotANumber(error) if error.kind.is_limit() => return None,
             Problem::NotANumber(_) => "a decimal such as 1.30e-2 or a fraction such as 7/19".to_owned(),
             Problem::NegativeErrorBound => "a number that is at least 0".to_owned(),
-            Problem::NoBegin | Problem::VRepresentation => "an H-representation: begin, rows, end".to_owned(),
+            Problem::NoBegin => "an H- or V-representation: begin, rows, end".to_owned(),
             Problem::BadSizeLine => "\"ROWS 3 integer\", \"ROWS 3 rational\" or \"ROWS 3 real\"".to_owned(),
-            Problem::NotThePlane(_) => "3 columns: b, -a1, -a2".to_owned(),
+            Problem::NotThePlane(_) => "3 columns: b, -a1, -a2 or 1, x, y".to_owned(),
+            Problem::OtherSet { instead } => (*instead).to_owned(),
+            Problem::SecondMatrix => "one representation in a file".to_owned(),
+            Problem::NegativeWeight => "1 for a point or 0 for a ray".to_owned(),
+            Problem::LinearPoint => "0 x y for a line".to_owned(),
             Problem::BadLinearity => {
                 "\"linearity COUNT ROW...\" before begin, with rows counted from 1".to_owned()
             }
@@ -227,6 +335,18 @@ impl fmt::Display for Expected<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0.expected() {
             Some(expected) => write!(f, " (expected {expected})"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// The part of a message that says how a limit is raised.
+struct RaisedBy<'a>(&'a Problem);
+
+impl fmt::Display for RaisedBy<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0.limit() {
+            Some(limit) => write!(f, "; {} raises it", limit.flag()),
             None => Ok(()),
         }
     }
@@ -254,6 +374,11 @@ impl fmt::Display for Place {
     }
 }
 
+/// `2 rows were announced and `, where a number was.
+fn announced(rows: Option<usize>) -> String {
+    rows.map(|rows| format!("{rows} rows were announced and ")).unwrap_or_default()
+}
+
 /// `1 cell`, `2 cells`.
 fn cells(count: usize) -> String {
     format!("{count} {}", if count == 1 { "cell" } else { "cells" })
@@ -262,7 +387,7 @@ fn cells(count: usize) -> String {
 /// A text in quotes, cut where it is long, with control characters made visible.
 fn quote(text: &str) -> String {
     match text.char_indices().nth(LONGEST_QUOTE) {
-        Some((end, _)) => format!("{:?}...", &text[..end]),
+        Some((end, _)) => format!("{:?}...", text.get(..end).unwrap_or_default()),
         None => format!("{text:?}"),
     }
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use csv::{ByteRecord, ReaderBuilder};
 
-use crate::error::InputError;
+use crate::error::{InputError, Place};
 use crate::lines::LineCounter;
 use crate::source::Source;
 
@@ -14,29 +14,37 @@ pub(crate) struct Records<R> {
     reader: csv::Reader<LineCounter<R>>,
     /// Where the last record starts, before the line ends that the library skips.
     start: u64,
-    line: u64,
 }
 
 impl<R: Read> Records<R> {
-    /// Records of an input that starts on this line.
-    pub(crate) fn new(input: R, delimiter: u8, line: u64) -> Self {
+    /// Records of at most so many bytes of an input that starts on this line.
+    pub(crate) fn new(input: R, delimiter: u8, line: u64, longest: usize) -> Self {
         let reader = ReaderBuilder::new()
             .has_headers(false)
             .flexible(true)
             .delimiter(delimiter)
-            .from_reader(LineCounter::new(input, line));
-        Records { reader, start: 0, line }
+            .from_reader(LineCounter::new(input, line, longest));
+        Records { reader, start: 0 }
     }
 
     /// Reads the next record that is not blank; `false` when there is none.
     pub(crate) fn next(&mut self, file: &str, record: &mut ByteRecord) -> Result<bool, InputError> {
         loop {
+            let start = self.reader.position().byte();
+            self.reader.get_mut().begin(start);
             match self.reader.read_byte_record(record) {
-                Ok(true) if record.len() == 1 && record[0].trim_ascii().is_empty() => {}
                 Ok(more) => {
-                    self.start = record.position().map_or(0, csv::Position::byte);
-                    self.line = self.reader.get_mut().line_at(self.start);
-                    return Ok(more);
+                    self.start = start;
+                    let end = self.reader.position().byte();
+                    if let Some(problem) = self.reader.get_ref().too_long(end) {
+                        let place = Place { line: Some(self.line()), ..Place::default() };
+                        return Err(Source::error(file, place, problem));
+                    }
+                    let is_blank =
+                        record.len() == 1 && record.iter().all(|cell| cell.trim_ascii().is_empty());
+                    if !(more && is_blank) {
+                        return Ok(more);
+                    }
                 }
                 Err(error) => {
                     let error = match error.into_kind() {
@@ -51,7 +59,7 @@ impl<R: Read> Records<R> {
 
     /// The line on which the last record starts, from 1.
     pub(crate) fn line(&self) -> u64 {
-        self.line
+        self.reader.get_ref().record_line()
     }
 
     /// The bytes of the input that make the last record, with line ends around it.

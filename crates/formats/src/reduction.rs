@@ -7,13 +7,14 @@
 use std::io::{self, BufRead, BufReader, Cursor, Read};
 use std::sync::{Arc, Mutex};
 
-use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_exact::{Limits, ParseNumberError, Rational, Reading};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::columns::Header;
 use crate::error::InputError;
-use crate::source::{LONGEST_LINE, Source};
+use crate::limits::SizeLimits;
+use crate::source::Source;
 
 /// How the line in front begins.
 pub const REDUCTION_MARK: &str = "# boundfit/reduced/1 ";
@@ -46,6 +47,12 @@ pub enum ReductionError {
     /// A line that begins as it should and goes on otherwise.
     #[error("the line in front of a reduction is not understood: {0}")]
     BadRecord(String),
+    /// A sum that is not a number, or one beyond a limit.
+    #[error("a sum in the line in front of a reduction: {0}")]
+    BadSum(#[from] ParseNumberError),
+    /// More readings than can be counted.
+    #[error("the reductions stand for more than {} readings", usize::MAX)]
+    TooManyRows,
     /// More or fewer lines than announced.
     #[error("the reduction from line {line} on announces {announced} lines of readings, but {found} follow")]
     CountMismatch {
@@ -90,8 +97,7 @@ impl ReductionRecord {
     pub fn sums(&self, limits: &Limits) -> Result<[Rational; 4], ReductionError> {
         let mut numbers = [const { None }; 4];
         for (number, text) in numbers.iter_mut().zip(&self.sums) {
-            let read = Reading::Decimal.read(text, limits);
-            *number = Some(read.map_err(|error| ReductionError::BadRecord(error.to_string()))?);
+            *number = Some(Reading::Decimal.read(text, limits)?);
         }
         Ok(numbers.map(Option::unwrap_or_default))
     }
@@ -121,7 +127,7 @@ impl ReductionRecord {
     /// The line in front, without line end.
     pub fn line(&self) -> String {
         // Strings, numbers and truth values only: there is nothing in it that cannot be written.
-        let json = serde_json::to_string(self).expect("a record that is not JSON");
+        let json = serde_json::to_string(self).unwrap_or_default();
         format!("{REDUCTION_MARK}{json}")
     }
 
@@ -166,7 +172,10 @@ impl Reductions {
 ///
 /// # Errors
 /// When the source cannot be read or its first line is not understood.
-pub fn open_reduction(source: Source) -> Result<(Source, Option<Reductions>), InputError> {
+pub fn open_reduction(
+    source: Source,
+    sizes: &SizeLimits,
+) -> Result<(Source, Option<Reductions>), InputError> {
     if source.is_binary() {
         return Ok((source, None));
     }
@@ -180,7 +189,7 @@ pub fn open_reduction(source: Source) -> Result<(Source, Option<Reductions>), In
     if !is_reduction {
         return Ok((Source::new(name, bytes), None));
     }
-    let mut reader = ReductionReader::new(bytes);
+    let mut reader = ReductionReader::new(bytes, sizes.line);
     reader.next_line().map_err(fail)?;
     let reductions = reader.reductions.clone();
     Ok((Source::new(name, reader), Some(reductions)))
@@ -198,11 +207,13 @@ pub struct ReductionReader<R> {
     awaits_header: bool,
     out: Vec<u8>,
     position: usize,
+    longest_line: usize,
 }
 
 impl<R: Read> ReductionReader<R> {
-    /// A reader of a text that begins with [`REDUCTION_MARK`].
-    pub fn new(inner: R) -> Self {
+    /// A reader of a text that begins with [`REDUCTION_MARK`]. What reads from it is to refuse lines with more bytes than
+    /// `longest_line`; here longer ones are only kept from being held in memory whole.
+    pub fn new(inner: R, longest_line: usize) -> Self {
         ReductionReader {
             inner: BufReader::new(inner),
             reductions: Reductions::default(),
@@ -213,6 +224,7 @@ impl<R: Read> ReductionReader<R> {
             awaits_header: false,
             out: Vec::new(),
             position: 0,
+            longest_line,
         }
     }
 
@@ -224,7 +236,7 @@ impl<R: Read> ReductionReader<R> {
     /// Reads one line and puts what is to be seen of it into `out`; `false` at the end.
     fn next_line(&mut self) -> io::Result<bool> {
         let mut line = Vec::new();
-        let limit = LONGEST_LINE as u64 + 2;
+        let limit = self.longest_line as u64 + 2;
         self.inner.by_ref().take(limit).read_until(b'\n', &mut line)?;
         if line.is_empty() {
             self.check_count()?;
@@ -291,7 +303,7 @@ impl<R: Read> Read for ReductionReader<R> {
         if self.position == self.out.len() && (buffer.is_empty() || !self.next_line()?) {
             return Ok(0);
         }
-        let count = (&self.out[self.position..]).read(buffer)?;
+        let count = self.out.get(self.position..).unwrap_or_default().read(buffer)?;
         self.position += count;
         Ok(count)
     }

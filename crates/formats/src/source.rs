@@ -6,12 +6,10 @@ use std::io::{self, Read};
 use sha2::{Digest, Sha256};
 use thiserror::Error;
 
-use crate::binary::BinaryTable;
+use crate::binary::{BinaryFormat, BinaryTable};
 use crate::error::{InputError, Place, Problem};
+use crate::limits::SizeLimits;
 use crate::reduction::ReductionError;
-
-/// The longest line that is read, in bytes. Without a bound, a file without line ends would be held in memory whole.
-pub const LONGEST_LINE: usize = 1 << 24;
 
 /// What messages call the input named `-`.
 pub(crate) const STANDARD_INPUT: &str = "standard input";
@@ -93,10 +91,18 @@ impl Source {
         self.binary.is_some()
     }
 
-    /// The name and the binary table, if this is one.
-    #[cfg(feature = "arrow")]
-    pub(crate) fn into_binary(mut self) -> Result<(String, BinaryTable), Self> {
-        match self.binary.take() {
+    /// Whether the numbers in this file are stored in binary, exactly, so that no reading of text applies: in a MATLAB
+    /// file. What is reported of them is the binary64 reading.
+    pub fn is_stored(&self) -> bool {
+        self.binary.as_ref().is_some_and(|table| table.format.is_matlab())
+    }
+
+    /// The name and the binary table, if this is one of a format like this.
+    pub(crate) fn into_binary(
+        mut self,
+        is_meant: impl Fn(BinaryFormat) -> bool,
+    ) -> Result<(String, BinaryTable), Self> {
+        match self.binary.take_if(|table| is_meant(table.format)) {
             Some(table) => Ok((self.name, table)),
             None => Err(self),
         }
@@ -106,10 +112,21 @@ impl Source {
         (self.name, self.bytes)
     }
 
-    pub(crate) fn watched(self) -> (String, WatchedReader) {
-        let reader = WatchedReader { bytes: self.bytes, hash: Sha256::new(), line: 1, since_line_end: 0 };
+    pub(crate) fn watched(self, sizes: &SizeLimits) -> (String, WatchedReader) {
+        let reader = WatchedReader {
+            bytes: self.bytes,
+            hash: Sha256::new(),
+            line: 1,
+            since_line_end: 0,
+            longest_line: sizes.line,
+        };
         (self.name, reader)
     }
+}
+
+/// A reader that claims to have read more than there was room for; none of the standard library's does.
+pub(crate) fn over_full() -> io::Error {
+    io::Error::other("more bytes than the buffer holds")
 }
 
 /// Why no more bytes come, and in which line, counted by line feeds from 1.
@@ -131,6 +148,7 @@ pub(crate) struct WatchedReader {
     hash: Sha256,
     line: u64,
     since_line_end: usize,
+    longest_line: usize,
 }
 
 impl WatchedReader {
@@ -152,12 +170,12 @@ impl Read for WatchedReader {
                 result => break result.map_err(|error| self.stopped(error.into()))?,
             }
         };
-        let bytes = &buffer[..count];
+        let bytes = buffer.get(..count).ok_or_else(over_full)?;
         self.hash.update(bytes);
         for piece in bytes.split_inclusive(|&byte| byte == b'\n') {
             self.since_line_end += piece.len();
-            if self.since_line_end > LONGEST_LINE {
-                return Err(self.stopped(Problem::LineTooLong { limit: LONGEST_LINE }));
+            if self.since_line_end > self.longest_line {
+                return Err(self.stopped(Problem::LineTooLong { limit: self.longest_line }));
             }
             if piece.ends_with(b"\n") {
                 self.line += 1;

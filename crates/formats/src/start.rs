@@ -4,6 +4,7 @@ use std::io::{self, Read};
 
 use crate::error::Problem;
 use crate::reduction::{REDUCTION_MARK, ReductionError};
+use crate::source::over_full;
 
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
@@ -14,7 +15,7 @@ pub(crate) fn first_line(bytes: &mut impl Read) -> io::Result<Vec<u8>> {
     let mut search = FirstLine::default();
     loop {
         let count = bytes.read(&mut buffer)?;
-        start.extend_from_slice(&buffer[..count]);
+        start.extend_from_slice(buffer.get(..count).ok_or_else(over_full)?);
         if count == 0 || search.is_in(&start, count) {
             return Ok(start);
         }
@@ -34,8 +35,10 @@ impl FirstLine {
         if self.before == 0 {
             self.before = start.len() - without_mark(start).len();
         }
-        self.before = start.len() - start[self.before..].trim_ascii_start().len();
-        start[self.before.max(start.len() - added)..].contains(&b'\n')
+        let rest = start.get(self.before..).unwrap_or_default().trim_ascii_start();
+        self.before = start.len() - rest.len();
+        let fresh = rest.len().min(added);
+        rest.iter().rev().take(fresh).any(|&byte| byte == b'\n')
     }
 }
 

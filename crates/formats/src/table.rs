@@ -5,9 +5,11 @@ use std::io::{self, Cursor, Read};
 use boundfit_exact::{Limits, Rational, Reading};
 use csv::ByteRecord;
 
-use crate::binary::refuse_binary;
+use crate::binary::{BinaryFormat, refuse_binary};
 use crate::columns::{ColumnPlace, ColumnSelector, Header, Heading, decode};
 use crate::error::{InputError, Place, Problem};
+use crate::limits::SizeLimits;
+use crate::mat::read_mat_table;
 use crate::records::Records;
 use crate::source::{Source, WatchedReader};
 use crate::start::{detect_delimiter, first_line, refuse_other, without_mark};
@@ -26,13 +28,40 @@ impl RowRange {
     }
 
     /// Those of the rows from `start` to before `end` that are in the range.
-    #[cfg(feature = "arrow")]
     pub(crate) fn among(&self, start: usize, end: usize) -> std::ops::Range<usize> {
         start.max(self.first)..end.min(self.last.saturating_add(1))
     }
 
     pub(crate) fn contains(&self, row: usize) -> bool {
         (self.first..=self.last).contains(&row)
+    }
+}
+
+/// Where in delimited text the numbers asked for stand.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TextLayout {
+    /// What separates cells.
+    pub delimiter: u8,
+    /// Whether the first record names the columns.
+    pub has_header: bool,
+    /// The numbers of the columns asked for, from 1, in the order asked.
+    pub columns: Vec<usize>,
+    /// The first and the last row wanted, from 1.
+    pub rows: [usize; 2],
+}
+
+impl TextLayout {
+    /// The layout of a table with so many data rows, at least one.
+    pub(crate) fn new(
+        delimiter: u8,
+        has_header: bool,
+        places: &[ColumnPlace],
+        wanted: Option<RowRange>,
+        rows_total: usize,
+    ) -> Self {
+        let columns = places.iter().map(|place| place.position).collect();
+        let rows = wanted.map_or([1, rows_total], |RowRange { first, last }| [first, last]);
+        TextLayout { delimiter, has_header, columns, rows }
     }
 }
 
@@ -51,6 +80,8 @@ pub struct TableOptions {
     pub reading: Reading,
     /// What one number may ask for.
     pub limits: Limits,
+    /// What the file as a whole may ask for.
+    pub sizes: SizeLimits,
 }
 
 /// One data row.
@@ -58,7 +89,7 @@ pub struct TableOptions {
 pub struct TableRow {
     /// Number of the row among the data rows, from 1.
     pub row: usize,
-    /// Line of the file on which it starts, from 1.
+    /// Line of the file on which it starts, from 1; 0 in a file without lines.
     pub line: u64,
     /// The numbers of the columns asked for, in the order asked.
     pub numbers: Vec<Rational>,
@@ -75,14 +106,32 @@ pub struct Table {
     pub others: Vec<TableRow>,
     /// How many data rows the file has.
     pub rows_total: usize,
+    /// Where the numbers stand; `None` unless the table is delimited text.
+    pub layout: Option<TextLayout>,
     /// SHA-256 of the file's bytes, in hexadecimal.
     pub sha256: String,
 }
 
 /// Reads the columns asked for from comma-, semicolon- or tab-separated text, with or without a header, quotes, a byte
 /// order mark, CRLF or blank lines. Blank lines are not rows. Only cells of wanted rows and columns need be numbers.
+/// Of a MATLAB file, the vectors and columns of matrices are read; there, numbers are those that are stored.
 ///
 /// Exact as `options.reading` says. Cost: one pass; memory for the wanted cells.
+///
+/// ```
+/// use boundfit_exact::Rational;
+/// use boundfit_formats::{ColumnSelector, Source, TableOptions, read_table};
+///
+/// let columns = ["U", "I"].map(ColumnSelector::name_or_number);
+/// let text = Source::new("resistor.csv", "I;U\n0.1;1/3\n0.2;0.7\n".as_bytes());
+/// let table = read_table(text, &columns, &TableOptions::default())?;
+/// assert_eq!(table.rows[0].numbers, [Rational::ratio(1, 3), Rational::ratio(1, 10)]);
+///
+/// let text = Source::new("resistor.csv", "I;U\n0.1;o.3\n".as_bytes());
+/// let error = read_table(text, &columns, &TableOptions::default()).unwrap_err();
+/// assert!(error.to_string().starts_with("resistor.csv: line 2, column 2 (U): \"o.3\": not a number"));
+/// # Ok::<(), boundfit_formats::InputError>(())
+/// ```
 ///
 /// # Errors
 /// The first thing wrong, with its place.
@@ -91,20 +140,25 @@ pub fn read_table(
     columns: &[ColumnSelector],
     options: &TableOptions,
 ) -> Result<Table, InputError> {
-    let (file, mut bytes) = source.watched();
+    let source = match source.into_binary(BinaryFormat::is_matlab) {
+        Ok((name, table)) => return read_mat_table(&name, table, columns, options),
+        Err(text) => text,
+    };
+    let (file, mut bytes) = source.watched(&options.sizes);
     let start = first_line(&mut bytes).map_err(|error| Source::stopped(&file, error))?;
     refuse_binary(&file, &start)?;
     refuse_other(&start).map_err(|problem| Source::error(&file, Place::default(), problem))?;
     let start = without_mark(&start).to_vec();
     let delimiter = options.delimiter.unwrap_or_else(|| detect_delimiter(&start));
-    let records = Records::new(Cursor::new(start).chain(bytes), delimiter, 1);
-    TableReader { file, columns, options, records }.read()
+    let records = Records::new(Cursor::new(start).chain(bytes), delimiter, 1, options.sizes.line);
+    TableReader { file, columns, options, delimiter, records }.read()
 }
 
 struct TableReader<'a> {
     file: String,
     columns: &'a [ColumnSelector],
     options: &'a TableOptions,
+    delimiter: u8,
     records: Records<io::Chain<Cursor<Vec<u8>>, WatchedReader>>,
 }
 
@@ -115,6 +169,7 @@ impl TableReader<'_> {
             return Err(Source::error(&self.file, Place::default(), Problem::Empty));
         }
         let line = self.records.line();
+        check_columns(&self.file, &record, line, &self.options.sizes)?;
         let heading = Heading::new(&self.file, &record, line, self.options.header, self.columns, None)?;
         let places = self.columns.iter().map(|column| heading.find(&self.file, column));
         let places = places.collect::<Result<Vec<_>, _>>()?;
@@ -123,6 +178,7 @@ impl TableReader<'_> {
             rows: Vec::new(),
             others: Vec::new(),
             rows_total: 0,
+            layout: None,
             sha256: String::new(),
         };
         let mut more = heading.names.is_none() || self.records.next(&self.file, &mut record)?;
@@ -144,6 +200,10 @@ impl TableReader<'_> {
             more = self.records.next(&self.file, &mut record)?;
         }
         check_rows(&self.file, table.rows_total, self.options.rows)?;
+        let has_header = heading.names.is_some();
+        let layout =
+            TextLayout::new(self.delimiter, has_header, &places, self.options.rows, table.rows_total);
+        table.layout = Some(layout);
         table.sha256 = self.records.input().get_ref().1.sha256();
         Ok(table)
     }
@@ -170,6 +230,20 @@ pub(crate) fn read_number(
         return Err(Problem::NegativeErrorBound);
     }
     Ok(number)
+}
+
+/// Refuses a table whose first record, on this line, has too many cells.
+pub(crate) fn check_columns(
+    file: &str,
+    first: &ByteRecord,
+    line: u64,
+    sizes: &SizeLimits,
+) -> Result<(), InputError> {
+    if first.len() <= sizes.columns {
+        return Ok(());
+    }
+    let place = Place { line: Some(line), ..Place::default() };
+    Err(Source::error(file, place, Problem::TooManyColumns { limit: sizes.columns }))
 }
 
 /// Refuses a row that has not as many cells as the first one.

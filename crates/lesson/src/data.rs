@@ -16,7 +16,7 @@ use crate::points::Points;
 use crate::questions::{Facts, Question, questions};
 use crate::readings::{self, ConditionJson, EpsilonJson, ModelJson, ReadingJson};
 use crate::sweep::sweep;
-use crate::{LessonError, LessonOptions, MOST_ROWS};
+use crate::{LessonError, LessonOptions};
 
 /// The document of schema `boundfit/lesson/1`.
 #[derive(Debug, Serialize)]
@@ -62,8 +62,8 @@ pub(crate) fn build(
 ) -> Result<LessonJson, LessonError> {
     let measurements = &problem.measurements;
     let rows = measurements.rows().len();
-    if rows > MOST_ROWS {
-        return Err(LessonError::TooManyRows { rows });
+    if rows > options.most_rows {
+        return Err(LessonError::TooManyRows { rows, limit: options.most_rows });
     }
     // Half-planes that cannot be active are part of the lesson.
     let fit = &fit.with_every_half_plane(problem);

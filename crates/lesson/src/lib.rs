@@ -25,11 +25,11 @@ use boundfit_exact::Reading;
 use serde_json::Value;
 use thiserror::Error;
 
-/// The most readings that a lesson is made for: what the page shows grows with their square.
+/// The most readings that a lesson is made for unless more are asked for: what the page shows grows with their square.
 pub const MOST_ROWS: usize = 300;
 
 /// What the page says about the data besides what follows from them.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LessonOptions {
     /// Where the readings come from; of a path only the file's name is shown.
     pub file: String,
@@ -39,6 +39,15 @@ pub struct LessonOptions {
     pub x_unit: Option<String>,
     /// Unit of y.
     pub y_unit: Option<String>,
+    /// The most readings that a page is made for.
+    pub most_rows: usize,
+}
+
+impl Default for LessonOptions {
+    /// No words but those that follow from the data, and at most [`MOST_ROWS`] readings.
+    fn default() -> Self {
+        LessonOptions { file: String::new(), title: None, x_unit: None, y_unit: None, most_rows: MOST_ROWS }
+    }
 }
 
 /// Why there is no lesson.
@@ -46,10 +55,12 @@ pub struct LessonOptions {
 #[non_exhaustive]
 pub enum LessonError {
     /// More readings than a page can show.
-    #[error("{rows} readings are too many for a lesson (the limit is {MOST_ROWS})")]
+    #[error("{rows} readings are too many for a lesson (the limit is {limit})")]
     TooManyRows {
         /// How many there are.
         rows: usize,
+        /// How many there may be.
+        limit: usize,
     },
     /// A report that cannot be embedded.
     #[error("cannot embed a report: {0}")]
@@ -61,7 +72,7 @@ pub enum LessonError {
 /// The same bytes on every run. Cost: that of [`lesson_data`].
 ///
 /// # Errors
-/// With more than [`MOST_ROWS`] readings.
+/// With more than [`LessonOptions::most_rows`] readings.
 pub fn page(
     problem: &Problem,
     fit: &Fit,
@@ -79,7 +90,7 @@ pub fn page(
 /// build on four programs, each for at most ten seconds.
 ///
 /// # Errors
-/// With more than [`MOST_ROWS`] readings.
+/// With more than [`LessonOptions::most_rows`] readings.
 pub fn lesson_data(
     problem: &Problem,
     fit: &Fit,

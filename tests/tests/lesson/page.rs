@@ -142,7 +142,7 @@ fn too_many_readings_are_refused() {
     assert_eq!(run.status, 1);
     assert_eq!(
         run.stderr,
-        "error: data.csv: 301 readings are too many for a lesson (the limit is 300); choose some with --rows FIRST..LAST\n"
+        "error: data.csv: 301 readings are too many for a lesson (the limit is 300); choose some with --rows FIRST..LAST, or raise it with --max-readings\n"
     );
     assert_eq!(files_in(directory.path()), ["data.csv"]);
     let run = boundfit(directory.path(), &format!("{line} --rows 2..301"));

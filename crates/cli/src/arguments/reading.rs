@@ -1,14 +1,20 @@
 //! From options to what the libraries take.
 
-use boundfit_estimation::{Columns, Condition, EpsilonColumn, Keep, Measurements, Problem};
+use std::fs;
+
+use boundfit_estimation::{
+    Columns, Condition, EpsilonColumn, Keep, Measurements, ParseConditionError, ParseConditionErrorKind,
+    Problem,
+};
 use boundfit_exact::{Limits, Rational, Reading};
-use boundfit_formats::{Header, RowRange, ScanOptions, Source, TableOptions};
-use boundfit_report::{EndRounding, Style};
+use boundfit_formats::{Header, Limit, RowRange, ScanOptions, SizeLimits, Source, TableOptions};
+use boundfit_report::{EndRounding, Origin, Style};
 use clap::ValueEnum;
 
+use super::values::{number_problem, parse_factors};
 use super::{
-    DataArguments, DelimiterName, HeaderName, OutputArguments, ReadingName, RoundingName, TableArguments,
-    ThreadArguments,
+    DataArguments, DelimiterName, FitArguments, HeaderName, LimitArguments, OutputArguments, ReadingName,
+    RoundingName, TableArguments, ThreadArguments,
 };
 use crate::exit::Failure;
 use crate::progress::ReadingProgress;
@@ -22,6 +28,21 @@ impl DataArguments {
     /// The row range in the user's words.
     pub(crate) fn rows_asked(&self) -> Option<&str> {
         self.rows.as_ref().map(|rows| rows.text.as_str())
+    }
+
+    /// How the numbers of the file and of the options are read.
+    pub(crate) fn reading(&self) -> Reading {
+        self.table.reading_of(&self.data)
+    }
+
+    /// Where the readings come from, for reports.
+    pub(crate) fn origin(&self) -> Origin<'_> {
+        Origin {
+            file: self.file_name(),
+            rows: self.rows_asked(),
+            reading: self.reading(),
+            is_stored: is_stored(&self.data),
+        }
     }
 
     /// Reads the problem.
@@ -58,7 +79,7 @@ impl DataArguments {
     fn read(&self, keep_others: bool) -> Result<Problem, Failure> {
         let (columns, conditions) = self.asked()?;
         let rows = self.rows.as_ref().map(|rows| rows.range);
-        let options = TableOptions { keep_others, ..self.table.options(rows) };
+        let options = TableOptions { keep_others, reading: self.reading(), ..self.table.options(rows) };
         let source = Source::open(&self.data).map_err(Failure::data)?;
         let measurements = Measurements::read(source, &columns, &options).map_err(Failure::data)?;
         Ok(Problem { measurements, conditions })
@@ -66,8 +87,8 @@ impl DataArguments {
 
     /// The columns and conditions asked for.
     pub(crate) fn asked(&self) -> Result<(Columns, Vec<Condition>), Failure> {
-        let reading = self.table.reading();
-        let limits = Limits::default();
+        let reading = self.reading();
+        let limits = self.table.limits.number();
         let epsilon = match (&self.epsilon.eps, &self.epsilon.eps_column) {
             (Some(eps), _) => EpsilonColumn::Uniform(error_bound(eps, reading, &limits)?),
             (None, Some(column)) => EpsilonColumn::Column(column.clone()),
@@ -75,7 +96,7 @@ impl DataArguments {
         };
         let condition = |text: &String| {
             Condition::parse(text, reading, &limits)
-                .map_err(|error| Failure::value("--where <CONDITION>", text, error))
+                .map_err(|error| Failure::value("--where <CONDITION>", text, condition_problem(&error)))
         };
         let conditions = self.conditions.iter().map(condition).collect::<Result<_, _>>()?;
         let columns = Columns {
@@ -88,30 +109,55 @@ impl DataArguments {
     }
 }
 
+/// Whether a file can be opened and stores its numbers in binary. Only a regular file is opened: who writes to a pipe would
+/// notice that its reader has gone.
+fn is_stored(path: &str) -> bool {
+    let is_file = path != "-" && fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
+    is_file && Source::open(path).is_ok_and(|source| source.is_stored())
+}
+
 fn error_bound(text: &str, reading: Reading, limits: &Limits) -> Result<Rational, Failure> {
-    let expected = "expected a number that is at least 0, such as 0.5e-3 or 1/2000";
-    let refuse =
-        |problem: String| Failure::value("--eps <NUM>", text, format_args!("{problem} ({expected})"));
-    let value = reading.read(text, limits).map_err(|error| refuse(format!("not a number: {error}")))?;
-    if value.is_negative() { Err(refuse("negative".to_owned())) } else { Ok(value) }
+    const EXPECTED: &str = "expected a number that is at least 0, such as 0.5e-3 or 1/2000";
+    let refuse = |problem: String| Failure::value("--eps <NUM>", text, problem);
+    let value = reading.read(text, limits).map_err(|error| refuse(number_problem(&error, EXPECTED)))?;
+    if value.is_negative() { Err(refuse(format!("negative ({EXPECTED})"))) } else { Ok(value) }
+}
+
+fn condition_problem(error: &ParseConditionError) -> String {
+    let limit = match &error.kind {
+        ParseConditionErrorKind::NotANumber(kind) => Limit::of_number(kind),
+        _ => None,
+    };
+    limit.map_or_else(|| error.to_string(), |limit| format!("{error}; {} raises it", limit.flag()))
+}
+
+impl FitArguments {
+    /// The same with the factors of `--sweep` as numbers, which need the limits.
+    pub(crate) fn with_factors(self) -> Result<Self, Failure> {
+        let limits = self.data.table.limits.number();
+        let sweep = self.asked_factors.as_deref().map(|text| parse_factors(text, &limits)).transpose()?;
+        Ok(FitArguments { sweep, ..self })
+    }
 }
 
 impl TableArguments {
-    fn options(&self, rows: Option<RowRange>) -> TableOptions {
+    /// How a table is read.
+    pub(crate) fn options(&self, rows: Option<RowRange>) -> TableOptions {
         TableOptions {
             header: self.header(),
             delimiter: self.delimiter(),
             rows,
             keep_others: false,
             reading: self.reading(),
-            limits: Limits::default(),
+            limits: self.limits.number(),
+            sizes: self.limits.sizes(),
         }
     }
 
     /// How the table at a path is read in parts.
     pub(crate) fn scan_options(&self, path: &str, rows: Option<RowRange>) -> ScanOptions {
         ScanOptions {
-            table: self.options(rows),
+            table: TableOptions { reading: self.reading_of(path), ..self.options(rows) },
             progress: Some(ReadingProgress::new(path)),
             ..ScanOptions::default()
         }
@@ -122,6 +168,11 @@ impl TableArguments {
             ReadingName::Decimal => Reading::Decimal,
             ReadingName::Binary64 => Reading::Binary64,
         }
+    }
+
+    /// How the numbers of the file at a path are read.
+    fn reading_of(&self, path: &str) -> Reading {
+        if is_stored(path) { Reading::Binary64 } else { self.reading() }
     }
 
     pub(crate) fn header(&self) -> Header {
@@ -140,6 +191,29 @@ impl TableArguments {
             DelimiterName::Tab => Some(b'\t'),
         }
     }
+}
+
+impl LimitArguments {
+    /// Of one number.
+    pub(crate) fn number(&self) -> Limits {
+        Limits { digits: size(self.max_digits), exponent: self.max_exponent }
+    }
+
+    /// Of a file.
+    pub(crate) fn sizes(&self) -> SizeLimits {
+        SizeLimits {
+            line: size(self.max_line),
+            columns: size(self.max_columns),
+            rows: size(self.max_rows),
+            elements: size(self.max_elements),
+            nesting: usize::from(self.max_nesting),
+        }
+    }
+}
+
+/// A size that no memory of this machine holds is as good as the largest one.
+fn size(asked: u64) -> usize {
+    usize::try_from(asked).unwrap_or(usize::MAX)
 }
 
 impl ThreadArguments {

@@ -1,7 +1,9 @@
 //! The values of options that are more than a text or a number.
 
-use boundfit_exact::{Limits, Rational, Reading};
-use boundfit_formats::{ColumnSelector, RowRange};
+use boundfit_exact::{Limits, ParseNumberError, Rational, Reading};
+use boundfit_formats::{ColumnSelector, Limit, RowRange};
+
+use crate::exit::Failure;
 
 /// The columns of one or two regressors.
 #[derive(Debug, Clone)]
@@ -32,7 +34,7 @@ pub(super) fn parse_column(text: &str) -> Result<ColumnSelector, String> {
 }
 
 pub(super) fn parse_regressors(text: &str) -> Result<Regressors, String> {
-    match text.split(',').collect::<Vec<_>>().as_slice() {
+    match split_at_commas(text).as_slice() {
         [first] => Ok(Regressors { first: parse_column(first)?, second: None }),
         [first, second] => {
             Ok(Regressors { first: parse_column(first)?, second: Some(parse_column(second)?) })
@@ -41,16 +43,42 @@ pub(super) fn parse_regressors(text: &str) -> Result<Regressors, String> {
     }
 }
 
-pub(super) fn parse_factors(text: &str) -> Result<FactorRange, String> {
-    let expected = "expected FROM..TO with numbers 0 <= FROM <= TO, such as 0.5..2";
+/// The parts between commas; those within parentheses, as in `M(:,2)`, are not between.
+fn split_at_commas(text: &str) -> Vec<&str> {
+    let mut depth = 0_usize;
+    text.split(|character| {
+        match character {
+            '(' => depth += 1,
+            ')' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        character == ',' && depth == 0
+    })
+    .collect()
+}
+
+/// What is wrong with a number: that it is none, with what was expected, or how the limit is raised that it passes.
+pub(crate) fn number_problem(error: &ParseNumberError, expected: &str) -> String {
+    match Limit::of_number(&error.kind) {
+        Some(limit) => format!("refused: {error}; {} raises it", limit.flag()),
+        None => format!("not a number: {error} ({expected})"),
+    }
+}
+
+/// The factors `FROM..TO`.
+pub(super) fn parse_factors(text: &str, limits: &Limits) -> Result<FactorRange, Failure> {
+    const EXPECTED: &str = "expected FROM..TO with numbers 0 <= FROM <= TO, such as 0.5..2";
+    let refuse = |problem: String| Failure::value("--sweep <FROM..TO>", text, problem);
     let number = |text: &str| {
-        Reading::Decimal
-            .read(text, &Limits::default())
-            .map_err(|error| format!("{text:?}: {error} ({expected})"))
+        let number = Reading::Decimal.read(text, limits);
+        number.map_err(|error| refuse(format!("{text:?}: {}", number_problem(&error, EXPECTED))))
     };
-    let (from, to) = text.split_once("..").ok_or(expected)?;
+    let (from, to) = text.split_once("..").ok_or_else(|| refuse(EXPECTED.to_owned()))?;
     let range = FactorRange { from: number(from.trim())?, to: number(to.trim())? };
-    if range.from.is_negative() || range.to < range.from { Err(expected.to_owned()) } else { Ok(range) }
+    if range.from.is_negative() || range.to < range.from {
+        return Err(refuse(EXPECTED.to_owned()));
+    }
+    Ok(range)
 }
 
 pub(super) fn parse_rows(text: &str) -> Result<AskedRows, String> {
@@ -65,5 +93,24 @@ pub(super) fn parse_rows(text: &str) -> Result<AskedRows, String> {
     match range {
         Some(range) => Ok(AskedRows { text: text.to_owned(), range }),
         None => Err("expected FIRST..LAST with 1 <= FIRST <= LAST, such as 14..36".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::split_at_commas;
+
+    #[test]
+    fn commas_within_parentheses_do_not_separate() {
+        for (text, parts) in [
+            ("x", &["x"][..]),
+            ("x,y", &["x", "y"]),
+            ("M(:,1)", &["M(:,1)"]),
+            ("M(:,1),M(:,2)", &["M(:,1)", "M(:,2)"]),
+            ("x),y", &["x)", "y"]),
+            ("x,y,z", &["x", "y", "z"]),
+        ] {
+            assert_eq!(split_at_commas(text), parts, "{text}");
+        }
     }
 }

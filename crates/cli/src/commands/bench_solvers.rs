@@ -6,12 +6,12 @@ use std::time::Duration;
 
 use boundfit_check::{Check, CheckOptions, check, source_names};
 use boundfit_estimation::{Columns, EpsilonColumn, Measurements, Problem};
-use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_exact::{Rational, Reading};
 use boundfit_formats::{ColumnSelector, Source, TableOptions};
 use boundfit_report::{conformance_json, conformance_table};
 
 use crate::CommandResult;
-use crate::arguments::{BenchSolversArguments, Format};
+use crate::arguments::{BenchSolversArguments, Format, number_problem};
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
@@ -30,8 +30,11 @@ pub(crate) fn run(arguments: &BenchSolversArguments) -> CommandResult {
     if names.is_empty() {
         return Err(Failure::data(format_args!("{folder}: there is no case NAME.csv with NAME.json")));
     }
+    let limits = &arguments.limits;
+    let table = TableOptions { limits: limits.number(), sizes: limits.sizes(), ..TableOptions::default() };
     let cases = while_working("solving", || {
-        let judged = |name: String| judged_case(Path::new(folder), &name).map(|judged| (name, judged));
+        let judged =
+            |name: String| judged_case(Path::new(folder), &name, &table).map(|judged| (name, judged));
         names.into_iter().map(judged).collect::<Result<Vec<_>, Failure>>()
     })?;
     let report = match arguments.format {
@@ -42,15 +45,19 @@ pub(crate) fn run(arguments: &BenchSolversArguments) -> CommandResult {
     Ok(Exit::Answer)
 }
 
+/// What an error bound may look like.
+const EXPECTED: &str = "expected a text such as \"0.5e-3\" or \"1/2000\"";
+
 /// A case: `NAME.csv` with columns x and y, and `"eps"` in `NAME.json`.
-fn judged_case(folder: &Path, name: &str) -> Result<Check, Failure> {
+fn judged_case(folder: &Path, name: &str, table: &TableOptions) -> Result<Check, Failure> {
     let json = folder.join(format!("{name}.json"));
     let fail = |problem: String| Failure::data(format_args!("{}: {problem}", json.display()));
     let text = fs::read_to_string(&json).map_err(|error| fail(format!("cannot read: {error}")))?;
     let case: serde_json::Value = serde_json::from_str(&text).map_err(|error| fail(error.to_string()))?;
-    let epsilon = case["eps"].as_str().ok_or_else(|| fail("there is no text \"eps\"".to_owned()))?;
-    let epsilon =
-        Reading::Decimal.read(epsilon, &Limits::default()).map_err(|error| fail(error.to_string()))?;
+    let epsilon = case.get("eps").and_then(serde_json::Value::as_str);
+    let epsilon = epsilon.ok_or_else(|| fail("there is no text \"eps\"".to_owned()))?;
+    let epsilon = Reading::Decimal.read(epsilon, &table.limits);
+    let epsilon = epsilon.map_err(|error| fail(format!("\"eps\": {}", number_problem(&error, EXPECTED))))?;
     let columns = Columns {
         first: ColumnSelector::name_or_number("x"),
         second: None,
@@ -59,8 +66,7 @@ fn judged_case(folder: &Path, name: &str) -> Result<Check, Failure> {
     };
     let csv = folder.join(format!("{name}.csv"));
     let source = Source::open(&csv.to_string_lossy()).map_err(Failure::data)?;
-    let measurements =
-        Measurements::read(source, &columns, &TableOptions::default()).map_err(Failure::data)?;
+    let measurements = Measurements::read(source, &columns, table).map_err(Failure::data)?;
     let problem = Problem { measurements, conditions: Vec::new() };
     let options = CheckOptions {
         solvers: source_names(),

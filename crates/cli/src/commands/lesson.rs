@@ -11,7 +11,7 @@ use crate::progress::while_working;
 
 /// Reads the data, fits and writes the page.
 pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
-    let reading = arguments.data.table.reading();
+    let reading = arguments.data.reading();
     let problem = arguments.data.problem_with_others()?;
     let fit = fit(&problem);
     let options = LessonOptions {
@@ -19,11 +19,12 @@ pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
         title: arguments.labels.title.clone(),
         x_unit: arguments.labels.x_unit.clone(),
         y_unit: arguments.labels.y_unit.clone(),
+        most_rows: usize::from(arguments.max_readings),
     };
     let page = while_working("writing the page", || page(&problem, &fit, reading, &options));
     let page = page.map_err(|error| match error {
         LessonError::TooManyRows { .. } => Failure::data(format_args!(
-            "{}: {error}; choose some with --rows FIRST..LAST",
+            "{}: {error}; choose some with --rows FIRST..LAST, or raise it with --max-readings",
             arguments.data.file_name()
         )),
         _ => Failure::data(error),

@@ -135,7 +135,7 @@ impl Measurements {
             Digest { batch, line }
         };
         let most_rows = if of_line { keep.most_rows } else { usize::MAX };
-        let (source, reductions) = open_reduction(Source::open(path)?)?;
+        let (source, reductions) = open_reduction(Source::open(path)?, &options.table.sizes)?;
         let mut options = options.clone();
         if let Some(reductions) = &reductions {
             options.table.header = reductions.header();
@@ -153,7 +153,7 @@ impl Measurements {
                     Measurements::of_batches(columns, scanned.clone(), &all.batches).rows().to_vec()
                 }
             };
-            let scanned = Scanned { rows_total: reduction.sums.count, ..scanned };
+            let scanned = Scanned { rows_total: reduction.sums.count, layout: None, ..scanned };
             return Ok(Measurements::of_reduction(columns, scanned, rows, reduction));
         }
         if all.rows <= most_rows {

@@ -17,8 +17,9 @@ use super::{Extremes, LineSums};
 /// that dropping them is rare.
 const MOST_SUPERFLUOUS: usize = 100_000;
 
-/// A sum of squares has twice as many digits as the readings may have, and those of the fractions on top.
-const SUM_LIMITS: Limits = Limits { digits: 100_000, exponent: 0 };
+/// How many times as many digits as a reading a sum may have: that of squares has twice as many, and those of the
+/// fractions on top.
+const DIGITS_OF_SUMS: usize = 10;
 
 /// The few readings of a line that decide every fit of all of them, and the sums for least squares.
 #[derive(Debug, Clone)]
@@ -66,7 +67,7 @@ impl ReducedTable {
     /// # Errors
     /// The first thing wrong with the file.
     pub fn scan(path: &str, columns: &ReducedColumns, options: &ScanOptions) -> Result<Self, InputError> {
-        let (source, reductions) = open_reduction(Source::open(path)?)?;
+        let (source, reductions) = open_reduction(Source::open(path)?, &options.table.sizes)?;
         let mut options = ScanOptions { keep_text: true, hash: false, ..options.clone() };
         if let Some(reductions) = &reductions {
             options.table.header = reductions.header();
@@ -142,10 +143,15 @@ impl LineSums {
         if options.table.rows.is_some() {
             return Err(fail(ReductionError::NoRowNumbers));
         }
+        let digits = options.table.limits.digits.saturating_mul(DIGITS_OF_SUMS);
+        let limits = Limits { digits, exponent: 0 };
         let mut total = LineSums::default();
         for record in reductions.records() {
             record.check(names, options.table.reading).map_err(fail)?;
-            let [x, y, xx, xy] = record.sums(&SUM_LIMITS).map_err(fail)?;
+            let [x, y, xx, xy] = record.sums(&limits).map_err(fail)?;
+            if total.count.checked_add(record.rows).is_none() {
+                return Err(fail(ReductionError::TooManyRows));
+            }
             total = total.merged(&LineSums { count: record.rows, x, y, xx, xy });
         }
         Ok(total)

@@ -7,6 +7,10 @@ use crate::Rational;
 const MOST_DIGITS: usize = 18;
 
 /// The powers of ten below 2¹²⁸.
+#[allow(
+    clippy::indexing_slicing,
+    reason = "evaluated by the compiler, which would refuse an index out of range"
+)]
 const POWERS_OF_TEN: [u128; 39] = {
     let mut powers = [1; 39];
     let mut exponent = 1;
@@ -23,6 +27,10 @@ fn terms(value: &Rational) -> Option<(u128, u128)> {
 }
 
 /// The rounded significand of a number that is not 0; `None` where it takes longer numbers.
+#[allow(
+    clippy::indexing_slicing,
+    reason = "there are 39 powers and at most 18 digits: more are refused at the start"
+)]
 pub(super) fn significand(value: &Rational, digits: usize, rounding: Rounding) -> Option<Significand<u64>> {
     if digits > MOST_DIGITS {
         return None;
@@ -59,6 +67,7 @@ struct Scaled {
     divisor: u128,
 }
 
+#[allow(clippy::indexing_slicing, reason = "from 1 to 18 digits are asked for, and there are 39 powers")]
 fn scaled(numerator: u128, denominator: u128, digits: usize) -> Option<Scaled> {
     // Both logarithms are right to a few units of their last place, so that the guess is off by one at most, and only
     // next to a power of ten. The quotient decides.

@@ -134,7 +134,9 @@ impl Rational {
     /// # Panics
     /// When the denominator is 0.
     pub fn ratio(numerator: i64, denominator: i64) -> Self {
-        Rational::new(numerator.into(), denominator.into()).expect("a literal with denominator 0")
+        let ratio = Rational::new(numerator.into(), denominator.into());
+        #[allow(clippy::expect_used, reason = "documented: for literals, none of which comes from input")]
+        ratio.expect("a literal with denominator 0")
     }
 
     /// Lowest terms of a fraction with a positive denominator.
@@ -145,7 +147,12 @@ impl Rational {
 
     /// `mantissa / 10^places`, for at most 18 places. Only 2 and 5 divide a power of ten, which takes a tenth of the time of
     /// a greatest common divisor.
+    #[allow(clippy::indexing_slicing, reason = "there are 19 powers for at most 18 places")]
     pub(crate) fn of_decimal(mantissa: i64, places: u32) -> Self {
+        #[allow(
+            clippy::indexing_slicing,
+            reason = "evaluated by the compiler, which would refuse an index out of range"
+        )]
         const POWERS_OF_FIVE: [i64; 19] = {
             let mut powers = [1; 19];
             let mut exponent = 1;
@@ -341,5 +348,15 @@ mod tests {
     fn floor_division_follows_the_divisor() {
         let (quotient, remainder) = Integer::from(-7).div_rem_floor(&Integer::from(2));
         assert_eq!((quotient, remainder), (Integer::from(-4), Integer::from(1)));
+    }
+
+    #[test]
+    fn integers_and_words_are_the_same_number() {
+        for value in [0, 7, -7, i64::MAX] {
+            assert_eq!(Rational::from(&Integer::from(value)), Rational::ratio(value, 1));
+            assert_eq!(Rational::from(value).to_words(), Some((value, 1)));
+        }
+        assert_eq!(Rational::ratio(-3, 4).to_words(), Some((-3, 4)));
+        assert_eq!(Rational::from(&Integer::power_of_two(70)).to_words(), None);
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use boundfit_exact::{Rational, Scaled};
 
 use crate::columns::ColumnSelector;
-use crate::table::TableOptions;
+use crate::table::{TableOptions, TextLayout};
 
 /// Numbers of one column for some consecutive rows.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +37,7 @@ impl Column {
     ///
     /// # Panics
     /// When there are not that many.
+    #[allow(clippy::indexing_slicing, reason = "documented to panic; who asks counts the rows of the batch")]
     pub fn get(&self, index: usize) -> Rational {
         match self {
             Column::Scaled(scaled) => scaled.get(index),
@@ -64,6 +65,10 @@ impl<B> Pieces<B> {
         self.ends.is_empty()
     }
 
+    #[allow(
+        clippy::indexing_slicing,
+        reason = "documented to panic where it is asked; ends are pushed in ascending order and within the buffer"
+    )]
     fn range(&self, index: usize) -> std::ops::Range<usize> {
         let start = index.checked_sub(1).map_or(0, |before| self.ends[before]);
         start..self.ends[index]
@@ -90,11 +95,12 @@ impl Pieces<Vec<u8>> {
     ///
     /// # Panics
     /// When there are not that many.
+    #[allow(clippy::indexing_slicing, reason = "the range is one of the buffer, by range()")]
     pub fn get(&self, index: usize) -> &[u8] {
         &self.buffer[self.range(index)]
     }
 
-    pub(super) fn push(&mut self, piece: &[u8]) {
+    pub(crate) fn push(&mut self, piece: &[u8]) {
         self.buffer.extend_from_slice(piece);
         self.ends.push(self.buffer.len());
     }
@@ -170,6 +176,8 @@ pub struct Scanned {
     pub header_line: Option<Vec<u8>>,
     /// What separates cells.
     pub delimiter: u8,
+    /// Where the numbers stand; `None` unless the table is delimited text.
+    pub layout: Option<TextLayout>,
     /// How many data rows the file has.
     pub rows_total: usize,
     /// How many bytes the file has.

@@ -8,8 +8,11 @@ use sha2::{Digest, Sha256};
 
 use crate::binary::refuse_binary;
 use crate::error::{InputError, Place, Problem};
-use crate::source::{LONGEST_LINE, Source, hexadecimal};
+use crate::limits::LONGEST_LINE;
+use crate::source::{Source, hexadecimal};
 use crate::start::{FirstLine, refuse_other, without_mark};
+
+use super::batch::ScanOptions;
 
 /// How much is read beyond the size of a chunk, to find the end of its last line without another call.
 const BEYOND: usize = 4096;
@@ -25,7 +28,7 @@ impl Deref for Chunk {
     type Target = [u8];
 
     fn deref(&self) -> &[u8] {
-        &self.buffer[..self.length]
+        self.buffer.get(..self.length).unwrap_or_default()
     }
 }
 
@@ -33,10 +36,10 @@ impl Chunk {
     /// Replaces what is in it.
     pub(super) fn set(&mut self, bytes: &[u8]) {
         self.length = bytes.len();
-        if self.buffer.len() < bytes.len() {
-            self.buffer.resize(bytes.len(), 0);
+        match self.buffer.get_mut(..bytes.len()) {
+            Some(start) => start.copy_from_slice(bytes),
+            None => self.buffer = bytes.to_vec(),
         }
-        self.buffer[..bytes.len()].copy_from_slice(bytes);
     }
 }
 
@@ -60,6 +63,7 @@ pub(super) struct ChunkReader {
     bytes: Box<dyn Read>,
     hash: Option<Sha256>,
     chunk_bytes: usize,
+    longest_line: usize,
     /// What was read but belongs to the next chunk.
     rest: Chunk,
     state: State,
@@ -69,11 +73,12 @@ pub(super) struct ChunkReader {
 }
 
 impl ChunkReader {
-    pub(super) fn new(bytes: Box<dyn Read>, chunk_bytes: usize, hash: bool) -> Self {
+    pub(super) fn new(bytes: Box<dyn Read>, options: &ScanOptions) -> Self {
         ChunkReader {
             bytes,
-            hash: hash.then(Sha256::new),
-            chunk_bytes: chunk_bytes.clamp(1, LONGEST_LINE),
+            hash: options.hash.then(Sha256::new),
+            chunk_bytes: options.chunk_bytes.clamp(1, LONGEST_LINE),
+            longest_line: options.table.sizes.line,
             rest: Chunk::default(),
             state: State::More,
             since_line_end: 0,
@@ -117,6 +122,10 @@ impl ChunkReader {
 
     /// The next chunk of whole lines; the last one may lack its line end. `None` at the end, and when the bytes stop
     /// for another reason: then [`Self::failure`] has it, and [`Self::rest`] the bytes before it.
+    #[allow(
+        clippy::indexing_slicing,
+        reason = "searched never exceeds the length of the chunk, and a position found by memchr lies behind it"
+    )]
     pub(super) fn next_chunk(&mut self) -> Option<Chunk> {
         let mut chunk = std::mem::take(&mut self.rest);
         let mut searched = (self.chunk_bytes - 1).min(chunk.len());
@@ -181,6 +190,10 @@ impl ChunkReader {
     }
 
     /// Reads into the free part of a buffer once; returns how many bytes came.
+    #[allow(
+        clippy::indexing_slicing,
+        reason = "the buffer was made larger than before, and a reader gives no more bytes than there is room for"
+    )]
     fn read_more(&mut self, chunk: &mut Chunk) -> usize {
         let before = chunk.length;
         let size = (self.chunk_bytes.saturating_add(BEYOND)).max(before + BEYOND);
@@ -207,10 +220,10 @@ impl ChunkReader {
         if let Some(hash) = &mut self.hash {
             hash.update(fresh);
         }
-        if self.since_line_end + count > LONGEST_LINE
-            && let Some(end) = end_of_longest(fresh, self.since_line_end)
+        if self.since_line_end + count > self.longest_line
+            && let Some(end) = end_of_longest(fresh, self.since_line_end, self.longest_line)
         {
-            self.state = State::Failed(Problem::LineTooLong { limit: LONGEST_LINE });
+            self.state = State::Failed(Problem::LineTooLong { limit: self.longest_line });
             chunk.length = before + end;
             return end;
         }
@@ -222,12 +235,12 @@ impl ChunkReader {
 }
 
 /// Where the first line beyond the limit reaches it, when so many bytes of the first line came before.
-fn end_of_longest(bytes: &[u8], before: usize) -> Option<usize> {
+fn end_of_longest(bytes: &[u8], before: usize, limit: usize) -> Option<usize> {
     let mut line_start = 0;
     let mut before = before;
     for end in memchr_iter(b'\n', bytes).map(|position| position + 1).chain([bytes.len()]) {
-        if before + end - line_start > LONGEST_LINE {
-            return Some(line_start + LONGEST_LINE - before);
+        if before + end - line_start > limit {
+            return Some(line_start + limit - before);
         }
         before = 0;
         line_start = end;

@@ -35,7 +35,8 @@ pub(super) struct Head<'a> {
 impl<'a> Start<'a> {
     /// Records of an input that starts on this line.
     pub(super) fn records<R: Read>(&self, input: R, line: u64) -> Records<Tape<R>> {
-        Records::new(Tape::new(input, self.options.keep_text), self.delimiter, line)
+        let longest = self.options.table.sizes.line;
+        Records::new(Tape::new(input, self.options.keep_text), self.delimiter, line, longest)
     }
 
     /// Reads the first record, which is the first row if it is not a header.
@@ -81,9 +82,11 @@ impl<'a> Start<'a> {
         let mut position = Position { rows: 0, lines: 1, line_feeds: 1 };
         if head.layout.has_header {
             // The library takes the first half of a line end only.
-            let end = end + usize::from(lines[..end].ends_with(b"\r"));
-            position.lines += lines_in(&lines[..end]);
-            position.line_feeds += memchr_iter(b'\n', &lines[..end]).count() as u64;
+            let is_half = lines.get(..end).is_some_and(|record| record.ends_with(b"\r"));
+            let end = end + usize::from(is_half);
+            let record = lines.get(..end).unwrap_or_default();
+            position.lines += lines_in(record);
+            position.line_feeds += memchr_iter(b'\n', record).count() as u64;
             reader.skip(end);
         }
         Ok(Some((head, position)))
@@ -96,8 +99,8 @@ impl<'a> Start<'a> {
             return None;
         }
         let blank = start.len() - start.trim_ascii_start().len();
-        let end = blank + memchr(b'\n', &start[blank..])? + 1;
-        let lines = &start[..end];
+        let end = blank + memchr(b'\n', start.get(blank..)?)? + 1;
+        let lines = start.get(..end)?;
         let is_plain = memchr_iter(b'\r', lines).all(|position| lines.get(position + 1) == Some(&b'\n'));
         is_plain.then_some(lines)
     }

@@ -8,7 +8,7 @@ use csv::ByteRecord;
 use crate::columns::{ColumnPlace, ColumnSelector, Heading, decode};
 use crate::error::{InputError, Problem};
 use crate::records::Records;
-use crate::table::read_number;
+use crate::table::{check_columns, read_number};
 
 use super::batch::{Pieces, ScanOptions};
 use super::builder::{BatchBuilder, ColumnBuilder};
@@ -37,6 +37,7 @@ impl<'a> Layout<'a> {
         selectors: &'a [ColumnSelector],
         options: &'a ScanOptions,
     ) -> Result<Self, InputError> {
+        check_columns(file, first, line, &options.table.sizes)?;
         let key = options.key.as_ref();
         let heading = Heading::new(file, first, line, options.table.header, selectors, key)?;
         let places = selectors.iter().map(|selector| heading.find(file, selector));
@@ -54,7 +55,8 @@ impl<'a> Layout<'a> {
 
     /// Records of an input that starts on this line.
     pub(super) fn records<R: Read>(&self, input: R, line: u64) -> Records<Tape<R>> {
-        Records::new(Tape::new(input, self.options.keep_text), self.delimiter, line)
+        let longest = self.options.table.sizes.line;
+        Records::new(Tape::new(input, self.options.keep_text), self.delimiter, line, longest)
     }
 
     /// An empty batch.

@@ -111,7 +111,8 @@ pub(super) fn parse(chunk: &[u8], layout: &Layout, rows_before: usize) -> Parsed
 
 /// How many rows a chunk has, if it does not end within quotes.
 pub(super) fn count(chunk: &[u8], layout: &Layout) -> usize {
-    let mut records = Records::new(LINE_END.chain(chunk), layout.delimiter, 0);
+    let mut records =
+        Records::new(LINE_END.chain(chunk), layout.delimiter, 0, layout.options.table.sizes.line);
     let mut record = ByteRecord::new();
     let mut total = 0;
     while let Ok(true) = records.next(layout.file, &mut record) {

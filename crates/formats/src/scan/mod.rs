@@ -16,11 +16,13 @@ mod sequential;
 mod tape;
 mod wave;
 
+use crate::binary::BinaryFormat;
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::{InputError, Place, Problem};
+use crate::mat::scan_mat;
 use crate::source::Source;
 use crate::start::detect_delimiter;
-use crate::table::check_rows;
+use crate::table::{TextLayout, check_rows};
 
 pub use batch::{Batch, Column, Pieces, Progress, ScanOptions, Scanned};
 use chunks::ChunkReader;
@@ -29,8 +31,8 @@ use library::RowReader;
 use sequential::Rest;
 
 /// Reads the columns asked for like [`read_table`](crate::read_table), with the same numbers and the same errors, but
-/// hands the rows out in batches instead of keeping them; with the feature `arrow`, Parquet and Arrow IPC files too. `work` is called for each batch of consecutive wanted rows,
-/// on the threads of the current rayon pool, in any order; `take` with what it made of them, on the calling thread and
+/// hands the rows out in batches instead of keeping them; with the feature `arrow`, Parquet and Arrow IPC files too.
+/// `work` is called for each batch of consecutive wanted rows, on the threads of the current rayon pool, in any order; `take` with what it made of them, on the calling thread and
 /// in the order of the file. A file of one batch needs no pool.
 ///
 /// ```
@@ -58,13 +60,17 @@ pub fn scan<T: Send>(
     work: impl Fn(Batch) -> T + Sync,
     take: impl FnMut(T),
 ) -> Result<Scanned, InputError> {
+    let source = match source.into_binary(BinaryFormat::is_matlab) {
+        Ok((name, table)) => return scan_mat(&name, table, columns, options, work, take),
+        Err(other) => other,
+    };
     #[cfg(feature = "arrow")]
-    let source = match source.into_binary() {
+    let source = match source.into_binary(|_| true) {
         Ok((name, table)) => return crate::arrow::scan_arrow(&name, table, columns, options, work, take),
         Err(text) => text,
     };
     let (file, bytes) = source.into_parts();
-    let mut reader = ChunkReader::new(bytes, options.chunk_bytes, options.hash);
+    let mut reader = ChunkReader::new(bytes, options);
     reader.start(&file)?;
     let delimiter = options.table.delimiter.unwrap_or_else(|| detect_delimiter(reader.rest()));
     let start = Start { file: &file, delimiter, columns, options };
@@ -89,6 +95,13 @@ pub fn scan<T: Send>(
         key_name: layout.key.as_ref().map(ColumnPlace::title),
         header_line,
         delimiter,
+        layout: Some(TextLayout::new(
+            delimiter,
+            layout.has_header,
+            &layout.places,
+            options.table.rows,
+            rows_total,
+        )),
         rows_total,
         bytes: reader.total(),
         sha256: reader.sha256(),

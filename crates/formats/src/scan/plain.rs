@@ -78,7 +78,7 @@ pub(super) fn parse(chunk: &[u8], layout: &Layout, route: &Route, rows_before: u
         let start = at;
         if layout.is_wanted(rows_before + total) {
             at = lane.row(start)?;
-            let text = layout.options.keep_text.then(|| without_line_end(&chunk[start..at]));
+            let text = layout.options.keep_text.then(|| chunk.get(start..at).map_or(chunk, without_line_end));
             lane.batch.end_row(rows_before + total, text);
         } else {
             at = lane.end_of_row(start, layout.width - 1)?;
@@ -90,7 +90,7 @@ pub(super) fn parse(chunk: &[u8], layout: &Layout, route: &Route, rows_before: u
 /// About how many rows a chunk has, rather too many, by its first lines; in steps, so that freed memory fits again.
 fn likely_rows(chunk: &[u8]) -> usize {
     const STEP: usize = 1 << 11;
-    let sample = &chunk[..chunk.len().min(1 << 12)];
+    let sample = chunk.get(..1 << 12).unwrap_or(chunk);
     let rows = (memchr_iter(b'\n', sample).count() + 1) * chunk.len() / sample.len().max(1);
     if chunk.len() == sample.len() { rows } else { (rows + rows / 16).next_multiple_of(STEP) }
 }
@@ -170,7 +170,7 @@ impl Lane<'_> {
             && !(non_negative && prefix.mantissa < 0)
         {
             let exponent = -prefix.fraction_digits;
-            let builder = &mut self.batch.columns[column];
+            let builder = self.batch.columns.get_mut(column)?;
             if self.is_decimal {
                 builder.push_decimal(prefix.mantissa, exponent);
                 return Some(at + prefix.length);
@@ -187,15 +187,17 @@ impl Lane<'_> {
     #[inline(never)]
     fn long_number(&mut self, at: usize, column: usize) -> Option<usize> {
         let end = self.end_of_cell(at);
-        let selector = &self.layout.selectors[column];
-        self.layout.add_number(&self.chunk[at..end], selector, &mut self.batch.columns[column]).ok()?;
+        let selector = self.layout.selectors.get(column)?;
+        self.layout
+            .add_number(self.chunk.get(at..end)?, selector, self.batch.columns.get_mut(column)?)
+            .ok()?;
         Some(end)
     }
 
     /// Adds the text of the cell that starts here to the keys; gives the end of the cell.
     fn key(&mut self, at: usize) -> Option<usize> {
         let end = self.end_of_cell(at);
-        Layout::add_key(&self.chunk[at..end], self.batch.keys.as_mut()?).ok()?;
+        Layout::add_key(self.chunk.get(at..end)?, self.batch.keys.as_mut()?).ok()?;
         Some(end)
     }
 
@@ -207,7 +209,7 @@ impl Lane<'_> {
 
     /// The end of the cell in which this position is.
     fn end_of_cell(&self, at: usize) -> usize {
-        let rest = &self.chunk[at..];
+        let rest = self.chunk.get(at..).unwrap_or_default();
         memchr3(self.layout.delimiter, b'\n', b'\r', rest).map_or(self.chunk.len(), |length| at + length)
     }
 
@@ -220,7 +222,7 @@ impl Lane<'_> {
         } else {
             memchr2(self.layout.delimiter, b'\n', rest)?
         };
-        (rest[length] == self.layout.delimiter).then_some(at + length + 1)
+        (rest.get(length) == Some(&self.layout.delimiter)).then_some(at + length + 1)
     }
 
     /// The start of the next line, when exactly so many separators come before it.
@@ -239,7 +241,7 @@ impl Lane<'_> {
         }
         let rest = self.chunk.get(at..)?;
         match memchr2(self.layout.delimiter, b'\n', rest) {
-            Some(length) if rest[length] == b'\n' => Some(at + length + 1),
+            Some(length) if rest.get(length) == Some(&b'\n') => Some(at + length + 1),
             Some(_) => None,
             None => Some(self.chunk.len()),
         }
@@ -247,18 +249,19 @@ impl Lane<'_> {
 
     /// The start of the line after this one.
     fn next_line(&self, at: usize) -> usize {
-        memchr(b'\n', &self.chunk[at..]).map_or(self.chunk.len(), |length| at + length + 1)
+        let rest = self.chunk.get(at..).unwrap_or_default();
+        memchr(b'\n', rest).map_or(self.chunk.len(), |length| at + length + 1)
     }
 
     /// The start of the line after this one, when this one is white space in one cell.
     #[inline]
     fn after_blank_line(&self, at: usize) -> Option<usize> {
         // Nothing that is white space comes after the space.
-        if self.chunk[at] > b' ' {
+        if self.chunk.get(at).is_none_or(|&first| first > b' ') {
             return None;
         }
         let next = self.next_line(at);
-        let line = &self.chunk[at..next];
+        let line = self.chunk.get(at..next)?;
         (line.trim_ascii().is_empty() && memchr(self.layout.delimiter, line).is_none()).then_some(next)
     }
 }

@@ -49,11 +49,10 @@ impl Read for Rest<'_> {
                 return Ok(0);
             }
         }
-        let rest = &self.current[self.position..];
-        let count = rest.len().min(buffer.len());
-        buffer[..count].copy_from_slice(&rest[..count]);
+        let mut rest = self.current.get(self.position..).unwrap_or_default();
+        let count = rest.read(buffer)?;
         self.position += count;
-        self.line += memchr_iter(b'\n', &rest[..count]).count() as u64;
+        self.line += memchr_iter(b'\n', buffer.get(..count).unwrap_or_default()).count() as u64;
         Ok(count)
     }
 }

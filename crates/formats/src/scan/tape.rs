@@ -4,6 +4,7 @@ use std::io::{self, Read};
 use std::ops::Range;
 
 use crate::records::Records;
+use crate::source::over_full;
 
 /// A reader that remembers what passes until it is asked for, if it is to.
 pub(super) struct Tape<R> {
@@ -25,7 +26,8 @@ impl<R> Tape<R> {
         let bytes: Vec<u8> = self.kept.drain(..(range.end - range.start) as usize).collect();
         self.offset = range.end;
         let is_end = |byte: &u8| matches!(byte, b'\r' | b'\n');
-        let text = &bytes[bytes.iter().take_while(|byte| is_end(byte)).count()..];
+        let blank = bytes.iter().take_while(|byte| is_end(byte)).count();
+        let text = bytes.get(blank..).unwrap_or_default();
         text.strip_suffix(b"\n").or(text.strip_suffix(b"\r")).unwrap_or(text).to_vec()
     }
 }
@@ -43,7 +45,7 @@ impl<R: Read> Read for Tape<R> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let count = self.inner.read(buffer)?;
         if self.keep {
-            self.kept.extend_from_slice(&buffer[..count]);
+            self.kept.extend_from_slice(buffer.get(..count).ok_or_else(over_full)?);
         }
         Ok(count)
     }

@@ -149,8 +149,10 @@ fn read_wave<T: Send>(
                 .and_then(|route| plain::count(chunk, layout, route))
                 .unwrap_or_else(|| library::count(chunk, layout))
         });
-        for index in 1..wave.len() {
-            rows_before[index] = rows_before[index - 1] + counts[index - 1];
+        let mut rows = position.rows;
+        for (before, count) in rows_before.iter_mut().zip(counts) {
+            *before = rows;
+            rows += count;
         }
     }
     let parsed = on_all_threads(wave.iter().zip(rows_before).collect(), |(chunk, rows_before)| {

@@ -21,8 +21,8 @@ impl Solver for Clarabel {
     fn solve(&self, program: &FloatProgram) -> Outcome {
         let count = program.rows.len();
         let quadratic = CscMatrix::<f64>::zeros((2, 2));
-        let columns = [0, 1].map(|column| program.rows.iter().map(move |row| row[column]));
-        let values = columns.into_iter().flatten().collect();
+        let (first, second) = (program.rows.iter().map(|row| row[0]), program.rows.iter().map(|row| row[1]));
+        let values = first.chain(second).collect();
         let row_numbers = (0..count).chain(0..count).collect();
         let matrix = CscMatrix::new(count, 2, vec![0, count, 2 * count], row_numbers, values);
         let bounds: Vec<f64> = program.rows.iter().map(|row| row[2]).collect();
@@ -39,11 +39,14 @@ impl Solver for Clarabel {
         solver.solve();
         let solution = &solver.solution;
         match solution.status {
-            SolverStatus::Solved | SolverStatus::AlmostSolved => Outcome::Optimal(Optimum {
-                theta: [solution.x[0], solution.x[1]],
-                objective: solution.obj_val,
-                duals: Some(solution.z.clone()),
-            }),
+            SolverStatus::Solved | SolverStatus::AlmostSolved => match *solution.x.as_slice() {
+                [theta1, theta2] => Outcome::Optimal(Optimum {
+                    theta: [theta1, theta2],
+                    objective: solution.obj_val,
+                    duals: Some(solution.z.clone()),
+                }),
+                _ => Outcome::Failed("an optimum with other than two numbers".to_owned()),
+            },
             SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => Outcome::Infeasible,
             // A certificate of dual infeasibility is a falling ray; Clarabel takes a feasible point for granted.
             SolverStatus::DualInfeasible | SolverStatus::AlmostDualInfeasible => Outcome::Unbounded,
