@@ -95,7 +95,7 @@ impl Output {
 
     fn stop(&self, error: &io::Error) -> Stop {
         let is_closed = matches!(self.target, Target::Standard) && error.kind() == io::ErrorKind::BrokenPipe;
-        if is_closed { Stop::Closed } else { Stop::Failed(cannot_write(&self.name, error)) }
+        if is_closed { Stop::Closed } else { Stop::Failed(cannot_write(&self.name, &plain(error))) }
     }
 }
 
@@ -139,7 +139,8 @@ impl Target {
     }
 }
 
-/// Renames a temporary file, so that its target is never half written.
+/// Renames a temporary file, so that its target is never half written, not even when the power fails: the contents are on
+/// the disk before the new name is.
 fn persist(temporary: NamedTempFile, becomes: &Path, existing: Option<fs::Metadata>) -> io::Result<()> {
     if let Some(metadata) = existing {
         // The user's mask was applied on creation; a file that is replaced keeps what it had.
@@ -148,8 +149,21 @@ fn persist(temporary: NamedTempFile, becomes: &Path, existing: Option<fs::Metada
     temporary.as_file().sync_all()?;
     temporary.persist(becomes).map_err(|error| plain(&error.error))?;
     *UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner) = None;
+    sync_folder_of(becomes);
     Ok(())
 }
+
+/// Has the new name on the disk before the program says that all is well.
+#[cfg(unix)]
+fn sync_folder_of(file: &Path) {
+    let folder = file.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
+    // Not every file system can, and the file is there all the same.
+    let _ = fs::File::open(folder).and_then(|folder| folder.sync_all());
+}
+
+/// Here a folder cannot be opened like a file; the system keeps names in a journal.
+#[cfg(not(unix))]
+fn sync_folder_of(_: &Path) {}
 
 /// The library's message goes on with the name of the temporary file, which says nothing to the user.
 fn plain(error: &io::Error) -> io::Error {

@@ -55,7 +55,7 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
 }
 
 /// Writes all files or, where it can be told beforehand that one cannot be written, none.
-fn write_all(folder: &str, files: &[String], pictures: &[Vec<u8>]) -> Result<(), Failure> {
+pub(crate) fn write_all(folder: &str, files: &[String], pictures: &[Vec<u8>]) -> Result<(), Failure> {
     if let Some(file) = files.iter().find(|file| Path::new(file).is_dir()) {
         return Err(Failure::data(format_args!("{file}: cannot write: is a directory")));
     }
@@ -64,7 +64,8 @@ fn write_all(folder: &str, files: &[String], pictures: &[Vec<u8>]) -> Result<(),
     for (done, (file, bytes)) in files.iter().zip(pictures).enumerate() {
         output::write(bytes, Some(file)).map_err(|failure| match failure {
             Failure::Data(message) if done > 0 => {
-                Failure::Data(format!("{message} (already written: {})", files[..done].join(", ")))
+                let written: Vec<&str> = files.iter().take(done).map(String::as_str).collect();
+                Failure::Data(format!("{message} (already written: {})", written.join(", ")))
             }
             other => other,
         })?;
