@@ -56,6 +56,24 @@ pub enum Claimed {
 /// Everything is exact: the truth comes from [`exact_simplex`], and the only tolerance is the one that tells *within
 /// tolerance* from *loose* and *infeasible point*. A bound that cuts off feasible parameters by more than rounding is
 /// unsafe, however little it cuts off.
+///
+/// ```
+/// use boundfit_exact::Rational;
+/// use boundfit_lp::{BoundClaim, Claimed, End, Referee, RefereeRow, Row, Verdict};
+///
+/// // 0 ≤ θ1 ≤ 1/3, and θ2 as θ1.
+/// let rows = [([-1, 0], 0), ([3, 0], 1), ([0, -1], 0), ([0, 3], 1)].map(|(a, b)| {
+///     RefereeRow { row: Row { a: a.map(Rational::from), b: Rational::from(b) }, epsilon: None }
+/// });
+/// let referee = Referee::new(rows.to_vec(), Rational::ratio(1, 1_000_000));
+/// let judged = |value: Rational| {
+///     let claim = BoundClaim { claimed: Claimed::Value(value), point: None, duals: None };
+///     referee.judge(0, End::Upper, &claim).verdict
+/// };
+/// assert_eq!(judged(Rational::ratio(1, 3)), Verdict::Exact);
+/// assert_eq!(judged(Rational::ratio(333, 1000)), Verdict::Unsafe);
+/// assert_eq!(judged(Rational::ratio(1, 2)), Verdict::Loose);
+/// ```
 #[derive(Debug, Clone)]
 pub struct Referee {
     rows: Vec<RefereeRow>,
@@ -64,6 +82,10 @@ pub struct Referee {
     truths: [[ExactOutcome; 2]; 2],
 }
 
+#[allow(
+    clippy::indexing_slicing,
+    reason = "parameters are 0 or 1 of arrays of two, and as many duals as rows are asked for before they are looked at"
+)]
 impl Referee {
     /// Solves the four programs exactly. The tolerance is in units of the intervals' widths for bounds, of ε for points.
     pub fn new(rows: Vec<RefereeRow>, tolerance: Rational) -> Self {
@@ -75,12 +97,18 @@ impl Referee {
         Referee { rows, tolerance, truths }
     }
 
-    /// The truth about an end: the program that minimises θ_j (lower end) or -θ_j (upper end).
+    /// The truth about an end: the program that minimises θ_j (lower end) or -θ_j (upper end), with j = `axis` + 1.
+    ///
+    /// # Panics
+    /// When `axis` is neither 0 nor 1.
     pub fn truth(&self, axis: usize, end: End) -> &ExactOutcome {
         &self.truths[axis][end as usize]
     }
 
-    /// The true end, when there is one.
+    /// The true end, when there is one. Exact.
+    ///
+    /// # Panics
+    /// When `axis` is neither 0 nor 1.
     pub fn exact_end(&self, axis: usize, end: End) -> Option<Rational> {
         match self.truth(axis, end) {
             ExactOutcome::Optimal { theta, .. } => Some(theta[axis].clone()),
@@ -88,7 +116,10 @@ impl Referee {
         }
     }
 
-    /// Judges what is claimed about both ends of the interval of one parameter.
+    /// Judges what is claimed about both ends of the interval of one parameter: each for itself, and their order.
+    ///
+    /// # Panics
+    /// When `axis` is neither 0 nor 1.
     pub fn judge_interval(&self, axis: usize, claims: &[BoundClaim; 2]) -> [Judgement; 2] {
         let mut judgements =
             [self.judge(axis, End::Lower, &claims[0]), self.judge(axis, End::Upper, &claims[1])];
@@ -105,7 +136,10 @@ impl Referee {
         judgements
     }
 
-    /// Judges what is claimed about one end.
+    /// Judges what is claimed about one end. Exact. Cost: linear in the rows.
+    ///
+    /// # Panics
+    /// When `axis` is neither 0 nor 1.
     pub fn judge(&self, axis: usize, end: End, claim: &BoundClaim) -> Judgement {
         let mut judgement = Judgement {
             verdict: Verdict::Exact,
@@ -282,18 +316,4 @@ fn ulps_between(left: &Rational, right: &Rational) -> Option<u64> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn ulps_are_steps_between_doubles() {
-        let exact = |value: f64| Rational::from_f64(value).unwrap();
-        assert_eq!(ulps_between(&exact(1.0), &exact(1.0 + 3.0 * f64::EPSILON)), Some(3));
-        assert_eq!(ulps_between(&exact(5e-324), &exact(-5e-324)), Some(2));
-        assert_eq!(ulps_between(&Rational::ratio(1, 3), &exact(1.0 / 3.0)), Some(0));
-        assert_eq!(
-            ulps_between(&exact(1.0), &exact(f64::MAX)),
-            Some(0x7fef_ffff_ffff_ffff - 0x3ff0_0000_0000_0000)
-        );
-    }
-}
+mod tests;

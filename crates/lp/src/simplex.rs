@@ -10,7 +10,16 @@ use crate::outcome::{ExactOutcome, Multiplier};
 use crate::program::{Program, Row};
 use crate::standard_form::{Column, End, solve};
 
-/// Solves a program exactly, with a proof of the outcome. Cost: linear in the number of rows per pivot.
+/// Solves a program exactly, with a proof of the outcome. Exact. Cost: linear in the number of rows per pivot.
+///
+/// ```
+/// use boundfit_lp::{ExactOutcome, Program, Row, exact_simplex};
+///
+/// // θ1 ≥ 1 and θ1 ≤ 0, in ≤ form: the sum of both, each taken once, says 0 ≤ -1.
+/// let rows = [(-1, -1), (1, 0)].map(|(a1, b)| Row { a: [a1.into(), 0.into()], b: b.into() });
+/// let outcome = exact_simplex(&Program { rows: &rows, objective: [1.into(), 0.into()] });
+/// assert!(matches!(outcome, ExactOutcome::Infeasible { multipliers } if multipliers.len() == 2));
+/// ```
 pub fn exact_simplex(program: &Program<'_>) -> ExactOutcome {
     let columns: Vec<Column> = program.rows.iter().map(column).collect();
     let [c1, c2] = &program.objective;
@@ -124,5 +133,90 @@ mod tests {
         let never = Program { rows: &never, objective: [Rational::one(), Rational::zero()] };
         assert!(matches!(exact_simplex(&never), ExactOutcome::Infeasible { .. }));
         assert!(exact_simplex(&never).verify(&never));
+    }
+
+    /// Every outcome is proved on all sets of four rows from a cycle of small ones: ties, parallels, zero normals and
+    /// zero objectives.
+    #[test]
+    fn small_programs_are_solved_with_proofs() {
+        let number = |index: usize, step: usize| (index * step % 1_009 % 5) as i64 - 2;
+        let row = |index: usize| [number(index, 17), number(index, 71), number(index, 313)];
+        let mut outcomes = [0; 3];
+        for start in 0..600 {
+            let rows = rows(&[0, 1, 2, 3].map(|k| row(7 * start + 5 * k)));
+            for c in [[1, 0], [-1, 0], [0, 1], [2, -1], [0, 0]] {
+                let program = Program { rows: &rows, objective: c.map(Rational::from) };
+                let outcome = exact_simplex(&program);
+                assert!(outcome.verify(&program), "{program:?} {outcome:?}");
+                match &outcome {
+                    ExactOutcome::Optimal { multipliers, basis, .. } => {
+                        assert!(multipliers.iter().all(|multiplier| basis.contains(&multiplier.row)));
+                        outcomes[0] += 1;
+                    }
+                    ExactOutcome::Infeasible { .. } => outcomes[1] += 1,
+                    ExactOutcome::Unbounded { .. } => outcomes[2] += 1,
+                }
+            }
+        }
+        assert!(outcomes.iter().all(|count| *count > 200), "{outcomes:?}");
+    }
+
+    #[test]
+    fn a_wrong_outcome_does_not_verify() {
+        let triangle = rows(&[[-1, 0, 0], [0, -1, 0], [2, 3, 6]]);
+        let sum = Program { rows: &triangle, objective: [Rational::from(-2), Rational::from(-3)] };
+        let whole = |numbers: [i64; 2]| numbers.map(Rational::from);
+        let by = |multipliers: &[(usize, i64)]| -> Vec<Multiplier> {
+            multipliers.iter().map(|&(row, value)| Multiplier { row, value: value.into() }).collect()
+        };
+        let optimal = |theta, value: i64, multipliers: &[(usize, i64)]| {
+            let (value, multipliers) = (Rational::from(value), by(multipliers));
+            ExactOutcome::Optimal { theta: whole(theta), value, multipliers, basis: Vec::new() }
+        };
+        assert!(optimal([3, 0], -6, &[(2, 1)]).verify(&sum));
+        assert!(optimal([0, 2], -6, &[(2, 1)]).verify(&sum));
+        for wrong in [
+            optimal([6, -2], -6, &[(2, 1)]),
+            optimal([0, 0], -6, &[(2, 1)]),
+            optimal([3, 0], -5, &[(2, 1)]),
+            optimal([3, 0], -6, &[(2, 2)]),
+            optimal([3, 0], -6, &[(3, 1)]),
+            optimal([3, 0], -6, &[]),
+            optimal([3, 0], -6, &[(2, 2), (2, -1)]),
+            optimal([3, 0], -6, &[(2, 1), (2, 0)]),
+            optimal([0, 0], 0, &[]),
+        ] {
+            assert!(!wrong.verify(&sum), "{wrong:?}");
+        }
+        let thirds = vec![Multiplier { row: 2, value: Rational::ratio(1, 3) }; 3];
+        let value = Rational::from(-6);
+        let split =
+            ExactOutcome::Optimal { theta: whole([3, 0]), value, multipliers: thirds, basis: Vec::new() };
+        assert!(!split.verify(&sum));
+
+        let empty = rows(&[[1, 0, -1], [-1, 0, 0], [0, 1, 0], [1, 0, 1]]);
+        let empty = Program { rows: &empty, objective: whole([0, 1]) };
+        let infeasible =
+            |multipliers: &[(usize, i64)]| ExactOutcome::Infeasible { multipliers: by(multipliers) };
+        assert!(infeasible(&[(0, 1), (1, 1)]).verify(&empty));
+        for wrong in [
+            &[(1, 1), (3, 1)][..],
+            &[(0, 1)],
+            &[(0, 1), (1, 1), (2, 1)],
+            &[(0, 1), (1, 1), (0, 1), (1, 1)],
+            &[],
+        ] {
+            assert!(!infeasible(wrong).verify(&empty), "{wrong:?}");
+        }
+
+        let strip = rows(&[[1, 0, 1], [-1, 0, 0]]);
+        let along = Program { rows: &strip, objective: whole([0, -2]) };
+        let unbounded = |theta, ray| ExactOutcome::Unbounded { theta: whole(theta), ray: whole(ray) };
+        assert!(unbounded([1, 7], [0, 1]).verify(&along));
+        for (theta, ray) in
+            [([2, 0], [0, 1]), ([0, 0], [0, -1]), ([0, 0], [0, 0]), ([0, 0], [1, 1]), ([0, 0], [-1, 1])]
+        {
+            assert!(!unbounded(theta, ray).verify(&along), "{theta:?} {ray:?}");
+        }
     }
 }

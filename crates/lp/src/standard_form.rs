@@ -44,6 +44,7 @@ enum Phase {
 }
 
 /// Solves the program. Exact; it always ends.
+#[allow(clippy::indexing_slicing, reason = "rows are 0 or 1 of arrays of two")]
 pub(crate) fn solve(columns: &[Column], target: &[Rational; 2]) -> End {
     let mut tableau = Tableau::new(columns, target);
     // The first phase is bounded below by 0, so that it ends in an optimum.
@@ -95,6 +96,10 @@ struct Tableau<'a> {
     values: [Rational; 2],
 }
 
+#[allow(
+    clippy::indexing_slicing,
+    reason = "rows are 0 or 1 of arrays of two; numbers of columns come from the order, which counts these columns"
+)]
 impl<'a> Tableau<'a> {
     /// Starts from the artificial columns, whose signs make their values non-negative.
     fn new(columns: &'a [Column], target: &[Rational; 2]) -> Self {
@@ -227,6 +232,6 @@ impl Basic {
     }
 }
 
-fn dot(row: &[Rational; 2], column: &[Integer; 2]) -> Rational {
-    &row[0] * Rational::from(&column[0]) + &row[1] * Rational::from(&column[1])
+fn dot([first, second]: &[Rational; 2], [a, b]: &[Integer; 2]) -> Rational {
+    first * Rational::from(a) + second * Rational::from(b)
 }

@@ -114,3 +114,27 @@ pub struct Judgement {
     /// The solver's own reason for giving no answer.
     pub reason: Option<String>,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn verdicts_from_best_to_worst() {
+        let verdicts = [
+            (Verdict::Exact, "exact"),
+            (Verdict::Rounded { ulps: 1 }, "rounded"),
+            (Verdict::WithinTolerance, "within tolerance"),
+            (Verdict::NoAnswer, "no answer"),
+            (Verdict::Loose, "loose"),
+            (Verdict::InfeasiblePoint, "infeasible point"),
+            (Verdict::Unsafe, "unsafe"),
+            (Verdict::InvertedInterval, "inverted interval"),
+            (Verdict::WrongStatus, "wrong status"),
+        ];
+        assert!(verdicts.is_sorted_by(|(better, _), (worse, _)| better < worse));
+        for (rank, (verdict, name)) in verdicts.into_iter().enumerate() {
+            assert_eq!((verdict.name(), verdict.is_refutation()), (name, rank >= 4));
+        }
+    }
+}

@@ -1,0 +1,163 @@
+Model status
+Optimal
+
+# Primal solution values
+Feasible
+Objective -0.0018483800269
+# Columns 2
+theta1 0.0018483800269
+theta2 0.0226004726572
+# Rows 46
+row14_upper 0.0131129228169
+row15_upper 0.0136824087032
+row16_upper 0.0148625993504
+row17_upper 0.0158808719073
+row18_upper 0.0166919410631
+row19_upper 0.0177475508965
+row20_upper 0.0185305246759
+row21_upper 0.0195
+row22_upper 0.0205003432706
+row23_upper 0.0215001320271
+row24_upper 0.0225023236777
+row25_upper 0.0241943307544
+row26_upper 0.0247798975469
+row27_upper 0.0258053787859
+row28_upper 0.026775223786
+row29_upper 0.0278896121042
+row30_upper 0.0290137968366
+row31_upper 0.0299191333738
+row32_upper 0.030824100235
+row33_upper 0.031854017586
+row34_upper 0.0335
+row35_upper 0.0342149533944
+row36_upper 0.0347870270128
+row14_lower 0.0131129228169
+row15_lower 0.0136824087032
+row16_lower 0.0148625993504
+row17_lower 0.0158808719073
+row18_lower 0.0166919410631
+row19_lower 0.0177475508965
+row20_lower 0.0185305246759
+row21_lower 0.0195
+row22_lower 0.0205003432706
+row23_lower 0.0215001320271
+row24_lower 0.0225023236777
+row25_lower 0.0241943307544
+row26_lower 0.0247798975469
+row27_lower 0.0258053787859
+row28_lower 0.026775223786
+row29_lower 0.0278896121042
+row30_lower 0.0290137968366
+row31_lower 0.0299191333738
+row32_lower 0.030824100235
+row33_lower 0.031854017586
+row34_lower 0.0335
+row35_lower 0.0342149533944
+row36_lower 0.0347870270128
+
+# Dual solution values
+Feasible
+# Columns 2
+theta1 0
+theta2 0
+# Rows 46
+row14_upper 0
+row15_upper 0
+row16_upper 0
+row17_upper 0
+row18_upper 0
+row19_upper 0
+row20_upper 0
+row21_upper 0
+row22_upper 0
+row23_upper 0
+row24_upper 0
+row25_upper 0
+row26_upper 0
+row27_upper 0
+row28_upper 0
+row29_upper 0
+row30_upper 0
+row31_upper 0
+row32_upper 0
+row33_upper 0
+row34_upper -0.132027144781
+row35_upper 0
+row36_upper 0
+row14_lower 0
+row15_lower 0
+row16_lower 0
+row17_lower 0
+row18_lower 0
+row19_lower 0
+row20_lower 0
+row21_lower 0.132027144781
+row22_lower 0
+row23_lower 0
+row24_lower 0
+row25_lower 0
+row26_lower 0
+row27_lower 0
+row28_lower 0
+row29_lower 0
+row30_lower 0
+row31_lower 0
+row32_lower 0
+row33_lower 0
+row34_lower 0
+row35_lower 0
+row36_lower 0
+
+# Basis
+HiGHS_basis_file v2
+Valid
+# Columns 2
+theta1 1
+theta2 1
+# Rows 46
+row14_upper 1
+row15_upper 1
+row16_upper 1
+row17_upper 1
+row18_upper 1
+row19_upper 1
+row20_upper 1
+row21_upper 1
+row22_upper 1
+row23_upper 1
+row24_upper 1
+row25_upper 1
+row26_upper 1
+row27_upper 1
+row28_upper 1
+row29_upper 1
+row30_upper 1
+row31_upper 1
+row32_upper 1
+row33_upper 1
+row34_upper 2
+row35_upper 1
+row36_upper 1
+row14_lower 1
+row15_lower 1
+row16_lower 1
+row17_lower 1
+row18_lower 1
+row19_lower 1
+row20_lower 1
+row21_lower 0
+row22_lower 1
+row23_lower 1
+row24_lower 1
+row25_lower 1
+row26_lower 1
+row27_lower 1
+row28_lower 1
+row29_lower 1
+row30_lower 1
+row31_lower 1
+row32_lower 1
+row33_lower 1
+row34_lower 1
+row35_lower 1
+row36_lower 1

@@ -1,0 +1,163 @@
+Model status
+Optimal
+
+# Primal solution values
+Feasible
+Objective 0.0017908920348
+# Columns 2
+theta1 0.0017908920348
+theta2 0.0226924697254
+# Rows 46
+row14_upper 0.0135
+row15_upper 0.0140517738359
+row16_upper 0.0151952584001
+row17_upper 0.0161818608221
+row18_upper 0.016967704247
+row19_upper 0.017990482688
+row20_upper 0.018749104554
+row21_upper 0.0196884274262
+row22_upper 0.0206576581955
+row23_upper 0.0216263516971
+row24_upper 0.0225973733583
+row25_upper 0.024236755927
+row26_upper 0.0248041105236
+row27_upper 0.0257976974245
+row28_upper 0.0267373784752
+row29_upper 0.027817107283
+row30_upper 0.0289063278185
+row31_upper 0.0297835067372
+row32_upper 0.0306603274774
+row33_upper 0.0316582125192
+row34_upper 0.0332530018762
+row35_upper 0.0339457189152
+row36_upper 0.0345
+row14_lower 0.0135
+row15_lower 0.0140517738359
+row16_lower 0.0151952584001
+row17_lower 0.0161818608221
+row18_lower 0.016967704247
+row19_lower 0.017990482688
+row20_lower 0.018749104554
+row21_lower 0.0196884274262
+row22_lower 0.0206576581955
+row23_lower 0.0216263516971
+row24_lower 0.0225973733583
+row25_lower 0.024236755927
+row26_lower 0.0248041105236
+row27_lower 0.0257976974245
+row28_lower 0.0267373784752
+row29_lower 0.027817107283
+row30_lower 0.0289063278185
+row31_lower 0.0297835067372
+row32_lower 0.0306603274774
+row33_lower 0.0316582125192
+row34_lower 0.0332530018762
+row35_lower 0.0339457189152
+row36_lower 0.0345
+
+# Dual solution values
+Feasible
+# Columns 2
+theta1 0
+theta2 0
+# Rows 46
+row14_upper -0.0852805730855
+row15_upper 0
+row16_upper 0
+row17_upper 0
+row18_upper 0
+row19_upper 0
+row20_upper 0
+row21_upper 0
+row22_upper 0
+row23_upper 0
+row24_upper 0
+row25_upper 0
+row26_upper 0
+row27_upper 0
+row28_upper 0
+row29_upper 0
+row30_upper 0
+row31_upper 0
+row32_upper 0
+row33_upper 0
+row34_upper 0
+row35_upper 0
+row36_upper 0
+row14_lower 0
+row15_lower 0
+row16_lower 0
+row17_lower 0
+row18_lower 0
+row19_lower 0
+row20_lower 0
+row21_lower 0
+row22_lower 0
+row23_lower 0
+row24_lower 0
+row25_lower 0
+row26_lower 0
+row27_lower 0
+row28_lower 0
+row29_lower 0
+row30_lower 0
+row31_lower 0
+row32_lower 0
+row33_lower 0
+row34_lower 0
+row35_lower 0
+row36_lower 0.0852805730855
+
+# Basis
+HiGHS_basis_file v2
+Valid
+# Columns 2
+theta1 1
+theta2 1
+# Rows 46
+row14_upper 2
+row15_upper 1
+row16_upper 1
+row17_upper 1
+row18_upper 1
+row19_upper 1
+row20_upper 1
+row21_upper 1
+row22_upper 1
+row23_upper 1
+row24_upper 1
+row25_upper 1
+row26_upper 1
+row27_upper 1
+row28_upper 1
+row29_upper 1
+row30_upper 1
+row31_upper 1
+row32_upper 1
+row33_upper 1
+row34_upper 1
+row35_upper 1
+row36_upper 1
+row14_lower 1
+row15_lower 1
+row16_lower 1
+row17_lower 1
+row18_lower 1
+row19_lower 1
+row20_lower 1
+row21_lower 1
+row22_lower 1
+row23_lower 1
+row24_lower 1
+row25_lower 1
+row26_lower 1
+row27_lower 1
+row28_lower 1
+row29_lower 1
+row30_lower 1
+row31_lower 1
+row32_lower 1
+row33_lower 1
+row34_lower 1
+row35_lower 1
+row36_lower 0

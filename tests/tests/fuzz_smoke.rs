@@ -1,0 +1,176 @@
+//! The fuzz targets without a fuzzer: every seed as it stands, then mutations of them, the same on every run.
+//!
+//! `FUZZ_CASES` sets the number of mutations per target; continuous integration runs more of them.
+
+use std::fs;
+
+use boundfit_tests::fuzz_targets::{TARGETS, Target};
+use boundfit_tests::program::root;
+use proptest::collection::vec;
+use proptest::prelude::*;
+use proptest::sample::{Index, select};
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+
+/// Mutations per target when nothing else is asked for.
+const CASES: u32 = 1_000;
+
+/// One change to some bytes.
+#[derive(Debug, Clone)]
+enum Mutation {
+    Replace(Index, u8),
+    Insert(Index, u8),
+    Remove(Index),
+    Flip(Index, u8),
+    Truncate(Index),
+    /// A piece that means something to one of the formats.
+    Splice(Index, &'static str),
+    /// A stretch of the bytes once more, somewhere else.
+    Repeat(Index, Index, Index),
+    /// Another seed behind.
+    Append(Index),
+}
+
+const PIECES: &[&str] = &[
+    "\n",
+    "\r\n",
+    "\r",
+    ",",
+    ";",
+    "\t",
+    "\"",
+    "\u{feff}",
+    "\u{0}",
+    "e",
+    "-",
+    "/",
+    ".",
+    "1e400",
+    "1e-400",
+    "99999999999999999999",
+    "9223372036854775808",
+    "18446744073709551616",
+    "inf",
+    "nan",
+    "begin\n",
+    "end\n",
+    "linearity 1 1\n",
+    "3 3 integer\n",
+    "H-representation\n",
+    "*",
+    "null",
+    "[",
+    "]",
+    "{",
+    "}",
+    "\"pui\":",
+    "\u{2212}",
+];
+
+fn mutation() -> impl Strategy<Value = Mutation> {
+    let place = any::<Index>;
+    prop_oneof![
+        (place(), any::<u8>()).prop_map(|(at, byte)| Mutation::Replace(at, byte)),
+        (place(), any::<u8>()).prop_map(|(at, byte)| Mutation::Insert(at, byte)),
+        place().prop_map(Mutation::Remove),
+        (place(), 0..8_u8).prop_map(|(at, bit)| Mutation::Flip(at, bit)),
+        place().prop_map(Mutation::Truncate),
+        (place(), select(PIECES)).prop_map(|(at, piece)| Mutation::Splice(at, piece)),
+        (place(), place(), place()).prop_map(|(from, to, at)| Mutation::Repeat(from, to, at)),
+        place().prop_map(Mutation::Append),
+    ]
+}
+
+/// The longest input: longer ones take time and show no more.
+const LONGEST: usize = 4_096;
+
+fn mutated(seeds: &[Vec<u8>], seed: Index, mutations: Vec<Mutation>) -> Vec<u8> {
+    let mut bytes = seeds[seed.index(seeds.len())].clone();
+    for mutation in mutations {
+        let at = |place: Index, bytes: &[u8]| place.index(bytes.len().max(1));
+        let end = |place: Index, bytes: &[u8]| place.index(bytes.len() + 1);
+        match mutation {
+            Mutation::Replace(place, byte) => {
+                let place = at(place, &bytes);
+                bytes.iter_mut().skip(place).take(1).for_each(|old| *old = byte);
+            }
+            Mutation::Flip(place, bit) => {
+                let place = at(place, &bytes);
+                bytes.iter_mut().skip(place).take(1).for_each(|old| *old ^= 1 << bit);
+            }
+            Mutation::Insert(place, byte) => bytes.insert(end(place, &bytes), byte),
+            Mutation::Remove(place) if !bytes.is_empty() => drop(bytes.remove(at(place, &bytes))),
+            Mutation::Remove(_) => {}
+            Mutation::Truncate(place) => bytes.truncate(end(place, &bytes)),
+            Mutation::Splice(place, piece) => {
+                let place = end(place, &bytes);
+                drop(bytes.splice(place..place, piece.bytes()));
+            }
+            Mutation::Repeat(from, to, place) => {
+                let (from, to, place) = (end(from, &bytes), end(to, &bytes), end(place, &bytes));
+                let piece = bytes[from.min(to)..from.max(to)].to_vec();
+                drop(bytes.splice(place..place, piece));
+            }
+            Mutation::Append(other) => bytes.extend_from_slice(&seeds[other.index(seeds.len())]),
+        }
+        bytes.truncate(LONGEST);
+    }
+    bytes
+}
+
+fn seeds(name: &str) -> Vec<Vec<u8>> {
+    let folder = root().join("fuzz/seeds").join(name);
+    let mut files: Vec<_> =
+        fs::read_dir(folder).expect("a target has seeds").map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    files.iter().map(|file| fs::read(file).unwrap()).collect()
+}
+
+fn smoke((name, body): Target) {
+    let seeds = seeds(name);
+    assert!(seeds.len() >= 4, "{name} has few seeds");
+    seeds.iter().for_each(|seed| body(seed));
+    let cases =
+        std::env::var("FUZZ_CASES").map_or(CASES, |cases| cases.parse().expect("FUZZ_CASES is a number"));
+    let config = Config { cases, failure_persistence: None, ..Config::default() };
+    let mut runner = TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
+    let input = (any::<Index>(), vec(mutation(), 0..6));
+    let all = seeds.clone();
+    let bytes = input.prop_map(move |(seed, mutations)| mutated(&all, seed, mutations));
+    let result = runner.run(&bytes, |bytes| {
+        body(&bytes);
+        Ok(())
+    });
+    if let Err(error) = result {
+        panic!("{name}: {error}");
+    }
+}
+
+#[test]
+fn tables() {
+    smoke(TARGETS[0]);
+}
+
+#[test]
+fn numbers() {
+    smoke(TARGETS[1]);
+}
+
+#[test]
+fn half_plane_files() {
+    smoke(TARGETS[2]);
+}
+
+#[test]
+fn mat_files() {
+    smoke(TARGETS[3]);
+}
+
+#[test]
+fn claims() {
+    smoke(TARGETS[4]);
+}
+
+#[test]
+fn polygons() {
+    smoke(TARGETS[5]);
+}
