@@ -1,10 +1,14 @@
 //! What the end-to-end and cross-crate tests share: generators with fixed seeds and a brute-force oracle.
 
 pub mod columns;
+pub mod deep;
+pub mod fuzz_targets;
 pub mod generate;
 pub mod lp_cases;
 pub mod oracle;
 pub mod program;
+pub mod proofs;
 pub mod readings;
+pub mod representations;
 pub mod shape;
 pub mod tables;

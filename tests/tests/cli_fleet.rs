@@ -348,7 +348,7 @@ fn what_does_not_go_together_is_bad_usage() {
             "--eps 1 --by z --sweep 1..2",
             "error: the argument '--by <COL>' cannot be used with '--sweep <FROM..TO>'\n",
         ),
-        ("--eps 1 --format csv", "error: '--format csv' needs '--by <COL>': it has one row per group\n"),
+        ("--eps 1 --by z --format wkt", "error: '--by' writes text, json or csv\n"),
         (
             "--eps 1 --by ''",
             "error: invalid value '' for '--by <COL>': expected a header name or a column number\n",
@@ -370,7 +370,7 @@ fn the_help_says_what_a_fleet_is_and_which_status_it_ends_with() {
     for part in [
         "--by <COL>\n",
         "--by sensor --x V --y level",
-        "- csv:  Bounds and estimates of each group; with --by only",
+        "with --by, bounds and estimates of each group",
         "3  the feasible parameter set is empty, with --by that of at least one group; the proof is printed",
     ] {
         assert!(help.contains(part), "{part}: {help}");

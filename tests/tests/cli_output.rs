@@ -184,6 +184,7 @@ mod unix {
         directory_with(&[
             ("transducer.csv", fixture("transducer/transducer.csv").as_bytes()),
             ("steam.csv", fixture("steam-generator/steam_generator.csv").as_bytes()),
+            ("transducer.mat", &fs::read(root().join("fixtures/mat/transducer-v7.mat")).unwrap()),
             ("fleet.csv", fixture("fleet/levels.csv").as_bytes()),
             ("readings.csv", b"1,0,2\n0,1,3\n1,1,5\n"),
             ("square.ine", b"H-representation\nbegin\n4 3 integer\n1 1 0\n1 -1 0\n1 0 1\n1 0 -1\nend\n"),
@@ -194,7 +195,7 @@ mod unix {
     fn the_examples_of_the_help_run() {
         let directory = directory_of_examples();
         let mut starts = Vec::new();
-        for command in ["fit", "polygon", "plot", "lesson", "completions", "man"] {
+        for command in ["fit", "verify", "polygon", "plot", "lesson", "completions", "man"] {
             for line in examples(&printed(&root(), &format!("{command} --help"))) {
                 // Nothing is installed by a test.
                 let run =
@@ -209,8 +210,15 @@ mod unix {
             "fit: Set-membership fit",
             "fit: Set-membership fit",
             "fit: {",
+            "fit: ",
+            "fit: Set-membership fit",
             "fit: group              rows  kind     theta1              theta2                   eps_min",
+            "verify: Set-membership fit",
+            "verify: verified: proof.json is true of transducer.csv",
             "polygon: Half-planes of square.ine, 4 rows",
+            "polygon: ",
+            "polygon: Generators of corners.ext, 4 rows",
+            "polygon: H-representation",
             "polygon: Half-planes of standard input, 3 rows",
             "plot: ",
             "plot: ",

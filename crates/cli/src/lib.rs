@@ -1,5 +1,8 @@
 //! The command line of boundfit as a library, so that tests can start it from a program of their own.
 
+// What reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
+#![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
+
 mod arguments;
 mod commands;
 mod exit;
@@ -20,9 +23,13 @@ pub fn main() -> ExitCode {
     let arguments = Arguments::parse();
     interrupt::leave_nothing_behind();
     let result = match arguments.command {
-        Command::Fit(arguments) => commands::fit::run(&arguments),
+        Command::Fit(arguments) => {
+            arguments.with_factors().and_then(|arguments| commands::fit::run(&arguments))
+        }
         Command::Check(arguments) => commands::check::run(&arguments),
+        Command::Verify(arguments) => commands::verify::run(&arguments),
         Command::BenchSolvers(arguments) => commands::bench_solvers::run(&arguments),
+        Command::Convert(arguments) => commands::convert::run(&arguments),
         Command::Reduce(arguments) => commands::reduce::run(&arguments),
         Command::Polygon(arguments) => commands::polygon::run(&arguments),
         Command::Plot(arguments) => commands::plot::run(&arguments),

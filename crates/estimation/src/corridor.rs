@@ -38,7 +38,7 @@ impl Corridor {
 }
 
 impl Envelope {
-    /// The x for which the edge is finite: all for a bounded set; `None` when there are none.
+    /// The x for which the edge is finite: all for a bounded set; `None` when there are none. Exact.
     pub fn domain(&self) -> Option<&Interval> {
         self.domain.as_ref()
     }
@@ -48,7 +48,7 @@ impl Envelope {
         &self.lines
     }
 
-    /// Where one line gives way to the next, ascending, within the domain: one fewer than lines.
+    /// Where one line gives way to the next, ascending, within the domain: one fewer than lines. Exact.
     pub fn breakpoints(&self) -> &[Rational] {
         &self.breakpoints
     }

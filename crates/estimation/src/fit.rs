@@ -57,6 +57,25 @@ pub struct FitBounds {
 }
 
 /// Computes everything. Exact. Cost: O(N log N).
+///
+/// ```
+/// use boundfit_estimation::{Columns, EpsilonColumn, Measurements, Problem, fit};
+/// use boundfit_exact::{Interval, Rational};
+/// use boundfit_formats::{ColumnSelector, Source, TableOptions};
+///
+/// let table = Source::new("readings.csv", "x,y\n0,0\n1,1.5\n2,2\n".as_bytes());
+/// let columns = Columns {
+///     first: ColumnSelector::name_or_number("x"),
+///     second: None,
+///     response: ColumnSelector::name_or_number("y"),
+///     epsilon: EpsilonColumn::Uniform(Rational::ratio(1, 2)),
+/// };
+/// let measurements = Measurements::read(table, &columns, &TableOptions::default())?;
+/// let fit = fit(&Problem { measurements, conditions: Vec::new() });
+/// let [slope, _] = fit.pui.unwrap();
+/// assert_eq!(Some(slope.interval()), Interval::around(&Rational::one(), &Rational::ratio(1, 2)));
+/// # Ok::<(), boundfit_formats::InputError>(())
+/// ```
 pub fn fit(problem: &Problem) -> Fit {
     let FitBounds { least_squares, fps, pui, central, minimax } = fit_bounds(problem);
     let inverse = matches!(problem.measurements.model(), Model::Line { .. }).then(|| {
@@ -127,7 +146,7 @@ impl Fit {
     }
 
     /// How far the least-squares estimate keeps inside the FPS: the smallest slack over all half-planes and the
-    /// half-plane with it. A negative slack means that the estimate is not feasible.
+    /// half-plane with it. A negative slack means that the estimate is not feasible. Exact.
     pub fn least_squares_slack(&self) -> Option<(Rational, BoundName)> {
         let estimate = self.least_squares.as_ref().ok()?;
         let membership = self.fps.polyhedron().membership(&estimate.theta);
@@ -142,6 +161,7 @@ impl Fit {
     }
 
     /// Area of the FPS over area of the PUI box, between 0 and 1; `None` when the box has no finite positive area.
+    /// Exact.
     pub fn tightness(&self) -> Option<Rational> {
         let [first, second] = self.pui_intervals()?;
         let box_area = first.width()? * second.width()?;
@@ -151,7 +171,7 @@ impl Fit {
     /// For an empty FPS, at most three half-planes with positive multipliers whose sum is `0 ≤ negative`. Where a
     /// larger error bound would leave something, these are the readings that ask for the largest one; where none would
     /// under a uniform bound, the conditions that contradict each other. So it does not depend on which half-planes that
-    /// are never active the FPS has.
+    /// are never active the FPS has. Exact.
     pub fn contradiction(&self, error_bound: &ErrorBound) -> Option<Vec<(BoundName, Rational)>> {
         let certificate = self.fps.polyhedron().region().certificate()?;
         let in_use = match error_bound {

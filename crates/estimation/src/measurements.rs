@@ -2,7 +2,7 @@
 
 use boundfit_exact::Rational;
 use boundfit_formats::{
-    Batch, ColumnSelector, InputError, Scanned, Source, TableOptions, TableRow, read_table,
+    Batch, ColumnSelector, InputError, Scanned, Source, TableOptions, TableRow, TextLayout, read_table,
 };
 
 use crate::summary::{NoEui, Reduction};
@@ -54,6 +54,7 @@ pub struct Measurements {
     others: Vec<Measurement>,
     reduction: Option<Reduction>,
     rows_total: usize,
+    layout: Option<TextLayout>,
     sha256: Option<String>,
 }
 
@@ -121,6 +122,7 @@ impl Measurements {
             others: Vec::new(),
             reduction: None,
             rows_total,
+            layout: None,
             sha256: None,
         }
     }
@@ -135,9 +137,13 @@ impl Measurements {
         let measured =
             |rows: &[TableRow]| rows.iter().map(|row| measurement(row, &model, &error_bound)).collect();
         let (rows, others) = (measured(&table.rows), measured(&table.others));
-        let (rows_total, sha256) = (table.rows_total, Some(table.sha256));
-        let reduction = None;
-        Ok(Measurements { model, response, error_bound, rows, others, reduction, rows_total, sha256 })
+        Ok(Measurements {
+            others,
+            rows_total: table.rows_total,
+            layout: table.layout,
+            sha256: Some(table.sha256),
+            ..Measurements::new(model, response, error_bound, rows)
+        })
     }
 
     /// All readings of these batches.
@@ -151,6 +157,7 @@ impl Measurements {
         let rows = rows.map(|row| measurement(&row, &model, &error_bound)).collect();
         Measurements {
             rows_total: scanned.rows_total,
+            layout: scanned.layout,
             sha256: scanned.sha256,
             ..Measurements::new(model, response, error_bound, rows)
         }
@@ -169,6 +176,7 @@ impl Measurements {
         }
         Measurements {
             rows_total: scanned.rows_total,
+            layout: scanned.layout,
             sha256: scanned.sha256,
             reduction: Some(reduction),
             ..Measurements::new(model, response, error_bound, rows)
@@ -220,6 +228,12 @@ impl Measurements {
     /// How many data rows the file has.
     pub fn rows_total(&self) -> usize {
         self.rows_total
+    }
+
+    /// Where in the file the numbers stand: regressors, response and, with one per row, error bound; `None` unless the
+    /// readings come from delimited text that has a row for each of them.
+    pub fn layout(&self) -> Option<&TextLayout> {
+        self.layout.as_ref()
     }
 
     /// SHA-256 of the file's bytes in hexadecimal, when the readings come from a file.

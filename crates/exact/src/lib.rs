@@ -25,6 +25,7 @@ mod interval;
 mod number;
 mod parse;
 mod scaled;
+mod serial;
 mod short_text;
 mod sum;
 

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use serde::Deserialize;
 use thiserror::Error;
 
 use crate::{Integer, Rational};
@@ -23,7 +24,8 @@ impl Default for Limits {
 }
 
 /// Which exact number a text stands for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Reading {
     /// The number as written: `0.1` is 1/10.
     #[default]

@@ -5,7 +5,7 @@ use boundfit_exact::Rational;
 use crate::half_plane::HalfPlane;
 use crate::point::{Direction, Point};
 
-/// The common point of two boundaries, unless they are parallel (Cramer's rule).
+/// The common point of two boundaries, unless they are parallel (Cramer's rule). Exact.
 pub fn meet(f: &HalfPlane, g: &HalfPlane) -> Option<Point> {
     Point::from_homogeneous(
         f.b() * g.a2() - g.b() * f.a2(),
@@ -26,7 +26,7 @@ pub fn direction_between(from: &Point, to: &Point) -> Option<Direction> {
     Direction::new(tx * fw - fx * tw, ty * fw - fy * tw)
 }
 
-/// The mean of one or more points; the origin for none.
+/// The mean of one or more points; the origin for none. Exact.
 pub fn mean<'a>(points: impl ExactSizeIterator<Item = &'a Point> + Clone) -> Point {
     let count = Rational::from(points.len());
     let mean_of = |coordinate: fn(&Point) -> Rational| {
@@ -36,7 +36,7 @@ pub fn mean<'a>(points: impl ExactSizeIterator<Item = &'a Point> + Clone) -> Poi
     Point::new(&mean_of(Point::theta1), &mean_of(Point::theta2))
 }
 
-/// The point reached from `start` by one step of each direction.
+/// The point reached from `start` by one step of each direction. Exact.
 pub fn translated<'a>(start: &Point, steps: impl IntoIterator<Item = &'a Direction>) -> Point {
     let [mut theta1, mut theta2] = start.coordinates();
     for step in steps {

@@ -99,6 +99,16 @@ impl Membership {
 
 impl Polyhedron {
     /// Intersects the half-planes of a system with the fast algorithm. Exact. Cost: O(n log n).
+    ///
+    /// ```
+    /// use boundfit_geometry::{Inequality, Polyhedron, System};
+    ///
+    /// // θ1 ≥ 0, θ2 ≥ 0 and θ1 + θ2 ≥ 1 leave a set without end, with two vertices.
+    /// let row = |a1: i64, a2: i64, b: i64| Inequality::new(a1.into(), a2.into(), b.into());
+    /// let system: System = [row(-1, 0, 0), row(0, -1, 0), row(-1, -1, -1)].into_iter().collect();
+    /// let set = Polyhedron::intersect(system);
+    /// assert_eq!((set.region().vertices().len(), set.region().area()), (2, None));
+    /// ```
     pub fn intersect(system: System) -> Self {
         let region = envelope::intersect(&system);
         Polyhedron::from_parts(system, region)

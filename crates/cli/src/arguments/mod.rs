@@ -1,15 +1,17 @@
 //! The command line.
 
+mod convert;
 mod reading;
 mod values;
 
 use boundfit_formats::ColumnSelector;
 use clap::builder::NonEmptyStringValueParser;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand, ValueEnum, value_parser};
 use clap_complete::Shell;
 
-pub(crate) use values::FactorRange;
-use values::{AskedRows, Regressors, parse_column, parse_factors, parse_regressors, parse_rows};
+pub(crate) use convert::{ConvertArguments, ObjectiveName, ProgramFormat};
+use values::{AskedRows, Regressors, parse_column, parse_regressors, parse_rows};
+pub(crate) use values::{FactorRange, number_problem};
 
 /// Exact bounded-error (set-membership) estimation in two parameters, and exact polygons from half-planes.
 ///
@@ -27,6 +29,8 @@ pub(crate) enum Command {
     Fit(FitArguments),
     Reduce(ReduceArguments),
     Check(CheckArguments),
+    Convert(ConvertArguments),
+    Verify(VerifyArguments),
     BenchSolvers(BenchSolversArguments),
     Polygon(PolygonArguments),
     Plot(PlotArguments),
@@ -67,6 +71,10 @@ Examples:
     boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --sweep 0.5..2
   Two regressors without a constant, from standard input, as JSON:
     boundfit fit - --x 1,2 --y 3 --eps 1/100 --format json < readings.csv
+  Vectors of a MATLAB file; the vertices as a script for MATLAB and Octave (or csv, wkt, latex, markdown):
+    boundfit fit transducer.mat --x Vz --y z --rows 14..36 --eps 0.5e-3 --format m -o vertices.m
+  Beside the report a proof, for somebody who does not trust it:
+    boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --proof proof.json
   Every sensor of a fleet on its own, one line each (--format json or csv for programs):
     boundfit fit fleet.csv --by sensor --x V --y level --eps 0.03
 
@@ -89,7 +97,10 @@ pub(crate) struct FitArguments {
     pub(crate) data: DataArguments,
     /// Also report the sets FPS(s*eps) for all factors s from FROM to TO: where the set is born and changes its shape,
     /// and every vertex and PUI end as an exact function of s
-    #[arg(long, value_name = "FROM..TO", value_parser = parse_factors)]
+    #[arg(id = "sweep", long = "sweep", value_name = "FROM..TO")]
+    asked_factors: Option<String>,
+    /// The same as numbers, within the limits that other options set.
+    #[arg(skip)]
     pub(crate) sweep: Option<FactorRange>,
     /// Fit each group of rows with the same text in this column on its own: one line of text, JSON or CSV per group, in the
     /// order in which they first occur, and a summary (with JSON and CSV on standard error)
@@ -102,10 +113,14 @@ pub(crate) struct FitArguments {
     /// are kept in memory (10000)
     #[arg(long)]
     pub(crate) no_eui: bool,
+    /// Also write a proof of the answer to this file, whole or not at all: JSON that 'boundfit verify', or anybody else,
+    /// checks against the data by arithmetic alone; - for standard output when the report goes to a file
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    pub(crate) proof: Option<String>,
     #[command(flatten)]
     pub(crate) threads: ThreadArguments,
     #[command(flatten)]
-    pub(crate) output: OutputArguments<FitFormat>,
+    pub(crate) output: OutputArguments<ReportFormat>,
 }
 
 const REDUCE_EXAMPLES: &str = "\
@@ -130,7 +145,7 @@ Exit status:
 #[derive(Debug, Args)]
 #[command(after_help = REDUCE_EXAMPLES)]
 pub(crate) struct ReduceArguments {
-    /// A table of readings, or reductions of such, or - for standard input
+    /// A table of readings (text or a MATLAB .mat file), or reductions of such, or - for standard input
     pub(crate) data: String,
     /// Column of x by header name or number from 1
     #[arg(long, value_name = "COL", value_parser = parse_column)]
@@ -153,7 +168,7 @@ pub(crate) struct ReduceArguments {
 #[derive(Debug, Args)]
 pub(crate) struct ThreadArguments {
     /// Threads that read and reduce the data; as many as there are processors when left out. The answer is the same
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }
 
@@ -164,6 +179,8 @@ Examples:
   The PUI that some other program printed:
     boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 \\
       --claim-pui 1.7909e-3,1.8484e-3,2.2596e-2,2.2807e-2
+  What a solver wrote about the programs of 'boundfit convert', four files in a folder:
+    boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --claim solutions
   The hull of 16 LP optimisers, the set itself, and the half-planes behind the 16 optima:
     boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --directions 16
 
@@ -187,24 +204,65 @@ pub(crate) struct CheckArguments {
     /// Judge this solver; repeatable. All of this build when neither this nor a claim is given
     #[arg(long = "solver", value_name = "NAME")]
     pub(crate) solvers: Vec<String>,
-    /// Judge the claims in this JSON file; repeatable
-    #[arg(long = "claim", value_name = "FILE")]
+    /// Judge the claims in this file: JSON, or the solution that GLPK, HiGHS, CPLEX (XML), CBC or SCIP wrote about one of the
+    /// programs of 'boundfit convert', which its name tells (theta1-min ...); of a folder, the solutions in it; repeatable
+    #[arg(long = "claim", value_name = "FILE|DIR")]
     pub(crate) claims: Vec<String>,
+    /// Bytes that a claims file may have
+    #[arg(long, value_name = "BYTES", default_value_t = 1 << 28, help_heading = "Limits")]
+    pub(crate) max_claim_size: u64,
     /// Judge these ends of the intervals; inf and -inf claim an unbounded end; repeatable
     #[arg(long = "claim-pui", value_name = "LO1,HI1,LO2,HI2", allow_hyphen_values = true)]
     pub(crate) claimed_pui: Vec<String>,
     /// Compare the set with the optimisers of linear programs in N directions
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "16",
-          value_parser = clap::value_parser!(u16).range(3..=10000))]
+          value_parser = value_parser!(u16).range(3..=10000))]
     pub(crate) directions: Option<u16>,
     /// How much too wide a bound may be, in widths of the interval, and how far outside a point, in units of eps
     #[arg(long, value_name = "NUM", default_value = "1e-6", allow_hyphen_values = true)]
     pub(crate) tolerance: String,
     /// Seconds that a solver may work on one program
-    #[arg(long, value_name = "SECONDS", default_value_t = 60, value_parser = clap::value_parser!(u64).range(1..=86400))]
+    #[arg(long, value_name = "SECONDS", default_value_t = 60, value_parser = value_parser!(u64).range(1..=86400))]
     pub(crate) time_limit: u64,
     #[command(flatten)]
     pub(crate) output: OutputArguments,
+}
+
+const VERIFY_EXAMPLES: &str = "\
+Examples:
+  A proof that somebody made, against the data that it is about:
+    boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --proof proof.json
+    boundfit verify proof.json transducer.csv
+  The same without boundfit:
+    python3 tests/verify.py proof.json transducer.csv
+
+Exit status:
+  0  every statement of the proof is true of these data
+  1  a file that cannot be read or written, or is not a proof
+  2  bad usage
+  4  a statement is false; the first one is named";
+
+/// Check a proof that 'boundfit fit --proof' wrote: is every statement in it true of these data?
+///
+/// The data are read anew and every statement is checked by exact arithmetic, with nothing of the program that found the
+/// answer but its numbers. docs/proof.md says what a proof states and why the checks suffice.
+#[derive(Debug, Args)]
+#[command(after_help = VERIFY_EXAMPLES)]
+pub(crate) struct VerifyArguments {
+    /// The proof, or - for standard input
+    pub(crate) proof: String,
+    /// The data, or - for standard input
+    pub(crate) data: String,
+    /// Text for people or JSON for programs
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+    #[command(flatten)]
+    pub(crate) limits: LimitArguments,
+    /// Bytes that a proof may have
+    #[arg(long, value_name = "BYTES", default_value_t = 1 << 28, help_heading = "Limits")]
+    pub(crate) max_proof_size: u64,
+    #[command(flatten)]
+    pub(crate) file: FileArguments,
 }
 
 /// Run every solver over a folder of cases and print who is right on which, as a Markdown table
@@ -220,14 +278,17 @@ pub(crate) struct BenchSolversArguments {
     pub(crate) format: Format,
     #[command(flatten)]
     pub(crate) file: FileArguments,
+    #[command(flatten)]
+    pub(crate) limits: LimitArguments,
 }
 
 /// Which readings are fitted, and how.
 #[derive(Debug, Args)]
 pub(crate) struct DataArguments {
-    /// A table of readings (separated by commas, semicolons or tabs), or - for standard input
+    /// A table of readings (separated by commas, semicolons or tabs, or a MATLAB .mat file), or - for standard input
     data: String,
-    /// Column of x by header name or number from 1; two for the model y = theta1*COL + theta2*COL2 + e
+    /// Column of x by header name or number from 1 (in a .mat file a vector's name, or 'M(:,2)'); two for the model
+    /// y = theta1*COL + theta2*COL2 + e
     #[arg(long, value_name = "COL[,COL2]", value_parser = parse_regressors, required = true)]
     x: Regressors,
     /// Column of y
@@ -259,8 +320,12 @@ pub(crate) struct EpsilonArguments {
 
 const POLYGON_EXAMPLES: &str = "\
 Examples:
-  Half-planes in cdd's H-representation:
+  Half-planes in an H-representation of cdd or lrs:
     boundfit polygon square.ine
+  To a V-representation, whose rows are points and rays; the report on it; and back:
+    boundfit polygon square.ine --format ext -o corners.ext
+    boundfit polygon corners.ext
+    boundfit polygon corners.ext --format ine
   A table with columns a1,a2,b, each row meaning a1*theta1 + a2*theta2 <= b:
     printf 'a1,a2,b\\n-1,0,0\\n0,-1,0\\n2,3,6\\n' | boundfit polygon -
 
@@ -271,15 +336,22 @@ Exit status:
   3  the region is empty; the proof is printed";
 
 /// Intersect any half-planes: vertices, rays, bounds, area, and which half-planes are redundant
+///
+/// The set may also be given by its generators, a V-representation of cdd or lrs: rows '1 x y' are points, '0 x y' rays,
+/// or lines where a linearity line lists them. Then its half-planes are reported (facets), the rows active at a vertex
+/// are the points that equal it, and the redundant rows are the generators that are not needed. 'W x y' with W > 0 is the
+/// point (x/W, y/W); rays without a point start at the origin; without any row the set is empty, all as in cdd. Options
+/// that only ask for other output (maximize, verbose, ...) are passed over; those that mean another set (nonnegative,
+/// project, hull in an H-representation, ...) are refused.
 #[derive(Debug, Args)]
 #[command(after_help = POLYGON_EXAMPLES)]
 pub(crate) struct PolygonArguments {
-    /// FILE.ine (cdd H-representation) or FILE.csv (columns a1,a2,b), or - for standard input
+    /// FILE.ine or FILE.ext (H- or V-representation of cdd and lrs) or FILE.csv (columns a1,a2,b), or - for standard input
     pub(crate) file: String,
     #[command(flatten)]
     pub(crate) table: TableArguments,
     #[command(flatten)]
-    pub(crate) output: OutputArguments,
+    pub(crate) output: OutputArguments<ReportFormat>,
 }
 
 const PLOT_EXAMPLES: &str = "\
@@ -318,7 +390,7 @@ pub(crate) struct PlotArguments {
     #[arg(long)]
     pub(crate) flip: bool,
     /// How many directions the figure 'directions' has
-    #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u16).range(3..=1000))]
+    #[arg(long, value_name = "N", default_value_t = 16, value_parser = value_parser!(u16).range(3..=1000))]
     pub(crate) directions: u16,
     /// SVG or PNG; told by the name of the output file when left out, else SVG
     #[arg(long, value_enum)]
@@ -375,9 +447,16 @@ pub(crate) struct LessonArguments {
     pub(crate) data: DataArguments,
     #[command(flatten)]
     pub(crate) labels: LabelArguments,
+    /// The most readings that a page is written for: its size and the time for it grow with their square
+    #[arg(long, value_name = "N", default_value_t = MOST_READINGS, value_parser = value_parser!(u16).range(1..=2000),
+          help_heading = "Limits")]
+    pub(crate) max_readings: u16,
     #[command(flatten)]
     pub(crate) file: FileArguments,
 }
+
+/// The most readings of a lesson, unless more are asked for.
+const MOST_READINGS: u16 = boundfit_lesson::MOST_ROWS as u16;
 
 /// What pictures and pages say besides what follows from the data.
 #[derive(Debug, Args)]
@@ -396,7 +475,7 @@ pub(crate) struct LabelArguments {
 /// How the input is read.
 #[derive(Debug, Args)]
 pub(crate) struct TableArguments {
-    /// Take numbers exactly as written, or as the nearest double, exactly
+    /// Take numbers exactly as written, or as the nearest double, exactly; with a .mat file it is binary64
     #[arg(long, value_enum, default_value_t = ReadingName::Decimal)]
     reading: ReadingName,
     /// Whether the first row names the columns
@@ -405,6 +484,35 @@ pub(crate) struct TableArguments {
     /// What separates the columns
     #[arg(long, value_enum, default_value_t = DelimiterName::Auto)]
     delimiter: DelimiterName,
+    #[command(flatten)]
+    pub(crate) limits: LimitArguments,
+}
+
+/// What an input may ask for at most, so that a hostile one costs neither memory nor time.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Limits")]
+pub(crate) struct LimitArguments {
+    /// Digits of one number, of a fraction above and below its bar
+    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = value_parser!(u64).range(1..=1_000_000))]
+    max_digits: u64,
+    /// Absolute value of a decimal exponent
+    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = value_parser!(u32).range(0..=1_000_000))]
+    max_exponent: u32,
+    /// Bytes of one line, and of one row that goes over several
+    #[arg(long, value_name = "BYTES", default_value_t = 1 << 24, value_parser = value_parser!(u64).range(1..=1 << 32))]
+    max_line: u64,
+    /// Columns of a table of text
+    #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = value_parser!(u64).range(1..=1 << 32))]
+    max_columns: u64,
+    /// Rows that an .ine or .ext file announces
+    #[arg(long, value_name = "N", default_value_t = 10_000_000, value_parser = value_parser!(u64).range(1..=1 << 32))]
+    max_rows: u64,
+    /// Elements of one array in a .mat file
+    #[arg(long, value_name = "N", default_value_t = 100_000_000, value_parser = value_parser!(u64).range(1..=1 << 32))]
+    max_elements: u64,
+    /// Depth of arrays and objects in a JSON file
+    #[arg(long, value_name = "N", default_value_t = 64, value_parser = value_parser!(u8).range(1..=120))]
+    max_nesting: u8,
 }
 
 /// How the answer is written.
@@ -416,7 +524,7 @@ pub(crate) struct OutputArguments<F: ValueEnum + Default + Send + Sync + 'static
     #[command(flatten)]
     pub(crate) file: FileArguments,
     /// Significant digits of decimals
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = value_parser!(u16).range(1..=1000))]
     digits: u16,
     /// Round interval ends outward, or to nearest as papers print them
     #[arg(long, value_enum, default_value_t = RoundingName::Outward)]
@@ -433,14 +541,28 @@ pub(crate) enum Format {
     Json,
 }
 
-/// Formats of a fit.
+/// Formats of a fit or a region.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub(crate) enum FitFormat {
+pub(crate) enum ReportFormat {
+    /// A report for people
     #[default]
     Text,
+    /// Everything, for programs
     Json,
-    /// Bounds and estimates of each group; with --by only
+    /// The report's tables in LaTeX (booktabs)
+    Latex,
+    /// The report's tables in Markdown
+    Markdown,
+    /// The vertices as a table; with --by, bounds and estimates of each group
     Csv,
+    /// The set as well-known text, in decimals of at least 17 digits; bounded sets only
+    Wkt,
+    /// A MATLAB or Octave script that defines the vertices
+    M,
+    /// The irredundant half-planes as cdd's and lrs's H-representation
+    Ine,
+    /// The vertices, rays and lines as cdd's and lrs's V-representation
+    Ext,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]

@@ -3,12 +3,15 @@
 use std::time::Duration;
 
 use boundfit_check::{CheckOptions, check, source_names};
-use boundfit_estimation::{Family, Keep, Problem, fit};
+use boundfit_estimation::{Family, Fit, Keep, Problem, fit};
 use boundfit_exact::{Rational, Reading};
-use boundfit_report::{fit_json, fit_text, sweep_text, verdict_line};
+use boundfit_report::{
+    fit_json, fit_latex, fit_markdown, fit_text, h_representation, proof_json, region_script, region_wkt,
+    sweep_text, v_representation, verdict_line, vertices_csv,
+};
 
 use crate::CommandResult;
-use crate::arguments::{FactorRange, FitArguments, FitFormat};
+use crate::arguments::{FactorRange, FitArguments, ReportFormat};
 use crate::commands::fleet;
 use crate::exit::{Exit, Failure};
 use crate::output;
@@ -17,32 +20,72 @@ use crate::progress::while_working;
 /// Reads the data, fits and writes the report.
 pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     arguments.threads.set()?;
+    check_usage_of_proof(arguments)?;
     if let Some(by) = &arguments.by {
         return fleet::run(arguments, by);
     }
-    if arguments.output.format == FitFormat::Csv {
-        return Err(Failure::Usage("'--format csv' needs '--by <COL>': it has one row per group".to_owned()));
-    }
-    let reading = arguments.data.table.reading();
-    let is_hash_shown = arguments.output.format == FitFormat::Json;
+    let reading = arguments.data.reading();
+    let is_hash_shown = arguments.output.format == ReportFormat::Json || arguments.proof.is_some();
     let problem = arguments.data.scanned_problem(!arguments.no_eui, is_hash_shown)?;
     let fit = while_working("fitting", || fit(&problem));
     let family = arguments.sweep.as_ref().map(|FactorRange { from, to }| {
         while_working("sweeping", || Family::new(&problem, from.clone(), to.clone()))
     });
     let style = arguments.output.style();
+    let origin = arguments.data.origin();
     let report = match arguments.output.format {
-        FitFormat::Json => fit_json(&problem, &fit, family.as_ref(), reading, &style),
-        FitFormat::Text | FitFormat::Csv => {
-            let (file, rows) = (arguments.data.file_name(), arguments.data.rows_asked());
-            let report = fit_text(&problem, &fit, file, rows, reading, &style);
+        ReportFormat::Json => fit_json(&problem, &fit, family.as_ref(), reading, &style),
+        ReportFormat::Latex => fit_latex(&problem, &fit, family.as_ref(), &origin, &style),
+        ReportFormat::Markdown => fit_markdown(&problem, &fit, family.as_ref(), &origin, &style),
+        ReportFormat::Csv => {
+            vertices_csv(fit.fps.polyhedron(), &|index| fit.fps.name(index).to_string(), &style)
+        }
+        ReportFormat::Wkt => region_wkt(fit.fps.polyhedron(), &style).map_err(Failure::data)?,
+        ReportFormat::M => region_script(fit.fps.polyhedron(), &|index| fit.fps.name(index).to_string()),
+        ReportFormat::Ine => h_representation(fit.fps.polyhedron()),
+        ReportFormat::Ext => v_representation(fit.fps.polyhedron()),
+        ReportFormat::Text => {
+            let report = fit_text(&problem, &fit, &origin, &style);
             let lp_line = if arguments.no_lp { String::new() } else { lp_line(&problem, reading)? };
             let sweep = family.map(|family| format!("\n{}", sweep_text(&problem, &family, &style)));
             report + &lp_line + &sweep.unwrap_or_default()
         }
     };
+    if let Some(file) = &arguments.proof {
+        output::write(proof(&problem, &fit, reading, arguments.data.file_name())?, Some(file))?;
+    }
     output::write(&report, arguments.output.file.output.as_deref())?;
     Ok(if fit.fps.polyhedron().region().is_empty() { Exit::Empty } else { Exit::Answer })
+}
+
+/// Refuses a proof that would have no file of its own, or be about many sets.
+fn check_usage_of_proof(arguments: &FitArguments) -> Result<(), Failure> {
+    let Some(file) = arguments.proof.as_deref() else { return Ok(()) };
+    if arguments.by.is_some() {
+        let instead = "fit the rows of one group with '--rows', or a file with these rows only";
+        return Err(Failure::Usage(format!("'--proof' is about one set and '--by' about many: {instead}")));
+    }
+    match arguments.output.file.output.as_deref().unwrap_or("-") {
+        "-" if file == "-" => Err(Failure::Usage(
+            "'--proof -' and the report would both go to standard output: give one of them a file".to_owned(),
+        )),
+        output if output == file && file != "-" => {
+            Err(Failure::Usage("'--proof' and '--output' name the same file".to_owned()))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The proof of a fit.
+fn proof(problem: &Problem, fit: &Fit, reading: Reading, file: &str) -> Result<String, Failure> {
+    proof_json(problem, fit, reading).ok_or_else(|| {
+        let (what, instead) = if problem.measurements.is_of_reductions() {
+            ("is a reduction", "prove the fit of the table that it was made from")
+        } else {
+            ("is not delimited text", "prove the fit of the same table as CSV")
+        };
+        Failure::Usage(format!("'--proof' is about the rows of delimited text, and {file} {what}: {instead}"))
+    })
 }
 
 /// What the default solver makes of the same data.

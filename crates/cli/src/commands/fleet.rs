@@ -8,13 +8,19 @@ use boundfit_formats::{ColumnSelector, ScanOptions};
 use boundfit_report::{FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, Style, write_group_json};
 
 use crate::CommandResult;
-use crate::arguments::{FitArguments, FitFormat};
+use crate::arguments::{FitArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
 use crate::output::{Output, Stop};
 use crate::progress::while_working;
 
 /// Reads the data, then fits group after group and writes what is ready.
 pub(crate) fn run(arguments: &FitArguments, by: &ColumnSelector) -> CommandResult {
+    let write_groups = match arguments.output.format {
+        ReportFormat::Text => Job::write_text,
+        ReportFormat::Json => Job::write_json,
+        ReportFormat::Csv => Job::write_csv,
+        _ => return Err(Failure::Usage("'--by' writes text, json or csv".to_owned())),
+    };
     let data = &arguments.data;
     let (columns, conditions) = data.asked()?;
     let options = ScanOptions { hash: false, ..data.scan_options() };
@@ -22,18 +28,14 @@ pub(crate) fn run(arguments: &FitArguments, by: &ColumnSelector) -> CommandResul
     let job = Job { fleet: &fleet, conditions: &conditions, style: arguments.output.style() };
     let mut output = Output::open(arguments.output.file.output.as_deref())?;
     let mut summary = FleetSummary::default();
-    let mut write = || match arguments.output.format {
-        FitFormat::Text => job.write_text(&mut output, &mut summary),
-        FitFormat::Json => job.write_json(&mut output, &mut summary),
-        FitFormat::Csv => job.write_csv(&mut output, &mut summary),
-    };
+    let mut write = || write_groups(&job, &mut output, &mut summary);
     // Lines that scroll by on a terminal are progress enough.
     let is_watched = arguments.output.file.output.is_none() && io::stdout().is_terminal();
     let written = if is_watched { write() } else { while_working("fitting", write) };
     match written {
         Ok(()) => {
             output.finish()?;
-            if arguments.output.format != FitFormat::Text {
+            if arguments.output.format != ReportFormat::Text {
                 // The answer is written, whether or not somebody reads the summary.
                 let _ = io::stderr().write_all(summary.to_text().as_bytes());
             }

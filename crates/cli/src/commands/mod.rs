@@ -3,6 +3,7 @@
 pub(crate) mod bench_solvers;
 pub(crate) mod check;
 pub(crate) mod completions;
+pub(crate) mod convert;
 pub(crate) mod fit;
 pub(crate) mod fleet;
 pub(crate) mod lesson;
@@ -10,3 +11,4 @@ pub(crate) mod man;
 pub(crate) mod plot;
 pub(crate) mod polygon;
 pub(crate) mod reduce;
+pub(crate) mod verify;

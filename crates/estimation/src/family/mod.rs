@@ -92,7 +92,7 @@ impl Family {
     }
 
     /// s_min, the smallest factor, at least 0, that leaves a feasible parameter, in the range or not; `None` when no
-    /// factor does.
+    /// factor does. Exact.
     pub fn least(&self) -> Option<&Rational> {
         self.least.as_ref()
     }

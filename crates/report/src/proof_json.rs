@@ -1,0 +1,150 @@
+//! A fit as a proof that others can check, schema `boundfit/proof/1` (docs/proof.md).
+
+use std::collections::BTreeSet;
+
+use boundfit_estimation::{BoundName, Condition, ErrorBound, Fit, Fps, ParameterBound, Problem};
+use boundfit_exact::{Rational, Reading};
+use boundfit_formats::TextLayout;
+use boundfit_geometry::predicates::{Turn, normal_turn};
+use boundfit_geometry::{Multiplier, Polyhedron};
+use serde::Serialize;
+
+use crate::fit_json::to_text;
+
+#[derive(Serialize)]
+struct ProofJson {
+    schema: &'static str,
+    sha256: String,
+    delimiter: char,
+    header: bool,
+    rows: [usize; 2],
+    reading: &'static str,
+    model: [SourceJson; 4],
+    conditions: Vec<[String; 3]>,
+    half_planes: BTreeSet<String>,
+    kind: &'static str,
+    vertices: Vec<([String; 2], Vec<String>)>,
+    sides: Vec<(String, Option<usize>)>,
+    farkas: Vec<TermJson>,
+    bounds: Vec<BoundJson>,
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum SourceJson {
+    Column(usize),
+    Constant(String),
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum BoundJson {
+    Finite { value: String, multipliers: Vec<TermJson> },
+    Infinite { point: [String; 2], ray: [String; 2] },
+}
+
+/// The name of a half-plane and its multiplier.
+type TermJson = (String, String);
+
+/// The proof of a fit as JSON, with a line end: what was read from which bytes, the feasible parameter set with the
+/// half-planes of its sides, and its bounds; for an empty set the readings that contradict each other. `None` when the
+/// readings do not come from delimited text that has a row for each of them.
+///
+/// All numbers are exact fractions as text. Its size is linear in the vertices and the half-planes that touch them.
+pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<String> {
+    let measurements = &problem.measurements;
+    let TextLayout { delimiter, has_header, columns, rows } = measurements.layout()?;
+    let (epsilon, columns) = match (measurements.error_bound(), columns.split_last()?) {
+        (ErrorBound::Uniform(epsilon), _) => (SourceJson::Constant(epsilon.to_string()), columns.as_slice()),
+        (ErrorBound::PerRow(_), (&column, others)) => (SourceJson::Column(column), others),
+    };
+    let [x1, x2, y] = match *columns {
+        [x, y] => [SourceJson::Column(x), SourceJson::Constant("1".to_owned()), SourceJson::Column(y)],
+        [first, second, y] => [first, second, y].map(SourceJson::Column),
+        _ => return None,
+    };
+    let condition = |condition: &Condition| {
+        let inequality = condition.inequality();
+        [&inequality.a[0], &inequality.a[1], &inequality.b].map(Rational::to_string)
+    };
+    let polyhedron = fit.fps.polyhedron();
+    let name = |index: usize| fit.fps.name(index).to_string();
+    let vertices = polyhedron.region().vertices().iter().map(|vertex| {
+        let theta = vertex.point().coordinates().map(|coordinate| coordinate.to_string());
+        (theta, vertex.active().iter().map(|&index| name(index)).collect())
+    });
+    let sides = polyhedron.irredundant_by_angle().iter().zip(corners(polyhedron));
+    let sides: Vec<_> = sides.map(|(&index, vertex)| (name(index), vertex)).collect();
+    let contradiction = fit.contradiction(problem.measurements.error_bound()).unwrap_or_default();
+    let farkas: Vec<TermJson> = contradiction.iter().map(|(name, value)| term(*name, value)).collect();
+    let bounds: Vec<BoundJson> = fit
+        .pui
+        .iter()
+        .flatten()
+        .flat_map(|interval| [&interval.lower, &interval.upper].map(|bound| bound_json(bound, &fit.fps)))
+        .collect();
+    let multipliers = bounds.iter().flat_map(|bound| match bound {
+        BoundJson::Finite { multipliers, .. } => multipliers.as_slice(),
+        BoundJson::Infinite { .. } => &[],
+    });
+    let named = multipliers.chain(&farkas).map(|(name, _)| name).chain(sides.iter().map(|(name, _)| name));
+    let proof = ProofJson {
+        schema: "boundfit/proof/1",
+        sha256: measurements.sha256()?.to_owned(),
+        delimiter: char::from(*delimiter),
+        header: *has_header,
+        rows: *rows,
+        reading: reading.name(),
+        model: [x1, x2, y, epsilon],
+        conditions: problem.conditions.iter().map(condition).collect(),
+        half_planes: named.cloned().collect(),
+        kind: polyhedron.region().kind().name(),
+        vertices: vertices.collect(),
+        sides,
+        farkas,
+        bounds,
+    };
+    Some(to_text(&proof))
+}
+
+/// For each side, in order of angle, the index of the vertex where it meets the next one; `None` where they do not meet.
+/// Cost: linear in the number of sides and logarithmic in that of half-planes through a vertex.
+fn corners(polyhedron: &Polyhedron) -> Vec<Option<usize>> {
+    let sides = polyhedron.irredundant_by_angle();
+    let vertices = polyhedron.region().vertices();
+    let system = polyhedron.system();
+    let mut at = 0;
+    let corner = |(&side, &next): (&usize, &usize)| {
+        let (f, g) = (system.half_plane(side)?, system.half_plane(next)?);
+        if normal_turn(f, g) != Turn::Left {
+            return None;
+        }
+        // Vertices come in the order of the sides: the search goes around once, after the first side.
+        let through_both = |index: &usize| {
+            vertices.get(*index).is_some_and(|vertex| {
+                [side, next].iter().all(|own| vertex.active().binary_search(own).is_ok())
+            })
+        };
+        at = (at..vertices.len()).chain(0..at).find(through_both)?;
+        Some(at)
+    };
+    sides.iter().zip(sides.iter().cycle().skip(1)).map(corner).collect()
+}
+
+fn bound_json(bound: &ParameterBound, fps: &Fps) -> BoundJson {
+    match bound {
+        ParameterBound::Bounded { value, proof } => {
+            let multiplier = |m: &Multiplier| term(fps.name(m.index), &m.value);
+            let multipliers = proof.multipliers.iter().map(multiplier).collect();
+            BoundJson::Finite { value: value.to_string(), multipliers }
+        }
+        ParameterBound::Unbounded(proof) => BoundJson::Infinite {
+            point: proof.point.coordinates().map(|coordinate| coordinate.to_string()),
+            ray: [proof.ray.dx(), proof.ray.dy()].map(ToString::to_string),
+        },
+    }
+}
+
+fn term(name: BoundName, multiplier: &Rational) -> TermJson {
+    (name.to_string(), multiplier.to_string())
+}
