@@ -3,6 +3,7 @@
 //! `FUZZ_CASES` sets the number of mutations per target; continuous integration runs more of them.
 
 use std::fs;
+use std::path::{Path, PathBuf};
 
 use boundfit_tests::fuzz_targets::{TARGETS, Target};
 use boundfit_tests::program::root;
@@ -117,16 +118,24 @@ fn mutated(seeds: &[Vec<u8>], seed: Index, mutations: Vec<Mutation>) -> Vec<u8> 
     bytes
 }
 
-fn seeds(name: &str) -> Vec<Vec<u8>> {
-    let folder = root().join("fuzz/seeds").join(name);
-    let mut files: Vec<_> =
-        fs::read_dir(folder).expect("a target has seeds").map(|entry| entry.unwrap().path()).collect();
+/// The files of a folder and of those in it, in order.
+fn files_in(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("a folder of seeds").map(|entry| entry.unwrap().path());
+    let parts = entries.map(|path| if path.is_dir() { files_in(&path) } else { vec![path] });
+    let mut files: Vec<PathBuf> = parts.flatten().collect();
     files.sort();
-    files.iter().map(|file| fs::read(file).unwrap()).collect()
+    files
 }
 
-fn smoke((name, body): Target) {
-    let seeds = seeds(name);
+fn seeds(target: Target) -> Vec<Vec<u8>> {
+    let own = root().join("fuzz/seeds").join(target.name);
+    let fixtures = target.fixtures.iter().map(|folder| root().join("fixtures").join(folder));
+    let files = [own].into_iter().chain(fixtures).flat_map(|folder| files_in(&folder));
+    files.map(|file| fs::read(file).unwrap()).collect()
+}
+
+fn smoke(target: Target) {
+    let (Target { name, body, .. }, seeds) = (target, seeds(target));
     assert!(seeds.len() >= 4, "{name} has few seeds");
     seeds.iter().for_each(|seed| body(seed));
     let cases =

@@ -46,7 +46,9 @@ fn number(text: &str, limits: &Limits) -> Result<Rational, ClaimError> {
 /// # Errors
 /// What is wrong with the file.
 pub(crate) fn parse_claim_file(text: &str, name: &str, limits: &ClaimLimits) -> Result<Answer, ClaimError> {
-    check_nesting(text, limits.nesting)?;
+    if let Some((line, column)) = nested_beyond(text, limits.nesting) {
+        return Err(ClaimError::Nesting { limit: limits.nesting, line, column });
+    }
     let file: ClaimFile = serde_json::from_str(text.trim_start_matches('\u{feff}'))?;
     let source = file.source.clone().unwrap_or_else(|| name.to_owned());
     let status = match file.status.as_deref() {
@@ -83,8 +85,9 @@ pub(crate) fn parse_claim_file(text: &str, name: &str, limits: &ClaimLimits) -> 
     Ok(Answer { source, exact_input: false, claims })
 }
 
-/// Refuses JSON that is nested too deep, before it is read. What stands in a text does not count.
-fn check_nesting(text: &str, limit: usize) -> Result<(), ClaimError> {
+/// The line and column, from 1 and in bytes, where arrays and objects of a JSON text are first nested deeper than a limit. What
+/// stands in a string does not count. Asked before a text is parsed, so that no stack overflows. Cost: one look at each byte.
+pub fn nested_beyond(text: &str, limit: usize) -> Option<(usize, usize)> {
     let (mut depth, mut is_text, mut is_escaped) = (0_usize, false, false);
     let (mut line, mut column) = (1, 0);
     for byte in text.bytes() {
@@ -99,10 +102,10 @@ fn check_nesting(text: &str, limit: usize) -> Result<(), ClaimError> {
             _ => {}
         }
         if depth > limit {
-            return Err(ClaimError::Nesting { limit, line, column });
+            return Some((line, column));
         }
     }
-    Ok(())
+    None
 }
 
 /// Reads `LO1,HI1,LO2,HI2`. `-inf` as a lower and `inf` as an upper end claim that it is unbounded.

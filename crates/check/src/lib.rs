@@ -18,7 +18,7 @@ mod rows;
 mod target;
 
 pub use answer::{Answer, EXACT_SIMPLEX, SourceError, answer_of, source_names};
-pub use claim_file::parse_claim_pui;
+pub use claim_file::{nested_beyond, parse_claim_pui};
 pub use claims::{ClaimError, ClaimFileError, ClaimLimits, ClaimText, is_solution_name, read_claims};
 pub use directions::{Approximation, Directions, directions};
 pub use judge::{Check, CheckOptions, JudgedAnswer, check};

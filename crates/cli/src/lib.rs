@@ -6,6 +6,7 @@
 mod arguments;
 mod commands;
 mod exit;
+mod input;
 mod interrupt;
 mod output;
 mod progress;
@@ -18,7 +19,7 @@ use crate::arguments::{Arguments, Command};
 use crate::exit::Exit;
 
 /// Runs the command that the program's arguments ask for and gives the exit status: 0 an answer, 1 bad data or
-/// I/O, 2 bad usage, 3 an empty set, 4 a refuted claim, 130 an interruption.
+/// I/O, 2 bad usage, 3 an empty set, 4 a refuted claim or proof, 130 an interruption.
 pub fn main() -> ExitCode {
     let arguments = Arguments::parse();
     interrupt::leave_nothing_behind();

@@ -12,15 +12,23 @@ pub use half_planes::{ine_parser, polygon_against_oracle};
 pub use number::number_parser;
 pub use table::{csv_reader, mat_reader};
 
-/// A target: its name, which is also that of the folder with its seeds, and its body.
-pub type Target = (&'static str, fn(&[u8]));
+/// What is done with bytes, and where inputs to begin with are.
+#[derive(Clone, Copy)]
+pub struct Target {
+    /// Its name, which is also that of a folder in `fuzz/seeds`.
+    pub name: &'static str,
+    /// What it does.
+    pub body: fn(&[u8]),
+    /// Folders of fixtures whose files are seeds too.
+    pub fixtures: &'static [&'static str],
+}
 
 /// All targets.
 pub const TARGETS: [Target; 6] = [
-    ("csv_reader", csv_reader),
-    ("number_parser", number_parser),
-    ("ine_parser", ine_parser),
-    ("mat_reader", mat_reader),
-    ("claim_files", claim_files),
-    ("polygon_against_oracle", polygon_against_oracle),
+    Target { name: "csv_reader", body: csv_reader, fixtures: &["bad-input", "steam-generator"] },
+    Target { name: "number_parser", body: number_parser, fixtures: &[] },
+    Target { name: "ine_parser", body: ine_parser, fixtures: &["polygon", "bad-input"] },
+    Target { name: "mat_reader", body: mat_reader, fixtures: &["mat"] },
+    Target { name: "claim_files", body: claim_files, fixtures: &["claims", "solutions"] },
+    Target { name: "polygon_against_oracle", body: polygon_against_oracle, fixtures: &[] },
 ];

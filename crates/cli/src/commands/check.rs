@@ -1,7 +1,6 @@
 //! `boundfit check`.
 
 use std::fs;
-use std::io::{self, Read};
 use std::path::Path;
 use std::time::Duration;
 
@@ -15,6 +14,7 @@ use boundfit_report::{check_json, check_text};
 use crate::CommandResult;
 use crate::arguments::{CheckArguments, Format, number_problem};
 use crate::exit::{Exit, Failure};
+use crate::input::read_text;
 use crate::output;
 use crate::progress::while_working;
 
@@ -51,7 +51,8 @@ fn options(arguments: &CheckArguments) -> Result<CheckOptions, Failure> {
     let limits = ClaimLimits { number: limits.number(), nesting: limits.sizes().nesting };
     let mut claims = Vec::new();
     for file in claim_files(&arguments.claims)? {
-        claims.push(read_claim(file, arguments.max_claim_size)?);
+        let text = read_text(&file, arguments.max_claim_size, "--max-claim-size")?;
+        claims.push(ClaimText { file, text });
     }
     let mut answers = read_claims(&claims, &limits).map_err(Failure::data)?;
     for text in &arguments.claimed_pui {
@@ -98,20 +99,4 @@ fn claim_files(asked: &[String]) -> Result<Vec<String>, Failure> {
         files.extend(found);
     }
     Ok(files)
-}
-
-fn read_claim(file: String, largest: u64) -> Result<ClaimText, Failure> {
-    let unreadable = |error: io::Error| Failure::data(format_args!("{file}: cannot read: {error}"));
-    let mut bytes = Vec::new();
-    let opened = fs::File::open(&file).map_err(unreadable)?;
-    opened.take(largest.saturating_add(1)).read_to_end(&mut bytes).map_err(unreadable)?;
-    if bytes.len() as u64 > largest {
-        return Err(Failure::data(format_args!(
-            "{file}: larger than {largest} bytes (the limit; --max-claim-size raises it)"
-        )));
-    }
-    match String::from_utf8(bytes) {
-        Ok(text) => Ok(ClaimText { file, text }),
-        Err(_) => Err(Failure::data(format_args!("{file}: this is no text in UTF-8"))),
-    }
 }

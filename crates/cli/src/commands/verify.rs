@@ -2,9 +2,7 @@
 
 #![allow(clippy::indexing_slicing, reason = "a part of a JSON value that is not there is null")]
 
-use std::fs::File;
-use std::io::{self, Read};
-
+use boundfit_check::nested_beyond;
 use boundfit_exact::{Limits, Rational, Reading, Rounding};
 use boundfit_verify::{Falsehood, Proof};
 use serde_json::{Value, json};
@@ -13,6 +11,7 @@ use sha2::{Digest, Sha256};
 use crate::CommandResult;
 use crate::arguments::{Format, LimitArguments, VerifyArguments};
 use crate::exit::{Exit, Failure};
+use crate::input::{named, read_bytes, read_text};
 use crate::output;
 use crate::progress::while_working;
 
@@ -35,8 +34,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> CommandResult {
         return Err(not_a_proof(&"another schema"));
     }
     let proof: Proof = serde_json::from_str(&text).map_err(|error| not_a_proof(&error))?;
-    let mut data = Vec::new();
-    open(data_file)?.read_to_end(&mut data).map_err(|error| cannot_read(data_file, &error))?;
+    let data = read_bytes(data_file)?;
     let verdict = while_working("verifying", || {
         let hash: String = Sha256::digest(&data).iter().map(|byte| format!("{byte:02x}")).collect();
         proof.verify(&data, &hash, &limits.number())
@@ -63,76 +61,24 @@ fn limit(problem: &Falsehood) -> Option<&'static str> {
     Some(if problem.contains("exponent beyond") { "--max-exponent" } else { "--max-digits" })
 }
 
-/// The file in the words of messages.
-fn named(file: &str) -> &str {
-    if file == "-" { "standard input" } else { file }
-}
-
-fn cannot_read(file: &str, error: &io::Error) -> Failure {
-    Failure::data(format_args!("{}: cannot read: {error}", named(file)))
-}
-
-fn open(file: &str) -> Result<Box<dyn Read>, Failure> {
-    if file == "-" {
-        return Ok(Box::new(io::stdin()));
-    }
-    Ok(Box::new(File::open(file).map_err(|error| cannot_read(file, &error))?))
-}
-
 /// The text of a proof that keeps to the limits.
 fn read_proof(file: &str, limits: &LimitArguments, largest: u64) -> Result<String, Failure> {
     let refuse = |what: String| Failure::data(format_args!("{}: not a proof: refused: {what}", named(file)));
-    let mut text = String::new();
-    let read = open(file)?.take(largest.saturating_add(1)).read_to_string(&mut text);
-    read.map_err(|error| cannot_read(file, &error))?;
-    if text.len() as u64 > largest {
-        return Err(refuse(format!("larger than {largest} bytes (the limit; --max-proof-size raises it)")));
-    }
-    let extent = Extent::of(&text);
+    let text = read_text(file, largest, "--max-proof-size")?;
     let (nesting, digits) = (limits.sizes().nesting, limits.number().digits);
-    if extent.nesting > nesting {
+    if let Some((line, column)) = nested_beyond(&text, nesting) {
         return Err(refuse(format!(
-            "nested deeper than {nesting} levels (the limit; --max-nesting raises it)"
+            "nested deeper than {nesting} levels (the limit; --max-nesting raises it) at line {line} column {column}"
         )));
     }
     // Its numbers are computed from several numbers of the data.
     let digits = digits.saturating_mul(10);
-    if extent.digits > digits {
+    if text.split(|character: char| !character.is_ascii_digit()).any(|run| run.len() > digits) {
         return Err(refuse(format!(
             "a number with more than {digits} digits (10 times the limit; --max-digits raises it)"
         )));
     }
     Ok(text)
-}
-
-/// What a JSON text asks for.
-#[derive(Default)]
-struct Extent {
-    /// How deep its arrays and objects are nested.
-    nesting: usize,
-    /// The most digits in a row.
-    digits: usize,
-}
-
-impl Extent {
-    fn of(text: &str) -> Self {
-        let mut extent = Extent::default();
-        let (mut depth, mut digits, mut in_string, mut escaped) = (0_usize, 0, false, false);
-        for byte in text.bytes() {
-            digits = if byte.is_ascii_digit() { digits + 1 } else { 0 };
-            extent.digits = extent.digits.max(digits);
-            match byte {
-                _ if escaped => escaped = false,
-                b'\\' => escaped = in_string,
-                b'"' => in_string = !in_string,
-                b'[' | b'{' if !in_string => depth += 1,
-                b']' | b'}' if !in_string => depth = depth.saturating_sub(1),
-                _ => {}
-            }
-            extent.nesting = extent.nesting.max(depth);
-        }
-        extent
-    }
 }
 
 fn json_report(verdict: &Result<usize, Falsehood>) -> String {

@@ -1,0 +1,38 @@
+//! Small files that are read whole: claims and proofs.
+
+use std::fs::File;
+use std::io::{self, Read};
+
+use crate::exit::Failure;
+
+/// The file in the words of messages.
+pub(crate) fn named(file: &str) -> &str {
+    if file == "-" { "standard input" } else { file }
+}
+
+/// The bytes of a file, or of standard input for `-`.
+pub(crate) fn read_bytes(file: &str) -> Result<Vec<u8>, Failure> {
+    read_at_most(file, u64::MAX)
+}
+
+/// The text of a file, or of standard input for `-`, that has at most as many bytes as this option allows.
+pub(crate) fn read_text(file: &str, largest: u64, option: &str) -> Result<String, Failure> {
+    let bytes = read_at_most(file, largest.saturating_add(1))?;
+    let fail = |problem: String| Failure::data(format_args!("{}: {problem}", named(file)));
+    if bytes.len() as u64 > largest {
+        return Err(fail(format!("larger than {largest} bytes (the limit; {option} raises it)")));
+    }
+    String::from_utf8(bytes).map_err(|_| fail("this is no text in UTF-8".to_owned()))
+}
+
+fn read_at_most(file: &str, most: u64) -> Result<Vec<u8>, Failure> {
+    let unreadable = |error: io::Error| Failure::data(format_args!("{}: cannot read: {error}", named(file)));
+    let mut bytes = Vec::new();
+    let read = if file == "-" {
+        io::stdin().take(most).read_to_end(&mut bytes)
+    } else {
+        File::open(file).map_err(unreadable)?.take(most).read_to_end(&mut bytes)
+    };
+    read.map_err(unreadable)?;
+    Ok(bytes)
+}
