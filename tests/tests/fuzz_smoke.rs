@@ -128,9 +128,10 @@ fn files_in(folder: &Path) -> Vec<PathBuf> {
 }
 
 fn seeds(target: Target) -> Vec<Vec<u8>> {
-    let own = root().join("fuzz/seeds").join(target.name);
+    // A target whose seeds are all fixtures has no folder of its own.
+    let own = Some(root().join("fuzz/seeds").join(target.name)).filter(|folder| folder.is_dir());
     let fixtures = target.fixtures.iter().map(|folder| root().join("fixtures").join(folder));
-    let files = [own].into_iter().chain(fixtures).flat_map(|folder| files_in(&folder));
+    let files = own.into_iter().chain(fixtures).flat_map(|folder| files_in(&folder));
     files.map(|file| fs::read(file).unwrap()).collect()
 }
 
