@@ -11,11 +11,9 @@ use boundfit_formats::{Header, Limit, RowRange, ScanOptions, SizeLimits, Source,
 use boundfit_report::{EndRounding, Origin, Style};
 use clap::ValueEnum;
 
+use super::shared::{DelimiterName, HeaderName, ReadingName, RoundingName};
 use super::values::{number_problem, parse_factors};
-use super::{
-    DataArguments, DelimiterName, FitArguments, HeaderName, LimitArguments, OutputArguments, ReadingName,
-    RoundingName, TableArguments, ThreadArguments,
-};
+use super::{DataArguments, FitArguments, LimitArguments, OutputArguments, TableArguments, ThreadArguments};
 use crate::exit::Failure;
 use crate::progress::ReadingProgress;
 

@@ -1,0 +1,78 @@
+//! The arguments of `boundfit check` and `boundfit bench-solvers`.
+
+use clap::{Args, value_parser};
+
+use super::{DataArguments, FileArguments, Format, LimitArguments, OutputArguments};
+
+const EXAMPLES: &str = "\
+Examples:
+  Every solver of this build against the exact answer:
+    boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3
+  The PUI that some other program printed:
+    boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 \\
+      --claim-pui 1.7909e-3,1.8484e-3,2.2596e-2,2.2807e-2
+  What a solver wrote about the programs of 'boundfit convert', four files in a folder:
+    boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --claim solutions
+  The hull of 16 LP optimisers, the set itself, and the half-planes behind the 16 optima:
+    boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --directions 16
+
+Exit status:
+  0  no claim is refuted
+  1  bad data, or a file that cannot be read or written
+  2  bad usage
+  4  a claim is refuted";
+
+/// Judge LP answers about the same fit: is each end of the parameter uncertainty intervals right?
+///
+/// Solvers of this build and claims from elsewhere are compared with the exact answer. A verdict is exact, rounded (the
+/// nearest double, give or take 4 units in the last place), within tolerance, loose (too wide), infeasible point, unsafe
+/// (cuts off feasible parameters), wrong status or inverted interval, judged against the data as written and against the
+/// doubles that a solver receives.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct CheckArguments {
+    #[command(flatten)]
+    pub(crate) data: DataArguments,
+    /// Judge this solver; repeatable. All of this build when neither this nor a claim is given
+    #[arg(long = "solver", value_name = "NAME")]
+    pub(crate) solvers: Vec<String>,
+    /// Judge the claims in this file: JSON, or the solution that GLPK, HiGHS, CPLEX (XML), CBC or SCIP wrote about one of the
+    /// programs of 'boundfit convert', which its name tells (theta1-min ...); of a folder, the solutions in it; repeatable
+    #[arg(long = "claim", value_name = "FILE|DIR")]
+    pub(crate) claims: Vec<String>,
+    /// Bytes that a claims file may have
+    #[arg(long, value_name = "BYTES", default_value_t = 1 << 28, help_heading = "Limits")]
+    pub(crate) max_claim_size: u64,
+    /// Judge these ends of the intervals; inf and -inf claim an unbounded end; repeatable
+    #[arg(long = "claim-pui", value_name = "LO1,HI1,LO2,HI2", allow_hyphen_values = true)]
+    pub(crate) claimed_pui: Vec<String>,
+    /// Compare the set with the optimisers of linear programs in N directions
+    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "16",
+          value_parser = value_parser!(u16).range(3..=10000))]
+    pub(crate) directions: Option<u16>,
+    /// How much too wide a bound may be, in widths of the interval, and how far outside a point, in units of eps
+    #[arg(long, value_name = "NUM", default_value = "1e-6", allow_hyphen_values = true)]
+    pub(crate) tolerance: String,
+    /// Seconds that a solver may work on one program
+    #[arg(long, value_name = "SECONDS", default_value_t = 60, value_parser = value_parser!(u64).range(1..=86400))]
+    pub(crate) time_limit: u64,
+    #[command(flatten)]
+    pub(crate) output: OutputArguments,
+}
+
+/// Run every solver over a folder of cases and print who is right on which, as a Markdown table
+///
+/// A case is NAME.csv with columns x and y, and NAME.json with the error bound as text under "eps".
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  boundfit bench-solvers fixtures/hard-lp")]
+pub(crate) struct BenchSolversArguments {
+    /// The folder
+    pub(crate) folder: String,
+    /// A Markdown table, or JSON with the verdicts of every case
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+    #[command(flatten)]
+    pub(crate) file: FileArguments,
+    #[command(flatten)]
+    pub(crate) limits: LimitArguments,
+}

@@ -1,0 +1,70 @@
+//! The arguments of `boundfit fit`.
+
+use boundfit_formats::ColumnSelector;
+use clap::Args;
+use clap::builder::NonEmptyStringValueParser;
+
+use super::values::parse_column;
+use super::{DataArguments, FactorRange, OutputArguments, ReportFormat, ThreadArguments};
+
+const EXAMPLES: &str = "\
+Examples:
+  A line through columns Vz and z, data rows 14 to 36, every z known to 0.5 mm:
+    boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3
+  One error bound per row, and a slope that is known not to be negative:
+    boundfit fit steam.csv --x x --y y --eps-column eps --where 'theta1 >= 0'
+  How the set grows with the error bound, from half of eps to twice eps:
+    boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --sweep 0.5..2
+  Two regressors without a constant, from standard input, as JSON:
+    boundfit fit - --x 1,2 --y 3 --eps 1/100 --format json < readings.csv
+  Vectors of a MATLAB file; the vertices as a script for MATLAB and Octave (or csv, wkt, latex, markdown):
+    boundfit fit transducer.mat --x Vz --y z --rows 14..36 --eps 0.5e-3 --format m -o vertices.m
+  Beside the report a proof, for somebody who does not trust it:
+    boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --proof proof.json
+  Every sensor of a fleet on its own, one line each (--format json or csv for programs):
+    boundfit fit fleet.csv --by sensor --x V --y level --eps 0.03
+
+Exit status:
+  0  an answer was found
+  1  bad data, or a file that cannot be read or written
+  2  bad usage
+  3  the feasible parameter set is empty, with --by that of at least one group; the proof is printed";
+
+/// Fit y = theta1*x + theta2 + e with |e| <= eps: every parameter pair that agrees with all readings
+///
+/// The feasible parameter set (FPS) is the polygon of all (theta1, theta2) whose line stays within the error bound of
+/// every reading. Reported are its vertices, the parameter uncertainty intervals (PUI) with the readings that prove
+/// them, the central estimate, least squares with its uncertainty intervals (EUI), and the smallest error bound that
+/// leaves anything.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct FitArguments {
+    #[command(flatten)]
+    pub(crate) data: DataArguments,
+    /// Also report the sets FPS(s*eps) for all factors s from FROM to TO: where the set is born and changes its shape,
+    /// and every vertex and PUI end as an exact function of s
+    #[arg(id = "sweep", long = "sweep", value_name = "FROM..TO")]
+    pub(super) asked_factors: Option<String>,
+    /// The same as numbers, within the limits that other options set.
+    #[arg(skip)]
+    pub(crate) sweep: Option<FactorRange>,
+    /// Fit each group of rows with the same text in this column on its own: one line of text, JSON or CSV per group, in the
+    /// order in which they first occur, and a summary (with JSON and CSV on standard error)
+    #[arg(long, value_name = "COL", value_parser = parse_column, conflicts_with = "sweep")]
+    pub(crate) by: Option<ColumnSelector>,
+    /// Leave out the line about what an LP solver makes of the same data
+    #[arg(long)]
+    pub(crate) no_lp: bool,
+    /// Leave out the estimate uncertainty intervals (EUI) where they would take a second look at more readings than
+    /// are kept in memory (10000)
+    #[arg(long)]
+    pub(crate) no_eui: bool,
+    /// Also write a proof of the answer to this file, whole or not at all: JSON that 'boundfit verify', or anybody else,
+    /// checks against the data by arithmetic alone; - for standard output when the report goes to a file
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    pub(crate) proof: Option<String>,
+    #[command(flatten)]
+    pub(crate) threads: ThreadArguments,
+    #[command(flatten)]
+    pub(crate) output: OutputArguments<ReportFormat>,
+}

@@ -1,0 +1,41 @@
+//! The arguments of `boundfit polygon`.
+
+use clap::Args;
+
+use super::{OutputArguments, ReportFormat, TableArguments};
+
+const EXAMPLES: &str = "\
+Examples:
+  Half-planes in an H-representation of cdd or lrs:
+    boundfit polygon square.ine
+  To a V-representation, whose rows are points and rays; the report on it; and back:
+    boundfit polygon square.ine --format ext -o corners.ext
+    boundfit polygon corners.ext
+    boundfit polygon corners.ext --format ine
+  A table with columns a1,a2,b, each row meaning a1*theta1 + a2*theta2 <= b:
+    printf 'a1,a2,b\\n-1,0,0\\n0,-1,0\\n2,3,6\\n' | boundfit polygon -
+
+Exit status:
+  0  an answer was found
+  1  bad data, or a file that cannot be read or written
+  2  bad usage
+  3  the region is empty; the proof is printed";
+
+/// Intersect any half-planes: vertices, rays, bounds, area, and which half-planes are redundant
+///
+/// The set may also be given by its generators, a V-representation of cdd or lrs: rows '1 x y' are points, '0 x y' rays,
+/// or lines where a linearity line lists them. Then its half-planes are reported (facets), the rows active at a vertex
+/// are the points that equal it, and the redundant rows are the generators that are not needed. 'W x y' with W > 0 is the
+/// point (x/W, y/W); rays without a point start at the origin; without any row the set is empty, all as in cdd. Options
+/// that only ask for other output (maximize, verbose, ...) are passed over; those that mean another set (nonnegative,
+/// project, hull in an H-representation, ...) are refused.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct PolygonArguments {
+    /// FILE.ine or FILE.ext (H- or V-representation of cdd and lrs) or FILE.csv (columns a1,a2,b), or - for standard input
+    pub(crate) file: String,
+    #[command(flatten)]
+    pub(crate) table: TableArguments,
+    #[command(flatten)]
+    pub(crate) output: OutputArguments<ReportFormat>,
+}

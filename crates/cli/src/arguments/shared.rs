@@ -1,0 +1,193 @@
+//! The arguments of several commands.
+
+use boundfit_formats::ColumnSelector;
+use clap::builder::NonEmptyStringValueParser;
+use clap::{Args, ValueEnum, value_parser};
+
+use super::values::{AskedRows, Regressors, parse_column, parse_regressors, parse_rows};
+
+/// Where a text goes.
+#[derive(Debug, Args)]
+pub(crate) struct FileArguments {
+    /// Write to this file instead of standard output: whole or not at all
+    #[arg(short, long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    pub(crate) output: Option<String>,
+}
+
+/// How much of the machine is used.
+#[derive(Debug, Args)]
+pub(crate) struct ThreadArguments {
+    /// Threads that read and reduce the data; as many as there are processors when left out. The answer is the same
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
+    pub(super) threads: Option<u16>,
+}
+
+/// Which readings are fitted, and how.
+#[derive(Debug, Args)]
+pub(crate) struct DataArguments {
+    /// A table of readings (separated by commas, semicolons or tabs, or a MATLAB .mat file), or - for standard input
+    pub(super) data: String,
+    /// Column of x by header name or number from 1 (in a .mat file a vector's name, or 'M(:,2)'); two for the model
+    /// y = theta1*COL + theta2*COL2 + e
+    #[arg(long, value_name = "COL[,COL2]", value_parser = parse_regressors, required = true)]
+    pub(super) x: Regressors,
+    /// Column of y
+    #[arg(long, value_name = "COL", value_parser = parse_column, required = true)]
+    pub(super) y: ColumnSelector,
+    #[command(flatten)]
+    pub(super) epsilon: EpsilonArguments,
+    /// Use data rows A to B only, counted from 1 without the header
+    #[arg(long, value_name = "A..B", value_parser = parse_rows)]
+    pub(super) rows: Option<AskedRows>,
+    /// A linear inequality that the parameters are known to satisfy, such as '2*theta1 - theta2 <= 1/3'
+    #[arg(long = "where", value_name = "CONDITION", allow_hyphen_values = true)]
+    pub(super) conditions: Vec<String>,
+    #[command(flatten)]
+    pub(crate) table: TableArguments,
+}
+
+/// The error bound.
+#[derive(Debug, Args)]
+#[group(required = true, multiple = false)]
+pub(crate) struct EpsilonArguments {
+    /// Error bound of every reading: a decimal or a fraction
+    #[arg(long, value_name = "NUM", allow_hyphen_values = true)]
+    pub(crate) eps: Option<String>,
+    /// Column with the error bound of each reading
+    #[arg(long, value_name = "COL", value_parser = parse_column)]
+    pub(crate) eps_column: Option<ColumnSelector>,
+}
+
+/// What pictures and pages say besides what follows from the data.
+#[derive(Debug, Args)]
+pub(crate) struct LabelArguments {
+    /// Unit of x, such as V; with two regressors, of both
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) x_unit: Option<String>,
+    /// Unit of y, such as m
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) y_unit: Option<String>,
+    /// Title; a plain one when left out
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) title: Option<String>,
+}
+
+/// How the input is read.
+#[derive(Debug, Args)]
+pub(crate) struct TableArguments {
+    /// Take numbers exactly as written, or as the nearest double, exactly; with a .mat file it is binary64
+    #[arg(long, value_enum, default_value_t = ReadingName::Decimal)]
+    pub(super) reading: ReadingName,
+    /// Whether the first row names the columns
+    #[arg(long, value_enum, default_value_t = HeaderName::Auto)]
+    pub(super) header: HeaderName,
+    /// What separates the columns
+    #[arg(long, value_enum, default_value_t = DelimiterName::Auto)]
+    pub(super) delimiter: DelimiterName,
+    #[command(flatten)]
+    pub(crate) limits: LimitArguments,
+}
+
+/// What an input may ask for at most, so that a hostile one costs neither memory nor time.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Limits")]
+pub(crate) struct LimitArguments {
+    /// Digits of one number, of a fraction above and below its bar
+    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = value_parser!(u64).range(1..=1_000_000))]
+    pub(super) max_digits: u64,
+    /// Absolute value of a decimal exponent
+    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = value_parser!(u32).range(0..=1_000_000))]
+    pub(super) max_exponent: u32,
+    /// Bytes of one line, and of one row that goes over several
+    #[arg(long, value_name = "BYTES", default_value_t = 1 << 24, value_parser = value_parser!(u64).range(1..=1 << 32))]
+    pub(super) max_line: u64,
+    /// Columns of a table of text
+    #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = value_parser!(u64).range(1..=1 << 32))]
+    pub(super) max_columns: u64,
+    /// Rows that an .ine or .ext file announces
+    #[arg(long, value_name = "N", default_value_t = 10_000_000, value_parser = value_parser!(u64).range(1..=1 << 32))]
+    pub(super) max_rows: u64,
+    /// Elements of one array in a .mat file
+    #[arg(long, value_name = "N", default_value_t = 100_000_000, value_parser = value_parser!(u64).range(1..=1 << 32))]
+    pub(super) max_elements: u64,
+    /// Depth of arrays and objects in a JSON file
+    #[arg(long, value_name = "N", default_value_t = 64, value_parser = value_parser!(u8).range(1..=120))]
+    pub(super) max_nesting: u8,
+}
+
+/// How the answer is written.
+#[derive(Debug, Args)]
+pub(crate) struct OutputArguments<F: ValueEnum + Default + Send + Sync + 'static = Format> {
+    /// Text for people or JSON for programs
+    #[arg(long, value_enum, default_value_t = F::default())]
+    pub(crate) format: F,
+    #[command(flatten)]
+    pub(crate) file: FileArguments,
+    /// Significant digits of decimals
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = value_parser!(u16).range(1..=1000))]
+    pub(super) digits: u16,
+    /// Round interval ends outward, or to nearest as papers print them
+    #[arg(long, value_enum, default_value_t = RoundingName::Outward)]
+    pub(super) rounding: RoundingName,
+    /// Show exact fractions in place of decimals (JSON always has both)
+    #[arg(long)]
+    pub(super) exact: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub(crate) enum Format {
+    #[default]
+    Text,
+    Json,
+}
+
+/// Formats of a fit or a region.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub(crate) enum ReportFormat {
+    /// A report for people
+    #[default]
+    Text,
+    /// Everything, for programs
+    Json,
+    /// The report's tables in LaTeX (booktabs)
+    Latex,
+    /// The report's tables in Markdown
+    Markdown,
+    /// The vertices as a table; with --by, bounds and estimates of each group
+    Csv,
+    /// The set as well-known text, in decimals of at least 17 digits; bounded sets only
+    Wkt,
+    /// A MATLAB or Octave script that defines the vertices
+    M,
+    /// The irredundant half-planes as cdd's and lrs's H-representation
+    Ine,
+    /// The vertices, rays and lines as cdd's and lrs's V-representation
+    Ext,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(super) enum ReadingName {
+    Decimal,
+    Binary64,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(super) enum HeaderName {
+    Auto,
+    Yes,
+    No,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(super) enum DelimiterName {
+    Auto,
+    Comma,
+    Semicolon,
+    Tab,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(super) enum RoundingName {
+    Outward,
+    Nearest,
+}
