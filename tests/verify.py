@@ -4,8 +4,8 @@ import bisect, csv, functools, hashlib, io, json, re, sys
 from fractions import Fraction
 sys.set_int_max_str_digits(0), csv.field_size_limit(1 << 30)
 class Falsehood(Exception): pass
-TYPES = dict.fromkeys("schema sha256 delimiter reading kind".split(), str) | {"header": bool} | dict.fromkeys(
-    "rows model conditions half_planes vertices sides farkas bounds".split(), list)
+TYPES = dict.fromkeys("schema sha256 delimiter reading".split(), str) | {"header": bool} | dict.fromkeys(
+    "rows model conditions vertices active sides farkas bounds".split(), list)
 def must(truth, statement, error=Falsehood):
     if not truth: raise error(statement)
 def number(text):  # section 1: all else is no text, or no number
@@ -25,67 +25,60 @@ def half_planes(proof, data):  # section 2: name -> (a1, a2, b): a1*theta1 + a2*
                if len(record) > 1 or record and record[0].strip(" \t\n\f\r")]
     (first, last), rows, planes = proof["rows"], records[proof["header"]:], {}
     is_known = proof["reading"] in ("decimal", "binary64") and len(proof["model"]) == 4
+    model = [(column, number(factor)) for column, factor in proof["model"]]
+    must(all(type(column) is int and column >= 0 for column, _ in model), "model", ValueError)
     must(type(first) is type(last) is int and is_known, "rows, reading or model", ValueError)
-    must(1 <= first <= last <= len(rows) and len(set(map(len, records))) == 1, "rows: not there, or not even")
-    def read(row, source):
-        if type(source) is not int: return number(source)
-        must(1 <= source <= len(rows[row - 1]), f"row {row} has no column {source}")
-        value = number(rows[row - 1][source - 1])
+    must(1 <= first <= last <= len(rows), "rows: are not in the data")
+    def read(row, column):
+        if column == 0: return Fraction(1)
+        must(column <= len(rows[row - 1]), f"row {row} has no column {column}")
+        value = number(rows[row - 1][column - 1])
         return value if proof["reading"] == "decimal" else Fraction(float(value))
     for row in range(first, last + 1):
-        x1, x2, y, epsilon = (read(row, source) for source in proof["model"])
+        x1, x2, y, epsilon = (read(row, column) * factor for column, factor in model)
         must(epsilon >= 0, f"row {row}: a negative error bound")
         planes[f"{row} upper"], planes[f"{row} lower"] = (x1, x2, y + epsilon), (-x1, -x2, epsilon - y)
     conditions = enumerate(proof["conditions"], 1)
     return planes | {f"where:{k}": (number(a1), number(a2), number(b)) for k, (a1, a2, b) in conditions}
 def verify(proof, data):
     must(proof["sha256"] == hashlib.sha256(data).hexdigest(), "sha256")
-    planes, points, bounds = half_planes(proof, data), [pair(theta) for theta, _ in proof["vertices"]], proof["bounds"]
-    must(all(name in planes for name in proof["half_planes"]), "half_planes: one is not of the data")
-    def find(name): return planes[name] if name in proof["half_planes"] else must(False, f"{name} is not listed")
+    planes, points, bounds = half_planes(proof, data), [pair(theta) for theta in proof["vertices"]], proof["bounds"]
+    def find(name): return planes[name] if name in planes else must(False, f"{name} is no half-plane of the data")
     def add(terms, most):
         found = [(find(name), number(times)) for name, times in terms]
         must(len(found) <= most and all(times > 0 for _, times in found), "multipliers: too many, or not positive")
         return tuple(sum(times * plane[j] for plane, times in found) for j in range(3))
-    if proof["kind"] == "empty":  # section 3
+    if proof["farkas"]:  # section 3
         a1, a2, b = add(proof["farkas"], 3)
-        return must(a1 == a2 == 0 > b and not proof["sides"] and not points and not bounds, "farkas")
+        return must(a1 == a2 == 0 > b and not (proof["sides"] or proof["active"] or points or bounds), "farkas")
     sides = [(find(name), end) for name, end in proof["sides"]]  # section 4
     must(all(any(a[:2]) and (end is None or type(end) is int and 0 <= end < len(points)) for a, end in sides), "sides")
-    angles, gaps, n = [angle(a) for a, _ in sides], [], len(sides)
+    angles = [angle(a) for a, _ in sides]
     must(all(u < v for u, v in zip(angles, angles[1:])), "sides: not in order of angle")
     for (a, end), (after, to) in zip(sides, sides[1:] + sides[:1]):
         must((cross(a, after) > 0) == (end is not None), f"sides: {a}: a vertex, or none, against its angle")
-        if end is None: gaps.append(cross(a, after))
-        else: must(dot(a, points[end]) == a[2] and dot(after, points[end]) == after[2], f"sides: {a}: not tight")
+        must(end is None or all(dot(u, points[end]) == u[2] for u in (a, after)), f"sides: {a}: not tight")
         must(None in (end, to) or cross(after, points[to]) >= cross(after, points[end]), f"sides: {after}: backwards")
-    must(len({points[end] for _, end in sides if end is not None}) == len(points), "vertices: one is on no side, or twice")
+    corners = {points[end] for _, end in sides if end is not None}
+    must(len(corners) == len(points), "vertices: one is on no side, or twice")
     def support(a):  # section 5: the maximum of a.theta and vertices that attain it, or None
-        if not n or not any(a): return (None if any(a) else 0), []
+        if not sides or not any(a): return (None if any(a) else 0), []
         left, right = bisect.bisect_left(angles, angle(a)) - 1, bisect.bisect(angles, angle(a)) - 1
         ends = [end for end in (sides[left][1], sides[right][1]) if end is not None]
         if left != right: return dot(a, a) / dot(a, sides[right][0]) * sides[right][0][2], ends
         return (dot(a, points[ends[0]]) if ends else None), ends
-    width = sides[0][0][2] + support((-sides[0][0][0], -sides[0][0][1]))[0] if len(gaps) == 2 else 0
-    kind = ("plane" if n == 0 else "half-plane" if n == 1 else ("strip" if width else "line") if len(gaps) == 2 else
-            {1: "point", 2: "segment"}.get(len(points), "polygon") if not gaps else
-            "ray" if gaps == [0] and len(points) == 1 else "unbounded-polygon")
-    must(width >= 0 and kind == proof["kind"] and not proof["farkas"], f"kind: {kind}")
-    touching = [set() for _ in points]
+    touching = set()
     for name, (a1, a2, b) in planes.items():
         value, ends = support((a1, a2))
         must(value is not None and value <= b, f"{name} cuts off a part of the set")
-        for end in ends if value == b else []: touching[end].add(name)
-    active = [set(names) for _, names in proof["vertices"]]
-    must(touching == active and len(bounds) == 4, "vertices: active is not what touches, or not four bounds")
-    for bound, e in zip(bounds, ((-1, 0), (1, 0), (0, -1), (0, 1))):  # section 6
-        if bound.keys() == {"value", "multipliers"}:
-            truth = add(bound["multipliers"], 2) == (*e, sum(e) * number(bound["value"])) == (*e, support(e)[0])
-        else:
-            must(bound.keys() == {"point", "ray"}, "bounds: other fields", ValueError)
-            point, ray = pair(bound["point"]), pair(bound["ray"])
-            truth = dot(e, ray) > 0 and all(dot(a, point) <= a[2] and dot(a, ray) <= 0 for a, _ in sides)
-        must(truth, f"bounds: in direction {e}: not proved")
+        touching |= {(end, name) for end in ends if value == b}
+    must(touching == {(end, name) for end, name in proof["active"]}, "active: is not what touches")
+    must(len(bounds) == 4, "bounds: are not four")
+    for (terms, point, ray), e in zip(bounds, ((-1, 0), (1, 0), (0, -1), (0, 1))):  # section 6
+        point, ray = pair(point), pair(ray)
+        must(all(dot(a, point) <= a[2] and dot(a, ray) <= 0 for a, _ in sides), f"bounds: in direction {e}: outside")
+        is_end = add(terms, 2) == (*e, dot(e, point)) and ray == (0, 0) if terms != [] else dot(e, ray) > 0
+        must(is_end, f"bounds: in direction {e}: not proved")
 def status(text, data):
     try:
         proof = json.loads(text)

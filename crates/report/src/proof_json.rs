@@ -1,12 +1,10 @@
 //! A fit as a proof that others can check, schema `boundfit/proof/1` (docs/proof.md).
 
-use std::collections::BTreeSet;
-
 use boundfit_estimation::{BoundName, Condition, ErrorBound, Fit, Fps, ParameterBound, Problem};
 use boundfit_exact::{Rational, Reading};
 use boundfit_formats::TextLayout;
 use boundfit_geometry::predicates::{Turn, normal_turn};
-use boundfit_geometry::{Multiplier, Polyhedron};
+use boundfit_geometry::{Multiplier, Polyhedron, Vertex};
 use serde::Serialize;
 
 use crate::fit_json::to_text;
@@ -19,28 +17,13 @@ struct ProofJson {
     header: bool,
     rows: [usize; 2],
     reading: &'static str,
-    model: [SourceJson; 4],
+    model: [(usize, String); 4],
     conditions: Vec<[String; 3]>,
-    half_planes: BTreeSet<String>,
-    kind: &'static str,
-    vertices: Vec<([String; 2], Vec<String>)>,
+    vertices: Vec<[String; 2]>,
+    active: Vec<(usize, String)>,
     sides: Vec<(String, Option<usize>)>,
     farkas: Vec<TermJson>,
-    bounds: Vec<BoundJson>,
-}
-
-#[derive(Serialize)]
-#[serde(untagged)]
-enum SourceJson {
-    Column(usize),
-    Constant(String),
-}
-
-#[derive(Serialize)]
-#[serde(untagged)]
-enum BoundJson {
-    Finite { value: String, multipliers: Vec<TermJson> },
-    Infinite { point: [String; 2], ray: [String; 2] },
+    bounds: Vec<(Vec<TermJson>, [String; 2], [String; 2])>,
 }
 
 /// The name of a half-plane and its multiplier.
@@ -54,13 +37,15 @@ type TermJson = (String, String);
 pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<String> {
     let measurements = &problem.measurements;
     let TextLayout { delimiter, has_header, columns, rows } = measurements.layout()?;
+    let column = |&column: &usize| (column, "1".to_owned());
+    // Column 0 holds 1 in every row.
     let (epsilon, columns) = match (measurements.error_bound(), columns.split_last()?) {
-        (ErrorBound::Uniform(epsilon), _) => (SourceJson::Constant(epsilon.to_string()), columns.as_slice()),
-        (ErrorBound::PerRow(_), (&column, others)) => (SourceJson::Column(column), others),
+        (ErrorBound::Uniform(epsilon), _) => ((0, epsilon.to_string()), columns.as_slice()),
+        (ErrorBound::PerRow(_), (own, others)) => (column(own), others),
     };
-    let [x1, x2, y] = match *columns {
-        [x, y] => [SourceJson::Column(x), SourceJson::Constant("1".to_owned()), SourceJson::Column(y)],
-        [first, second, y] => [first, second, y].map(SourceJson::Column),
+    let [x1, x2, y] = match columns {
+        [x, y] => [x, &0, y].map(column),
+        [first, second, y] => [first, second, y].map(column),
         _ => return None,
     };
     let condition = |condition: &Condition| {
@@ -69,25 +54,16 @@ pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<Stri
     };
     let polyhedron = fit.fps.polyhedron();
     let name = |index: usize| fit.fps.name(index).to_string();
-    let vertices = polyhedron.region().vertices().iter().map(|vertex| {
-        let theta = vertex.point().coordinates().map(|coordinate| coordinate.to_string());
-        (theta, vertex.active().iter().map(|&index| name(index)).collect())
-    });
+    let vertices = polyhedron.region().vertices();
+    let active =
+        (0..).zip(vertices).flat_map(|(index, vertex)| vertex.active().iter().map(move |&own| (index, own)));
+    let theta = |vertex: &Vertex| vertex.point().coordinates().map(|coordinate| coordinate.to_string());
     let sides = polyhedron.irredundant_by_angle().iter().zip(corners(polyhedron));
     let sides: Vec<_> = sides.map(|(&index, vertex)| (name(index), vertex)).collect();
     let contradiction = fit.contradiction(problem.measurements.error_bound()).unwrap_or_default();
     let farkas: Vec<TermJson> = contradiction.iter().map(|(name, value)| term(*name, value)).collect();
-    let bounds: Vec<BoundJson> = fit
-        .pui
-        .iter()
-        .flatten()
-        .flat_map(|interval| [&interval.lower, &interval.upper].map(|bound| bound_json(bound, &fit.fps)))
-        .collect();
-    let multipliers = bounds.iter().flat_map(|bound| match bound {
-        BoundJson::Finite { multipliers, .. } => multipliers.as_slice(),
-        BoundJson::Infinite { .. } => &[],
-    });
-    let named = multipliers.chain(&farkas).map(|(name, _)| name).chain(sides.iter().map(|(name, _)| name));
+    let ends = fit.pui.iter().flatten().flat_map(|interval| [&interval.lower, &interval.upper]);
+    let bounds = ends.map(|end| bound_json(end, &fit.fps)).collect();
     let proof = ProofJson {
         schema: "boundfit/proof/1",
         sha256: measurements.sha256()?.to_owned(),
@@ -97,9 +73,8 @@ pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<Stri
         reading: reading.name(),
         model: [x1, x2, y, epsilon],
         conditions: problem.conditions.iter().map(condition).collect(),
-        half_planes: named.cloned().collect(),
-        kind: polyhedron.region().kind().name(),
-        vertices: vertices.collect(),
+        vertices: vertices.iter().map(theta).collect(),
+        active: active.map(|(index, own)| (index, name(own))).collect(),
         sides,
         farkas,
         bounds,
@@ -131,18 +106,19 @@ fn corners(polyhedron: &Polyhedron) -> Vec<Option<usize>> {
     sides.iter().zip(sides.iter().cycle().skip(1)).map(corner).collect()
 }
 
-fn bound_json(bound: &ParameterBound, fps: &Fps) -> BoundJson {
-    match bound {
-        ParameterBound::Bounded { value, proof } => {
+/// Multipliers, a point and a ray. At a finite end the ray is zero; where there is none, there are no multipliers.
+fn bound_json(bound: &ParameterBound, fps: &Fps) -> (Vec<TermJson>, [String; 2], [String; 2]) {
+    let (multipliers, point, ray) = match bound {
+        ParameterBound::Bounded { proof, .. } => {
             let multiplier = |m: &Multiplier| term(fps.name(m.index), &m.value);
             let multipliers = proof.multipliers.iter().map(multiplier).collect();
-            BoundJson::Finite { value: value.to_string(), multipliers }
+            (multipliers, &proof.attained_at, ["0", "0"].map(ToOwned::to_owned))
         }
-        ParameterBound::Unbounded(proof) => BoundJson::Infinite {
-            point: proof.point.coordinates().map(|coordinate| coordinate.to_string()),
-            ray: [proof.ray.dx(), proof.ray.dy()].map(ToString::to_string),
-        },
-    }
+        ParameterBound::Unbounded(proof) => {
+            (Vec::new(), &proof.point, [proof.ray.dx(), proof.ray.dy()].map(ToString::to_string))
+        }
+    };
+    (multipliers, point.coordinates().map(|coordinate| coordinate.to_string()), ray)
 }
 
 fn term(name: BoundName, multiplier: &Rational) -> TermJson {

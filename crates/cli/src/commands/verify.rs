@@ -101,29 +101,36 @@ fn text_report(verdict: &Result<usize, Falsehood>, proof: &str, data: &str, valu
         Ok(half_planes) => half_planes,
         Err(statement) => return format!("refuted: {proof} is not true of {data}\n  {statement}\n"),
     };
-    let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
-    let kind = match value["vertices"].as_array().map_or(0, Vec::len) {
-        count @ 3.. => format!("{} with {count} vertices", text(&value["kind"])),
-        _ => text(&value["kind"]),
+    let list = |name: &str| value[name].as_array().map(Vec::as_slice).unwrap_or_default();
+    let (vertices, sides) = (list("vertices").len(), list("sides"));
+    let count = |count, one: &str, more: &str| format!("{count} {}", if count == 1 { one } else { more });
+    let set = if list("farkas").is_empty() {
+        let is_bounded = !sides.is_empty() && sides.iter().all(|side| side[1].is_number());
+        let extent = if is_bounded { "bounded" } else { "unbounded" };
+        let (vertices, sides) = (count(vertices, "vertex", "vertices"), count(sides.len(), "side", "sides"));
+        format!("{extent}, with {vertices} and {sides}")
+    } else {
+        "empty".to_owned()
     };
     let rows = &value["rows"];
     let mut report = format!(
-        "verified: {proof} is true of {data}\n  set     {kind}\n  from    {half_planes} half-planes, rows {} to {}\n",
+        "verified: {proof} is true of {data}\n  set     {set}\n  from    {half_planes} half-planes, rows {} to {}\n",
         rows[0], rows[1]
     );
-    let bounds = value["bounds"].as_array().map(Vec::as_slice).unwrap_or_default();
-    for (parameter, pair) in ["theta1", "theta2"].into_iter().zip(bounds.chunks_exact(2)) {
+    for (parameter, pair) in list("bounds").chunks_exact(2).enumerate() {
         let [lower, upper] = pair else { continue };
-        let (lower, upper) = (end(lower, Rounding::Down, "-inf"), end(upper, Rounding::Up, "inf"));
-        report += &format!("  {parameter}  [{lower}, {upper}]\n");
+        let lower = end(lower, parameter, Rounding::Down, "-inf");
+        let upper = end(upper, parameter, Rounding::Up, "inf");
+        report += &format!("  theta{}  [{lower}, {upper}]\n", parameter + 1);
     }
     report
 }
 
-/// An end of an interval as a decimal, rounded outward.
-fn end(bound: &Value, rounding: Rounding, unbounded: &str) -> String {
+/// An end of an interval as a decimal, rounded outward: that of the point, unless there are no multipliers.
+fn end(bound: &Value, parameter: usize, rounding: Rounding, unbounded: &str) -> String {
     const DIGITS: usize = 5;
-    let Some(value) = bound["value"].as_str() else { return unbounded.to_owned() };
+    let value = bound[1][parameter].as_str().filter(|_| bound[0] != json!([]));
+    let Some(value) = value else { return unbounded.to_owned() };
     let limits = Limits { digits: value.len(), exponent: 0 };
     let number: Option<Rational> = Reading::Decimal.read(value, &limits).ok();
     number.map_or_else(|| value.to_owned(), |number| number.to_decimal(DIGITS, rounding))
