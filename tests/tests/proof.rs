@@ -126,7 +126,8 @@ fn both_readers_see_the_same_table() {
     for _ in 0..60_000 {
         let count = rng.random_range(3..=14);
         let text: String = (0..count).map(|_| pieces[rng.random_range(0..pieces.len())]).collect();
-        let mut question = Question::line("pieces", text.as_bytes(), ["1", "2"], "100");
+        let response = if rng.random_bool(0.5) { "2" } else { "3" };
+        let mut question = Question::line("pieces", text.as_bytes(), ["1", response], "100");
         question.options =
             TableOptions { header: Header::Absent, delimiter: Some(b','), ..TableOptions::default() };
         if let Ok(problem) = question.problem() {

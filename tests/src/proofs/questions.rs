@@ -128,6 +128,12 @@ fn texts() -> Vec<Question> {
         ),
         line("CR", "x,y\r1,2\r2,3\r\r3,4", ["x", "y"]),
         line("a quote within a cell", "x,y,z\n1,2,5\"\n2,3,\"6\"\"\"\n3,\"4\"0,\n", ["x", "y"]),
+        line(
+            "quotes and delimiters within quotes",
+            "x,note,y\n1,\"say \"\"a, b\"\"\",2\n2,5\" pipe,3\n3,\"\n,\",4\n",
+            ["x", "y"],
+        ),
+        line("a row of blank cells is a row", "x,y\n,\n1,2\n2,3\n", ["x", "y"]).rows(2, 3),
         line("spaces, signs and fractions", "x,y\n +1 , 2e0\n-.5,\t7/3\n1.,0.250\n", ["x", "y"]),
         line("a blank cell in quotes is a blank line", "x,y\n1,2\n\"\"\n\" \"\n2,3\n", ["x", "y"]),
         Question::line("many ties", tall.as_bytes(), ["x", "y"], "20"),

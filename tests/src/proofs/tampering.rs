@@ -15,11 +15,24 @@ pub fn tampered(proof: &Value) -> Vec<(String, Value)> {
             *changed.pointer_mut(&place).expect("a place of the proof") = new;
             all.push((format!("{place}: {what}"), changed));
         };
-        for new in replacements(old) {
+        let more = Some(json!([element(&place)])).filter(|_| *old == json!([]));
+        for new in replacements(old).into_iter().chain(more) {
             add(&format!("{old} to {new}"), new);
         }
     }
     all
+}
+
+/// What a list that is empty might have had in it.
+fn element(place: &str) -> Value {
+    match place {
+        "/conditions" => json!(["0", "0", "1"]),
+        "/vertices" => json!(["0", "0"]),
+        "/active" => json!([0, "1 upper"]),
+        "/sides" => json!(["1 upper", null]),
+        "/bounds" => json!([[], ["0", "0"], ["1", "0"]]),
+        _ => json!(["1 upper", "1"]),
+    }
 }
 
 fn collect(value: &Value, place: String, places: &mut Vec<String>) {
