@@ -5,6 +5,36 @@
 //! [`parse_claim_pui`]), against the data as written and against the binary64 numbers that a float solver receives.
 //! [`directions`] compares the hull of the optimisers of many programs with the set itself. [`ExchangeRows`] writes the four
 //! programs ([`Target`]) as files for solvers elsewhere.
+//!
+//! ```
+//! use boundfit_estimation::{Columns, EpsilonColumn, Measurements, Problem};
+//! use boundfit_exact::{Rational, Reading};
+//! use boundfit_formats::{ColumnSelector, Source, TableOptions};
+//! use boundfit_check::{CheckOptions, check, parse_claim_pui};
+//! use boundfit_lp::Verdict;
+//!
+//! let table = Source::new("readings.csv", "x,y\n0,0\n1,1.5\n2,2\n".as_bytes());
+//! let columns = Columns {
+//!     first: ColumnSelector::name_or_number("x"),
+//!     second: None,
+//!     response: ColumnSelector::name_or_number("y"),
+//!     epsilon: EpsilonColumn::Uniform(Rational::ratio(1, 2)),
+//! };
+//! let measurements = Measurements::read(table, &columns, &TableOptions::default())?;
+//! let problem = Problem { measurements, conditions: Vec::new() };
+//! // 1/2 <= theta1 <= 3/2 and -1/2 <= theta2 <= 1/2. The claim cuts off a part of the first interval.
+//! let options = CheckOptions {
+//!     solvers: vec!["exact-simplex".to_owned()],
+//!     answers: vec![parse_claim_pui("0.6,1.5,-0.5,0.5")?],
+//!     tolerance: Rational::ratio(1, 1_000_000),
+//!     time_limit: std::time::Duration::from_secs(60),
+//!     directions: None,
+//! };
+//! let judged = check(&problem, Reading::Decimal, &options)?.answers;
+//! let worst: Vec<_> = judged.iter().filter(|own| own.reading == Reading::Decimal).map(|own| own.worst()).collect();
+//! assert_eq!(worst, [Verdict::Unsafe, Verdict::Exact]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 // What reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]

@@ -5,6 +5,26 @@
 //! the set without each reading, and questions with answers. [`page`] puts it into one HTML file whose script only draws.
 //!
 //! What the page's script may rely on is the schema `boundfit/lesson/1`; its sources are in the folder `page`.
+//!
+//! ```
+//! use boundfit_estimation::{Columns, EpsilonColumn, Measurements, Problem, fit};
+//! use boundfit_exact::{Rational, Reading};
+//! use boundfit_formats::{ColumnSelector, Source, TableOptions};
+//! use boundfit_lesson::{LessonOptions, page};
+//!
+//! let table = Source::new("readings.csv", "x,y\n0,0\n1,1.5\n2,2\n".as_bytes());
+//! let columns = Columns {
+//!     first: ColumnSelector::name_or_number("x"),
+//!     second: None,
+//!     response: ColumnSelector::name_or_number("y"),
+//!     epsilon: EpsilonColumn::Uniform(Rational::ratio(1, 2)),
+//! };
+//! let measurements = Measurements::read(table, &columns, &TableOptions::default())?;
+//! let problem = Problem { measurements, conditions: Vec::new() };
+//! let page = page(&problem, &fit(&problem), Reading::Decimal, &LessonOptions::default())?;
+//! assert!(page.starts_with("<!doctype html>"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod corridor;
 mod data;

@@ -2,6 +2,26 @@
 //!
 //! Every printed decimal is rounded from an exact value in a direction that [`Style`] fixes: interval ends outward, error
 //! bounds upward, all other numbers to nearest. JSON carries the exact value beside every decimal.
+//!
+//! ```
+//! use boundfit_estimation::{Columns, EpsilonColumn, Measurements, Problem, fit};
+//! use boundfit_exact::{Rational, Reading};
+//! use boundfit_formats::{ColumnSelector, Source, TableOptions};
+//! use boundfit_report::proof_json;
+//!
+//! let table = Source::new("readings.csv", "x,y\n0,0\n1,1.5\n2,2\n".as_bytes());
+//! let columns = Columns {
+//!     first: ColumnSelector::name_or_number("x"),
+//!     second: None,
+//!     response: ColumnSelector::name_or_number("y"),
+//!     epsilon: EpsilonColumn::Uniform(Rational::ratio(1, 2)),
+//! };
+//! let measurements = Measurements::read(table, &columns, &TableOptions::default())?;
+//! let problem = Problem { measurements, conditions: Vec::new() };
+//! let proof = proof_json(&problem, &fit(&problem), Reading::Decimal).expect("a table of text");
+//! assert!(proof.contains(r#""schema": "boundfit/proof/1""#));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod advice;
 mod cdd;

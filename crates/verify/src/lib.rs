@@ -1,5 +1,4 @@
-//! An independent checker of proofs `boundfit/proof/1`, without any of the geometry that finds the answers: `docs/proof.md`
-//! in Rust. The numbers of sections are that page's, which has the fields of the file and the lemmas behind the checks.
+#![doc = include_str!("../README.md")]
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
 
 use std::collections::{BTreeMap, BTreeSet};
