@@ -161,6 +161,34 @@ mod tests {
         assert!(outcomes.iter().all(|count| *count > 200), "{outcomes:?}");
     }
 
+    /// With a zero objective both basic values are 0, so that rows tie all the way. Each of these programs goes round for ever
+    /// when ties are broken in another way: by the higher row, by the lower row, against the order of the columns, or by whether
+    /// a column comes first of all.
+    #[test]
+    fn ties_do_not_make_it_go_round_for_ever() {
+        let programs: [&[[i64; 3]]; 4] = [
+            &[[1, 3, 3], [2, -2, -3], [0, 3, 2], [-2, -3, -2], [1, -2, -1], [-3, -1, 2]],
+            &[[2, -1, 1], [3, -2, -3], [-2, 0, 0], [3, 2, 0], [1, 1, 3], [-3, -1, 3]],
+            &[[2, 2, -1], [1, -3, 0], [1, -1, 1], [1, 1, -2], [3, 1, -2], [1, -2, 3]],
+            &[
+                [1, -2, 3],
+                [1, -1, -1],
+                [-3, -1, -1],
+                [0, 2, -1],
+                [3, -2, -1],
+                [-1, -1, 1],
+                [0, -1, 2],
+                [-1, 2, 2],
+            ],
+        ];
+        for program in programs {
+            let rows = rows(program);
+            let zero = Program { rows: &rows, objective: [Rational::zero(), Rational::zero()] };
+            let outcome = exact_simplex(&zero);
+            assert!(outcome.verify(&zero), "{program:?}: {outcome:?}");
+        }
+    }
+
     #[test]
     fn a_wrong_outcome_does_not_verify() {
         let triangle = rows(&[[-1, 0, 0], [0, -1, 0], [2, 3, 6]]);

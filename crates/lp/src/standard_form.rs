@@ -2,8 +2,9 @@
 //! `min cost·λ` subject to `Σ λ_k·column_k = target`, `λ ≥ 0`.
 //!
 //! Bland's rule (1977): of the columns that improve, the first in a fixed order enters; of those that block, the first
-//! leaves. It cannot cycle. Any fixed order will do; one that leaps through the columns ([`LeapingOrder`]) meets the
-//! columns that matter early, where an order sorted by slope would creep from each to its neighbour.
+//! leaves. It cannot cycle, not even on a zero target, where both basic values stay 0. Any fixed order will do; one that
+//! leaps through the columns ([`LeapingOrder`]) meets the columns that matter early, where an order sorted by slope would
+//! creep from each to its neighbour.
 
 use boundfit_exact::{Integer, Rational};
 
