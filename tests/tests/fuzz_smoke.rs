@@ -184,3 +184,8 @@ fn claims() {
 fn polygons() {
     smoke(TARGETS[5]);
 }
+
+#[test]
+fn proofs() {
+    smoke(TARGETS[6]);
+}

@@ -5,11 +5,13 @@
 mod claims;
 mod half_planes;
 mod number;
+mod proofs;
 mod table;
 
 pub use claims::claim_files;
 pub use half_planes::{ine_parser, polygon_against_oracle};
 pub use number::number_parser;
+pub use proofs::proof_files;
 pub use table::{csv_reader, mat_reader};
 
 /// What is done with bytes, and where inputs to begin with are.
@@ -24,11 +26,12 @@ pub struct Target {
 }
 
 /// All targets.
-pub const TARGETS: [Target; 6] = [
+pub const TARGETS: [Target; 7] = [
     Target { name: "csv_reader", body: csv_reader, fixtures: &["bad-input", "steam-generator"] },
     Target { name: "number_parser", body: number_parser, fixtures: &[] },
     Target { name: "ine_parser", body: ine_parser, fixtures: &["polygon", "bad-input"] },
     Target { name: "mat_reader", body: mat_reader, fixtures: &["mat"] },
     Target { name: "claim_files", body: claim_files, fixtures: &["claims", "solutions"] },
     Target { name: "polygon_against_oracle", body: polygon_against_oracle, fixtures: &[] },
+    Target { name: "proof_files", body: proof_files, fixtures: &[] },
 ];
