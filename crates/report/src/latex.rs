@@ -2,34 +2,11 @@
 
 mod notation;
 
-use boundfit_estimation::{Family, Fit, Problem};
-use boundfit_formats::HalfPlaneFile;
-use boundfit_geometry::Polyhedron;
-
 use crate::document::{Block, Text};
-use crate::fit_blocks::fit_blocks;
-use crate::fit_text::Origin;
-use crate::polygon_text::polygon_blocks;
-use crate::style::Style;
 use notation::{escaped, formulas};
 
-/// The report of a fit: the tables of the text report, with the same numbers, and those of a family over the error bound.
-pub fn fit_latex(
-    problem: &Problem,
-    fit: &Fit,
-    family: Option<&Family>,
-    origin: &Origin,
-    style: &Style,
-) -> String {
-    latex(&fit_blocks(problem, fit, family, origin, style))
-}
-
-/// The report of half-planes: the tables of the text report, with the same numbers.
-pub fn polygon_latex(file: &HalfPlaneFile, polyhedron: &Polyhedron, name: &str, style: &Style) -> String {
-    latex(&polygon_blocks(file, polyhedron, name, style))
-}
-
-fn latex(blocks: &[Block]) -> String {
+/// The blocks in order.
+pub(crate) fn latex(blocks: &[Block]) -> String {
     let blocks = blocks.iter().filter(|block| !block.is_blank()).map(|block| match block {
         Block::Title(title) => format!("\\paragraph{{{}}}\n", formulas(title)),
         Block::Paragraph(text) => format!("{}\n", written(text)),

@@ -1,32 +1,9 @@
 //! Reports in Markdown, as GitHub and Pandoc read it.
 
-use boundfit_estimation::{Family, Fit, Problem};
-use boundfit_formats::HalfPlaneFile;
-use boundfit_geometry::Polyhedron;
-
 use crate::document::{Block, Text};
-use crate::fit_blocks::fit_blocks;
-use crate::fit_text::Origin;
-use crate::polygon_text::polygon_blocks;
-use crate::style::Style;
 
-/// The report of a fit: the tables of the text report, with the same numbers, and those of a family over the error bound.
-pub fn fit_markdown(
-    problem: &Problem,
-    fit: &Fit,
-    family: Option<&Family>,
-    origin: &Origin,
-    style: &Style,
-) -> String {
-    markdown(&fit_blocks(problem, fit, family, origin, style))
-}
-
-/// The report of half-planes: the tables of the text report, with the same numbers.
-pub fn polygon_markdown(file: &HalfPlaneFile, polyhedron: &Polyhedron, name: &str, style: &Style) -> String {
-    markdown(&polygon_blocks(file, polyhedron, name, style))
-}
-
-fn markdown(blocks: &[Block]) -> String {
+/// The blocks in order.
+pub(crate) fn markdown(blocks: &[Block]) -> String {
     let blocks = blocks.iter().filter(|block| !block.is_blank()).map(|block| match block {
         Block::Title(title) => format!("### {}\n", escaped(title)),
         Block::Paragraph(text) => format!("{}\n", written(text)),

@@ -6,8 +6,8 @@ use boundfit_check::{CheckOptions, check, source_names};
 use boundfit_estimation::{Family, Fit, Keep, Problem, fit};
 use boundfit_exact::{Rational, Reading};
 use boundfit_report::{
-    fit_json, fit_latex, fit_markdown, fit_text, h_representation, proof_json, region_script, region_wkt,
-    sweep_text, v_representation, verdict_line, vertices_csv,
+    Markup, fit_json, fit_text, h_representation, proof_json, region_script, region_wkt, sweep_text,
+    v_representation, verdict_line, vertices_csv,
 };
 
 use crate::CommandResult;
@@ -35,8 +35,8 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     let origin = arguments.data.origin();
     let report = match arguments.output.format {
         ReportFormat::Json => fit_json(&problem, &fit, family.as_ref(), reading, &style),
-        ReportFormat::Latex => fit_latex(&problem, &fit, family.as_ref(), &origin, &style),
-        ReportFormat::Markdown => fit_markdown(&problem, &fit, family.as_ref(), &origin, &style),
+        ReportFormat::Latex => Markup::Latex.fit(&problem, &fit, family.as_ref(), &origin, &style),
+        ReportFormat::Markdown => Markup::Markdown.fit(&problem, &fit, family.as_ref(), &origin, &style),
         ReportFormat::Csv => {
             vertices_csv(fit.fps.polyhedron(), &|index| fit.fps.name(index).to_string(), &style)
         }

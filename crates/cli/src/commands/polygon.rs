@@ -3,8 +3,8 @@
 use boundfit_formats::{Source, read_half_planes};
 use boundfit_geometry::Polyhedron;
 use boundfit_report::{
-    h_representation, polygon_json, polygon_latex, polygon_markdown, polygon_text, region_script, region_wkt,
-    v_representation, vertices_csv,
+    Markup, h_representation, polygon_json, polygon_text, region_script, region_wkt, v_representation,
+    vertices_csv,
 };
 
 use crate::CommandResult;
@@ -28,8 +28,8 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     let report = match arguments.output.format {
         ReportFormat::Text => polygon_text(&file, &polyhedron, &name, &style),
         ReportFormat::Json => polygon_json(&file, &polyhedron, reading, &style),
-        ReportFormat::Latex => polygon_latex(&file, &polyhedron, &name, &style),
-        ReportFormat::Markdown => polygon_markdown(&file, &polyhedron, &name, &style),
+        ReportFormat::Latex => Markup::Latex.polygon(&file, &polyhedron, &name, &style),
+        ReportFormat::Markdown => Markup::Markdown.polygon(&file, &polyhedron, &name, &style),
         ReportFormat::Csv => vertices_csv(&polyhedron, &active, &style),
         ReportFormat::Wkt => region_wkt(&polyhedron, &style).map_err(Failure::data)?,
         ReportFormat::M => region_script(&polyhedron, &active),

@@ -8,14 +8,7 @@ use super::{ExchangeProgram, Numbers, Sense};
 const LONGEST_LINE: usize = 500;
 
 /// The program in LP format. Both variables stand in the objective, so that every reader numbers them alike.
-pub(super) fn write(program: &ExchangeProgram<'_>) -> String {
-    let mut text = String::new();
-    // Writing to a string cannot fail.
-    let _ = write_to(&mut text, program);
-    text
-}
-
-fn write_to(text: &mut String, program: &ExchangeProgram<'_>) -> std::fmt::Result {
+pub(super) fn write(text: &mut String, program: &ExchangeProgram<'_>) -> std::fmt::Result {
     for remark in program.remarks() {
         writeln!(text, "\\ {remark}")?;
     }

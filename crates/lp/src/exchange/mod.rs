@@ -109,10 +109,13 @@ impl ExchangeProgram<'_> {
     /// The file. Exact: whoever reads its decimals as such has the same program, up to the scale of rows that it names
     /// in comments. Cost: linear in the result.
     pub fn text(&self, format: ExchangeFormat) -> String {
-        match format {
-            ExchangeFormat::Mps => mps::write(self),
-            ExchangeFormat::Lp => lp_format::write(self),
-        }
+        let mut text = String::new();
+        // Writing to a string cannot fail.
+        let _ = match format {
+            ExchangeFormat::Mps => mps::write(&mut text, self),
+            ExchangeFormat::Lp => lp_format::write(&mut text, self),
+        };
+        text
     }
 
     fn objective(&self) -> Numbers {

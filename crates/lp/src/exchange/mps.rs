@@ -8,14 +8,7 @@ use super::{ExchangeProgram, Sense};
 const COLUMNS: [&str; 2] = ["theta1", "theta2"];
 
 /// The program as free MPS. A maximum has to be asked for as the minimum of the opposite: not every reader knows OBJSENSE.
-pub(super) fn write(program: &ExchangeProgram<'_>) -> String {
-    let mut text = String::new();
-    // Writing to a string cannot fail.
-    let _ = write_to(&mut text, program);
-    text
-}
-
-fn write_to(text: &mut String, program: &ExchangeProgram<'_>) -> std::fmt::Result {
+pub(super) fn write(text: &mut String, program: &ExchangeProgram<'_>) -> std::fmt::Result {
     for remark in program.remarks() {
         writeln!(text, "* {remark}")?;
     }
