@@ -183,6 +183,49 @@ fn a_sieve_of_the_first_rows_loses_nothing_of_the_others() {
     assert!(sieves > 300, "{sieves}");
 }
 
+/// Differences of these coordinates just fit into 64 bits or just do not.
+#[test]
+fn coordinates_at_the_limit_of_narrow_arithmetic_are_exact() {
+    const LIMIT: i64 = 1 << 62;
+    for (x, y, inner) in [
+        // The point next to the origin is inside, by one unit.
+        (vec![-LIMIT, 0, 0, LIMIT], vec![-LIMIT / 2, 1, LIMIT / 2, LIMIT / 2], Some(1)),
+        (vec![1 - LIMIT, 0, 0, LIMIT - 1], vec![-LIMIT / 2, 1, LIMIT / 2, LIMIT / 2 - 1], Some(1)),
+        (vec![i64::MIN, 0, 0, i64::MAX], vec![-LIMIT, 1, LIMIT, LIMIT], Some(1)),
+        (vec![i64::MIN, i64::MIN + 1, i64::MIN + 1, i64::MAX], vec![0, 5, 10, 0], Some(1)),
+        // All three are corners.
+        (vec![-LIMIT / 2, 0, LIMIT / 2], vec![-LIMIT, -1, LIMIT], None),
+        (vec![-LIMIT / 2, 0, LIMIT / 2], vec![1 - LIMIT, -1, LIMIT - 1], None),
+        (vec![-1, 0, 1], vec![-LIMIT, -LIMIT, LIMIT], None),
+        (vec![-1, 0, 1], vec![i64::MIN, i64::MIN, i64::MAX], None),
+    ] {
+        let points = points(&(x, y));
+        let mut expected: Vec<GridPoint> =
+            points.iter().filter(|point| Some(point.id) != inner).copied().collect();
+        expected.sort_unstable();
+        assert_eq!(touching_by_definition(&points), expected, "{points:?}");
+        assert_eq!(touching(points.clone()), expected, "{points:?}");
+    }
+    // As numbers of binary64, all in units of the last place of 1.
+    let limit = LIMIT as f64;
+    assert_eq!(touching_doubles(&[-limit, 1.0, 0.0, limit], &[-limit, 2.0, limit / 2.0, limit]), [0, 2, 3]);
+}
+
+/// Products next to the least binary64, of differences that are rounded: their order is the wrong one.
+#[test]
+fn a_turn_that_underflow_hides_is_found() {
+    let unit = 2_f64.powi(-537);
+    let last = f64::EPSILON / 2.0;
+    let [left, inner, right, top] =
+        [(-0.875 * last, -1.375 * last), (0.5 - last, 0.5 - last), (1.0, 1.0), (0.25, 5.0)]
+            .map(|(x, y)| (x * unit, y * unit));
+    // The line from left to right passes below the inner point.
+    let rounded = (inner.0 - left.0) * (right.1 - left.1) - (inner.1 - left.1) * (right.0 - left.0);
+    assert_eq!(rounded, f64::from_bits(1));
+    let (x, y): (Vec<f64>, Vec<f64>) = [left, inner, right, top].into_iter().unzip();
+    assert_eq!(touching_doubles(&x, &y), [0, 2, 3]);
+}
+
 #[test]
 fn ids_count_from_the_first() {
     let ids = |first: u64| {
@@ -366,4 +409,8 @@ fn what_is_no_polygon_is_left_to_the_general_way() {
     assert_eq!(region(&(vec![0, 1, 2], vec![0, 1, 0]), -1), None);
     let upside_down = GridLine { y_unit: -Rational::one(), ..line(1) };
     assert_eq!(line_region(&touching(points(&(vec![0, 1], vec![0, 0]))), &upside_down), None);
+    let mut unsorted = touching(points(&(vec![0, 1, 2], vec![0, 1, 0])));
+    assert!(line_region(&unsorted, &line(1)).is_some());
+    unsorted.swap(0, 1);
+    assert_eq!(line_region(&unsorted, &line(1)), None);
 }

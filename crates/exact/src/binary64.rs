@@ -156,6 +156,24 @@ mod tests {
     }
 
     #[test]
+    fn one_operation_reads_up_to_2_to_the_53_and_10_to_the_22() {
+        let most = 1_i64 << 53;
+        for (mantissa, exponent, double) in [
+            (most, 0, Some(9_007_199_254_740_992.0)),
+            (-most, 22, Some(-9_007_199_254_740_992e22)),
+            (1, -22, Some(1e-22)),
+            (3, -1, Some(0.3)),
+            (7, 0, Some(7.0)),
+            (most + 1, 0, None),
+            (-most - 1, 0, None),
+            (1, 23, None),
+            (1, -23, None),
+        ] {
+            assert_eq!(nearest_double(mantissa, exponent), double, "{mantissa}e{exponent}");
+        }
+    }
+
+    #[test]
     fn edges_of_the_format() {
         for text in [
             "0",

@@ -302,6 +302,41 @@ mod tests {
         assert_eq!(huge.to_decimal(3, Rounding::Up), "1.24e9007");
     }
 
+    #[test]
+    fn more_digits_than_words_hold_are_printed_too() {
+        for digits in [18, 19, 20, 38, 39, 40, 60] {
+            let nines = "9".repeat(digits);
+            let threes = "3".repeat(digits);
+            assert_eq!(value("1/3").to_decimal(digits, Rounding::Nearest), format!("0.{threes}"));
+            assert_eq!(value(&format!("0.{nines}")).to_decimal(digits, Rounding::Up), format!("0.{nines}"));
+        }
+    }
+
+    /// Next to a power of ten, a logarithm in binary64 is often on the wrong side.
+    #[test]
+    fn words_are_enough_next_to_a_power_of_ten() {
+        for (numerator, denominator, exponent) in [
+            (90_154_674_928_685_911, 9_015_467_492_868_591, 1),
+            (90_154_674_928_685_909, 9_015_467_492_868_591, 0),
+            (1_000_000_000_000_000_000, 1, 18),
+            (999_999_999_999_999_999, 1, 17),
+            (999_999_999_999_999_999, 10_000_000_000_000_000, 1),
+            (10, 1, 1),
+            (1, 1, 0),
+            (1, 10, -1),
+            (1, 1000, -3),
+        ] {
+            let value = Rational::ratio(numerator, denominator);
+            assert_eq!(words::exponent(&value), Some(exponent), "{value}");
+            for digits in 1..=18 {
+                let short = words::significand(&value, digits, Rounding::Down).unwrap();
+                let long = long_significand(&value, digits, Rounding::Down);
+                assert_eq!(Integer::from(short.digits), long.digits, "{value} {digits}");
+                assert_eq!((short.exponent, short.exact), (long.exponent, long.exact), "{value} {digits}");
+            }
+        }
+    }
+
     /// The way that takes numbers of any size is the reference.
     #[test]
     fn numbers_of_up_to_128_bits_are_printed_like_longer_ones() {

@@ -99,8 +99,9 @@ mod tests {
     #[test]
     fn more_terms_than_one_round_holds() {
         let mut sum = DoubleSum::default();
-        let count = (1 << 20) + 5;
-        assert!(MOST_TERMS < count);
+        // Twice as many of these would overflow, were they added up in one round.
+        let count = (2 << 20) + 5;
+        assert!(2 * MOST_TERMS < count);
         (0..count).for_each(|_| sum.add_product(-f64::MAX, f64::MAX));
         let largest = Rational::from_f64(f64::MAX).unwrap();
         assert_eq!(sum.total(), -(&largest * &largest * Rational::from(count)));

@@ -1,6 +1,6 @@
 //! Closed intervals of rational numbers whose ends may be unbounded.
 
-use crate::{Rational, Rounding};
+use crate::Rational;
 
 /// One end of an [`Interval`].
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -18,11 +18,6 @@ impl Endpoint {
             Endpoint::Finite(value) => Some(value),
             Endpoint::Unbounded => None,
         }
-    }
-
-    /// A decimal of at most `digits` significant digits, or `unbounded`.
-    pub fn to_decimal(&self, digits: usize, rounding: Rounding, unbounded: &str) -> String {
-        self.value().map_or_else(|| unbounded.to_owned(), |value| value.to_decimal(digits, rounding))
     }
 }
 

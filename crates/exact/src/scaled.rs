@@ -295,6 +295,32 @@ mod tests {
     }
 
     #[test]
+    fn a_point_may_stand_anywhere_among_the_digits() {
+        let digits = "918273645546372819";
+        for count in 1..=digits.len() {
+            for before in 0..=count {
+                let text = format!("{}.{}", &digits[..before], &digits[before..count]);
+                let expected = PlainPrefix {
+                    mantissa: digits[..count].parse().unwrap(),
+                    fraction_digits: (count - before) as i32,
+                    length: count + 1,
+                };
+                assert_eq!(plain_prefix(text.as_bytes()), Some(expected), "{text}");
+                let negative = PlainPrefix { mantissa: -expected.mantissa, length: count + 2, ..expected };
+                assert_eq!(plain_prefix(format!("-{text}").as_bytes()), Some(negative), "-{text}");
+            }
+        }
+    }
+
+    #[test]
+    fn numbers_on_a_common_power_of_ten_are_counted_and_exact() {
+        let scaled = Scaled { mantissas: vec![15, -7], exponent: -1 };
+        assert_eq!((scaled.len(), scaled.is_empty()), (2, false));
+        assert_eq!([scaled.get(0), scaled.get(1)], [Rational::ratio(3, 2), Rational::ratio(-7, 10)]);
+        assert_eq!((Scaled::default().len(), Scaled::default().is_empty()), (0, true));
+    }
+
+    #[test]
     fn up_to_eighteen_digits_are_read_as_a_prefix() {
         let prefix =
             |text: &str| plain_prefix(text.as_bytes()).map(|prefix| (prefix.mantissa, prefix.length));

@@ -34,15 +34,15 @@ fn compare((i, f): &Facet, (j, g): &Facet) -> Ordering {
 /// A number that never falls as the angle of the normal in [0, 2π) grows; normals with equal keys are within 2⁻⁶⁰ of each
 /// other. `None` for coefficients of 62 bits and more.
 ///
-/// For a normal (x, y) in the upper half it is ⌊2⁶²·(1 - x/(|x|+y))⌋, which is below 2⁶³; for one in the lower half that of
-/// the opposite normal, after all of those.
+/// For a normal (x, y) with y ≥ 0 it is ⌊2⁶²·(1 - x/(|x|+y))⌋, which is below 2⁶³, and 2⁶³ for the last of them, (-1, 0); for
+/// one with y < 0 it is that of the opposite normal, 2⁶³ later.
 fn key(half_plane: &HalfPlane) -> Option<u64> {
     const LIMIT: u64 = 1 << 62;
     let (x, y) = (half_plane.a1().to_i64()?, half_plane.a2().to_i64()?);
     if x.unsigned_abs() >= LIMIT || y.unsigned_abs() >= LIMIT {
         return None;
     }
-    let lower = y < 0 || (y == 0 && x < 0);
+    let lower = y < 0;
     let (x, y) = if lower { (-x, -y) } else { (x, y) };
     let sum = x.abs() + y;
     let numerator = (i128::from(sum) - i128::from(x)) << 62;
@@ -81,6 +81,16 @@ mod tests {
             sort(&mut sorted);
             assert_eq!(sorted, expected, "{largest}");
         }
+    }
+
+    #[test]
+    fn keys_tell_directions_apart() {
+        let directions = [(1, 0), (9, 1), (1, 1), (1, 9), (0, 1), (-1, 9), (-1, 1), (-9, 1)];
+        let around = directions.into_iter().chain(directions.map(|(x, y)| (-x, -y)));
+        let keys: Vec<Option<u64>> = around
+            .map(|(x, y): (i64, i64)| key(&HalfPlane::new(x.into(), y.into(), Integer::zero()).unwrap()))
+            .collect();
+        assert!(keys.iter().all(Option::is_some) && keys.is_sorted_by(|own, next| own < next), "{keys:?}");
     }
 
     #[test]

@@ -3,8 +3,6 @@
 //! A half-plane with `a2 > 0` bounds θ2 from above by a linear function of θ1, one with `a2 < 0` from below. The region lies
 //! between the two envelopes of these bounds.
 
-use std::cmp::Ordering;
-
 use boundfit_exact::Rational;
 
 use crate::angle_key;
@@ -12,7 +10,7 @@ use crate::bounds::{Bounds, Facet};
 use crate::constructions::meet;
 use crate::fan::NormalFan;
 use crate::half_plane::{Constraint, HalfPlane};
-use crate::predicates::{Side, Turn, by_angle, normal_turn, side};
+use crate::predicates::{Side, Turn, normal_turn, side};
 use crate::proof::{Farkas, Multiplier};
 use crate::region::{
     Boundary, EmptyRegion, HalfPlaneRegion, Region, Vertex, from_chain, from_line, from_parallels,
@@ -158,10 +156,8 @@ impl SortedHalfPlanes {
         let count = facets.len();
         let mut upto = 0;
         for (index, half_plane) in self.iter(prefix) {
+            // Both are in angular order, and of each direction the first is the facet, if one is.
             if facets.get(upto).is_some_and(|(facet, _)| *facet == index) {
-                upto += 1;
-            }
-            while upto < count && by_angle(facets[upto].1, half_plane) != Ordering::Greater {
                 upto += 1;
             }
             let position = (upto + count - 1) % count;

@@ -234,7 +234,6 @@ fn supporting(corners: &[&Point], cone: &[Direction]) -> System {
         add(farthest(corners, &normal));
     }
     match corners {
-        [] => {}
         [only] => {
             let axis = Direction::from_rational(&[Rational::one(), Rational::zero()]);
             for normal in axis.iter().flat_map(across) {
@@ -267,4 +266,19 @@ fn farthest(points: &[&Point], normal: &Direction) -> Option<HalfPlane> {
 fn through(point: &Point, normal: &Direction) -> Option<HalfPlane> {
     let (x, y, w) = point.homogeneous();
     HalfPlane::new(normal.dx() * w, normal.dy() * w, normal.dx() * x + normal.dy() * y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn generators_are_counted_from_0() {
+        let mut generators = Generators::default();
+        assert_eq!((generators.len(), generators.is_empty()), (0, true));
+        for index in 0..4 {
+            assert_eq!(generators.push(Generator::Point(Point::origin())), index);
+            assert_eq!((generators.len(), generators.is_empty()), (index + 1, false));
+        }
+    }
 }

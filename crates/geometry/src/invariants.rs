@@ -144,3 +144,102 @@ impl Region {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use boundfit_exact::Rational;
+
+    use super::*;
+    use crate::half_plane::Inequality;
+    use crate::proof::{Farkas, Multiplier};
+    use crate::region::EmptyRegion;
+    use crate::{clipping, region};
+
+    fn system(rows: &[[i64; 3]]) -> System {
+        rows.iter().map(|&[a1, a2, b]| Inequality::new(a1.into(), a2.into(), b.into())).collect()
+    }
+
+    const SQUARE: [[i64; 3]; 4] = [[1, 0, 1], [0, 1, 1], [-1, 0, 0], [0, -1, 0]];
+    const QUADRANT: [[i64; 3]; 2] = [[-1, 0, 0], [0, -1, 0]];
+
+    /// What is wrong with the region of some rows, seen as that of others.
+    fn taken_for(rows: &[[i64; 3]], others: &[[i64; 3]]) -> Result<(), InvariantViolation> {
+        let region = clipping::intersect(&system(rows));
+        assert_eq!(region.check_invariants(&system(rows)), Ok(()));
+        region.check_invariants(&system(others))
+    }
+
+    #[test]
+    fn a_region_is_not_that_of_other_half_planes() {
+        let [right, top, left, bottom] = SQUARE;
+        let outside = |vertex, index| Err(InvariantViolation::VertexOutside { vertex, index });
+        let active_set = |position| Err(InvariantViolation::ActiveSet(position));
+        let leaves = |direction, index| Err(InvariantViolation::RecessionDirection { direction, index });
+        // The vertices are (0, 0), (1, 0), (1, 1) and (0, 1).
+        assert_eq!(taken_for(&SQUARE, &[[2, 0, 1], top, left, bottom]), outside(1, 0));
+        assert_eq!(taken_for(&SQUARE, &[right, [0, 2, 1], left, bottom]), outside(2, 1));
+        assert_eq!(taken_for(&SQUARE, &[[1, 0, 2], top, left, bottom]), active_set(1));
+        assert_eq!(taken_for(&SQUARE, &[right, top, left, bottom, [1, 1, 2]]), active_set(2));
+        // Half-plane, line and strip.
+        assert_eq!(taken_for(&[right], &[right, right]), active_set(0));
+        assert_eq!(taken_for(&[right], &[[1, 0, 2]]), active_set(0));
+        assert_eq!(taken_for(&[left, [1, 0, 0]], &[left, [1, 0, 1]]), active_set(0));
+        assert_eq!(taken_for(&[left, right], &[left, right, [2, 0, 2]]), active_set(0));
+        assert_eq!(taken_for(&[left, right], &[left, right, [-2, 0, 0]]), active_set(1));
+        // The plane goes on along (1, 0), (0, 1) and the opposites of both.
+        for (direction, row) in [right, top, left, bottom].into_iter().enumerate() {
+            assert_eq!(taken_for(&[], &[row]), leaves(direction, 0));
+        }
+        assert_eq!(taken_for(&QUADRANT, &[left, bottom, [1, 0, 9]]), leaves(0, 2));
+        assert_eq!(taken_for(&QUADRANT, &[left, bottom, [0, 1, 9]]), leaves(1, 2));
+        assert_eq!(taken_for(&[left], &[left, top]), leaves(1, 1));
+    }
+
+    #[test]
+    fn vertices_go_counter_clockwise_from_the_smallest() {
+        let square = system(&SQUARE);
+        let Region::Polygon(polygon) = clipping::intersect(&square) else { panic!("no polygon") };
+        let changed = |change: fn(&mut Vec<region::Vertex>)| {
+            let mut polygon = polygon.clone();
+            change(&mut polygon.vertices);
+            Region::Polygon(polygon).check_invariants(&square)
+        };
+        assert_eq!(changed(|_| ()), Ok(()));
+        assert_eq!(changed(|vertices| vertices.rotate_left(1)), Err(InvariantViolation::Order(2)));
+        assert_eq!(changed(|vertices| vertices[1..].reverse()), Err(InvariantViolation::Order(0)));
+        assert_eq!(changed(|vertices| vertices.swap(2, 3)), Err(InvariantViolation::Order(1)));
+        assert_eq!(
+            changed(|vertices| drop(vertices.remove(2))),
+            Err(InvariantViolation::NotBounded { found: 2, expected: 3 })
+        );
+        let segment = system(&[[0, 1, 0], [0, -1, 0], [1, 0, 1], [-1, 0, 0]]);
+        let Region::Segment(mut ends) = clipping::intersect(&segment) else { panic!("no segment") };
+        ends.ends.reverse();
+        assert_eq!(Region::Segment(ends).check_invariants(&segment), Err(InvariantViolation::Order(1)));
+    }
+
+    #[test]
+    fn the_rays_of_an_unbounded_polygon_turn_left() {
+        let quadrant = system(&QUADRANT);
+        let Region::UnboundedPolygon(mut region) = clipping::intersect(&quadrant) else {
+            panic!("no unbounded polygon")
+        };
+        std::mem::swap(&mut region.outgoing, &mut region.incoming);
+        let turned = Region::UnboundedPolygon(region).check_invariants(&quadrant);
+        assert_eq!(turned, Err(InvariantViolation::Order(0)));
+    }
+
+    #[test]
+    fn a_certificate_must_prove_emptiness() {
+        let empty = system(&[[1, 0, 0], [-1, 0, -1]]);
+        let claimed = |values: [i64; 2]| {
+            let multiplier =
+                |(index, value): (usize, i64)| Multiplier { index, value: Rational::from(value) };
+            let certificate = Farkas::new(values.into_iter().enumerate().map(multiplier).collect());
+            Region::Empty(EmptyRegion { certificate }).check_invariants(&empty)
+        };
+        assert_eq!(claimed([2, 2]), Ok(()));
+        assert_eq!(claimed([1, 2]), Err(ProofError::WrongForm.into()));
+        assert_eq!(claimed([0, 1]), Err(ProofError::NotPositive(0).into()));
+    }
+}

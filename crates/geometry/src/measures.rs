@@ -56,14 +56,11 @@ impl Region {
         let mut largest = Rational::zero();
         let mut opposite = 1;
         for edge in 0..count {
-            // While the next corner is at least as far from this edge, it is antipodal to the edge's ends too.
+            // While the next corner is at least as far from this edge, it is antipodal to the edge's start too. Its end
+            // comes with the next edge. The start itself, at no distance, is never the next that is as far.
             loop {
-                for end in [edge, edge + 1] {
-                    largest =
-                        largest.max(squared_distance(&corners[end % count], &corners[opposite % count]));
-                }
-                if count < 3 || height(edge, opposite + 1) < height(edge, opposite) || opposite > edge + count
-                {
+                largest = largest.max(squared_distance(&corners[edge], &corners[opposite % count]));
+                if count < 3 || height(edge, opposite + 1) < height(edge, opposite) {
                     break;
                 }
                 opposite += 1;

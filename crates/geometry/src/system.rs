@@ -70,3 +70,19 @@ impl FromIterator<Inequality> for System {
         System::new(inequalities)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inequalities_are_counted_from_0() {
+        let mut system = System::default();
+        assert_eq!((system.len(), system.is_empty()), (0, true));
+        for index in 0..4 {
+            let inequality = Inequality::new(1.into(), 0.into(), index.into());
+            assert_eq!(system.push(inequality), index);
+            assert_eq!((system.len(), system.is_empty()), (index + 1, false));
+        }
+    }
+}

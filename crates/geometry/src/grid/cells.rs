@@ -119,3 +119,49 @@ impl<C: Coordinate> Index<C> for Between<C> {
         cell < KNOTS && x >= self.knots[cell]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// For each place of 0, 10, 20, …: the cells that begin there or later, and those that end there or before.
+    fn around(count: i64) -> Vec<(usize, usize, usize)> {
+        let places: Vec<i64> = (0..count).map(|k| 10 * k).collect();
+        let between = Between::places(&places).unwrap();
+        let cells = || 0..<Between<i64> as Index<i64>>::CELLS;
+        let of = |x: i64| {
+            let behind = cells().filter(|&cell| between.is_before(x, 0.0, cell)).count();
+            let ahead = cells().filter(|&cell| between.is_after(x, 0.0, cell)).count();
+            // What is left or right of a cell is in another.
+            assert!(!between.is_before(x + 1, 0.0, between.cell(x, 0.0)));
+            assert!(!between.is_after(x - 1, 0.0, between.cell(x, 0.0)));
+            (between.cell(x, 0.0), behind, ahead)
+        };
+        assert_eq!(between.cell(-1, 0.0), 0);
+        places.into_iter().map(of).collect()
+    }
+
+    #[test]
+    fn up_to_63_places_are_knots_each() {
+        assert!(Between::<i64>::places(&[]).is_none());
+        for count in [1, 2, 3, 62, 63] {
+            let last = count - 1;
+            for (place, (cell, behind, ahead)) in around(count).into_iter().enumerate() {
+                // Behind the last place are all cells that are left over, of no width but for the last.
+                assert_eq!(cell, if place == last as usize { 63 } else { place + 1 }, "{count}");
+                assert_eq!((behind, ahead), (63 - place, cell), "{count} {place}");
+            }
+        }
+    }
+
+    #[test]
+    fn of_more_places_63_are_knots_evenly_from_the_first_to_the_last() {
+        for count in [64, 125, 1000] {
+            let around = around(count);
+            assert_eq!(around[0], (1, 63, 1), "{count}");
+            assert_eq!(around[count as usize - 1], (63, 1, 63), "{count}");
+            let widest = around.chunk_by(|p, q| p.0 == q.0).map(<[_]>::len).max();
+            assert_eq!(widest, Some((count as usize - 1).div_ceil(62)), "{count}");
+        }
+    }
+}

@@ -6,12 +6,16 @@ use std::cmp::Ordering;
 pub(super) trait Site {
     /// Whether two points have the same x.
     fn is_above_or_below(&self, other: &Self) -> bool;
+}
+
+/// A point that may be there more than once.
+pub(super) trait Repeatable: Site {
     /// Whether two points have the same x and y.
     fn coincides(&self, other: &Self) -> bool;
 }
 
 /// For points sorted by x, then y: which of them are on the lower or the upper hull. Cost: linear.
-pub(super) fn marked<P: Site>(sorted: &[P], orientation: impl Fn(&P, &P, &P) -> Ordering) -> Vec<bool> {
+pub(super) fn marked<P: Repeatable>(sorted: &[P], orientation: impl Fn(&P, &P, &P) -> Ordering) -> Vec<bool> {
     let mut marks = vec![false; sorted.len()];
     for hull in [Hull::Lower, Hull::Upper] {
         for position in hull.chain(sorted, &orientation) {
@@ -47,7 +51,11 @@ impl Hull {
     }
 
     /// All positions with the same point, of which the walk meets `first` first, in the order of the walk.
-    pub(super) fn repetitions<P: Site>(self, sorted: &[P], first: usize) -> impl Iterator<Item = usize> {
+    pub(super) fn repetitions<P: Repeatable>(
+        self,
+        sorted: &[P],
+        first: usize,
+    ) -> impl Iterator<Item = usize> {
         let same = move |&position: &usize| sorted[position].coincides(&sorted[first]);
         let (ahead, behind) = match self {
             Hull::Lower => (first..sorted.len(), 0..0),

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use boundfit_exact::Integer;
 
-use super::chain::{Site, marked};
+use super::chain::{Repeatable, Site, marked};
 use super::filter::{Plan, candidates};
 use super::{GridPoint, narrow_orientation};
 
@@ -49,7 +49,9 @@ impl Site for Place {
     fn is_above_or_below(&self, other: &Self) -> bool {
         self.x == other.x
     }
+}
 
+impl Repeatable for Place {
     fn coincides(&self, other: &Self) -> bool {
         self.x == other.x && self.y == other.y
     }

@@ -182,3 +182,87 @@ impl<C: Coordinate, I: Index<C>> Filter<C, I> {
         sample.points.iter().filter(|point| !self.discards(point.x, point.y)).count()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rows all over a parallelogram, the same ones every time.
+    fn rows(count: usize) -> (Vec<i64>, Vec<i64>) {
+        let mut state = 0x2545_f491_4f6c_dd1d_u64;
+        let mut next = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 34) as i64 % 1_000_000
+        };
+        (0..count)
+            .map(|_| {
+                let (x, above) = (next(), next());
+                (x - 300_000, 3 * x + above)
+            })
+            .unzip()
+    }
+
+    fn plan(division: Option<Division>) -> Plan {
+        Plan { sample: 4_000, division, exact: 256 }
+    }
+
+    #[test]
+    fn of_rows_all_over_the_place_few_survive_whatever_their_type_and_unit() {
+        let (x, y) = rows(40_000);
+        for division in [None, Some(Division::Equal), Some(Division::Corners)] {
+            let kept = survivors(&x, &y, Some(&plan(division))).unwrap();
+            assert!(kept.len() < 300, "{division:?}: {}", kept.len());
+            let wide = [&x, &y].map(|column| column.iter().map(|&value| value.into()).collect::<Vec<i128>>());
+            assert!(survivors(&wide[0], &wide[1], Some(&plan(division))).unwrap() == kept);
+            // Products with powers of two are exact.
+            for (x_power, y_power) in [(0, 0), (-60, -60), (0, -60), (-60, 0), (300, 0), (0, 300)] {
+                let doubles = |column: &[i64], power: i32| -> Vec<f64> {
+                    column.iter().map(|&value| value as f64 * 2_f64.powi(power)).collect()
+                };
+                let (x, mut y) = (doubles(&x, x_power), doubles(&y, y_power));
+                assert!(survivors(&x, &y, Some(&plan(division))).unwrap() == kept, "{x_power} {y_power}");
+                // A row that has no place is in the sample, and spoils nothing.
+                y[0] = f64::INFINITY;
+                let others = survivors(&x, &y, Some(&plan(division))).unwrap();
+                assert!(others.len() < 300 && others[0] == 0, "{division:?}: {}", others.len());
+            }
+        }
+        // Another round, with a sample of what was left.
+        assert!(2 * candidates(&x, &y, None).len() < survivors(&x, &y, None).unwrap().len());
+    }
+
+    #[test]
+    fn the_division_that_suits_the_sample_is_taken() {
+        let [equal, corners] = [Some(Division::Equal), Some(Division::Corners)];
+        let by = |x: &[i64], y: &[i64], division| survivors(x, y, Some(&plan(division))).unwrap();
+        let (mut x, mut y) = rows(40_000);
+        assert!(by(&x, &y, equal) != by(&x, &y, corners));
+        assert!(by(&x, &y, None) == by(&x, &y, equal));
+        // All but one row in the same of the equal cells.
+        (x[0], y[0]) = (1_000_000_000_000, 3_000_000_000_000);
+        assert!(by(&x, &y, equal).len() > 2 * by(&x, &y, corners).len());
+        assert!(by(&x, &y, None) == by(&x, &y, corners));
+    }
+
+    #[test]
+    fn without_rows_between_the_hulls_there_is_nothing_to_filter() {
+        let x: Vec<i64> = (0..10_000).collect();
+        let parabola: Vec<i64> = x.iter().map(|x| x * x).collect();
+        assert_eq!(survivors(&x, &parabola, None), None);
+        assert_eq!(candidates(&x, &parabola, None), (0..10_000).collect::<Vec<usize>>());
+        // A third of them would not be worth it either.
+        let third: Vec<i64> = x.iter().map(|&x| if x % 3 == 0 { x * x + 100_000 } else { x * x }).collect();
+        assert_eq!(survivors(&x, &third, None), None);
+        let forced = survivors(&x, &third, Some(&plan(Some(Division::Corners)))).unwrap();
+        assert!(forced.len() < 7_000, "{}", forced.len());
+    }
+
+    #[test]
+    fn a_column_reaches_as_far_as_its_offsets_are_finite() {
+        assert!(Coordinate::reaches(-f64::MAX, 0.0) && Coordinate::reaches(1.0, f64::MAX));
+        assert!(!Coordinate::reaches(-f64::MAX, f64::MAX));
+        assert!(Coordinate::reaches(0, i64::MAX) && Coordinate::reaches(i64::MIN, -1));
+        assert!(!Coordinate::reaches(-1, i64::MAX) && !Coordinate::reaches(i64::MIN, 0));
+        assert!(Coordinate::reaches(0, i128::MAX) && !Coordinate::reaches(i128::MIN, 0));
+    }
+}

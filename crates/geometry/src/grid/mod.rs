@@ -81,7 +81,9 @@ impl chain::Site for GridPoint {
     fn is_above_or_below(&self, other: &Self) -> bool {
         self.x == other.x
     }
+}
 
+impl chain::Repeatable for GridPoint {
     fn coincides(&self, other: &Self) -> bool {
         self.x == other.x && self.y == other.y
     }

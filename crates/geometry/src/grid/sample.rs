@@ -31,10 +31,6 @@ impl<C: Coordinate> Site for Sampled<C> {
     fn is_above_or_below(&self, other: &Self) -> bool {
         self.x == other.x
     }
-
-    fn coincides(&self, other: &Self) -> bool {
-        self.x == other.x && self.y == other.y
-    }
 }
 
 /// Rows taken at equal distances.
