@@ -287,7 +287,7 @@ fn digits_are_as_many_as_asked_for() {
     assert!(text.contains("\n  PUI            [1.7908920e-3, 1.8483801e-3]"), "{text}");
 }
 
-/// Rounded to nearest the figures are those of the handout, digit for digit; outward they enclose the exact values.
+/// Rounded to nearest the figures are those published with the data, digit for digit; outward they enclose the exact values.
 #[test]
 fn rounding_to_nearest_gives_the_published_figures() {
     let published: Value = serde_json::from_str(&fixture("transducer/published.json")).unwrap();
