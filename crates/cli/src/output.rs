@@ -21,6 +21,30 @@ pub(crate) fn write(answer: impl AsRef<[u8]>, file: Option<&str>) -> Result<(), 
     }
 }
 
+/// Writes files, by their names, into a folder, which is made where there is none. All of them or, where it can be told
+/// beforehand that one cannot be written, none.
+pub(crate) fn write_all(folder: &str, files: &[(String, Vec<u8>)]) -> Result<(), Failure> {
+    fs::create_dir_all(folder)
+        .map_err(|error| Failure::data(format_args!("{folder}: cannot create: {error}")))?;
+    let path = |(name, _): &(String, _)| Path::new(folder).join(name).to_string_lossy().into_owned();
+    let paths: Vec<String> = files.iter().map(path).collect();
+    if let Some(path) = paths.iter().find(|path| Path::new(path).is_dir()) {
+        return Err(Failure::data(format_args!("{path}: cannot write: is a directory")));
+    }
+    tempfile::tempfile_in(folder)
+        .map_err(|error| Failure::data(format_args!("{folder}: cannot write: {}", error.kind())))?;
+    for (done, (path, (_, bytes))) in paths.iter().zip(files).enumerate() {
+        write(bytes, Some(path)).map_err(|failure| match failure {
+            Failure::Data(message) if done > 0 => {
+                let written: Vec<&str> = paths.iter().take(done).map(String::as_str).collect();
+                Failure::Data(format!("{message} (already written: {})", written.join(", ")))
+            }
+            other => other,
+        })?;
+    }
+    Ok(())
+}
+
 /// The temporary file that would be left behind if the program ended now. There is never more than one.
 static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
 

@@ -3,8 +3,9 @@
 use std::fmt::Write;
 
 use boundfit_exact::Rational;
-use boundfit_geometry::constructions::foot;
-use boundfit_geometry::{Constraint, Direction, Inequality, Point, Polyhedron, Region};
+use boundfit_geometry::{Constraint, Inequality, Polyhedron, Region};
+
+use crate::generators::{Generator, GeneratorKind, generators};
 
 /// A matrix under construction.
 #[derive(Default)]
@@ -92,19 +93,13 @@ pub fn h_representation(polyhedron: &Polyhedron) -> String {
 /// A set without vertices has the points of its boundary lines nearest to the origin in their place, the plane the
 /// origin. The empty set has no row, as cdd writes it; neither cdd nor lrs reads that. Cost: linear.
 pub fn v_representation(polyhedron: &Polyhedron) -> String {
-    let region = polyhedron.region();
     let mut matrix = Matrix::default();
-    let mut push_point = |point: &Point| {
-        let [theta1, theta2] = point.coordinates();
-        matrix.push([Rational::one(), theta1, theta2]);
-    };
-    region.vertices().iter().for_each(|vertex| push_point(vertex.point()));
-    region.boundaries().iter().for_each(|boundary| push_point(&foot(boundary.half_plane())));
-    if matches!(region, Region::Plane) {
-        push_point(&Point::origin());
+    for Generator { kind, coordinates: [theta1, theta2], .. } in generators(polyhedron.region()) {
+        match kind {
+            GeneratorKind::Vertex | GeneratorKind::Point => matrix.push([Rational::one(), theta1, theta2]),
+            GeneratorKind::Ray => matrix.push([Rational::zero(), theta1, theta2]),
+            GeneratorKind::Line => matrix.push_linear([Rational::zero(), theta1, theta2]),
+        }
     }
-    let row = |along: &Direction| [Rational::zero(), Rational::from(along.dx()), Rational::from(along.dy())];
-    region.rays().iter().for_each(|ray| matrix.push(row(ray)));
-    region.lines().iter().for_each(|line| matrix.push_linear(row(line)));
     matrix.text("V-representation")
 }

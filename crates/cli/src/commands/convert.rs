@@ -1,6 +1,5 @@
 //! `boundfit convert`.
 
-use std::fs;
 use std::path::Path;
 
 use boundfit_check::{ExchangeRows, ProgramRows, Target};
@@ -9,7 +8,6 @@ use boundfit_lp::ExchangeFormat;
 
 use crate::CommandResult;
 use crate::arguments::{ConvertArguments, ObjectiveName, ProgramFormat};
-use crate::commands::plot::write_all;
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
@@ -39,15 +37,10 @@ pub(crate) fn run(arguments: &ConvertArguments) -> CommandResult {
     match destination {
         Destination::One(target, file) => output::write(text(target), file)?,
         Destination::All(folder) => {
-            fs::create_dir_all(folder)
-                .map_err(|error| Failure::data(format_args!("{folder}: cannot create: {error}")))?;
-            let files = Target::ALL.map(|target| {
-                let file = Path::new(folder).join(format!("{}.{}", target.name(), extension(arguments.to)));
-                file.to_string_lossy().into_owned()
-            });
-            let texts: Vec<Vec<u8>> =
-                Target::ALL.into_iter().map(|target| text(target).into_bytes()).collect();
-            write_all(folder, &files, &texts)?;
+            let file = |target: Target| {
+                (format!("{}.{}", target.name(), extension(arguments.to)), text(target).into_bytes())
+            };
+            output::write_all(folder, &Target::ALL.map(file))?;
         }
     }
     Ok(Exit::Answer)

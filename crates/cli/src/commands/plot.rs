@@ -1,6 +1,5 @@
 //! `boundfit plot`.
 
-use std::fs;
 use std::io::{self, IsTerminal};
 use std::path::Path;
 
@@ -41,36 +40,13 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
     match destination {
         Destination::One(figure, file) => output::write(picture(figure)?, file)?,
         Destination::All(folder) => {
-            let pictures = Figure::ALL.into_iter().map(picture).collect::<Result<Vec<_>, _>>()?;
-            fs::create_dir_all(folder)
-                .map_err(|error| Failure::data(format_args!("{folder}: cannot create: {error}")))?;
-            let files = Figure::ALL.map(|figure| {
-                let file = Path::new(folder).join(format!("{}.{}", figure.name(), extension(format)));
-                file.to_string_lossy().into_owned()
-            });
-            write_all(folder, &files, &pictures)?;
+            let file =
+                |figure: Figure| Ok((format!("{}.{}", figure.name(), extension(format)), picture(figure)?));
+            let files = Figure::ALL.into_iter().map(file).collect::<Result<Vec<_>, Failure>>()?;
+            output::write_all(folder, &files)?;
         }
     }
     Ok(if fit.fps.polyhedron().region().is_empty() { Exit::Empty } else { Exit::Answer })
-}
-
-/// Writes all files or, where it can be told beforehand that one cannot be written, none.
-pub(crate) fn write_all(folder: &str, files: &[String], pictures: &[Vec<u8>]) -> Result<(), Failure> {
-    if let Some(file) = files.iter().find(|file| Path::new(file).is_dir()) {
-        return Err(Failure::data(format_args!("{file}: cannot write: is a directory")));
-    }
-    tempfile::tempfile_in(folder)
-        .map_err(|error| Failure::data(format_args!("{folder}: cannot write: {}", error.kind())))?;
-    for (done, (file, bytes)) in files.iter().zip(pictures).enumerate() {
-        output::write(bytes, Some(file)).map_err(|failure| match failure {
-            Failure::Data(message) if done > 0 => {
-                let written: Vec<&str> = files.iter().take(done).map(String::as_str).collect();
-                Failure::Data(format!("{message} (already written: {})", written.join(", ")))
-            }
-            other => other,
-        })?;
-    }
-    Ok(())
 }
 
 fn encoded(picture: &Picture, format: PictureFormat) -> Result<Vec<u8>, Failure> {
