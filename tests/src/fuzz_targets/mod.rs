@@ -1,6 +1,6 @@
 //! What is done with arbitrary bytes: the bodies of the fuzz targets, each of which panics when something is wrong.
 //!
-//! `fuzz/` runs them under libFuzzer, `tests/tests/fuzz_smoke.rs` on mutations of the seeds.
+//! `fuzz/` runs them under libFuzzer, `tests/tests/formats/fuzz_smoke.rs` on mutations of the seeds.
 
 mod claims;
 mod half_planes;

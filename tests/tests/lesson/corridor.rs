@@ -5,8 +5,8 @@ use boundfit_geometry::Support;
 use boundfit_tests::shape::Tally;
 use serde_json::Value;
 
-use crate::cli_common::numbers::rational;
 use crate::document::{Lesson, fixtures, generated, items};
+use boundfit_tests::cli::numbers::rational;
 
 /// The edge at an abscissa, from the data alone.
 fn value(lesson: &Lesson, edge: &Value, x: &Rational) -> Option<Rational> {

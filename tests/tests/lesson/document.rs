@@ -14,7 +14,7 @@ use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use serde_json::Value;
 
-use crate::cli_common::numbers::{pair, rational};
+use boundfit_tests::cli::numbers::{pair, rational};
 
 /// A fit with the data of its lesson.
 pub struct Lesson {

@@ -7,9 +7,9 @@ use boundfit_geometry::Polyhedron;
 use boundfit_tests::shape::{shape, subsystem};
 use serde_json::Value;
 
-use crate::cli_common::numbers::{exact, pair, rational};
-use crate::cli_common::schema::check_schema;
 use crate::document::{Lesson, count, fixtures, generated, items, steam_generator, transducer};
+use boundfit_tests::cli::numbers::{exact, pair, rational};
+use boundfit_tests::cli::schema::check_schema;
 
 /// What schema `boundfit/lesson/1` promises; the fit has a schema of its own.
 const LESSON: &str = r#"{

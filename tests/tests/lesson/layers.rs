@@ -5,8 +5,8 @@ use boundfit_exact::{Rational, Reading};
 use boundfit_geometry::{Inequality, Point, Polyhedron, System};
 use serde_json::Value;
 
-use crate::cli_common::numbers::{exact, pair};
 use crate::document::{Lesson, fixtures, generated, items, transducer};
+use boundfit_tests::cli::numbers::{exact, pair};
 
 /// Twice the area of a polygon.
 fn doubled_area(corners: &[Point]) -> Rational {

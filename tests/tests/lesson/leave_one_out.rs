@@ -6,9 +6,9 @@ use boundfit_tests::readings::with_rows;
 use boundfit_tests::shape::{Tally, shape};
 use serde_json::Value;
 
-use crate::cli_common::numbers::{exact, exact_or_null};
-use crate::cli_common::{directory_with, fixture, report};
 use crate::document::{Lesson, count, fixtures, generated, items, transducer};
+use boundfit_tests::cli::numbers::{exact, exact_or_null};
+use boundfit_tests::cli::{directory_with, fixture, report};
 
 #[test]
 fn each_set_is_that_of_a_fit_without_the_reading() {

@@ -1,8 +1,5 @@
 //! The lesson page: every number in its data against the engine, and the page as the program writes it.
 
-#[path = "../cli_common/mod.rs"]
-mod cli_common;
-
 mod corridor;
 mod document;
 mod keys;

@@ -7,8 +7,8 @@ use boundfit_geometry::{Multiplier, Point, Polyhedron, System};
 use boundfit_tests::shape::{Tally, combined, shape, subsystem};
 use serde_json::Value;
 
-use crate::cli_common::numbers::exact;
 use crate::document::{Lesson, count, fixtures, generated, items, transducer};
+use boundfit_tests::cli::numbers::exact;
 
 #[test]
 fn every_step_is_the_intersection_so_far() {

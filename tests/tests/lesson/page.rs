@@ -6,9 +6,9 @@ use boundfit_geometry::RegionKind;
 use boundfit_tests::shape::Tally;
 use serde_json::{Value, json};
 
-use crate::cli_common::fits::all;
-use crate::cli_common::{FIT_TRANSDUCER, boundfit, directory_with, files_in, printed, report};
 use crate::document::items;
+use boundfit_tests::cli::fits::all;
+use boundfit_tests::cli::{FIT_TRANSDUCER, boundfit, directory_with, files_in, printed, report};
 use boundfit_tests::program::root;
 
 /// The command line that makes a lesson where another fits.
@@ -79,8 +79,8 @@ fn text_from_outside_stays_text() {
     let arguments =
         ["lesson", "data <&>.csv", "--x", columns[0], "--y", columns[1], "--eps", "1/2", "--title", title];
     let units = ["--x-unit", "<V>", "--y-unit", "µm"];
-    let mut command = crate::cli_common::command(directory.path());
-    let run = crate::cli_common::finish(command.args(arguments).args(units), b"");
+    let mut command = boundfit_tests::cli::command(directory.path());
+    let run = boundfit_tests::cli::finish(command.args(arguments).args(units), b"");
     assert_eq!((run.status, run.stderr.as_str()), (0, ""));
     let data = data(&run.stdout);
     assert_eq!(data["title"], title);
@@ -108,7 +108,7 @@ fn titles_and_files_have_defaults() {
     let data_of_file = data(&printed(directory.path(), &line));
     assert_eq!(data_of_file["title"], "readings.csv: y against u and v");
     assert_eq!(data_of_file["file"], "readings.csv");
-    let run = crate::cli_common::boundfit_with_input(
+    let run = boundfit_tests::cli::boundfit_with_input(
         directory.path(),
         "lesson - --x 1 --y 2 --eps 1",
         b"1,2\n2,3\n",

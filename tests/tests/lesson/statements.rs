@@ -11,9 +11,9 @@ use boundfit_tests::readings::parse_condition;
 use boundfit_tests::shape::Tally;
 use serde_json::Value;
 
-use crate::cli_common::numbers::rational;
 use crate::document::{Lesson, fixtures, generated, items, read};
 use crate::questions::{answer, asked};
+use boundfit_tests::cli::numbers::rational;
 
 /// Readings of a fixture under a uniform error bound and conditions.
 fn figure(file: &str, epsilon: Rational, conditions: &[&str]) -> Lesson {

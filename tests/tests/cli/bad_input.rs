@@ -1,0 +1,304 @@
+//! Bad data: the exact message with file, line, column and text, the status 1, and nothing written anywhere.
+
+use boundfit_tests::program::root;
+
+use boundfit_tests::cli::refusals::{A_NUMBER, refuses, refuses_files, refuses_options};
+use boundfit_tests::cli::{boundfit, directory_with, files_in, printed, words};
+
+#[test]
+fn files_that_cannot_be_opened() {
+    let absent = std::fs::File::open("no such file").unwrap_err();
+    for line in ["fit absent.csv --x x --y y --eps 1", "polygon absent.csv", "polygon absent.ine"] {
+        let file = words(line)[1].clone();
+        refuses(&root(), line, 1, &format!("{file}: cannot read: {absent}"));
+    }
+    let message = "fixtures: is a directory (expected a file, or - for standard input)";
+    refuses(&root(), "fit fixtures --x x --y y --eps 1", 1, message);
+    refuses(&root(), "polygon fixtures", 1, message);
+    let message = "standard input: the file is empty (expected at least one row of numbers)";
+    refuses(&root(), "fit - --x x --y y --eps 1", 1, message);
+    refuses(&root(), "polygon -", 1, message);
+}
+
+#[test]
+fn tables_of_the_wrong_shape() {
+    let at_least_one = "(expected at least one row of numbers)";
+    refuses_files(
+        "fit",
+        "--x x --y y --eps 1",
+        &[
+            ("empty.csv", &format!(": the file is empty {at_least_one}")),
+            ("blank.csv", &format!(": the file is empty {at_least_one}")),
+            ("header-only.csv", &format!(": the file has a header but no data rows {at_least_one}")),
+            ("row-too-short.csv", ": line 3: the row has 1 cell where the first row has 2"),
+            ("row-too-long.csv", ": line 3: the row has 3 cells where the first row has 2"),
+            (
+                "same-name-twice.csv",
+                ": line 1: there are several columns \"x\" (expected a name that occurs once, or the column's number)",
+            ),
+        ],
+    );
+    // The ragged row counts even where its cells are not asked for.
+    let message = ": line 3: the row has 1 cell where the first row has 2";
+    refuses_files("fit", "--x x --y y --eps 1 --rows 1..1", &[("row-too-short.csv", message)]);
+    // Told apart by number, the columns can be used.
+    printed(&root(), "fit fixtures/bad-input/same-name-twice.csv --x 2 --y y --eps 1");
+}
+
+#[test]
+fn cells_that_are_not_numbers() {
+    let cases: &[(&str, &str, usize)] = &[
+        ("abc", "unexpected character 'a'", 0),
+        ("nan", "not a finite number", 0),
+        ("inf", "not a finite number", 0),
+        ("-Infinity", "not a finite number", 1),
+        ("1e999999999", "exponent beyond 10000 (the limit)", 2),
+        ("1_000", "unexpected '_' (digits are not grouped)", 1),
+        ("1,5", "unexpected ',' (the decimal mark is a point)", 1),
+        ("0x10", "unexpected character 'x'", 1),
+        ("", "nothing to read", 0),
+        ("   ", "nothing to read", 3),
+        ("1e", "a digit is missing", 2),
+        ("1/0", "zero denominator", 2),
+        ("1/-2", "unexpected character '-'", 2),
+        ("1 000", "unexpected character '0'", 2),
+        ("\u{2212}1", "unexpected character '\u{2212}'", 0),
+        ("1.2.3", "unexpected character '.'", 3),
+        ("--1", "unexpected character '-'", 1),
+        ("#N/A", "unexpected character '#'", 0),
+        ("\u{1b}[31mred", "unexpected character '\\u{1b}'", 0),
+        ("1e-999999999", "exponent beyond 10000 (the limit)", 3),
+    ];
+    for (row, (cell, problem, byte)) in (1..).zip(cases) {
+        let options = format!("--x x --y y --eps 1 --rows {row}..{row}");
+        let line = row + 1;
+        let verdict = if problem.ends_with("(the limit)") {
+            format!("refused: {problem} at byte {byte}; --max-exponent raises it")
+        } else {
+            format!("not a number: {problem} at byte {byte} {A_NUMBER}")
+        };
+        let message = format!(": line {line}, column 2 (y): {cell:?}: {verdict}");
+        refuses_files("fit", &options, &[("numbers.csv", &message)]);
+        // Without a header the column has no name.
+        let directory = directory_with(&[("table.csv", format!("1;2\n{cell};3\n").as_bytes())]);
+        let message = format!("table.csv: line 2, column 1: {cell:?}: {verdict}");
+        refuses(directory.path(), "fit table.csv --x 1 --y 2 --eps 1", 1, &message);
+    }
+}
+
+#[test]
+fn numbers_without_end() {
+    let digits = "7".repeat(20_000);
+    let quoted = format!("\"{}\"...", "7".repeat(40));
+    let directory = directory_with(&[
+        ("table.csv", format!("x,y\n1,2\n{digits},3\n").as_bytes()),
+        ("fraction.csv", format!("x,y\n1,2\n3,0.{digits}\n").as_bytes()),
+        ("matrix.ine", format!("begin\n1 3 integer\n1 {digits} 0\nend\n").as_bytes()),
+    ]);
+    let message = |place: &str, byte: usize| {
+        format!(
+            "{place}: {quoted}: refused: more than 10000 digits (the limit) at byte {byte}; --max-digits raises it"
+        )
+    };
+    let fit = "--x x --y y --eps 1";
+    let path = directory.path();
+    refuses(path, &format!("fit table.csv {fit}"), 1, &message("table.csv: line 3, column 1 (x)", 10_000));
+    refuses(path, "polygon matrix.ine", 1, &message("matrix.ine: line 3, column 3", 10_000));
+    let quoted_fraction = format!("\"0.{}\"...", "7".repeat(38));
+    let in_fraction =
+        message("fraction.csv: line 3, column 2 (y)", 10_001).replace(&quoted, &quoted_fraction);
+    refuses(path, &format!("fit fraction.csv {fit}"), 1, &in_fraction);
+}
+
+#[test]
+fn a_line_without_end() {
+    let endless = "1".repeat((1 << 24) + 1);
+    let directory = directory_with(&[
+        ("row.csv", format!("x,y\n1,2\n{endless}").as_bytes()),
+        ("header.csv", endless.as_bytes()),
+        ("matrix.ine", format!("begin\n{endless}").as_bytes()),
+    ]);
+    for (command, file, line) in
+        [("fit", "row.csv", 3), ("fit", "header.csv", 1), ("polygon", "matrix.ine", 2)]
+    {
+        let options = if command == "fit" { "--x x --y y --eps 1" } else { "" };
+        let message = format!(
+            "{file}: line {line}: the line is longer than 16777216 bytes (the limit); --max-line raises it"
+        );
+        refuses(directory.path(), &format!("{command} {file} {options}"), 1, &message);
+    }
+}
+
+#[test]
+fn numbers_beyond_binary64() {
+    let options = "--x x --y y --eps 1 --reading binary64";
+    let message = ": line 3, column 2 (y): \"1e400\": refused: overflows binary64";
+    refuses_files("fit", options, &[("beyond-binary64.csv", message)]);
+    printed(&root(), "fit fixtures/bad-input/beyond-binary64.csv --x x --y y --eps 1");
+}
+
+#[test]
+fn text_in_other_encodings() {
+    let utf8 = "(expected text in UTF-8)";
+    refuses_files(
+        "fit",
+        "--x x --y y --eps 1",
+        &[
+            (
+                "latin1.csv",
+                &format!(": line 3, column 2 (y): \"\u{fffd}3\": invalid UTF-8 at byte 0 of the cell {utf8}"),
+            ),
+            (
+                "latin1-header.csv",
+                &format!(": line 1, column 3: \"\u{fffd}C\": invalid UTF-8 at byte 0 of the cell {utf8}"),
+            ),
+            ("utf16-le.csv", &format!(": the text is UTF-16 {utf8}")),
+            ("utf16-be.csv", &format!(": the text is UTF-16 {utf8}")),
+            (
+                "picture.csv",
+                &format!(": line 1, column 1: \"\u{fffd}PNG\": invalid UTF-8 at byte 0 of the cell {utf8}"),
+            ),
+        ],
+    );
+    // Where the cell is not asked for, its encoding does not matter.
+    printed(&root(), "fit fixtures/bad-input/latin1.csv --x x --y y --eps 1 --rows 1..1");
+}
+
+#[test]
+fn error_bounds_below_zero() {
+    let place = ": line 3, column 3 (eps): \"-1/2\"";
+    let message = format!("{place}: the error bound is negative (expected a number that is at least 0)");
+    refuses_files("fit", "--x x --y y --eps-column eps", &[("negative-bound.csv", &message)]);
+    let expected = "(expected a number that is at least 0, such as 0.5e-3 or 1/2000)";
+    let message = format!("invalid value '-1' for '--eps <NUM>': negative {expected}");
+    refuses_options(2, &[("--x Vz --y z --eps -1", &message), ("--x Vz --y z --eps=-1", &message)]);
+}
+
+#[test]
+fn h_representations_that_are_not_what_they_announce() {
+    let whole = "(expected an H- or V-representation: begin, rows, end)";
+    let size = "the size line is not understood (expected \"ROWS 3 integer\", \"ROWS 3 rational\" or \"ROWS 3 real\")";
+    let linearity = "this does not list rows of the matrix to come (expected \"linearity COUNT ROW...\" before begin, with rows counted from 1)";
+    refuses_files(
+        "polygon",
+        "",
+        &[
+            (
+                "too-few-numbers.ine",
+                ": line 6, column 1: \"end\": 3 rows of 3 numbers were announced, but there are 6 numbers before \"end\"",
+            ),
+            (
+                "too-many-numbers.ine",
+                ": line 6, column 1: \"end\": 1 rows of 3 numbers were announced, but there are 6 numbers before \"end\"",
+            ),
+            ("no-begin.ine", &format!(": there is no line \"begin\" {whole}")),
+            (
+                "no-end.ine",
+                ": line 5: the file stops before the line \"end\"; 2 rows were announced and 6 numbers found",
+            ),
+            (
+                "rows-beyond-limit.ine",
+                ": line 3, column 1: \"10000001\": there are more than 10000000 rows (the limit); --max-rows raises it",
+            ),
+            (
+                "nonnegative.ine",
+                ": line 2, column 1: \"nonnegative\": this option makes the set another one (expected rows \"0 1 0\" and \"0 0 1\")",
+            ),
+            (
+                "hull.ine",
+                ": line 7, column 1: \"hull\": this option makes the set another one (expected a line \"V-representation\" before begin)",
+            ),
+            (
+                "two-matrices.ine",
+                ": line 8, column 1: \"begin\": a second matrix begins here (expected one representation in a file)",
+            ),
+            ("part-of-a-row.ext", ": line 6, column 1: \"end\": the last row has 2 of 3 numbers"),
+            (
+                "negative-weight.ext",
+                ": line 5, column 1: \"-1\": the row starts with a negative number (expected 1 for a point or 0 for a ray)",
+            ),
+            (
+                "linear-point.ext",
+                ": line 5, column 1: \"1\": the row is a point, but a linearity line lists it (expected 0 x y for a line)",
+            ),
+            (
+                "four-columns.ine",
+                ": line 3, column 3: \"4\": the matrix has 4 columns, so it is not about the plane (expected 3 columns: b, -a1, -a2 or 1, x, y)",
+            ),
+            ("bad-size.ine", &format!(": line 3, column 1: \"many\": {size}")),
+            ("bad-type.ine", &format!(": line 3, column 5: \"complex\": {size}")),
+            (
+                "bad-number.ine",
+                &format!(
+                    ": line 5, column 5: \"one\": not a number: unexpected character 'o' at byte 0 {A_NUMBER}"
+                ),
+            ),
+            ("linearity-beyond-rows.ine", &format!(": line 2, column 1: \"linearity 1 3\": {linearity}")),
+            ("linearity-miscounted.ine", &format!(": line 2, column 1: \"linearity 2 1\": {linearity}")),
+        ],
+    );
+    let run = boundfit(&root(), "polygon fixtures/bad-input/latin1.ine");
+    assert_eq!((run.status, run.stdout.as_str()), (1, ""));
+    let start = "error: fixtures/bad-input/latin1.ine: line 3: invalid UTF-8 at byte 4";
+    assert!(run.stderr.starts_with(start), "{}", run.stderr);
+}
+
+#[test]
+fn every_bad_file_is_refused() {
+    let folder = root().join("fixtures/bad-input");
+    let reading = "--reading binary64";
+    for file in files_in(&folder) {
+        let line = match file.as_str() {
+            "README.md" => continue,
+            "other-names.csv" => format!("polygon {file}"),
+            "negative-bound.csv" => format!("fit {file} --x x --y y --eps-column eps"),
+            file if file.ends_with(".ine") || file.ends_with(".ext") => format!("polygon {file}"),
+            file => format!("fit {file} --x x --y y --eps 1 {reading}"),
+        };
+        assert_eq!(boundfit(&folder, &line).status, 1, "{line}");
+    }
+}
+
+/// One reading, or readings at one x, leave a strip: an answer, with advice, not an error.
+#[test]
+fn too_few_readings_are_no_error() {
+    let files: [(&str, &[u8]); 2] = [("one.csv", b"x,y\n5,2\n"), ("same-x.csv", b"x,y\n5,2\n5,2.5\n5,1.5\n")];
+    let directory = directory_with(&files);
+    for (file, _) in files {
+        let text = printed(directory.path(), &format!("fit {file} --x x --y y --eps 1"));
+        for line in [
+            "Feasible parameter set (FPS): strip",
+            "  goes on for ever in both directions of (1, -5)",
+            "  One further reading at any x other than 5 would bound it.",
+            "least squares  none: the regressors are all parallel (for a line: fewer than two distinct x), so the normal equations are singular",
+        ] {
+            assert!(text.lines().any(|own| own == line), "{line}\n{text}");
+        }
+    }
+}
+
+#[test]
+fn lines_are_counted_as_editors_count_them() {
+    for (table, line) in [
+        ("x,y\r\n1,2\r\n2,abc\r\n", 3),
+        ("x,y\n1,2\n\n\n2,abc\n", 5),
+        ("\r\n\r\nx,y\r\n1,2\r\n\r\n2,abc\r\n", 6),
+        ("x,y\r1,2\r2,abc\r", 3),
+        ("\u{feff}x,y\n\"1\",2\n  \n2,abc\n", 4),
+        ("x,y,note\n1,2,\"two\nlines\"\n2,abc,\n", 4),
+    ] {
+        let directory = directory_with(&[("table.csv", table.as_bytes())]);
+        let message = format!(
+            "table.csv: line {line}, column 2 (y): \"abc\": not a number: unexpected character 'a' at byte 0 {A_NUMBER}"
+        );
+        refuses(directory.path(), "fit table.csv --x x --y y --eps 1", 1, &message);
+    }
+}
+
+#[test]
+fn equations_announced_too_late() {
+    let late = "begin\n3 3 integer\n1 -1 -1\n0 1 0\n0 0 1\nend\nlinearity 1 1\n";
+    let directory = directory_with(&[("late.ine", late.as_bytes())]);
+    let message = "late.ine: line 7, column 1: \"linearity\": this does not list rows of the matrix to come (expected \"linearity COUNT ROW...\" before begin, with rows counted from 1)";
+    refuses(directory.path(), "polygon late.ine", 1, message);
+}

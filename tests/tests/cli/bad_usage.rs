@@ -1,0 +1,157 @@
+//! Bad usage, and options that do not go with the data: the exact message, the status, and nothing written anywhere.
+
+use boundfit_tests::program::root;
+
+use boundfit_tests::cli::refusals::{check_refusal, refuses, refuses_options};
+use boundfit_tests::cli::{FIT_TRANSDUCER, TRANSDUCER, boundfit, files_in};
+
+#[test]
+fn options_that_say_nothing_sensible() {
+    let bound = "(expected a number that is at least 0, such as 0.5e-3 or 1/2000)";
+    let condition = "(expected a linear inequality such as \"2*theta1 - theta2 <= 1/3\")";
+    let rows = |text: &str| {
+        format!(
+            "invalid value '{text}' for '--rows <A..B>': expected FIRST..LAST with 1 <= FIRST <= LAST, such as 14..36"
+        )
+    };
+    let eps = |text: &str, problem: &str| {
+        format!("invalid value '{text}' for '--eps <NUM>': not a number: {problem} {bound}")
+    };
+    let when = |text: &str, problem: &str| {
+        format!("invalid value '{text}' for '--where <CONDITION>': {problem} {condition}")
+    };
+    let base = "--x Vz --y z --eps 1";
+    let cases = [
+        ("--x Vz --y z --eps abc".to_owned(), eps("abc", "unexpected character 'a' at byte 0")),
+        ("--x Vz --y z --eps nan".to_owned(), eps("nan", "not a finite number at byte 0")),
+        ("--x Vz --y z --eps ''".to_owned(), eps("", "nothing to read at byte 0")),
+        (
+            "--x Vz --y z --eps 1e999999999".to_owned(),
+            "invalid value '1e999999999' for '--eps <NUM>': refused: exponent beyond 10000 (the limit) at byte 2; \
+             --max-exponent raises it"
+                .to_owned(),
+        ),
+        (
+            format!("{base} --where 'theta1 > 0'"),
+            when("theta1 > 0", "only <= and >= are closed half-planes; two conditions make an equation at byte 7"),
+        ),
+        (
+            format!("{base} --where 'theta1 >= 0' --where slope"),
+            when("slope", "neither a number nor theta1 nor theta2 at byte 0"),
+        ),
+        (format!("{base} --where theta1"), when("theta1", "neither <= nor >= nor another term at byte 6")),
+        (format!("{base} --rows 40..20"), rows("40..20")),
+        (format!("{base} --rows 0..3"), rows("0..3")),
+        (format!("{base} --rows x"), rows("x")),
+        (format!("{base} --rows 3"), rows("3")),
+        (format!("{base} --rows 1.."), rows("1..")),
+        (format!("{base} --digits 0"), "invalid value '0' for '--digits <N>': 0 is not in 1..=1000".to_owned()),
+        (
+            "--x Vz,z,Vz --y z --eps 1".to_owned(),
+            "invalid value 'Vz,z,Vz' for '--x <COL[,COL2]>': expected one column, or two separated by a comma"
+                .to_owned(),
+        ),
+        (
+            "--x Vz, --y z --eps 1".to_owned(),
+            "invalid value 'Vz,' for '--x <COL[,COL2]>': expected a header name or a column number".to_owned(),
+        ),
+    ];
+    for (options, message) in &cases {
+        refuses_options(2, &[(options, message)]);
+    }
+    // What is wrong with the command line comes before what is wrong with the file.
+    refuses(&root(), "fit absent.csv --x x --y y --eps abc", 2, &cases[0].1);
+}
+
+#[test]
+fn options_that_are_missing_unknown_or_too_many() {
+    let missing = "the following required arguments were not provided:\n  ";
+    refuses_options(
+        2,
+        &[
+            ("--x Vz --y z", &format!("{missing}<--eps <NUM>|--eps-column <COL>>")),
+            ("--y z --eps 1", &format!("{missing}--x <COL[,COL2]>")),
+            (
+                "--x Vz --y z --eps 1 --eps-column z",
+                "the argument '--eps <NUM>' cannot be used with '--eps-column <COL>'",
+            ),
+            ("--x Vz --y z --eps 1 --tolerance 1", "unexpected argument '--tolerance' found"),
+            ("more.csv --x Vz --y z --eps 1", "unexpected argument 'more.csv' found"),
+            (
+                "--x Vz --y z --eps 1 --reading float",
+                "invalid value 'float' for '--reading <READING>'\n  [possible values: decimal, binary64]",
+            ),
+        ],
+    );
+    for (line, message) in [
+        ("frobnicate", "unrecognized subcommand 'frobnicate'"),
+        (
+            "completions tcsh",
+            "invalid value 'tcsh' for '<SHELL>'\n  [possible values: bash, elvish, fish, powershell, zsh]",
+        ),
+        ("polygon", "the following required arguments were not provided:\n  <FILE>"),
+    ] {
+        check_refusal(&boundfit(&root(), line), line, 2, message);
+    }
+    let topic = boundfit(&root(), "man frobnicate");
+    let start = "error: invalid value 'frobnicate' for '[TOPIC]': expected one of fit, ";
+    assert_eq!((topic.status, topic.stdout.as_str()), (2, ""));
+    assert!(topic.stderr.starts_with(start), "{}", topic.stderr);
+    let nothing = boundfit(&root(), "");
+    assert_eq!((nothing.status, nothing.stdout.as_str()), (2, ""));
+    assert!(nothing.stderr.contains("\nUsage: boundfit <COMMAND>\n"), "{}", nothing.stderr);
+}
+
+#[test]
+fn rows_that_are_not_there() {
+    for rows in ["40..50", "47..47", "1..99999999999"] {
+        let message = format!("{TRANSDUCER}: rows {rows} were asked for, but the file has 46 data rows");
+        refuses_options(1, &[(&format!("--x Vz --y z --eps 1 --rows {rows}"), &message)]);
+    }
+}
+
+#[test]
+fn columns_that_are_not_there() {
+    let message = |wanted: &str| {
+        format!(
+            "{TRANSDUCER}: line 1: there is no column \"{wanted}\" (expected one of \"z\", \"Vz\" or a number from 1 to 2)"
+        )
+    };
+    refuses_options(
+        1,
+        &[
+            ("--x volts --y z --eps 1", &message("volts")),
+            ("--x vz --y z --eps 1", &message("vz")),
+            ("--x 3 --y z --eps 1", &message("3")),
+            ("--x 0 --y z --eps 1", &message("0")),
+            ("--x Vz --y 99999999999999999999 --eps 1", &message("99999999999999999999")),
+            ("--x Vz --y z --eps-column eps", &message("eps")),
+            ("--x Vz,1.5 --y z --eps 1", &message("1.5")),
+        ],
+    );
+    let run = boundfit(&root(), "polygon fixtures/bad-input/other-names.csv");
+    assert_eq!((run.status, run.stdout.as_str()), (1, ""));
+    let start = "error: fixtures/bad-input/other-names.csv: line 1: there is no column \"a1\" (expected one of \"p\", \"q\", \"r\"";
+    assert!(run.stderr.starts_with(start), "{}", run.stderr);
+}
+
+#[test]
+fn outputs_that_cannot_be_written() {
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::create_dir(directory.path().join("folder")).unwrap();
+    std::fs::write(directory.path().join("data.csv"), "x,y\n1,2\n").unwrap();
+    let fit = "fit data.csv --x x --y y --eps 1 -o";
+    let absent = std::fs::File::open("no such file").unwrap_err();
+    let run = boundfit(directory.path(), &format!("{fit} absent/answer.txt"));
+    assert_eq!((run.status, run.stdout.as_str()), (1, ""));
+    assert_eq!(run.stderr, format!("error: absent/answer.txt: cannot write: {absent}\n"));
+    let run = boundfit(directory.path(), &format!("{fit} folder"));
+    check_refusal(&run, "-o folder", 1, "folder: cannot write: is a directory");
+    assert_eq!(files_in(directory.path()), ["data.csv", "folder"]);
+    assert_eq!(files_in(&directory.path().join("folder")), [""; 0]);
+}
+
+#[test]
+fn what_is_refused_here_would_do_with_good_data() {
+    assert_eq!(boundfit(&root(), FIT_TRANSDUCER).status, 0);
+}

@@ -1,0 +1,17 @@
+//! The program from outside: options, files in and out, messages, exit statuses.
+
+mod atomic_output;
+mod bad_input;
+mod bad_usage;
+mod check;
+mod convert;
+mod exchange;
+mod fleet;
+mod input_formats;
+mod json;
+mod large;
+mod limits;
+mod output;
+mod polygon;
+mod reduce;
+mod sweep;

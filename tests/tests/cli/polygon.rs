@@ -1,0 +1,419 @@
+//! `boundfit polygon`: both file formats, all kinds of region, and every proof recomputed from the file alone.
+
+use std::collections::BTreeSet;
+
+use boundfit_tests::program::root;
+use serde_json::{Value, json};
+
+use boundfit_tests::cli::half_plane_files::{h_representation, shape, system, with_rows};
+use boundfit_tests::cli::numbers::{check_numbers, exact, pair, rational, whole};
+use boundfit_tests::cli::regions::check_region;
+use boundfit_tests::cli::schema::{POLYGON, check_schema};
+use boundfit_tests::cli::{
+    boundfit, boundfit_with_input, directory_with, fixture, printed, printed_with_input, report,
+};
+
+/// A table of half-planes, which of its rows are equations, and the kind of its region.
+struct Case {
+    kind: &'static str,
+    csv: String,
+    equations: &'static [usize],
+}
+
+fn case(kind: &'static str, rows: &str, equations: &'static [usize]) -> Case {
+    Case { kind, csv: format!("a1,a2,b\n{}\n", rows.replace(' ', "\n")), equations }
+}
+
+/// Every kind of region, some in several ways.
+fn cases() -> Vec<Case> {
+    vec![
+        Case { kind: "polygon", csv: fixture("polygon/house.csv"), equations: &[] },
+        Case { kind: "empty", csv: fixture("polygon/empty.csv"), equations: &[] },
+        case("polygon", "-1,0,1/3 0,-1,1/7 2,3,0.6", &[]),
+        case("empty", "0,0,-1 1,0,1", &[]),
+        case("empty", "1,0,1 1,0,2", &[1, 2]),
+        case("point", "1,2,3 2,1,3", &[1, 2]),
+        case("point", "1,0,0 -1,0,0 0,1,0 0,-1,0 1,1,0", &[]),
+        case("segment", "1,1,2 -1,0,0 0,-1,0 2,2,4 1,0,5", &[1, 4]),
+        case("segment", "-3,0,1 0,-1,0 0,1,1/3", &[1]),
+        case("ray", "1,-1,0 -1,0,1", &[1]),
+        case("line", "3,-6,1", &[1]),
+        case("line", "0,1,5 0,-1,-5 0,2,11", &[]),
+        case("unbounded-polygon", "-1,0,0 0,-1,0 -1,-1,-1", &[]),
+        case("unbounded-polygon", "-1,0,0 1,0,2 0,-1,0 -1,-1,-1", &[]),
+        case("strip", "1,2,3 -1,-2,1/2 2,4,9", &[]),
+        case("half-plane", "-2,4,1 -1,2,1 0,0,0", &[]),
+        case("plane", "0,0,0 0,0,7", &[]),
+    ]
+}
+
+/// Runs every case and hands it to a check with the report on its H-representation.
+fn for_each_region(check: impl Fn(&Case, &Value)) {
+    for case in cases() {
+        println!("{} {:?}", case.kind, case.csv);
+        check(&case, &answer(&h_representation(&case.csv, case.equations)));
+    }
+}
+
+/// The report on half-planes from standard input.
+fn answer(input: &str) -> Value {
+    report(&root(), "polygon -", input.as_bytes())
+}
+
+#[test]
+fn every_kind_of_region_is_reached() {
+    for_each_region(|case, report| {
+        check_schema(report, POLYGON);
+        assert_eq!(report["schema"], "boundfit/polygon/1");
+        assert_eq!(report["region"]["kind"], case.kind);
+        assert_eq!(report["input"]["rows"], case.csv.lines().count() - 1);
+        assert!(case.kind == "plane" || check_numbers(report, 5) > 0);
+    });
+    let kinds: BTreeSet<&str> = cases().iter().map(|case| case.kind).collect();
+    assert_eq!(kinds.len(), 10, "{kinds:?}");
+}
+
+#[test]
+fn the_region_and_its_proofs_follow_from_the_file() {
+    for_each_region(|case, report| {
+        let system = system(&case.csv, case.equations);
+        check_region(&report["region"], &system);
+        if case.kind == "empty" {
+            assert!(report["bounds"].is_null());
+        } else {
+            system.check_bounds(&report["bounds"], &report["region"]);
+        }
+    });
+}
+
+/// Without the redundant rows the region stays what it is; without any other row as well it does not.
+#[test]
+fn the_redundant_rows_are_those_that_can_be_left_out_together() {
+    for_each_region(|case, report| {
+        let redundant = report["redundant"].as_array().unwrap();
+        let region_of = |keep: &dyn Fn(usize) -> bool| {
+            let rows: Vec<usize> = (1..case.csv.lines().count()).filter(|row| keep(*row)).collect();
+            let is_equation = |position: &usize| case.equations.contains(&rows[*position - 1]);
+            let equations: Vec<usize> = (1..=rows.len()).filter(is_equation).collect();
+            shape(&answer(&h_representation(&with_rows(&case.csv, keep), &equations))["region"])
+        };
+        let needed = |row: usize| !redundant.contains(&json!(row));
+        assert_eq!(region_of(&needed), shape(&report["region"]));
+        for left_out in (1..case.csv.lines().count()).filter(|row| needed(*row)) {
+            let region = region_of(&|row| needed(row) && row != left_out);
+            assert_ne!(region, shape(&report["region"]), "without row {left_out}");
+        }
+    });
+}
+
+fn without_hash(mut report: Value) -> Value {
+    report["input"]["sha256"].take();
+    report
+}
+
+#[test]
+fn both_formats_give_the_same_answer() {
+    let directory = root();
+    let table = without_hash(report(&directory, "polygon fixtures/polygon/house.csv", b""));
+    for file in ["house.ine", "house-with-comments.ine"] {
+        let other = without_hash(report(&directory, &format!("polygon fixtures/polygon/{file}"), b""));
+        assert_eq!(other, table, "{file}");
+    }
+    for case in cases().iter().filter(|case| case.equations.is_empty()) {
+        let matrix = without_hash(answer(&h_representation(&case.csv, &[])));
+        assert_eq!(matrix, without_hash(answer(&case.csv)), "{}", case.csv);
+    }
+}
+
+#[test]
+fn the_format_follows_from_the_name_or_else_from_the_contents() {
+    let (table, matrix) = (fixture("polygon/house.csv"), fixture("polygon/house.ine"));
+    let (table, matrix) = (table.as_bytes(), matrix.as_bytes());
+    let directory = directory_with(&[
+        ("table.csv", table),
+        ("table.txt", table),
+        ("table", table),
+        ("matrix.ine", matrix),
+        ("matrix.INE", matrix),
+        ("matrix.txt", matrix),
+        ("matrix", matrix),
+    ]);
+    for (name, bytes) in [("table", table), ("matrix", matrix)] {
+        let expected = printed_with_input(directory.path(), "polygon - --format json", bytes);
+        for suffix in [".csv", ".ine", ".INE", ".txt", ""] {
+            let file = format!("{name}{suffix}");
+            if directory.path().join(&file).exists() {
+                let line = format!("polygon {file} --format json");
+                assert_eq!(printed(directory.path(), &line), expected, "{file}");
+            }
+        }
+    }
+    let wrong = directory_with(&[("matrix.csv", matrix), ("table.ine", table)]);
+    assert_eq!(boundfit(wrong.path(), "polygon matrix.csv").status, 1);
+    assert_eq!(boundfit(wrong.path(), "polygon table.ine").status, 1);
+}
+
+#[test]
+fn the_number_types_of_an_h_representation_mean_the_same_numbers() {
+    let matrix = |kind: &str, half: &str| format!("begin\n3 3 {kind}\n{half} 1 0\n1 0 1\n1 -1 -1\nend\n");
+    let region = |kind: &str, half: &str| answer(&matrix(kind, half))["region"].clone();
+    let expected = region("rational", "1/2");
+    assert_eq!(expected["vertices"][0]["theta"][0]["exact"], "-1/2");
+    for (kind, half) in [("real", "0.5"), ("real", "5e-1"), ("real", ".5"), ("rational", "2/4")] {
+        assert_eq!(region(kind, half), expected, "{kind} {half}");
+    }
+    let whole = region("integer", "3");
+    assert_eq!(whole, region("rational", "3/1"));
+    assert_eq!(whole, region("real", "3.00"));
+}
+
+#[test]
+fn columns_are_found_by_name_or_without_a_header_by_place() {
+    let named = without_hash(answer("a1,a2,b\n-1,0,0\n0,-1,0\n2,3,6\n"));
+    for table in [
+        "-1,0,0\n0,-1,0\n2,3,6\n",
+        "b,a2,a1\n0,0,-1\n0,-1,0\n6,3,2\n",
+        "name;b;a1;a2\nleft;0;-1;0\nbelow;0;0;-1\n'roof, right';6;2;3\n",
+        "a1\ta2\tb\n-1\t0\t0\n0\t-1\t0\n2\t3\t6\n",
+        "\u{feff}a1,a2,b\r\n-1,0,0\r\n\r\n0,-1,0\r\n2,3,6",
+    ] {
+        assert_eq!(without_hash(answer(table)), named, "{table:?}");
+    }
+}
+
+#[test]
+fn equations_of_an_h_representation_are_redundant_like_other_rows() {
+    let report = report(&root(), "polygon fixtures/polygon/segment.ine", b"");
+    let segment = &report["region"];
+    assert_eq!((&segment["kind"], &report["redundant"]), (&json!("segment"), &json!([4, 5])));
+    let ends = [0, 1].map(|end| &segment["vertices"][end]);
+    assert_eq!(ends.map(|end| pair(&end["theta"])), [[whole(0), whole(2)], [whole(2), whole(0)]]);
+    assert_eq!(ends.map(|end| &end["active"]), [&json!([1, 2, 4]), &json!([1, 3, 4])]);
+}
+
+#[test]
+fn an_equation_is_one_row_that_proves_both_ways() {
+    let report = answer("linearity 1 1\nbegin\n2 3 integer\n-3 2 0\n0 0 1\nend\n");
+    let ray = &report["region"];
+    assert_eq!(ray["kind"], "ray");
+    assert_eq!(ray["vertices"][0]["active"], json!([1, 2]));
+    assert_eq!(pair(&ray["vertices"][0]["theta"]), [rational("3/2"), whole(0)]);
+    assert_eq!(report["redundant"], json!([]));
+    let [lower, upper] = ["lower", "upper"].map(|end| &report["bounds"][0][end]);
+    assert_eq!((exact(&lower["value"]), exact(&upper["value"])), (rational("3/2"), rational("3/2")));
+    let half = json!({"exact": "1/2", "decimal": "0.5"});
+    assert_eq!(lower["active"], json!([{"row": 1, "bound": "upper", "multiplier": half}]));
+    assert_eq!(upper["active"], json!([{"row": 1, "bound": "lower", "multiplier": half}]));
+    // The older word for the same thing.
+    let older = answer("equality 1 1\nbegin\n2 3 integer\n-3 2 0\n0 0 1\nend\n");
+    assert_eq!(without_hash(older), without_hash(report));
+}
+
+#[test]
+fn the_text_says_why_rows_are_redundant() {
+    let text = printed(&root(), "polygon fixtures/polygon/house.csv");
+    let (_, why) = text.split_once("Redundant rows:").unwrap();
+    let expected = " 6, 7, 8, 9\n\
+        \x20 row  why\n\
+        \x20 6    the same half-plane as row 2\n\
+        \x20 7    touches the region; implied by 1/2 * (row 4) + 1/2 * (row 5)\n\
+        \x20 8    implied by 1/2 * (row 4) + 1/2 * (row 5) with 1 to spare\n\
+        \x20 9    holds everywhere\n";
+    assert_eq!(why, expected);
+    let text = printed_with_input(&root(), "polygon -", b"a1,a2,b\n1,0,1\n");
+    assert!(text.ends_with("\nNo row is redundant.\n"), "{text}");
+}
+
+#[test]
+fn the_text_lists_vertices_and_ranges() {
+    let text = printed(&root(), "polygon fixtures/polygon/house.ine");
+    let (region, rest) = text.split_once("\n\n").unwrap().1.split_once("\n\n").unwrap();
+    let expected = "Region: polygon with 5 vertices\n\
+        \x20 vertex  theta1  theta2  active\n\
+        \x20 1       0       0       1, 3\n\
+        \x20 2       4       0       2, 3, 6\n\
+        \x20 3       4       2       2, 5, 6\n\
+        \x20 4       2       4       4, 5, 7\n\
+        \x20 5       0       2       1, 4";
+    assert_eq!(region, expected);
+    assert!(rest.starts_with("          range\n  theta1  [0, 4]\n  theta2  [0, 4]\n"), "{rest}");
+}
+
+#[test]
+fn an_empty_region_is_an_answer_of_its_own_status() {
+    let run = boundfit(&root(), "polygon fixtures/polygon/empty.csv");
+    assert_eq!((run.status, run.stderr.as_str()), (3, ""));
+    let (_, region) = run.stdout.split_once("\n\n").unwrap();
+    let expected = "Region: empty\n\
+        \x20 Proof: 1 * (row 1) + 1 * (row 2) + 1 * (row 3) gives 0 <= -1.\n\
+        \n\
+        Redundant rows: 4\n\
+        \x20 row  why\n\
+        \x20 4    the region is empty without it\n";
+    assert_eq!(region, expected);
+    let report = report(&root(), "polygon fixtures/polygon/empty.csv", b"");
+    let one = json!({"exact": "1", "decimal": "1"});
+    let term = |row: usize| json!({"row": row, "bound": "upper", "multiplier": one});
+    assert_eq!(report["region"]["certificate"], json!({"farkas": [term(1), term(2), term(3)]}));
+    assert_eq!(report["redundant"], json!([4]));
+}
+
+#[test]
+fn binary64_takes_the_number_that_a_float_program_would_receive() {
+    let table = b"a1,a2,b\n1,0,0.1\n";
+    let vertex = |reading: &str| {
+        let line = format!("polygon - --format json --reading {reading}");
+        let report: Value = serde_json::from_str(&boundfit_with_input(&root(), &line, table).stdout).unwrap();
+        (report["input"]["reading"].clone(), exact(&report["bounds"][0]["upper"]["value"]))
+    };
+    assert_eq!(vertex("decimal"), (json!("decimal"), rational("1/10")));
+    assert_eq!(vertex("binary64"), (json!("binary64"), rational("3602879701896397/36028797018963968")));
+}
+
+#[test]
+fn no_row_at_all_leaves_the_plane() {
+    assert_eq!(answer("begin\n0 3 integer\nend\n")["region"]["kind"], "plane");
+}
+
+#[test]
+fn a_v_representation_is_the_set_that_its_rows_generate() {
+    let house = report(&root(), "polygon fixtures/polygon/house.csv", b"");
+    let report = report(&root(), "polygon fixtures/polygon/gable.ext", b"");
+    check_schema(&report, POLYGON);
+    assert_eq!(shape(&report["region"]), shape(&house["region"]));
+    assert_eq!(report["region"]["area"], house["region"]["area"]);
+    assert_eq!((&report["input"]["rows"], &report["redundant"]), (&json!(9), &json!([6, 7, 8, 9])));
+    // Active are the rows that equal the vertex.
+    let active: Vec<&Value> =
+        report["region"]["vertices"].as_array().unwrap().iter().map(|vertex| &vertex["active"]).collect();
+    assert_eq!(active, [&json!([1]), &json!([2]), &json!([3]), &json!([4]), &json!([5, 7])]);
+    // By the angle of their normals.
+    let facets: Vec<[String; 3]> = report["facets"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|facet| [&facet["a"][0], &facet["a"][1], &facet["b"]].map(|number| exact(number).to_string()))
+        .collect();
+    assert_eq!(
+        facets,
+        [["1", "0", "4"], ["1", "1", "6"], ["-1", "1", "2"], ["-1", "0", "0"], ["0", "-1", "0"]]
+    );
+    let upper = &report["bounds"][1]["upper"];
+    let half = json!({"exact": "1/2", "decimal": "0.5"});
+    let term = |facet: usize| json!({"row": facet, "bound": "facet", "multiplier": half});
+    assert_eq!((exact(&upper["value"]), &upper["active"]), (whole(4), &json!([term(2), term(3)])));
+    // Half-planes have no facets beside their rows.
+    assert!(house.get("facets").is_none());
+}
+
+#[test]
+fn rays_without_a_point_start_at_the_origin() {
+    let report = report(&root(), "polygon fixtures/polygon/cone.ext", b"");
+    let region = &report["region"];
+    assert_eq!((&region["kind"], &report["redundant"]), (&json!("half-plane"), &json!([])));
+    assert_eq!(pair(&region["lines"][0]), [whole(1), whole(-1)]);
+    assert_eq!(pair(&region["rays"][0]), [whole(1), whole(1)]);
+    assert_eq!(region["boundaries"][0]["active"], json!([]));
+    assert_eq!(answer("V-representation\nbegin\n0 3 integer\nend\n")["region"]["kind"], "empty");
+}
+
+#[test]
+fn the_text_on_generators_lists_half_planes_and_what_is_redundant() {
+    let text = printed(&root(), "polygon fixtures/polygon/gable.ext");
+    assert!(text.starts_with(
+        "Generators of fixtures/polygon/gable.ext, 9 rows\n\nRegion: polygon with 5 vertices\n"
+    ));
+    let (_, rest) = text.split_once("\n\n5 half-planes").unwrap();
+    let expected = " a1*theta1 + a2*theta2 <= b\n\
+        \x20 facet  a1  a2  b\n\
+        \x20 1      1   0   4\n\
+        \x20 2      1   1   6\n\
+        \x20 3      -1  1   2\n\
+        \x20 4      -1  0   0\n\
+        \x20 5      0   -1  0\n\
+        \n\
+        Redundant rows: 6, 7, 8, 9\n\
+        \x20 row  why\n\
+        \x20 6    a point of the set that the others generate\n\
+        \x20 7    the same point as row 5\n\
+        \x20 8    a point of the set that the others generate\n\
+        \x20 9    has no direction\n";
+    assert_eq!(rest, expected);
+}
+
+#[test]
+fn what_lrs_and_cddlib_write_is_read_as_they_mean_it() {
+    let region =
+        |file: &str| report(&root(), &format!("polygon fixtures/polygon/{file}"), b"")["region"].clone();
+    let house = shape(&region("house.csv"));
+    for file in ["house-by-lrs.ext", "house-by-cdd.ext"] {
+        assert_eq!(shape(&region(file)), house, "{file}");
+    }
+    assert_eq!(shape(&region("segment-by-lrs.ext")), shape(&region("segment.ine")));
+    for file in ["empty-by-lrs.ext", "empty-by-cdd.ext"] {
+        assert_eq!(region(file)["kind"], "empty", "{file}");
+    }
+    let upper_half = answer("begin\n1 3 integer\n0 0 1\nend\n");
+    assert_eq!(shape(&region("upper-half-by-cdd.ext")), shape(&upper_half["region"]));
+    let corners = answer("V-representation\nbegin\n3 3 integer\n1 0 0\n1 2 0\n1 0 3\nend\n");
+    assert_eq!(shape(&region("triangle-by-lrs.ine")), shape(&corners["region"]));
+}
+
+/// What the program writes for a set in a format, with status 0, or 3 for the empty set.
+fn converted(input: &str, format: &str) -> String {
+    let run = boundfit_with_input(&root(), &format!("polygon - --format {format}"), input.as_bytes());
+    assert!([0, 3].contains(&run.status) && run.stderr.is_empty(), "{run:?}");
+    run.stdout
+}
+
+#[test]
+fn every_kind_of_set_survives_both_representations() {
+    for_each_region(|case, report| {
+        let given = h_representation(&case.csv, case.equations);
+        let (h, v) = (converted(&given, "ine"), converted(&given, "ext"));
+        assert!(h.starts_with("H-representation\n") && v.starts_with("V-representation\n"), "{h}{v}");
+        for text in [&h, &v] {
+            let again = answer(text);
+            assert_eq!(shape(&again["region"]), shape(&report["region"]), "{text}");
+            // The plane alone needs a row that says nothing.
+            let redundant = again["redundant"].as_array().unwrap().len();
+            let is_plane = case.kind == "plane" && text.starts_with("H-");
+            assert_eq!(redundant, usize::from(is_plane), "{text}");
+        }
+        assert_eq!(converted(&v, "ext"), v);
+        assert_eq!(shape(&answer(&converted(&v, "ine"))["region"]), shape(&report["region"]));
+    });
+}
+
+#[test]
+fn the_representations_are_written_exactly() {
+    let house = printed(&root(), "polygon fixtures/polygon/house.csv --format ine");
+    assert_eq!(house, "H-representation\nbegin\n5 3 integer\n0 1 0\n4 -1 0\n0 0 1\n2 1 -1\n6 -1 -1\nend\n");
+    let segment = "H-representation\nlinearity 1 1\nbegin\n3 3 integer\n2 -1 -1\n0 1 0\n0 0 1\nend\n";
+    assert_eq!(printed(&root(), "polygon fixtures/polygon/segment.ine --format ine"), segment);
+    let strip = "V-representation\nlinearity 1 3\nbegin\n3 3 rational\n1 0 1/3\n1 0 -7\n0 1 0\nend\n";
+    assert_eq!(converted("a1,a2,b\n0,3,1\n0,-1,7\n", "ext"), strip);
+    assert_eq!(converted("a1,a2,b\n1,0,0\n-1,0,-1\n", "ext"), "V-representation\nbegin\n0 3 integer\nend\n");
+    let point = "H-representation\nlinearity 2 1 2\nbegin\n2 3 rational\n-1/2 1 0\n-3 0 1\nend\n";
+    assert_eq!(converted("V-representation\nbegin\n1 3 real\n1 0.5 3\nend\n", "ine"), point);
+}
+
+#[test]
+fn a_fit_is_written_as_a_representation_of_its_feasible_set() {
+    let fit = "fit - --x x --y y --eps 1";
+    let table = b"x,y\n0,0\n1,1\n2,3\n";
+    let expected = shape(&report(&root(), fit, table)["fps"]);
+    for format in ["ine", "ext"] {
+        let text = printed_with_input(&root(), &format!("{fit} --format {format}"), table);
+        assert_eq!(shape(&answer(&text)["region"]), expected, "{text}");
+    }
+}
+
+#[test]
+fn the_limit_on_rows_can_be_set() {
+    let matrix = b"begin\n3 3 integer\n0 1 0\n0 0 1\n1 -1 -1\nend\n";
+    let run = boundfit_with_input(&root(), "polygon - --max-rows 2", matrix);
+    let message = "error: standard input: line 2, column 1: \"3\": there are more than 2 rows (the limit); --max-rows raises it\n";
+    assert_eq!((run.status, run.stdout.as_str(), run.stderr.as_str()), (1, "", message));
+    printed_with_input(&root(), "polygon - --max-rows 3", matrix);
+}

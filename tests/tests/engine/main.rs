@@ -1,0 +1,15 @@
+//! The exact engine: sets, estimates and proofs against oracles that share no code with it.
+
+mod clipping_steps;
+mod corridor;
+mod estimation;
+mod family;
+mod fleet;
+mod generators;
+mod grid;
+mod oracle;
+mod paths;
+mod polyhedron;
+mod proof;
+mod published;
+mod reduction;

@@ -1,0 +1,230 @@
+//! Proofs are accepted when they are true, and refused after any change that makes them false.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+
+use boundfit_estimation::fit;
+use boundfit_formats::{Header, RowRange, TableOptions};
+use boundfit_tests::generate::seeded;
+use boundfit_tests::program::root;
+use boundfit_tests::proofs::{Question, generated, is_true, questions, sha256, tampered, verdict};
+use rand::RngExt;
+use serde_json::Value;
+
+use boundfit_tests::cli::{
+    FIT_TRANSDUCER, TRANSDUCER, boundfit, boundfit_with_input, directory_with, files_in,
+};
+
+fn value(proof: &str) -> Value {
+    serde_json::from_str(proof).unwrap()
+}
+
+fn kind(question: &Question) -> &'static str {
+    fit(&question.problem().unwrap()).fps.polyhedron().region().kind().name()
+}
+
+fn accepts(question: &Question) -> Value {
+    let text = question.proof();
+    let proof: boundfit_verify::Proof = serde_json::from_str(&text).unwrap();
+    let checked = proof.verify(&question.data, &sha256(&question.data), &question.options.limits);
+    let value = value(&text);
+    let rows = [0, 1].map(|end| value["rows"][end].as_u64().unwrap() as usize);
+    let half_planes = 2 * (rows[1] - rows[0] + 1) + question.conditions.len();
+    assert_eq!(checked, Ok(half_planes), "{}: {text}", question.name);
+    value
+}
+
+#[test]
+fn every_fixture_and_every_kind_is_proved() {
+    let questions = questions();
+    let proofs: Vec<Value> = questions.iter().map(accepts).collect();
+    let kinds: BTreeSet<_> = questions.iter().map(kind).collect();
+    assert_eq!(kinds.len(), 10, "{kinds:?}");
+    for (question, proof) in questions.iter().zip(&proofs) {
+        assert!(is_true(proof, &question.data), "{}", question.name);
+    }
+}
+
+#[test]
+fn generated_fits_are_proved() {
+    let mut rng = seeded(60);
+    let mut kinds: BTreeMap<_, usize> = BTreeMap::new();
+    for _ in 0..5000 {
+        let question = generated(&mut rng);
+        accepts(&question);
+        *kinds.entry(kind(&question)).or_default() += 1;
+    }
+    assert!(kinds.len() == 10 && kinds.values().all(|&count| count >= 5), "{kinds:?}");
+}
+
+/// Changes that leave a proof true: another text of the same number (`3/1`); a name twice or in another place in a set
+/// `active`; another point or ray where nothing bounds, another order of multipliers; a condition more or less or another row, column or
+/// reading that decides nothing; other multiples of a contradiction. Each is shown to be true by asking again.
+#[test]
+fn every_change_that_makes_a_proof_false_is_refused() {
+    let (mut refused, mut in_other_words, mut still_true) = (0, 0, BTreeMap::<String, usize>::new());
+    for question in questions() {
+        let proof = value(&question.proof());
+        if proof.to_string().len() > 6000 {
+            continue;
+        }
+        for (what, changed) in tampered(&proof) {
+            if verdict(&changed.to_string(), &question.data) != 0 {
+                refused += 1;
+                continue;
+            }
+            let is_proved = is_true(&changed, &question.data);
+            assert!(is_proved, "{}: {what}", question.name);
+            if what.ends_with("/1\"") {
+                in_other_words += 1;
+                continue;
+            }
+            let place = what.split(['/', ':']).nth(1).unwrap().to_owned();
+            *still_true.entry(place).or_default() += 1;
+        }
+    }
+    println!(
+        "{refused} changes refused, {in_other_words} in other words, still true by field: {still_true:?}"
+    );
+    assert!(refused >= 5000 && still_true.values().sum::<usize>() * 25 < refused);
+}
+
+/// Whether all lines have as many commas.
+fn is_even(data: &[u8]) -> bool {
+    let lines = data.split(|&byte| byte == b'\n').filter(|line| !line.trim_ascii().is_empty());
+    let commas = lines.map(|line| line.iter().filter(|&&byte| byte == b',').count());
+    commas.collect::<BTreeSet<_>>().len() == 1
+}
+
+#[test]
+fn changed_data_are_refused() {
+    for question in questions().iter().take(12) {
+        let text = question.proof();
+        let mut proof = value(&text);
+        for position in (0..question.data.len()).step_by(1 + question.data.len() / 60) {
+            let mut data = question.data.clone();
+            data[position] ^= 1;
+            assert_eq!(verdict(&text, &data), 4, "{}: byte {position}", question.name);
+            // With the hash of the changed data, the other statements are judged.
+            proof["sha256"] = sha256(&data).into();
+            if verdict(&proof.to_string(), &data) == 0 {
+                // The program wants as many cells in every row, which proves nothing.
+                let is_judged = is_true(&proof, &data) || !is_even(&data);
+                assert!(is_judged, "{}: byte {position}", question.name);
+            }
+        }
+    }
+}
+
+/// The checker's own reader of tables against that of the program, on tables of cells that are hard to tell apart.
+#[test]
+fn both_readers_see_the_same_table() {
+    let pieces =
+        ["1", "2", "-3", "\"4\"", "\"5", "6\"", "\"\"", " ", ",", ",", ",", "\n", "\r\n", "\r", "\t"];
+    let mut rng = seeded(61);
+    let mut accepted = 0;
+    for _ in 0..60_000 {
+        let count = rng.random_range(3..=14);
+        let text: String = (0..count).map(|_| pieces[rng.random_range(0..pieces.len())]).collect();
+        let response = if rng.random_bool(0.5) { "2" } else { "3" };
+        let mut question = Question::line("pieces", text.as_bytes(), ["1", response], "100");
+        question.options =
+            TableOptions { header: Header::Absent, delimiter: Some(b','), ..TableOptions::default() };
+        if let Ok(problem) = question.problem() {
+            accepts(&question);
+            accepted += 1;
+            question.options.rows = RowRange::new(1, problem.measurements.rows_total());
+            accepts(&question);
+        }
+    }
+    assert!(accepted > 500, "{accepted}");
+}
+
+#[test]
+fn the_program_writes_a_proof_beside_any_report_and_verifies_it() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("proof.json").to_str().unwrap().to_owned();
+    for format in ["text", "json"] {
+        let run = boundfit(&root(), &format!("{FIT_TRANSDUCER} --format {format} --proof {path}"));
+        assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+        assert_eq!(run.stdout, boundfit(&root(), &format!("{FIT_TRANSDUCER} --format {format}")).stdout);
+        assert_eq!(files_in(directory.path()), ["proof.json"]);
+        let run = boundfit(&root(), &format!("verify {path} {TRANSDUCER} --format json"));
+        assert_eq!((run.status, value(&run.stdout)["verified"].clone()), (0, true.into()));
+    }
+    let data = fs::read(root().join(TRANSDUCER)).unwrap();
+    let from_stdin = boundfit_with_input(&root(), &format!("verify {path} -"), &data);
+    assert_eq!(from_stdin.status, 0);
+    let report = directory.path().join("report").to_str().unwrap().to_owned();
+    let run = boundfit(&root(), &format!("{FIT_TRANSDUCER} -o {report} --proof -"));
+    assert_eq!((run.status, run.stdout), (0, fs::read_to_string(&path).unwrap()));
+    let run = boundfit(&root(), &format!("verify {path} fixtures/norris/norris.csv"));
+    assert_eq!(run.status, 4);
+    assert!(run.stdout.contains("sha256: is not that of the data"), "{}", run.stdout);
+}
+
+/// More readings than are kept in memory, with ties along whole edges.
+#[test]
+fn a_large_file_is_proved() {
+    let text =
+        (0..30_000).fold("x,y\n".to_owned(), |text, row| text + &format!("{},{}\n", row % 100, row % 7));
+    let directory = directory_with(&[("data.csv", text.as_bytes())]);
+    for (epsilon, status) in [("4", 0), ("3", 0), ("1", 3)] {
+        let line = format!("fit data.csv --x x --y y --eps {epsilon} --no-lp --proof proof.json");
+        assert_eq!(boundfit(directory.path(), &line).status, status, "{epsilon}");
+        let run = boundfit(directory.path(), "verify proof.json data.csv");
+        assert_eq!(run.status, 0, "{epsilon}: {}", run.stdout);
+    }
+}
+
+#[test]
+fn what_cannot_be_proved_or_verified_is_refused() {
+    let reduction = boundfit(&root(), &format!("reduce {TRANSDUCER} --x Vz --y z")).stdout;
+    let deep = format!("{}{}", "[".repeat(100), "]".repeat(100));
+    let long = format!("{{\"schema\": \"{}\"}}", "1".repeat(100_001));
+    let directory = directory_with(&[
+        ("data.csv", b"x,y,who\n1,2,a\n2,3,b\n"),
+        ("reduction.csv", reduction.as_bytes()),
+        ("deep.json", deep.as_bytes()),
+        ("long.json", long.as_bytes()),
+        ("other.json", b"{\"schema\": \"boundfit/fit/1\"}"),
+    ]);
+    let fit = "fit data.csv --x x --y y --eps 1";
+    for (line, status, message) in [
+        (format!("{fit} --proof -"), 2, "would both go to standard output"),
+        (format!("{fit} --proof - -o -"), 2, "would both go to standard output"),
+        (format!("{fit} --proof same -o same"), 2, "name the same file"),
+        (format!("{fit} --by who --proof p.json"), 2, "is about one set"),
+        ("fit reduction.csv --x Vz --y z --eps 1 --proof p.json".to_owned(), 2, "is a reduction"),
+        (format!("{fit} --proof nowhere/p.json"), 1, "cannot write"),
+        ("verify - -".to_owned(), 2, "cannot both be standard input"),
+        ("verify data.csv data.csv".to_owned(), 1, "not a proof"),
+        ("verify other.json data.csv".to_owned(), 1, "boundfit/proof/1"),
+        ("verify deep.json data.csv".to_owned(), 1, "64 levels (the limit; --max-nesting raises it)"),
+        ("verify long.json data.csv".to_owned(), 1, "--max-digits raises it"),
+        ("verify nowhere.json data.csv".to_owned(), 1, "cannot read"),
+    ] {
+        let run = boundfit(directory.path(), &line);
+        assert_eq!((run.status, run.stdout.as_str()), (status, ""), "{line}");
+        assert!(run.stderr.contains(message), "{line}: {}", run.stderr);
+    }
+    assert!(!files_in(directory.path()).contains(&"p.json".to_owned()));
+}
+
+/// Numbers of the data that are beyond a limit say nothing of the proof: no verdict, but the option that raises it.
+#[test]
+fn numbers_beyond_the_limits_are_refused_without_a_verdict() {
+    let digits = format!("x,y\n1,2\n3,{}\n", "7".repeat(10_001));
+    let directory =
+        directory_with(&[("exponent.csv", b"x,y\n1,2\n3,4e-10001\n"), ("digits.csv", digits.as_bytes())]);
+    for (data, option) in [("exponent.csv", "--max-exponent"), ("digits.csv", "--max-digits")] {
+        let raised = format!("{option} 11000");
+        let fit = format!("fit {data} --x x --y y --eps 1 --no-lp {raised} --proof proof.json");
+        assert_eq!(boundfit(directory.path(), &fit).status, 0);
+        let run = boundfit(directory.path(), &format!("verify proof.json {data}"));
+        assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{data}");
+        assert!(run.stderr.contains(&format!("{option} raises it")), "{data}: {}", run.stderr);
+        let run = boundfit(directory.path(), &format!("verify proof.json {data} {raised}"));
+        assert_eq!(run.status, 0, "{data}: {}", run.stderr);
+    }
+}

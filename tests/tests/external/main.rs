@@ -1,0 +1,6 @@
+//! Other programs read what boundfit writes, and answer the same questions.
+
+mod octave;
+mod polytopes;
+mod python;
+mod solvers;

@@ -1,0 +1,176 @@
+//! What a scan hands out beside the numbers, and when.
+
+use std::io::Cursor;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use boundfit_exact::{Rational, Reading, Scaled};
+use boundfit_formats::{
+    Batch, Column, ColumnSelector, Progress, RowRange, ScanOptions, Source, TableOptions,
+};
+
+use super::both::{POOLS, batches};
+
+fn source(text: &str) -> Source {
+    Source::new("data.csv", Cursor::new(text.to_owned().into_bytes()))
+}
+
+fn by_name(names: &[&str]) -> Vec<ColumnSelector> {
+    names.iter().map(|name| ColumnSelector::name_or_number(name)).collect()
+}
+
+/// Keys and lines of all batches.
+fn texts(batches: &[Batch]) -> (Vec<String>, Vec<String>) {
+    let keys = batches.iter().flat_map(|batch| batch.keys.iter());
+    let keys = keys.flat_map(|keys| (0..keys.len()).map(|index| keys.get(index).to_owned()));
+    let lines = batches.iter().flat_map(|batch| batch.lines.iter());
+    let line = |line: &[u8]| String::from_utf8(line.to_vec()).unwrap();
+    let lines = lines.flat_map(|lines| (0..lines.len()).map(move |index| line(lines.get(index))));
+    (keys.collect(), lines.collect())
+}
+
+#[test]
+fn keys_and_lines_are_those_of_the_rows() {
+    let columns = by_name(&["x"]);
+    for (table, keys, lines) in [
+        ("s , x\n a\t,1\n\n ä,2 \r\n  \n,3", ["a", "ä", ""].as_slice(), [" a\t,1", " ä,2 ", ",3"].as_slice()),
+        (
+            "s,x\r\n\"a,\nb\",1\r\n  \r\n\" c \",\"2\"\r\n\"\"\"\",3\r\n\r\n",
+            &["a,\nb", "c", "\""],
+            &["\"a,\nb\",1", "\" c \",\"2\"", "\"\"\"\",3"],
+        ),
+    ] {
+        for chunk_bytes in 1..40 {
+            let options = ScanOptions {
+                key: Some(ColumnSelector::name_or_number("s")),
+                keep_text: true,
+                chunk_bytes,
+                ..ScanOptions::default()
+            };
+            let (scanned, batches) = POOLS[1].install(|| batches(source(table), &columns, &options)).unwrap();
+            let (found_keys, found_lines) = texts(&batches);
+            assert_eq!(found_keys, keys, "{table:?} in chunks of {chunk_bytes}");
+            assert_eq!(found_lines, lines, "{table:?} in chunks of {chunk_bytes}");
+            assert_eq!(scanned.key_name.as_deref(), Some("s"));
+            assert_eq!(scanned.header_line.as_deref(), table.lines().next().map(str::as_bytes));
+            assert_eq!((scanned.bytes, scanned.delimiter), (table.len() as u64, b','));
+        }
+    }
+}
+
+#[test]
+fn a_key_is_text() {
+    let columns = by_name(&["x"]);
+    let options = ScanOptions { key: by_name(&["s"]).pop(), ..ScanOptions::default() };
+    let bytes = b"s,x\na,1\n\xff,2\n".to_vec();
+    let refused = batches(Source::new("data.csv", Cursor::new(bytes)), &columns, &options);
+    assert_eq!(
+        refused.unwrap_err(),
+        "data.csv: line 3, column 1 (s): \"\u{fffd}\": invalid UTF-8 at byte 0 of the cell (expected text in UTF-8)"
+    );
+    let unknown = batches(source("t,x\na,1\n"), &columns, &options);
+    assert_eq!(
+        unknown.unwrap_err(),
+        "data.csv: line 1: there is no column \"s\" (expected one of \"t\", \"x\" or a number from 1 to 2)"
+    );
+    let number = ScanOptions { key: by_name(&["2"]).pop(), ..ScanOptions::default() };
+    let (scanned, batches) = batches(source("7,8\n9,10\n"), &by_name(&["2"]), &number).unwrap();
+    assert_eq!(
+        (texts(&batches).0, scanned.key_name.as_deref()),
+        (vec!["8".to_owned(), "10".to_owned()], Some("col2"))
+    );
+}
+
+/// How a column is kept.
+fn column(cells: &str, reading: Reading) -> Column {
+    let table = TableOptions { reading, ..TableOptions::default() };
+    let options = ScanOptions { table, ..ScanOptions::default() };
+    let (_, mut batches) = batches(source(cells), &by_name(&["1"]), &options).unwrap();
+    batches.pop().unwrap().columns.remove(0)
+}
+
+#[test]
+fn columns_are_kept_as_their_numbers_allow() {
+    let scaled =
+        |mantissas: &[i64], exponent| Column::Scaled(Scaled { mantissas: mantissas.to_vec(), exponent });
+    for (cells, expected) in [
+        ("1.5\n-2\n3.25\n", scaled(&[150, -200, 325], -2)),
+        ("0\n0.000\n", scaled(&[0, 0], 0)),
+        ("0.000\n5e300\n0\n", scaled(&[0, 5, 0], 300)),
+        ("9223372036854775807\n-9223372036854775808\n", scaled(&[i64::MAX, i64::MIN], 0)),
+        ("922337203685477580\n0.1\n", scaled(&[9_223_372_036_854_775_800, 1], -1)),
+        ("0.1\n922337203685477580\n", scaled(&[1, 9_223_372_036_854_775_800], -1)),
+        ("1\n2e18\n", scaled(&[1, 2_000_000_000_000_000_000], 0)),
+    ] {
+        assert_eq!(column(cells, Reading::Decimal), expected, "{cells:?}");
+    }
+    for cells in [
+        "922337203685477581\n0.1\n",
+        "0.1\n922337203685477581\n",
+        "1e300\n1e-300\n",
+        "1e-300\n1e300\n",
+        "1\n9223372036854775808\n",
+        "0\n1/3\n",
+    ] {
+        let exact: Vec<Rational> = cells
+            .lines()
+            .map(|cell| Reading::Decimal.read(cell, &TableOptions::default().limits).unwrap())
+            .collect();
+        assert_eq!(column(cells, Reading::Decimal), Column::Exact(exact), "{cells:?}");
+    }
+    let doubles = column("0.1\n1/3\n-0.0\n-1e-400\n9007199254740993\n", Reading::Binary64);
+    let Column::Doubles(doubles) = doubles else { panic!("{doubles:?}") };
+    let bits: Vec<u64> = doubles.iter().map(|double| double.to_bits()).collect();
+    assert_eq!(bits, [0.1, 1.0 / 3.0, 0.0, 0.0, 9_007_199_254_740_992.0].map(f64::to_bits));
+}
+
+/// Batches do not depend on the threads, come in the order of the file and hold wanted rows alone.
+#[test]
+fn batches_follow_from_the_file() {
+    let table: String = (1..=5000).map(|row| format!("{row},{}.5\n", row % 7)).collect();
+    let table_options = TableOptions { rows: RowRange::new(1203, 3999), ..TableOptions::default() };
+    let options = ScanOptions { table: table_options, chunk_bytes: 300, ..ScanOptions::default() };
+    let read = |pool: usize| {
+        POOLS[pool].install(|| batches(source(&table), &by_name(&["1", "2"]), &options)).unwrap().1
+    };
+    let first = read(0);
+    assert!(first.len() > 50);
+    assert_eq!(first[0].first_row, 1203);
+    assert_eq!(first.iter().map(|batch| batch.rows).sum::<usize>(), 3999 - 1202);
+    assert!(first.windows(2).all(|pair| pair[0].first_row + pair[0].rows == pair[1].first_row));
+    assert!(read(1) == first && read(2) == first);
+}
+
+/// Counts the bytes, and cancels after so many.
+struct Watch {
+    bytes: AtomicU64,
+    until: u64,
+}
+
+impl Progress for Watch {
+    fn advanced(&self, bytes: u64) {
+        self.bytes.fetch_add(bytes, Ordering::Relaxed);
+    }
+
+    fn is_cancelled(&self) -> bool {
+        self.bytes.load(Ordering::Relaxed) >= self.until
+    }
+}
+
+#[test]
+fn progress_is_told_and_may_stop_the_scan() {
+    let plain: String = (1..=5000).map(|row| format!("{row},1\n")).collect();
+    let quoted = plain.replacen(",1\n", ",\"1\n\"\n", 1);
+    for table in [plain, quoted] {
+        for (until, message) in [(u64::MAX, None), (10_000, Some("data.csv: interrupted"))] {
+            let watch = Arc::new(Watch { bytes: AtomicU64::new(0), until });
+            let progress: Arc<dyn Progress> = watch.clone();
+            let options =
+                ScanOptions { chunk_bytes: 100, progress: Some(progress), ..ScanOptions::default() };
+            let scanned = POOLS[1].install(|| batches(source(&table), &by_name(&["1", "2"]), &options));
+            assert_eq!(scanned.err().as_deref(), message);
+            let told = watch.bytes.load(Ordering::Relaxed);
+            assert!(if message.is_none() { told >= table.len() as u64 } else { told < 20_000 }, "{told}");
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! Whole pictures, compared byte for byte with files in `fixtures/figures`. `SNAPSHOTS=overwrite cargo test` rewrites
+//! them.
+
+use boundfit_tests::program::root;
+use snapbox::{Assert, Data};
+
+use super::{KINDS, TRANSDUCER, of_kind, svg};
+
+fn check(name: &str, line: &str, status: i32) {
+    let file = root().join("fixtures/figures").join(format!("{name}.svg"));
+    Assert::new().action_env("SNAPSHOTS").eq(svg(line, status), Data::read_from(&file, None));
+}
+
+#[test]
+fn the_six_figures_of_the_transducer() {
+    for figure in ["data", "eui", "pui", "fps", "corridor", "directions"] {
+        check(&format!("transducer-{figure}"), &format!("{TRANSDUCER} --figure {figure}"), 0);
+    }
+}
+
+#[test]
+fn a_set_of_each_kind() {
+    for (kind, fit, status) in KINDS {
+        check(&format!("kind-{kind}"), &of_kind(fit), status);
+    }
+}
+
+#[test]
+fn two_regressors_row_by_row() {
+    check(
+        "two-regressors-corridor",
+        &of_kind("two-regressors.csv --x u,v --y y --eps 0.3 --figure corridor"),
+        0,
+    );
+}
+
+#[test]
+fn contradicting_readings_in_the_data() {
+    check("contradicting-data", &of_kind("contradicting.csv --x x --y y --eps 0.3 --figure data --flip"), 3);
+}
+
+#[test]
+fn thin_sets_in_principal_axes() {
+    let hard = |name: &str, eps: &str| format!("fixtures/hard-lp/{name}.csv --x x --y y --eps {eps}");
+    check("thin-fps", &hard("ptp-nanoseconds", "0.00000005"), 0);
+    check("thin-empty", &hard("parallel-empty", "0.00009588"), 3);
+}

@@ -1,0 +1,168 @@
+//! What holds for every picture.
+
+use std::fs;
+
+use boundfit_tests::program::root;
+use resvg::tiny_skia::Pixmap;
+use resvg::usvg::{Options, Tree};
+
+use super::{KINDS, TRANSDUCER, of_kind, picture, svg};
+
+const FIGURES: [&str; 6] = ["data", "eui", "pui", "fps", "corridor", "directions"];
+
+/// Fits that have little in common.
+fn fits() -> Vec<(String, i32)> {
+    let more = [
+        ("two-regressors.csv --x u,v --y y --eps 0.3", 0),
+        ("two-regressors.csv --x u,v --y y --eps 0.2", 3),
+        ("one-bound-per-row.csv --x x --y y --eps-column e", 0),
+        ("two-readings.csv --x x --y y --eps 1e-300", 0),
+        ("contradicting.csv --x x --y y --eps 0 --rows 2..2", 0),
+        ("nothing.csv --x u,v --y y --eps 1 --where theta1>=2 --where theta1<=1", 3),
+        ("nothing.csv --x u,v --y y --eps 1 --where 0*theta1<=-1", 3),
+        ("twice-at-zero.csv --x x --y y --eps 0.05 --rows 1..2", 3),
+    ];
+    let kinds = KINDS.map(|(_, fit, status)| (fit, status));
+    kinds.into_iter().chain(more).map(|(fit, status)| (of_kind(fit), status)).collect()
+}
+
+/// Draws the paths of an SVG again, as any other program would, without a font.
+fn drawn_again(svg: &str) -> Tree {
+    Tree::from_str(svg, &Options::default()).unwrap()
+}
+
+#[test]
+fn every_figure_of_every_fit_is_a_whole_picture() {
+    for (fit, status) in fits() {
+        for figure in FIGURES {
+            let line = format!("{fit} --figure {figure}");
+            let text = svg(&line, status);
+            for foreign in ["<text", "font-family", "href", "NaN", "inf"] {
+                assert!(!text.contains(foreign), "{line}: {foreign}");
+            }
+            assert!(text.starts_with("<svg ") && text.contains(" viewBox=\"0 0 800 "), "{line}");
+            assert!(text.contains("<title>") && text.contains("<desc>"), "{line}");
+            let size = drawn_again(&text).size();
+            assert_eq!(size.width(), 800.0, "{line}");
+            assert!(text.len() < 250_000, "{line}: {} bytes", text.len());
+        }
+    }
+}
+
+#[test]
+fn both_encodings_show_the_same() {
+    for line in [TRANSDUCER.to_owned(), format!("{TRANSDUCER} --figure data --flip")] {
+        let tree = drawn_again(&svg(&line, 0));
+        let png = Pixmap::decode_png(&picture(&format!("{line} --format png"), 0)).unwrap();
+        let size = tree.size();
+        assert_eq!((png.width(), png.height()), (1600, (size.height() * 2.0).round() as u32), "{line}");
+        let mut again = Pixmap::new(png.width(), png.height()).unwrap();
+        let scale = resvg::tiny_skia::Transform::from_scale(2.0, 2.0);
+        resvg::render(&tree, scale, &mut again.as_mut());
+        // Outlines of letters are rounded to a tenth of a pixel in the SVG; nothing else differs.
+        let pairs = png.data().iter().zip(again.data());
+        let different = pairs.filter(|(one, other)| one.abs_diff(**other) > 64).count();
+        assert!(different * 1000 < png.data().len(), "{line}: {different} bytes");
+    }
+}
+
+#[test]
+fn the_same_bytes_on_every_run() {
+    for format in ["svg", "png"] {
+        let line = format!("{TRANSDUCER} --figure corridor --format {format}");
+        assert_eq!(picture(&line, 0), picture(&line, 0), "{line}");
+    }
+}
+
+#[test]
+fn conflicting_rows_are_named_in_every_figure() {
+    for figure in FIGURES {
+        let text = svg(&of_kind(&format!("contradicting.csv --x x --y y --eps 0.3 --figure {figure}")), 3);
+        assert!(text.contains("Rows 1, 2 and 3 contradict each other."), "{figure}");
+    }
+    let conditions = "nothing.csv --x u,v --y y --eps 1 --where theta1>=2 --where theta1<=1";
+    assert!(svg(&of_kind(conditions), 3).contains("Conditions 1 and 2 contradict each other."));
+}
+
+#[test]
+fn titles_say_what_is_there() {
+    let two = "two-readings.csv --x x --y y --eps 0.1";
+    for (fit, status, title) in [
+        (format!("{two} --where theta1<=0"), 3, "Readings and conditions that no line can meet together"),
+        (
+            "one-reading.csv --x x --y y --eps 0.1 --where theta1>=1 --where theta1<=0".to_owned(),
+            3,
+            "Readings, and conditions that contradict each other",
+        ),
+        (format!("{two} --where 0*theta1>=1"), 3, "Readings, and a condition that no line can meet"),
+        ("contradicting.csv --x x --y y --eps 0.5".to_owned(), 3, "Readings that no line can explain"),
+        ("one-reading.csv --x x --y y --eps 0.1".to_owned(), 0, "Readings and minimax line"),
+        (two.to_owned(), 0, "Readings and least-squares line"),
+    ] {
+        let text = svg(&of_kind(&format!("{fit} --figure data")), status);
+        let found = text.split("<title>").nth(1).and_then(|rest| rest.split("</title>").next());
+        assert_eq!(found, Some(title.replace('<', "&lt;").as_str()), "{fit}");
+    }
+}
+
+#[test]
+fn titles_and_names_from_outside_stay_harmless() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("odd.csv");
+    fs::write(&data, "\"<x&\u{7f}\",\"]]> y \u{202e}\u{1F600}\"\n1,2\n2,3\n4,4\n").unwrap();
+    let line = format!(
+        "{} --header yes --x 1 --y 2 --eps 1 --figure data --x-unit <V> --title a&b<i>",
+        data.display()
+    );
+    let text = svg(&line, 0);
+    assert!(text.contains("<title>a&amp;b&lt;i&gt;</title>"));
+    drawn_again(&text);
+}
+
+#[test]
+fn many_rows_make_no_large_files() {
+    let folder = tempfile::tempdir().unwrap();
+    for count in [1_000_usize, 100_000] {
+        let data = folder.path().join("many.csv");
+        // A walk through residues spreads like noise and is the same everywhere.
+        let noise = |k: usize| (k * 7919 + k * k % 104_729) % 4001;
+        let row = |k: usize| format!("{}e-3,{}e-4\n", k * 10_000 / count, k * 180_000 / count + noise(k));
+        let rows: String = (0..count).map(row).collect();
+        fs::write(&data, format!("t,U\n{rows}")).unwrap();
+        let fit = format!("{} --x t --y U --eps 0.25", data.display());
+        for figure in ["corridor", "fps"] {
+            for format in ["svg", "png"] {
+                let bytes = picture(&format!("{fit} --figure {figure} --format {format}"), 0).len();
+                assert!(bytes < 1_000_000, "{count} rows, {figure}, {format}: {bytes} bytes");
+            }
+        }
+    }
+}
+
+#[test]
+fn all_figures_go_into_a_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let inside = folder.path().join("new/figures");
+    let line = format!("{TRANSDUCER} --figure all -o {}", inside.display());
+    assert_eq!(picture(&line, 0), b"");
+    assert_eq!(picture(&format!("{line} --format png"), 0), b"");
+    for figure in FIGURES {
+        let expected = root().join(format!("fixtures/figures/transducer-{figure}.svg"));
+        assert_eq!(fs::read(inside.join(format!("{figure}.svg"))).unwrap(), fs::read(expected).unwrap());
+        let png = fs::read(inside.join(format!("{figure}.png"))).unwrap();
+        assert_eq!(Pixmap::decode_png(&png).unwrap().width(), 1600);
+    }
+    assert_eq!(fs::read_dir(&inside).unwrap().count(), 12);
+}
+
+#[test]
+fn the_name_of_the_file_tells_the_format() {
+    let folder = tempfile::tempdir().unwrap();
+    let fit = of_kind("two-readings.csv --x x --y y --eps 0.1");
+    for (name, start) in [("a.svg", &b"<svg"[..]), ("b.PNG", &b"\x89PNG"[..])] {
+        let file = folder.path().join(name);
+        assert_eq!(picture(&format!("{fit} -o {}", file.display()), 0), b"");
+        assert!(fs::read(&file).unwrap().starts_with(start), "{name}");
+    }
+    assert!(picture(&format!("{fit} --format png -o -"), 0).starts_with(b"\x89PNG"));
+}

@@ -1,0 +1,73 @@
+//! What is not drawn, and why not.
+
+use std::fs;
+
+use super::{of_kind, plot};
+
+/// Runs with further arguments; gives the status and the first line of the message. Nothing may be written elsewhere.
+fn refused(more: &str) -> (i32, String) {
+    let output = plot(&format!("{} {more}", of_kind("two-readings.csv --x x --y y --eps 0.1")));
+    assert_eq!(output.stdout, b"", "{more}");
+    let message = String::from_utf8(output.stderr).unwrap();
+    (output.status.code().unwrap(), message.lines().next().unwrap_or_default().to_owned())
+}
+
+#[test]
+fn a_name_that_says_neither_svg_nor_png() {
+    for name in ["picture.pdf", "picture", "folder/", ".svg"] {
+        let (status, message) = refused(&format!("-o {name}"));
+        assert_eq!(status, 2, "{name}");
+        let expected = "a picture is either SVG or PNG (expected a name that ends in .svg or .png)";
+        assert_eq!(message, format!("error: invalid value '{name}' for '--output <FILE|DIR>': {expected}"));
+    }
+}
+
+#[test]
+fn a_name_that_says_something_else_than_the_format() {
+    let expected = "error: invalid value 'a.svg' for '--output <FILE|DIR>': the name and '--format png' contradict each other";
+    assert_eq!(refused("-o a.svg --format png"), (2, expected.to_owned()));
+}
+
+#[test]
+fn all_figures_without_a_folder() {
+    let expected = "error: '--figure all' makes six files and needs '--output <DIR>', the folder for them";
+    for more in ["--figure all", "--figure all -o -"] {
+        assert_eq!(refused(more), (2, expected.to_owned()), "{more}");
+    }
+    let (status, message) = refused("--figure all -o all.svg");
+    assert_eq!((status, message.contains("expected a folder for them")), (2, true), "{message}");
+}
+
+#[test]
+fn a_folder_that_cannot_be_made() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("file");
+    fs::write(&file, "").unwrap();
+    let (status, message) = refused(&format!("--figure all -o {}", file.display()));
+    assert_eq!(status, 1);
+    assert!(message.starts_with(&format!("error: {}: cannot create: ", file.display())), "{message}");
+}
+
+#[test]
+fn all_figures_or_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let taken = folder.path().join("fps.svg");
+    fs::create_dir(&taken).unwrap();
+    let (status, message) = refused(&format!("--figure all -o {}", folder.path().display()));
+    assert_eq!((status, message), (1, format!("error: {}: cannot write: is a directory", taken.display())));
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn too_few_directions() {
+    let (status, message) = refused("--figure directions --directions 2");
+    assert_eq!((status, message.contains("'--directions <N>'")), (2, true), "{message}");
+}
+
+#[test]
+fn bad_data_leaves_no_folder_behind() {
+    let folder = tempfile::tempdir().unwrap();
+    let inside = folder.path().join("figures");
+    let output = plot(&format!("no-such-file.csv --x 1 --y 2 --eps 1 --figure all -o {}", inside.display()));
+    assert_eq!((output.status.code(), inside.exists()), (Some(1), false));
+}

@@ -1,0 +1,4 @@
+//! Reports and figures, byte for byte.
+
+mod figures;
+mod golden;
