@@ -1,5 +1,5 @@
 //! The `boundfit` program under another name, for the tests of this package.
 
 fn main() -> std::process::ExitCode {
-    boundfit::main()
+    boundfit_cli::main()
 }

@@ -1,5 +1,5 @@
 //! The `boundfit` program.
 
 fn main() -> std::process::ExitCode {
-    boundfit::main()
+    boundfit_cli::main()
 }
