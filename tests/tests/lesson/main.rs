@@ -1,6 +1,7 @@
 //! The lesson page: every number in its data against the engine, and the page as the program writes it.
 
 mod corridor;
+mod decimals;
 mod document;
 mod keys;
 mod layers;

@@ -1,6 +1,6 @@
 // Numbers and names as text.
 
-import { Rational, decimalPower, powerOfTen } from "./rational.js";
+import { HALF, Rational, decimalPower, powerOfTen } from "./rational.js";
 
 const LONGEST_FRACTION = 44;
 const MOST_DIGITS = 40;
@@ -16,7 +16,7 @@ export function withMinus(text) {
 }
 
 /**
- * A decimal with at most `digits` significant digits.
+ * A decimal with at most `digits` significant digits, the one that the engine writes.
  * @param {Rational} value
  * @param {"nearest"|"down"|"up"} rounding ends of intervals are rounded outward: lower ends down, upper ends up
  */
@@ -30,8 +30,12 @@ export function decimal(value, digits = 5, rounding = "nearest") {
   const rest = scaled.minus(new Rational(significand));
   const exact = rest.isZero();
   if (!exact) {
+    // Ties go to the even digit, as in the engine: the same number must not be written in two ways.
+    const half = rest.compare(HALF);
     const away =
-      rounding === "nearest" ? rest.compare(new Rational(1n, 2n)) >= 0 : (rounding === "down") === negative;
+      rounding === "nearest"
+        ? half > 0 || (half === 0 && significand % 2n === 1n)
+        : (rounding === "down") === negative;
     if (away) significand += 1n;
   }
   if (significand === powerOfTen(digits)) {
@@ -43,7 +47,7 @@ export function decimal(value, digits = 5, rounding = "nearest") {
   return withMinus((negative ? "-" : "") + placePoint(text, exponent, exact));
 }
 
-// The engine's rule, so that both write the same value the same way.
+// The engine's rule for where the point stands and when a power of ten is written.
 function placePoint(text, exponent, exact) {
   const count = text.length;
   if (exponent === -1) return `0.${text}`;

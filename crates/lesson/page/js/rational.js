@@ -157,7 +157,7 @@ export const ZERO = new Rational(0n);
 /** 1. */
 export const ONE = new Rational(1n);
 /** 1/2. */
-const HALF = new Rational(1n, 2n);
+export const HALF = new Rational(1n, 2n);
 
 /** a₁·b₁ + a₂·b₂ of two pairs of rationals. */
 export function dot(a, b) {
