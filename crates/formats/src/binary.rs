@@ -3,9 +3,9 @@
 use std::fs::File;
 use std::io::{self, Read, Seek};
 
-use crate::error::{InputError, Place, Problem};
+use crate::error::{InputError, InputErrorKind};
 use crate::mat::{START, kind_of};
-use crate::source::{STANDARD_INPUT, Source};
+use crate::source::STANDARD_INPUT;
 
 /// A format of columns in binary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -81,13 +81,13 @@ pub(crate) fn refuse_binary(file: &str, start: &[u8]) -> Result<(), InputError> 
         STANDARD_INPUT => "it is read from a named file, not from standard input",
         _ => "only text is read here",
     };
-    Err(Source::error(file, Place::default(), Problem::BinaryTable { format: format.name(), instead }))
+    Err(InputError::of_file(file, InputErrorKind::BinaryTable { format: format.name(), instead }))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ColumnSelector, ScanOptions, TableOptions, read_table, scan};
+    use crate::{ColumnSelector, ScanOptions, Source, TableOptions, read_table, scan};
 
     #[test]
     fn binary_tables_are_refused_by_name_where_text_is_read() {

@@ -2,8 +2,7 @@
 
 use csv::ByteRecord;
 
-use crate::error::{InputError, Place, Problem};
-use crate::source::Source;
+use crate::error::{InputError, InputErrorKind, Place};
 
 /// How a column is asked for.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -119,12 +118,11 @@ impl Heading {
 
     /// Where the column asked for is.
     pub(crate) fn find(&self, file: &str, column: &ColumnSelector) -> Result<ColumnPlace, InputError> {
-        let fail =
-            |problem| Source::error(file, Place { line: Some(self.line), ..Place::default() }, problem);
+        let fail = |problem| InputError::of_line(file, self.line, problem);
         let names = self.names.as_deref().unwrap_or_default();
         let mut matches = names.iter().enumerate().filter(|(_, name)| **name == column.text);
         let position = match (matches.next(), matches.next()) {
-            (Some(_), Some(_)) => Err(fail(Problem::AmbiguousColumn { wanted: column.text.clone() })),
+            (Some(_), Some(_)) => Err(fail(InputErrorKind::AmbiguousColumn { wanted: column.text.clone() })),
             (Some((index, _)), None) => Ok(index + 1),
             (None, _) => column
                 .position
@@ -132,7 +130,7 @@ impl Heading {
                 .filter(|_| self.names.is_none() || column.is_number())
                 .ok_or_else(|| {
                     let numbered = column.position.is_none() || column.is_number();
-                    fail(Problem::UnknownColumn {
+                    fail(InputErrorKind::UnknownColumn {
                         wanted: column.text.clone(),
                         available: names.to_vec(),
                         numbers: numbered.then_some(self.width),
@@ -151,21 +149,21 @@ impl ColumnPlace {
     }
 
     /// The error for a problem with a cell of this column.
-    pub(crate) fn error(&self, file: &str, line: u64, cell: &[u8], problem: Problem) -> InputError {
+    pub(crate) fn error(&self, file: &str, line: u64, cell: &[u8], problem: InputErrorKind) -> InputError {
         let place = Place {
             line: Some(line),
             row: None,
             column: Some((self.position, self.name.clone())),
             text: Some(String::from_utf8_lossy(cell).into_owned()),
         };
-        Source::error(file, place, problem)
+        InputError::new(file, place, problem)
     }
 }
 
 /// The text of a cell.
-pub(crate) fn decode(cell: &[u8]) -> Result<&str, Problem> {
+pub(crate) fn decode(cell: &[u8]) -> Result<&str, InputErrorKind> {
     std::str::from_utf8(cell)
-        .map_err(|error| Problem::NotUtf8 { position: error.valid_up_to(), unit: "cell" })
+        .map_err(|error| InputErrorKind::NotUtf8 { position: error.valid_up_to(), unit: "cell" })
 }
 
 /// Whether a cell of the first row is a name rather than a number, a failed number or a missing one.

@@ -27,7 +27,7 @@ pub struct Place {
 
 /// An input file that cannot be used.
 #[derive(Debug, Error)]
-#[error("{file}{place}: {problem}{}{}", Expected(.problem), RaisedBy(.problem))]
+#[error("{file}{place}: {kind}{}{}", Expected(.kind), RaisedBy(.kind))]
 pub struct InputError {
     /// The file, as it was named.
     pub file: String,
@@ -35,16 +35,33 @@ pub struct InputError {
     pub place: Box<Place>,
     /// What is wrong there.
     #[source]
-    pub problem: Problem,
+    pub kind: InputErrorKind,
+}
+
+impl InputError {
+    /// The error for a file in which something is wrong as a whole.
+    pub fn of_file(file: &str, kind: impl Into<InputErrorKind>) -> Self {
+        InputError::new(file, Place::default(), kind)
+    }
+
+    /// The error for something wrong on a line of a file, counted from 1.
+    pub(crate) fn of_line(file: &str, line: u64, kind: impl Into<InputErrorKind>) -> Self {
+        InputError::new(file, Place { line: Some(line), ..Place::default() }, kind)
+    }
+
+    /// The error for something wrong at a place of a file.
+    pub(crate) fn new(file: &str, place: Place, kind: impl Into<InputErrorKind>) -> Self {
+        InputError { file: file.to_owned(), place: Box::new(place), kind: kind.into() }
+    }
 }
 
 /// What is wrong with an input file.
 #[derive(Debug, Error)]
 #[non_exhaustive]
-pub enum Problem {
+pub enum InputErrorKind {
     /// The operating system reports an error.
     #[error("cannot read: {0}")]
-    Io(#[from] io::Error),
+    Io(#[source] io::Error),
     /// A file that is read twice has other readings the second time.
     #[error("the file changed while it was read")]
     Changed,
@@ -264,19 +281,29 @@ pub enum Problem {
     LinearPoint,
 }
 
-impl Problem {
+impl From<io::Error> for InputErrorKind {
+    fn from(error: io::Error) -> Self {
+        // A reduction is shown as a stream of bytes, whose errors are those of a stream.
+        match error.downcast::<ReductionError>() {
+            Ok(error) => InputErrorKind::Reduction(error),
+            Err(error) => InputErrorKind::Io(error),
+        }
+    }
+}
+
+impl InputErrorKind {
     /// The limit that was passed, if that is the problem.
     pub fn limit(&self) -> Option<Limit> {
         match self {
-            Problem::NotANumber(error) => Limit::of_number(&error.kind),
+            InputErrorKind::NotANumber(error) => Limit::of_number(&error.kind),
             // Sums are written without exponents.
-            Problem::Reduction(ReductionError::BadSum(error)) => {
+            InputErrorKind::Reduction(ReductionError::BadSum(error)) => {
                 Limit::of_number(&error.kind).filter(|limit| *limit == Limit::Digits)
             }
-            Problem::LineTooLong { .. } | Problem::RowTooLong { .. } => Some(Limit::Line),
-            Problem::TooManyColumns { .. } => Some(Limit::Columns),
-            Problem::TooManyRows { .. } => Some(Limit::Rows),
-            Problem::TooManyElements { .. } => Some(Limit::Elements),
+            InputErrorKind::LineTooLong { .. } | InputErrorKind::RowTooLong { .. } => Some(Limit::Line),
+            InputErrorKind::TooManyColumns { .. } => Some(Limit::Columns),
+            InputErrorKind::TooManyRows { .. } => Some(Limit::Rows),
+            InputErrorKind::TooManyElements { .. } => Some(Limit::Elements),
             _ => None,
         }
     }
@@ -284,10 +311,10 @@ impl Problem {
     /// What would be accepted instead, where that can be said.
     fn expected(&self) -> Option<String> {
         Some(match self {
-            Problem::IsDirectory => "a file, or - for standard input".to_owned(),
-            Problem::Empty | Problem::NoRows => "at least one row of numbers".to_owned(),
-            Problem::Utf16 | Problem::NotUtf8 { .. } => "text in UTF-8".to_owned(),
-            Problem::UnknownColumn { available, numbers, .. } => {
+            InputErrorKind::IsDirectory => "a file, or - for standard input".to_owned(),
+            InputErrorKind::Empty | InputErrorKind::NoRows => "at least one row of numbers".to_owned(),
+            InputErrorKind::Utf16 | InputErrorKind::NotUtf8 { .. } => "text in UTF-8".to_owned(),
+            InputErrorKind::UnknownColumn { available, numbers, .. } => {
                 const MOST: usize = 10;
                 let mut names: Vec<String> = available.iter().take(MOST).map(|name| quote(name)).collect();
                 if available.len() > MOST {
@@ -297,30 +324,38 @@ impl Problem {
                 let number = numbers.map(|numbers| format!("a number from 1 to {numbers}"));
                 names.into_iter().chain(number).collect::<Vec<_>>().join(" or ")
             }
-            Problem::AmbiguousColumn { .. } => "a name that occurs once, or the column's number".to_owned(),
-            Problem::Null => "a value".to_owned(),
-            Problem::NotFinite => "a finite number".to_owned(),
-            Problem::NotBinary64 => "a number that binary64 has: a reduction is text of such".to_owned(),
-            Problem::NoNumbers { .. } => {
+            InputErrorKind::AmbiguousColumn { .. } => {
+                "a name that occurs once, or the column's number".to_owned()
+            }
+            InputErrorKind::Null => "a value".to_owned(),
+            InputErrorKind::NotFinite => "a finite number".to_owned(),
+            InputErrorKind::NotBinary64 => {
+                "a number that binary64 has: a reduction is text of such".to_owned()
+            }
+            InputErrorKind::NoNumbers { .. } => {
                 "a vector or matrix of real numbers: double, single, integer or logical, full".to_owned()
             }
-            Problem::WholeMatrix { variable, columns, .. } => {
+            InputErrorKind::WholeMatrix { variable, columns, .. } => {
                 format!("one of its columns, \"{variable}(:,1)\" to \"{variable}(:,{columns})\"")
             }
-            Problem::DifferentLengths { .. } => "columns of one length".to_owned(),
-            Problem::ColumnType { expected, .. } => (*expected).to_owned(),
-            Problem::NoText { .. } => "a text table; CSV can be made from it".to_owned(),
-            Problem::NotANumber(error) if error.kind.is_limit() => return None,
-            Problem::NotANumber(_) => "a decimal such as 1.30e-2 or a fraction such as 7/19".to_owned(),
-            Problem::NegativeErrorBound => "a number that is at least 0".to_owned(),
-            Problem::NoBegin => "an H- or V-representation: begin, rows, end".to_owned(),
-            Problem::BadSizeLine => "\"ROWS 3 integer\", \"ROWS 3 rational\" or \"ROWS 3 real\"".to_owned(),
-            Problem::NotThePlane(_) => "3 columns: b, -a1, -a2 or 1, x, y".to_owned(),
-            Problem::OtherSet { instead } => (*instead).to_owned(),
-            Problem::SecondMatrix => "one representation in a file".to_owned(),
-            Problem::NegativeWeight => "1 for a point or 0 for a ray".to_owned(),
-            Problem::LinearPoint => "0 x y for a line".to_owned(),
-            Problem::BadLinearity => {
+            InputErrorKind::DifferentLengths { .. } => "columns of one length".to_owned(),
+            InputErrorKind::ColumnType { expected, .. } => (*expected).to_owned(),
+            InputErrorKind::NoText { .. } => "a text table; CSV can be made from it".to_owned(),
+            InputErrorKind::NotANumber(error) if error.kind.is_limit() => return None,
+            InputErrorKind::NotANumber(_) => {
+                "a decimal such as 1.30e-2 or a fraction such as 7/19".to_owned()
+            }
+            InputErrorKind::NegativeErrorBound => "a number that is at least 0".to_owned(),
+            InputErrorKind::NoBegin => "an H- or V-representation: begin, rows, end".to_owned(),
+            InputErrorKind::BadSizeLine => {
+                "\"ROWS 3 integer\", \"ROWS 3 rational\" or \"ROWS 3 real\"".to_owned()
+            }
+            InputErrorKind::NotThePlane(_) => "3 columns: b, -a1, -a2 or 1, x, y".to_owned(),
+            InputErrorKind::OtherSet { instead } => (*instead).to_owned(),
+            InputErrorKind::SecondMatrix => "one representation in a file".to_owned(),
+            InputErrorKind::NegativeWeight => "1 for a point or 0 for a ray".to_owned(),
+            InputErrorKind::LinearPoint => "0 x y for a line".to_owned(),
+            InputErrorKind::BadLinearity => {
                 "\"linearity COUNT ROW...\" before begin, with rows counted from 1".to_owned()
             }
             _ => return None,
@@ -329,7 +364,7 @@ impl Problem {
 }
 
 /// The part of a message that says what would be accepted.
-struct Expected<'a>(&'a Problem);
+struct Expected<'a>(&'a InputErrorKind);
 
 impl fmt::Display for Expected<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -341,7 +376,7 @@ impl fmt::Display for Expected<'_> {
 }
 
 /// The part of a message that says how a limit is raised.
-struct RaisedBy<'a>(&'a Problem);
+struct RaisedBy<'a>(&'a InputErrorKind);
 
 impl fmt::Display for RaisedBy<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -7,7 +7,7 @@
 
 use boundfit_geometry::{Direction, Generator, Generators, Point};
 
-use crate::error::{InputError, Problem};
+use crate::error::{InputError, InputErrorKind};
 use crate::half_planes::{GeneratorRows, HalfPlaneFile, RowOrigin};
 use crate::ine::{MatrixRow, Parser};
 
@@ -35,14 +35,14 @@ pub(crate) fn from_generators<'a>(
 }
 
 /// What a row stands for.
-fn generator(row: &MatrixRow<'_>) -> Result<Generator, Problem> {
+fn generator(row: &MatrixRow<'_>) -> Result<Generator, InputErrorKind> {
     let [w, x, y] = &row.numbers;
     if w.is_negative() {
-        return Err(Problem::NegativeWeight);
+        return Err(InputErrorKind::NegativeWeight);
     }
     if let (Some(theta1), Some(theta2)) = (x.checked_div(w), y.checked_div(w)) {
         let point = Generator::Point(Point::new(&theta1, &theta2));
-        return if row.is_linear { Err(Problem::LinearPoint) } else { Ok(point) };
+        return if row.is_linear { Err(InputErrorKind::LinearPoint) } else { Ok(point) };
     }
     let direction = Direction::from_rational(&[x.clone(), y.clone()]);
     Ok(match direction {

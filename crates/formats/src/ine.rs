@@ -9,10 +9,9 @@
 use boundfit_exact::Rational;
 use boundfit_geometry::{Inequality, System};
 
-use crate::error::{InputError, Place, Problem};
+use crate::error::{InputError, InputErrorKind, Place};
 use crate::ext::from_generators;
 use crate::half_planes::{HalfPlaneFile, RowOrigin};
-use crate::source::Source;
 use crate::table::TableOptions;
 
 /// What lrs writes for the number of rows, which it does not know yet.
@@ -63,7 +62,7 @@ pub(crate) fn parse_ine(
     options: &TableOptions,
 ) -> Result<HalfPlaneFile, InputError> {
     if content.starts_with(&[0xff, 0xfe]) || content.starts_with(&[0xfe, 0xff]) {
-        return Err(Source::error(file, Place::default(), Problem::Utf16));
+        return Err(InputError::of_file(file, InputErrorKind::Utf16));
     }
     let content = content.strip_prefix(b"\xef\xbb\xbf").unwrap_or(content);
     let text = std::str::from_utf8(content).map_err(|error| {
@@ -71,10 +70,10 @@ pub(crate) fn parse_ine(
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count() as u64;
         let start = before.iter().rposition(|&byte| byte == b'\n').map_or(0, |position| position + 1);
         let place = Place { line: Some(line), ..Place::default() };
-        Source::error(file, place, Problem::NotUtf8 { position: before.len() - start, unit: "line" })
+        InputError::new(file, place, InputErrorKind::NotUtf8 { position: before.len() - start, unit: "line" })
     })?;
     if text.trim().is_empty() {
-        return Err(Source::error(file, Place::default(), Problem::Empty));
+        return Err(InputError::of_file(file, InputErrorKind::Empty));
     }
     let lines = (1..).zip(text.lines()).collect();
     Parser { file, lines, options }.parse(sha256)
@@ -85,7 +84,7 @@ impl<'a> Parser<'a> {
         let begin = self.lines.iter().position(|(line, text)| is_line(*line, text, "begin"));
         let parts = begin.and_then(|begin| self.lines.split_at_checked(begin));
         let Some((head, [(begin, _), body @ ..])) = parts else {
-            return Err(Source::error(self.file, Place::default(), Problem::NoBegin));
+            return Err(InputError::of_file(self.file, InputErrorKind::NoBegin));
         };
         let last = |name: &str| head.iter().rposition(|(line, text)| is_line(*line, text, name));
         let (named_h, named_v) = (last("H-representation"), last("V-representation"));
@@ -119,7 +118,7 @@ impl<'a> Parser<'a> {
         };
         let first = body.iter().position(is_content).and_then(|at| body.get(at..));
         let Some([(line, text), rest @ ..]) = first else {
-            return Err(self.error(nothing, Problem::BadSizeLine));
+            return Err(self.error(nothing, InputErrorKind::BadSizeLine));
         };
         let unknown = after_unknown_rows(text);
         let of_line = words_of_rest(*line, text, unknown.unwrap_or(text));
@@ -131,12 +130,12 @@ impl<'a> Parser<'a> {
         let [columns, kind] = [0; 2].map(|_| tokens.next().unwrap_or(nothing));
         match columns.text.parse() {
             Ok(3) => {}
-            Ok(other) => return Err(self.error(columns, Problem::NotThePlane(other))),
-            Err(_) => return Err(self.error(columns, Problem::BadSizeLine)),
+            Ok(other) => return Err(self.error(columns, InputErrorKind::NotThePlane(other))),
+            Err(_) => return Err(self.error(columns, InputErrorKind::BadSizeLine)),
         }
         match kind.text {
             "integer" | "rational" | "real" => Ok((announced, tokens)),
-            _ => Err(self.error(kind, Problem::BadSizeLine)),
+            _ => Err(self.error(kind, InputErrorKind::BadSizeLine)),
         }
     }
 
@@ -146,8 +145,8 @@ impl<'a> Parser<'a> {
         let is_number = !token.text.is_empty() && token.text.bytes().all(|byte| byte.is_ascii_digit());
         match token.text.parse() {
             Ok(rows) if rows <= limit => Ok(rows),
-            _ if is_number => Err(self.error(token, Problem::TooManyRows { limit })),
-            _ => Err(self.error(token, Problem::BadSizeLine)),
+            _ if is_number => Err(self.error(token, InputErrorKind::TooManyRows { limit })),
+            _ => Err(self.error(token, InputErrorKind::BadSizeLine)),
         }
     }
 
@@ -165,21 +164,22 @@ impl<'a> Parser<'a> {
                 let found = 3 * rows.len() + pending.len();
                 return match announced {
                     Some(rows) if rows.checked_mul(3) != Some(found) => {
-                        Err(self.error(token, Problem::CountMismatch { rows, found }))
+                        Err(self.error(token, InputErrorKind::CountMismatch { rows, found }))
                     }
                     None if !pending.is_empty() => {
-                        Err(self.error(token, Problem::PartOfARow { found: pending.len() }))
+                        Err(self.error(token, InputErrorKind::PartOfARow { found: pending.len() }))
                     }
                     _ => Ok((rows, token.line)),
                 };
             }
             let number = self.options.reading.read(token.text, &self.options.limits);
-            pending.push((token, number.map_err(|error| self.error(token, Problem::NotANumber(error)))?));
+            pending
+                .push((token, number.map_err(|error| self.error(token, InputErrorKind::NotANumber(error)))?));
             if pending.len() < 3 {
                 continue;
             }
             if rows.len() >= limit {
-                return Err(self.error(token, Problem::TooManyRows { limit }));
+                return Err(self.error(token, InputErrorKind::TooManyRows { limit }));
             }
             let start = pending.first().map_or(token, |(start, _)| *start);
             let mut numbers = pending.drain(..).map(|(_, number)| number);
@@ -188,7 +188,7 @@ impl<'a> Parser<'a> {
         }
         let place = Place { line: self.lines.last().map(|(line, _)| *line), ..Place::default() };
         let found = 3 * rows.len() + pending.len();
-        Err(Source::error(self.file, place, Problem::NoEnd { rows: announced, found }))
+        Err(InputError::new(self.file, place, InputErrorKind::NoEnd { rows: announced, found }))
     }
 
     /// Marks the rows on lines `linearity count row...`.
@@ -198,7 +198,7 @@ impl<'a> Parser<'a> {
             if tokens.next().is_none_or(|first| !is_linearity(first.text)) {
                 continue;
             }
-            let refused = || self.error(Token { text, line, column: 1 }, Problem::BadLinearity);
+            let refused = || self.error(Token { text, line, column: 1 }, InputErrorKind::BadLinearity);
             let numbers: Option<Vec<usize>> = tokens.map(|token| token.text.parse().ok()).collect();
             let Some([count, listed @ ..]) = numbers.as_deref() else { return Err(refused()) };
             if listed.len() != *count {
@@ -218,7 +218,7 @@ impl<'a> Parser<'a> {
             let hull = (!is_v).then_some(("hull", "a line \"V-representation\" before begin"));
             let mut refused = OTHER_SETS.iter().copied().chain(hull);
             if let Some((_, instead)) = refused.find(|(name, _)| *name == first.text) {
-                return Err(self.error(first, Problem::OtherSet { instead }));
+                return Err(self.error(first, InputErrorKind::OtherSet { instead }));
             }
         }
         Ok(())
@@ -228,23 +228,23 @@ impl<'a> Parser<'a> {
     fn refuse_late(&self, tail: &[(u64, &'a str)]) -> Result<(), InputError> {
         for first in tail.iter().filter_map(|&(line, text)| words(line, text).next()) {
             if is_linearity(first.text) {
-                return Err(self.error(first, Problem::BadLinearity));
+                return Err(self.error(first, InputErrorKind::BadLinearity));
             }
             if first.text == "begin" {
-                return Err(self.error(first, Problem::SecondMatrix));
+                return Err(self.error(first, InputErrorKind::SecondMatrix));
             }
         }
         Ok(())
     }
 
-    pub(crate) fn error(&self, token: Token<'a>, problem: Problem) -> InputError {
+    pub(crate) fn error(&self, token: Token<'a>, problem: InputErrorKind) -> InputError {
         let place = Place {
             line: Some(token.line),
             row: None,
             column: Some((token.column, None)),
             text: Some(token.text.to_owned()),
         };
-        Source::error(self.file, place, problem)
+        InputError::new(self.file, place, problem)
     }
 }
 
@@ -311,8 +311,8 @@ mod tests {
         parse_with(text, &TableOptions::default())
     }
 
-    fn problem(text: &str) -> Problem {
-        parse(text).unwrap_err().problem
+    fn problem(text: &str) -> InputErrorKind {
+        parse(text).unwrap_err().kind
     }
 
     #[test]
@@ -338,7 +338,7 @@ mod tests {
         let unknown = parse(&known.replace("2 3", " ***** 3")).unwrap();
         assert_eq!((unknown.system, unknown.rows), (parse(known).unwrap().system, 2));
         let part = parse("begin\n***** 3 rational\n1 -1\nend\n").unwrap_err();
-        assert!(matches!(part.problem, Problem::PartOfARow { found: 2 }), "{part}");
+        assert!(matches!(part.kind, InputErrorKind::PartOfARow { found: 2 }), "{part}");
         // lrs's words for the empty set.
         let empty =
             "V-representation\nlinearity 1  1\nbegin\n***** 3 rational\nend\n\nNo feasible solution\n";
@@ -353,7 +353,7 @@ mod tests {
         let rows = "1 1 0\n1 0 1\n1 -1 -1\nend\n";
         for size in ["3", "*****", "99999999999999999999999"] {
             let error = parse_with(&format!("begin\n{size} 3 integer\n{rows}"), &options).unwrap_err();
-            assert!(matches!(error.problem, Problem::TooManyRows { limit: 2 }), "{error}");
+            assert!(matches!(error.kind, InputErrorKind::TooManyRows { limit: 2 }), "{error}");
         }
         let two = "begin\n2 3 integer\n1 1 0\n1 0 1\nend\n";
         assert_eq!(parse_with(two, &options).unwrap().rows, 2);
@@ -372,12 +372,15 @@ mod tests {
         assert_eq!(parse(&named).unwrap().system, expected);
         for option in OTHER_SETS.map(|(name, _)| name).into_iter().chain(["hull"]) {
             for text in [format!("{option} 1 1\n{matrix}"), format!("{matrix}{option}\n")] {
-                assert!(matches!(problem(&text), Problem::OtherSet { .. }), "{text}");
+                assert!(matches!(problem(&text), InputErrorKind::OtherSet { .. }), "{text}");
             }
         }
         assert!(parse(&format!("V-representation\n{matrix}hull\n")).is_ok());
-        assert!(matches!(problem(&format!("{matrix}H-representation\n{matrix}")), Problem::SecondMatrix));
-        assert!(matches!(problem(&format!("{matrix}linearity 1 1\n")), Problem::BadLinearity));
+        assert!(matches!(
+            problem(&format!("{matrix}H-representation\n{matrix}")),
+            InputErrorKind::SecondMatrix
+        ));
+        assert!(matches!(problem(&format!("{matrix}linearity 1 1\n")), InputErrorKind::BadLinearity));
     }
 
     #[test]
@@ -391,8 +394,8 @@ mod tests {
         };
         assert_eq!((first, last), (&point(2, 3), &point(2, -2)));
         assert_eq!((line.dx(), line.dy()), (&1.into(), &2.into()));
-        assert!(matches!(problem(&text.replace("0.5", "-0.5")), Problem::NegativeWeight));
-        assert!(matches!(problem(&text.replace("1 3\nbegin", "1 1\nbegin")), Problem::LinearPoint));
+        assert!(matches!(problem(&text.replace("0.5", "-0.5")), InputErrorKind::NegativeWeight));
+        assert!(matches!(problem(&text.replace("1 3\nbegin", "1 1\nbegin")), InputErrorKind::LinearPoint));
         // Directions alone: cdd and lrs mean the cone with its apex at the origin.
         let cone = parse("V-representation\nbegin\n1 3 integer\n0 1 0\nend\n").unwrap();
         assert_eq!(cone.generators.unwrap().generators.as_slice().get(1), Some(&point(0, 0)));

@@ -29,7 +29,7 @@ mod start;
 mod table;
 
 pub use columns::{ColumnSelector, Header};
-pub use error::{InputError, Place, Problem};
+pub use error::{InputError, InputErrorKind, Place};
 pub use half_planes::{GeneratorRows, HalfPlaneFile, HalfPlaneFormat, RowOrigin, read_half_planes};
 pub use limits::{LONGEST_LINE, Limit, SizeLimits};
 pub use reduction::{

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::io::{self, Read};
 
-use crate::error::Problem;
+use crate::error::InputErrorKind;
 use crate::source::{Stopped, over_full};
 
 /// A reader between the CSV library and its input that knows on which line the current record starts.
@@ -71,9 +71,9 @@ impl<R> LineCounter<R> {
     }
 
     /// What is wrong with a current record that reaches up to this byte.
-    pub(crate) fn too_long(&self, end: u64) -> Option<Problem> {
+    pub(crate) fn too_long(&self, end: u64) -> Option<InputErrorKind> {
         let is_too_long = end.saturating_sub(self.record_start) > self.longest_record;
-        is_too_long.then_some(Problem::RowTooLong { limit: self.longest_record as usize })
+        is_too_long.then_some(InputErrorKind::RowTooLong { limit: self.longest_record as usize })
     }
 
     fn count(&mut self, offset: u64, byte: u8) {
@@ -157,6 +157,6 @@ mod tests {
         }
         let stopped = io::copy(&mut counter, &mut io::sink()).unwrap_err().downcast::<Stopped>().unwrap();
         assert_eq!(stopped.line, 1 + (1 << 20));
-        assert!(matches!(stopped.problem, Problem::RowTooLong { limit: 131_072 }));
+        assert!(matches!(stopped.problem, InputErrorKind::RowTooLong { limit: 131_072 }));
     }
 }

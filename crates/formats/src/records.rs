@@ -38,7 +38,7 @@ impl<R: Read> Records<R> {
                     let end = self.reader.position().byte();
                     if let Some(problem) = self.reader.get_ref().too_long(end) {
                         let place = Place { line: Some(self.line()), ..Place::default() };
-                        return Err(Source::error(file, place, problem));
+                        return Err(InputError::new(file, place, problem));
                     }
                     let is_blank =
                         record.len() == 1 && record.iter().all(|cell| cell.trim_ascii().is_empty());

@@ -7,9 +7,8 @@ use sha2::{Digest, Sha256};
 use thiserror::Error;
 
 use crate::binary::{BinaryFormat, BinaryTable};
-use crate::error::{InputError, Place, Problem};
+use crate::error::{InputError, InputErrorKind};
 use crate::limits::SizeLimits;
-use crate::reduction::ReductionError;
 
 /// What messages call the input named `-`.
 pub(crate) const STANDARD_INPUT: &str = "standard input";
@@ -32,13 +31,13 @@ impl Source {
         if path == "-" {
             return Ok(Source::new(STANDARD_INPUT, io::stdin()));
         }
-        let fail = |problem: Problem| Source::error(path, Place::default(), problem);
-        let file = File::open(path).map_err(|error| fail(Problem::Io(error)))?;
-        let metadata = file.metadata().map_err(|error| fail(Problem::Io(error)))?;
+        let fail = |problem: InputErrorKind| InputError::of_file(path, problem);
+        let file = File::open(path).map_err(|error| fail(InputErrorKind::Io(error)))?;
+        let metadata = file.metadata().map_err(|error| fail(InputErrorKind::Io(error)))?;
         if metadata.is_dir() {
-            return Err(fail(Problem::IsDirectory));
+            return Err(fail(InputErrorKind::IsDirectory));
         }
-        let binary = BinaryTable::of(&file).map_err(|error| fail(Problem::Io(error)))?;
+        let binary = BinaryTable::of(&file).map_err(|error| fail(InputErrorKind::Io(error)))?;
         let source = Source { binary, ..Source::new(path, file) };
         // Pipes, devices and the files of /proc state no length.
         let states_length = metadata.is_file() && metadata.len() > 0;
@@ -55,35 +54,17 @@ impl Source {
         Source { bytes: Box::new(self.bytes.take(most_bytes)), ..self }
     }
 
-    /// The error for a file in which something is wrong as a whole.
-    pub fn failed(name: &str, problem: impl Into<Problem>) -> InputError {
-        Source::error(name, Place::default(), problem)
-    }
-
     /// The name that messages use.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The error for a problem at a place of this source.
-    pub(crate) fn error(name: &str, place: Place, problem: impl Into<Problem>) -> InputError {
-        InputError { file: name.to_owned(), place: Box::new(place), problem: problem.into() }
-    }
-
     /// The error for bytes that stopped coming, as a [`WatchedReader`] reports it.
     pub(crate) fn stopped(name: &str, error: io::Error) -> InputError {
-        let (line, problem) = match error.downcast::<Stopped>() {
-            Ok(Stopped { line, problem }) => (Some(line), problem),
-            Err(error) => (None, error.into()),
-        };
-        let problem = match problem {
-            Problem::Io(error) => match error.downcast::<ReductionError>() {
-                Ok(error) => Problem::Reduction(error),
-                Err(error) => Problem::Io(error),
-            },
-            other => other,
-        };
-        Source::error(name, Place { line, ..Place::default() }, problem)
+        match error.downcast::<Stopped>() {
+            Ok(Stopped { line, problem }) => InputError::of_line(name, line, problem),
+            Err(error) => InputError::of_file(name, error),
+        }
     }
 
     /// Whether this is a binary table that this build can read.
@@ -134,7 +115,7 @@ pub(crate) fn over_full() -> io::Error {
 #[error("{problem}")]
 pub(crate) struct Stopped {
     pub(crate) line: u64,
-    pub(crate) problem: Problem,
+    pub(crate) problem: InputErrorKind,
 }
 
 /// The hash of what was hashed so far, in hexadecimal.
@@ -157,7 +138,7 @@ impl WatchedReader {
         hexadecimal(&self.hash)
     }
 
-    fn stopped(&self, problem: Problem) -> io::Error {
+    fn stopped(&self, problem: InputErrorKind) -> io::Error {
         io::Error::other(Stopped { line: self.line, problem })
     }
 }
@@ -175,7 +156,7 @@ impl Read for WatchedReader {
         for piece in bytes.split_inclusive(|&byte| byte == b'\n') {
             self.since_line_end += piece.len();
             if self.since_line_end > self.longest_line {
-                return Err(self.stopped(Problem::LineTooLong { limit: self.longest_line }));
+                return Err(self.stopped(InputErrorKind::LineTooLong { limit: self.longest_line }));
             }
             if piece.ends_with(b"\n") {
                 self.line += 1;

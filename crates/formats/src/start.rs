@@ -2,7 +2,7 @@
 
 use std::io::{self, Read};
 
-use crate::error::Problem;
+use crate::error::InputErrorKind;
 use crate::reduction::{REDUCTION_MARK, ReductionError};
 use crate::source::over_full;
 
@@ -48,9 +48,9 @@ pub(crate) fn without_mark(start: &[u8]) -> &[u8] {
 }
 
 /// Refuses what is no table: text in two bytes per character, and reductions where nothing is known of them.
-pub(crate) fn refuse_other(start: &[u8]) -> Result<(), Problem> {
+pub(crate) fn refuse_other(start: &[u8]) -> Result<(), InputErrorKind> {
     if [[0xff, 0xfe], [0xfe, 0xff]].iter().any(|mark| start.starts_with(mark)) {
-        return Err(Problem::Utf16);
+        return Err(InputErrorKind::Utf16);
     }
     if start.starts_with(REDUCTION_MARK.as_bytes()) {
         return Err(ReductionError::NotHere.into());

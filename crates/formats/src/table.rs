@@ -7,7 +7,7 @@ use csv::ByteRecord;
 
 use crate::binary::{BinaryFormat, refuse_binary};
 use crate::columns::{ColumnPlace, ColumnSelector, Header, Heading, decode};
-use crate::error::{InputError, Place, Problem};
+use crate::error::{InputError, InputErrorKind, Place};
 use crate::limits::SizeLimits;
 use crate::mat::read_mat_table;
 use crate::records::Records;
@@ -147,7 +147,7 @@ pub fn read_table(
     let (file, mut bytes) = source.watched(&options.sizes);
     let start = first_line(&mut bytes).map_err(|error| Source::stopped(&file, error))?;
     refuse_binary(&file, &start)?;
-    refuse_other(&start).map_err(|problem| Source::error(&file, Place::default(), problem))?;
+    refuse_other(&start).map_err(|problem| InputError::of_file(&file, problem))?;
     let start = without_mark(&start).to_vec();
     let delimiter = options.delimiter.unwrap_or_else(|| detect_delimiter(&start));
     let records = Records::new(Cursor::new(start).chain(bytes), delimiter, 1, options.sizes.line);
@@ -166,7 +166,7 @@ impl TableReader<'_> {
     fn read(mut self) -> Result<Table, InputError> {
         let mut record = ByteRecord::new();
         if !self.records.next(&self.file, &mut record)? {
-            return Err(Source::error(&self.file, Place::default(), Problem::Empty));
+            return Err(InputError::of_file(&self.file, InputErrorKind::Empty));
         }
         let line = self.records.line();
         check_columns(&self.file, &record, line, &self.options.sizes)?;
@@ -224,10 +224,10 @@ pub(crate) fn read_number(
     cell: &[u8],
     column: &ColumnSelector,
     options: &TableOptions,
-) -> Result<Rational, Problem> {
+) -> Result<Rational, InputErrorKind> {
     let number = options.reading.read(decode(cell)?, &options.limits)?;
     if column.is_non_negative() && number.is_negative() {
-        return Err(Problem::NegativeErrorBound);
+        return Err(InputErrorKind::NegativeErrorBound);
     }
     Ok(number)
 }
@@ -243,7 +243,7 @@ pub(crate) fn check_columns(
         return Ok(());
     }
     let place = Place { line: Some(line), ..Place::default() };
-    Err(Source::error(file, place, Problem::TooManyColumns { limit: sizes.columns }))
+    Err(InputError::new(file, place, InputErrorKind::TooManyColumns { limit: sizes.columns }))
 }
 
 /// Refuses a row that has not as many cells as the first one.
@@ -252,15 +252,17 @@ pub(crate) fn check_width(file: &str, line: u64, found: usize, expected: usize) 
         return Ok(());
     }
     let place = Place { line: Some(line), ..Place::default() };
-    Err(Source::error(file, place, Problem::RaggedRow { found, expected }))
+    Err(InputError::new(file, place, InputErrorKind::RaggedRow { found, expected }))
 }
 
 /// Refuses a table without rows, or without all the rows that are wanted.
 pub(crate) fn check_rows(file: &str, total: usize, wanted: Option<RowRange>) -> Result<(), InputError> {
     let problem = match wanted {
-        _ if total == 0 => Problem::NoRows,
-        Some(RowRange { first, last }) if last > total => Problem::RowsBeyondEnd { first, last, total },
+        _ if total == 0 => InputErrorKind::NoRows,
+        Some(RowRange { first, last }) if last > total => {
+            InputErrorKind::RowsBeyondEnd { first, last, total }
+        }
         _ => return Ok(()),
     };
-    Err(Source::error(file, Place::default(), problem))
+    Err(InputError::of_file(file, problem))
 }

@@ -12,7 +12,7 @@ use std::io;
 use std::ops::Range;
 
 use boundfit_exact::Rational;
-use boundfit_formats::{Batch, ColumnSelector, InputError, Place, Problem, ScanOptions, Source, scan};
+use boundfit_formats::{Batch, ColumnSelector, InputError, ScanOptions, Source, scan};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use crate::measurements::{Columns, ErrorBound, Measurement, Measurements, Model};
@@ -60,9 +60,8 @@ impl Fleet {
         let mut store = Store { columns: vec![Series::default(); selectors.len()], ..Store::default() };
         let scanned = scan(source, &selectors, &options, Runs::new, |runs| store.push(&runs))?;
         if store.is_full {
-            let problem =
-                Problem::Io(io::Error::other(format_args!("more than {} rows", u32::MAX).to_string()));
-            return Err(InputError { file, place: Box::new(Place::default()), problem });
+            let error = io::Error::other(format!("more than {} rows", u32::MAX));
+            return Err(InputError::of_file(&file, error));
         }
         let (model, response, error_bound) = columns.described(&scanned.names);
         let groups = Groups::new(&store.group_of, store.keys.len());

@@ -13,7 +13,9 @@ mod spread;
 mod sums;
 
 use boundfit_exact::Rational;
-use boundfit_formats::{Batch, InputError, Problem, ScanOptions, Scanned, Source, open_reduction, scan};
+use boundfit_formats::{
+    Batch, InputError, InputErrorKind, ScanOptions, Scanned, Source, open_reduction, scan,
+};
 use thiserror::Error;
 
 pub use reduce::{ReducedColumns, ReducedTable};
@@ -216,13 +218,13 @@ fn second_look(
         spread = spread.merged(&part);
     })
     // What was right the first time is wrong only because it is something else now.
-    .map_err(|error| match error.problem {
-        Problem::Io(_) | Problem::Interrupted => error,
-        _ => Source::failed(path, Problem::Changed),
+    .map_err(|error| match error.kind {
+        InputErrorKind::Io(_) | InputErrorKind::Interrupted => error,
+        _ => InputError::of_file(path, InputErrorKind::Changed),
     })?;
     if count == sums.count && total == sums.x {
         Ok(spread)
     } else {
-        Err(Source::failed(path, Problem::Changed))
+        Err(InputError::of_file(path, InputErrorKind::Changed))
     }
 }

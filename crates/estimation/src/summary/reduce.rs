@@ -135,7 +135,7 @@ impl LineSums {
         names: &[String],
         options: &ScanOptions,
     ) -> Result<Self, InputError> {
-        let fail = |error: ReductionError| Source::failed(path, error);
+        let fail = |error: ReductionError| InputError::of_file(path, error);
         if !line {
             let (has, asked) = ("a line".to_owned(), "two regressors".to_owned());
             return Err(fail(ReductionError::NotAsked { what: "the model", has, asked }));

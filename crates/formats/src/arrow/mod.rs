@@ -14,9 +14,8 @@ use sha2::{Digest, Sha256};
 
 use crate::binary::BinaryTable;
 use crate::columns::{ColumnPlace, ColumnSelector, Header, Heading};
-use crate::error::{InputError, Place, Problem};
+use crate::error::{InputError, InputErrorKind, Place};
 use crate::scan::{Batch, ScanOptions, Scanned};
-use crate::source::Source;
 use crate::table::check_rows;
 
 use numbers::numbers;
@@ -47,9 +46,9 @@ pub(crate) fn scan_arrow<T: Send>(
     work: impl Fn(Batch) -> T + Sync,
     mut take: impl FnMut(T),
 ) -> Result<Scanned, InputError> {
-    let fail = |problem: Problem| Source::error(name, Place::default(), problem);
+    let fail = |problem: InputErrorKind| InputError::of_file(name, problem);
     if options.keep_text {
-        return Err(fail(Problem::NoText { format: format.name() }));
+        return Err(fail(InputErrorKind::NoText { format: format.name() }));
     }
     let bytes = file.metadata().map_err(|error| fail(error.into()))?.len();
     let sha256 = options.hash.then(|| sha256(&file)).transpose().map_err(|error| fail(error.into()))?;
@@ -179,7 +178,7 @@ impl<'a> Layout<'a> {
             text: bad.text,
             ..Place::default()
         };
-        Source::error(self.file, place, bad.problem)
+        InputError::new(self.file, place, bad.problem)
     }
 }
 
@@ -190,11 +189,11 @@ struct Follower<'a> {
 }
 
 impl Follower<'_> {
-    fn at(&mut self, position: u64) -> Result<(), Problem> {
+    fn at(&mut self, position: u64) -> Result<(), InputErrorKind> {
         if let Some(progress) = &self.options.progress {
             progress.advanced(position.saturating_sub(self.reported));
             if progress.is_cancelled() {
-                return Err(Problem::Interrupted);
+                return Err(InputErrorKind::Interrupted);
             }
         }
         self.reported = self.reported.max(position);

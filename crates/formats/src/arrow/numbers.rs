@@ -13,7 +13,7 @@ use boundfit_exact::{Integer, PLAIN_DIGITS, PLAIN_EXPONENT, Rational, Reading, S
 
 use super::texts::{BadCell, refuse_nulls};
 use crate::columns::ColumnSelector;
-use crate::error::Problem;
+use crate::error::InputErrorKind;
 use crate::scan::Column;
 use crate::scan::builder::ColumnBuilder;
 use crate::table::{TableOptions, read_number};
@@ -58,7 +58,7 @@ pub(super) fn numbers(
     if selector.is_non_negative()
         && let Some(index) = first_negative(&column)
     {
-        return Err(BadCell::at(array, index, Problem::NegativeErrorBound));
+        return Err(BadCell::at(array, index, InputErrorKind::NegativeErrorBound));
     }
     Ok(column)
 }
@@ -118,7 +118,7 @@ impl Reader<'_> {
         Ok(column.finish())
     }
 
-    fn add(&self, text: &str, column: &mut ColumnBuilder) -> Result<(), Problem> {
+    fn add(&self, text: &str, column: &mut ColumnBuilder) -> Result<(), InputErrorKind> {
         let limits = &self.options.limits;
         let plain = limits.digits >= PLAIN_DIGITS && limits.exponent >= PLAIN_EXPONENT;
         let exact = || read_number(text.as_bytes(), self.selector, self.options);

@@ -15,10 +15,10 @@ use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 
 use super::BATCH_ROWS;
 use crate::binary::BinaryFormat;
-use crate::error::Problem;
+use crate::error::InputErrorKind;
 
 /// The names of all columns.
-pub(super) fn column_names(format: BinaryFormat, file: &File) -> Result<Vec<String>, Problem> {
+pub(super) fn column_names(format: BinaryFormat, file: &File) -> Result<Vec<String>, InputErrorKind> {
     let fail = |error| unreadable(format, error);
     let schema: Arc<Schema> = match format {
         BinaryFormat::Parquet => {
@@ -35,16 +35,20 @@ pub(super) fn column_names(format: BinaryFormat, file: &File) -> Result<Vec<Stri
 /// Lets a library work. Damaged files make the Parquet library crash in places; that is an error like the others.
 pub(super) fn guarded<T>(
     format: BinaryFormat,
-    work: impl FnOnce() -> Result<T, Problem>,
-) -> Result<T, Problem> {
-    let crashed = || Problem::Unreadable { format: format.name(), reason: "it is damaged".to_owned() };
+    work: impl FnOnce() -> Result<T, InputErrorKind>,
+) -> Result<T, InputErrorKind> {
+    let crashed = || InputErrorKind::Unreadable { format: format.name(), reason: "it is damaged".to_owned() };
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Err(crashed()))
 }
 
-type Batches = Box<dyn Iterator<Item = Result<RecordBatch, Problem>>>;
+type Batches = Box<dyn Iterator<Item = Result<RecordBatch, InputErrorKind>>>;
 
 /// The columns at these indices, which ascend, of all rows.
-pub(super) fn batches(format: BinaryFormat, file: &File, columns: Vec<usize>) -> Result<Batches, Problem> {
+pub(super) fn batches(
+    format: BinaryFormat,
+    file: &File,
+    columns: Vec<usize>,
+) -> Result<Batches, InputErrorKind> {
     let fail = move |error| unreadable(format, error);
     Ok(match format {
         BinaryFormat::Parquet => {
@@ -68,7 +72,7 @@ pub(super) fn batches(format: BinaryFormat, file: &File, columns: Vec<usize>) ->
 }
 
 /// The array with its dictionary, when it has one, looked up.
-pub(super) fn plain(array: &ArrayRef) -> Result<ArrayRef, Problem> {
+pub(super) fn plain(array: &ArrayRef) -> Result<ArrayRef, InputErrorKind> {
     match array.as_any_dictionary_opt() {
         Some(dictionary) => take(dictionary.values(), dictionary.keys(), None)
             .map_err(|error| unreadable(BinaryFormat::ArrowFile, error)),
@@ -76,12 +80,12 @@ pub(super) fn plain(array: &ArrayRef) -> Result<ArrayRef, Problem> {
     }
 }
 
-fn buffered(file: &File) -> Result<BufReader<File>, Problem> {
+fn buffered(file: &File) -> Result<BufReader<File>, InputErrorKind> {
     let mut file = file.try_clone()?;
     file.rewind()?;
     Ok(BufReader::new(file))
 }
 
-fn unreadable(format: BinaryFormat, error: ArrowError) -> Problem {
-    Problem::Unreadable { format: format.name(), reason: error.to_string() }
+fn unreadable(format: BinaryFormat, error: ArrowError) -> InputErrorKind {
+    InputErrorKind::Unreadable { format: format.name(), reason: error.to_string() }
 }

@@ -8,30 +8,30 @@ use arrow_array::types::{
 use arrow_array::{Array, ArrayRef};
 use arrow_schema::DataType;
 
-use crate::error::Problem;
+use crate::error::InputErrorKind;
 use crate::scan::Pieces;
 
 /// What is wrong with a column, and with which of its cells.
 pub(super) struct BadCell {
     pub(super) index: Option<usize>,
     pub(super) text: Option<String>,
-    pub(super) problem: Problem,
+    pub(super) problem: InputErrorKind,
 }
 
 impl BadCell {
     /// A problem with the column as a whole.
-    pub(super) fn of_column(problem: Problem) -> Self {
+    pub(super) fn of_column(problem: InputErrorKind) -> Self {
         BadCell { index: None, text: None, problem }
     }
 
     /// A problem with one cell.
-    pub(super) fn at(array: &dyn Array, index: usize, problem: Problem) -> Self {
+    pub(super) fn at(array: &dyn Array, index: usize, problem: InputErrorKind) -> Self {
         BadCell { index: Some(index), text: text(array, index), problem }
     }
 
     /// A column of another type than is wanted.
     pub(super) fn of_type(data_type: &DataType, expected: &'static str) -> Self {
-        BadCell::of_column(Problem::ColumnType { data_type: data_type.to_string(), expected })
+        BadCell::of_column(InputErrorKind::ColumnType { data_type: data_type.to_string(), expected })
     }
 }
 
@@ -41,7 +41,7 @@ pub(super) fn refuse_nulls(array: &dyn Array) -> Result<(), BadCell> {
         return Ok(());
     }
     let null = (0..array.len()).find(|&index| array.is_null(index));
-    Err(BadCell { index: null, text: None, problem: Problem::Null })
+    Err(BadCell { index: null, text: None, problem: InputErrorKind::Null })
 }
 
 /// The cells as text, without the spaces and tabs around it.

@@ -9,9 +9,8 @@ use super::columns::{MatColumn, MatColumns};
 use super::numbers::BadNumber;
 use crate::binary::BinaryTable;
 use crate::columns::{ColumnPlace, ColumnSelector};
-use crate::error::{InputError, Place, Problem};
+use crate::error::{InputError, InputErrorKind, Place};
 use crate::scan::{Batch, Pieces, ScanOptions, Scanned};
-use crate::source::Source;
 use crate::table::{Table, TableOptions, TableRow, check_rows};
 
 /// The most rows that are handed out at a time: two columns of them take 1 MB.
@@ -33,7 +32,7 @@ pub(crate) fn scan_mat<T: Send>(
     work: impl Fn(Batch) -> T + Sync,
     mut take: impl FnMut(T),
 ) -> Result<Scanned, InputError> {
-    let fail = |problem: Problem| Source::error(name, Place::default(), problem);
+    let fail = |problem: InputErrorKind| InputError::of_file(name, problem);
     let selectors: Vec<&ColumnSelector> = columns.iter().chain(&options.key).collect();
     let progress = options.progress.as_deref();
     let found = MatColumns::read(table.file, &selectors, &options.table.sizes, options.hash, progress);
@@ -50,7 +49,7 @@ pub(crate) fn scan_mat<T: Send>(
             take(result?);
         }
         if progress.is_some_and(|progress| progress.is_cancelled()) {
-            return Err(fail(Problem::Interrupted));
+            return Err(fail(InputErrorKind::Interrupted));
         }
     }
     let names: Vec<String> = numbers.iter().map(|column| column.place.title()).collect();
@@ -76,7 +75,7 @@ pub(crate) fn read_mat_table(
     columns: &[ColumnSelector],
     options: &TableOptions,
 ) -> Result<Table, InputError> {
-    let fail = |problem: Problem| Source::error(name, Place::default(), problem);
+    let fail = |problem: InputErrorKind| InputError::of_file(name, problem);
     let selectors: Vec<&ColumnSelector> = columns.iter().collect();
     let found = MatColumns::read(table.file, &selectors, &options.sizes, true, None).map_err(fail)?;
     check_rows(name, found.rows, options.rows)?;
@@ -127,7 +126,9 @@ impl Rows<'_> {
                 && let Some(index) = column.numbers.first_beyond_doubles(range.clone())
             {
                 let text = column.numbers.text(index);
-                return Err(self.error(column, BadNumber { index, text, problem: Problem::NotBinary64 }));
+                return Err(
+                    self.error(column, BadNumber { index, text, problem: InputErrorKind::NotBinary64 })
+                );
             }
             let numbers = column.numbers.column(range, selector.is_non_negative());
             columns.push(numbers.map_err(|bad| self.error(column, bad))?);
@@ -157,7 +158,7 @@ impl Rows<'_> {
             text: Some(bad.text),
             ..Place::default()
         };
-        Source::error(self.file, place, bad.problem)
+        InputError::new(self.file, place, bad.problem)
     }
 }
 

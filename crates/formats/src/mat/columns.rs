@@ -12,7 +12,7 @@ use super::kind::{ByteOrder, MatKind, START, byte_order, kind_of};
 use super::numbers::Numbers;
 use super::variable::{Content, Variable};
 use crate::columns::{ColumnPlace, ColumnSelector};
-use crate::error::Problem;
+use crate::error::InputErrorKind;
 use crate::limits::SizeLimits;
 use crate::scan::Progress;
 
@@ -91,7 +91,7 @@ impl MatColumns {
         sizes: &SizeLimits,
         hash: bool,
         progress: Option<&dyn Progress>,
-    ) -> Result<Self, Problem> {
+    ) -> Result<Self, InputErrorKind> {
         let mut file = MatFile::new(file, hash, progress);
         let order = header(&mut file)?;
         let wanted: Vec<Wanted> = selectors.iter().map(|selector| Wanted::new(selector)).collect();
@@ -114,7 +114,7 @@ impl MatColumns {
                 && wanted.iter().any(|wanted| wanted.is_named(&found.variable))
                 && all.iter().any(is_other)
             {
-                return Err(Problem::AmbiguousColumn { wanted: found.variable.name });
+                return Err(InputErrorKind::AmbiguousColumn { wanted: found.variable.name });
             }
             before = before.saturating_add(found.variable.content.columns());
             all.push(found);
@@ -126,10 +126,10 @@ impl MatColumns {
 }
 
 /// Reads the header.
-fn header(file: &mut MatFile) -> Result<ByteOrder, Problem> {
+fn header(file: &mut MatFile) -> Result<ByteOrder, InputErrorKind> {
     let mut header = Vec::new();
     file.by_ref().take(START as u64).read_to_end(&mut header)?;
-    let refused = |format, instead| Err(Problem::BinaryTable { format, instead });
+    let refused = |format, instead| Err(InputErrorKind::BinaryTable { format, instead });
     match kind_of(&header) {
         Some(MatKind::V73) => refused(
             "a MATLAB file of version 7.3, which is HDF5",
@@ -141,7 +141,7 @@ fn header(file: &mut MatFile) -> Result<ByteOrder, Problem> {
         }
         Some(MatKind::V5) | None => byte_order(&header).ok_or_else(|| {
             let reason = "its header of 128 bytes does not end with version and byte order".to_owned();
-            Problem::Unreadable { format: FORMAT, reason }
+            InputErrorKind::Unreadable { format: FORMAT, reason }
         }),
     }
 }
@@ -149,7 +149,7 @@ fn header(file: &mut MatFile) -> Result<ByteOrder, Problem> {
 /// What comes of a variable.
 enum Outcome {
     Found(Found),
-    Refused(Problem),
+    Refused(InputErrorKind),
 }
 
 /// Reads the next variable; `None` at the end of the file.
@@ -210,7 +210,7 @@ fn matrix(
     let count = rows * columns;
     if usize::try_from(count).map_or(true, |count| count > sizes.elements) {
         let (variable, limit) = (found.variable.name, sizes.elements);
-        return Ok(Outcome::Refused(Problem::TooManyElements { variable, elements: count, limit }));
+        return Ok(Outcome::Refused(InputErrorKind::TooManyElements { variable, elements: count, limit }));
     }
     found.numbers = Some(Arc::new(Numbers::read(&mut elements, count)?));
     // What is left of the variable is inflated for its checksum, and is at most padding.
@@ -221,8 +221,8 @@ fn matrix(
 }
 
 /// The column that is meant.
-fn resolve(wanted: &Wanted, all: &[Found]) -> Result<MatColumn, Problem> {
-    let ambiguous = || Problem::AmbiguousColumn { wanted: wanted.text.to_owned() };
+fn resolve(wanted: &Wanted, all: &[Found]) -> Result<MatColumn, InputErrorKind> {
+    let ambiguous = || InputErrorKind::AmbiguousColumn { wanted: wanted.text.to_owned() };
     let mut named = all.iter().filter(|found| found.variable.name == wanted.text);
     if let Some(found) = named.next() {
         if named.next().is_some() {
@@ -230,10 +230,10 @@ fn resolve(wanted: &Wanted, all: &[Found]) -> Result<MatColumn, Problem> {
         }
         return match &found.variable.content {
             Content::Other(what) => {
-                Err(Problem::NoNumbers { variable: found.variable.name.clone(), what: what.clone() })
+                Err(InputErrorKind::NoNumbers { variable: found.variable.name.clone(), what: what.clone() })
             }
             &Content::Numbers { rows, columns } if found.variable.content.columns() > 1 => {
-                Err(Problem::WholeMatrix { variable: found.variable.name.clone(), rows, columns })
+                Err(InputErrorKind::WholeMatrix { variable: found.variable.name.clone(), rows, columns })
             }
             Content::Numbers { .. } => column(found, 1),
         };
@@ -244,7 +244,7 @@ fn resolve(wanted: &Wanted, all: &[Found]) -> Result<MatColumn, Problem> {
             (Some(_), Some(_)) => return Err(ambiguous()),
             (Some(found), None) => {
                 if let Content::Other(what) = &found.variable.content {
-                    return Err(Problem::NoNumbers { variable: name.clone(), what: what.clone() });
+                    return Err(InputErrorKind::NoNumbers { variable: name.clone(), what: what.clone() });
                 }
                 // A row has as many columns as numbers in MATLAB, and is one here.
                 let is_row = matches!(found.variable.content, Content::Numbers { rows: 1, columns: 2.. });
@@ -264,14 +264,14 @@ fn resolve(wanted: &Wanted, all: &[Found]) -> Result<MatColumn, Problem> {
     }
 }
 
-fn unknown(wanted: &Wanted, all: &[Found]) -> Problem {
+fn unknown(wanted: &Wanted, all: &[Found]) -> InputErrorKind {
     let names = |found: &Found| match (&found.variable, found.variable.content.columns()) {
         (_, 0) => None,
         (variable, 1) => Some(variable.name.clone()),
         (variable, last) => Some(format!("{} to {}", variable.column_name(1), variable.column_name(last))),
     };
     let total = all.last().map_or(0, |last| last.before.saturating_add(last.variable.content.columns()));
-    Problem::UnknownColumn {
+    InputErrorKind::UnknownColumn {
         wanted: wanted.text.to_owned(),
         available: all.iter().filter_map(names).collect(),
         numbers: wanted.number.and(usize::try_from(total).ok()).filter(|total| *total > 0),
@@ -279,7 +279,7 @@ fn unknown(wanted: &Wanted, all: &[Found]) -> Problem {
 }
 
 /// A column of a variable, counted from 1.
-fn column(found: &Found, number: u64) -> Result<MatColumn, Problem> {
+fn column(found: &Found, number: u64) -> Result<MatColumn, InputErrorKind> {
     let rows = found.variable.content.rows();
     let whole = |number: u64| usize::try_from(number).unwrap_or(usize::MAX);
     let place = ColumnPlace {
@@ -292,22 +292,22 @@ fn column(found: &Found, number: u64) -> Result<MatColumn, Problem> {
             Ok(MatColumn { place, numbers: numbers.clone(), start, rows })
         }
         // What is asked for has been read.
-        None => Err(Problem::Changed),
+        None => Err(InputErrorKind::Changed),
     }
 }
 
 /// The length that all columns have.
-fn common_length(columns: &[MatColumn]) -> Result<usize, Problem> {
+fn common_length(columns: &[MatColumn]) -> Result<usize, InputErrorKind> {
     let Some(first) = columns.first() else { return Ok(0) };
     if let Some(other) = columns.iter().find(|other| other.rows != first.rows) {
         let described = |column: &MatColumn| (column.place.title(), column.rows);
-        return Err(Problem::DifferentLengths { first: described(first), other: described(other) });
+        return Err(InputErrorKind::DifferentLengths { first: described(first), other: described(other) });
     }
     Ok(usize::try_from(first.rows).unwrap_or(usize::MAX))
 }
 
 /// What is wrong with the variable that starts at this byte.
-fn unreadable(start: u64, damage: Damage) -> Problem {
+fn unreadable(start: u64, damage: Damage) -> InputErrorKind {
     let reason = match damage {
         Damage::Format(reason) => format!("the variable at byte {start}: {reason}"),
         Damage::Io(error) => match error.kind() {
@@ -315,8 +315,8 @@ fn unreadable(start: u64, damage: Damage) -> Problem {
             io::ErrorKind::InvalidData | io::ErrorKind::InvalidInput => {
                 format!("the variable at byte {start} cannot be inflated: {error}")
             }
-            _ => return Problem::Io(error),
+            _ => return InputErrorKind::Io(error),
         },
     };
-    Problem::Unreadable { format: FORMAT, reason }
+    InputErrorKind::Unreadable { format: FORMAT, reason }
 }

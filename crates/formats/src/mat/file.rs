@@ -5,7 +5,7 @@ use std::io::{self, BufReader, Read};
 
 use sha2::{Digest, Sha256};
 
-use crate::error::Problem;
+use crate::error::InputErrorKind;
 use crate::scan::Progress;
 use crate::source::hexadecimal;
 
@@ -33,9 +33,9 @@ impl<'a> MatFile<'a> {
     }
 
     /// Stops where that is asked for.
-    pub(super) fn go_on(&self) -> Result<(), Problem> {
+    pub(super) fn go_on(&self) -> Result<(), InputErrorKind> {
         let is_cancelled = self.progress.is_some_and(Progress::is_cancelled);
-        if is_cancelled { Err(Problem::Interrupted) } else { Ok(()) }
+        if is_cancelled { Err(InputErrorKind::Interrupted) } else { Ok(()) }
     }
 }
 

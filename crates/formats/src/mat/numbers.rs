@@ -7,7 +7,7 @@ use boundfit_exact::{Integer, Rational};
 
 use super::elements::{Damage, Elements};
 use super::kind::ByteOrder;
-use crate::error::Problem;
+use crate::error::InputErrorKind;
 use crate::scan::Column;
 
 /// Numbers exactly as they are stored.
@@ -23,7 +23,7 @@ pub(super) enum Numbers {
 pub(super) struct BadNumber {
     pub(super) index: usize,
     pub(super) text: String,
-    pub(super) problem: Problem,
+    pub(super) problem: InputErrorKind,
 }
 
 impl Numbers {
@@ -69,7 +69,7 @@ impl Numbers {
             Numbers::Doubles(doubles) => {
                 let doubles = doubles.get(range.clone()).unwrap_or_default();
                 if let Some(index) = doubles.iter().position(|double| !double.is_finite()) {
-                    return Err(bad(index, Problem::NotFinite));
+                    return Err(bad(index, InputErrorKind::NotFinite));
                 }
                 // Zero has one sign.
                 Column::Doubles(doubles.iter().map(|double| double + 0.0).collect())
@@ -88,7 +88,7 @@ impl Numbers {
             Column::Scaled(_) => None,
         };
         match negative {
-            Some(index) => Err(bad(index, Problem::NegativeErrorBound)),
+            Some(index) => Err(bad(index, InputErrorKind::NegativeErrorBound)),
             None => Ok(column),
         }
     }

@@ -159,7 +159,7 @@ pub trait Progress: Send + Sync {
     /// So many more bytes are done.
     fn advanced(&self, bytes: u64);
 
-    /// Whether the scan is to stop, with [`Problem::Interrupted`](crate::Problem::Interrupted).
+    /// Whether the scan is to stop, with [`InputErrorKind::Interrupted`](crate::InputErrorKind::Interrupted).
     fn is_cancelled(&self) -> bool {
         false
     }

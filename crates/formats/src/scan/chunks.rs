@@ -7,9 +7,9 @@ use memchr::{memchr, memchr_iter, memrchr};
 use sha2::{Digest, Sha256};
 
 use crate::binary::refuse_binary;
-use crate::error::{InputError, Place, Problem};
+use crate::error::{InputError, InputErrorKind, Place};
 use crate::limits::LONGEST_LINE;
-use crate::source::{Source, hexadecimal};
+use crate::source::hexadecimal;
 use crate::start::{FirstLine, refuse_other, without_mark};
 
 use super::batch::ScanOptions;
@@ -53,7 +53,7 @@ impl From<&[u8]> for Chunk {
 enum State {
     More,
     End,
-    Failed(Problem),
+    Failed(InputErrorKind),
 }
 
 /// Cuts a stream of bytes into chunks of whole lines, and hashes it.
@@ -101,10 +101,10 @@ impl ChunkReader {
             && let Some(problem) = self.failure()
         {
             let line = Some(1 + memchr_iter(b'\n', &self.rest).count() as u64);
-            return Err(Source::error(file, Place { line, ..Place::default() }, problem));
+            return Err(InputError::new(file, Place { line, ..Place::default() }, problem));
         }
         refuse_binary(file, &self.rest)?;
-        refuse_other(&self.rest).map_err(|problem| Source::error(file, Place::default(), problem))?;
+        refuse_other(&self.rest).map_err(|problem| InputError::of_file(file, problem))?;
         self.skip(self.rest.len() - without_mark(&self.rest).len());
         Ok(())
     }
@@ -164,7 +164,7 @@ impl ChunkReader {
     }
 
     /// Why the bytes stopped, unless at their end.
-    pub(super) fn failure(&mut self) -> Option<Problem> {
+    pub(super) fn failure(&mut self) -> Option<InputErrorKind> {
         match std::mem::replace(&mut self.state, State::End) {
             State::Failed(problem) => Some(problem),
             state => {
@@ -223,7 +223,7 @@ impl ChunkReader {
         if self.since_line_end + count > self.longest_line
             && let Some(end) = end_of_longest(fresh, self.since_line_end, self.longest_line)
         {
-            self.state = State::Failed(Problem::LineTooLong { limit: self.longest_line });
+            self.state = State::Failed(InputErrorKind::LineTooLong { limit: self.longest_line });
             chunk.length = before + end;
             return end;
         }

@@ -6,9 +6,8 @@ use csv::ByteRecord;
 use memchr::{memchr, memchr_iter};
 
 use crate::columns::ColumnSelector;
-use crate::error::{InputError, Place, Problem};
+use crate::error::{InputError, InputErrorKind};
 use crate::records::Records;
-use crate::source::Source;
 use crate::start::without_mark;
 
 use super::batch::ScanOptions;
@@ -46,7 +45,7 @@ impl<'a> Start<'a> {
     ) -> Result<(Head<'a>, ByteRecord), InputError> {
         let mut record = ByteRecord::new();
         if !records.next(self.file, &mut record)? {
-            return Err(Source::error(self.file, Place::default(), Problem::Empty));
+            return Err(InputError::of_file(self.file, InputErrorKind::Empty));
         }
         Ok((self.head_of(&record, records)?, record))
     }

@@ -6,7 +6,7 @@ use boundfit_exact::{PLAIN_DIGITS, PLAIN_EXPONENT, Reading, plain_decimal, plain
 use csv::ByteRecord;
 
 use crate::columns::{ColumnPlace, ColumnSelector, Heading, decode};
-use crate::error::{InputError, Problem};
+use crate::error::{InputError, InputErrorKind};
 use crate::records::Records;
 use crate::table::{check_columns, read_number};
 
@@ -100,20 +100,20 @@ impl<'a> Layout<'a> {
         cell: &[u8],
         selector: &ColumnSelector,
         column: &mut ColumnBuilder,
-    ) -> Result<(), Problem> {
+    ) -> Result<(), InputErrorKind> {
         let options = &self.options.table;
         let plain = self.limits_allow_plain_decimals();
         match options.reading {
             Reading::Decimal => match plain_decimal(cell).filter(|_| plain) {
                 Some((mantissa, _)) if mantissa < 0 && selector.is_non_negative() => {
-                    return Err(Problem::NegativeErrorBound);
+                    return Err(InputErrorKind::NegativeErrorBound);
                 }
                 Some((mantissa, exponent)) => column.push_decimal(mantissa, exponent),
                 None => column.push_exact(read_number(cell, selector, options)?),
             },
             Reading::Binary64 => match plain_double(cell).filter(|_| plain) {
                 Some(double) if double < 0.0 && selector.is_non_negative() => {
-                    return Err(Problem::NegativeErrorBound);
+                    return Err(InputErrorKind::NegativeErrorBound);
                 }
                 Some(double) => column.push_double(double),
                 None => column.push_double(read_number(cell, selector, options)?.to_f64()),
@@ -123,7 +123,7 @@ impl<'a> Layout<'a> {
     }
 
     /// Adds the text in a cell to the keys.
-    pub(super) fn add_key(cell: &[u8], keys: &mut Pieces<String>) -> Result<(), Problem> {
+    pub(super) fn add_key(cell: &[u8], keys: &mut Pieces<String>) -> Result<(), InputErrorKind> {
         keys.push(decode(cell)?.trim_matches([' ', '\t']));
         Ok(())
     }

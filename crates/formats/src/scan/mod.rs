@@ -18,7 +18,7 @@ mod wave;
 
 use crate::binary::BinaryFormat;
 use crate::columns::{ColumnPlace, ColumnSelector};
-use crate::error::{InputError, Place, Problem};
+use crate::error::{InputError, InputErrorKind};
 use crate::mat::scan_mat;
 use crate::source::Source;
 use crate::start::detect_delimiter;
@@ -124,7 +124,7 @@ impl<W, K> Run<'_, W, K> {
     /// Tells that so many more bytes are done, and stops if that is asked for.
     fn advance(&self, bytes: u64) -> Result<(), InputError> {
         if self.is_cancelled() {
-            return Err(Source::error(self.file, Place::default(), Problem::Interrupted));
+            return Err(InputError::of_file(self.file, InputErrorKind::Interrupted));
         }
         if let Some(progress) = &self.options.progress {
             progress.advanced(bytes);
