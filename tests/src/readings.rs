@@ -69,7 +69,7 @@ pub fn with_error_bound(problem: &Problem, bound: &Rational) -> Problem {
     let old = &problem.measurements;
     let uniform = matches!(old.error_bound(), ErrorBound::Uniform(_));
     let epsilon = |row: &Measurement| if uniform { bound.clone() } else { &row.epsilon * bound };
-    let rows = old.rows().iter().map(|row| Measurement { epsilon: epsilon(row), ..row.clone() }).collect();
+    let rows = old.kept().iter().map(|row| Measurement { epsilon: epsilon(row), ..row.clone() }).collect();
     let error_bound = if uniform { ErrorBound::Uniform(bound.clone()) } else { old.error_bound().clone() };
     rebuilt(problem, rows, error_bound)
 }

@@ -14,7 +14,7 @@ pub struct ProgramRows {
 impl ProgramRows {
     /// The rows of a problem: all upper bounds, all lower bounds, all conditions.
     pub fn new(problem: &Problem) -> Self {
-        let readings = problem.measurements.rows();
+        let readings = problem.measurements.kept();
         let upper = readings.iter().map(|reading| {
             let row = Row { a: reading.regressor.clone(), b: &reading.response + &reading.epsilon };
             (BoundName::Upper(reading.row), RefereeRow { row, epsilon: Some(reading.epsilon.clone()) })

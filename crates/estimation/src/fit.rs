@@ -12,7 +12,7 @@ use crate::hulls::Extremes;
 use crate::inverse::Inverse;
 use crate::least_squares::{LeastSquares, SingularRegressors};
 use crate::measurements::{ErrorBound, Measurements, Model};
-use crate::minimax::{Minimax, has_hulls};
+use crate::minimax::Minimax;
 
 /// What is to be fitted.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -107,7 +107,7 @@ pub fn fit_bounds_in_general(problem: &Problem) -> FitBounds {
 fn bounds_on(problem: &Problem, grid: Option<&Grid>) -> FitBounds {
     let Problem { measurements, conditions } = problem;
     let least_squares = LeastSquares::with_grid(measurements, grid);
-    let extremes = has_hulls(measurements).then(|| Extremes::new(measurements.rows(), grid));
+    let extremes = measurements.has_hulls().then(|| Extremes::new(measurements.kept(), grid));
     let fps = match &extremes {
         Some(extremes) => Fps::of_extremes(measurements, conditions, extremes),
         None => Fps::new(measurements, conditions),
@@ -131,8 +131,8 @@ impl Fit {
     /// kept. Rounded.
     /// Cost: linear in the number of readings.
     pub fn float_least_squares(&self, measurements: &Measurements) -> Option<FloatLeastSquares> {
-        let exact = self.least_squares.as_ref().ok().filter(|_| measurements.reduction().is_none())?;
-        Some(FloatLeastSquares::new(measurements, &exact.theta))
+        let exact = self.least_squares.as_ref().ok()?;
+        Some(FloatLeastSquares::new(measurements.all()?, &exact.theta))
     }
 
     /// The parameter uncertainty intervals without their proofs.

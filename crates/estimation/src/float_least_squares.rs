@@ -3,7 +3,7 @@
 use boundfit_exact::Rational;
 use nalgebra::{DMatrix, DVector, SVD};
 
-use crate::measurements::Measurements;
+use crate::measurements::Measurement;
 
 /// A binary64 estimate beside the exact one.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,8 +26,7 @@ pub struct FloatLeastSquares {
 
 impl FloatLeastSquares {
     /// Computes both estimates. Rounded; the distances are exact. Cost: linear in the number of readings.
-    pub fn new(measurements: &Measurements, exact: &[Rational; 2]) -> Self {
-        let rows = measurements.rows();
+    pub fn new(rows: &[Measurement], exact: &[Rational; 2]) -> Self {
         let phi = DMatrix::from_fn(rows.len(), 2, |row, column| rows[row].regressor[column].to_f64());
         let y = DVector::from_fn(rows.len(), |row, _| rows[row].response.to_f64());
         // An infinity would keep the iterative decomposition going for ever.

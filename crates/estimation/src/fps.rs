@@ -84,7 +84,7 @@ impl Fps {
             inequalities.push(inequality);
         };
         for touching in &extremes.touching {
-            let measurement = &measurements.rows()[touching.position];
+            let measurement = &measurements.kept()[touching.position];
             if touching.lower {
                 add(upper_bound(measurement, &measurement.epsilon));
             }
@@ -121,7 +121,7 @@ pub(crate) fn every_half_plane(
     conditions: &[Condition],
 ) -> (Vec<BoundName>, System) {
     let (names, inequalities): (Vec<BoundName>, Vec<Inequality>) = measurements
-        .rows()
+        .kept()
         .iter()
         .flat_map(|measurement| strip(measurement, &measurement.epsilon))
         .chain(conditions_by_name(conditions))

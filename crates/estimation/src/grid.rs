@@ -76,7 +76,7 @@ pub(crate) struct Grid {
 impl Grid {
     /// The readings on grids of their own for each column; `None` when one does not fit. Cost: linear.
     pub(crate) fn new(measurements: &Measurements) -> Option<Self> {
-        let rows = measurements.rows();
+        let rows = measurements.kept();
         let of = |number: fn(&Measurement) -> &Rational| Column::new(rows.iter().map(number));
         let phi2 = match measurements.model() {
             Model::Line { .. } => None,

@@ -5,7 +5,7 @@ use boundfit_geometry::Direction;
 use thiserror::Error;
 
 use crate::grid::{Column, Grid};
-use crate::measurements::{ErrorBound, Measurements};
+use crate::measurements::{ErrorBound, Measurements, Readings};
 use crate::summary::NoEui;
 
 /// The least-squares estimate θ̂ = (ΦᵀΦ)⁻¹Φᵀy with its estimate uncertainty intervals.
@@ -40,7 +40,7 @@ impl LeastSquares {
         measurements: &Measurements,
         grid: Option<&Grid>,
     ) -> Result<Self, SingularRegressors> {
-        if let Some(reduction) = measurements.reduction() {
+        if let Readings::Supporting { reduction, .. } = measurements.readings() {
             return LeastSquares::of_reduction(reduction, measurements.error_bound());
         }
         match grid.and_then(|grid| LeastSquares::on_grid(measurements, grid)) {
@@ -54,7 +54,7 @@ impl LeastSquares {
     /// # Errors
     /// When ΦᵀΦ is singular.
     pub fn in_general(measurements: &Measurements) -> Result<Self, SingularRegressors> {
-        let rows = measurements.rows();
+        let rows = measurements.kept();
         let total = |term: &dyn Fn(usize, &mut Sum)| {
             let mut sum = Sum::default();
             (0..rows.len()).for_each(|row| term(row, &mut sum));

@@ -34,6 +34,7 @@ mod bounds;
 mod condition;
 mod corridor;
 mod family;
+mod files;
 mod fit;
 mod fleet;
 mod float_least_squares;
@@ -54,6 +55,7 @@ pub use family::{
     Breakpoint, Family, Linear, MovingBoundary, MovingVertex, Piece, Quadratic, Section, SectionBoundary,
     SectionVertex,
 };
+pub use files::{Columns, EpsilonColumn};
 pub use fit::{Fit, FitBounds, Problem, fit, fit_bounds, fit_bounds_in_general};
 pub use fleet::{Fleet, fit_group, least_squares_is_feasible};
 pub use float_least_squares::{FloatEstimate, FloatLeastSquares};
@@ -61,6 +63,6 @@ pub use fps::{BoundName, Fps};
 pub use inverse::{Inverse, InverseParameter};
 pub use least_growth::{GrowingInequality, LeastGrowth, least_growth};
 pub use least_squares::{LeastSquares, SingularRegressors};
-pub use measurements::{Columns, EpsilonColumn, ErrorBound, Measurement, Measurements, Model};
+pub use measurements::{ErrorBound, Measurement, Measurements, Model, Readings};
 pub use minimax::{Minimax, MinimaxProof};
 pub use summary::{Keep, LineSums, NoEui, ReducedColumns, ReducedTable, Reduction, Spread};

@@ -8,7 +8,7 @@ use crate::fps::{BoundName, conditions_by_name, strip};
 use crate::grid::Grid;
 use crate::hulls::{Extremes, Gap, HullMinimum};
 use crate::least_growth::{GrowingInequality, LeastGrowth, least_growth};
-use crate::measurements::{ErrorBound, Measurement, Measurements, Model};
+use crate::measurements::{ErrorBound, Measurement, Measurements};
 
 /// The least error bound that some θ meets, and such a θ: the minimax (Chebyshev, projection) estimate.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -63,8 +63,9 @@ impl Minimax {
     /// Exact. For a line under a uniform bound and no conditions from the two hulls, O(N log N); otherwise by
     /// [`least_growth`], which for a line under a uniform bound sees the readings on the hulls alone.
     pub fn new(measurements: &Measurements, conditions: &[Condition]) -> Option<Self> {
-        let extremes = has_hulls(measurements)
-            .then(|| Extremes::new(measurements.rows(), Grid::new(measurements).as_ref()));
+        let extremes = measurements
+            .has_hulls()
+            .then(|| Extremes::new(measurements.kept(), Grid::new(measurements).as_ref()));
         Minimax::with_extremes(measurements, conditions, extremes.as_ref())
     }
 
@@ -74,7 +75,7 @@ impl Minimax {
         conditions: &[Condition],
         extremes: Option<&Extremes>,
     ) -> Option<Self> {
-        let rows = measurements.rows();
+        let rows = measurements.kept();
         match extremes {
             Some(Extremes { widest: Some(widest), corners, .. }) if conditions.is_empty() => {
                 Some(Minimax::from_hulls(rows, widest, corners))
@@ -115,12 +116,6 @@ impl Minimax {
     }
 }
 
-/// Whether two hulls of the readings tell which of them can bound anything.
-pub(crate) fn has_hulls(measurements: &Measurements) -> bool {
-    matches!(measurements.model(), Model::Line { .. })
-        && matches!(measurements.error_bound(), ErrorBound::Uniform(_))
-}
-
 /// The half-planes of readings and conditions as functions of the error bound.
 struct Growing {
     names: Vec<BoundName>,
@@ -130,8 +125,8 @@ struct Growing {
 impl Growing {
     fn new(measurements: &Measurements, conditions: &[Condition]) -> Self {
         let growing = match measurements.error_bound() {
-            ErrorBound::Uniform(_) => Growing::of_rows(measurements.rows().iter(), |_| Rational::one()),
-            ErrorBound::PerRow(_) => Growing::of_rows(measurements.rows().iter(), |row| row.epsilon.clone()),
+            ErrorBound::Uniform(_) => Growing::of_rows(measurements.kept().iter(), |_| Rational::one()),
+            ErrorBound::PerRow(_) => Growing::of_rows(measurements.kept().iter(), |row| row.epsilon.clone()),
         };
         growing.with(conditions)
     }

@@ -70,7 +70,7 @@ pub(crate) fn subtitle(problem: &Problem, options: &PlotOptions) -> String {
         }
         ErrorBound::PerRow(column) => format!("|e| ≤ {} of each row", one_line(column, LONGEST_NAME)),
     };
-    let (fitted, total) = (measurements.rows().len(), measurements.rows_total());
+    let (fitted, total) = (measurements.fitted(), measurements.rows_total());
     let rows =
         if fitted == total { plural(total, "row") } else { format!("{fitted} of {}", plural(total, "row")) };
     let conditions = match problem.conditions.len() {

@@ -61,7 +61,7 @@ pub(crate) fn build(
     options: &LessonOptions,
 ) -> Result<LessonJson, LessonError> {
     let measurements = &problem.measurements;
-    let rows = measurements.rows().len();
+    let rows = measurements.kept().len();
     if rows > options.most_rows {
         return Err(LessonError::TooManyRows { rows, limit: options.most_rows });
     }

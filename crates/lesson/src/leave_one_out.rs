@@ -38,12 +38,12 @@ pub(crate) struct Moved {
 
 /// The set without each reading in turn. Exact. Cost: O(N² log N).
 pub(crate) fn leave_one_out(problem: &Problem, fit: &Fit) -> Vec<Without> {
-    (0..problem.measurements.rows().len()).map(|position| without(problem, fit, position)).collect()
+    (0..problem.measurements.kept().len()).map(|position| without(problem, fit, position)).collect()
 }
 
 fn without(problem: &Problem, fit: &Fit, position: usize) -> Without {
     let all = &problem.measurements;
-    let mut rows = all.rows().to_vec();
+    let mut rows = all.kept().to_vec();
     let row = rows.remove(position).row;
     let rest =
         Measurements::new(all.model().clone(), all.response().to_owned(), all.error_bound().clone(), rows);

@@ -55,7 +55,7 @@ pub(crate) fn epsilon(bound: &ErrorBound) -> EpsilonJson {
 /// The readings that are fitted.
 pub(crate) fn fitted(measurements: &Measurements) -> Vec<ReadingJson> {
     let with_epsilon = |row: &Measurement| reading(row, Some(Number::given(&row.epsilon)));
-    measurements.rows().iter().map(with_epsilon).collect()
+    measurements.kept().iter().map(with_epsilon).collect()
 }
 
 /// Other readings of the file.

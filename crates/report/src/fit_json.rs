@@ -293,7 +293,7 @@ fn reasons(problem: &Problem, fit: &Fit) -> BTreeMap<&'static str, String> {
     if let Ok(LeastSquares { eui: Err(reason), .. }) = &fit.least_squares {
         reasons.insert("eui", reason.to_string());
     }
-    if fit.least_squares.is_ok() && problem.measurements.reduction().is_some() {
+    if fit.least_squares.is_ok() && problem.measurements.all().is_none() {
         reasons.insert("binary64", NO_BINARY64.to_owned());
     }
     if !has_bounded_end(fit) {

@@ -96,7 +96,7 @@ impl<'a> Writer<'a> {
         let (used, total) = (measurements.fitted(), measurements.rows_total());
         let rows = match rows {
             None if measurements.is_of_reductions() => {
-                let kept = counted(measurements.rows().len(), "row", "rows");
+                let kept = counted(measurements.kept().len(), "row", "rows");
                 format!("a reduction: {kept} for {}", counted(total, "reading", "readings"))
             }
             None => counted(total, "row", "rows"),

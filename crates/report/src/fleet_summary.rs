@@ -26,11 +26,11 @@ impl<'a> GroupReport<'a> {
     }
 
     pub(crate) fn rows(&self) -> usize {
-        self.problem.measurements.rows().len()
+        self.problem.measurements.fitted()
     }
 
     pub(crate) fn first_row(&self) -> Option<usize> {
-        self.problem.measurements.rows().first().map(|measurement| measurement.row)
+        self.problem.measurements.kept().first().map(|measurement| measurement.row)
     }
 
     /// ε_min, or the least factor where every reading has its own error bound.

@@ -74,7 +74,7 @@ fn answer(arguments: &[&str]) -> Result<Map<String, Value>, String> {
 
 /// Both columns as binary64 numbers, added up in order: the yardstick.
 fn sum(problem: &Problem, runs: usize) -> Map<String, Value> {
-    let rows = problem.measurements.rows();
+    let rows = problem.measurements.kept();
     let x: Vec<f64> = rows.iter().map(|row| row.regressor[0].to_f64()).collect();
     let y: Vec<f64> = rows.iter().map(|row| row.response.to_f64()).collect();
     timed(runs, || (black_box(&x).iter().sum::<f64>(), black_box(&y).iter().sum::<f64>())).0
@@ -82,7 +82,7 @@ fn sum(problem: &Problem, runs: usize) -> Map<String, Value> {
 
 /// Both columns as integers on a common power of ten, added up: the same for what boundfit works on.
 fn sum_of_integers(problem: &Problem, runs: usize) -> Result<Map<String, Value>, String> {
-    let rows = problem.measurements.rows();
+    let rows = problem.measurements.kept();
     let (x, _) = on_grid(rows.iter().map(|row| &row.regressor[0]))?;
     let (y, _) = on_grid(rows.iter().map(|row| &row.response))?;
     let total = |column: &[i64]| column.iter().fold(0_i64, |sum, &value| sum.wrapping_add(value));
@@ -91,7 +91,7 @@ fn sum_of_integers(problem: &Problem, runs: usize) -> Result<Map<String, Value>,
 
 /// Two columns of integers on powers of ten to the exact polygon, its vertices as fractions.
 fn polygon(problem: &Problem, epsilon: &Rational, runs: usize) -> Result<Map<String, Value>, String> {
-    let rows = problem.measurements.rows();
+    let rows = problem.measurements.kept();
     let (x, x_unit) = on_grid(rows.iter().map(|row| &row.regressor[0]))?;
     let (y, y_unit) = on_grid(rows.iter().map(|row| &row.response))?;
     let line = GridLine { x_unit, y_unit, epsilon: epsilon.clone() };
@@ -122,7 +122,7 @@ fn whole_fit(problem: &Problem, runs: usize) -> Map<String, Value> {
 
 /// What the others' answers are compared with: how many vertices and hull corners there are, and the PUI.
 fn reference(problem: &Problem) -> Map<String, Value> {
-    let rows = problem.measurements.rows();
+    let rows = problem.measurements.kept();
     let mut points: Vec<Point> =
         rows.iter().map(|row| Point::new(&row.regressor[0], &row.response)).collect();
     points.sort_by(lexicographic);

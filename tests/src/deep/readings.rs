@@ -108,10 +108,10 @@ impl Case for ReadingsCase {
 
     fn without(&self, index: usize) -> Option<Box<dyn Case>> {
         let Problem { measurements, conditions } = &self.problem;
-        let count = measurements.rows().len();
+        let count = measurements.kept().len();
         let mut problem = self.problem.clone();
         if index < count {
-            let mut rows = measurements.rows().to_vec();
+            let mut rows = measurements.kept().to_vec();
             rows.remove(index);
             problem = with_rows(&problem, rows);
         } else if index - count < conditions.len() {
@@ -136,7 +136,7 @@ impl Case for ReadingsCase {
         let conditions: String =
             conditions.iter().map(|condition| format!(" --where '{}'", condition.text())).collect();
         let mut text = format!("{header},y,eps\n");
-        for Measurement { regressor: [u, v], response, epsilon, .. } in measurements.rows() {
+        for Measurement { regressor: [u, v], response, epsilon, .. } in measurements.kept() {
             let regressor = if is_line { u.to_string() } else { format!("{u},{v}") };
             let _ = writeln!(text, "{regressor},{response},{epsilon}");
         }

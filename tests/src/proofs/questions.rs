@@ -161,7 +161,7 @@ pub fn generated(rng: &mut ChaCha8Rng) -> Question {
     }
     let problem = problem(rng);
     let mut text = "u,v,y,eps\n".to_owned();
-    for Measurement { regressor: [u, v], response, epsilon, .. } in problem.measurements.rows() {
+    for Measurement { regressor: [u, v], response, epsilon, .. } in problem.measurements.kept() {
         let _ = writeln!(text, "{u},{v},{response},{epsilon}");
     }
     let question = Question {

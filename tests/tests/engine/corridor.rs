@@ -88,7 +88,7 @@ fn readings_lie_beside_the_corridor_by_at_most_their_bound() {
         let fit = fit(&problem);
         let line = matches!(problem.measurements.model(), Model::Line { .. });
         let Some(corridor) = Corridor::new(fit.fps.polyhedron()).filter(|_| line) else { continue };
-        for row in problem.measurements.rows() {
+        for row in problem.measurements.kept() {
             let x = &row.regressor[0];
             let [upper, lower] = [&corridor.upper, &corridor.lower].map(|edge| edge.value(x).unwrap());
             assert!(upper <= &row.response + &row.epsilon && lower >= &row.response - &row.epsilon);

@@ -115,7 +115,7 @@ fn the_order_of_rows_and_repeated_rows_change_no_set() {
     for case in 0..CASES {
         let problem = problem(&mut rng);
         let expected = fit(&problem);
-        let mut rows = problem.measurements.rows().to_vec();
+        let mut rows = problem.measurements.kept().to_vec();
         rows.shuffle(&mut rng);
         let shuffled = fit(&with_rows(&problem, rows.clone()));
         assert_eq!(outcome(&shuffled), outcome(&expected), "case {case}");
@@ -149,7 +149,7 @@ fn units_can_be_changed() {
         let c = Rational::ratio(rng.random_range(1..=1000), 7);
         let k = Rational::ratio(rng.random_range(1..=1000), 11);
         let ratio = c.checked_div(&k).unwrap();
-        let rows = problem.measurements.rows().iter().map(|row| Measurement {
+        let rows = problem.measurements.kept().iter().map(|row| Measurement {
             row: row.row,
             regressor: [&row.regressor[0] * &k, row.regressor[1].clone()],
             response: &row.response * &c,
@@ -218,7 +218,7 @@ fn binary64_readings_are_the_nearest_doubles_taken_exactly() {
         let decimal = |value: &Rational| (value * &tenth).to_string();
         let read = |text: &str| Reading::Binary64.read(text, &Limits::default()).unwrap();
         let rounded = |value: &Rational| Rational::from_f64((value * &tenth).to_f64()).unwrap();
-        let rows = problem.measurements.rows();
+        let rows = problem.measurements.kept();
         let as_text = rows.iter().map(|row| Measurement {
             row: row.row,
             regressor: row.regressor.each_ref().map(|value| read(&decimal(value))),

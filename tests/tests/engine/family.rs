@@ -14,7 +14,7 @@ use rand::RngExt;
 /// The set with every error bound multiplied, computed afresh.
 fn fresh(problem: &Problem, s: &Rational) -> Section {
     let scaled = |row: &Measurement| Measurement { epsilon: &row.epsilon * s, ..row.clone() };
-    let rows = problem.measurements.rows().iter().map(scaled).collect();
+    let rows = problem.measurements.kept().iter().map(scaled).collect();
     let error_bound = match problem.measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => ErrorBound::Uniform(epsilon * s),
         per_row @ ErrorBound::PerRow(_) => per_row.clone(),

@@ -69,7 +69,7 @@ impl Case {
         };
         let far = Rational::new(7.into(), boundfit_exact::Integer::power_of_ten(40)).unwrap();
         for (number, group) in groups.iter_mut().enumerate() {
-            let mut rows = group.measurements.rows().to_vec();
+            let mut rows = group.measurements.kept().to_vec();
             for row in &mut rows {
                 if let ErrorBound::Uniform(epsilon) = &bound {
                     row.epsilon = epsilon.clone();
@@ -88,7 +88,7 @@ impl Case {
     fn in_turn(rng: &mut ChaCha8Rng, groups: Vec<Problem>) -> Self {
         let mut turns: Vec<usize> = Vec::new();
         for (group, problem) in groups.iter().enumerate() {
-            turns.extend(std::iter::repeat_n(group, problem.measurements.rows().len()));
+            turns.extend(std::iter::repeat_n(group, problem.measurements.kept().len()));
         }
         let turns: Vec<usize> = shuffled(rng, turns.len()).into_iter().map(|k| turns[k]).collect();
         let mut table = "eps,b,key,y,a\n".to_owned();
@@ -99,7 +99,7 @@ impl Case {
                 gathered.len() - 1
             });
             let own = &mut gathered[place].1;
-            let row = Measurement { row: number, ..groups[group].measurements.rows()[own.len()].clone() };
+            let row = Measurement { row: number, ..groups[group].measurements.kept()[own.len()].clone() };
             let [a, b, y, epsilon] = [&row.regressor[0], &row.regressor[1], &row.response, &row.epsilon]
                 .map(|number| text(rng, number));
             writeln!(table, "{epsilon},{b},sensor {group},{y},{a}").unwrap();
@@ -120,7 +120,7 @@ fn named(problem: Problem) -> Problem {
         Model::Line { .. } => Model::Line { x: "a".to_owned() },
         Model::TwoRegressors { .. } => Model::TwoRegressors { regressors: ["a".to_owned(), "b".to_owned()] },
     };
-    let (bound, rows) = (problem.measurements.error_bound().clone(), problem.measurements.rows().to_vec());
+    let (bound, rows) = (problem.measurements.error_bound().clone(), problem.measurements.kept().to_vec());
     Problem { measurements: Measurements::new(model, "y".to_owned(), bound, rows), ..problem }
 }
 
@@ -151,7 +151,7 @@ fn every_group_is_fitted_as_it_would_be_alone() {
             assert_eq!(least_squares_is_feasible(&own), slack, "{alone:?}");
             let kind = own.fps.polyhedron().region().kind();
             kinds[RegionKind::ALL.iter().position(|other| *other == kind).unwrap()] += 1;
-            let numbers = alone.measurements.rows().iter().map(|row| row.response.denominator().bits());
+            let numbers = alone.measurements.kept().iter().map(|row| row.response.denominator().bits());
             long += usize::from(numbers.max() > Some(100));
         }
     }
@@ -171,7 +171,7 @@ fn doubles_are_taken_as_they_are() {
     let table_options = TableOptions { reading: Reading::Binary64, ..TableOptions::default() };
     let fleet = read(table, &columns, ScanOptions { table: table_options, ..ScanOptions::default() });
     let numbers = |group| -> Vec<[Rational; 2]> {
-        let rows = fleet.measurements(group).rows().to_vec();
+        let rows = fleet.measurements(group).kept().to_vec();
         rows.into_iter().map(|row| [row.regressor[0].clone(), row.response]).collect()
     };
     let double = |value: f64| Rational::from_f64(value).unwrap();
@@ -188,7 +188,7 @@ fn rows_left_out_are_no_group() {
         ScanOptions { table: TableOptions { rows, ..TableOptions::default() }, ..ScanOptions::default() };
     let fleet = read(table, &columns, options);
     let rows =
-        |group: usize| -> Vec<usize> { fleet.measurements(group).rows().iter().map(|row| row.row).collect() };
+        |group: usize| -> Vec<usize> { fleet.measurements(group).kept().iter().map(|row| row.row).collect() };
     let groups: Vec<(&str, Vec<usize>)> =
         (0..fleet.len()).map(|group| (fleet.key(group), rows(group))).collect();
     assert_eq!(groups, [("y", vec![2, 4]), ("z", vec![3])]);

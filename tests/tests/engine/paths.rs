@@ -75,7 +75,7 @@ fn same_on_all_paths(problem: &Problem, case: &str) -> Fit {
     assert_eq!(LeastSquares::in_general(measurements), fit.least_squares, "{case}");
 
     let every = fit.with_every_half_plane(problem);
-    assert_eq!(every.fps.names().len(), 2 * measurements.rows().len() + conditions.len(), "{case}");
+    assert_eq!(every.fps.names().len(), 2 * measurements.kept().len() + conditions.len(), "{case}");
     assert_eq!(named_set(&fit.fps, fit.pui.as_ref()), named_set(&every.fps, every.pui.as_ref()), "{case}");
     let bound = measurements.error_bound();
     assert_eq!(fit.contradiction(bound), every.contradiction(bound), "{case}");
@@ -84,7 +84,7 @@ fn same_on_all_paths(problem: &Problem, case: &str) -> Fit {
         fit.central.as_ref().map(|central| &central.theta),
         fit.minimax.as_ref().map(|minimax| &minimax.theta),
     ];
-    if !measurements.rows().is_empty() {
+    if !measurements.kept().is_empty() {
         for theta in estimates.into_iter().flatten() {
             assert_eq!(tightest(&fit.fps, theta), tightest(&every.fps, theta), "{case}");
         }
@@ -129,7 +129,7 @@ fn generated_readings() {
             problem = with_error_bound(&problem, &minimax.least);
         }
         let fit = same_on_all_paths(&problem, &format!("case {case}"));
-        let all = 2 * problem.measurements.rows().len() + problem.conditions.len();
+        let all = 2 * problem.measurements.kept().len() + problem.conditions.len();
         fewer += usize::from(fit.fps.names().len() < all);
         empty += usize::from(fit.pui.is_none());
         one_sign += usize::from(fit.inverse.is_some_and(|inverse| inverse.offset.box_range.len() == 1));

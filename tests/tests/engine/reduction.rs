@@ -192,8 +192,8 @@ fn a_scan_gives_the_fit_of_all_readings_for_any_parts_and_threads() {
                 assert_eq!(one, other, "case {case_number}: {rows:?}");
             }
             let all = case.scanned(&path, chunk_bytes, Keep::default());
-            assert_eq!(all.rows(), whole.0.measurements.rows(), "case {case_number}");
-            assert!(all.reduction().is_none());
+            assert_eq!(all.kept(), whole.0.measurements.kept(), "case {case_number}");
+            assert!(all.all().is_some());
         }
     }
     for kind in
@@ -225,7 +225,7 @@ fn of_long_tables_too_only_the_rows_that_touch_a_hull_count() {
                 );
                 assert_eq!(reduced.1.eui(), whole.1.eui(), "{kind:?} {reading:?}");
                 // Of wide integers there are few, which occur often.
-                let kept = reduced.0.measurements.rows().len();
+                let kept = reduced.0.measurements.kept().len();
                 assert!(kept < 200 || kind == TableKind::WideIntegers, "{kind:?} {reading:?}: {kept}");
             }
         }
@@ -307,7 +307,7 @@ fn reductions_of_parts_put_together_and_reduced_are_the_reduction_of_the_whole()
         let kept: Vec<usize> = {
             fs::write(&path, text(&case.rows)).unwrap();
             let keep = Keep { most_rows: 0, ..Keep::default() };
-            case.scanned(&path, 4096, keep).rows().iter().map(|reading| reading.row).collect()
+            case.scanned(&path, 4096, keep).kept().iter().map(|reading| reading.row).collect()
         };
         fs::write(&path, &of_whole).unwrap();
         let reduced = case.fitted(case.scanned(&path, 7, Keep::default()));

@@ -37,7 +37,7 @@ fn the_corridor_is_the_support_function() {
             continue;
         }
         let mut abscissas: Vec<Rational> =
-            lesson.problem.measurements.rows().iter().map(|row| row.regressor[0].clone()).collect();
+            lesson.problem.measurements.kept().iter().map(|row| row.regressor[0].clone()).collect();
         for edge in ["upper", "lower"] {
             let breakpoints = items(&corridor[edge]["breakpoints"]);
             abscissas.extend(breakpoints.map(|breakpoint| rational(breakpoint.as_str().unwrap())));

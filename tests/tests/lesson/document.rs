@@ -169,7 +169,7 @@ fn sparse_problem(rng: &mut ChaCha8Rng) -> Problem {
     let is_line = matches!(problem.measurements.model(), Model::Line { .. });
     let same = rng.random_bool(0.7);
     let zero = !is_line && rng.random_bool(0.7);
-    let mut rows = problem.measurements.rows().to_vec();
+    let mut rows = problem.measurements.kept().to_vec();
     rows.truncate(rng.random_range(1..=3));
     let first = rows[0].clone();
     for row in rows.iter_mut().filter(|_| same) {

@@ -62,7 +62,7 @@ fn readings_and_half_planes_are_those_of_the_fit() {
         let Lesson { problem, fit, data, name } = &lesson;
         // The page shows all half-planes, also those that a fit does without.
         let fit = fit.with_every_half_plane(problem);
-        let rows = problem.measurements.rows();
+        let rows = problem.measurements.kept();
         for (row, reading) in rows.iter().zip(items(&data["readings"])) {
             assert_eq!(count(&reading["row"]), row.row);
             assert_eq!(pair(&reading["phi"]), row.regressor);

@@ -122,7 +122,7 @@ fn orders_are_what_their_names_say() {
     };
     assert_eq!(sequence("given"), (0..46).collect::<Vec<_>>());
     // Upper bounds are even: all of them from the largest x to the smallest, then the lower ones likewise.
-    let x = |index: usize| lesson.problem.measurements.rows()[index / 2].regressor[0].clone();
+    let x = |index: usize| lesson.problem.measurements.kept()[index / 2].regressor[0].clone();
     let (upper, lower) = (&sequence("slope")[..23], &sequence("slope")[23..]);
     assert!(upper.iter().all(|index| index % 2 == 0) && lower.iter().all(|index| index % 2 == 1));
     assert!([upper, lower].iter().all(|half| half.is_sorted_by(|&i, &j| x(i) >= x(j))));

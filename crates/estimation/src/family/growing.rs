@@ -20,7 +20,7 @@ pub(super) struct GrowingSystem {
 impl GrowingSystem {
     pub(super) fn new(problem: &Problem) -> Self {
         let mut system = GrowingSystem { names: Vec::new(), forms: Vec::new(), bounds: Vec::new() };
-        let rows = problem.measurements.rows();
+        let rows = problem.measurements.kept();
         let of_hulls = matches!(problem.measurements.model(), Model::Line { .. })
             && matches!(problem.measurements.error_bound(), ErrorBound::Uniform(_));
         let positions = if of_hulls { touching_a_hull(rows) } else { (0..rows.len()).collect() };

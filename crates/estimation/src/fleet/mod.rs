@@ -11,11 +11,11 @@ mod series;
 use std::io;
 use std::ops::Range;
 
-use boundfit_exact::Rational;
 use boundfit_formats::{Batch, ColumnSelector, InputError, ScanOptions, Source, scan};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-use crate::measurements::{Columns, ErrorBound, Measurement, Measurements, Model};
+use crate::files::Columns;
+use crate::measurements::{ErrorBound, Meaning, Measurements};
 use groups::Groups;
 use keys::Keys;
 use series::Series;
@@ -31,9 +31,7 @@ const PIECES_PER_BLOCK: usize = 32;
 /// first occur.
 #[derive(Debug, Clone)]
 pub struct Fleet {
-    model: Model,
-    response: String,
-    error_bound: ErrorBound,
+    meaning: Meaning,
     keys: Keys,
     groups: Groups,
     /// x or φ1 and φ2, then y, then the error bounds that are a column.
@@ -63,17 +61,9 @@ impl Fleet {
             let error = io::Error::other(format!("more than {} rows", u32::MAX));
             return Err(InputError::of_file(&file, error));
         }
-        let (model, response, error_bound) = columns.described(&scanned.names);
+        let meaning = columns.meaning(&scanned.names);
         let groups = Groups::new(&store.group_of, store.keys.len());
-        Ok(Fleet {
-            model,
-            response,
-            error_bound,
-            keys: store.keys,
-            groups,
-            columns: store.columns,
-            first_row: store.first_row,
-        })
+        Ok(Fleet { meaning, keys: store.keys, groups, columns: store.columns, first_row: store.first_row })
     }
 
     /// How many groups there are.
@@ -88,7 +78,7 @@ impl Fleet {
 
     /// Whether every reading has its own error bound.
     pub fn is_bounded_per_row(&self) -> bool {
-        matches!(self.error_bound, ErrorBound::PerRow(_))
+        matches!(self.meaning.error_bound, ErrorBound::PerRow(_))
     }
 
     /// The text that the rows of a group have in common.
@@ -104,23 +94,13 @@ impl Fleet {
     /// # Panics
     /// When there are not that many groups.
     pub fn measurements(&self, group: usize) -> Measurements {
-        let rows = self.groups.rows(group).map(|index| self.measurement(index)).collect();
-        Measurements::new(self.model.clone(), self.response.clone(), self.error_bound.clone(), rows)
-    }
-
-    fn measurement(&self, index: usize) -> Measurement {
-        let mut numbers = self.columns.iter().map(|column| column.get(index));
-        let mut next = || numbers.next().unwrap_or_default();
-        let regressor = match self.model {
-            Model::Line { .. } => [next(), Rational::one()],
-            Model::TwoRegressors { .. } => [next(), next()],
+        let measurement = |index: usize| {
+            let numbers = self.columns.iter().map(|column| column.get(index));
+            self.meaning.measurement(self.first_row + index, numbers)
         };
-        let response = next();
-        let epsilon = match &self.error_bound {
-            ErrorBound::Uniform(epsilon) => epsilon.clone(),
-            ErrorBound::PerRow(_) => next(),
-        };
-        Measurement { row: self.first_row + index, regressor, response, epsilon }
+        let rows = self.groups.rows(group).map(measurement).collect();
+        let Meaning { model, response, error_bound } = self.meaning.clone();
+        Measurements::new(model, response, error_bound, rows)
     }
 
     /// Calls `work` for consecutive groups, on the threads of the current rayon pool and in any order, and `take` with

@@ -28,7 +28,8 @@ use extremes::Extremes;
 use sieve::SharedSieve;
 use spread::Thresholds;
 
-use crate::measurements::{Columns, EpsilonColumn, Measurements};
+use crate::files::{Columns, EpsilonColumn, rows_of};
+use crate::measurements::{Measurement, Measurements, Readings};
 
 /// Bytes of x kept from a file before it is rather read a second time: twelve million readings at four bytes each.
 const MOST_BYTES_OF_FILE: usize = 48 << 20;
@@ -145,21 +146,28 @@ impl Measurements {
         let scanned = scan(source, &columns.selectors(), &options, digest, |digest| {
             all.take(digest, most_rows, &sieve);
         })?;
+        let meaning = columns.meaning(&scanned.names);
+        let supporting = |extremes: Extremes| {
+            let reading = |reading: Measurement| {
+                let [x, _] = reading.regressor;
+                meaning.measurement(reading.row, [x, reading.response].into_iter())
+            };
+            extremes.into_rows().into_iter().map(reading).collect()
+        };
         if let Some(reductions) = &reductions {
             let line = columns.second.is_none();
             let sums = LineSums::stated(reductions, path, line, &scanned.names, &options)?;
-            let reduction = Reduction { sums, spread: Err(NoEui::Reduced) };
             let rows = match columns.epsilon {
-                EpsilonColumn::Uniform(_) => all.extremes.into_rows(),
-                EpsilonColumn::Column(_) => {
-                    Measurements::of_batches(columns, scanned.clone(), &all.batches).rows().to_vec()
-                }
+                EpsilonColumn::Uniform(_) => supporting(all.extremes),
+                EpsilonColumn::Column(_) => rows_of(&all.batches, &meaning),
             };
-            let scanned = Scanned { rows_total: reduction.sums.count, layout: None, ..scanned };
-            return Ok(Measurements::of_reduction(columns, scanned, rows, reduction));
+            let scanned = Scanned { rows_total: sums.count, layout: None, ..scanned };
+            let reduction = Reduction { sums, spread: Err(NoEui::Reduced) };
+            return Ok(Measurements::scanned(columns, scanned, Readings::Supporting { rows, reduction }));
         }
         if all.rows <= most_rows {
-            return Ok(Measurements::of_batches(columns, scanned, &all.batches));
+            let rows = rows_of(&all.batches, &meaning);
+            return Ok(Measurements::scanned(columns, scanned, Readings::All(rows)));
         }
         let spread = if keep.eui {
             let thresholds = Thresholds::new(&all.sums);
@@ -171,8 +179,8 @@ impl Measurements {
         } else {
             Err(NoEui::NotAsked)
         };
-        let reduction = Reduction { sums: all.sums, spread };
-        Ok(Measurements::of_reduction(columns, scanned, all.extremes.into_rows(), reduction))
+        let (rows, reduction) = (supporting(all.extremes), Reduction { sums: all.sums, spread });
+        Ok(Measurements::scanned(columns, scanned, Readings::Supporting { rows, reduction }))
     }
 }
 

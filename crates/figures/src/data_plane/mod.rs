@@ -212,7 +212,7 @@ fn description(scene: &Scene, notes: &[String]) -> String {
     if let Some(reference) = &scene.reference {
         sentences.push(format!("Second panel: the same as distance from the {}.", reference.name));
     }
-    let fitted = labels::plural(problem.measurements.rows().len(), "reading");
+    let fitted = labels::plural(problem.measurements.fitted(), "reading");
     sentences.push(match problem.measurements.others().len() {
         others if others > 0 && scene.figure != Figure::Corridor => {
             format!("Fitted, with error bars: {fitted}. Not fitted: {others}.")

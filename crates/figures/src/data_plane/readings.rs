@@ -57,7 +57,7 @@ pub(crate) fn all(
         }
     };
     let others = if figure == Figure::Corridor { &[] } else { problem.measurements.others() };
-    let fitted = problem.measurements.rows().iter().map(|row| shown(row, true));
+    let fitted = problem.measurements.kept().iter().map(|row| shown(row, true));
     others.iter().map(|row| shown(row, false)).chain(fitted).collect()
 }
 

@@ -92,7 +92,7 @@ fn allowed(problem: &Problem, bound: BoundName) -> Option<Allowed> {
             (format!("condition {number}: {text}"), vec![condition.inequality().clone()], 0)
         }
         BoundName::Upper(row) | BoundName::Lower(row) => {
-            let reading = problem.measurements.rows().iter().find(|reading| reading.row == row)?;
+            let reading = problem.measurements.kept().iter().find(|reading| reading.row == row)?;
             let [phi1, phi2] = reading.regressor.clone();
             let (above, below) = (&reading.response + &reading.epsilon, &reading.epsilon - &reading.response);
             let sides = vec![

@@ -32,7 +32,7 @@ fn none(facts: &Facts<'_>, uniform: bool) -> String {
         let names: Vec<BoundName> = terms.iter().map(|(name, _)| *name).collect();
         return format!("There is none: {}, however large {symbol} is.", clash(&names, facts.problem));
     }
-    let rows = facts.problem.measurements.rows();
+    let rows = facts.problem.measurements.kept();
     let grows = |index: &usize| rows.get(index / 2).is_some_and(|row| !row.epsilon.is_zero());
     let growing: Vec<usize> = (0..facts.inequalities().len()).filter(grows).collect();
     let (fixed, names) = facts.others(&growing);

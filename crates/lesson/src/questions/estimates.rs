@@ -58,7 +58,7 @@ fn with_slack(facts: &Facts<'_>, is_meant: impl Fn(&Rational) -> bool) -> Vec<Bo
 /// A feasible estimate on the boundary of the set.
 fn tight(facts: &Facts<'_>) -> String {
     let equal = with_slack(facts, Rational::is_zero);
-    let rows = facts.problem.measurements.rows();
+    let rows = facts.problem.measurements.kept();
     let conditions = match facts.problem.conditions.len() {
         0 => "",
         1 => ", and it satisfies the condition",

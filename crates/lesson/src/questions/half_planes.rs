@@ -49,7 +49,7 @@ fn has_choice(facts: &Facts<'_>, needed: &[usize]) -> bool {
 
 /// `23 readings and one condition give`.
 fn givers(facts: &Facts<'_>) -> String {
-    let rows = facts.problem.measurements.rows().len();
+    let rows = facts.problem.measurements.kept().len();
     let readings = counted(rows, "reading", "readings");
     let givers = match facts.problem.conditions.len() {
         0 => format!("{readings} {}", if rows == 1 { "gives" } else { "give" }),

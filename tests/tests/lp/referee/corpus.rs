@@ -53,7 +53,7 @@ fn needed(problem: &Problem, theta: &[Rational; 2]) -> Option<Rational> {
     if problem.conditions.iter().any(|condition| condition.inequality().slack(theta).is_negative()) {
         return None;
     }
-    let growth = problem.measurements.rows().iter().map(|row| {
+    let growth = problem.measurements.kept().iter().map(|row| {
         let predicted = &row.regressor[0] * &theta[0] + &row.regressor[1] * &theta[1];
         (&row.response - predicted).abs() - &row.epsilon
     });
@@ -168,7 +168,7 @@ fn upper(problem: &Problem, tolerance: &str, claim: &BoundClaim) -> Judgement {
 /// θ1 and θ2 between -1 and 1, each with the error bound 1.
 fn square() -> Problem {
     let mut square = line_problem(&[(number("1"), number("0")), (number("1"), number("0"))], &number("1"));
-    let rows = square.measurements.rows().iter().cloned().zip([["1", "0"], ["0", "1"]]);
+    let rows = square.measurements.kept().iter().cloned().zip([["1", "0"], ["0", "1"]]);
     let rows = rows
         .map(|(row, regressor)| boundfit_estimation::Measurement { regressor: regressor.map(number), ..row });
     square = boundfit_tests::readings::with_rows(&square, rows.collect());
