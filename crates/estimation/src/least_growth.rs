@@ -143,18 +143,15 @@ struct IntegerRow {
 impl IntegerRow {
     fn new(inequality: &GrowingInequality) -> Self {
         let GrowingInequality { at_zero: Inequality { a: [a1, a2], b }, growth } = inequality;
-        let scale =
-            [a1, a2, b, growth].iter().fold(Integer::one(), |scale, value| scale.lcm(&value.denominator()));
-        let scaled = |value: &Rational| value.numerator() * scale.div_rem_floor(&value.denominator()).0;
-        IntegerRow { a: [scaled(a1), scaled(a2)], b: scaled(b), growth: scaled(growth), scale: scale.clone() }
+        let ([a1, a2, b, growth], scale) = Rational::over_common_denominator([a1, a2, b, growth]);
+        IntegerRow { a: [a1, a2], b, growth, scale }
     }
 }
 
 /// The inequality that (θ, t) violates most, in its own units; the first of equals.
 fn most_violated(rows: &[IntegerRow], theta: &[Rational; 2], t: &Rational) -> Option<usize> {
-    let weight = theta[0].denominator().lcm(&theta[1].denominator()).lcm(&t.denominator());
-    let scaled = |value: &Rational| value.numerator() * weight.div_rem_floor(&value.denominator()).0;
-    let (x, y, time) = (scaled(&theta[0]), scaled(&theta[1]), scaled(t));
+    let [theta1, theta2] = theta;
+    let ([x, y, time], weight) = Rational::over_common_denominator([theta1, theta2, t]);
     let mut worst: Option<(usize, Integer)> = None;
     for (index, row) in rows.iter().enumerate() {
         let excess = &row.a[0] * &x + &row.a[1] * &y - &row.b * &weight - &row.growth * &time;

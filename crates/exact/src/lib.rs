@@ -33,7 +33,7 @@ pub use binary64::{nearest_double, plain_double};
 pub use decimal::{Decimal, Rounding};
 pub use double_sum::DoubleSum;
 pub use interval::{Endpoint, Interval};
-pub use number::{Integer, Rational, Sign};
+pub use number::{Fraction, Integer, Rational, Sign, TooWide};
 pub use parse::{Limits, ParseNumberError, ParseNumberErrorKind, Reading};
 pub use scaled::{PLAIN_DIGITS, PLAIN_EXPONENT, PlainPrefix, Scaled, plain_decimal, plain_prefix};
 pub use sum::Sum;

@@ -6,10 +6,9 @@
 //! interval, and one walk from left to right finds both of its ends. (The two envelopes are dual to the two hulls of
 //! Andrew's monotone chain; de Berg et al., *Computational Geometry*, §§ 4.2 and 11.5.)
 
-use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
-use boundfit_exact::{Integer, Sign};
+use boundfit_exact::{Fraction, Integer, Sign};
 
 use crate::half_plane::HalfPlane;
 use crate::predicates::middle_is_implied;
@@ -17,35 +16,14 @@ use crate::predicates::middle_is_implied;
 /// A half-plane together with its index.
 pub(crate) type Facet<'a> = (usize, &'a HalfPlane);
 
-/// A value of θ1 as `numerator / denominator`, `denominator > 0`, not reduced: it is only ever compared.
-#[derive(Debug, Clone)]
-struct Abscissa {
-    numerator: Integer,
-    denominator: Integer,
+/// The θ1 where two boundaries meet, unless they are parallel.
+fn theta1_of_meeting(f: &HalfPlane, g: &HalfPlane) -> Option<Fraction> {
+    Fraction::new(f.b() * g.a2() - g.b() * f.a2(), f.a1() * g.a2() - g.a1() * f.a2())
 }
 
-impl Abscissa {
-    fn new(numerator: Integer, denominator: Integer) -> Self {
-        if denominator.is_negative() {
-            Abscissa { numerator: -numerator, denominator: -denominator }
-        } else {
-            Abscissa { numerator, denominator }
-        }
-    }
-
-    /// Where two boundaries that are not parallel meet.
-    fn of_meeting(f: &HalfPlane, g: &HalfPlane) -> Self {
-        Abscissa::new(f.b() * g.a2() - g.b() * f.a2(), f.a1() * g.a2() - g.a1() * f.a2())
-    }
-
-    /// Where a boundary with `a2 = 0` stands.
-    fn of_vertical((_, half_plane): &Facet) -> Self {
-        Abscissa::new(half_plane.b().clone(), half_plane.a1().clone())
-    }
-
-    fn compare(&self, other: &Self) -> Ordering {
-        (&self.numerator * &other.denominator).cmp(&(&other.numerator * &self.denominator))
-    }
+/// The θ1 where a boundary with `a2 = 0` stands.
+fn theta1_of_vertical((_, half_plane): &Facet) -> Option<Fraction> {
+    Fraction::new(half_plane.b().clone(), half_plane.a1().clone())
 }
 
 /// The distance `constant + slope·θ1`, up to a positive factor, from a lower bound of θ2 up to an upper bound.
@@ -62,8 +40,8 @@ impl Gap {
         }
     }
 
-    fn sign_at(&self, theta1: &Abscissa) -> Sign {
-        (&self.constant * &theta1.denominator + &self.slope * &theta1.numerator).sign()
+    fn sign_at(&self, theta1: &Fraction) -> Sign {
+        (&self.constant * theta1.denominator() + &self.slope * theta1.numerator()).sign()
     }
 
     /// The sign for θ1 towards minus infinity.
@@ -75,9 +53,9 @@ impl Gap {
         }
     }
 
-    /// Where the gap closes; its slope must not be zero.
-    fn root(&self) -> Abscissa {
-        Abscissa::new(-&self.constant, self.slope.clone())
+    /// Where the gap closes, unless it is the same everywhere.
+    fn root(&self) -> Option<Fraction> {
+        Fraction::new(-&self.constant, self.slope.clone())
     }
 }
 
@@ -99,23 +77,20 @@ impl<'a> Envelope<'a> {
     }
 
     /// Where a piece gives way to the next, unless it is the last.
-    fn end_of(&self, piece: usize) -> Option<Abscissa> {
+    fn end_of(&self, piece: usize) -> Option<Fraction> {
         let (_, next) = self.pieces.get(piece + 1)?;
-        Some(Abscissa::of_meeting(self.pieces[piece].1, next))
+        theta1_of_meeting(self.pieces[piece].1, next)
     }
 
     /// The piece in force just right of `left`.
-    fn first_after(&self, left: Option<&Abscissa>) -> usize {
-        let over = |piece: &usize| {
-            left.is_some_and(|left| {
-                self.end_of(*piece).is_some_and(|end| end.compare(left) != Ordering::Greater)
-            })
-        };
+    fn first_after(&self, left: Option<&Fraction>) -> usize {
+        let over =
+            |piece: &usize| left.is_some_and(|left| self.end_of(*piece).is_some_and(|end| end <= *left));
         (0..self.pieces.len()).find(|piece| !over(piece)).unwrap_or(0)
     }
 
     /// The pieces in force between two abscissas; empty for an empty envelope.
-    fn between(&self, left: Option<&Abscissa>, right: Option<&Abscissa>) -> &[Facet<'a>] {
+    fn between(&self, left: Option<&Fraction>, right: Option<&Fraction>) -> &[Facet<'a>] {
         if self.pieces.is_empty() {
             return &[];
         }
@@ -123,7 +98,7 @@ impl<'a> Envelope<'a> {
         let mut last = self.pieces.len() - 1;
         while last > first
             && let (Some(right), Some(start)) = (right, self.end_of(last - 1))
-            && start.compare(right) != Ordering::Less
+            && start >= *right
         {
             last -= 1;
         }
@@ -165,10 +140,10 @@ impl<'a> Bounds<'a> {
     pub(crate) fn facets(mut self) -> Option<Vec<Facet<'a>>> {
         // The angular order runs along the upper bounds from right to left.
         self.upper.pieces.reverse();
-        let left = self.left.as_ref().map(Abscissa::of_vertical);
-        let right = self.right.as_ref().map(Abscissa::of_vertical);
+        let left = self.left.as_ref().and_then(theta1_of_vertical);
+        let right = self.right.as_ref().and_then(theta1_of_vertical);
         if let (Some(left), Some(right)) = (&left, &right)
-            && left.compare(right) == Ordering::Greater
+            && left > right
         {
             return None;
         }
@@ -185,7 +160,7 @@ impl<'a> Bounds<'a> {
     }
 
     /// Walks along both envelopes: first to where the gap opens, then to where it closes.
-    fn overlap(&self, left: Option<Abscissa>, right: Option<&Abscissa>) -> Option<Overlap> {
+    fn overlap(&self, left: Option<Fraction>, right: Option<&Fraction>) -> Option<Overlap> {
         let mut walk = Walk::new(self, left.as_ref(), right);
         let mut start = left;
         let mut reaches_left = start.is_some();
@@ -200,7 +175,7 @@ impl<'a> Bounds<'a> {
                 return None;
             }
             reaches_left = false;
-            if walk.end().is_none_or(|end| gap.root().compare(end) != Ordering::Greater) {
+            if walk.end().is_none_or(|end| gap.root().is_some_and(|root| root <= *end)) {
                 break;
             }
             start = Some(walk.advance()?);
@@ -230,7 +205,7 @@ impl<'a> Bounds<'a> {
 struct Piece<'b, 'a> {
     envelope: &'b Envelope<'a>,
     piece: usize,
-    end: Option<Abscissa>,
+    end: Option<Fraction>,
 }
 
 impl<'b, 'a> Piece<'b, 'a> {
@@ -239,8 +214,8 @@ impl<'b, 'a> Piece<'b, 'a> {
     }
 
     /// Goes on to the next piece when this one ends here.
-    fn pass(&mut self, here: &Abscissa) {
-        if self.end.as_ref().is_some_and(|end| end.compare(here) == Ordering::Equal) {
+    fn pass(&mut self, here: &Fraction) {
+        if self.end.as_ref().is_some_and(|end| end == here) {
             *self = Piece::new(self.envelope, self.piece + 1);
         }
     }
@@ -250,11 +225,11 @@ impl<'b, 'a> Piece<'b, 'a> {
 struct Walk<'b, 'a> {
     upper: Piece<'b, 'a>,
     lower: Piece<'b, 'a>,
-    right: Option<&'b Abscissa>,
+    right: Option<&'b Fraction>,
 }
 
 impl<'b, 'a> Walk<'b, 'a> {
-    fn new(bounds: &'b Bounds<'a>, left: Option<&Abscissa>, right: Option<&'b Abscissa>) -> Self {
+    fn new(bounds: &'b Bounds<'a>, left: Option<&Fraction>, right: Option<&'b Fraction>) -> Self {
         let from = |envelope: &'b Envelope<'a>| Piece::new(envelope, envelope.first_after(left));
         Walk { upper: from(&bounds.upper), lower: from(&bounds.lower), right }
     }
@@ -267,15 +242,15 @@ impl<'b, 'a> Walk<'b, 'a> {
     }
 
     /// Where the next piece begins or θ1 ends, whichever comes first.
-    fn end(&self) -> Option<&Abscissa> {
+    fn end(&self) -> Option<&Fraction> {
         let ends = [self.upper.end.as_ref(), self.lower.end.as_ref(), self.right];
-        ends.into_iter().flatten().min_by(|one, other| one.compare(other))
+        ends.into_iter().flatten().min()
     }
 
     /// Goes on to the pieces that follow this end, and tells where that is; `None` where θ1 ends.
-    fn advance(&mut self) -> Option<Abscissa> {
+    fn advance(&mut self) -> Option<Fraction> {
         let end = self.end()?.clone();
-        if self.right.is_some_and(|right| end.compare(right) != Ordering::Less) {
+        if self.right.is_some_and(|right| end >= *right) {
             return None;
         }
         self.upper.pass(&end);

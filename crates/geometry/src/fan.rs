@@ -152,9 +152,8 @@ struct IntegerForm {
 }
 
 impl IntegerForm {
-    fn new([c1, c2]: &[Rational; 2]) -> Option<Self> {
-        let denominator = c1.denominator().lcm(&c2.denominator());
-        let vector = [c1, c2].map(|c| c.numerator() * denominator.quotient(&c.denominator()));
+    fn new(form: &[Rational; 2]) -> Option<Self> {
+        let (vector, denominator) = Rational::over_common_denominator(form.each_ref());
         let is_zero = vector.iter().all(Integer::is_zero);
         (!is_zero).then_some(IntegerForm { vector, denominator })
     }

@@ -22,9 +22,7 @@ impl Inequality {
     /// The half-plane that the inequality describes; a zero normal leaves `0 ≤ b`, which holds always or never.
     pub fn constraint(&self) -> Constraint {
         let [a1, a2] = &self.a;
-        let common = a1.denominator().lcm(&a2.denominator()).lcm(&self.b.denominator());
-        let scaled = |value: &Rational| value.numerator() * common.quotient(&value.denominator());
-        let (p1, p2, q) = (scaled(a1), scaled(a2), scaled(&self.b));
+        let ([p1, p2, q], common) = Rational::over_common_denominator([a1, a2, &self.b]);
         // A prime of the common denominator leaves some scaled number indivisible, and one of them is ± that denominator:
         // no common divisor is to be looked for.
         if p1.abs() == common || p2.abs() == common {

@@ -15,9 +15,8 @@ pub struct Point {
 impl Point {
     /// The point with the given coordinates.
     pub fn new(theta1: &Rational, theta2: &Rational) -> Self {
-        let w = theta1.denominator().lcm(&theta2.denominator());
-        let scaled = |value: &Rational| value.numerator() * w.quotient(&value.denominator());
-        Point { x: scaled(theta1), y: scaled(theta2), w }
+        let ([x, y], w) = Rational::over_common_denominator([theta1, theta2]);
+        Point { x, y, w }
     }
 
     /// The point `(x / w, y / w)`, or `None` when `w` is 0.

@@ -4,7 +4,7 @@
 //! prices are a point θ, its λ the multipliers that prove the optimum; where it is unbounded its ray is a Farkas
 //! certificate, and where it is infeasible the proof of that is a direction in which the objective falls.
 
-use boundfit_exact::{Integer, Rational};
+use boundfit_exact::Rational;
 
 use crate::outcome::{ExactOutcome, Multiplier};
 use crate::program::{Program, Row};
@@ -43,10 +43,8 @@ pub fn exact_simplex(program: &Program<'_>) -> ExactOutcome {
 
 fn column(row: &Row) -> Column {
     let Row { a: [a1, a2], b } = row;
-    let scale = a1.denominator().lcm(&a2.denominator()).lcm(&b.denominator());
-    let whole =
-        |value: &Rational| -> Integer { value.numerator() * scale.div_rem_floor(&value.denominator()).0 };
-    Column { entries: [whole(a1), whole(a2)], cost: whole(b), scale: scale.clone() }
+    let ([a1, a2, cost], scale) = Rational::over_common_denominator([a1, a2, b]);
+    Column { entries: [a1, a2], cost, scale }
 }
 
 /// The multipliers that are not 0, by row.

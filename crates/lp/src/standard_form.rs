@@ -129,10 +129,7 @@ impl<'a> Tableau<'a> {
 
     /// The first column with a negative reduced cost. Decided in integers: this is the loop over all columns.
     fn entering(&self, phase: Phase) -> Option<usize> {
-        let prices = self.prices(phase);
-        let weight = prices[0].denominator().lcm(&prices[1].denominator());
-        let [p, q] =
-            prices.each_ref().map(|price| price.numerator() * weight.div_rem_floor(&price.denominator()).0);
+        let ([p, q], weight) = Rational::over_common_denominator(self.prices(phase).each_ref());
         let basic = |index: usize| self.basis.contains(&Basic::Column(index));
         self.order.columns().find(|&index| {
             let Column { entries: [a, b], cost, .. } = &self.columns[index];

@@ -1,16 +1,20 @@
-//! The two number types.
+//! The number types.
 //!
 //! Numbers that fit into 128 bits are machine words, all others the libraries' big ones. Which of the two a number is
 //! follows from its value alone, so that equal numbers are equal in memory, and no result depends on it.
 
+mod fraction;
 mod gcd;
 mod integer;
+mod interop;
 mod library;
 mod rational;
 
 use std::cmp::Ordering;
 
+pub use fraction::Fraction;
 pub use integer::Integer;
+pub use interop::TooWide;
 pub use rational::Rational;
 
 /// The sign of an exact number.

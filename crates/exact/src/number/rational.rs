@@ -205,6 +205,22 @@ impl Rational {
         Some((self.numerator.to_i64()?, self.denominator.to_i64()?))
     }
 
+    /// Numbers as integers over their least common denominator, which comes last and is positive. Exact.
+    ///
+    /// ```
+    /// use boundfit_exact::{Integer, Rational};
+    ///
+    /// let (halves, sixths) = (Rational::ratio(3, 2), Rational::ratio(-1, 6));
+    /// let (integers, denominator) = Rational::over_common_denominator([&halves, &sixths]);
+    /// assert_eq!((integers, denominator), ([9, -1].map(Integer::from), Integer::from(6)));
+    /// ```
+    pub fn over_common_denominator<const N: usize>(numbers: [&Rational; N]) -> ([Integer; N], Integer) {
+        let mut denominators = numbers.iter().map(|number| &number.denominator);
+        let first = denominators.next().map_or_else(Integer::one, Integer::clone);
+        let common = denominators.fold(first, |common, denominator| common.lcm(denominator));
+        (numbers.map(|number| &number.numerator * common.quotient(&number.denominator)), common)
+    }
+
     /// The quotient, or `None` when the divisor is 0.
     pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
         divisor.recip().map(|reciprocal| self * reciprocal)
@@ -233,15 +249,6 @@ impl Rational {
 mod tests {
     use super::super::library::{BigInt, BigRational};
     use super::*;
-
-    fn in_library(value: &Rational) -> BigRational {
-        BigRational::new_raw(value.numerator.to_big(), value.denominator.to_big())
-    }
-
-    fn of_library(value: BigRational) -> Rational {
-        let (numerator, denominator) = value.into_raw();
-        Rational { numerator: Integer::from_big(numerator), denominator: Integer::from_big(denominator) }
-    }
 
     #[test]
     fn lowest_terms_with_positive_denominator() {
@@ -292,20 +299,20 @@ mod tests {
             .iter()
             .flat_map(|n| denominators.iter().map(|d| BigRational::new(n.clone(), d.clone())))
             .collect();
-        let own: Vec<Rational> = numbers.iter().cloned().map(of_library).collect();
+        let own: Vec<Rational> = numbers.iter().cloned().map(Rational::from).collect();
         for (left, own_left) in numbers.iter().zip(&own) {
             assert_eq!(own_left.to_string(), left.to_string());
-            assert_eq!(in_library(&own_left.half()), left / BigInt::from(2));
-            assert_eq!(in_library(&-own_left), -left);
+            assert_eq!(BigRational::from(&own_left.half()), left / BigInt::from(2));
+            assert_eq!(BigRational::from(&-own_left), -left);
             assert!(!own_left.abs().is_negative());
             for (right, own_right) in numbers.iter().zip(&own) {
-                assert_eq!(own_left + own_right, of_library(left + right));
-                assert_eq!(own_left - own_right, of_library(left - right));
-                assert_eq!(own_left * own_right, of_library(left * right));
+                assert_eq!(own_left + own_right, Rational::from(left + right));
+                assert_eq!(own_left - own_right, Rational::from(left - right));
+                assert_eq!(own_left * own_right, Rational::from(left * right));
                 assert_eq!(own_left.cmp(own_right), left.cmp(right));
                 assert_eq!(own_left == own_right, left == right);
                 let quotient = own_left.checked_div(own_right);
-                let expected = (!own_right.is_zero()).then(|| of_library(left / right));
+                let expected = (!own_right.is_zero()).then(|| Rational::from(left / right));
                 assert_eq!(quotient, expected);
             }
         }
@@ -321,15 +328,15 @@ mod tests {
             .chain([BigInt::from(i128::MAX) + 1, BigInt::from(i128::MIN) - 1, BigInt::from(6) << 150])
             .collect();
         for left in &edges {
-            let own_left = Integer::from_big(left.clone());
+            let own_left = Integer::from(left.clone());
             assert_eq!(own_left.bits(), left.bits());
             assert_eq!(own_left.is_even(), left.is_even());
             assert_eq!(own_left.to_string(), left.to_string());
             let digits = left.magnitude().to_string();
             assert_eq!(Integer::from_ascii_digits(digits.as_bytes()), Some(own_left.abs()));
             for right in &edges {
-                let own_right = Integer::from_big(right.clone());
-                let of = |value: BigInt| Integer::from_big(value);
+                let own_right = Integer::from(right.clone());
+                let of = |value: BigInt| Integer::from(value);
                 assert_eq!(&own_left + &own_right, of(left + right));
                 assert_eq!(&own_left - &own_right, of(left - right));
                 assert_eq!(&own_left * &own_right, of(left * right));

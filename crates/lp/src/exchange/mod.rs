@@ -65,9 +65,7 @@ impl Numbers {
             let is_in_range = [a1, a2, b].into_iter().all(in_range);
             return Numbers { a: [first, second], b: right, scale: None, is_in_range };
         }
-        let scale = a1.denominator().lcm(&a2.denominator()).lcm(&b.denominator());
-        let whole = |value: &Rational| value.numerator() * scale.quotient(&value.denominator());
-        let [first, second, right] = [a1, a2, b].map(whole);
+        let ([first, second, right], scale) = Rational::over_common_denominator([a1, a2, b]);
         let is_in_range = [&first, &second, &right].into_iter().all(|value| in_range(&Rational::from(value)));
         let a = [first.to_string(), second.to_string()];
         Numbers { a, b: right.to_string(), scale: Some(scale), is_in_range }
