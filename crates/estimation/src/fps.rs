@@ -129,8 +129,9 @@ pub(crate) fn every_half_plane(
     (names, System::new(inequalities))
 }
 
-/// The two half-planes of a reading with an error bound: the strip of all θ whose line passes that close.
-pub(crate) fn strip(measurement: &Measurement, epsilon: &Rational) -> [(BoundName, Inequality); 2] {
+/// The two half-planes of a reading with an error bound, the upper bound first: the strip of all θ whose line passes that
+/// close. This is the model, row by row; whoever needs its half-planes takes them from here. Exact.
+pub fn strip(measurement: &Measurement, epsilon: &Rational) -> [(BoundName, Inequality); 2] {
     [upper_bound(measurement, epsilon), lower_bound(measurement, epsilon)]
 }
 
@@ -144,10 +145,8 @@ fn lower_bound(measurement: &Measurement, epsilon: &Rational) -> (BoundName, Ine
     (BoundName::Lower(*row), Inequality::new(-phi1, -phi2, epsilon - response))
 }
 
-/// The conditions as named inequalities.
-pub(crate) fn conditions_by_name(
-    conditions: &[Condition],
-) -> impl Iterator<Item = (BoundName, Inequality)> + '_ {
+/// The conditions as named inequalities, numbered from 1.
+pub fn conditions_by_name(conditions: &[Condition]) -> impl Iterator<Item = (BoundName, Inequality)> + '_ {
     (1..)
         .zip(conditions)
         .map(|(number, condition)| (BoundName::Where(number), condition.inequality().clone()))

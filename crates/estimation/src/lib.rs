@@ -59,7 +59,7 @@ pub use files::{Columns, EpsilonColumn};
 pub use fit::{Fit, FitBounds, Problem, fit, fit_bounds, fit_bounds_in_general};
 pub use fleet::{Fleet, fit_group, least_squares_is_feasible};
 pub use float_least_squares::{FloatEstimate, FloatLeastSquares};
-pub use fps::{BoundName, Fps};
+pub use fps::{BoundName, Fps, conditions_by_name, strip};
 pub use inverse::{Inverse, InverseParameter};
 pub use least_growth::{GrowingInequality, LeastGrowth, least_growth};
 pub use least_squares::{LeastSquares, SingularRegressors};
