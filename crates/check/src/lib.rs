@@ -4,7 +4,7 @@
 //! [`check`] runs solvers and judges them together with [`Answer`]s brought from elsewhere ([`read_claims`],
 //! [`parse_claim_pui`]), against the data as written and against the binary64 numbers that a float solver receives.
 //! [`directions`] compares the hull of the optimisers of many programs with the set itself. [`ExchangeRows`] writes the four
-//! programs ([`Target`]) as files for solvers elsewhere.
+//! programs ([`PuiEnd`](boundfit_lp::PuiEnd)) as files for solvers elsewhere.
 //!
 //! ```
 //! use boundfit_estimation::{Columns, EpsilonColumn, Measurements, Problem};
@@ -40,17 +40,20 @@
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
 
 mod answer;
-mod claim_file;
 mod claims;
 mod directions;
+mod exchange;
+#[cfg_attr(not(feature = "float-solvers"), path = "no_float.rs")]
+mod float;
 mod judge;
 mod rows;
-mod target;
 
 pub use answer::{Answer, EXACT_SIMPLEX, SourceError, answer_of, source_names};
-pub use claim_file::{nested_beyond, parse_claim_pui};
-pub use claims::{ClaimError, ClaimFileError, ClaimLimits, ClaimText, is_solution_name, read_claims};
+pub use claims::{
+    ClaimError, ClaimFileError, ClaimLimits, ClaimText, is_solution_name, nested_beyond, parse_claim_pui,
+    read_claims,
+};
 pub use directions::{Approximation, Directions, directions};
+pub use exchange::ExchangeRows;
 pub use judge::{Check, CheckOptions, JudgedAnswer, check};
 pub use rows::ProgramRows;
-pub use target::{ExchangeRows, Target};

@@ -1,7 +1,8 @@
 //! A fit's half-planes as the rows of linear programs.
 
-use boundfit_estimation::{BoundName, Problem};
+use boundfit_estimation::{BoundName, Problem, conditions_by_name, strip};
 use boundfit_exact::Rational;
+use boundfit_geometry::Inequality;
 use boundfit_lp::{FloatProgram, Program, RefereeRow, Row};
 
 /// The rows of M·θ ≤ b with M = [Φ; -Φ] and b = [y; -y] + ε, then the conditions.
@@ -12,24 +13,18 @@ pub struct ProgramRows {
 }
 
 impl ProgramRows {
-    /// The rows of a problem: all upper bounds, all lower bounds, all conditions.
+    /// The rows of a problem: all upper bounds, all lower bounds, all conditions. Exact.
     pub fn new(problem: &Problem) -> Self {
-        let readings = problem.measurements.kept();
-        let upper = readings.iter().map(|reading| {
-            let row = Row { a: reading.regressor.clone(), b: &reading.response + &reading.epsilon };
-            (BoundName::Upper(reading.row), RefereeRow { row, epsilon: Some(reading.epsilon.clone()) })
-        });
-        let lower = readings.iter().map(|reading| {
-            let a = reading.regressor.each_ref().map(|phi| -phi);
-            let row = Row { a, b: &reading.epsilon - &reading.response };
-            (BoundName::Lower(reading.row), RefereeRow { row, epsilon: Some(reading.epsilon.clone()) })
-        });
-        let conditions = (1..).zip(&problem.conditions).map(|(number, condition)| {
-            let inequality = condition.inequality();
-            let row = Row { a: inequality.a.clone(), b: inequality.b.clone() };
-            (BoundName::Where(number), RefereeRow { row, epsilon: None })
-        });
-        let (names, rows) = upper.chain(lower).chain(conditions).unzip();
+        let row = |(name, Inequality { a, b }), epsilon| (name, RefereeRow { row: Row { a, b }, epsilon });
+        let readings = problem.measurements.kept().iter();
+        let (upper, lower): (Vec<_>, Vec<_>) = readings
+            .map(|reading| {
+                let [upper, lower] = strip(reading, &reading.epsilon);
+                (row(upper, Some(reading.epsilon.clone())), row(lower, Some(reading.epsilon.clone())))
+            })
+            .unzip();
+        let conditions = conditions_by_name(&problem.conditions).map(|condition| row(condition, None));
+        let (names, rows) = upper.into_iter().chain(lower).chain(conditions).unzip();
         ProgramRows { rows, names }
     }
 

@@ -8,10 +8,10 @@ use boundfit_check::{
 };
 use boundfit_estimation::Problem;
 use boundfit_exact::{Rational, Reading, Rounding};
-use boundfit_lp::{BoundClaim, End, Judgement, Proof, Referee, Verdict};
+use boundfit_lp::{BoundClaim, End, Judgement, PuiEnd, Referee, Refutation, Verdict};
 use serde::Serialize;
 
-use crate::leave_one_out::{PARAMETERS, end_name};
+use crate::leave_one_out::PARAMETERS;
 use crate::number::{Number, ParameterDigits, with_minus};
 use crate::points::Points;
 
@@ -42,10 +42,6 @@ pub(crate) struct Programs {
     /// One answer of every solver of this build.
     pub(crate) answers: Vec<LpAnswer>,
 }
-
-/// The four ends: which parameter, which end.
-pub(crate) const ENDS: [(usize, End); 4] =
-    [(0, End::Lower), (0, End::Upper), (1, End::Lower), (1, End::Upper)];
 
 /// Runs all solvers of this build. Their answers are binary64, the judgement is exact.
 pub(crate) fn programs(problem: &Problem) -> Programs {
@@ -107,7 +103,7 @@ pub(crate) fn to_json(
     let lp = programs.answers.iter().map(|answer| LpJson {
         source: answer.source.clone(),
         reading: reading.name(),
-        claims: ENDS.map(|(axis, end)| claim(answer, axis, end, digits)).into(),
+        claims: PuiEnd::ALL.map(|end| claim(answer, end, digits)).into(),
     });
     LayersJson { lp: lp.collect(), directions: directions_json(&programs.directions, points) }
 }
@@ -128,16 +124,16 @@ fn directions_json(found: &Directions, points: &mut Points) -> DirectionsJson {
     }
 }
 
-fn claim(answer: &LpAnswer, axis: usize, end: End, digits: ParameterDigits) -> ClaimJson {
-    let judgement = &answer.judgements[axis][end as usize];
-    let rounding = if end == End::Lower { Rounding::Down } else { Rounding::Up };
-    let claimed = |value: &Rational| Number::rounded(value, digits.of_parameter(axis), rounding);
+fn claim(answer: &LpAnswer, end: PuiEnd, digits: ParameterDigits) -> ClaimJson {
+    let judgement = end.of(&answer.judgements);
+    let rounding = if end.end() == End::Lower { Rounding::Down } else { Rounding::Up };
+    let claimed = |value: &Rational| Number::rounded(value, digits.of_parameter(end.axis()), rounding);
     ClaimJson {
-        parameter: PARAMETERS[axis],
-        end: end_name(end),
+        parameter: PARAMETERS[end.axis()],
+        end: end.end().name(),
         verdict: judgement.verdict.name(),
         claimed: judgement.claimed.as_ref().map(claimed),
-        point: answer.claims[axis][end as usize].point.as_ref().map(|point| digits.point(point)),
+        point: end.of(&answer.claims).point.as_ref().map(|point| digits.point(point)),
         reason: reason(judgement),
     }
 }
@@ -175,10 +171,10 @@ pub(crate) fn reason(judgement: &Judgement) -> Option<String> {
 
 fn wrong_status(judgement: &Judgement) -> String {
     let truth = match &judgement.proof {
-        Some(Proof::Infeasible(_)) => "the set is empty",
-        Some(Proof::FeasiblePoint(_)) => "the set is not empty",
-        Some(Proof::Bound(_)) => "the parameter is bounded on this side",
-        Some(Proof::Ray { .. }) => "the parameter is not bounded on this side",
+        Some(Refutation::Infeasible(_)) => "the set is empty",
+        Some(Refutation::FeasiblePoint(_)) => "the set is not empty",
+        Some(Refutation::Bound(_)) => "the parameter is bounded on this side",
+        Some(Refutation::Ray { .. }) => "the parameter is not bounded on this side",
         None => "that is not so",
     };
     format!("In truth {truth}.")

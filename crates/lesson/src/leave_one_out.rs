@@ -95,7 +95,7 @@ struct MovedJson {
 pub(crate) fn to_json(all: &[Without], digits: ParameterDigits, points: &mut Points) -> Vec<WithoutJson> {
     let moved = |moved: &Moved| MovedJson {
         parameter: PARAMETERS[moved.axis],
-        end: end_name(moved.end),
+        end: moved.end.name(),
         by: moved.by_and_to.as_ref().map(|(by, _)| Number::up(by)),
     };
     all.iter()
@@ -112,11 +112,3 @@ pub(crate) fn to_json(all: &[Without], digits: ParameterDigits, points: &mut Poi
 
 /// The names of the parameters in the data.
 pub(crate) const PARAMETERS: [&str; 2] = ["theta1", "theta2"];
-
-/// The name of an end in the data.
-pub(crate) fn end_name(end: End) -> &'static str {
-    match end {
-        End::Lower => "lower",
-        End::Upper => "upper",
-    }
-}

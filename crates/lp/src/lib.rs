@@ -4,23 +4,30 @@
 //! every outcome; it shares nothing with the polygon engine and is its independent witness. [`Solver`] is one interface
 //! to floating-point solvers, which receive the program rounded to binary64. [`Referee`] says, exactly and with a named
 //! reason, what an answer is worth, whoever gave it. [`ExchangeProgram`] writes a program exactly for solvers elsewhere.
+//!
+//! The feature `float-solvers` (on by default) has the solvers: they alone need threads and a clock, because one that hangs
+//! or crashes must not take the program with it.
 
 // What reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
 
+mod claim;
 mod exchange;
 mod outcome;
 mod program;
 mod referee;
 mod simplex;
+#[cfg(feature = "float-solvers")]
 mod solvers;
 mod standard_form;
 mod verdict;
 
+pub use claim::{BoundClaim, Claimed, End, PuiEnd};
 pub use exchange::{ExchangeFormat, ExchangeProgram, ExchangeRow, Sense};
 pub use outcome::{ExactOutcome, Multiplier, Optimum, Outcome};
-pub use program::{FloatProgram, Program, Row, pui_objectives, spread_objectives};
-pub use referee::{BoundClaim, Claimed, End, Referee, RefereeRow};
+pub use program::{FloatProgram, Program, Row, spread_objectives};
+pub use referee::{Referee, RefereeRow};
 pub use simplex::exact_simplex;
+#[cfg(feature = "float-solvers")]
 pub use solvers::{Solver, solve_guarded, solver_named, solvers};
-pub use verdict::{Judgement, Proof, Verdict, Violation};
+pub use verdict::{Judgement, Refutation, Verdict, Violation};

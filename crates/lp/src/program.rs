@@ -58,12 +58,6 @@ impl FloatProgram {
     }
 }
 
-/// The objectives of the four programs behind the parameter uncertainty intervals: θ1, -θ1, θ2, -θ2.
-pub fn pui_objectives() -> [[Rational; 2]; 4] {
-    let unit = |theta1: i64, theta2: i64| [Rational::from(theta1), Rational::from(theta2)];
-    [unit(1, 0), unit(-1, 0), unit(0, 1), unit(0, -1)]
-}
-
 /// `count` objectives spread evenly around the circle, (sin 2πk/n, cos 2πk/n) for k = 0, 1, …, as binary64 numbers
 /// taken exactly. Axes and diagonals are exact, and directions that mirror each other do so exactly.
 pub fn spread_objectives(count: usize) -> Vec<[Rational; 2]> {

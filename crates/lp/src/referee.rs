@@ -2,10 +2,11 @@
 
 use boundfit_exact::Rational;
 
+use crate::claim::{BoundClaim, Claimed, End, PuiEnd};
 use crate::outcome::{ExactOutcome, Multiplier};
 use crate::program::{Program, Row};
 use crate::simplex::exact_simplex;
-use crate::verdict::{Judgement, Proof, Verdict, Violation};
+use crate::verdict::{Judgement, Refutation, Verdict, Violation};
 
 /// A row with the error bound that it contains.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -14,41 +15,6 @@ pub struct RefereeRow {
     pub row: Row,
     /// The error bound of the reading behind it; `None` for a condition.
     pub epsilon: Option<Rational>,
-}
-
-/// An end of an interval.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum End {
-    /// The minimum.
-    Lower,
-    /// The maximum.
-    Upper,
-}
-
-/// What is claimed about one end.
-#[derive(Debug, Clone, PartialEq)]
-pub struct BoundClaim {
-    /// The claim itself.
-    pub claimed: Claimed,
-    /// The point at which the end is said to be attained.
-    pub point: Option<[Rational; 2]>,
-    /// The solver's multiplier of each row.
-    pub duals: Option<Vec<f64>>,
-}
-
-/// A claimed end or status.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Claimed {
-    /// The parameter ends here.
-    Value(Rational),
-    /// There is no feasible point.
-    Infeasible,
-    /// The parameter goes on without end.
-    Unbounded,
-    /// One of the two.
-    InfeasibleOrUnbounded,
-    /// Nothing, for this reason.
-    Nothing(String),
 }
 
 /// Judges claims about the intervals of θ1 and θ2 over a set of rows.
@@ -90,10 +56,7 @@ impl Referee {
     /// Solves the four programs exactly. The tolerance is in units of the intervals' widths for bounds, of ε for points.
     pub fn new(rows: Vec<RefereeRow>, tolerance: Rational) -> Self {
         let plain: Vec<Row> = rows.iter().map(|row| row.row.clone()).collect();
-        let truth = |theta1: i64, theta2: i64| {
-            exact_simplex(&Program { rows: &plain, objective: [theta1.into(), theta2.into()] })
-        };
-        let truths = [[truth(1, 0), truth(-1, 0)], [truth(0, 1), truth(0, -1)]];
+        let truths = PuiEnd::each(|end| exact_simplex(&Program { rows: &plain, objective: end.objective() }));
         Referee { rows, tolerance, truths }
     }
 
@@ -179,23 +142,23 @@ impl Referee {
     }
 
     /// What shows that a claimed status is not the true one, if it is not.
-    fn contrary(&self, axis: usize, end: End, claimed: &Claimed) -> Option<Proof> {
+    fn contrary(&self, axis: usize, end: End, claimed: &Claimed) -> Option<Refutation> {
         let infeasible = matches!(claimed, Claimed::Infeasible | Claimed::InfeasibleOrUnbounded);
         let unbounded = matches!(claimed, Claimed::Unbounded | Claimed::InfeasibleOrUnbounded);
         match self.truth(axis, end) {
             ExactOutcome::Infeasible { multipliers } => {
-                (!infeasible).then(|| Proof::Infeasible(multipliers.clone()))
+                (!infeasible).then(|| Refutation::Infeasible(multipliers.clone()))
             }
             ExactOutcome::Unbounded { theta, .. } | ExactOutcome::Optimal { theta, .. }
                 if *claimed == Claimed::Infeasible =>
             {
-                Some(Proof::FeasiblePoint(theta.clone()))
+                Some(Refutation::FeasiblePoint(theta.clone()))
             }
             ExactOutcome::Unbounded { theta, ray } => {
-                (!unbounded).then(|| Proof::Ray { theta: theta.clone(), ray: ray.clone() })
+                (!unbounded).then(|| Refutation::Ray { theta: theta.clone(), ray: ray.clone() })
             }
             ExactOutcome::Optimal { multipliers, .. } => {
-                (infeasible || unbounded).then(|| Proof::Bound(multipliers.clone()))
+                (infeasible || unbounded).then(|| Refutation::Bound(multipliers.clone()))
             }
         }
     }

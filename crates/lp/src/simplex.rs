@@ -8,7 +8,7 @@ use boundfit_exact::Rational;
 
 use crate::outcome::{ExactOutcome, Multiplier};
 use crate::program::{Program, Row};
-use crate::standard_form::{Column, End, solve};
+use crate::standard_form::{Column, Ending, solve};
 
 /// Solves a program exactly, with a proof of the outcome. Exact. Cost: linear in the number of rows per pivot.
 ///
@@ -24,19 +24,21 @@ pub fn exact_simplex(program: &Program<'_>) -> ExactOutcome {
     let columns: Vec<Column> = program.rows.iter().map(column).collect();
     let [c1, c2] = &program.objective;
     match solve(&columns, &[-c1, -c2]) {
-        End::Optimal { basis, prices } => {
+        Ending::Optimal { basis, prices } => {
             let value = c1 * &prices[0] + c2 * &prices[1];
             let rows = basis.iter().map(|(row, _)| *row).collect();
             ExactOutcome::Optimal { theta: prices, value, multipliers: positive(basis), basis: rows }
         }
-        End::Unbounded { combination } => ExactOutcome::Infeasible { multipliers: positive(combination) },
+        Ending::Unbounded { combination } => ExactOutcome::Infeasible { multipliers: positive(combination) },
         // No multipliers: the objective falls along the prices. Whether there is a point to start from is a question
         // about the rows alone, which a zero objective asks.
-        End::OutOfReach { prices: ray } => match solve(&columns, &[Rational::zero(), Rational::zero()]) {
-            End::Optimal { prices: theta, .. } => ExactOutcome::Unbounded { theta, ray },
-            End::Unbounded { combination } => ExactOutcome::Infeasible { multipliers: positive(combination) },
+        Ending::OutOfReach { prices: ray } => match solve(&columns, &[Rational::zero(), Rational::zero()]) {
+            Ending::Optimal { prices: theta, .. } => ExactOutcome::Unbounded { theta, ray },
+            Ending::Unbounded { combination } => {
+                ExactOutcome::Infeasible { multipliers: positive(combination) }
+            }
             // Not reached: λ = 0 meets a zero target.
-            End::OutOfReach { .. } => ExactOutcome::Infeasible { multipliers: Vec::new() },
+            Ending::OutOfReach { .. } => ExactOutcome::Infeasible { multipliers: Vec::new() },
         },
     }
 }

@@ -19,7 +19,7 @@ pub(crate) struct Column {
 
 /// How the method ended.
 #[derive(Debug)]
-pub(crate) enum End {
+pub(crate) enum Ending {
     /// Optimal: the basic columns with their λ (of the unscaled columns), and the prices.
     Optimal { basis: Vec<(usize, Rational)>, prices: [Rational; 2] },
     /// The target is out of reach: `prices·column ≤ 0` for all columns, `prices·target > 0`.
@@ -46,16 +46,16 @@ enum Phase {
 
 /// Solves the program. Exact; it always ends.
 #[allow(clippy::indexing_slicing, reason = "rows are 0 or 1 of arrays of two")]
-pub(crate) fn solve(columns: &[Column], target: &[Rational; 2]) -> End {
+pub(crate) fn solve(columns: &[Column], target: &[Rational; 2]) -> Ending {
     let mut tableau = Tableau::new(columns, target);
     // The first phase is bounded below by 0, so that it ends in an optimum.
     tableau.run(Phase::Reach);
     if tableau.artificial_rows().any(|row| tableau.values[row].is_positive()) {
-        return End::OutOfReach { prices: tableau.prices(Phase::Reach) };
+        return Ending::OutOfReach { prices: tableau.prices(Phase::Reach) };
     }
     match tableau.run(Phase::Cost) {
-        Some(combination) => End::Unbounded { combination },
-        None => End::Optimal { basis: tableau.basic_columns(), prices: tableau.prices(Phase::Cost) },
+        Some(combination) => Ending::Unbounded { combination },
+        None => Ending::Optimal { basis: tableau.basic_columns(), prices: tableau.prices(Phase::Cost) },
     }
 }
 

@@ -67,7 +67,7 @@ pub struct Violation {
 
 /// What shows that a claimed status is wrong.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Proof {
+pub enum Refutation {
     /// These rows add up to `0 ≤ negative`: there is no feasible point.
     Infeasible(Vec<Multiplier>),
     /// A feasible point.
@@ -107,7 +107,7 @@ pub struct Judgement {
     /// A feasible point that an unsafe bound cuts off.
     pub witness: Option<[Rational; 2]>,
     /// What shows that a status is wrong.
-    pub proof: Option<Proof>,
+    pub proof: Option<Refutation>,
     /// Whether the rows with the largest duals prove the true end: the digits were wrong, the basis was not. `None`
     /// without duals.
     pub repairable: Option<bool>,

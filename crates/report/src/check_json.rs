@@ -2,7 +2,7 @@
 
 use boundfit_check::{Approximation, Check, Directions, JudgedAnswer, ProgramRows};
 use boundfit_exact::{Rational, Reading};
-use boundfit_lp::{End, Judgement, Multiplier, Proof, Verdict};
+use boundfit_lp::{Judgement, Multiplier, PuiEnd, Refutation, Verdict};
 use serde::Serialize;
 
 use crate::fit_json::{term, to_text};
@@ -117,16 +117,14 @@ pub fn conformance_json(cases: &[(String, Check)]) -> String {
 }
 
 fn claim(answer: &JudgedAnswer, rows: &ProgramRows, style: &Style) -> ClaimJson {
-    let mut bounds = Vec::new();
-    for (axis, target) in ["theta1", "theta2"].into_iter().enumerate() {
-        for (end, name) in [(End::Lower, "lower"), (End::Upper, "upper")] {
-            bounds.push(bound(target, name, &answer.bounds[axis][end as usize], rows, style));
-        }
-    }
+    let bound_at = |end: PuiEnd| {
+        let target = ["theta1", "theta2"][end.axis()];
+        bound(target, end.end().name(), end.of(&answer.bounds), rows, style)
+    };
     ClaimJson {
         source: answer.source.clone(),
         reading: answer.reading.name(),
-        bounds,
+        bounds: PuiEnd::ALL.map(bound_at).into(),
         verdict: answer.worst().name(),
     }
 }
@@ -174,15 +172,15 @@ fn bound(
     }
 }
 
-fn proof(proof: &Proof, rows: &ProgramRows, style: &Style) -> ProofJson {
+fn proof(proof: &Refutation, rows: &ProgramRows, style: &Style) -> ProofJson {
     let terms = |multipliers: &[Multiplier]| {
         multipliers.iter().map(|m| term(rows.name(m.row), &m.value, style)).collect()
     };
     let (shows, rows, theta, ray) = match proof {
-        Proof::Infeasible(multipliers) => ("infeasible", terms(multipliers), None, None),
-        Proof::Bound(multipliers) => ("bounded", terms(multipliers), None, None),
-        Proof::FeasiblePoint(theta) => ("feasible", Vec::new(), Some(theta), None),
-        Proof::Ray { theta, ray } => ("unbounded", Vec::new(), Some(theta), Some(ray)),
+        Refutation::Infeasible(multipliers) => ("infeasible", terms(multipliers), None, None),
+        Refutation::Bound(multipliers) => ("bounded", terms(multipliers), None, None),
+        Refutation::FeasiblePoint(theta) => ("feasible", Vec::new(), Some(theta), None),
+        Refutation::Ray { theta, ray } => ("unbounded", Vec::new(), Some(theta), Some(ray)),
     };
     let pair = |pair: Option<&[Rational; 2]>| pair.map(|pair| numbers(pair, style));
     ProofJson { shows, rows, theta: pair(theta), ray: pair(ray) }

@@ -2,17 +2,10 @@
 
 use boundfit_check::{Approximation, Check, Directions, JudgedAnswer, ProgramRows};
 use boundfit_exact::{Endpoint, Interval, Rational, Reading};
-use boundfit_lp::{End, Judgement, Multiplier, Proof, Verdict};
+use boundfit_lp::{End, Judgement, Multiplier, PuiEnd, Refutation, Verdict};
 
 use crate::style::Style;
 use crate::text::{counted, table};
-
-const ENDS: [(usize, End, &str); 4] = [
-    (0, End::Lower, "theta1 min"),
-    (0, End::Upper, "theta1 max"),
-    (1, End::Lower, "theta2 min"),
-    (1, End::Upper, "theta2 max"),
-];
 
 /// The report as text. `reading` is that of the data.
 pub fn check_text(check: &Check, file: &str, reading: Reading, style: &Style) -> String {
@@ -29,8 +22,8 @@ pub fn check_text(check: &Check, file: &str, reading: Reading, style: &Style) ->
             continue;
         }
         rows.push(answer_row(answer, &styles));
-        for (axis, end, name) in ENDS {
-            let judgement = &answer.bounds[axis][end as usize];
+        for end in PuiEnd::ALL {
+            let (judgement, name) = (end.of(&answer.bounds), heading(end));
             if let Some(reason) = reason(judgement, &check.rows, style) {
                 let source = format!("{}, {}", answer.source, answer.reading.name());
                 reasons.push(format!("  {source}: {name}: {}: {reason}\n", judgement.verdict.name()));
@@ -43,7 +36,9 @@ pub fn check_text(check: &Check, file: &str, reading: Reading, style: &Style) ->
     if !rows.is_empty() {
         text.push('\n');
     }
-    let header = ["source", "judged by", ENDS[0].2, ENDS[1].2, ENDS[2].2, ENDS[3].2];
+    let header = PuiEnd::ALL.map(heading);
+    let [theta1_min, theta1_max, theta2_min, theta2_max] = header.each_ref().map(String::as_str);
+    let header = ["source", "judged by", theta1_min, theta1_max, theta2_min, theta2_max];
     text.push_str(&table(&header, rows));
     if !reasons.is_empty() {
         text.push_str(&format!("\nReasons\n{}", reasons.concat()));
@@ -70,9 +65,8 @@ pub fn verdict_line(check: &Check, reading: Reading) -> Option<String> {
             format!("right on all four ends to {units} in the last place")
         }
         _ => {
-            let ends =
-                ENDS.iter().filter(|(axis, end, _)| answer.bounds[*axis][*end as usize].verdict == worst);
-            let names: Vec<&str> = ends.map(|(_, _, name)| *name).collect();
+            let ends = PuiEnd::ALL.into_iter().filter(|end| end.of(&answer.bounds).verdict == worst);
+            let names: Vec<String> = ends.map(heading).collect();
             format!("{} on {} (see boundfit check)", worst.name(), names.join(", "))
         }
     };
@@ -132,9 +126,9 @@ fn resolving(check: &Check, reading: Reading, style: &Style) -> [Style; 2] {
 
 fn answer_row(answer: &JudgedAnswer, styles: &[Style; 2]) -> Vec<String> {
     let mut row = vec![answer.source.clone(), answer.reading.name().to_owned()];
-    for (axis, end, _) in ENDS {
-        let judgement = &answer.bounds[axis][end as usize];
-        let claimed = judgement.claimed.as_ref().map(|value| end_text(&styles[axis], end, value));
+    for end in PuiEnd::ALL {
+        let judgement = end.of(&answer.bounds);
+        let claimed = judgement.claimed.as_ref().map(|value| end_text(styles, end, value));
         let verdict = match judgement.verdict {
             Verdict::Rounded { ulps: ulps @ 1.. } => format!("rounded, {ulps} ulp"),
             verdict => verdict.name().to_owned(),
@@ -144,9 +138,15 @@ fn answer_row(answer: &JudgedAnswer, styles: &[Style; 2]) -> Vec<String> {
     row
 }
 
+/// An end in the head of a table: `theta1 min`.
+fn heading(end: PuiEnd) -> String {
+    end.name().replace('-', " ")
+}
+
 /// An end as text. Claimed and true ends are rounded alike, so that equal ones look equal.
-fn end_text(style: &Style, end: End, value: &Rational) -> String {
-    match end {
+fn end_text(styles: &[Style; 2], end: PuiEnd, value: &Rational) -> String {
+    let style = &styles[end.axis()];
+    match end.end() {
         End::Lower => style.lower_text(value),
         End::Upper => style.upper_text(value),
     }
@@ -156,9 +156,9 @@ fn end_text(style: &Style, end: End, value: &Rational) -> String {
 fn exact_row(check: &Check, reading: Reading, styles: &[Style; 2]) -> Option<Vec<String>> {
     let answer = check.answers.iter().find(|answer| answer.reading == reading)?;
     let mut row = vec!["true ends".to_owned(), reading.name().to_owned()];
-    for (axis, end, _) in ENDS {
-        let exact = answer.bounds[axis][end as usize].exact.as_ref();
-        row.push(exact.map_or("none".to_owned(), |value| end_text(&styles[axis], end, value)));
+    for end in PuiEnd::ALL {
+        let exact = end.of(&answer.bounds).exact.as_ref();
+        row.push(exact.map_or("none".to_owned(), |value| end_text(styles, end, value)));
     }
     Some(row)
 }
@@ -211,7 +211,7 @@ fn reason(judgement: &Judgement, rows: &ProgramRows, style: &Style) -> Option<St
 }
 
 /// What shows that a status is wrong.
-fn contrary(proof: &Proof, rows: &ProgramRows, style: &Style) -> String {
+fn contrary(proof: &Refutation, rows: &ProgramRows, style: &Style) -> String {
     let products = |multipliers: &[Multiplier]| {
         let products: Vec<String> = multipliers
             .iter()
@@ -220,13 +220,13 @@ fn contrary(proof: &Proof, rows: &ProgramRows, style: &Style) -> String {
         products.join(" + ")
     };
     match proof {
-        Proof::Infeasible(multipliers) => {
+        Refutation::Infeasible(multipliers) => {
             let sum: Rational = multipliers.iter().map(|m| &rows.rows()[m.row].row.b * &m.value).sum();
             format!("the set is empty: {} gives 0 <= {}", products(multipliers), style.upper_text(&sum))
         }
-        Proof::Bound(multipliers) => format!("it is bounded, by {}", products(multipliers)),
-        Proof::FeasiblePoint(theta) => format!("{} is feasible", point(theta, style)),
-        Proof::Ray { theta, ray } => {
+        Refutation::Bound(multipliers) => format!("it is bounded, by {}", products(multipliers)),
+        Refutation::FeasiblePoint(theta) => format!("{} is feasible", point(theta, style)),
+        Refutation::Ray { theta, ray } => {
             format!("it is unbounded from {} in direction {}", point(theta, style), point(ray, style))
         }
     }

@@ -16,7 +16,7 @@ use boundfit_formats::{ColumnSelector, Source, TableOptions, read_table};
 use boundfit_geometry::grid::{GridLine, line_region, touching_of_columns};
 use boundfit_geometry::predicates::lexicographic;
 use boundfit_geometry::{Hulls, Point, Region};
-use boundfit_lp::{FloatProgram, Outcome, Program, Solver, pui_objectives, solver_named};
+use boundfit_lp::{FloatProgram, Outcome, Program, PuiEnd, Solver, solver_named};
 use cpu_time::ProcessTime;
 use serde_json::{Map, Value, json};
 
@@ -177,7 +177,7 @@ fn with_answer(times: Map<String, Value>, solver: &dyn Solver, pui: Value) -> Ma
 /// The programs that find the least and the largest θ1 and θ2, as a float solver receives them.
 fn programs(problem: &Problem) -> [FloatProgram; 4] {
     let rows = ProgramRows::new(problem).plain();
-    pui_objectives().map(|objective| FloatProgram::new(&Program { rows: &rows, objective }))
+    PuiEnd::ALL.map(PuiEnd::objective).map(|objective| FloatProgram::new(&Program { rows: &rows, objective }))
 }
 
 /// Lower and upper end for both parameters.

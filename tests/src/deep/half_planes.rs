@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use boundfit_exact::Rational;
 use boundfit_geometry::{Inequality, Polyhedron, Region, System, clipping};
-use boundfit_lp::pui_objectives;
+use boundfit_lp::PuiEnd;
 use rand_chacha::ChaCha8Rng;
 
 use super::placement::Placement;
@@ -48,7 +48,7 @@ impl Case for PlacedCase {
         let (polyhedron, kind) = intersected(self.system())?;
         let answer = self.placement.answer(polyhedron.region());
         same("the region and brute force", &answer, &Some(solve(&self.rows)))?;
-        let mut objectives = pui_objectives().to_vec();
+        let mut objectives = PuiEnd::ALL.map(PuiEnd::objective).to_vec();
         objectives.push(self.form.clone());
         objectives.extend(across(polyhedron.region()));
         objectives.into_iter().try_for_each(|objective| same_maximum(&polyhedron, objective))?;

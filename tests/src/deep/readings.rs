@@ -21,7 +21,7 @@ use crate::columns::Shape;
 use crate::oracle::{Row, solve};
 use crate::readings::{line, problem, with_error_bound, with_rows};
 use crate::shape::shape;
-use boundfit_lp::pui_objectives;
+use boundfit_lp::PuiEnd;
 
 /// What is hard about readings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -171,7 +171,7 @@ impl ReadingsCase {
         };
         same("active rows", &active(fit), &active(&every))?;
         same("PUI of all half-planes", &fit.pui_intervals(), &every.pui_intervals())?;
-        let objectives = pui_objectives().into_iter().chain(across(own));
+        let objectives = PuiEnd::ALL.map(PuiEnd::objective).into_iter().chain(across(own));
         objectives.into_iter().try_for_each(|objective| same_maximum(&polyhedron, objective))?;
         Ok((system, kind))
     }

@@ -6,8 +6,8 @@ use boundfit_check::{ProgramRows, directions};
 use boundfit_exact::Rational;
 use boundfit_geometry::{Polyhedron, Support};
 use boundfit_lp::{
-    ExactOutcome, FloatProgram, Multiplier, Outcome, Program, Row, exact_simplex, pui_objectives,
-    solve_guarded, solver_named, solvers, spread_objectives,
+    ExactOutcome, FloatProgram, Multiplier, Outcome, Program, PuiEnd, Row, exact_simplex, solve_guarded,
+    solver_named, solvers, spread_objectives,
 };
 use boundfit_tests::generate::{form, seeded};
 use boundfit_tests::lp_cases::{fine, line_problem, long_problem, rows, system_of, ten_to, whole_rows};
@@ -68,7 +68,7 @@ fn the_exact_simplex_and_the_polygon_engine_agree() {
     for _ in 0..CASES {
         let rows = rows(&mut rng);
         let polyhedron = Polyhedron::intersect(system_of(&rows));
-        let mut objectives = pui_objectives().to_vec();
+        let mut objectives = PuiEnd::ALL.map(PuiEnd::objective).to_vec();
         objectives.push(form(&mut rng, polyhedron.system()));
         objectives.push([fine(&mut rng) * ten_to(-9), fine(&mut rng) * ten_to(9)]);
         for objective in objectives {
@@ -158,7 +158,7 @@ fn a_tampered_outcome_does_not_verify() {
     let mut tally = Tally::default();
     for _ in 0..CASES / 5 {
         let rows = rows(&mut rng);
-        for objective in pui_objectives() {
+        for objective in PuiEnd::ALL.map(PuiEnd::objective) {
             let program = Program { rows: &rows, objective };
             let outcome = exact_simplex(&program);
             for (what, wrong) in tampered(&outcome, &rows) {
@@ -200,7 +200,7 @@ fn a_tampered_outcome_does_not_verify() {
 /// The statuses and values of the four programs: `None` is unbounded.
 fn four_values(rows: &[Row]) -> [Option<Rational>; 4] {
     let polyhedron = Polyhedron::intersect(system_of(rows));
-    pui_objectives().map(|objective| match agreed(&polyhedron, rows, &objective) {
+    PuiEnd::ALL.map(PuiEnd::objective).map(|objective| match agreed(&polyhedron, rows, &objective) {
         ExactOutcome::Optimal { value, .. } => Some(value),
         ExactOutcome::Unbounded { .. } => None,
         outcome => panic!("{rows:?} {outcome:?}"),
@@ -214,7 +214,7 @@ fn the_variables_are_free() {
     let expected = [-4, 3, -7, 5];
     assert_eq!(four_values(&rows), expected.map(|value| Some(Rational::from(value))));
     for solver in solvers() {
-        for (objective, value) in pui_objectives().into_iter().zip(expected) {
+        for (objective, value) in PuiEnd::ALL.map(PuiEnd::objective).into_iter().zip(expected) {
             let program = FloatProgram::new(&Program { rows: &rows, objective });
             let Outcome::Optimal(optimum) = solve_guarded(solver.name(), &program, MINUTE) else {
                 panic!("{} finds no corner of a box", solver.name());
@@ -247,7 +247,7 @@ fn small_and_degenerate_programs() {
     let never = [boxed.as_slice(), &whole_rows(&[[0, 0, -1]])].concat();
     for rows in [&never[..], &never[7..]] {
         let polyhedron = Polyhedron::intersect(system_of(rows));
-        for objective in pui_objectives() {
+        for objective in PuiEnd::ALL.map(PuiEnd::objective) {
             assert_eq!(status(&agreed(&polyhedron, rows, &objective)), "infeasible by one row");
         }
     }
@@ -258,7 +258,7 @@ fn small_and_degenerate_programs() {
     // Every back end survives them all.
     for rows in [&equal[..], &zero, &one, &[], &boxed, &never] {
         for solver in solvers() {
-            for objective in pui_objectives() {
+            for objective in PuiEnd::ALL.map(PuiEnd::objective) {
                 let program = FloatProgram::new(&Program { rows, objective });
                 let outcome = solve_guarded(solver.name(), &program, MINUTE);
                 // A solver may have no word for a program without rows.
@@ -274,7 +274,7 @@ fn every_back_end_gives_an_answer_on_many_rows() {
     let rows = ProgramRows::new(&long_problem(100_000)).plain();
     assert_eq!(rows.len(), 200_000);
     let polyhedron = Polyhedron::intersect(system_of(&rows));
-    for objective in pui_objectives() {
+    for objective in PuiEnd::ALL.map(PuiEnd::objective) {
         assert!(matches!(agreed(&polyhedron, &rows, &objective), ExactOutcome::Optimal { .. }));
         let program = FloatProgram::new(&Program { rows: &rows, objective });
         for solver in solvers() {

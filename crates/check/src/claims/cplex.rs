@@ -5,9 +5,10 @@
 use boundfit_exact::Limits;
 use roxmltree::{Document, Node, ParsingOptions};
 
+use boundfit_lp::PuiEnd;
+
 use super::error::ClaimError;
 use super::solution::{Line, Point, Solution, Status};
-use crate::target::Target;
 
 const FORMAT: &str = "CPLEX";
 
@@ -30,7 +31,7 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<Solution, ClaimError>
     let header = child(solution, "header").ok_or(missing("an element <header>"))?;
     let status = header.attribute("solutionStatusString").map(status);
     let status = status.ok_or(missing("an attribute solutionStatusString"))?;
-    let target = header.attribute("problemName").and_then(Target::find).map(|(_, target, _)| target);
+    let target = header.attribute("problemName").and_then(PuiEnd::find).map(|(_, target, _)| target);
     if status != Status::Optimal {
         return Ok(Solution { format: FORMAT, target, status, point: None, duals: None });
     }

@@ -1,9 +1,8 @@
 //! What can be wrong with a claim.
 
 use boundfit_exact::ParseNumberError;
+use boundfit_lp::PuiEnd;
 use thiserror::Error;
-
-use crate::target::Target;
 
 /// Why a claim cannot be used.
 #[derive(Debug, Error)]
@@ -92,15 +91,15 @@ pub enum ClaimError {
     #[error("the file is named after {} and answers {}", .named.name(), .inside.name())]
     OtherTarget {
         /// The program that the file's name says.
-        named: Target,
+        named: PuiEnd,
         /// The program that its content says.
-        inside: Target,
+        inside: PuiEnd,
     },
     /// Two files of one solver for one program.
     #[error("{} is answered by {other} already", .target.name())]
     Twice {
         /// The program.
-        target: Target,
+        target: PuiEnd,
         /// The other file.
         other: String,
     },

@@ -5,9 +5,10 @@
 
 use boundfit_exact::Limits;
 
+use boundfit_lp::PuiEnd;
+
 use super::error::ClaimError;
 use super::solution::{Line, Point, Solution, Status};
-use crate::target::Target;
 
 const FORMAT: &str = "GLPK";
 
@@ -139,7 +140,7 @@ impl Kind {
 /// What the lines `Key: value` at the top say.
 #[derive(Default)]
 struct Heading {
-    target: Option<Target>,
+    target: Option<PuiEnd>,
     status: Option<Status>,
     objective: String,
 }
@@ -150,7 +151,7 @@ impl Heading {
         match key {
             "Status" => self.status = self.status.take().or_else(|| Some(status(value))),
             "Problem" | "Objective" => {
-                self.target = self.target.or_else(|| Target::find(value).map(|(_, target, _)| target));
+                self.target = self.target.or_else(|| PuiEnd::find(value).map(|(_, target, _)| target));
                 if key == "Objective" {
                     self.objective = value.split_whitespace().next().unwrap_or_default().to_owned();
                 }

@@ -1,39 +1,26 @@
 //! Claims brought from elsewhere: JSON with all four ends, and solvers' own files with one each.
 
+mod all_ends;
 mod cplex;
 mod error;
 mod glpk;
 mod highs;
+mod limits;
 mod solution;
 mod text;
 
 use std::path::Path;
 
 use boundfit_exact::Limits;
-use boundfit_lp::{BoundClaim, End};
+use boundfit_lp::{BoundClaim, PuiEnd};
 
+pub use all_ends::{nested_beyond, parse_claim_pui};
 pub use error::{ClaimError, ClaimFileError};
+pub use limits::ClaimLimits;
 
-use crate::answer::{Answer, nothing};
-use crate::claim_file::parse_claim_file;
-use crate::target::Target;
+use crate::answer::Answer;
+use all_ends::parse_claim_file;
 use solution::Solution;
-
-/// What a claims file may ask for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct ClaimLimits {
-    /// Of one number.
-    pub number: Limits,
-    /// How deep arrays and objects of JSON may be nested. At most 120, so that no stack overflows.
-    pub nesting: usize,
-}
-
-impl Default for ClaimLimits {
-    /// Those of numbers, and 64 levels.
-    fn default() -> Self {
-        ClaimLimits { number: Limits::default(), nesting: 64 }
-    }
-}
 
 /// A claims file in memory.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -51,26 +38,26 @@ pub struct ClaimText {
 /// # Errors
 /// The first file with something wrong, and what that is.
 pub fn read_claims(files: &[ClaimText], limits: &ClaimLimits) -> Result<Vec<Answer>, ClaimFileError> {
-    let mut parts: Vec<Part> = Vec::new();
+    let mut drafts: Vec<Draft> = Vec::new();
     for file in files {
         let fail = |problem| ClaimFileError { file: file.file.clone(), problem };
         if is_json(&file.text) {
             let answer = parse_claim_file(&file.text, &file.file, limits).map_err(fail)?;
-            parts.push(Part::Whole(Box::new(answer)));
+            drafts.push(Draft::Whole(Box::new(answer)));
             continue;
         }
         let solution = parse_solution(&file.text, &limits.number).map_err(fail)?;
-        let (target, key) = place(&file.file, &solution).map_err(fail)?;
-        let same = |part: &&mut Part| matches!(part, Part::Group(group) if group.key == key);
-        if let Some(Part::Group(group)) = parts.iter_mut().find(same) {
+        let (target, key) = program_and_group(&file.file, &solution).map_err(fail)?;
+        let same = |draft: &&mut Draft| matches!(draft, Draft::Group(group) if group.key == key);
+        if let Some(Draft::Group(group)) = drafts.iter_mut().find(same) {
             group.add(target, file, solution).map_err(fail)?;
         } else {
-            let mut group = Group { key, members: Vec::new() };
+            let mut group = SolutionGroup { key, members: Vec::new() };
             group.add(target, file, solution).map_err(fail)?;
-            parts.push(Part::Group(group));
+            drafts.push(Draft::Group(group));
         }
     }
-    Ok(parts.into_iter().map(Part::answer).collect())
+    Ok(drafts.into_iter().map(Draft::answer).collect())
 }
 
 /// Whether a file of a folder of claims answers one of the four programs, by its name. Programs themselves, bases and logs
@@ -79,7 +66,7 @@ pub fn is_solution_name(file: &Path) -> bool {
     const OTHERS: [&str; 6] = ["mps", "lp", "log", "bas", "json", "gz"];
     let extension = file.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
     let name = file.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-    !OTHERS.contains(&extension.to_ascii_lowercase().as_str()) && Target::find(name).is_some()
+    !OTHERS.contains(&extension.to_ascii_lowercase().as_str()) && PuiEnd::find(name).is_some()
 }
 
 fn is_json(text: &str) -> bool {
@@ -105,21 +92,21 @@ fn parse_solution(text: &str, limits: &Limits) -> Result<Solution, ClaimError> {
 
 /// What the files of one answer have in common.
 #[derive(Debug, Clone, PartialEq, Eq)]
-struct Key {
+struct GroupKey {
     format: &'static str,
     /// The path up to the name of the program and after it.
     path: (String, String),
 }
 
 /// The program that a file answers, and the answer that it is a part of.
-fn place(file: &str, solution: &Solution) -> Result<(Target, Key), ClaimError> {
+fn program_and_group(file: &str, solution: &Solution) -> Result<(PuiEnd, GroupKey), ClaimError> {
     let folder = Path::new(file).parent().map(|folder| folder.join("").to_string_lossy().into_owned());
     let name = Path::new(file).file_name().and_then(|name| name.to_str()).unwrap_or_default();
-    let key = |before: &str, after: &str| Key {
+    let key = |before: &str, after: &str| GroupKey {
         format: solution.format,
         path: (format!("{}{before}", folder.as_deref().unwrap_or_default()), after.to_owned()),
     };
-    match (Target::find(name), solution.target) {
+    match (PuiEnd::find(name), solution.target) {
         (Some((_, named, _)), Some(inside)) if named != inside => {
             Err(ClaimError::OtherTarget { named, inside })
         }
@@ -131,44 +118,45 @@ fn place(file: &str, solution: &Solution) -> Result<(Target, Key), ClaimError> {
 }
 
 /// An answer in the making.
-enum Part {
+enum Draft {
     Whole(Box<Answer>),
-    Group(Group),
+    Group(SolutionGroup),
 }
 
-struct Group {
-    key: Key,
-    members: Vec<(Target, String, BoundClaim)>,
+impl Draft {
+    fn answer(self) -> Answer {
+        match self {
+            Draft::Whole(answer) => *answer,
+            Draft::Group(group) => group.answer(),
+        }
+    }
 }
 
-impl Group {
-    fn add(&mut self, target: Target, file: &ClaimText, solution: Solution) -> Result<(), ClaimError> {
+/// Solution files that answer one program each.
+struct SolutionGroup {
+    key: GroupKey,
+    members: Vec<(PuiEnd, String, BoundClaim)>,
+}
+
+impl SolutionGroup {
+    fn add(&mut self, target: PuiEnd, file: &ClaimText, solution: Solution) -> Result<(), ClaimError> {
         if let Some((_, other, _)) = self.members.iter().find(|(member, ..)| *member == target) {
             return Err(ClaimError::Twice { target, other: other.clone() });
         }
         self.members.push((target, file.file.clone(), solution.claim(target)));
         Ok(())
     }
-}
 
-impl Part {
     fn answer(self) -> Answer {
-        let mut group = match self {
-            Part::Whole(answer) => return *answer,
-            Part::Group(group) => group,
+        let (before, after) = &self.key.path;
+        let source = match self.members.as_slice() {
+            [(_, file, _)] => format!("{}, {file}", self.key.format),
+            _ => format!("{}, {before}*{after}", self.key.format),
         };
-        let (before, after) = &group.key.path;
-        let source = match group.members.as_slice() {
-            [(_, file, _)] => format!("{}, {file}", group.key.format),
-            _ => format!("{}, {before}*{after}", group.key.format),
-        };
-        let mut claim = |axis: usize, end: End| {
-            let is_it =
-                |(target, ..): &(Target, String, BoundClaim)| target.axis() == axis && target.end() == end;
-            let place = group.members.iter().position(is_it);
-            place.map_or_else(|| nothing("no file given"), |place| group.members.swap_remove(place).2)
-        };
-        let claims = [0, 1].map(|axis| [claim(axis, End::Lower), claim(axis, End::Upper)]);
+        let claims = PuiEnd::each(|end| {
+            let member = self.members.iter().find(|(member, ..)| *member == end);
+            member.map_or_else(|| BoundClaim::nothing("no file given"), |(_, _, claim)| claim.clone())
+        });
         Answer { source, exact_input: false, claims }
     }
 }

@@ -1,11 +1,9 @@
 //! What a solution file says, whatever its format.
 
 use boundfit_exact::{Limits, Rational, Reading};
-use boundfit_lp::{BoundClaim, Claimed};
+use boundfit_lp::{BoundClaim, Claimed, PuiEnd};
 
 use super::error::{ClaimError, quoted};
-use crate::answer::nothing;
-use crate::target::Target;
 
 /// One solver's answer to one program.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,7 +11,7 @@ pub(super) struct Solution {
     /// Who writes such files.
     pub(super) format: &'static str,
     /// The program that the content names.
-    pub(super) target: Option<Target>,
+    pub(super) target: Option<PuiEnd>,
     /// How it ended.
     pub(super) status: Status,
     /// θ1 and θ2, where the status is optimal; `None` where one is infinite or not a number.
@@ -53,21 +51,16 @@ impl Status {
 
 impl Solution {
     /// What the solution claims about the end that its program is about.
-    pub(super) fn claim(self, target: Target) -> BoundClaim {
-        let status = |claimed| BoundClaim { claimed, point: None, duals: None };
-        match self.status {
-            Status::Infeasible => status(Claimed::Infeasible),
-            Status::Unbounded => status(Claimed::Unbounded),
-            Status::InfeasibleOrUnbounded => status(Claimed::InfeasibleOrUnbounded),
-            Status::Other(words) => nothing(&format!("the solver's status is {}", quoted(&words))),
-            Status::Optimal => match self.point {
-                None => nothing("an optimum that is not finite"),
-                Some([theta1, theta2]) => {
-                    let value = if target.axis() == 0 { theta1.clone() } else { theta2.clone() };
-                    let point = Some([theta1, theta2]);
-                    BoundClaim { claimed: Claimed::Value(value), point, duals: self.duals }
-                }
-            },
+    pub(super) fn claim(self, target: PuiEnd) -> BoundClaim {
+        match (self.status, self.point) {
+            (Status::Infeasible, _) => BoundClaim::bare(Claimed::Infeasible),
+            (Status::Unbounded, _) => BoundClaim::bare(Claimed::Unbounded),
+            (Status::InfeasibleOrUnbounded, _) => BoundClaim::bare(Claimed::InfeasibleOrUnbounded),
+            (Status::Other(words), _) => {
+                BoundClaim::nothing(&format!("the solver's status is {}", quoted(&words)))
+            }
+            (Status::Optimal, None) => BoundClaim::nothing("an optimum that is not finite"),
+            (Status::Optimal, Some(point)) => BoundClaim::attained(target, point, self.duals),
         }
     }
 }

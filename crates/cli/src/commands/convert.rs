@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use boundfit_check::{ExchangeRows, ProgramRows, Target};
+use boundfit_check::{ExchangeRows, ProgramRows};
 use boundfit_estimation::{ErrorBound, Model, Problem};
-use boundfit_lp::ExchangeFormat;
+use boundfit_lp::{ExchangeFormat, PuiEnd};
 
 use crate::CommandResult;
 use crate::arguments::{ConvertArguments, ObjectiveName, ProgramFormat};
@@ -15,7 +15,7 @@ use crate::progress::while_working;
 /// Where programs go.
 enum Destination<'a> {
     /// One program to a file, or to standard output.
-    One(Target, Option<&'a str>),
+    One(PuiEnd, Option<&'a str>),
     /// All programs into a folder.
     All(&'a str),
 }
@@ -30,17 +30,16 @@ pub(crate) fn run(arguments: &ConvertArguments) -> CommandResult {
         ProgramFormat::Lp => ExchangeFormat::Lp,
     };
     let about = comments(arguments, &problem);
-    let text = |target: Target| {
-        let comments: Vec<String> = [heading(target)].into_iter().chain(about.iter().cloned()).collect();
-        while_working("writing", || rows.text(target, format, &comments))
+    let text = |end: PuiEnd| {
+        let comments: Vec<String> = [heading(end)].into_iter().chain(about.iter().cloned()).collect();
+        while_working("writing", || rows.text(end, format, &comments))
     };
     match destination {
         Destination::One(target, file) => output::write(text(target), file)?,
         Destination::All(folder) => {
-            let file = |target: Target| {
-                (format!("{}.{}", target.name(), extension(arguments.to)), text(target).into_bytes())
-            };
-            output::write_all(folder, &Target::ALL.map(file))?;
+            let file =
+                |end: PuiEnd| (format!("{}.{}", end.name(), extension(arguments.to)), text(end).into_bytes());
+            output::write_all(folder, &PuiEnd::ALL.map(file))?;
         }
     }
     Ok(Exit::Answer)
@@ -69,12 +68,12 @@ fn destination(arguments: &ConvertArguments) -> Result<Destination<'_>, Failure>
     Ok(Destination::All(folder))
 }
 
-fn target(name: ObjectiveName) -> Target {
+fn target(name: ObjectiveName) -> PuiEnd {
     match name {
-        ObjectiveName::Theta1Min => Target::Theta1Min,
-        ObjectiveName::Theta1Max => Target::Theta1Max,
-        ObjectiveName::Theta2Min => Target::Theta2Min,
-        ObjectiveName::Theta2Max => Target::Theta2Max,
+        ObjectiveName::Theta1Min => PuiEnd::Theta1Min,
+        ObjectiveName::Theta1Max => PuiEnd::Theta1Max,
+        ObjectiveName::Theta2Min => PuiEnd::Theta2Min,
+        ObjectiveName::Theta2Max => PuiEnd::Theta2Max,
     }
 }
 
@@ -86,14 +85,14 @@ fn extension(format: ProgramFormat) -> &'static str {
 }
 
 /// What the program asks for.
-fn heading(target: Target) -> String {
-    let what = match target {
-        Target::Theta1Min => "the smallest theta1",
-        Target::Theta1Max => "the largest theta1, as the smallest -theta1",
-        Target::Theta2Min => "the smallest theta2",
-        Target::Theta2Max => "the largest theta2, as the smallest -theta2",
+fn heading(end: PuiEnd) -> String {
+    let what = match end {
+        PuiEnd::Theta1Min => "the smallest theta1",
+        PuiEnd::Theta1Max => "the largest theta1, as the smallest -theta1",
+        PuiEnd::Theta2Min => "the smallest theta2",
+        PuiEnd::Theta2Max => "the largest theta2, as the smallest -theta2",
     };
-    format!("{}: {what}, that agrees with every reading", target.name())
+    format!("{}: {what}, that agrees with every reading", end.name())
 }
 
 /// Where the rows come from.

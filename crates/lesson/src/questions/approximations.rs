@@ -2,12 +2,11 @@
 
 use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::RegionKind;
-use boundfit_lp::{End, Verdict};
+use boundfit_lp::{PuiEnd, Verdict};
 
 use super::wording::{THETA, counted, in_words, listed, size};
 use super::{Facts, Question, Show};
-use crate::layers::{ENDS, LpAnswer, reason};
-use crate::leave_one_out::end_name;
+use crate::layers::{LpAnswer, reason};
 
 /// How much of the PUI box is feasible?
 pub(super) fn box_full(facts: &Facts<'_>) -> Option<Question> {
@@ -128,12 +127,12 @@ fn finding(facts: &Facts<'_>, answer: &LpAnswer) -> String {
         }
         Verdict::WithinTolerance => "nearly, within a tolerance of one millionth".to_owned(),
         verdict => {
-            let of_worst =
-                |&(axis, end): &(usize, End)| answer.judgements[axis][end as usize].verdict == verdict;
-            let name = |(axis, end)| format!("the {} end of {}", end_name(end), THETA[axis]);
-            let ends: Vec<String> = ENDS.into_iter().filter(of_worst).map(name).collect();
+            let of_worst = |end: &PuiEnd| end.of(&answer.judgements).verdict == verdict;
+            let name = |end: PuiEnd| format!("the {} end of {}", end.end().name(), THETA[end.axis()]);
+            let ends: Vec<String> = PuiEnd::ALL.into_iter().filter(of_worst).map(name).collect();
             let word = if verdict == Verdict::NoAnswer { "not quite" } else { "no" };
-            let ends = if ends.len() == ENDS.len() { "all four ends".to_owned() } else { listed(&ends) };
+            let ends =
+                if ends.len() == PuiEnd::ALL.len() { "all four ends".to_owned() } else { listed(&ends) };
             let why = common_reason(answer, verdict).map(|reason| format!(". {reason}")).unwrap_or_default();
             let why = why.trim_end_matches('.');
             format!("{word}, the verdict on {ends} is “{}”{why}", verdict.name())

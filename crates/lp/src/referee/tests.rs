@@ -117,7 +117,7 @@ fn statuses_in_all_combinations() {
         (verdict, proof)
     };
     let right = (Verdict::Exact, None);
-    let is_wrong = |found: &(Verdict, Option<Proof>), kind: fn(&Proof) -> bool| {
+    let is_wrong = |found: &(Verdict, Option<Refutation>), kind: fn(&Refutation) -> bool| {
         assert_eq!(found.0, Verdict::WrongStatus);
         assert!(found.1.as_ref().is_some_and(kind), "{found:?}");
     };
@@ -129,22 +129,24 @@ fn statuses_in_all_combinations() {
     for claimed in [unbounded(), Claimed::Value(0.into())] {
         is_wrong(
             &judged(&empty, End::Upper, claimed),
-            |proof| matches!(proof, Proof::Infeasible(by) if by.len() == 2),
+            |proof| matches!(proof, Refutation::Infeasible(by) if by.len() == 2),
         );
     }
     assert_eq!(judged(&half_plane, End::Lower, unbounded()), right);
     assert_eq!(judged(&half_plane, End::Lower, either()), right);
     is_wrong(&judged(&half_plane, End::Lower, infeasible()), |proof| {
-        matches!(proof, Proof::FeasiblePoint(_))
+        matches!(proof, Refutation::FeasiblePoint(_))
     });
     is_wrong(&judged(&half_plane, End::Lower, Claimed::Value(0.into())), |proof| {
-        matches!(proof, Proof::Ray { .. })
+        matches!(proof, Refutation::Ray { .. })
     });
-    is_wrong(&judged(&bounded, End::Upper, infeasible()), |proof| matches!(proof, Proof::FeasiblePoint(_)));
+    is_wrong(&judged(&bounded, End::Upper, infeasible()), |proof| {
+        matches!(proof, Refutation::FeasiblePoint(_))
+    });
     for claimed in [unbounded(), either()] {
         is_wrong(
             &judged(&bounded, End::Upper, claimed),
-            |proof| matches!(proof, Proof::Bound(by) if by.len() == 1),
+            |proof| matches!(proof, Refutation::Bound(by) if by.len() == 1),
         );
     }
     let nothing = bounded.judge(0, End::Upper, &claim(Claimed::Nothing("out of time".to_owned())));

@@ -5,11 +5,11 @@ mod reader;
 use std::fs;
 use std::path::Path;
 
-use boundfit_check::{ExchangeRows, ProgramRows, Target};
+use boundfit_check::{ExchangeRows, ProgramRows};
 use boundfit_estimation::{BoundName, Columns, Condition, EpsilonColumn, Measurements, Problem, fit};
 use boundfit_exact::{Endpoint, Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, RowRange, Source, TableOptions};
-use boundfit_lp::{ExactOutcome, ExchangeFormat, Program, Row, exact_simplex};
+use boundfit_lp::{ExactOutcome, ExchangeFormat, Program, PuiEnd, Row, exact_simplex};
 use boundfit_tests::lp_cases::{hard_cases, number, ten_to};
 use boundfit_tests::program::{Run, root, run};
 use boundfit_tests::readings::{line, problem, with_error_bound};
@@ -102,7 +102,7 @@ fn name_in_file(name: BoundName) -> String {
 }
 
 /// Compares a program that was read back with the exact one, and its optimum with the end of the PUI.
-fn check(read: &ReadProgram, target: Target, problem: &Problem, context: &str) {
+fn check(read: &ReadProgram, target: PuiEnd, problem: &Problem, context: &str) {
     let rows = ProgramRows::new(problem);
     let plain = rows.plain();
     let expected: Vec<(String, Row)> =
@@ -137,10 +137,10 @@ fn files_read_back_as_the_exact_programs() {
                 fs::read_dir(&made).unwrap().map(|entry| entry.unwrap().file_name()).collect();
             files.sort();
             let mut expected =
-                Target::ALL.map(|target| std::ffi::OsString::from(format!("{}.{format}", target.name())));
+                PuiEnd::ALL.map(|target| std::ffi::OsString::from(format!("{}.{format}", target.name())));
             expected.sort();
             assert_eq!(files, expected, "{}", case.line);
-            for target in Target::ALL {
+            for target in PuiEnd::ALL {
                 let text = fs::read_to_string(made.join(format!("{}.{format}", target.name()))).unwrap();
                 let read = if format == "mps" { read_mps(&text) } else { read_lp(&text) };
                 assert!(format == "lp" || read.name.as_deref() == Some(target.name()));
@@ -164,7 +164,7 @@ fn generated_programs_read_back_exactly() {
             problem = with_error_bound(&problem, &bound);
         }
         let rows = ExchangeRows::new(&ProgramRows::new(&problem));
-        for target in Target::ALL {
+        for target in PuiEnd::ALL {
             let mps = rows.text(target, ExchangeFormat::Mps, &[]);
             let lp = rows.text(target, ExchangeFormat::Lp, &[]);
             if mps.contains(" is multiplied by ") {
@@ -184,15 +184,15 @@ fn long_and_far_numbers_stay_exact_and_are_remarked_upon() {
     let xs = [ten_to(-320), Rational::from_f64(3e-300).unwrap(), ten_to(400)];
     let problem = line(xs.map(|x| (x.clone(), &x + &x)), number("1/8"));
     let rows = ExchangeRows::new(&ProgramRows::new(&problem));
-    let text = rows.text(Target::Theta2Max, ExchangeFormat::Lp, &["two\nlines, and \u{3b8}".to_owned()]);
+    let text = rows.text(PuiEnd::Theta2Max, ExchangeFormat::Lp, &["two\nlines, and \u{3b8}".to_owned()]);
     assert!(text.starts_with("\\ two\\nlines, and \\u{3b8}\n"), "{text}");
     assert!(text.contains("row3_upper has a number that is beyond the range of doubles"), "{text}");
     assert!(text.contains("row2_lower has a number of "), "{text}");
     assert!(text.lines().filter(|line| line.len() > 600).count() <= 6, "{text}");
-    check(&read_lp(&text), Target::Theta2Max, &problem, "lp");
+    check(&read_lp(&text), PuiEnd::Theta2Max, &problem, "lp");
     check(
-        &read_mps(&rows.text(Target::Theta1Min, ExchangeFormat::Mps, &[])),
-        Target::Theta1Min,
+        &read_mps(&rows.text(PuiEnd::Theta1Min, ExchangeFormat::Mps, &[])),
+        PuiEnd::Theta1Min,
         &problem,
         "mps",
     );

@@ -3,7 +3,7 @@
 use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::{Polyhedron, Support};
 use boundfit_lp::{
-    BoundClaim, Claimed, End, Judgement, Multiplier, Proof, RefereeRow, Row, Verdict, Violation,
+    BoundClaim, Claimed, End, Judgement, Multiplier, RefereeRow, Refutation, Row, Verdict, Violation,
 };
 use boundfit_tests::lp_cases::system_of;
 
@@ -189,7 +189,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Whether a proof shows that a claim is wrong.
-    fn holds(&self, axis: usize, end: End, claimed: &Claimed, proof: &Proof) -> bool {
+    fn holds(&self, axis: usize, end: End, claimed: &Claimed, proof: &Refutation) -> bool {
         let form = form(axis, end);
         let product = |u: &[Rational; 2], v: &[Rational; 2]| &u[0] * &v[0] + &u[1] * &v[1];
         let sum = |multipliers: &[Multiplier]| {
@@ -200,19 +200,19 @@ impl<'a> Judge<'a> {
             ([total(&|row| row.a[0].clone()), total(&|row| row.a[1].clone())], total(&|row| row.b.clone()))
         };
         match proof {
-            Proof::Infeasible(multipliers) => {
+            Refutation::Infeasible(multipliers) => {
                 let (left, right) = sum(multipliers);
                 left == [Rational::zero(), Rational::zero()] && right.is_negative()
             }
-            Proof::Bound(multipliers) => {
+            Refutation::Bound(multipliers) => {
                 let (left, right) = sum(multipliers);
                 let Truth::At(exact) = self.truth(axis, end) else { return false };
                 left == form
                     && right == &form[axis] * exact
                     && matches!(claimed, Claimed::Unbounded | Claimed::InfeasibleOrUnbounded)
             }
-            Proof::FeasiblePoint(theta) => self.feasible(theta) && *claimed == Claimed::Infeasible,
-            Proof::Ray { theta, ray } => {
+            Refutation::FeasiblePoint(theta) => self.feasible(theta) && *claimed == Claimed::Infeasible,
+            Refutation::Ray { theta, ray } => {
                 self.feasible(theta)
                     && self.rows.iter().all(|row| !product(&row.row.a, ray).is_positive())
                     && product(&form, ray).is_positive()

@@ -2,7 +2,7 @@
 
 use boundfit_check::ProgramRows;
 use boundfit_exact::Rational;
-use boundfit_lp::{BoundClaim, Claimed, End, Proof, Referee, RefereeRow, Row, Verdict};
+use boundfit_lp::{BoundClaim, Claimed, End, Referee, RefereeRow, Refutation, Row, Verdict};
 use boundfit_tests::generate::seeded;
 use boundfit_tests::lp_cases::{fine, rows, ten_to, whole_rows};
 use boundfit_tests::readings::problem;
@@ -63,30 +63,32 @@ fn every_wrong_status_is_proved_wrong() {
                 for (end, judgement) in [End::Lower, End::Upper].into_iter().zip(judgements) {
                     let claimed = &pair[end as usize].claimed;
                     let combination = match (judge.truth(axis, end), judgement.verdict, judgement.proof) {
-                        (Truth::Empty, Verdict::WrongStatus, Some(Proof::Infeasible(_))) => {
+                        (Truth::Empty, Verdict::WrongStatus, Some(Refutation::Infeasible(_))) => {
                             match name(claimed) {
                                 "value" => "empty: value",
                                 "unbounded" => "empty: unbounded",
                                 other => panic!("{other} is right about an empty set"),
                             }
                         }
-                        (Truth::Unbounded, Verdict::WrongStatus, Some(Proof::Ray { .. })) => {
+                        (Truth::Unbounded, Verdict::WrongStatus, Some(Refutation::Ray { .. })) => {
                             match name(claimed) {
                                 "value" => "unbounded: value",
                                 other => panic!("{other} is right about an unbounded end"),
                             }
                         }
-                        (Truth::Unbounded, Verdict::WrongStatus, Some(Proof::FeasiblePoint(_))) => {
+                        (Truth::Unbounded, Verdict::WrongStatus, Some(Refutation::FeasiblePoint(_))) => {
                             "unbounded: infeasible"
                         }
-                        (Truth::At(_), Verdict::WrongStatus, Some(Proof::FeasiblePoint(_))) => {
+                        (Truth::At(_), Verdict::WrongStatus, Some(Refutation::FeasiblePoint(_))) => {
                             "bounded: infeasible"
                         }
-                        (Truth::At(_), Verdict::WrongStatus, Some(Proof::Bound(_))) => match name(claimed) {
-                            "unbounded" => "bounded: unbounded",
-                            "either" => "bounded: either",
-                            other => panic!("{other} is right about a bounded end"),
-                        },
+                        (Truth::At(_), Verdict::WrongStatus, Some(Refutation::Bound(_))) => {
+                            match name(claimed) {
+                                "unbounded" => "bounded: unbounded",
+                                "either" => "bounded: either",
+                                other => panic!("{other} is right about a bounded end"),
+                            }
+                        }
                         (truth, Verdict::WrongStatus, proof) => panic!("{truth:?} {claimed:?} {proof:?}"),
                         (_, _, None) => "right",
                         (truth, verdict, proof) => panic!("{truth:?} {claimed:?} {verdict:?} {proof:?}"),

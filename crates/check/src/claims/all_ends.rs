@@ -1,11 +1,12 @@
-//! Claims about all four ends at once: JSON files and texts.
+//! Claims about all four ends at once: JSON files, and texts of the command line.
 
 use boundfit_exact::{Limits, Rational, Reading};
-use boundfit_lp::{BoundClaim, Claimed};
+use boundfit_lp::{BoundClaim, Claimed, PuiEnd};
 use serde::Deserialize;
 
-use crate::answer::{Answer, nothing};
-use crate::claims::{ClaimError, ClaimLimits};
+use super::error::ClaimError;
+use super::limits::ClaimLimits;
+use crate::answer::Answer;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -45,7 +46,7 @@ fn number(text: &str, limits: &Limits) -> Result<Rational, ClaimError> {
 ///
 /// # Errors
 /// What is wrong with the file.
-pub(crate) fn parse_claim_file(text: &str, name: &str, limits: &ClaimLimits) -> Result<Answer, ClaimError> {
+pub(super) fn parse_claim_file(text: &str, name: &str, limits: &ClaimLimits) -> Result<Answer, ClaimError> {
     if let Some((line, column)) = nested_beyond(text, limits.nesting) {
         return Err(ClaimError::Nesting { limit: limits.nesting, line, column });
     }
@@ -61,27 +62,29 @@ pub(crate) fn parse_claim_file(text: &str, name: &str, limits: &ClaimLimits) -> 
     if status.is_none() && file.pui.is_none() && file.points.is_none() {
         return Err(ClaimError::NoValue);
     }
-    let claim = |axis: usize, end: usize| -> Result<BoundClaim, ClaimError> {
+    let claims = PuiEnd::try_each(|end| -> Result<BoundClaim, ClaimError> {
         if let Some(status) = &status {
-            return Ok(BoundClaim { claimed: status.clone(), point: None, duals: None });
+            return Ok(BoundClaim::bare(status.clone()));
         }
-        let number = 2 * axis + end;
-        let point = match file.points.as_ref().and_then(|points| points.get(number)?.as_ref()) {
+        // Points and duals come in the order of `PuiEnd::ALL`.
+        let place = end as usize;
+        let point = match file.points.as_ref().and_then(|points| points.get(place)?.as_ref()) {
             Some([theta1, theta2]) => Some([theta1.exact(&limits.number)?, theta2.exact(&limits.number)?]),
             None => None,
         };
-        let claimed = match (&file.pui, &point) {
-            (Some(pui), _) => match pui.get(axis).and_then(|ends| ends.get(end)?.as_ref()) {
-                Some(value) => Claimed::Value(value.exact(&limits.number)?),
-                None => Claimed::Unbounded,
-            },
-            (None, Some(point)) => Claimed::Value(point.get(axis).cloned().unwrap_or_default()),
-            (None, None) => return Ok(nothing("no point given")),
-        };
-        let duals = file.duals.as_ref().and_then(|duals| duals.get(number)?.clone());
-        Ok(BoundClaim { claimed, point, duals })
-    };
-    let claims = [[claim(0, 0)?, claim(0, 1)?], [claim(1, 0)?, claim(1, 1)?]];
+        let duals = file.duals.as_ref().and_then(|duals| duals.get(place)?.clone());
+        match (&file.pui, point) {
+            (Some(pui), point) => {
+                let claimed = match end.of(pui) {
+                    Some(value) => Claimed::Value(value.exact(&limits.number)?),
+                    None => Claimed::Unbounded,
+                };
+                Ok(BoundClaim { claimed, point, duals })
+            }
+            (None, Some(point)) => Ok(BoundClaim::attained(end, point, duals)),
+            (None, None) => Ok(BoundClaim::nothing("no point given")),
+        }
+    })?;
     Ok(Answer { source, exact_input: false, claims })
 }
 
@@ -121,7 +124,7 @@ pub fn parse_claim_pui(text: &str) -> Result<Answer, ClaimError> {
         let unbounded = unbounded.contains(&text.to_ascii_lowercase().as_str());
         let claimed =
             if unbounded { Claimed::Unbounded } else { Claimed::Value(number(text, &Limits::default())?) };
-        Ok(BoundClaim { claimed, point: None, duals: None })
+        Ok(BoundClaim::bare(claimed))
     };
     let lower = |text: &str| claim(text, &["-inf", "-infinity"]);
     let upper = |text: &str| claim(text, &["inf", "+inf", "infinity", "+infinity"]);
