@@ -35,6 +35,9 @@ pub enum Reading {
 }
 
 impl Reading {
+    /// Both of them.
+    pub const ALL: [Reading; 2] = [Reading::Decimal, Reading::Binary64];
+
     /// The name used on the command line and in reports.
     pub fn name(self) -> &'static str {
         match self {

@@ -38,6 +38,18 @@ impl Figure {
             Figure::Directions => "directions",
         }
     }
+
+    /// What it shows, in a few words.
+    pub fn title(self) -> &'static str {
+        match self {
+            Figure::Data => "Readings with error bars and the least-squares line",
+            Figure::Eui => "Band of the lines at the corners of the EUI box",
+            Figure::Pui => "Band of the lines at the corners of the PUI box",
+            Figure::Fps => "The feasible parameter set",
+            Figure::Corridor => "Band of all feasible lines, inside that of the PUI box",
+            Figure::Directions => "Inner and outer approximation from linear programs",
+        }
+    }
 }
 
 /// How to draw it.

@@ -40,4 +40,4 @@ mod samples;
 mod text;
 
 pub use figure::{Figure, PlotOptions, draw};
-pub use picture::{FigureError, Picture};
+pub use picture::{FigureError, Picture, PictureFormat};

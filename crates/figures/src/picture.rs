@@ -17,6 +17,28 @@ const PNG_SCALE: f32 = 2.0;
 #[error("the figure cannot be drawn: {0}")]
 pub struct FigureError(pub(crate) String);
 
+/// How a picture is encoded.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PictureFormat {
+    /// Lines and letters as paths.
+    Svg,
+    /// Pixels.
+    Png,
+}
+
+impl PictureFormat {
+    /// Both of them.
+    pub const ALL: [PictureFormat; 2] = [PictureFormat::Svg, PictureFormat::Png];
+
+    /// The name on the command line, and the end of a file's name: `svg` or `png`.
+    pub fn name(self) -> &'static str {
+        match self {
+            PictureFormat::Svg => "svg",
+            PictureFormat::Png => "png",
+        }
+    }
+}
+
 /// A drawn figure.
 #[derive(Debug, Clone)]
 pub struct Picture {
@@ -37,6 +59,17 @@ impl Picture {
             Options { font_family: text::FAMILY.to_owned(), fontdb: FONTS.clone(), ..Options::default() };
         let tree = Tree::from_str(svg, &options).map_err(|error| FigureError(error.to_string()))?;
         Ok(Picture { tree, title, description })
+    }
+
+    /// The bytes of a file in this format.
+    ///
+    /// # Errors
+    /// When the pixels of a PNG cannot be encoded.
+    pub fn encoded(&self, format: PictureFormat) -> Result<Vec<u8>, FigureError> {
+        match format {
+            PictureFormat::Svg => Ok(self.svg().into_bytes()),
+            PictureFormat::Png => self.png(),
+        }
     }
 
     /// A self-contained SVG document without fonts, with title and description for those who cannot see it.

@@ -66,6 +66,20 @@ pub enum Header {
     Absent,
 }
 
+impl Header {
+    /// All three.
+    pub const ALL: [Header; 3] = [Header::Auto, Header::Present, Header::Absent];
+
+    /// The answer to "does the first row name the columns?" on the command line: `auto`, `yes` or `no`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Header::Auto => "auto",
+            Header::Present => "yes",
+            Header::Absent => "no",
+        }
+    }
+}
+
 /// What the first record says about the columns of a table.
 pub(crate) struct Heading {
     /// Cells in every row.

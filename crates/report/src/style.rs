@@ -19,6 +19,19 @@ pub enum EndRounding {
     Nearest,
 }
 
+impl EndRounding {
+    /// Both of them.
+    pub const ALL: [EndRounding; 2] = [EndRounding::Outward, EndRounding::Nearest];
+
+    /// The name on the command line: `outward` or `nearest`.
+    pub fn name(self) -> &'static str {
+        match self {
+            EndRounding::Outward => "outward",
+            EndRounding::Nearest => "nearest",
+        }
+    }
+}
+
 /// How numbers are shown.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Style {

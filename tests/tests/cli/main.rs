@@ -7,6 +7,7 @@ mod check;
 mod convert;
 mod exchange;
 mod fleet;
+mod help;
 mod input_formats;
 mod json;
 mod large;

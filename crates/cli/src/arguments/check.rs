@@ -2,25 +2,32 @@
 
 use clap::{Args, value_parser};
 
+use super::notes::{BAD_DATA, BAD_USAGE, Notes};
+use super::shared::LIMITS;
 use super::{DataArguments, FileArguments, Format, LimitArguments, OutputArguments};
 
-const EXAMPLES: &str = "\
-Examples:
-  Every solver of this build against the exact answer:
-    boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3
-  The PUI that some other program printed:
-    boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 \\
-      --claim-pui 1.7909e-3,1.8484e-3,2.2596e-2,2.2807e-2
-  What a solver wrote about the programs of 'boundfit convert', four files in a folder:
-    boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --claim solutions
-  The hull of 16 LP optimisers, the set itself, and the half-planes behind the 16 optima:
-    boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --directions 16
-
-Exit status:
-  0  no claim is refuted
-  1  bad data, or a file that cannot be read or written
-  2  bad usage
-  4  a claim is refuted";
+pub(super) const NOTES: Notes = Notes {
+    examples: &[
+        (
+            "Every solver of this build against the exact answer",
+            "boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3",
+        ),
+        (
+            "The PUI that some other program printed",
+            "boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 \\\n\
+             \x20 --claim-pui 1.7909e-3,1.8484e-3,2.2596e-2,2.2807e-2",
+        ),
+        (
+            "What a solver wrote about the programs of 'boundfit convert', four files in a folder",
+            "boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --claim solutions",
+        ),
+        (
+            "The hull of 16 LP optimisers, the set itself, and the half-planes behind the 16 optima",
+            "boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --directions 16",
+        ),
+    ],
+    statuses: &[(0, "no claim is refuted"), BAD_DATA, BAD_USAGE, (4, "a claim is refuted")],
+};
 
 /// Judge LP answers about the same fit: is each end of the parameter uncertainty intervals right?
 ///
@@ -29,7 +36,7 @@ Exit status:
 /// (cuts off feasible parameters), wrong status or inverted interval, judged against the data as written and against the
 /// doubles that a solver receives.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = NOTES.to_string())]
 pub(crate) struct CheckArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
@@ -41,7 +48,7 @@ pub(crate) struct CheckArguments {
     #[arg(long = "claim", value_name = "FILE|DIR")]
     pub(crate) claims: Vec<String>,
     /// Bytes that a claims file may have
-    #[arg(long, value_name = "BYTES", default_value_t = 1 << 28, help_heading = "Limits")]
+    #[arg(long, value_name = "BYTES", default_value_t = 1 << 28, help_heading = LIMITS, hide_short_help = true)]
     pub(crate) max_claim_size: u64,
     /// Judge these ends of the intervals; inf and -inf claim an unbounded end; repeatable
     #[arg(long = "claim-pui", value_name = "LO1,HI1,LO2,HI2", allow_hyphen_values = true)]
@@ -60,11 +67,16 @@ pub(crate) struct CheckArguments {
     pub(crate) output: OutputArguments,
 }
 
+pub(super) const BENCH_NOTES: Notes = Notes {
+    examples: &[("The cases of this repository", "boundfit bench-solvers fixtures/hard-lp")],
+    statuses: &[],
+};
+
 /// Run every solver over a folder of cases and print who is right on which, as a Markdown table
 ///
 /// A case is NAME.csv with columns x and y, and NAME.json with the error bound as text under "eps".
 #[derive(Debug, Args)]
-#[command(after_help = "Example:\n  boundfit bench-solvers fixtures/hard-lp")]
+#[command(after_help = BENCH_NOTES.to_string())]
 pub(crate) struct BenchSolversArguments {
     /// The folder
     pub(crate) folder: String,

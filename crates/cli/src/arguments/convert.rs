@@ -1,24 +1,32 @@
 //! The arguments of `boundfit convert`.
 
-use clap::builder::NonEmptyStringValueParser;
-use clap::{Args, ValueEnum};
+use boundfit_lp::{ExchangeFormat, PuiEnd};
+use clap::Args;
+use clap::builder::{NonEmptyStringValueParser, PossibleValue};
 
 use super::DataArguments;
+use super::notes::{BAD_DATA, BAD_USAGE, Notes};
+use super::values::{explained, named};
 
-const EXAMPLES: &str = "\
-Examples:
-  The four linear programs of a fit, as free MPS:
-    boundfit convert transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --to mps -o programs
-  What GLPK makes of them, judged exactly:
-    for f in programs/*.mps; do glpsol --freemps $f -w ${f%.mps}.sol; done
-    boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --claim programs
-  One of them in LP format, with the numbers that a float solver would receive:
-    boundfit convert steam.csv --x x --y y --eps-column eps --reading binary64 --to lp --objective theta1-max
-
-Exit status:
-  0  the programs are written
-  1  bad data, or a file that cannot be read or written
-  2  bad usage";
+pub(super) const NOTES: Notes = Notes {
+    examples: &[
+        (
+            "The four linear programs of a fit, as free MPS",
+            "boundfit convert transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --to mps -o programs",
+        ),
+        (
+            "What GLPK makes of them, judged exactly",
+            "for f in programs/*.mps; do glpsol --freemps $f -w ${f%.mps}.sol; done\n\
+             boundfit check transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --claim programs",
+        ),
+        (
+            "One of them in LP format, with the numbers that a float solver would receive",
+            "boundfit convert steam.csv --x x --y y --eps-column eps --reading binary64 \\\n\
+             \x20 --to lp --objective theta1-max",
+        ),
+    ],
+    statuses: &[(0, "the programs are written"), BAD_DATA, BAD_USAGE],
+};
 
 /// Write the linear programs behind the parameter uncertainty intervals as files for other solvers
 ///
@@ -27,38 +35,20 @@ Exit status:
 /// row (row14_upper, row14_lower), every condition one (where_1). No number is rounded: it is a decimal where it has a finite
 /// one, and otherwise its row is multiplied to whole numbers, as a comment says.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = NOTES.to_string())]
 pub(crate) struct ConvertArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
     /// Format of the programs
-    #[arg(long, value_enum)]
-    pub(crate) to: ProgramFormat,
+    #[arg(long, value_parser = explained(ExchangeFormat::ALL.map(|format| {
+        (PossibleValue::new(format.name()).help(format.title()), format)
+    })))]
+    pub(crate) to: ExchangeFormat,
     /// Write this program alone; all four into a folder when left out
-    #[arg(long, value_enum)]
-    pub(crate) objective: Option<ObjectiveName>,
+    #[arg(long, value_parser = named(PuiEnd::ALL.map(|end| (end.name(), end))))]
+    pub(crate) objective: Option<PuiEnd>,
     /// Write the four programs into this folder, or the one of '--objective' to this file instead of standard output; each
     /// file whole or not at all
     #[arg(short, long, value_name = "DIR|FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) output: Option<String>,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ProgramFormat {
-    /// Free-format MPS
-    Mps,
-    /// CPLEX LP format
-    Lp,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ObjectiveName {
-    #[value(name = "theta1-min")]
-    Theta1Min,
-    #[value(name = "theta1-max")]
-    Theta1Max,
-    #[value(name = "theta2-min")]
-    Theta2Min,
-    #[value(name = "theta2-max")]
-    Theta2Max,
 }

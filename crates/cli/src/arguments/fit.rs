@@ -4,31 +4,51 @@ use boundfit_formats::ColumnSelector;
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 
+use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::values::parse_column;
 use super::{DataArguments, FactorRange, OutputArguments, ReportFormat, ThreadArguments};
 
-const EXAMPLES: &str = "\
-Examples:
-  A line through columns Vz and z, data rows 14 to 36, every z known to 0.5 mm:
-    boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3
-  One error bound per row, and a slope that is known not to be negative:
-    boundfit fit steam.csv --x x --y y --eps-column eps --where 'theta1 >= 0'
-  How the set grows with the error bound, from half of eps to twice eps:
-    boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --sweep 0.5..2
-  Two regressors without a constant, from standard input, as JSON:
-    boundfit fit - --x 1,2 --y 3 --eps 1/100 --format json < readings.csv
-  Vectors of a MATLAB file; the vertices as a script for MATLAB and Octave (or csv, wkt, latex, markdown):
-    boundfit fit transducer.mat --x Vz --y z --rows 14..36 --eps 0.5e-3 --format m -o vertices.m
-  Beside the report a proof, for somebody who does not trust it:
-    boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --proof proof.json
-  Every sensor of a fleet on its own, one line each (--format json or csv for programs):
-    boundfit fit fleet.csv --by sensor --x V --y level --eps 0.03
-
-Exit status:
-  0  an answer was found
-  1  bad data, or a file that cannot be read or written
-  2  bad usage
-  3  the feasible parameter set is empty, with --by that of at least one group; the proof is printed";
+pub(super) const NOTES: Notes = Notes {
+    examples: &[
+        (
+            "A line through columns Vz and z, data rows 14 to 36, every z known to 0.5 mm",
+            "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3",
+        ),
+        (
+            "One error bound per row, and a slope that is known not to be negative",
+            "boundfit fit steam.csv --x x --y y --eps-column eps --where 'theta1 >= 0'",
+        ),
+        (
+            "How the set grows with the error bound, from half of eps to twice eps",
+            "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --sweep 0.5..2",
+        ),
+        (
+            "Two regressors without a constant, from standard input, as JSON",
+            "boundfit fit - --x 1,2 --y 3 --eps 1/100 --format json < readings.csv",
+        ),
+        (
+            "Vectors of a MATLAB file; the vertices as a script for MATLAB and Octave (or csv, wkt, latex, markdown)",
+            "boundfit fit transducer.mat --x Vz --y z --rows 14..36 --eps 0.5e-3 --format m -o vertices.m",
+        ),
+        (
+            "Beside the report a proof, for somebody who does not trust it",
+            "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --proof proof.json",
+        ),
+        (
+            "Every sensor of a fleet on its own, one line each (--format json or csv for programs)",
+            "boundfit fit fleet.csv --by sensor --x V --y level --eps 0.03",
+        ),
+    ],
+    statuses: &[
+        (0, "an answer was found"),
+        BAD_DATA,
+        BAD_USAGE,
+        (
+            3,
+            "the feasible parameter set is empty, with --by that of at least one group; the proof is printed",
+        ),
+    ],
+};
 
 /// Fit y = theta1*x + theta2 + e with |e| <= eps: every parameter pair that agrees with all readings
 ///
@@ -37,7 +57,7 @@ Exit status:
 /// them, the central estimate, least squares with its uncertainty intervals (EUI), and the smallest error bound that
 /// leaves anything.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = NOTES.to_string())]
 pub(crate) struct FitArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,

@@ -2,17 +2,25 @@
 
 use clap::{Args, value_parser};
 
+use super::notes::{BAD_DATA, BAD_USAGE, Notes};
+use super::shared::LIMITS;
 use super::{DataArguments, FileArguments, LabelArguments};
 
-const EXAMPLES: &str = "\
-Example:
-  boundfit lesson transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 -o lesson.html
-
-Exit status:
-  0  the page is written
-  1  bad data, or a file that cannot be read or written
-  2  bad usage
-  3  the feasible parameter set is empty; the page shows why, and from which error bound on there is one";
+pub(super) const NOTES: Notes = Notes {
+    examples: &[(
+        "A page about a line, for every browser",
+        "boundfit lesson transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 -o lesson.html",
+    )],
+    statuses: &[
+        (0, "the page is written"),
+        BAD_DATA,
+        BAD_USAGE,
+        (
+            3,
+            "the feasible parameter set is empty; the page shows why, and from which error bound on there is one",
+        ),
+    ],
+};
 
 /// Write a web page that explains the polygon of feasible parameters on these very readings
 ///
@@ -20,7 +28,7 @@ Exit status:
 /// step by step, the error bound as a slider, what each reading contributes, and questions with answers. All numbers
 /// on it are exact and computed when it is written.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = NOTES.to_string())]
 pub(crate) struct LessonArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
@@ -28,7 +36,7 @@ pub(crate) struct LessonArguments {
     pub(crate) labels: LabelArguments,
     /// The most readings that a page is written for: its size and the time for it grow with their square
     #[arg(long, value_name = "N", default_value_t = MOST_READINGS, value_parser = value_parser!(u16).range(1..=2000),
-          help_heading = "Limits")]
+          help_heading = LIMITS)]
     pub(crate) max_readings: u16,
     #[command(flatten)]
     pub(crate) file: FileArguments,

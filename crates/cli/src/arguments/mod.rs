@@ -4,6 +4,7 @@ mod check;
 mod convert;
 mod fit;
 mod lesson;
+mod notes;
 mod plot;
 mod polygon;
 mod reading;
@@ -16,10 +17,11 @@ use clap::{Parser, Subcommand};
 use clap_complete::Shell;
 
 pub(crate) use check::{BenchSolversArguments, CheckArguments};
-pub(crate) use convert::{ConvertArguments, ObjectiveName, ProgramFormat};
+pub(crate) use convert::ConvertArguments;
 pub(crate) use fit::FitArguments;
 pub(crate) use lesson::LessonArguments;
-pub(crate) use plot::{FigureName, PictureFormat, PlotArguments};
+pub(crate) use notes::Notes;
+pub(crate) use plot::{Figures, PlotArguments};
 pub(crate) use polygon::PolygonArguments;
 pub(crate) use reduce::ReduceArguments;
 pub(crate) use shared::{
@@ -52,7 +54,7 @@ pub(crate) enum Command {
     Plot(PlotArguments),
     Lesson(LessonArguments),
     /// Print a completion script for a shell
-    #[command(after_help = "Example:\n  boundfit completions bash > /etc/bash_completion.d/boundfit")]
+    #[command(after_help = COMPLETIONS_NOTES.to_string())]
     Completions {
         /// The shell
         shell: Shell,
@@ -60,11 +62,39 @@ pub(crate) enum Command {
         file: FileArguments,
     },
     /// Print the manual page (roff) of the program or of one of its commands
-    #[command(after_help = "Example:\n  boundfit man fit > boundfit-fit.1")]
+    #[command(after_help = MAN_NOTES.to_string())]
     Man {
         /// A command; the program itself when left out
         topic: Option<String>,
         #[command(flatten)]
         file: FileArguments,
     },
+}
+
+const COMPLETIONS_NOTES: Notes = Notes {
+    examples: &[("For every user of bash", "boundfit completions bash > /etc/bash_completion.d/boundfit")],
+    statuses: &[],
+};
+
+const MAN_NOTES: Notes = Notes {
+    examples: &[("The page of 'fit' as a file", "boundfit man fit > boundfit-fit.1")],
+    statuses: &[],
+};
+
+/// What the help of a command ends with.
+pub(crate) fn notes(command: &str) -> Option<&'static Notes> {
+    Some(match command {
+        "fit" => &fit::NOTES,
+        "reduce" => &reduce::NOTES,
+        "check" => &check::NOTES,
+        "convert" => &convert::NOTES,
+        "verify" => &verify::NOTES,
+        "bench-solvers" => &check::BENCH_NOTES,
+        "polygon" => &polygon::NOTES,
+        "plot" => &plot::NOTES,
+        "lesson" => &lesson::NOTES,
+        "completions" => &COMPLETIONS_NOTES,
+        "man" => &MAN_NOTES,
+        _ => return None,
+    })
 }

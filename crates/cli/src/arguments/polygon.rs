@@ -2,24 +2,30 @@
 
 use clap::Args;
 
+use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::{OutputArguments, ReportFormat, TableArguments};
 
-const EXAMPLES: &str = "\
-Examples:
-  Half-planes in an H-representation of cdd or lrs:
-    boundfit polygon square.ine
-  To a V-representation, whose rows are points and rays; the report on it; and back:
-    boundfit polygon square.ine --format ext -o corners.ext
-    boundfit polygon corners.ext
-    boundfit polygon corners.ext --format ine
-  A table with columns a1,a2,b, each row meaning a1*theta1 + a2*theta2 <= b:
-    printf 'a1,a2,b\\n-1,0,0\\n0,-1,0\\n2,3,6\\n' | boundfit polygon -
-
-Exit status:
-  0  an answer was found
-  1  bad data, or a file that cannot be read or written
-  2  bad usage
-  3  the region is empty; the proof is printed";
+pub(super) const NOTES: Notes = Notes {
+    examples: &[
+        ("Half-planes in an H-representation of cdd or lrs", "boundfit polygon square.ine"),
+        (
+            "To a V-representation, whose rows are points and rays; the report on it; and back",
+            "boundfit polygon square.ine --format ext -o corners.ext\n\
+             boundfit polygon corners.ext\n\
+             boundfit polygon corners.ext --format ine",
+        ),
+        (
+            "A table with columns a1,a2,b, each row meaning a1*theta1 + a2*theta2 <= b",
+            "printf 'a1,a2,b\\n-1,0,0\\n0,-1,0\\n2,3,6\\n' | boundfit polygon -",
+        ),
+    ],
+    statuses: &[
+        (0, "an answer was found"),
+        BAD_DATA,
+        BAD_USAGE,
+        (3, "the region is empty; the proof is printed"),
+    ],
+};
 
 /// Intersect any half-planes: vertices, rays, bounds, area, and which half-planes are redundant
 ///
@@ -30,7 +36,7 @@ Exit status:
 /// that only ask for other output (maximize, verbose, ...) are passed over; those that mean another set (nonnegative,
 /// project, hull in an H-representation, ...) are refused.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = NOTES.to_string())]
 pub(crate) struct PolygonArguments {
     /// FILE.ine or FILE.ext (H- or V-representation of cdd and lrs) or FILE.csv (columns a1,a2,b), or - for standard input
     pub(crate) file: String,

@@ -8,10 +8,9 @@ use boundfit_estimation::{
 };
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{Header, Limit, RowRange, ScanOptions, SizeLimits, Source, TableOptions};
-use boundfit_report::{EndRounding, Origin, Style};
+use boundfit_report::{Origin, Style};
 use clap::ValueEnum;
 
-use super::shared::{DelimiterName, HeaderName, ReadingName, RoundingName};
 use super::values::{number_problem, parse_factors};
 use super::{DataArguments, FitArguments, LimitArguments, OutputArguments, TableArguments, ThreadArguments};
 use crate::exit::Failure;
@@ -162,10 +161,7 @@ impl TableArguments {
     }
 
     pub(crate) fn reading(&self) -> Reading {
-        match self.reading {
-            ReadingName::Decimal => Reading::Decimal,
-            ReadingName::Binary64 => Reading::Binary64,
-        }
+        self.reading
     }
 
     /// How the numbers of the file at a path are read.
@@ -174,20 +170,11 @@ impl TableArguments {
     }
 
     pub(crate) fn header(&self) -> Header {
-        match self.header {
-            HeaderName::Auto => Header::Auto,
-            HeaderName::Yes => Header::Present,
-            HeaderName::No => Header::Absent,
-        }
+        self.header
     }
 
     pub(crate) fn delimiter(&self) -> Option<u8> {
-        match self.delimiter {
-            DelimiterName::Auto => None,
-            DelimiterName::Comma => Some(b','),
-            DelimiterName::Semicolon => Some(b';'),
-            DelimiterName::Tab => Some(b'\t'),
-        }
+        self.delimiter.0
     }
 }
 
@@ -225,10 +212,6 @@ impl ThreadArguments {
 
 impl<F: ValueEnum + Default + Send + Sync + 'static> OutputArguments<F> {
     pub(crate) fn style(&self) -> Style {
-        let ends = match self.rounding {
-            RoundingName::Outward => EndRounding::Outward,
-            RoundingName::Nearest => EndRounding::Nearest,
-        };
-        Style { digits: usize::from(self.digits), ends, exact: self.exact }
+        Style { digits: usize::from(self.digits), ends: self.rounding, exact: self.exact }
     }
 }

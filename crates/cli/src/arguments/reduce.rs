@@ -3,21 +3,24 @@
 use boundfit_formats::ColumnSelector;
 use clap::Args;
 
+use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::values::parse_column;
 use super::{FileArguments, TableArguments, ThreadArguments};
 
-const EXAMPLES: &str = "\
-Examples:
-  A million rows become a few dozen that give the same feasible set:
-    boundfit reduce readings.csv --x x --y y -o reduced.csv
-    boundfit fit reduced.csv --x x --y y --eps 0.01
-  Parts reduced apart, put together, and reduced again:
-    cat monday.csv tuesday.csv | boundfit reduce - --x x --y y -o both.csv
-
-Exit status:
-  0  the reduction is written
-  1  bad data, or a file that cannot be read or written
-  2  bad usage";
+pub(super) const NOTES: Notes = Notes {
+    examples: &[
+        (
+            "A million rows become a few dozen that give the same feasible set",
+            "boundfit reduce readings.csv --x x --y y -o reduced.csv\n\
+             boundfit fit reduced.csv --x x --y y --eps 0.01",
+        ),
+        (
+            "Parts reduced apart, put together, and reduced again",
+            "cat monday.csv tuesday.csv | boundfit reduce - --x x --y y -o both.csv",
+        ),
+    ],
+    statuses: &[(0, "the reduction is written"), BAD_DATA, BAD_USAGE],
+};
 
 /// Keep only the rows that decide every fit of a line: those that touch the convex hull of the readings
 ///
@@ -26,7 +29,7 @@ Exit status:
 /// least squares are the same for every error bound; only the EUI needs every reading and is left out. Several
 /// reductions one after the other, as 'cat' writes them, are a reduction of all their readings, and can be reduced again.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = NOTES.to_string())]
 pub(crate) struct ReduceArguments {
     /// A table of readings (text or a MATLAB .mat file), or reductions of such, or - for standard input
     pub(crate) data: String,

@@ -1,10 +1,12 @@
 //! The arguments of several commands.
 
-use boundfit_formats::ColumnSelector;
+use boundfit_exact::Reading;
+use boundfit_formats::{ColumnSelector, Header};
+use boundfit_report::EndRounding;
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ValueEnum, value_parser};
 
-use super::values::{AskedRows, Regressors, parse_column, parse_regressors, parse_rows};
+use super::values::{AskedRows, Delimiter, Regressors, named, parse_column, parse_regressors, parse_rows};
 
 /// Where a text goes.
 #[derive(Debug, Args)]
@@ -76,49 +78,61 @@ pub(crate) struct LabelArguments {
 #[derive(Debug, Args)]
 pub(crate) struct TableArguments {
     /// Take numbers exactly as written, or as the nearest double, exactly; with a .mat file it is binary64
-    #[arg(long, value_enum, default_value_t = ReadingName::Decimal)]
-    pub(super) reading: ReadingName,
+    #[arg(long, default_value = Reading::Decimal.name(),
+          value_parser = named(Reading::ALL.map(|reading| (reading.name(), reading))))]
+    pub(super) reading: Reading,
     /// Whether the first row names the columns
-    #[arg(long, value_enum, default_value_t = HeaderName::Auto)]
-    pub(super) header: HeaderName,
+    #[arg(long, default_value = Header::Auto.name(),
+          value_parser = named(Header::ALL.map(|header| (header.name(), header))))]
+    pub(super) header: Header,
     /// What separates the columns
-    #[arg(long, value_enum, default_value_t = DelimiterName::Auto)]
-    pub(super) delimiter: DelimiterName,
+    #[arg(long, default_value = "auto", value_parser = named(Delimiter::ALL))]
+    pub(super) delimiter: Delimiter,
     #[command(flatten)]
     pub(crate) limits: LimitArguments,
 }
 
-/// What an input may ask for at most, so that a hostile one costs neither memory nor time.
+/// The heading of limits in the help, below all other options.
+pub(super) const LIMITS: &str = "Limits";
+
+/// What an input may ask for at most, so that a hostile one costs neither memory nor time. The short help is silent about
+/// it: a message that names a limit also names the option that raises it.
 #[derive(Debug, Args)]
-#[command(next_help_heading = "Limits")]
 pub(crate) struct LimitArguments {
     /// Digits of one number, of a fraction above and below its bar
-    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = value_parser!(u64).range(1..=1_000_000))]
+    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = value_parser!(u64).range(1..=1_000_000),
+          help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_digits: u64,
     /// Absolute value of a decimal exponent
-    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = value_parser!(u32).range(0..=1_000_000))]
+    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = value_parser!(u32).range(0..=1_000_000),
+          help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_exponent: u32,
     /// Bytes of one line, and of one row that goes over several
-    #[arg(long, value_name = "BYTES", default_value_t = 1 << 24, value_parser = value_parser!(u64).range(1..=1 << 32))]
+    #[arg(long, value_name = "BYTES", default_value_t = 1 << 24, value_parser = value_parser!(u64).range(1..=1 << 32),
+          help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_line: u64,
     /// Columns of a table of text
-    #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = value_parser!(u64).range(1..=1 << 32))]
+    #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = value_parser!(u64).range(1..=1 << 32),
+          help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_columns: u64,
     /// Rows that an .ine or .ext file announces
-    #[arg(long, value_name = "N", default_value_t = 10_000_000, value_parser = value_parser!(u64).range(1..=1 << 32))]
+    #[arg(long, value_name = "N", default_value_t = 10_000_000, value_parser = value_parser!(u64).range(1..=1 << 32),
+          help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_rows: u64,
     /// Elements of one array in a .mat file
-    #[arg(long, value_name = "N", default_value_t = 100_000_000, value_parser = value_parser!(u64).range(1..=1 << 32))]
+    #[arg(long, value_name = "N", default_value_t = 100_000_000, value_parser = value_parser!(u64).range(1..=1 << 32),
+          help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_elements: u64,
     /// Depth of arrays and objects in a JSON file
-    #[arg(long, value_name = "N", default_value_t = 64, value_parser = value_parser!(u8).range(1..=120))]
+    #[arg(long, value_name = "N", default_value_t = 64, value_parser = value_parser!(u8).range(1..=120),
+          help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_nesting: u8,
 }
 
 /// How the answer is written.
 #[derive(Debug, Args)]
 pub(crate) struct OutputArguments<F: ValueEnum + Default + Send + Sync + 'static = Format> {
-    /// Text for people or JSON for programs
+    /// Format of the answer
     #[arg(long, value_enum, default_value_t = F::default())]
     pub(crate) format: F,
     #[command(flatten)]
@@ -127,8 +141,9 @@ pub(crate) struct OutputArguments<F: ValueEnum + Default + Send + Sync + 'static
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = value_parser!(u16).range(1..=1000))]
     pub(super) digits: u16,
     /// Round interval ends outward, or to nearest as papers print them
-    #[arg(long, value_enum, default_value_t = RoundingName::Outward)]
-    pub(super) rounding: RoundingName,
+    #[arg(long, default_value = EndRounding::Outward.name(),
+          value_parser = named(EndRounding::ALL.map(|rounding| (rounding.name(), rounding))))]
+    pub(super) rounding: EndRounding,
     /// Show exact fractions in place of decimals (JSON always has both)
     #[arg(long)]
     pub(super) exact: bool,
@@ -136,8 +151,10 @@ pub(crate) struct OutputArguments<F: ValueEnum + Default + Send + Sync + 'static
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub(crate) enum Format {
+    /// A report for people
     #[default]
     Text,
+    /// Everything, for programs
     Json,
 }
 
@@ -163,31 +180,4 @@ pub(crate) enum ReportFormat {
     Ine,
     /// The vertices, rays and lines as cdd's and lrs's V-representation
     Ext,
-}
-
-#[derive(Debug, Clone, Copy, ValueEnum)]
-pub(super) enum ReadingName {
-    Decimal,
-    Binary64,
-}
-
-#[derive(Debug, Clone, Copy, ValueEnum)]
-pub(super) enum HeaderName {
-    Auto,
-    Yes,
-    No,
-}
-
-#[derive(Debug, Clone, Copy, ValueEnum)]
-pub(super) enum DelimiterName {
-    Auto,
-    Comma,
-    Semicolon,
-    Tab,
-}
-
-#[derive(Debug, Clone, Copy, ValueEnum)]
-pub(super) enum RoundingName {
-    Outward,
-    Nearest,
 }

@@ -2,6 +2,7 @@
 
 use boundfit_exact::{Limits, ParseNumberError, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Limit, RowRange};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::exit::Failure;
 
@@ -24,6 +25,39 @@ pub(crate) struct FactorRange {
 pub(crate) struct AskedRows {
     pub(crate) text: String,
     pub(crate) range: RowRange,
+}
+
+/// What separates the columns; nothing when the file tells.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Delimiter(pub(super) Option<u8>);
+
+impl Delimiter {
+    pub(super) const ALL: [(&'static str, Delimiter); 4] = [
+        ("auto", Delimiter(None)),
+        ("comma", Delimiter(Some(b','))),
+        ("semicolon", Delimiter(Some(b';'))),
+        ("tab", Delimiter(Some(b'\t'))),
+    ];
+}
+
+/// The parser of an option that takes one of these names. Help and completions list them.
+pub(super) fn named<T: Clone + Send + Sync + 'static>(
+    values: impl IntoIterator<Item = (&'static str, T)>,
+) -> impl TypedValueParser<Value = T> {
+    explained(values.into_iter().map(|(name, value)| (PossibleValue::new(name), value)))
+}
+
+/// The parser of an option that takes one of these names, of which each may carry a line of help.
+pub(super) fn explained<T: Clone + Send + Sync + 'static>(
+    values: impl IntoIterator<Item = (PossibleValue, T)>,
+) -> impl TypedValueParser<Value = T> {
+    let values: Vec<(PossibleValue, T)> = values.into_iter().collect();
+    let names: Vec<PossibleValue> = values.iter().map(|(name, _)| name.clone()).collect();
+    PossibleValuesParser::new(names).try_map(move |text| {
+        let named = values.iter().find(|(name, _)| name.get_name() == text);
+        // The names are the parser's own: it lets no other text through.
+        named.map(|(_, value)| value.clone()).ok_or("expected one of the names")
+    })
 }
 
 pub(super) fn parse_column(text: &str) -> Result<ColumnSelector, String> {

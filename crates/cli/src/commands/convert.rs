@@ -4,10 +4,10 @@ use std::path::Path;
 
 use boundfit_check::{ExchangeRows, ProgramRows};
 use boundfit_estimation::{ErrorBound, Model, Problem};
-use boundfit_lp::{ExchangeFormat, PuiEnd};
+use boundfit_lp::PuiEnd;
 
 use crate::CommandResult;
-use crate::arguments::{ConvertArguments, ObjectiveName, ProgramFormat};
+use crate::arguments::ConvertArguments;
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
@@ -25,20 +25,16 @@ pub(crate) fn run(arguments: &ConvertArguments) -> CommandResult {
     let destination = destination(arguments)?;
     let problem = arguments.data.problem()?;
     let rows = ExchangeRows::new(&ProgramRows::new(&problem));
-    let format = match arguments.to {
-        ProgramFormat::Mps => ExchangeFormat::Mps,
-        ProgramFormat::Lp => ExchangeFormat::Lp,
-    };
     let about = comments(arguments, &problem);
     let text = |end: PuiEnd| {
         let comments: Vec<String> = [heading(end)].into_iter().chain(about.iter().cloned()).collect();
-        while_working("writing", || rows.text(end, format, &comments))
+        while_working("writing", || rows.text(end, arguments.to, &comments))
     };
     match destination {
-        Destination::One(target, file) => output::write(text(target), file)?,
+        Destination::One(end, file) => output::write(text(end), file)?,
         Destination::All(folder) => {
             let file =
-                |end: PuiEnd| (format!("{}.{}", end.name(), extension(arguments.to)), text(end).into_bytes());
+                |end: PuiEnd| (format!("{}.{}", end.name(), arguments.to.name()), text(end).into_bytes());
             output::write_all(folder, &PuiEnd::ALL.map(file))?;
         }
     }
@@ -49,7 +45,7 @@ pub(crate) fn run(arguments: &ConvertArguments) -> CommandResult {
 fn destination(arguments: &ConvertArguments) -> Result<Destination<'_>, Failure> {
     let file = arguments.output.as_deref().filter(|file| *file != "-");
     if let Some(objective) = arguments.objective {
-        return Ok(Destination::One(target(objective), file));
+        return Ok(Destination::One(objective, file));
     }
     let folder = file.ok_or_else(|| {
         Failure::Usage(
@@ -66,22 +62,6 @@ fn destination(arguments: &ConvertArguments) -> Result<Destination<'_>, Failure>
         return Err(Failure::value("--output <DIR|FILE>", folder, problem));
     }
     Ok(Destination::All(folder))
-}
-
-fn target(name: ObjectiveName) -> PuiEnd {
-    match name {
-        ObjectiveName::Theta1Min => PuiEnd::Theta1Min,
-        ObjectiveName::Theta1Max => PuiEnd::Theta1Max,
-        ObjectiveName::Theta2Min => PuiEnd::Theta2Min,
-        ObjectiveName::Theta2Max => PuiEnd::Theta2Max,
-    }
-}
-
-fn extension(format: ProgramFormat) -> &'static str {
-    match format {
-        ProgramFormat::Mps => "mps",
-        ProgramFormat::Lp => "lp",
-    }
 }
 
 /// What the program asks for.

@@ -1,10 +1,13 @@
 //! `boundfit man`.
 
-use clap::CommandFactory;
+use std::io;
+
+use clap::{Command, CommandFactory};
 use clap_mangen::Man;
+use clap_mangen::roff::{Roff, bold, roman};
 
 use crate::CommandResult;
-use crate::arguments::{Arguments, FileArguments};
+use crate::arguments::{Arguments, FileArguments, Notes, notes};
 use crate::exit::{Exit, Failure};
 use crate::output;
 
@@ -15,7 +18,7 @@ pub(crate) fn run(topic: Option<&str>, file: &FileArguments) -> CommandResult {
     let command = match topic {
         None => program,
         Some(topic) => {
-            let names: Vec<&str> = program.get_subcommands().map(clap::Command::get_name).collect();
+            let names: Vec<&str> = program.get_subcommands().map(Command::get_name).collect();
             let expected = format!("expected one of {}", names.join(", "));
             let Some(command) = program.find_subcommand(topic) else {
                 return Err(Failure::value("[TOPIC]", topic, expected));
@@ -23,8 +26,68 @@ pub(crate) fn run(topic: Option<&str>, file: &FileArguments) -> CommandResult {
             command.clone()
         }
     };
-    let mut page = Vec::new();
-    Man::new(command).render(&mut page).map_err(Failure::data)?;
-    output::write(&String::from_utf8(page).map_err(Failure::data)?, file.output.as_deref())?;
+    let page = page(command).map_err(Failure::data)?;
+    output::write(&page, file.output.as_deref())?;
     Ok(Exit::Answer)
+}
+
+/// The page of a command. Synopsis and examples are our own: the library leaves out the values of options, and sets examples
+/// as running text, so that they cannot be copied.
+fn page(command: Command) -> io::Result<Vec<u8>> {
+    let name = command.get_name().to_owned();
+    let has_options = command.get_arguments().next().is_some();
+    let has_commands = command.has_subcommands();
+    let synopsis = synopsis(command.clone());
+    let source = format!("boundfit {}", env!("CARGO_PKG_VERSION"));
+    // Of an option that the short help leaves out, the library would print the name alone.
+    let command = command.mut_args(|argument| argument.hide_short_help(false));
+    let manual = Man::new(command).source(source).manual("boundfit");
+    let mut page = Vec::new();
+    manual.render_title(&mut page)?;
+    // Names of files and options are no words that may be divided.
+    Roff::new().control("nh", []).to_writer(&mut page)?;
+    manual.render_name_section(&mut page)?;
+    synopsis.to_writer(&mut page)?;
+    manual.render_description_section(&mut page)?;
+    if has_options {
+        manual.render_options_section(&mut page)?;
+    }
+    if has_commands {
+        manual.render_subcommands_section(&mut page)?;
+    }
+    if let Some(notes) = notes(&name) {
+        endings(notes).to_writer(&mut page)?;
+    }
+    Ok(page)
+}
+
+/// The line of usage, as the help shows it.
+fn synopsis(mut command: Command) -> Roff {
+    let usage = command.render_usage().to_string();
+    let name = command.get_bin_name().unwrap_or_default();
+    let rest = usage.trim_start_matches("Usage: ").trim_start_matches(name);
+    let mut roff = Roff::new();
+    roff.control("SH", ["SYNOPSIS"]).text([bold(name), roman(rest)]);
+    roff
+}
+
+/// Examples, each line of a command as it stands, and exit statuses.
+fn endings(notes: &Notes) -> Roff {
+    let mut roff = Roff::new();
+    roff.control("SH", ["EXAMPLES"]);
+    for (what, command) in notes.examples {
+        roff.control("PP", []).text([roman(format!("{what}:"))]);
+        roff.control("PP", []).control("RS", ["4"]).control("nf", []);
+        for line in command.lines() {
+            roff.text([roman(line)]);
+        }
+        roff.control("fi", []).control("RE", []);
+    }
+    if !notes.statuses.is_empty() {
+        roff.control("SH", ["EXIT STATUS"]);
+    }
+    for (status, meaning) in notes.statuses {
+        roff.control("TP", []).text([bold(status.to_string())]).text([roman(*meaning)]);
+    }
+    roff
 }

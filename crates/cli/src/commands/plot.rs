@@ -4,10 +4,10 @@ use std::io::{self, IsTerminal};
 use std::path::Path;
 
 use boundfit_estimation::fit;
-use boundfit_figures::{Figure, Picture, PlotOptions, draw};
+use boundfit_figures::{Figure, PictureFormat, PlotOptions, draw};
 
 use crate::CommandResult;
-use crate::arguments::{FigureName, PictureFormat, PlotArguments};
+use crate::arguments::{Figures, PlotArguments};
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
@@ -35,13 +35,13 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
     let picture = |figure: Figure| {
         let picture = while_working("drawing", || draw(&problem, &fit, figure, &options));
         let picture = picture.map_err(Failure::data)?;
-        encoded(&picture, format)
+        picture.encoded(format).map_err(Failure::data)
     };
     match destination {
         Destination::One(figure, file) => output::write(picture(figure)?, file)?,
         Destination::All(folder) => {
             let file =
-                |figure: Figure| Ok((format!("{}.{}", figure.name(), extension(format)), picture(figure)?));
+                |figure: Figure| Ok((format!("{}.{}", figure.name(), format.name()), picture(figure)?));
             let files = Figure::ALL.into_iter().map(file).collect::<Result<Vec<_>, Failure>>()?;
             output::write_all(folder, &files)?;
         }
@@ -49,25 +49,11 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
     Ok(if fit.fps.polyhedron().region().is_empty() { Exit::Empty } else { Exit::Answer })
 }
 
-fn encoded(picture: &Picture, format: PictureFormat) -> Result<Vec<u8>, Failure> {
-    match format {
-        PictureFormat::Svg => Ok(picture.svg().into_bytes()),
-        PictureFormat::Png => picture.png().map_err(Failure::data),
-    }
-}
-
-fn extension(format: PictureFormat) -> &'static str {
-    match format {
-        PictureFormat::Svg => "svg",
-        PictureFormat::Png => "png",
-    }
-}
-
 /// What goes where, and in which format.
 fn destination(arguments: &PlotArguments) -> Result<(Destination<'_>, PictureFormat), Failure> {
     let file = arguments.output.as_deref().filter(|file| *file != "-");
     let asked = arguments.format;
-    let Some(figure) = figure(arguments.figure) else {
+    let Figures::One(figure) = arguments.figure else {
         let folder = file.ok_or_else(|| {
             Failure::Usage(
                 "'--figure all' makes six files and needs '--output <DIR>', the folder for them".to_owned(),
@@ -90,7 +76,7 @@ fn destination(arguments: &PlotArguments) -> Result<(Destination<'_>, PictureFor
     let refuse = |problem: String| Err(Failure::value("--output <FILE|DIR>", file, problem));
     match (told_by_name(file), asked) {
         (Some(told), Some(asked)) if told != asked => {
-            refuse(format!("the name and '--format {}' contradict each other", extension(asked)))
+            refuse(format!("the name and '--format {}' contradict each other", asked.name()))
         }
         (Some(told), _) => Ok((Destination::One(figure, Some(file)), told)),
         (None, _) => {
@@ -102,22 +88,5 @@ fn destination(arguments: &PlotArguments) -> Result<(Destination<'_>, PictureFor
 /// The format that the end of a file's name says.
 fn told_by_name(file: &str) -> Option<PictureFormat> {
     let ending = Path::new(file).extension()?.to_str()?.to_ascii_lowercase();
-    match ending.as_str() {
-        "svg" => Some(PictureFormat::Svg),
-        "png" => Some(PictureFormat::Png),
-        _ => None,
-    }
-}
-
-/// The figure of a name; `None` for all of them.
-fn figure(name: FigureName) -> Option<Figure> {
-    match name {
-        FigureName::Data => Some(Figure::Data),
-        FigureName::Eui => Some(Figure::Eui),
-        FigureName::Pui => Some(Figure::Pui),
-        FigureName::Fps => Some(Figure::Fps),
-        FigureName::Corridor => Some(Figure::Corridor),
-        FigureName::Directions => Some(Figure::Directions),
-        FigureName::All => None,
-    }
+    PictureFormat::ALL.into_iter().find(|format| format.name() == ending)
 }

@@ -21,6 +21,27 @@ pub enum ExchangeFormat {
     Lp,
 }
 
+impl ExchangeFormat {
+    /// Both of them.
+    pub const ALL: [ExchangeFormat; 2] = [ExchangeFormat::Mps, ExchangeFormat::Lp];
+
+    /// The name on the command line, and the end of a file's name: `mps` or `lp`.
+    pub fn name(self) -> &'static str {
+        match self {
+            ExchangeFormat::Mps => "mps",
+            ExchangeFormat::Lp => "lp",
+        }
+    }
+
+    /// What the name stands for.
+    pub fn title(self) -> &'static str {
+        match self {
+            ExchangeFormat::Mps => "Free-format MPS",
+            ExchangeFormat::Lp => "CPLEX LP format",
+        }
+    }
+}
+
 /// Which way a row `a·θ ≤ b` is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sense {

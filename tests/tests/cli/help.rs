@@ -1,0 +1,120 @@
+//! The help and the manual pages, as a reader meets them.
+
+use boundfit_tests::cli::printed;
+use boundfit_tests::program::root;
+
+const COMMANDS: [&str; 11] = [
+    "fit",
+    "reduce",
+    "check",
+    "convert",
+    "verify",
+    "bench-solvers",
+    "polygon",
+    "plot",
+    "lesson",
+    "completions",
+    "man",
+];
+
+/// The lines of the help below a heading, up to the next one.
+fn section<'a>(help: &'a str, heading: &str) -> Vec<&'a str> {
+    let lines = help.lines().skip_while(|line| *line != heading).skip(1);
+    lines.take_while(|line| line.is_empty() || line.starts_with(' ')).collect()
+}
+
+/// The long names of the options that a section explains.
+fn options<'a>(section: &[&'a str]) -> Vec<&'a str> {
+    let option = |line: &&'a str| {
+        let explained = line.trim_start();
+        let is_option = line.len() - explained.len() < 8 && explained.starts_with('-');
+        let name = explained.split_whitespace().find(|word| word.starts_with("--"));
+        name.filter(|_| is_option)
+    };
+    section.iter().filter_map(option).collect()
+}
+
+/// The commands of the examples, each as many lines as it has.
+fn examples(help: &str) -> Vec<&str> {
+    let lines = section(help, "Examples:");
+    let commands = lines.into_iter().take_while(|line| !line.is_empty());
+    commands.filter_map(|line| line.strip_prefix("    ")).collect()
+}
+
+#[test]
+fn what_is_no_limit_stands_under_options() {
+    for command in COMMANDS {
+        let help = printed(&root(), &format!("{command} --help"));
+        let limits = options(&section(&help, "Limits:"));
+        assert!(limits.iter().all(|option| option.starts_with("--max-")), "{command}: {limits:?}");
+        let main = options(&section(&help, "Options:"));
+        assert!(main.contains(&"--help") && main.contains(&"--output"), "{command}: {main:?}");
+        assert!(!main.iter().any(|option| option.starts_with("--max-")), "{command}: {main:?}");
+    }
+    let help = printed(&root(), "fit --help");
+    let main = options(&section(&help, "Options:"));
+    for option in ["--x", "--sweep", "--by", "--proof", "--format", "--digits", "--exact"] {
+        assert!(main.contains(&option), "{option}: {main:?}");
+    }
+    assert_eq!(options(&section(&help, "Limits:")).len(), 7, "{help}");
+}
+
+#[test]
+fn the_short_help_leaves_limits_out() {
+    for command in COMMANDS.into_iter().filter(|command| *command != "lesson") {
+        let help = printed(&root(), &format!("{command} -h"));
+        assert!(!help.contains("--max-") && !help.contains("Limits:"), "{help}");
+    }
+    // How many readings a page may have is met by anybody who writes one.
+    assert_eq!(options(&section(&printed(&root(), "lesson -h"), "Limits:")), ["--max-readings"]);
+}
+
+#[test]
+fn every_value_of_a_format_is_explained() {
+    let help = printed(&root(), "fit --help");
+    for value in ["text", "json", "latex", "markdown", "csv", "wkt", "m", "ine", "ext"] {
+        assert!(help.contains(&format!("\n          - {value}:")), "{value}: {help}");
+    }
+    for command in ["check", "verify", "bench-solvers"] {
+        let help = printed(&root(), &format!("{command} --help"));
+        assert!(help.contains("\n          - text: ") && help.contains("\n          - json: "), "{help}");
+    }
+    assert!(!help.contains("Text for people or JSON"), "{help}");
+}
+
+/// A text as roff writes it.
+fn in_roff(text: &str) -> String {
+    text.replace('\\', "\\\\").replace('-', "\\-").replace('\'', "\\*(Aq")
+}
+
+#[test]
+fn the_examples_of_a_manual_page_can_be_copied() {
+    for command in COMMANDS {
+        let page = printed(&root(), &format!("man {command}"));
+        assert!(page.contains("\n.nh\n") && !page.contains(".SH EXTRA"), "{page}");
+        let (_, endings) = page.split_once("\n.SH EXAMPLES\n").expect("examples");
+        let (endings, _) = endings.split_once("\n.SH \"EXIT STATUS\"\n").unwrap_or((endings, ""));
+        let verbatim: Vec<&str> = endings
+            .split("\n.nf\n")
+            .skip(1)
+            .flat_map(|part| part.split("\n.fi\n").next().unwrap_or_default().lines())
+            .collect();
+        let help = printed(&root(), &format!("{command} --help"));
+        let expected: Vec<String> = examples(&help).into_iter().map(in_roff).collect();
+        assert!(!expected.is_empty(), "{help}");
+        // That the lines are the same also says that the help has broken none.
+        assert_eq!(verbatim, expected, "{command}");
+    }
+}
+
+#[test]
+fn the_synopsis_of_a_manual_page_names_values() {
+    let page = printed(&root(), "man fit");
+    let synopsis = "\n.SH SYNOPSIS\n\\fBboundfit fit\\fR [OPTIONS] \\-\\-x <COL[,COL2]> \\-\\-y <COL> \
+                    <\\-\\-eps <NUM>|\\-\\-eps\\-column <COL>> <DATA>\n";
+    assert!(page.contains(synopsis), "{page}");
+    let limit =
+        ".TP\n\\fB\\-\\-max\\-columns\\fR \\fI<N>\\fR [default: 100000]\nColumns of a table of text\n";
+    assert!(page.contains(limit), "{page}");
+    assert!(page.contains("\n.SH \"EXIT STATUS\"\n.TP\n\\fB0\\fR\nan answer was found\n"), "{page}");
+}
