@@ -50,6 +50,7 @@ mod style;
 mod sweep_json;
 mod sweep_text;
 mod text;
+mod verify;
 mod vertices_csv;
 mod wkt;
 
@@ -70,5 +71,6 @@ pub use script::region_script;
 pub use style::{EndRounding, Style};
 pub use sweep_json::sweep_value;
 pub use sweep_text::sweep_text;
+pub use verify::{verify_json, verify_text};
 pub use vertices_csv::vertices_csv;
 pub use wkt::region_wkt;

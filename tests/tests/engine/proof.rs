@@ -30,6 +30,7 @@ fn accepts(question: &Question) -> Value {
     let value = value(&text);
     let rows = [0, 1].map(|end| value["rows"][end].as_u64().unwrap() as usize);
     let half_planes = 2 * (rows[1] - rows[0] + 1) + question.conditions.len();
+    let checked = checked.map(|statement| statement.half_planes);
     assert_eq!(checked, Ok(half_planes), "{}: {text}", question.name);
     value
 }

@@ -1,0 +1,59 @@
+//! The verdict on a proof, as text and as JSON of schema `boundfit/verify/1`.
+
+use boundfit_exact::{Rational, Rounding};
+use boundfit_verify::{Extent, Falsehood, Statement};
+use serde::Serialize;
+
+use crate::fit_json::to_text;
+use crate::text::counted;
+
+/// What a checker found: what the proof states, all of it true, or the first statement that is false.
+type Verdict = Result<Statement, Falsehood>;
+
+#[derive(Serialize)]
+struct VerifyJson {
+    schema: &'static str,
+    verified: bool,
+    half_planes: Option<usize>,
+    falsehood: Option<String>,
+}
+
+/// The verdict as JSON, with a line end.
+pub fn verify_json(verdict: &Verdict) -> String {
+    to_text(&VerifyJson {
+        schema: "boundfit/verify/1",
+        verified: verdict.is_ok(),
+        half_planes: verdict.as_ref().ok().map(|statement| statement.half_planes),
+        falsehood: verdict.as_ref().err().map(ToString::to_string),
+    })
+}
+
+/// The verdict on the proof and the data of these names, and what a true proof states.
+pub fn verify_text(verdict: &Verdict, proof: &str, data: &str) -> String {
+    let statement = match verdict {
+        Ok(statement) => statement,
+        Err(falsehood) => return format!("refuted: {proof} is not true of {data}\n  {falsehood}\n"),
+    };
+    let Statement { extent, vertices, sides, half_planes, rows: [first, last], bounds } = statement;
+    let parts =
+        || format!("{} and {}", counted(*vertices, "vertex", "vertices"), counted(*sides, "side", "sides"));
+    let set = match extent {
+        Extent::Empty => "empty".to_owned(),
+        Extent::Bounded => format!("bounded, with {}", parts()),
+        Extent::Unbounded => format!("unbounded, with {}", parts()),
+    };
+    let mut text = format!(
+        "verified: {proof} is true of {data}\n  set     {set}\n  from    {half_planes} half-planes, rows {first} to {last}\n"
+    );
+    for (parameter, [lower, upper]) in (1..).zip(bounds.iter().flatten()) {
+        let (lower, upper) = (end(lower, Rounding::Down, "-inf"), end(upper, Rounding::Up, "inf"));
+        text.push_str(&format!("  theta{parameter}  [{lower}, {upper}]\n"));
+    }
+    text
+}
+
+/// An end of a range as a decimal, rounded outward.
+fn end(end: &Option<Rational>, rounding: Rounding, unbounded: &str) -> String {
+    const DIGITS: usize = 5;
+    end.as_ref().map_or_else(|| unbounded.to_owned(), |end| end.to_decimal(DIGITS, rounding))
+}

@@ -1,0 +1,108 @@
+//! What can be false about a proof.
+
+use std::fmt;
+
+use boundfit_exact::ParseNumberError;
+
+/// The first statement that is false: its place in the proof or the data, and what is wrong there. [`Falsehood::BeyondLimit`]
+/// alone says nothing of the proof: a number of the data was refused unread.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Falsehood {
+    /// The schema is not `boundfit/proof/1`.
+    OtherSchema,
+    /// The data have another SHA-256.
+    OtherData,
+    /// The first wanted row comes after the last, or before row 1.
+    NoRows,
+    /// The data end before this wanted row.
+    MissingRow(usize),
+    /// A wanted row does not have this column, from 1.
+    MissingCell {
+        /// The data row, from 1.
+        row: usize,
+        /// The column, from 1.
+        column: usize,
+    },
+    /// A cell of a wanted row is not a number.
+    NotANumber {
+        /// The data row, from 1.
+        row: usize,
+        /// The column, from 1.
+        column: usize,
+        /// What is wrong with its text.
+        error: ParseNumberError,
+    },
+    /// A cell of a wanted row is a number beyond the caller's limits.
+    BeyondLimit {
+        /// The data row, from 1.
+        row: usize,
+        /// The column, from 1.
+        column: usize,
+        /// Which limit.
+        error: ParseNumberError,
+    },
+    /// The error bound of this row is negative.
+    NegativeErrorBound(usize),
+    /// The data and the conditions give no half-plane of this name.
+    UnknownHalfPlane(String),
+    /// A sum takes more half-planes than this.
+    TooManyMultipliers(usize),
+    /// The multiplier of this half-plane is not positive.
+    MultiplierNotPositive(String),
+    /// The sum that should show that the set is empty is true of some points, or the empty set has parts.
+    NotEmpty,
+    /// This side names a vertex that is not in the list.
+    UnknownVertex(String),
+    /// The angle of this side is not larger than that of the side before it.
+    OutOfOrder(String),
+    /// This side and the next one do not meet at the vertex, or in the gap, between them.
+    DoNotMeet(String),
+    /// A vertex is named by no side, or two are one point.
+    StrayVertex,
+    /// This half-plane does not contain the whole set.
+    CutsOff(String),
+    /// The lists of what touches a vertex miss this, or have it though it does not touch.
+    NotTouching {
+        /// The vertex, an index from 0.
+        vertex: usize,
+        /// The half-plane.
+        half_plane: String,
+    },
+    /// The set is not empty, and the bounds are not four.
+    NotFourBounds,
+    /// The bound in this direction is not proved.
+    NotABound([i64; 2]),
+}
+
+impl fmt::Display for Falsehood {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Falsehood::OtherSchema => write!(f, "schema: is another one"),
+            Falsehood::OtherData => write!(f, "sha256: is not that of the data"),
+            Falsehood::NoRows => write!(f, "rows: are none"),
+            Falsehood::MissingRow(row) => write!(f, "row {row}: is not in the data"),
+            Falsehood::MissingCell { row, column } => write!(f, "row {row}, column {column}: is missing"),
+            Falsehood::NotANumber { row, column, error } | Falsehood::BeyondLimit { row, column, error } => {
+                write!(f, "row {row}, column {column}: {error}")
+            }
+            Falsehood::NegativeErrorBound(row) => write!(f, "row {row}: the error bound is negative"),
+            Falsehood::UnknownHalfPlane(name) => write!(f, "{name}: is no half-plane of the data"),
+            Falsehood::TooManyMultipliers(most) => write!(f, "multipliers: more than {most}"),
+            Falsehood::MultiplierNotPositive(name) => write!(f, "multipliers: {name}: is not positive"),
+            Falsehood::NotEmpty => write!(f, "farkas: the sum is true, or the set has parts"),
+            Falsehood::UnknownVertex(side) => write!(f, "sides: {side}: there is no such vertex"),
+            Falsehood::OutOfOrder(side) => write!(f, "sides: {side}: does not come next by its angle"),
+            Falsehood::DoNotMeet(side) => write!(f, "sides: {side}: does not meet the next side like that"),
+            Falsehood::StrayVertex => write!(f, "vertices: one is on no side, or there twice"),
+            Falsehood::CutsOff(name) => write!(f, "{name}: cuts off a part of the set"),
+            Falsehood::NotTouching { vertex, half_plane } => {
+                write!(f, "active: Some(({vertex}, {half_plane:?})) is missing or does not touch")
+            }
+            Falsehood::NotFourBounds => write!(f, "bounds: are not four"),
+            Falsehood::NotABound(direction) => write!(f, "bounds: in direction {direction:?}: is not proved"),
+        }
+    }
+}
+
+impl std::error::Error for Falsehood {}

@@ -1,0 +1,120 @@
+//! The proof as it stands in its file (section 1), and the half-planes that it speaks of.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use boundfit_exact::{Limits, Rational, Reading};
+use serde::Deserialize;
+
+use crate::falsehood::Falsehood;
+use crate::plane::{HalfPlane, Vector};
+use crate::table::{Table, number_at};
+
+/// A proof, whose statements may be true or false. The fields are those of the file, tuples included.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Proof {
+    pub(crate) schema: String,
+    pub(crate) sha256: String,
+    delimiter: char,
+    header: bool,
+    /// The first and the last wanted row, from 1.
+    pub(crate) rows: [usize; 2],
+    reading: Reading,
+    /// φ1, φ2, y and ε: a column, from 1, and how many times it is taken. Column 0 holds 1 in every row.
+    model: [(usize, Rational); 4],
+    conditions: Vec<HalfPlane>,
+    pub(crate) vertices: Vec<Vector>,
+    /// Which vertex, an index from 0, and which half-plane touches it.
+    pub(crate) active: BTreeSet<(usize, String)>,
+    /// Which half-plane, and at which vertex the next side begins; none where a gap comes instead.
+    pub(crate) sides: Vec<(String, Option<usize>)>,
+    pub(crate) farkas: Multiples,
+    /// Multipliers, point and ray of each end of the parameters' ranges.
+    pub(crate) bounds: Vec<(Multiples, Vector, Vector)>,
+}
+
+/// Which half-planes, and how many times each is taken.
+pub(crate) type Multiples = Vec<(String, Rational)>;
+
+/// Half-planes by name.
+pub(crate) struct Named(BTreeMap<String, HalfPlane>);
+
+impl Named {
+    pub(crate) fn get(&self, name: &str) -> Result<&HalfPlane, Falsehood> {
+        self.0.get(name).ok_or_else(|| Falsehood::UnknownHalfPlane(name.to_owned()))
+    }
+
+    /// The sum of positive multiples of at most `most` half-planes. Every point of all of them is in it.
+    pub(crate) fn sum(&self, multiples: &Multiples, most: usize) -> Result<HalfPlane, Falsehood> {
+        if multiples.len() > most {
+            return Err(Falsehood::TooManyMultipliers(most));
+        }
+        let mut sum = HalfPlane::default();
+        for (name, times) in multiples {
+            // A negative multiple would turn the inequality round, and prove nothing.
+            if !times.is_positive() {
+                return Err(Falsehood::MultiplierNotPositive(name.clone()));
+            }
+            let HalfPlane { a: [a1, a2], b } = self.get(name)?;
+            let [sum1, sum2] = &sum.a;
+            sum = HalfPlane { a: [sum1 + times * a1, sum2 + times * a2], b: &sum.b + times * b };
+        }
+        Ok(sum)
+    }
+}
+
+impl Proof {
+    /// Hands over each half-plane of the wanted rows, then of the conditions, with its name (section 2).
+    pub(crate) fn for_each_half_plane(
+        &self,
+        data: &[u8],
+        limits: &Limits,
+        mut take: impl FnMut(String, HalfPlane) -> Result<(), Falsehood>,
+    ) -> Result<(), Falsehood> {
+        let [first, last] = self.rows;
+        if first < 1 || first > last {
+            return Err(Falsehood::NoRows);
+        }
+        let skipped = first - 1 + usize::from(self.header);
+        let mut table = Table::new(data, self.delimiter).skip(skipped);
+        for row in first..=last {
+            let cells = table.next().ok_or(Falsehood::MissingRow(row))?;
+            let number = |(column, times): &(usize, Rational)| -> Result<Rational, Falsehood> {
+                Ok(number_at(row, *column, &cells, self.reading, limits)? * times)
+            };
+            let [phi1, phi2, y, epsilon] = &self.model;
+            let (phi1, phi2, y, epsilon) = (number(phi1)?, number(phi2)?, number(y)?, number(epsilon)?);
+            if epsilon.is_negative() {
+                return Err(Falsehood::NegativeErrorBound(row));
+            }
+            let lower = HalfPlane { a: [-&phi1, -&phi2], b: &epsilon - &y };
+            let upper = HalfPlane { a: [phi1, phi2], b: y + epsilon };
+            take(format!("{row} lower"), lower)?;
+            take(format!("{row} upper"), upper)?;
+        }
+        for (number, condition) in (1..).zip(&self.conditions) {
+            take(format!("where:{number}"), condition.clone())?;
+        }
+        Ok(())
+    }
+
+    /// The half-planes that sides and multipliers name, which are few, and how many there are in all.
+    pub(crate) fn named_half_planes(
+        &self,
+        data: &[u8],
+        limits: &Limits,
+    ) -> Result<(Named, usize), Falsehood> {
+        let sides = self.sides.iter().map(|(name, _)| name);
+        let multiples = self.bounds.iter().flat_map(|(multiples, ..)| multiples).chain(&self.farkas);
+        let wanted: BTreeSet<&String> = sides.chain(multiples.map(|(name, _)| name)).collect();
+        let (mut named, mut count) = (BTreeMap::new(), 0);
+        self.for_each_half_plane(data, limits, |name, half_plane| {
+            count += 1;
+            if wanted.contains(&name) {
+                named.insert(name, half_plane);
+            }
+            Ok(())
+        })?;
+        Ok((Named(named), count))
+    }
+}

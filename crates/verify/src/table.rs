@@ -1,0 +1,95 @@
+//! Reading the data (section 2), without the program's own reader.
+
+use std::mem;
+
+use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading};
+
+use crate::falsehood::Falsehood;
+
+/// The rows of delimited text that are not blank, as cells.
+pub(crate) struct Table<'a> {
+    rest: &'a [u8],
+    delimiter: char,
+}
+
+impl<'a> Table<'a> {
+    pub(crate) fn new(data: &'a [u8], delimiter: char) -> Self {
+        const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+        // One of the file, and one more that a program which does not know it may have put before it.
+        let data = data.strip_prefix(BYTE_ORDER_MARK).unwrap_or(data);
+        Table { rest: data.strip_prefix(BYTE_ORDER_MARK).unwrap_or(data), delimiter }
+    }
+
+    fn take_byte(&mut self) -> Option<u8> {
+        let (&byte, rest) = self.rest.split_first()?;
+        self.rest = rest;
+        Some(byte)
+    }
+
+    /// Steps over a quote if one comes next.
+    fn take_quote(&mut self) -> bool {
+        let after = self.rest.strip_prefix(b"\"");
+        self.rest = after.unwrap_or(self.rest);
+        after.is_some()
+    }
+
+    /// The next row, blank or not. CRLF ends a row and makes a blank one.
+    fn take_row(&mut self) -> Option<Vec<Vec<u8>>> {
+        if self.rest.is_empty() {
+            return None;
+        }
+        let (mut cells, mut cell) = (Vec::new(), Vec::new());
+        let mut in_quotes = self.take_quote();
+        while let Some(byte) = self.take_byte() {
+            if in_quotes {
+                // A quote ends them, unless it is doubled.
+                if byte == b'"' && !self.take_quote() {
+                    in_quotes = false;
+                } else {
+                    cell.push(byte);
+                }
+            } else if char::from(byte) == self.delimiter {
+                cells.push(mem::take(&mut cell));
+                in_quotes = self.take_quote();
+            } else if byte == b'\r' || byte == b'\n' {
+                break;
+            } else {
+                cell.push(byte);
+            }
+        }
+        cells.push(cell);
+        Some(cells)
+    }
+}
+
+impl Iterator for Table<'_> {
+    type Item = Vec<Vec<u8>>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        loop {
+            let cells = self.take_row()?;
+            let is_blank = matches!(cells.as_slice(), [only] if only.trim_ascii().is_empty());
+            if !is_blank {
+                return Some(cells);
+            }
+        }
+    }
+}
+
+/// The number in a cell of a row; both are counted from 1. Column 0 holds 1.
+pub(crate) fn number_at(
+    row: usize,
+    column: usize,
+    cells: &[Vec<u8>],
+    reading: Reading,
+    limits: &Limits,
+) -> Result<Rational, Falsehood> {
+    let Some(index) = column.checked_sub(1) else { return Ok(Rational::one()) };
+    let cell = cells.get(index).ok_or(Falsehood::MissingCell { row, column })?;
+    reading.read(&String::from_utf8_lossy(cell), limits).map_err(|error| match error.kind {
+        ParseNumberErrorKind::TooManyDigits(_) | ParseNumberErrorKind::ExponentTooLarge(_) => {
+            Falsehood::BeyondLimit { row, column, error }
+        }
+        _ => Falsehood::NotANumber { row, column, error },
+    })
+}
