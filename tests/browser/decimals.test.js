@@ -4,8 +4,8 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { decimal } from "../../crates/lesson/page/js/format.js";
-import { Rational } from "../../crates/lesson/page/js/rational.js";
+import { decimal } from "../../crates/lesson/page/js/model/format.js";
+import { Rational } from "../../crates/lesson/page/js/model/rational.js";
 
 const cases = JSON.parse(readFileSync(new URL("../../fixtures/decimals/decimals.json", import.meta.url), "utf8"));
 

@@ -55,7 +55,7 @@ export const DATA = {
 
 /** What the program prints for arguments; an empty set (status 3) and a refuted claim (status 4) are answers. */
 export function boundfit(...words) {
-  const command = ["run", "--quiet", "--release", "--package", "boundfit", "--", ...words];
+  const command = ["run", "--quiet", "--release", "--package", "boundfit-cli", "--", ...words];
   try {
     return execFileSync("cargo", command, { cwd: root, encoding: "utf8", maxBuffer: 1 << 26 });
   } catch (failure) {

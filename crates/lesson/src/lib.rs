@@ -2,9 +2,11 @@
 //!
 //! [`lesson_data`] computes everything that the page shows, exactly: the half-planes and what each step of clipping
 //! does, the family of sets under growing error bounds, the estimates with what linear programs make of the same data,
-//! the set without each reading, and questions with answers. [`page`] puts it into one HTML file whose script only draws.
+//! the set without each reading, and questions with answers. [`page`] puts it into one HTML file
+//! whose script draws it, and computes, as exactly, what depends on where the mouse is.
 //!
-//! What the page's script may rely on is the schema `boundfit/lesson/1`; its sources are in the folder `page`.
+//! What the page's script may rely on is the schema `boundfit/lesson/1`, whose types are in `page/js/lesson.d.ts`; its sources
+//! are in the folder `page`.
 //!
 //! ```
 //! use boundfit_estimation::{Columns, EpsilonColumn, Measurements, Problem, fit};

@@ -1,6 +1,6 @@
 //! The page around the data: template, style and script, put into one file.
 
-/// A module of the script: its name and its source.
+/// A module of the script: its path in the folder `page/js`, and its source.
 macro_rules! module {
     ($name:literal) => {
         ($name, include_str!(concat!("../page/js/", $name)))
@@ -11,34 +11,37 @@ macro_rules! module {
 const TEMPLATE: &str = include_str!("../page/index.html");
 const STYLE: &str = include_str!("../page/style.css");
 
-/// The script's modules, each after those that it imports; the last one starts everything.
+/// The module that starts everything.
+const MAIN: &str = "main.js";
+
+/// All modules of the script by name; their order in the page follows from what they import.
 const MODULES: &[(&str, &str)] = &[
     module!("dom.js"),
-    module!("rational.js"),
-    module!("format.js"),
-    module!("ticks.js"),
-    module!("axes.js"),
-    module!("model.js"),
-    module!("summary.js"),
-    module!("inspector.js"),
-    module!("clipping.js"),
-    module!("corridor.js"),
-    module!("view.js"),
-    module!("data-frame.js"),
-    module!("region.js"),
-    module!("data-plane.js"),
-    module!("sweep.js"),
-    module!("epsilon.js"),
-    module!("parameter-view.js"),
-    module!("interaction.js"),
-    module!("introduction.js"),
-    module!("layers.js"),
-    module!("leave-one-out.js"),
-    module!("vertex-marks.js"),
-    module!("parameter-plane.js"),
-    module!("questions.js"),
-    module!("state.js"),
     module!("main.js"),
+    module!("model/format.js"),
+    module!("model/lesson.js"),
+    module!("model/rational.js"),
+    module!("model/sweep.js"),
+    module!("panels/clipping.js"),
+    module!("panels/epsilon.js"),
+    module!("panels/inspector.js"),
+    module!("panels/introduction.js"),
+    module!("panels/layers.js"),
+    module!("panels/leave-one-out.js"),
+    module!("panels/questions.js"),
+    module!("panels/summary.js"),
+    module!("planes/axes.js"),
+    module!("planes/corridor.js"),
+    module!("planes/data-frame.js"),
+    module!("planes/data-plane.js"),
+    module!("planes/interaction.js"),
+    module!("planes/parameter-plane.js"),
+    module!("planes/parameter-view.js"),
+    module!("planes/region.js"),
+    module!("planes/ticks.js"),
+    module!("planes/vertex-marks.js"),
+    module!("planes/view.js"),
+    module!("state.js"),
 ];
 
 /// The page with a title and data in JSON.
@@ -47,7 +50,7 @@ pub(crate) fn page(title: &str, data: &str) -> String {
         "title" => Some(escaped(title)),
         "style" => Some(STYLE.to_owned()),
         "data" => Some(embedded(data)),
-        "script" => Some(script(MODULES)),
+        "script" => Some(script()),
         _ => None,
     })
 }
@@ -93,10 +96,10 @@ fn embedded(json: &str) -> String {
     json.replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
 }
 
-/// Modules as one: without imports and the word `export`, as all of them share one scope.
-fn script(modules: &[(&str, &str)]) -> String {
+/// The modules as one: without imports and the word `export`, as all of them share one scope.
+fn script() -> String {
     let mut script = String::new();
-    for (name, source) in modules {
+    for (name, source) in in_order() {
         script.push_str(&format!("// {name}\n"));
         for line in source.lines().filter(|line| !line.starts_with("import ")) {
             script.push_str(line.strip_prefix("export ").unwrap_or(line));
@@ -106,9 +109,49 @@ fn script(modules: &[(&str, &str)]) -> String {
     script
 }
 
+/// The modules that the main one needs, each after those that it imports: a constant must be there before it is used.
+fn in_order() -> Vec<(&'static str, &'static str)> {
+    let mut order = Vec::new();
+    add(MAIN, &mut Vec::new(), &mut order);
+    order
+}
+
+/// Adds a module that was not met before to the order, those that it imports first.
+fn add(name: &str, met: &mut Vec<String>, order: &mut Vec<(&'static str, &'static str)>) {
+    if met.iter().any(|known| known == name) {
+        return;
+    }
+    met.push(name.to_owned());
+    let Some(&module) = MODULES.iter().find(|(known, _)| *known == name) else { return };
+    for line in module.1.lines() {
+        if let Some(imported) = imported(name, line) {
+            add(&imported, met, order);
+        }
+    }
+    order.push(module);
+}
+
+/// The module that a line of another one imports: `import { … } from "../model/format.js";` in `panels/layers.js`.
+fn imported(importer: &str, line: &str) -> Option<String> {
+    let (_, rest) = line.strip_prefix("import { ")?.split_once(" } from \"")?;
+    let mut path: Vec<&str> = importer.split('/').collect();
+    path.pop();
+    for part in rest.strip_suffix("\";")?.split('/') {
+        match part {
+            "." => {}
+            ".." => {
+                path.pop();
+            }
+            part => path.push(part),
+        }
+    }
+    Some(path.join("/"))
+}
+
 #[cfg(test)]
 mod tests {
     use std::collections::HashMap;
+    use std::path::Path;
 
     use super::*;
 
@@ -139,34 +182,43 @@ mod tests {
         }
     }
 
+    /// The scripts in a folder and below it, by their paths from the first one.
+    fn scripts(folder: &Path, prefix: &str) -> Vec<String> {
+        let mut found = Vec::new();
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let entry = entry.unwrap();
+            let name = format!("{prefix}{}", entry.file_name().to_str().unwrap());
+            if entry.path().is_dir() {
+                found.extend(scripts(&entry.path(), &format!("{name}/")));
+            } else if name.ends_with(".js") {
+                found.push(name);
+            }
+        }
+        found
+    }
+
     #[test]
-    fn every_module_of_the_folder_is_joined_and_the_main_one_comes_last() {
-        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("page/js");
-        let entries = std::fs::read_dir(folder).unwrap();
-        let mut files: Vec<String> =
-            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-        let mut joined: Vec<&str> = MODULES.iter().map(|(name, _)| *name).collect();
-        assert_eq!(joined.last(), Some(&"main.js"));
+    fn every_script_of_the_folder_is_in_the_page_and_the_main_one_comes_last() {
+        let mut files = scripts(&Path::new(env!("CARGO_MANIFEST_DIR")).join("page/js"), "");
+        let mut joined: Vec<&str> = in_order().into_iter().map(|(name, _)| name).collect();
+        assert_eq!(joined.last(), Some(&MAIN));
         files.sort();
         joined.sort_unstable();
         assert_eq!(joined, files);
     }
 
+    /// Two modules that import each other have no order. That what is imported exists is checked with the types, in
+    /// `tests/browser`.
     #[test]
-    fn imports_take_exported_names_from_modules_that_come_before() {
-        let mut exported: HashMap<&str, Vec<&str>> = HashMap::new();
-        for (name, source) in MODULES {
+    fn modules_come_after_those_that_they_import() {
+        let mut before: Vec<&str> = Vec::new();
+        for (name, source) in in_order() {
             for line in source.lines().filter(|line| line.trim_start().starts_with("import")) {
-                let parts = line.strip_prefix("import { ").and_then(|rest| rest.strip_suffix(".js\";"));
-                let (names, from) = parts.and_then(|rest| rest.split_once(" } from \"./")).expect(line);
-                let known =
-                    exported.get(format!("{from}.js").as_str()).unwrap_or_else(|| panic!("{name}: {line}"));
-                for import in names.split(", ") {
-                    assert!(known.contains(&import), "{name}: {import} of {from}");
-                }
+                let imported = imported(name, line).unwrap_or_else(|| panic!("{name}: {line}"));
+                assert!(before.contains(&imported.as_str()), "{name}: {line}");
+                assert!(!line.contains(" as "), "{name}: in one scope there is one name: {line}");
             }
-            let exports = source.lines().filter_map(|line| declared(line.strip_prefix("export ")?));
-            exported.insert(*name, exports.collect());
+            before.push(name);
         }
     }
 
@@ -184,7 +236,7 @@ mod tests {
                 }
             }
         }
-        let joined = script(MODULES);
+        let joined = script();
         assert!(!joined.lines().any(|line| line.starts_with("import ") || line.starts_with("export ")));
     }
 

@@ -1,3 +1,4 @@
+// @ts-check
 // Starts the page: reads the engine's data, connects the controls, and draws everything again after each change.
 //
 // Names that tests and bookmarks may rely on:
@@ -18,24 +19,26 @@
 //   #conflict                    why the set is empty
 //   #status                      the live region;  button[data-zoom="in|out|set|fit"][data-plane="parameter|data"]
 
-import { byId, rove } from "./dom.js";
-import { readLesson, violations } from "./model.js";
+import { byId, rove, targetOf } from "./dom.js";
+import { readLesson, violations } from "./model/lesson.js";
 import { createStore, sceneOf } from "./state.js";
-import { drawLayerList, layersOf } from "./layers.js";
-import { drawParameterPlane, withActive } from "./parameter-plane.js";
-import { drawDataPlane } from "./data-plane.js";
-import { drawSummary } from "./summary.js";
-import { drawInspector } from "./inspector.js";
-import { connectClipping, drawClipping, stepSentence } from "./clipping.js";
-import { connectEpsilon, drawEpsilon, epsilonSentence, epsilonText } from "./epsilon.js";
-import { connectLeaveOneOut, drawLeaveOneOut, drawReadings } from "./leave-one-out.js";
-import { drawQuestions } from "./questions.js";
-import { connectDataPlane, connectParameterPlane, connectZoom } from "./interaction.js";
-import { fillIntroduction } from "./introduction.js";
-import { kindText } from "./format.js";
+import { drawLayerList, layersOf } from "./panels/layers.js";
+import { drawParameterPlane, withActive } from "./planes/parameter-plane.js";
+import { drawDataPlane } from "./planes/data-plane.js";
+import { drawSummary } from "./panels/summary.js";
+import { drawInspector } from "./panels/inspector.js";
+import { connectClipping, drawClipping, stepSentence } from "./panels/clipping.js";
+import { connectEpsilon, drawEpsilon, epsilonSentence, epsilonText } from "./panels/epsilon.js";
+import { connectLeaveOneOut, drawLeaveOneOut, drawReadings } from "./panels/leave-one-out.js";
+import { drawQuestions } from "./panels/questions.js";
+import { connectDataPlane, connectParameterPlane, connectZoom } from "./planes/interaction.js";
+import { fillIntroduction } from "./panels/introduction.js";
+import { kindText } from "./model/format.js";
 
+/** @type {Mode[]} */
 const MODES = ["explore", "clip", "epsilon", "leave-one-out"];
 
+/** @param {Store} store */
 function connectModes(store) {
   const tabs = MODES.map((mode) => byId(`tab-${mode}`));
   tabs.forEach((tab, k) => {
@@ -50,6 +53,7 @@ function connectModes(store) {
   });
 }
 
+/** @param {State} state */
 function drawModes(state) {
   document.body.dataset.mode = state.mode;
   for (const mode of MODES) {
@@ -63,6 +67,7 @@ function drawModes(state) {
 function connectTheme() {
   const button = byId("theme-toggle");
   const preference = matchMedia("(prefers-color-scheme: dark)");
+  /** @type {boolean | null} */
   let chosen = null;
   const apply = () => {
     const dark = chosen ?? preference.matches;
@@ -84,9 +89,10 @@ function connectTheme() {
 
 // On paper every answer is there to read.
 function connectPrinting() {
+  /** @type {HTMLDetailsElement[]} */
   let opened = [];
   addEventListener("beforeprint", () => {
-    opened = [...document.querySelectorAll("details:not([open])")];
+    opened = [.../** @type {NodeListOf<HTMLDetailsElement>} */ (document.querySelectorAll("details:not([open])"))];
     opened.forEach((details) => {
       details.open = true;
     });
@@ -98,8 +104,15 @@ function connectPrinting() {
   );
 }
 
-/** What a change of state is worth saying aloud, or null. */
+/**
+ * What a change of state is worth saying aloud, or null.
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {State} before
+ * @param {Scene} scene
+ */
 function announcement(lesson, state, before, scene) {
+  /** @param {(keyof State)[]} keys */
   const changed = (...keys) => keys.some((key) => state[key] !== before[key]);
   if (state.mode === "clip" && changed("mode", "step", "order")) return stepSentence(lesson, state, scene);
   if (state.mode === "epsilon" && lesson.stops.length > 0 && changed("mode", "stop")) {
@@ -126,7 +139,8 @@ function start() {
   const store = createStore(lesson);
   const layers = layersOf(lesson);
   const roving = { vertex: 0, reading: 0 };
-  const drawn = {};
+  const drawn = /** @type {Drawn} */ ({});
+  /** @param {PageElement} svg */
   const sizeOf = (svg) => ({
     width: Math.max(200, svg.clientWidth),
     height: Math.max(200, svg.clientHeight),
@@ -157,11 +171,9 @@ function start() {
     );
     drawInspector(lesson, state, scene, choice);
     // What the pointer is on changes the pictures and the explanation only.
-    if (
-      drawn.state !== undefined &&
-      Object.keys(state).every((key) => key === "hover" || state[key] === drawn.state[key])
-    )
-      return;
+    const last = drawn.state;
+    const keys = /** @type {(keyof State)[]} */ (Object.keys(state));
+    if (last !== undefined && keys.every((key) => key === "hover" || state[key] === last[key])) return;
     drawn.state = state;
     drawSummary(lesson, state, scene);
     drawClipping(lesson, state, scene);
@@ -173,6 +185,10 @@ function start() {
     byId("straighten").checked = state.straighten;
   }
 
+  /**
+   * @param {Choice | null} choice
+   * @param {Scene} scene
+   */
   function explained(choice, scene) {
     if (choice?.kind !== "point") return withActive(lesson, scene, choice);
     return {
@@ -195,15 +211,16 @@ function start() {
   drawQuestions(lesson, layers, store);
   byId("residual").disabled = lesson.reference === null;
   byId("residual").addEventListener("change", (event) =>
-    store.change({ residual: event.target.checked, dataView: null }),
+    store.change({ residual: targetOf(event).checked, dataView: null }),
   );
   byId("straighten").addEventListener("change", (event) =>
-    store.change({ straighten: event.target.checked, parameterView: null }),
+    store.change({ straighten: targetOf(event).checked, parameterView: null }),
   );
   byId("layer-list").addEventListener("change", (event) => {
     const next = new Set(store.get().layers);
-    if (event.target.checked) next.add(event.target.dataset.layer);
-    else next.delete(event.target.dataset.layer);
+    const { checked, dataset } = targetOf(event);
+    if (checked) next.add(dataset.layer ?? "");
+    else next.delete(dataset.layer ?? "");
     store.change({ layers: next, parameterView: null });
   });
   addEventListener("keydown", (event) => {

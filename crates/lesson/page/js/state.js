@@ -1,35 +1,25 @@
+// @ts-check
 // What the page shows, in one place. Every control changes this state; every view is drawn from it.
 
-import { Rational, ZERO, extremes } from "./rational.js";
-import { boundsOf, halfPlanesOf, regionWithout, rightHandSide, shapingHalfPlanes, steppedRegion, sweptRegion } from "./model.js";
-import { kindText } from "./format.js";
-import { isSliver, parameterFrame, usefulShear } from "./view.js";
-import { givenStop, sweepStops } from "./sweep.js";
+import { Rational, ZERO, extremes } from "./model/rational.js";
+import { boundsOf, halfPlanesOf, regionWithout, rightHandSide, shapingHalfPlanes, steppedRegion, sweptRegion } from "./model/lesson.js";
+import { kindText } from "./model/format.js";
+import { isSliver, parameterFrame, usefulShear } from "./planes/view.js";
+import { givenStop, sweepStops } from "./model/sweep.js";
 
 // An error bound shorter than this share of the range of the heights is too short to see.
 const SHORT_BAR = new Rational(1n, 25n);
 
 /**
- * @typedef {Object} State
- * @property {"explore"|"clip"|"epsilon"|"leave-one-out"} mode
- * @property {number} order index of the order of clipping
- * @property {number} step how many half-planes have been added
- * @property {number} stop index of the ε slider's stop
- * @property {number|null} without the row that is switched off
- * @property {Object|null} selection what was chosen: {kind: "vertex", index} | {kind: "reading", row} | {kind: "point", theta}
- * @property {Object|null} hover the same, for what the pointer or the focus is on; it wins over the selection
- * @property {Set<string>} layers ids of the layers shown
- * @property {boolean} residual whether heights are relative to the reference line
- * @property {boolean} straighten whether the second axis shows the height at the middle x
- * @property {Object|null} parameterView the part of the parameter plane shown; null: chosen to fit
- * @property {Object|null} dataView the same for the data plane
- * @property {boolean} playing whether the steps run by themselves
+ * The state at the start, and a way to change it. Listeners are called after every change.
+ * @param {Lesson} lesson
+ * @returns {Store}
  */
-
-/** The state at the start, and a way to change it. Listeners are called after every change. */
 export function createStore(lesson) {
   lesson.stops = sweepStops(lesson);
+  /** @type {Listener[]} */
   const listeners = [];
+  /** @type {State} */
   let state = {
     mode: "explore",
     order: 0,
@@ -51,6 +41,7 @@ export function createStore(lesson) {
     change(changes) {
       const before = state;
       state = { ...state, ...changes };
+      /** @param {State} s */
       const shown = (s) => [s.mode, s.order, s.step, s.stop, s.without].join();
       // Vertices of another region are other vertices.
       if (shown(before) !== shown(state)) {
@@ -63,7 +54,10 @@ export function createStore(lesson) {
   };
 }
 
-// Where all bars are short beside the range of the heights, the picture is one line and nothing can be seen.
+/**
+ * Where all bars are short beside the range of the heights, the picture is one line and nothing can be seen.
+ * @param {Lesson} lesson
+ */
 function barsAreTooShort(lesson) {
   if (lesson.reference === null || lesson.readings.length === 0) return false;
   const [lowest, highest] = extremes(lesson.readings.map((reading) => reading.y));
@@ -71,30 +65,42 @@ function barsAreTooShort(lesson) {
   return longest.compare(highest.minus(lowest).times(SHORT_BAR)) < 0;
 }
 
+/** @type {Map<boolean, ParameterFrame>} */
 const frames = new Map();
 
+/**
+ * @param {Lesson} lesson
+ * @param {boolean} straighten
+ */
 function frameOf(lesson, straighten) {
-  if (!frames.has(straighten))
-    frames.set(straighten, parameterFrame(lesson, straighten ? usefulShear(lesson) : ZERO));
-  return frames.get(straighten);
+  const found = frames.get(straighten) ?? parameterFrame(lesson, straighten ? usefulShear(lesson) : ZERO);
+  frames.set(straighten, found);
+  return found;
 }
 
-let latest = { key: null, scene: null };
+/** @type {{ key: string, scene: Scene } | null} */
+let latest = null;
 
 /**
  * What the state amounts to: the region shown, the one it is compared with, and the half-planes on the way.
  * Kept until the state shows something else.
+ * @param {Lesson} lesson
+ * @param {State} state
  */
 export function sceneOf(lesson, state) {
   const { mode, order, step, stop, without, straighten } = state;
   const key = [mode, order, step, stop, without, straighten].join();
-  if (latest.key !== key) latest = { key, scene: makeScene(lesson, state) };
+  if (latest?.key !== key) latest = { key, scene: makeScene(lesson, state) };
   return latest.scene;
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {State} state
+ */
 function makeScene(lesson, { mode, order, step, stop, without, straighten }) {
   const frame = frameOf(lesson, straighten);
-  const scene = { frame, region: lesson.fps, before: null, current: null };
+  const scene = /** @type {Scene} */ ({ frame, region: lesson.fps, before: null, current: null });
   if (mode === "clip") {
     const chosen = lesson.data.orders[order];
     scene.region = steppedRegion(lesson, chosen, step);
@@ -106,10 +112,8 @@ function makeScene(lesson, { mode, order, step, stop, without, straighten }) {
     scene.region = sweptRegion(lesson, lesson.stops[stop]);
     scene.before = lesson.fps;
   } else if (mode === "leave-one-out" && without !== null) {
-    scene.region = regionWithout(
-      lesson,
-      lesson.data.leave_one_out.find((entry) => entry.row === without),
-    );
+    const entry = lesson.data.leave_one_out.find(({ row }) => row === without);
+    scene.region = regionWithout(lesson, /** @type {WithoutData} */ (entry));
     scene.before = lesson.fps;
   }
   scene.s = scene.region.s;

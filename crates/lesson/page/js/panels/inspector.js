@@ -1,15 +1,20 @@
+// @ts-check
 // What is under the pointer, the focus or the last click, explained.
 
-import { byId, element, patch } from "./dom.js";
-import { activeAt, conflict, demands, hopeless, violations } from "./model.js";
-import { THETA, boundText, decimal, digitsFor, enumeration, plain, shortEnumeration, shortFraction, theBound, vertexName } from "./format.js";
+import { byId, element, patch } from "../dom.js";
+import { activeAt, conflict, demands, hopeless, readingOfRow, violations } from "../model/lesson.js";
+import { THETA, boundText, decimal, digitsFor, enumeration, plain, shortEnumeration, shortFraction, theBound, vertexName } from "../model/format.js";
 import { numberWithFraction } from "./summary.js";
-import { ONE, dot } from "./rational.js";
+import { ONE, dot } from "../model/rational.js";
 
 const MOST_ROWS = 12;
 // A chosen point has a short decimal: it is shown in full.
 const ALL_DIGITS = 40;
 
+/**
+ * @param {Pair} theta
+ * @param {(value: Rational, axis: number) => number} digits
+ */
 function thetaList(theta, digits) {
   return element(
     "dl",
@@ -21,14 +26,23 @@ function thetaList(theta, digits) {
   );
 }
 
-/** "θ₁·(−6.9) + θ₂" with the numbers of a reading. */
+/**
+ * "θ₁·(−6.9) + θ₂" with the numbers of a reading.
+ * @param {Lesson} lesson
+ * @param {Reading} reading
+ */
 function form(lesson, reading) {
   const first = plain(reading.phi[0]);
   if (lesson.isLine) return `θ₁·(${first}) + θ₂`;
   return `θ₁·(${first}) + θ₂·(${plain(reading.phi[1])})`;
 }
 
-/** The inequality of a half-plane in the numbers of its reading. */
+/**
+ * The inequality of a half-plane in the numbers of its reading.
+ * @param {Lesson} lesson
+ * @param {HalfPlane} halfPlane
+ * @param {Rational} s
+ */
 export function inequality(lesson, halfPlane, s) {
   if (halfPlane.reading === null)
     return lesson.data.conditions[halfPlane.index - 2 * lesson.readings.length].text;
@@ -39,11 +53,16 @@ export function inequality(lesson, halfPlane, s) {
   return `${form(lesson, reading)} ${upper ? "≤" : "≥"} ${plain(end)}`;
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {Scene} scene
+ * @param {number} index
+ */
 function aboutVertex(lesson, scene, index) {
   const names = activeAt(lesson, scene.region, index);
   const ends = names.map((name) => {
     if (name.row === null) return boundText(name);
-    const reading = lesson.readings[lesson.rowIndex.get(name.row)];
+    const reading = readingOfRow(lesson, name.row);
     const bound = reading.epsilon.times(scene.s);
     const end = name.bound === "upper" ? reading.y.plus(bound) : reading.y.minus(bound);
     return `the ${name.bound} end of reading ${name.row} (${lesson.data.model.y} ${name.bound === "upper" ? "+" : "−"} ε = ${plain(end)})`;
@@ -65,8 +84,13 @@ function aboutVertex(lesson, scene, index) {
   ];
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {Scene} scene
+ * @param {number} row
+ */
 function aboutReading(lesson, scene, row) {
-  const reading = lesson.readings[lesson.rowIndex.get(row)];
+  const reading = readingOfRow(lesson, row);
   const [upper, lower] = [2 * reading.index, 2 * reading.index + 1].map((index) => lesson.halfPlanes[index]);
   const where = scene.region.vertices.flatMap((_, index) =>
     activeAt(lesson, scene.region, index).some((name) => name.row === row) ? [vertexName(index)] : [],
@@ -89,6 +113,11 @@ function aboutReading(lesson, scene, row) {
   ];
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {Scene} scene
+ * @param {PointChoice} choice
+ */
 function aboutPoint(lesson, scene, choice) {
   const broken = violations(lesson, choice.theta, scene.s);
   const conditions = lesson.halfPlanes.filter(
@@ -115,10 +144,17 @@ function aboutPoint(lesson, scene, choice) {
   ];
 }
 
-// Positive multiples of the half-planes in conflict add up to 0 ≤ something negative.
+/**
+ * Positive multiples of the half-planes in conflict add up to 0 ≤ something negative.
+ * @param {Lesson} lesson
+ */
 function aboutConflict(lesson) {
   const terms = conflict(lesson);
   const { conditions } = lesson.data;
+  /**
+   * @param {{ index: number }} options
+   * @param {(name: BoundName) => string} text
+   */
   const named = ({ index }, text) => {
     const { name, reading } = lesson.halfPlanes[index];
     return reading === null
@@ -144,6 +180,7 @@ function aboutConflict(lesson) {
   ];
 }
 
+/** @param {Lesson} lesson */
 function causeOfConflict(lesson) {
   const without = hopeless(lesson);
   if (without !== null) return without;
@@ -151,7 +188,13 @@ function causeOfConflict(lesson) {
   return `So the error bound is too small, the model is wrong, or ${faulty}. Change ε to see where the set is born.`;
 }
 
-/** Draws the explanation of the choice, or a hint. */
+/**
+ * Draws the explanation of the choice, or a hint.
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {Scene} scene
+ * @param {Choice | null} choice
+ */
 export function drawInspector(lesson, state, scene, choice) {
   const none =
     state.mode !== "explore"

@@ -1,30 +1,50 @@
+// @ts-check
 // The parameter plane: half-planes with hatching on the side they forbid, the region, layers, and the chosen point.
 
-import { byId, element, patch } from "./dom.js";
+import { byId, element, patch } from "../dom.js";
 import { axes, mark, pathThrough, plotArea, round } from "./axes.js";
 import { clipped, cornersInView, cornersOf, lineInView } from "./region.js";
-import { activeAt, halfPlaneIndex } from "./model.js";
-import { EMPTY, decimal } from "./format.js";
+import { activeAt, halfPlaneIndex } from "../model/lesson.js";
+import { EMPTY, decimal } from "../model/format.js";
 import { screenMap } from "./view.js";
 import { automaticView } from "./parameter-view.js";
 import { chosenPoint, vertexMarks, vertexNumbers } from "./vertex-marks.js";
 
-/** The names of the axes, with the meaning of the second one when it is straightened. */
+/**
+ * The names of the axes, with the meaning of the second one when it is straightened.
+ * @param {Lesson} lesson
+ * @param {ParameterFrame} frame
+ */
 function axisNames(lesson, frame) {
   if (frame.shear.isZero()) return lesson.isLine ? ["θ₁, slope", "θ₂, intercept"] : ["θ₁", "θ₂"];
   const at = decimal(frame.shear, 6);
-  return lesson.isLine ? ["θ₁, slope", `height at ${lesson.data.model.x} = ${at}`] : ["θ₁", `θ₂ + ${at}·θ₁`];
+  const { model } = lesson.data;
+  return model.kind === "line" ? ["θ₁, slope", `height at ${model.x} = ${at}`] : ["θ₁", `θ₂ + ${at}·θ₁`];
 }
 
 /**
  * Draws the parameter plane.
- * @returns {Object} the screen map, for what the pointer does
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {Scene} scene
+ * @param {Layer[]} layers
+ * @param {Size} size
+ * @param {number} focused
+ * @returns {ScreenMap}, for what the pointer does
  */
 export function drawParameterPlane(lesson, state, scene, layers, size, focused) {
   const { frame } = scene;
   const view = state.parameterView ?? automaticView(lesson, state, scene, layers);
   const map = screenMap(view, plotArea(size.width, size.height));
+  /**
+   * @param {number} axis
+   * @param {number} number
+   */
   const exact = (axis, number) => frame.axisValue(axis, number);
+  /**
+   * @param {number} axis
+   * @param {Rational} value
+   */
   const number = (axis, value) => frame.coordinate(axis, value);
   const chosen = state.hover ?? state.selection;
   const { left, top, width, height } = map.area;
@@ -63,6 +83,7 @@ export function drawParameterPlane(lesson, state, scene, layers, size, focused) 
   return map;
 }
 
+/** @param {Area} area */
 function definitions(area) {
   return element(
     "defs",
@@ -81,6 +102,13 @@ function definitions(area) {
   );
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {Region} region
+ * @param {ParameterFrame} frame
+ * @param {ScreenMap} map
+ * @param {string} name
+ */
 function filled(lesson, region, frame, map, name) {
   const shown = cornersInView(cornersOf(lesson, region, frame, map.view), map.view);
   const points = shown.map((corner) => corner.point);
@@ -92,28 +120,53 @@ function filled(lesson, region, frame, map, name) {
   );
 }
 
-/** The edges of a polygon cut to the view, without those that only the view has made. */
+/**
+ * The edges of a polygon cut to the view, without those that only the view has made.
+ * @param {Corner[]} corners
+ * @param {ScreenMap} map
+ */
 function edgesPath(corners, map) {
+  /**
+   * @param {Corner} corner
+   * @param {number} k
+   */
   const edge = (corner, k) => [corner.point, corners[(k + 1) % corners.length].point];
   return corners.map((corner, k) => (corner.cut ? "" : pathThrough(map, edge(corner, k), false))).join("");
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {Scene} scene
+ * @param {State} state
+ * @param {ScreenMap} map
+ */
 function comparison(lesson, scene, state, map) {
   if (scene.before === null || state.mode === "clip") return element("g");
   return filled(lesson, scene.before, scene.frame, map, "former");
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {Scene} scene
+ * @param {ScreenMap} map
+ */
 function cutOff(lesson, scene, map) {
-  if (scene.current === null || scene.current.redundant !== null) return element("path");
-  const corners = cornersOf(lesson, scene.before, scene.frame, map.view);
-  const { line } = scene.lines.find((entry) => entry.halfPlane.index === scene.current.half_plane) ?? {};
+  const { current, before } = scene;
+  if (current === null || before === null || current.redundant !== null) return element("path");
+  const corners = cornersOf(lesson, before, scene.frame, map.view);
+  const line = scene.lines.find((entry) => entry.halfPlane.index === current.half_plane)?.line;
   if (line === undefined) return element("path");
   const beyond = { a: line.a.map((value) => -value), b: -line.b };
   const shown = clipped(cornersInView(corners, map.view), beyond, true).map((corner) => corner.point);
   return element("path", { class: "cut-off", d: pathThrough(map, shown, true) });
 }
 
-/** A line with ticks on the side that it forbids. */
+/**
+ * A line with ticks on the side that it forbids.
+ * @param {Line} line
+ * @param {ScreenMap} map
+ * @param {Attributes} attributes
+ */
 function hatchedLine(line, map, attributes) {
   const ends = lineInView(line, map.view);
   if (ends === null) return element("g", attributes);
@@ -121,6 +174,10 @@ function hatchedLine(line, map, attributes) {
   const length = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
   // The forbidden side is on the right of the way from `from` to `to`: on the screen that is (−dy, dx).
   const [ox, oy] = [(-(to[1] - from[1]) / length) * 3.5, ((to[0] - from[0]) / length) * 3.5];
+  /**
+   * @param {number} dx
+   * @param {number} dy
+   */
   const path = (dx, dy) =>
     `M${round(from[0] + dx)} ${round(from[1] + dy)}L${round(to[0] + dx)} ${round(to[1] + dy)}`;
   return element(
@@ -131,23 +188,40 @@ function hatchedLine(line, map, attributes) {
   );
 }
 
+/**
+ * @param {SceneLine} entry
+ * @param {Scene} scene
+ * @param {Choice | null} chosen
+ * @param {ScreenMap} map
+ */
 function halfPlaneLine({ halfPlane, line }, scene, chosen, map) {
   const active =
     chosen?.kind === "vertex" && chosen.index < scene.places.length && chosen.active?.has(halfPlane.index);
   const classes = ["bound", halfPlane.name.row === null ? "condition" : halfPlane.name.bound];
   if (!scene.shaping.has(halfPlane.index)) classes.push("redundant");
   if (active || (chosen?.kind === "reading" && chosen.row === halfPlane.name.row)) classes.push("chosen");
-  if (chosen?.near === halfPlane.index) classes.push("chosen");
+  if (chosen?.kind === "point" && chosen.near === halfPlane.index) classes.push("chosen");
   return hatchedLine(line, map, { class: classes.join(" "), "data-half-plane": halfPlane.index });
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {Scene} scene
+ * @param {ScreenMap} map
+ */
 function currentLine(lesson, scene, map) {
-  if (scene.current === null) return element("g");
-  const entry = scene.lines.find(({ halfPlane }) => halfPlane.index === scene.current.half_plane);
+  const { current } = scene;
+  if (current === null) return element("g");
+  const entry = scene.lines.find(({ halfPlane }) => halfPlane.index === current.half_plane);
   return entry === undefined ? element("g") : hatchedLine(entry.line, map, { class: "bound current" });
 }
 
-// Between the two lines of a reading lie the parameters that this reading allows.
+/**
+ * Between the two lines of a reading lie the parameters that this reading allows.
+ * @param {Scene} scene
+ * @param {Choice | null} chosen
+ * @param {ScreenMap} map
+ */
 function strip(scene, chosen, map) {
   if (chosen?.kind !== "reading") return element("path");
   const sides = scene.lines.filter(({ halfPlane }) => halfPlane.name.row === chosen.row);
@@ -170,7 +244,13 @@ function strip(scene, chosen, map) {
   });
 }
 
+/**
+ * @param {Layer} layer
+ * @param {ParameterFrame} frame
+ * @param {ScreenMap} map
+ */
 function layerDrawing(layer, frame, map) {
+  const { shape } = layer;
   return element(
     "g",
     { class: `layer layer-${layer.id}`, "data-layer-shown": layer.id },
@@ -186,16 +266,23 @@ function layerDrawing(layer, frame, map) {
             map,
           ),
         }),
-    layer.points
-      .map((point) => map.to(frame.place(point)))
-      .map((place) => [
-        mark(layer.shape, place, { class: "halo" }),
-        mark(layer.shape, place, { class: `mark layer-${layer.id}` }),
-      ]),
+    shape === null
+      ? null
+      : layer.points
+          .map((point) => map.to(frame.place(point)))
+          .map((place) => [
+            mark(shape, place, { class: "halo" }),
+            mark(shape, place, { class: `mark layer-${layer.id}` }),
+          ]),
   );
 }
 
-// Where the view cuts the region, it goes on: an arrow says so.
+/**
+ * Where the view cuts the region, it goes on: an arrow says so.
+ * @param {Lesson} lesson
+ * @param {Scene} scene
+ * @param {ScreenMap} map
+ */
 function arrows(lesson, scene, map) {
   const shown = cornersInView(cornersOf(lesson, scene.region, scene.frame, map.view), map.view);
   if (shown.length < 2) return element("g");
@@ -215,16 +302,25 @@ function arrows(lesson, scene, map) {
   return element("g", { "aria-hidden": "true" }, drawn);
 }
 
+/**
+ * @param {number} x
+ * @param {number} y
+ * @param {Area} area
+ */
 function outward(x, y, { left, top, width, height }) {
   const sides = [
-    [x - left, [-1, 0]],
-    [left + width - x, [1, 0]],
-    [y - top, [0, -1]],
-    [top + height - y, [0, 1]],
+    { distance: x - left, way: [-1, 0] },
+    { distance: left + width - x, way: [1, 0] },
+    { distance: y - top, way: [0, -1] },
+    { distance: top + height - y, way: [0, 1] },
   ];
-  return sides.sort((a, b) => a[0] - b[0])[0][1];
+  return sides.sort((p, q) => p.distance - q.distance)[0].way;
 }
 
+/**
+ * @param {Scene} scene
+ * @param {ScreenMap} map
+ */
 function emptyNote(scene, map) {
   if (scene.region.kind !== "empty") return element("text");
   const { left, top, width } = map.area;
@@ -235,7 +331,12 @@ function emptyNote(scene, map) {
   );
 }
 
-/** Indices of the half-planes active at the chosen vertex, for highlighting. */
+/**
+ * Indices of the half-planes active at the chosen vertex, for highlighting.
+ * @param {Lesson} lesson
+ * @param {Scene} scene
+ * @param {Choice | null} choice
+ */
 export function withActive(lesson, scene, choice) {
   if (choice?.kind !== "vertex" || choice.index >= scene.places.length) return choice;
   const names = activeAt(lesson, scene.region, choice.index);

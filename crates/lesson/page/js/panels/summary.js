@@ -1,13 +1,19 @@
+// @ts-check
 // What is shown at the moment, in words and numbers: the mode, the kind of the set, its PUI, area and active rows.
 
-import { byId, element, patch } from "./dom.js";
-import { ONE, Rational, ZERO, evaluate } from "./rational.js";
-import { THETA, boundMark, decimal, digitsFor, kindText, shortFraction } from "./format.js";
-import { activeAt } from "./model.js";
+import { byId, element, patch } from "../dom.js";
+import { ONE, Rational, ZERO, evaluate } from "../model/rational.js";
+import { THETA, boundMark, decimal, digitsFor, kindText, shortFraction } from "../model/format.js";
+import { activeAt, partOf } from "../model/lesson.js";
 
 const MOST_ACTIVE = 12;
 
-/** An exact number as shown: its decimal, and the fraction behind it. */
+/**
+ * An exact number as shown: its decimal, and the fraction behind it.
+ * @param {Rational} exact
+ * @param {string} shown
+ * @param {string | null} [id]
+ */
 export function numberWithFraction(exact, shown, id = null) {
   const text = exact.toString();
   const fraction =
@@ -23,6 +29,11 @@ export function numberWithFraction(exact, shown, id = null) {
   );
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {Scene} scene
+ */
 function sentence(lesson, state, scene) {
   if (state.mode === "clip") {
     const order = lesson.data.orders[state.order];
@@ -39,22 +50,35 @@ function sentence(lesson, state, scene) {
   return "All readings, error bounds as given.";
 }
 
-/** The width of an interval, or nothing. */
+/**
+ * The width of an interval, or nothing.
+ * @param {Ends} ends
+ */
 function widthOf({ lower, upper }) {
   return lower === null || upper === null ? null : upper.minus(lower);
 }
 
-/** One end of an interval, rounded outward; "−∞" or "∞" where there is none. */
+/**
+ * One end of an interval, rounded outward; "−∞" or "∞" where there is none.
+ * @param {Ends} bounds
+ * @param {"lower" | "upper"} end
+ * @param {string} id
+ */
 function endOf(bounds, end, id) {
   const value = bounds[end];
   if (value === null) return element("span", { id, "data-exact": "" }, end === "lower" ? "−∞" : "∞");
-  const sizes = ["lower", "upper"].map((e) => bounds[e]).filter((v) => v !== null && !v.isZero());
+  const sizes = [bounds.lower, bounds.upper].filter((v) => v !== null).filter((v) => !v.isZero());
   const largest = sizes.reduce((most, v) => (v.absolute().compare(most.absolute()) > 0 ? v : most), value);
   const width = widthOf(bounds);
   const digits = width === null ? 5 : digitsFor(largest, width);
   return numberWithFraction(value, decimal(value, digits, end === "lower" ? "down" : "up"), id);
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {Scene} scene
+ */
 function areaOf(lesson, state, scene) {
   const { region } = scene;
   if (region.kind === "empty") return ZERO;
@@ -62,15 +86,17 @@ function areaOf(lesson, state, scene) {
     return lesson.data.fit.fps.area === null ? null : Rational.parse(lesson.data.fit.fps.area.exact);
   if (state.mode === "epsilon") {
     const stop = lesson.stops[state.stop];
-    const { breakpoints, pieces } = lesson.data.sweep;
-    const source = stop.breakpoint === null ? pieces[stop.piece].area : breakpoints[stop.breakpoint].area;
-    if (source === null) return null;
-    return source.exact === undefined ? evaluate(source, stop.s) : Rational.parse(source.exact);
+    const { area } = partOf(lesson, stop);
+    if (area === null) return null;
+    return "exact" in area ? Rational.parse(area.exact) : evaluate(area, stop.s);
   }
   return shoelace(region);
 }
 
-// Steps and switched-off readings come without an area; their vertices are exact, and so is the sum.
+/**
+ * Steps and switched-off readings come without an area; their vertices are exact, and so is the sum.
+ * @param {Region} region
+ */
 function shoelace(region) {
   if (region.rays.length > 0 || region.lines.length > 0) return null;
   const { vertices } = region;
@@ -81,7 +107,11 @@ function shoelace(region) {
   return terms.reduce((sum, term) => sum.plus(term), ZERO).over(new Rational(2n));
 }
 
-/** Names of the half-planes active somewhere on the region, in the order of the rows. */
+/**
+ * Names of the half-planes active somewhere on the region, in the order of the rows.
+ * @param {Lesson} lesson
+ * @param {Scene} scene
+ */
 function activeNames(lesson, scene) {
   const found = new Map();
   scene.region.vertices.forEach((_, index) => {
@@ -93,7 +123,12 @@ function activeNames(lesson, scene) {
   );
 }
 
-/** Draws the summary. */
+/**
+ * Draws the summary.
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {Scene} scene
+ */
 export function drawSummary(lesson, state, scene) {
   const { region, bounds } = scene;
   const rows = [0, 1].map((axis) => {
@@ -172,6 +207,7 @@ export function drawSummary(lesson, state, scene) {
   ].filter((part) => part !== null));
 }
 
+/** @param {BoundName[]} names */
 function marks(names) {
   return names.map((name, k) => [
     k > 0 ? ", " : null,

@@ -1,20 +1,39 @@
+// @ts-check
 // The corridor: at each x everything between the highest and the lowest feasible line.
 
-import { element } from "./dom.js";
+import { element } from "../dom.js";
 import { pathThrough } from "./axes.js";
-import { Rational, ZERO, dot } from "./rational.js";
-import { pointOnBoundary } from "./model.js";
+import { Rational, ZERO, dot } from "../model/rational.js";
+import { pointOnBoundary } from "../model/lesson.js";
 
 // What is higher than so many pictures is cut, lest numbers grow too large to draw.
 const BEYOND = 40;
 
-/** A height that is not too far outside the view to be drawn. */
+/**
+ * A height that is not too far outside the view to be drawn.
+ * @param {number} value
+ * @param {{ view: View }} map
+ */
 export function bounded(value, { view }) {
   const height = view.y[1] - view.y[0];
   return Math.min(view.y[1] + BEYOND * height, Math.max(view.y[0] - BEYOND * height, value));
 }
 
-// The corridor of any set is spanned by its vertices and rays: at each x the highest and the lowest of their lines.
+/**
+ * The height of a line as a function of the abscissa.
+ * @param {Height} line
+ * @returns {(u: number) => number}
+ */
+function at({ slope, start }) {
+  return (u) => slope * u + start;
+}
+
+/**
+ * The corridor of any set is spanned by its vertices and rays: at each x the highest and the lowest of their lines.
+ * @param {{ points: ((u: number) => number)[], rays: ((u: number) => number)[] }} generators
+ * @param {number} u
+ * @param {ScreenMap} map
+ */
 function span(generators, u, map) {
   const values = generators.points.map((value) => value(u));
   const top = generators.rays.some((ray) => ray(u) > 1e-12) ? Infinity : Math.max(...values);
@@ -22,12 +41,20 @@ function span(generators, u, map) {
   return [bounded(bottom, map), bounded(top, map)];
 }
 
-/** The path of all feasible lines (or predictions) of the region shown. */
+/**
+ * The path of all feasible lines (or predictions) of the region shown.
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {Scene} scene
+ * @param {DataFrame} frame
+ * @param {ScreenMap} map
+ */
 export function corridorPath(lesson, state, scene, frame, map) {
   const { region } = scene;
   if (region.kind === "empty") return "";
-  if (lesson.isLine && state.mode === "explore" && lesson.data.corridor !== null)
-    return enginePath(lesson, frame, map);
+  const { corridor } = lesson.data;
+  if (lesson.isLine && state.mode === "explore" && corridor !== null)
+    return enginePath(lesson, corridor, frame, map);
   const corners = region.vertices.map((vertex) => vertex.theta);
   const sides = region.boundaries.map((index) => pointOnBoundary(lesson.halfPlanes[index], region.s));
   const points = corners.length > 0 ? corners : sides.length > 0 ? sides : [[ZERO, ZERO]];
@@ -38,10 +65,6 @@ export function corridorPath(lesson, state, scene, frame, map) {
   if (!lesson.isLine) return predictionBars(lesson, points, rays, frame, map);
   const lines = points.map((theta) => frame.line(theta));
   const ways = rays.map((ray) => frame.direction(ray));
-  const at =
-    ({ slope, start }) =>
-    (u) =>
-      slope * u + start;
   // The highest line changes where two neighbouring vertices give the same height, or where a ray turns.
   const turns = [
     ...lines
@@ -59,23 +82,38 @@ export function corridorPath(lesson, state, scene, frame, map) {
   );
 }
 
+/**
+ * @param {ScreenMap} map
+ * @param {number[][]} stations
+ */
 function bandPath(map, stations) {
   const lower = stations.map(([u, low]) => [u, low]);
   const upper = stations.map(([u, , high]) => [u, high]).reverse();
   return pathThrough(map, [...lower, ...upper], true);
 }
 
-// The engine's own corridor, with its exact breakpoints.
-function enginePath(lesson, frame, map) {
-  const { upper, lower } = lesson.data.corridor;
+/**
+ * The engine's own corridor, with its exact breakpoints.
+ * @param {Lesson} lesson
+ * @param {{ upper: EnvelopeData, lower: EnvelopeData }} corridor
+ * @param {DataFrame} frame
+ * @param {ScreenMap} map
+ */
+function enginePath(lesson, { upper, lower }, frame, map) {
+  /**
+   * @param {EnvelopeData} envelope
+   * @param {number} infinite
+   */
   const edge = (envelope, infinite) => {
     if (envelope.nowhere) return map.view.x.map((u) => [u, infinite]);
+    /** @param {Exact} text */
     const placed = (text) => frame.number(0, Rational.parse(text));
     const breaks = envelope.breakpoints.map(placed);
     const from = Math.max(map.view.x[0], envelope.from === null ? -Infinity : placed(envelope.from));
     const to = Math.min(map.view.x[1], envelope.to === null ? Infinity : placed(envelope.to));
     if (from > to) return map.view.x.map((u) => [u, infinite]);
     const lines = envelope.lines.map((index) => frame.line(lesson.points[index]));
+    /** @param {number} u */
     const on = (u) => {
       const { slope, start } = lines[breaks.filter((b) => b < u).length];
       return [u, bounded(slope * u + start, map)];
@@ -90,6 +128,13 @@ function enginePath(lesson, frame, map) {
   return pathThrough(map, [...bottom, ...top.reverse()], true);
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {Pair[]} points
+ * @param {Pair[]} rays
+ * @param {DataFrame} frame
+ * @param {ScreenMap} map
+ */
 function predictionBars(lesson, points, rays, frame, map) {
   return lesson.readings
     .map((reading) => {
@@ -113,10 +158,16 @@ function predictionBars(lesson, points, rays, frame, map) {
     .join("");
 }
 
-/** What the boxes among the layers claim about lines: more than the set does. */
+/**
+ * What the boxes among the layers claim about lines: more than the set does.
+ * @param {Layer[]} layers
+ * @param {State} state
+ * @param {DataFrame} frame
+ * @param {ScreenMap} map
+ */
 export function boxEnvelopes(layers, state, frame, map) {
-  const boxes = layers.filter(
-    (layer) => layer.polygon !== null && layer.id.endsWith("-box") && state.layers.has(layer.id),
+  const boxes = layers.flatMap(({ id, polygon }) =>
+    polygon !== null && id.endsWith("-box") && state.layers.has(id) ? [{ id, polygon }] : [],
   );
   if (!frame.isLine) return element("g");
   return element(
@@ -131,11 +182,7 @@ export function boxEnvelopes(layers, state, frame, map) {
         (p, q) => p - q,
       );
       const generators = {
-        points: lines.map(
-          ({ slope, start }) =>
-            (u) =>
-              slope * u + start,
-        ),
+        points: lines.map(at),
         rays: [],
       };
       return element("path", {

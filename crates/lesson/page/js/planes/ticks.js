@@ -1,14 +1,16 @@
+// @ts-check
 // Tick marks whose labels stay readable when an axis is 1e-5 wide around 1.8e-3: the part that all labels share
 // and a power of ten are taken out and written once, beside the axis.
 
-import { Rational, decimalPower } from "./rational.js";
-import { decimal, withMinus } from "./format.js";
+import { Rational, decimalPower } from "../model/rational.js";
+import { decimal, withMinus } from "../model/format.js";
 
 // Labels with more digits than this are shortened by an offset.
 const LONGEST_LABEL = 4;
 const LONGEST_OFFSET = 16;
 const LARGEST_PLAIN_EXPONENT = 3;
 
+/** @type {Record<string, string>} */
 const SUPERSCRIPTS = {
   "-": "⁻",
   0: "⁰",
@@ -23,10 +25,15 @@ const SUPERSCRIPTS = {
   9: "⁹",
 };
 
+/** @param {number} exponent */
 function powerText(exponent) {
   return `10${[...`${exponent}`].map((digit) => SUPERSCRIPTS[digit]).join("")}`;
 }
 
+/**
+ * @param {Rational} span
+ * @param {number} count
+ */
 function niceStep(span, count) {
   const rough = span.over(new Rational(BigInt(count)));
   const exponent = rough.decimalExponent();
@@ -34,6 +41,7 @@ function niceStep(span, count) {
   return factor === undefined ? { factor: 1n, exponent: exponent + 1 } : { factor, exponent };
 }
 
+/** @param {Rational} value */
 function plainDecimal(value) {
   if (value.isZero()) return "0";
   const fraction = Math.max(0, LONGEST_LABEL + 2 - Math.max(0, value.decimalExponent()));
@@ -46,13 +54,17 @@ function plainDecimal(value) {
   );
 }
 
-/** Whether so many digits are all there are. */
+/**
+ * Whether so many digits are all there are.
+ * @param {Rational} value
+ */
 function isShort(value) {
   if (value.isZero()) return true;
   const scale = decimalPower(LONGEST_OFFSET - 1 - value.decimalExponent());
   return value.times(scale).denominator === 1n;
 }
 
+/** @param {Rational} value */
 function offsetText(value) {
   if (isShort(value)) return decimal(value, LONGEST_OFFSET);
   // The rest of the digits is the same in all labels, but there is no room for it.

@@ -1,19 +1,25 @@
+// @ts-check
 // The ε slider: the same readings with larger or smaller error bounds.
 
-import { byId, element, patch } from "./dom.js";
-import { Rational } from "./rational.js";
-import { decimal, withMinus } from "./format.js";
+import { byId, element, patch, targetOf } from "../dom.js";
+import { Rational } from "../model/rational.js";
+import { decimal, withMinus } from "../model/format.js";
 import { numberWithFraction } from "./summary.js";
 import { namesText } from "./clipping.js";
-import { demands, hopeless } from "./model.js";
-import { givenStop } from "./sweep.js";
+import { demands, hopeless, sweepOf } from "../model/lesson.js";
+import { givenStop } from "../model/sweep.js";
 
-/** Connects the slider and its buttons. */
+/**
+ * Connects the slider and its buttons.
+ * @param {Lesson} lesson
+ * @param {Store} store
+ */
 export function connectEpsilon(lesson, store) {
   const { stops } = lesson;
+  /** @param {number} stop */
   const go = (stop) => store.change({ mode: "epsilon", stop });
-  byId("epsilon-slider").max = Math.max(0, stops.length - 1);
-  byId("epsilon-slider").addEventListener("input", (event) => go(Number(event.target.value)));
+  byId("epsilon-slider").max = `${Math.max(0, stops.length - 1)}`;
+  byId("epsilon-slider").addEventListener("input", (event) => go(Number(targetOf(event).value)));
   byId("epsilon-next").addEventListener("click", () => {
     const next = stops.findIndex((stop, k) => k > store.get().stop && stop.breakpoint !== null);
     if (next >= 0) go(next);
@@ -29,12 +35,16 @@ export function connectEpsilon(lesson, store) {
   drawTicks(lesson);
 }
 
+/** @param {Lesson} lesson */
 function leastStop(lesson) {
   const least = lesson.data.sweep?.least ?? null;
   return least === null ? -1 : lesson.stops.findIndex((stop) => stop.s.toString() === least.exact);
 }
 
-// The stops are evenly spaced on the slider; so are their ticks.
+/**
+ * The stops are evenly spaced on the slider; so are their ticks.
+ * @param {Lesson} lesson
+ */
 function drawTicks(lesson) {
   const { stops } = lesson;
   const last = Math.max(1, stops.length - 1);
@@ -49,14 +59,22 @@ function drawTicks(lesson) {
   patch(byId("epsilon-ticks"), marks);
 }
 
-/** The value of the slider, in words. */
+/**
+ * The value of the slider, in words.
+ * @param {Lesson} lesson
+ * @param {Stop} stop
+ */
 export function epsilonText(lesson, stop) {
   return lesson.epsilon === null ? `s = ${decimal(stop.s)}` : `ε = ${decimal(stop.s.times(lesson.epsilon))}`;
 }
 
-/** What happens at the slider's value, in one sentence. */
+/**
+ * What happens at the slider's value, in one sentence.
+ * @param {Lesson} lesson
+ * @param {Stop} stop
+ */
 export function epsilonSentence(lesson, stop) {
-  const least = lesson.data.sweep.least;
+  const least = lesson.data.sweep?.least ?? null;
   if (least === null) return `Empty. ${hopeless(lesson)}`;
   const sMin = Rational.parse(least.exact);
   if (stop.s.equals(sMin))
@@ -67,31 +85,36 @@ export function epsilonSentence(lesson, stop) {
     return `Empty: the error bound is too small for these ${demands(lesson)}.`;
   if (stop.breakpoint === null)
     return "Between two breakpoints every vertex moves along a straight line as ε grows, and the same bounds stay active.";
-  const { entering, leaving } = lesson.data.sweep.breakpoints[stop.breakpoint];
+  const { entering, leaving } = sweepOf(lesson).breakpoints[stop.breakpoint];
   const parts = [];
+  /** @param {BoundName[]} names */
   const become = (names) => `${namesText(names)} ${names.length === 1 ? "becomes" : "become"}`;
   if (entering.length > 0) parts.push(`${become(entering)} active`);
   if (leaving.length > 0) parts.push(`${become(leaving)} redundant`);
   return parts.length === 0 ? "The end of the slider." : `A breakpoint: as ε grows, ${parts.join("; ")}.`;
 }
 
-/** Draws the slider's state. */
+/**
+ * Draws the slider's state.
+ * @param {Lesson} lesson
+ * @param {State} state
+ */
 export function drawEpsilon(lesson, state) {
   if (lesson.stops.length === 0) return;
   const stop = lesson.stops[state.stop];
   const slider = byId("epsilon-slider");
-  slider.value = state.stop;
+  slider.value = `${state.stop}`;
   slider.setAttribute(
     "aria-valuetext",
     epsilonText(lesson, stop) + (stop.breakpoint === null ? "" : ", a breakpoint"),
   );
   const exact = lesson.epsilon === null ? stop.s : stop.s.times(lesson.epsilon);
-  const engine = stop.breakpoint === null ? null : lesson.data.sweep.breakpoints[stop.breakpoint];
-  const given = engine === null ? null : lesson.epsilon === null ? engine.s : engine.epsilon;
-  const shown = given === null ? decimal(exact, 8) : withMinus(given.decimal);
+  const engine = stop.breakpoint === null ? null : sweepOf(lesson).breakpoints[stop.breakpoint];
+  const given = lesson.epsilon === null ? engine?.s : engine?.epsilon;
+  const shown = given ? withMinus(given.decimal) : decimal(exact, 8);
   const value = byId("epsilon-value");
   value.dataset.s = stop.s.toString();
-  value.dataset.breakpoint = stop.breakpoint ?? "";
+  value.dataset.breakpoint = `${stop.breakpoint ?? ""}`;
   patch(value, [lesson.epsilon === null ? "s = " : "ε = ", numberWithFraction(exact, shown)]);
   byId("epsilon-story").textContent = epsilonSentence(lesson, stop);
   byId("epsilon-least").disabled = leastStop(lesson) < 0;

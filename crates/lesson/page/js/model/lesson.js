@@ -1,15 +1,18 @@
+// @ts-check
 // The engine's document, made convenient: exact numbers parsed, and every region in one form whichever part of the
 // document it comes from.
 
 import { withMinus } from "./format.js";
 import { ONE, Rational, ZERO, dot, evaluate, extremes } from "./rational.js";
 
+/** @param {Exact | NumberData} number */
 const exactOf = (number) => Rational.parse(typeof number === "string" ? number : number.exact);
+/** @param {(Exact | NumberData)[]} pair */
 const pairOf = (pair) => pair.map(exactOf);
 
 /**
  * Reads the document.
- * @param {Object} data as described by the schema boundfit/lesson/1
+ * @param {LessonData} data
  */
 export function readLesson(data) {
   const readings = data.readings.map((reading, index) => ({
@@ -19,7 +22,7 @@ export function readLesson(data) {
     y: exactOf(reading.y),
     epsilon: exactOf(reading.epsilon),
   }));
-  const lesson = {
+  const lesson = /** @type {Lesson} */ ({
     data,
     readings,
     others: data.others.map((other) => ({ row: other.row, phi: pairOf(other.phi), y: exactOf(other.y) })),
@@ -34,7 +37,7 @@ export function readLesson(data) {
     })),
     points: data.points.map(pairOf),
     rowIndex: new Map(readings.map((reading) => [reading.row, reading.index])),
-  };
+  });
   lesson.fps = regionOf(lesson, data.fit.fps);
   lesson.matters = new Map(data.leave_one_out.map((entry) => [entry.row, entry.matters]));
   lesson.leastSquares = data.fit.least_squares === null ? null : pairOf(data.fit.least_squares.theta);
@@ -45,13 +48,29 @@ export function readLesson(data) {
   return lesson;
 }
 
-/** Index of the half-plane with a name. */
-export function halfPlaneIndex(lesson, name) {
-  if (name.row === null) return 2 * lesson.readings.length + Number(name.bound.split(":")[1]) - 1;
-  return 2 * lesson.rowIndex.get(name.row) + (name.bound === "upper" ? 0 : 1);
+/**
+ * The reading of a row that is fitted.
+ * @param {Lesson} lesson
+ * @param {number} row
+ */
+export function readingOfRow(lesson, row) {
+  return lesson.readings[/** @type {number} */ (lesson.rowIndex.get(row))];
 }
 
-// Heights are drawn relative to this line when error bars are too short to see.
+/**
+ * Index of the half-plane with a name.
+ * @param {Lesson} lesson
+ * @param {BoundName} name
+ */
+export function halfPlaneIndex(lesson, name) {
+  if (name.row === null) return 2 * lesson.readings.length + Number(name.bound.split(":")[1]) - 1;
+  return 2 * readingOfRow(lesson, name.row).index + (name.bound === "upper" ? 0 : 1);
+}
+
+/**
+ * Heights are drawn relative to this line when error bars are too short to see.
+ * @param {Lesson} lesson
+ */
 function referenceLine(lesson) {
   const { central, minimax } = lesson.data.fit;
   if (lesson.leastSquares !== null) return { theta: lesson.leastSquares, name: "least-squares", noun: "least squares" };
@@ -60,15 +79,22 @@ function referenceLine(lesson) {
   return null;
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {RegionSource} source
+ * @param {{ s?: Rational, without?: number | null, among?: number[] | null }} [options]
+ * @returns {Region}
+ */
 function regionOf(lesson, source, { s = ONE, without = null, among = null } = {}) {
   const vertices = source.vertices.map((vertex) => {
     if (typeof vertex === "number") return { theta: lesson.points[vertex], active: null };
     const theta = vertex.theta.map((value) =>
-      value.slope === undefined ? exactOf(value) : evaluate(value, s),
+      "slope" in value ? evaluate(value, s) : exactOf(value),
     );
     return { theta, active: vertex.active };
   });
   // A side of a region without vertices comes as an index or with the names active along it.
+  /** @param {number | { active: BoundName[] }} boundary */
   const side = (boundary) =>
     typeof boundary === "number" ? boundary : halfPlaneIndex(lesson, boundary.active[0]);
   return {
@@ -83,7 +109,11 @@ function regionOf(lesson, source, { s = ONE, without = null, among = null } = {}
   };
 }
 
-/** The right-hand side of a half-plane when every error bound is multiplied by s. */
+/**
+ * The right-hand side of a half-plane when every error bound is multiplied by s.
+ * @param {HalfPlane} halfPlane
+ * @param {Rational} s
+ */
 export function rightHandSide(halfPlane, s) {
   if (halfPlane.reading === null || s.equals(ONE)) return halfPlane.b;
   // The engine may have scaled the half-plane: compare it with the reading it comes from.
@@ -94,14 +124,23 @@ export function rightHandSide(halfPlane, s) {
   return halfPlane.b.plus(scale.times(epsilon).times(s.minus(ONE)));
 }
 
-/** The half-planes that shape a region: all of them, without those of a row switched off or not yet added. */
+/**
+ * The half-planes that shape a region: all of them, without those of a row switched off or not yet added.
+ * @param {Lesson} lesson
+ * @param {Region} region
+ */
 export function halfPlanesOf(lesson, region) {
   const all =
     region.among === null ? lesson.halfPlanes : region.among.map((index) => lesson.halfPlanes[index]);
   return all.filter((halfPlane) => region.without === null || halfPlane.name.row !== region.without);
 }
 
-/** The region after `count` steps of clipping in an order of the engine; the whole plane after none. */
+/**
+ * The region after `count` steps of clipping in an order of the engine; the whole plane after none.
+ * @param {Lesson} lesson
+ * @param {OrderData} order
+ * @param {number} count
+ */
 export function steppedRegion(lesson, order, count) {
   const among = order.steps.slice(0, count).map((step) => step.half_plane);
   if (count > 0) return regionOf(lesson, order.steps[count - 1], { among });
@@ -112,19 +151,48 @@ export function steppedRegion(lesson, order, count) {
   return regionOf(lesson, { kind: "plane", vertices: [], rays: [], lines: axes, boundaries: [] }, { among });
 }
 
-/** The region with every error bound multiplied by the s of a stop. */
-export function sweptRegion(lesson, stop) {
-  const { breakpoints, pieces } = lesson.data.sweep;
-  const source = stop.breakpoint === null ? pieces[stop.piece] : breakpoints[stop.breakpoint];
-  return regionOf(lesson, source, { s: stop.s });
+/**
+ * The sweep of a lesson that has stops.
+ * @param {Lesson} lesson
+ */
+export function sweepOf(lesson) {
+  return /** @type {SweepData} */ (lesson.data.sweep);
 }
 
-/** The region when one row is switched off. */
+/**
+ * The part of the sweep that a stop belongs to: a breakpoint, or the piece that holds it.
+ * @param {Lesson} lesson
+ * @param {Stop} stop
+ */
+export function partOf(lesson, stop) {
+  const { breakpoints, pieces } = sweepOf(lesson);
+  return stop.breakpoint === null ? pieces[/** @type {number} */ (stop.piece)] : breakpoints[stop.breakpoint];
+}
+
+/**
+ * The region with every error bound multiplied by the s of a stop.
+ * @param {Lesson} lesson
+ * @param {Stop} stop
+ */
+export function sweptRegion(lesson, stop) {
+  return regionOf(lesson, partOf(lesson, stop), { s: stop.s });
+}
+
+/**
+ * The region when one row is switched off.
+ * @param {Lesson} lesson
+ * @param {WithoutData} entry
+ */
 export function regionWithout(lesson, entry) {
   return regionOf(lesson, entry, { without: entry.row });
 }
 
-/** Names of the half-planes active at vertex `index`: exactly those with equality there. */
+/**
+ * Names of the half-planes active at vertex `index`: exactly those with equality there.
+ * @param {Lesson} lesson
+ * @param {Region} region
+ * @param {number} index
+ */
 export function activeAt(lesson, region, index) {
   const vertex = region.vertices[index];
   vertex.active ??= halfPlanesOf(lesson, region)
@@ -134,19 +202,29 @@ export function activeAt(lesson, region, index) {
   return vertex.active;
 }
 
-/** The half-planes that cannot hold together, with the multipliers that prove it; [] when the FPS is not empty. */
+/**
+ * The half-planes that cannot hold together, with the multipliers that prove it; [] when the FPS is not empty.
+ * @param {Lesson} lesson
+ */
 export function conflict(lesson) {
   const terms = lesson.data.fit.fps.certificate?.farkas ?? [];
   return terms.map((term) => ({ index: halfPlaneIndex(lesson, term), multiplier: term.multiplier }));
 }
 
-// What contradicts itself does so with smaller error bounds, too, and conditions do with any.
+/**
+ * What contradicts itself does so with smaller error bounds, too, and conditions do with any.
+ * @param {Lesson} lesson
+ * @param {Region} region
+ */
 function isStillInConflict(lesson, { among, without, s }) {
   if (among !== null || without !== null) return false;
   return s.compare(ONE) <= 0 || conflict(lesson).every(({ index }) => lesson.halfPlanes[index].reading === null);
 }
 
-/** Why no factor on the error bounds leaves a feasible parameter, as a sentence; null where one does. */
+/**
+ * Why no factor on the error bounds leaves a feasible parameter, as a sentence; null where one does.
+ * @param {Lesson} lesson
+ */
 export function hopeless(lesson) {
   const { conditions, fit, sweep } = lesson.data;
   if (sweep?.least) return null;
@@ -157,7 +235,10 @@ export function hopeless(lesson) {
   return `${conditions.length === 1 ? "The condition contradicts itself" : "The conditions contradict each other"}, whatever the readings are: no error bound, however large, helps.`;
 }
 
-/** What every parameter has to agree with, in words. */
+/**
+ * What every parameter has to agree with, in words.
+ * @param {Lesson} lesson
+ */
 export function demands(lesson) {
   const { conditions } = lesson.data;
   const words = [];
@@ -166,7 +247,11 @@ export function demands(lesson) {
   return words.join(" and ");
 }
 
-/** Indices of the half-planes without which the region would be another one, or, where many meet in a point, those. */
+/**
+ * Indices of the half-planes without which the region would be another one, or, where many meet in a point, those.
+ * @param {Lesson} lesson
+ * @param {Region} region
+ */
 export function shapingHalfPlanes(lesson, region) {
   if (region.kind === "empty" && isStillInConflict(lesson, region))
     return new Set(conflict(lesson).map(({ index }) => index));
@@ -187,7 +272,12 @@ export function shapingHalfPlanes(lesson, region) {
   ]);
 }
 
-/** The readings that a parameter point violates when every error bound is multiplied by s, and by how much. */
+/**
+ * The readings that a parameter point violates when every error bound is multiplied by s, and by how much.
+ * @param {Lesson} lesson
+ * @param {Pair} theta
+ * @param {Rational} s
+ */
 export function violations(lesson, theta, s) {
   return lesson.readings.flatMap((reading) => {
     const residual = reading.y.minus(dot(reading.phi, theta));
@@ -196,7 +286,11 @@ export function violations(lesson, theta, s) {
   });
 }
 
-/** An exact point on the boundary of a half-plane, for regions that have no vertices to start from. */
+/**
+ * An exact point on the boundary of a half-plane, for regions that have no vertices to start from.
+ * @param {HalfPlane} halfPlane
+ * @param {Rational} s
+ */
 export function pointOnBoundary(halfPlane, s) {
   const { a } = halfPlane;
   const axis = a[1].isZero() ? 0 : 1;
@@ -204,10 +298,14 @@ export function pointOnBoundary(halfPlane, s) {
   return axis === 0 ? [value, ZERO] : [ZERO, value];
 }
 
-/** Exact ends of a region along each parameter: [{lower, upper}, {…}] with null for infinite; null when empty. */
+/**
+ * Exact ends of a region along each parameter: [{lower, upper}, {…}] with null for infinite; null when empty.
+ * @param {Region} region
+ */
 export function boundsOf(region) {
   if (region.kind === "empty") return null;
   return [0, 1].map((axis) => {
+    /** @param {number} sign */
     const goes = (sign) =>
       region.rays.some((ray) => ray[axis].sign() === sign) ||
       region.lines.some((line) => !line[axis].isZero());

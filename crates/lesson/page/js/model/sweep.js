@@ -1,3 +1,4 @@
+// @ts-check
 // The stops of the ε slider: every breakpoint of the engine, exactly, and round values between them.
 
 import { ONE, Rational, decimalPower } from "./rational.js";
@@ -5,6 +6,7 @@ import { ONE, Rational, decimalPower } from "./rational.js";
 const ROUND_STOPS = 100;
 
 /**
+ * @param {Lesson} lesson
  * @returns {{s: Rational, breakpoint: number|null, piece: number|null}[]} ascending in s; the piece is the one that
  *   holds a stop that is no breakpoint
  */
@@ -31,6 +33,7 @@ export function sweepStops(lesson) {
   return stops.sort((p, q) => p.s.compare(q.s));
 }
 
+/** @param {Rational} span */
 function roundStep(span) {
   const exponent = span.decimalExponent() - 2;
   const fitting = [1n, 2n, 5n, 10n].map((factor) => new Rational(factor).times(decimalPower(exponent)));
@@ -39,13 +42,21 @@ function roundStep(span) {
   );
 }
 
+/**
+ * @param {Stop[]} stops
+ * @param {Stop[]} breakpoints
+ * @param {Rational} s
+ */
 function addStop(stops, breakpoints, s) {
   if (stops.some((stop) => stop.s.equals(s))) return;
   const next = breakpoints.findIndex((point) => point.s.compare(s) > 0);
   if (next > 0) stops.push({ s, breakpoint: null, piece: next - 1 });
 }
 
-/** Index of the stop where every error bound is as given, or the last one. */
+/**
+ * Index of the stop where every error bound is as given, or the last one.
+ * @param {Stop[]} stops
+ */
 export function givenStop(stops) {
   const found = stops.findIndex((stop) => stop.s.equals(ONE));
   return found < 0 ? stops.length - 1 : found;

@@ -1,14 +1,19 @@
+// @ts-check
 // The parts of the text that depend on the data.
 
-import { byId } from "./dom.js";
-import { counted, enumeration, kindText, plain, shortEnumeration } from "./format.js";
+import { all, byId } from "../dom.js";
+import { counted, enumeration, kindText, plain, shortEnumeration } from "../model/format.js";
 
 const LONGEST_IN_FORMULA = 14;
 
-/** Fills in titles, names of columns and the data set's own facts. */
+/**
+ * Fills in titles, names of columns and the data set's own facts.
+ * @param {Lesson} lesson
+ */
 export function fillIntroduction(lesson) {
   const { data } = lesson;
   const { model, epsilon } = data;
+  /** @type {Record<string, string>} */
   const names =
     model.kind === "line"
       ? { x: model.x, y: model.y }
@@ -24,12 +29,12 @@ export function fillIntroduction(lesson) {
   byId("epsilon-here").textContent =
     epsilon.uniform === null ? ", here one for each reading" : ` = ${uniform}${unit}`;
   byId("epsilon-label").textContent = lesson.epsilon === null ? "All error bounds times" : "Error bound";
-  for (const place of document.querySelectorAll("[data-name]")) {
-    const name = names[place.dataset.name] ?? "";
+  for (const place of all("[data-name]")) {
+    const name = names[place.dataset.name ?? ""] ?? "";
     // A formula has no place to break a line.
     place.textContent = place.localName === "mi" ? shortName(name) : name;
   }
-  for (const place of document.querySelectorAll("[data-model]"))
+  for (const place of all("[data-model]"))
     place.toggleAttribute("data-off", place.dataset.model !== model.kind);
   const matter = lesson.readings
     .filter((reading) => lesson.matters.get(reading.row))
@@ -60,11 +65,16 @@ export function fillIntroduction(lesson) {
     lesson.reference === null ? "residuals" : `relative to ${lesson.reference.noun}`;
 }
 
+/** @param {string} name */
 function shortName(name) {
   return name.length <= LONGEST_IN_FORMULA ? name : `${name.slice(0, LONGEST_IN_FORMULA - 1)}…`;
 }
 
-/** Which readings cannot be left out without a change. */
+/**
+ * Which readings cannot be left out without a change.
+ * @param {Lesson} lesson
+ * @param {number[]} matter
+ */
 function whichMatter(lesson, matter) {
   const count = lesson.readings.length;
   if (matter.length === 0)
@@ -78,7 +88,10 @@ function whichMatter(lesson, matter) {
   return `Only ${matter.length} of the ${count} readings matter: without any one of them the set would be larger. They are numbers ${shortEnumeration(matter)}. ${trial}`;
 }
 
-/** What remains when the error bounds shrink. */
+/**
+ * What remains when the error bounds shrink.
+ * @param {Lesson} lesson
+ */
 function minimaxSentence(lesson) {
   const { conditions, epsilon, fit } = lesson.data;
   const term = document.createElement("dfn");

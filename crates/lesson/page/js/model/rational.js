@@ -1,21 +1,34 @@
+// @ts-check
 // Exact fractions. The engine's numbers stay exact in the page until the moment they are drawn.
 
+/**
+ * @param {bigint} a
+ * @param {bigint} b
+ */
 function greatestCommonDivisor(a, b) {
   while (b !== 0n) [a, b] = [b, a % b];
   return a < 0n ? -a : a;
 }
 
+/** @param {bigint} n */
 function bitLength(n) {
   return (n < 0n ? -n : n).toString(16).length * 4;
 }
 
-/** Ten to the power of a whole number ≥ 0, as a BigInt. */
+/**
+ * Ten to the power of a whole number ≥ 0, as a BigInt.
+ * @param {number} exponent
+ */
 export function powerOfTen(exponent) {
   return 10n ** BigInt(exponent);
 }
 
 /** An exact rational number in lowest terms; immutable. */
 export class Rational {
+  /**
+   * @param {bigint} numerator
+   * @param {bigint} denominator
+   */
   constructor(numerator, denominator = 1n) {
     if (denominator === 0n) throw new RangeError("a fraction with denominator 0");
     const sign = denominator < 0n ? -1n : 1n;
@@ -24,7 +37,11 @@ export class Rational {
     this.denominator = (sign * denominator) / divisor;
   }
 
-  /** Reads "p/q" or "n", the form in which the engine writes exact numbers. */
+  /**
+   * Reads "p/q" or "n", the form in which the engine writes exact numbers.
+   * @param {Exact} text
+   * @returns {Rational}
+   */
   static parse(text) {
     const [numerator, denominator] = text.split("/");
     const number = Object.create(Rational.prototype);
@@ -34,7 +51,10 @@ export class Rational {
     return number;
   }
 
-  /** The exact value of a finite binary64 number. */
+  /**
+   * The exact value of a finite binary64 number.
+   * @param {number} value
+   */
   static fromNumber(value) {
     let exponent = 0;
     while (!Number.isInteger(value)) {
@@ -44,6 +64,7 @@ export class Rational {
     return new Rational(BigInt(value), 2n ** BigInt(exponent));
   }
 
+  /** @param {Rational} other */
   plus(other) {
     return new Rational(
       this.numerator * other.denominator + other.numerator * this.denominator,
@@ -51,14 +72,17 @@ export class Rational {
     );
   }
 
+  /** @param {Rational} other */
   minus(other) {
     return this.plus(other.negated());
   }
 
+  /** @param {Rational} other */
   times(other) {
     return new Rational(this.numerator * other.numerator, this.denominator * other.denominator);
   }
 
+  /** @param {Rational} other */
   over(other) {
     return new Rational(this.numerator * other.denominator, this.denominator * other.numerator);
   }
@@ -80,12 +104,16 @@ export class Rational {
     return this.numerator === 0n;
   }
 
-  /** Negative, zero or positive as this number is less than, equal to or greater than the other. */
+  /**
+   * Negative, zero or positive as this number is less than, equal to or greater than the other.
+   * @param {Rational} other
+   */
   compare(other) {
     const difference = this.numerator * other.denominator - other.numerator * this.denominator;
     return difference === 0n ? 0 : difference < 0n ? -1 : 1;
   }
 
+  /** @param {Rational} other */
   equals(other) {
     return this.numerator === other.numerator && this.denominator === other.denominator;
   }
@@ -96,7 +124,10 @@ export class Rational {
     return this.numerator < 0n && quotient * this.denominator !== this.numerator ? quotient - 1n : quotient;
   }
 
-  /** The multiple of `unit` nearest to this number. */
+  /**
+   * The multiple of `unit` nearest to this number.
+   * @param {Rational} unit
+   */
   roundedTo(unit) {
     return new Rational(this.over(unit).plus(HALF).floor()).times(unit);
   }
@@ -129,7 +160,10 @@ export class Rational {
   }
 }
 
-/** 10^exponent for any whole exponent. */
+/**
+ * 10^exponent for any whole exponent.
+ * @param {number} exponent
+ */
 export function decimalPower(exponent) {
   return exponent >= 0 ? new Rational(powerOfTen(exponent)) : new Rational(1n, powerOfTen(-exponent));
 }
@@ -138,14 +172,20 @@ export function decimalPower(exponent) {
 const FARTHEST = 1e60;
 const FAR_EXPONENT = 60;
 
-/** A frame coordinate as a number; what is farther out than any view stays finite. */
+/**
+ * A frame coordinate as a number; what is farther out than any view stays finite.
+ * @param {Rational} value
+ */
 export function coordinate(value) {
   if (value.isZero()) return 0;
   if (value.decimalExponent() >= FAR_EXPONENT) return value.sign() * FARTHEST;
   return value.toNumber();
 }
 
-/** Numbers in the proportion of the fractions, the greatest of them near 1, and the scale that was taken out. */
+/**
+ * Numbers in the proportion of the fractions, the greatest of them near 1, and the scale that was taken out.
+ * @param {Rational[]} values
+ */
 export function proportions(values) {
   const sizes = values.filter((value) => !value.isZero()).map((value) => value.decimalExponent());
   const scale = decimalPower(sizes.length === 0 ? 0 : Math.max(...sizes));
@@ -159,12 +199,19 @@ export const ONE = new Rational(1n);
 /** 1/2. */
 export const HALF = new Rational(1n, 2n);
 
-/** a₁·b₁ + a₂·b₂ of two pairs of rationals. */
+/**
+ * a₁·b₁ + a₂·b₂ of two pairs of rationals.
+ * @param {Pair} a
+ * @param {Pair} b
+ */
 export function dot(a, b) {
   return a[0].times(b[0]).plus(a[1].times(b[1]));
 }
 
-/** The smaller and the greater of a non-empty list, as [least, greatest]. */
+/**
+ * The smaller and the greater of a non-empty list, as [least, greatest].
+ * @param {Rational[]} values
+ */
 export function extremes(values) {
   return values.reduce(
     ([least, greatest], value) => [
@@ -175,7 +222,11 @@ export function extremes(values) {
   );
 }
 
-/** The value of constant + slope·s + quadratic·s², the form in which the engine gives functions of s. */
+/**
+ * The value of constant + slope·s + quadratic·s², the form in which the engine gives functions of s.
+ * @param {PolynomialData} polynomial
+ * @param {Rational} s
+ */
 export function evaluate(polynomial, s) {
   const slope = Rational.parse(polynomial.slope);
   const quadratic = polynomial.quadratic === undefined ? ZERO : Rational.parse(polynomial.quadratic);

@@ -1,17 +1,28 @@
+// @ts-check
 // Questions about this data set, with answers to reveal and, where there is something to see, a way to see it.
 
-import { byId, element, patch } from "./dom.js";
+import { byId, closest, element, patch } from "../dom.js";
 
 // A question may point to a group of layers.
+/** @type {Record<string, string[]>} */
 const GROUPS = {
   pui: ["pui-box"],
   eui: ["eui-box"],
   directions: ["inner-hull", "outer-polygon"],
 };
 
-/** Draws the questions and connects their buttons. */
+/**
+ * Draws the questions and connects their buttons.
+ * @param {Lesson} lesson
+ * @param {Layer[]} layers
+ * @param {Store} store
+ */
 export function drawQuestions(lesson, layers, store) {
   const { questions } = lesson.data;
+  /**
+   * @param {QuestionData} question
+   * @param {number} index
+   */
   const item = (question, index) =>
     element(
       "li",
@@ -28,12 +39,19 @@ export function drawQuestions(lesson, layers, store) {
     );
   patch(byId("question-list"), questions.map(item));
   byId("question-list").addEventListener("click", (event) => {
-    const button = event.target.closest("button[data-show]");
-    if (button !== null) show(questions[Number(button.dataset.show)].show, layers, store);
+    const button = closest(event, "button[data-show]");
+    const what = questions[Number(button?.dataset.show)]?.show ?? null;
+    if (what !== null) show(what, layers, store);
   });
 }
 
+/**
+ * @param {ShowData} what
+ * @param {Layer[]} layers
+ * @param {Store} store
+ */
 function show(what, layers, store) {
+  /** @type {Partial<State>} */
   const changes = { mode: "explore", without: null, hover: null, parameterView: null };
   if (what.kind === "vertex") changes.selection = { kind: "vertex", index: what.index };
   else if (what.kind === "row") changes.selection = { kind: "reading", row: what.row };

@@ -1,6 +1,7 @@
+// @ts-check
 // What pointer and keyboard do in the two pictures.
 
-import { rove } from "./dom.js";
+import { all, byId, closest, rove, targetOf } from "../dom.js";
 import { automaticView, pointRounding } from "./parameter-view.js";
 import { scaledView, shiftedView } from "./view.js";
 
@@ -9,20 +10,35 @@ const NEAR = 6;
 const SMALL_STEP = 0.01;
 const LARGE_STEP = 0.1;
 
+/** @type {Record<string, Place>} */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
+/**
+ * @param {PageElement} svg
+ * @param {MouseEvent} event
+ */
 function pixel(svg, event) {
   const box = svg.getBoundingClientRect();
   return [event.clientX - box.left, event.clientY - box.top];
 }
 
+/**
+ * @param {Area} area
+ * @param {Place} point
+ */
 function inside({ left, top, width, height }, [x, y]) {
   return x >= left && x <= left + width && y >= top && y <= top + height;
 }
 
-// The half-plane whose boundary is under the pointer.
+/**
+ * The half-plane whose boundary is under the pointer.
+ * @param {Scene} scene
+ * @param {ScreenMap} map
+ * @param {Place} place
+ */
 function nearest(scene, map, place) {
   const [x, y] = map.to(place);
+  /** @type {{ index: number | undefined, distance: number }} */
   let best = { index: undefined, distance: NEAR };
   for (const { halfPlane, line } of scene.lines) {
     if (!scene.shaping.has(halfPlane.index)) continue;
@@ -39,6 +55,12 @@ function nearest(scene, map, place) {
   return best.index;
 }
 
+/**
+ * @param {Scene} scene
+ * @param {ScreenMap} map
+ * @param {Place} place
+ * @returns {PointChoice}
+ */
 function pointChoice(scene, map, place) {
   return {
     kind: "point",
@@ -47,7 +69,12 @@ function pointChoice(scene, map, place) {
   };
 }
 
-/** Keys and wheel that move and zoom a view; the same in both pictures. `set` takes a view or null for the fitting one. */
+/**
+ * Keys and wheel that move and zoom a view; the same in both pictures. `set` takes a view or null for the fitting one.
+ * @param {PageElement} svg
+ * @param {() => ScreenMap} current
+ * @param {(view: View | null) => void} set
+ */
 function connectView(svg, current, set) {
   svg.addEventListener("keydown", (event) => {
     if (event.target !== svg || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -70,6 +97,7 @@ function connectView(svg, current, set) {
     },
     { passive: false },
   );
+  /** @type {{ at: Place, view: View } | null} */
   let from = null;
   svg.addEventListener("pointerdown", (event) => {
     if (!event.shiftKey || event.button !== 0) return;
@@ -91,35 +119,48 @@ function connectView(svg, current, set) {
   });
 }
 
-/** The zoom buttons of both pictures. */
+/**
+ * The zoom buttons of both pictures.
+ * @param {Lesson} lesson
+ * @param {Store} store
+ * @param {() => Drawn} current
+ * @param {Layer[]} layers
+ */
 export function connectZoom(lesson, store, current, layers) {
-  for (const button of document.querySelectorAll("button[data-zoom]")) {
+  for (const button of all("button[data-zoom]")) {
     const key = button.dataset.plane === "data" ? "dataView" : "parameterView";
     button.addEventListener("click", () => {
       const { view } = button.dataset.plane === "data" ? current().dataMap : current().parameterMap;
       const state = store.get();
+      /** @type {Record<string, () => View | null>} */
       const views = {
         in: () => scaledView(view, 1 / ZOOM),
         out: () => scaledView(view, ZOOM),
         fit: () => null,
         set: () => automaticView(lesson, { ...state, layers: new Set() }, current().scene, layers),
       };
-      store.change({ [key]: views[button.dataset.zoom]() });
+      store.change({ [key]: views[button.dataset.zoom ?? "fit"]() });
     });
   }
 }
 
-/** Choosing with arrow keys among the elements that carry `attribute`. */
+/**
+ * Choosing with arrow keys among the elements that carry `attribute`.
+ * @param {PageElement} svg
+ * @param {string} attribute
+ * @param {(index: number) => void} remember
+ * @param {(item: PageElement) => void} choose
+ */
 function connectRoving(svg, attribute, remember, choose) {
   svg.addEventListener("keydown", (event) => {
-    const item = event.target.closest(`[${attribute}]`);
+    const item = closest(event, `[${attribute}]`);
     if (item === null) return;
     if (event.key === "Enter" || event.key === " ") {
       choose(item);
       event.preventDefault();
       return;
     }
-    const items = [...svg.querySelectorAll(`[${attribute}]`)];
+    const items = [...all(`[${attribute}]`, svg)];
     const next = rove(event.key, items.indexOf(item), items.length);
     if (next === null) return;
     remember(next);
@@ -128,14 +169,22 @@ function connectRoving(svg, attribute, remember, choose) {
   });
 }
 
-/** Readings: pointing at them, choosing them, walking through them. */
+/**
+ * Readings: pointing at them, choosing them, walking through them.
+ * @param {PageElement} svg
+ * @param {Store} store
+ * @param {() => Drawn} current
+ * @param {Roving} roving
+ */
 export function connectDataPlane(svg, store, current, roving) {
   connectView(
     svg,
     () => current().dataMap,
     (view) => store.change({ dataView: view }),
   );
+  /** @param {PageElement} item */
   const rowOf = (item) => Number(item.dataset.reading);
+  /** @param {PageElement} item */
   const choose = (item) => {
     const { selection } = store.get();
     const again = selection?.kind === "reading" && selection.row === rowOf(item);
@@ -149,8 +198,9 @@ export function connectDataPlane(svg, store, current, roving) {
     },
     choose,
   );
+  /** @param {Event} event */
   const hover = (event) => {
-    const item = event.target.closest("[data-reading]");
+    const item = closest(event, "[data-reading]");
     const before = store.get().hover;
     if (item !== null) {
       if (before?.kind !== "reading" || before.row !== rowOf(item))
@@ -162,19 +212,27 @@ export function connectDataPlane(svg, store, current, roving) {
   svg.addEventListener("focusout", () => store.change({ hover: null }));
   svg.addEventListener("pointerleave", () => store.change({ hover: null }));
   svg.addEventListener("click", (event) => {
-    const item = event.target.closest("[data-reading]");
+    const item = closest(event, "[data-reading]");
     if (item !== null) choose(item);
   });
 }
 
-/** Vertices and the free point: pointing, choosing, dragging, walking. */
+/**
+ * Vertices and the free point: pointing, choosing, dragging, walking.
+ * @param {PageElement} svg
+ * @param {Store} store
+ * @param {() => Drawn} current
+ * @param {Roving} roving
+ */
 export function connectParameterPlane(svg, store, current, roving) {
   connectView(
     svg,
     () => current().parameterMap,
     (view) => store.change({ parameterView: view }),
   );
+  /** @type {(item: PageElement) => VertexChoice} */
   const vertexOf = (item) => ({ kind: "vertex", index: Number(item.dataset.vertex) });
+  /** @param {PageElement} item */
   const choose = (item) => {
     const { selection } = store.get();
     const again = selection?.kind === "vertex" && selection.index === Number(item.dataset.vertex);
@@ -188,6 +246,7 @@ export function connectParameterPlane(svg, store, current, roving) {
     },
     choose,
   );
+  /** @param {MouseEvent} event */
   const pointAt = (event) => {
     const { scene, parameterMap } = current();
     const at = pixel(svg, event);
@@ -195,8 +254,8 @@ export function connectParameterPlane(svg, store, current, roving) {
   };
   let dragging = false;
   svg.addEventListener("pointerdown", (event) => {
-    const handle = event.target.closest("#theta-point");
-    if (event.shiftKey || event.button !== 0 || event.target.closest("[data-vertex]")) return;
+    const handle = closest(event, "#theta-point");
+    if (event.shiftKey || event.button !== 0 || closest(event, "[data-vertex]")) return;
     if (event.pointerType === "touch" && handle === null) return;
     const point = pointAt(event);
     if (point === null) return;
@@ -209,7 +268,7 @@ export function connectParameterPlane(svg, store, current, roving) {
       const point = pointAt(event);
       if (point !== null) store.change({ selection: point, hover: null });
     } else if (event.pointerType !== "touch" && !event.shiftKey) {
-      const vertex = event.target.closest("[data-vertex]");
+      const vertex = closest(event, "[data-vertex]");
       store.change({ hover: vertex === null ? pointAt(event) : vertexOf(vertex) });
     }
   });
@@ -221,7 +280,7 @@ export function connectParameterPlane(svg, store, current, roving) {
   });
   svg.addEventListener("pointerleave", () => store.change({ hover: null }));
   svg.addEventListener("click", (event) => {
-    const vertex = event.target.closest("[data-vertex]");
+    const vertex = closest(event, "[data-vertex]");
     if (vertex !== null) choose(vertex);
     else if (event.pointerType === "touch") {
       const point = pointAt(event);
@@ -229,18 +288,23 @@ export function connectParameterPlane(svg, store, current, roving) {
     }
   });
   svg.addEventListener("focusin", (event) => {
-    const vertex = event.target.closest("[data-vertex]");
+    const vertex = closest(event, "[data-vertex]");
     if (vertex !== null) store.change({ hover: vertexOf(vertex) });
   });
   svg.addEventListener("focusout", () => store.change({ hover: null }));
   connectFreePoint(svg, store, current);
 }
 
+/**
+ * @param {PageElement} svg
+ * @param {Store} store
+ * @param {() => Drawn} current
+ */
 function connectFreePoint(svg, store, current) {
   svg.addEventListener("keydown", (event) => {
     const { selection } = store.get();
     const arrow = ARROWS[event.key];
-    if (event.target.id !== "theta-point" || !arrow || selection?.kind !== "point") return;
+    if (targetOf(event).id !== "theta-point" || !arrow || selection?.kind !== "point") return;
     const { scene, parameterMap } = current();
     const { view } = parameterMap;
     const share = event.shiftKey ? LARGE_STEP : SMALL_STEP;
@@ -252,11 +316,11 @@ function connectFreePoint(svg, store, current) {
     store.change({ selection: pointChoice(scene, parameterMap, place), hover: null });
     event.preventDefault();
   });
-  document.getElementById("place-point").addEventListener("click", () => {
+  byId("place-point").addEventListener("click", () => {
     const { scene, parameterMap } = current();
     const { view } = parameterMap;
     const place = [(view.x[0] + view.x[1]) / 2, (view.y[0] + view.y[1]) / 2];
     store.change({ selection: pointChoice(scene, parameterMap, place), hover: null });
-    document.getElementById("theta-point").focus();
+    byId("theta-point").focus();
   });
 }

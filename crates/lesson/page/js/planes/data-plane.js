@@ -1,16 +1,25 @@
+// @ts-check
 // The data plane: readings with their error bars, the corridor of all feasible lines, and the lines of parameters.
 // With two regressors there is no line to draw: the row number runs along, and predictions stand in the bars.
 
-import { byId, element, patch } from "./dom.js";
+import { byId, element, patch } from "../dom.js";
 import { axes, mark, pathThrough, plotArea, round } from "./axes.js";
 import { lineInView } from "./region.js";
 import { screenMap } from "./view.js";
 import { automaticDataView, dataFrame } from "./data-frame.js";
 import { bounded, boxEnvelopes, corridorPath } from "./corridor.js";
-import { activeAt } from "./model.js";
-import { plain } from "./format.js";
+import { activeAt, readingOfRow } from "../model/lesson.js";
+import { plain } from "../model/format.js";
 
-/** Draws the data plane. @returns {Object} the screen map */
+/**
+ * Draws the data plane. @returns {ScreenMap}
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {Scene} scene
+ * @param {Layer[]} layers
+ * @param {Size} size
+ * @param {number} focused
+ */
 export function drawDataPlane(lesson, state, scene, layers, size, focused) {
   const frame = dataFrame(lesson, state.residual);
   const view = state.dataView ?? automaticDataView(lesson, frame, scene.s);
@@ -55,12 +64,21 @@ export function drawDataPlane(lesson, state, scene, layers, size, focused) {
   return map;
 }
 
+/** @param {Lesson} lesson */
 function columnNames(lesson) {
   const { model, units } = lesson.data;
+  /**
+   * @param {string} name
+   * @param {string | null} unit
+   */
   const named = (name, unit) => (unit ? `${name} (${unit})` : name);
   return { x: model.kind === "line" ? named(model.x, units.x) : "row", y: named(model.y, units.y) };
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {ScreenMap} map
+ */
 function rowTicks(lesson, map) {
   const every = Math.max(1, Math.ceil(lesson.readings.length / (map.area.width / 40)));
   const marks = lesson.readings
@@ -69,7 +87,13 @@ function rowTicks(lesson, map) {
   return { marks: marks.filter(({ at }) => at >= map.view.x[0] && at <= map.view.x[1]), note: "" };
 }
 
-/** The path of the line of θ, or through its predictions. */
+/**
+ * The path of the line of θ, or through its predictions.
+ * @param {Lesson} lesson
+ * @param {Pair} theta
+ * @param {DataFrame} frame
+ * @param {ScreenMap} map
+ */
 function curvePath(lesson, theta, frame, map) {
   if (!lesson.isLine) {
     return pathThrough(
@@ -84,6 +108,12 @@ function curvePath(lesson, theta, frame, map) {
   return ends === null ? "" : pathThrough(map, ends, false);
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {OtherReading} other
+ * @param {DataFrame} frame
+ * @param {ScreenMap} map
+ */
 function otherReading(lesson, other, frame, map) {
   if (!lesson.isLine) return null;
   const place = [frame.number(0, other.phi[0]), bounded(frame.height(other.phi, other.y), map)];
@@ -91,6 +121,13 @@ function otherReading(lesson, other, frame, map) {
   return element("circle", { class: "other", cx: round(x), cy: round(y), r: 2.5 });
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {Layer[]} layers
+ * @param {DataFrame} frame
+ * @param {ScreenMap} map
+ */
 function estimateLines(lesson, state, layers, frame, map) {
   const lines = layers
     .filter(
@@ -108,17 +145,25 @@ function estimateLines(lesson, state, layers, frame, map) {
   return element("g", {}, lines);
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {Scene} scene
+ * @param {DataFrame} frame
+ * @param {ScreenMap} map
+ */
 function chosenLine(lesson, state, scene, frame, map) {
   const chosen = state.hover ?? state.selection;
   if (chosen?.kind === "point")
     return element("path", { class: "curve of-point", d: curvePath(lesson, chosen.theta, frame, map) });
   if (chosen?.kind !== "vertex" || chosen.index >= scene.region.vertices.length) return element("path");
   const { theta } = scene.region.vertices[chosen.index];
+  /** @type {Place[]} */
   const labelled = [];
   const ends = activeAt(lesson, scene.region, chosen.index)
-    .filter((name) => name.row !== null)
+    .flatMap(({ row, bound }) => (row === null ? [] : [{ row, bound }]))
     .map((name) => {
-      const reading = lesson.readings[lesson.rowIndex.get(name.row)];
+      const reading = readingOfRow(lesson, name.row);
       const half = frame.length(reading.epsilon.times(scene.s)) * (name.bound === "upper" ? 1 : -1);
       const [x, y] = map.to([frame.across(reading), frame.height(reading.phi, reading.y) + half]);
       // Labels of readings at the same place would cover each other.
@@ -145,6 +190,15 @@ function chosenLine(lesson, state, scene, frame, map) {
   );
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {Scene} scene
+ * @param {Reading} reading
+ * @param {DataFrame} frame
+ * @param {ScreenMap} map
+ * @param {number} focused
+ */
 function drawnReading(lesson, state, scene, reading, frame, map, focused) {
   const chosen = state.hover ?? state.selection;
   const u = frame.across(reading);
@@ -159,9 +213,12 @@ function drawnReading(lesson, state, scene, reading, frame, map, focused) {
   if (used.off) classes.push("off");
   if (used.current) classes.push("current");
   if (chosen?.kind === "reading" && chosen.row === reading.row) classes.push("chosen");
-  if (chosen?.violated?.has(reading.row)) classes.push("violated");
-  if (chosen?.near !== undefined && chosen?.near >> 1 === reading.index) classes.push("chosen");
-  const name = lesson.isLine ? lesson.data.model.x : "row";
+  if (chosen?.kind === "point") {
+    if (chosen.violated?.has(reading.row)) classes.push("violated");
+    if (chosen.near !== undefined && chosen.near >> 1 === reading.index) classes.push("chosen");
+  }
+  const { model } = lesson.data;
+  const name = model.kind === "line" ? model.x : "row";
   const abscissa = lesson.isLine ? plain(reading.phi[0]) : `${reading.row}`;
   return element(
     "g",
@@ -190,18 +247,30 @@ function drawnReading(lesson, state, scene, reading, frame, map, focused) {
   );
 }
 
+/**
+ * @param {Scene} scene
+ * @param {Reading} reading
+ */
 function readingUse(scene, reading) {
-  const { without, among } = scene.region;
+  const { among } = scene;
   const upper = 2 * reading.index;
   return {
     off:
-      without === reading.row || (among !== null && !scene.among.has(upper) && !scene.among.has(upper + 1)),
+      scene.region.without === reading.row ||
+      (among !== null && !among.has(upper) && !among.has(upper + 1)),
     shaping: scene.shaping.has(upper) || scene.shaping.has(upper + 1),
     current: scene.current !== null && scene.current.half_plane >> 1 === reading.index,
   };
 }
 
-// An end that shapes the region has the triangle that the lists use for its name.
+/**
+ * An end that shapes the region has the triangle that the lists use for its name.
+ * @param {Lesson} lesson
+ * @param {Scene} scene
+ * @param {Reading} reading
+ * @param {"upper" | "lower"} bound
+ * @param {Place} place
+ */
 function end(lesson, scene, reading, bound, place) {
   const index = 2 * reading.index + (bound === "upper" ? 0 : 1);
   if (!scene.shaping.has(index)) return element("path");

@@ -1,18 +1,22 @@
+// @ts-check
 // The layers: what else can be drawn over the feasible set, and the list in which they are switched on.
 
-import { byId, element, patch } from "./dom.js";
-import { mark } from "./axes.js";
-import { Rational } from "./rational.js";
-import { THETA, withMinus } from "./format.js";
+import { byId, element, patch } from "../dom.js";
+import { mark } from "../planes/axes.js";
+import { Rational } from "../model/rational.js";
+import { THETA, withMinus } from "../model/format.js";
 
+/** @param {NumberData[]} theta */
 const exactPoint = (theta) => theta.map((number) => Rational.parse(number.exact));
 
+/** @param {FitData["eui"] | FitData["pui"]} ends */
 function boxCorners(ends) {
-  if (ends === null || ends === undefined) return null;
+  if (ends === null) return null;
   const values = ends
     .flatMap((end) => [end.lower, end.upper])
-    .map((end) => (end?.value === undefined ? end : end.value));
-  if (values.some((value) => value === null || value === undefined)) return null;
+    .map((end) => (end !== null && "value" in end ? end.value : end))
+    .filter((value) => value !== null);
+  if (values.length < 4) return null;
   const [left, right, bottom, top] = values.map((value) => Rational.parse(value.exact));
   return [
     [left, bottom],
@@ -24,13 +28,22 @@ function boxCorners(ends) {
 
 /**
  * The layers of a lesson.
- * @returns {{id: string, name: string, note: string, shape: string|null, polygon: Rational[][]|null,
- *   points: Rational[][], why: string|null}[]} `why` says why a layer cannot be shown
+ * @param {Lesson} lesson
+ * @returns {Layer[]}
  */
 export function layersOf(lesson) {
   const { fit, layers } = lesson.data;
+  /** @param {string} key */
   const reason = (key) =>
     fit.reasons?.[key] ?? (fit.fps.kind === "empty" ? "the FPS is empty" : "the FPS is unbounded");
+  /**
+   * @param {string} id
+   * @param {string} name
+   * @param {string} note
+   * @param {Shape} shape
+   * @param {NumberData[] | null | undefined} theta
+   * @param {string} key
+   */
   const point = (id, name, note, shape, theta, key) => ({
     id,
     name,
@@ -40,6 +53,13 @@ export function layersOf(lesson) {
     points: theta ? [exactPoint(theta)] : [],
     why: theta ? null : reason(key),
   });
+  /**
+   * @param {string} id
+   * @param {string} name
+   * @param {string} note
+   * @param {Pair[] | null} polygon
+   * @param {string} why
+   */
   const area = (id, name, note, polygon, why) => {
     const drawn = polygon !== null && polygon.length > 0;
     return {
@@ -53,10 +73,11 @@ export function layersOf(lesson) {
     };
   };
   const { directions } = layers;
+  /** @param {number[] | null} indices */
   const corners = (indices) => indices?.map((index) => lesson.points[index]) ?? null;
   // The list of an unbounded outer polygon is not a closed one.
   const bounded = fit.central !== null;
-  const solved = layers.lp.flatMap((solver) => solver.claims).filter((claim) => claim.point !== null);
+  const solved = layers.lp.flatMap((solver) => solver.claims).flatMap(({ point }) => (point === null ? [] : [point]));
   return [
     area(
       "pui-box",
@@ -110,12 +131,13 @@ export function layersOf(lesson) {
       note: "where floating-point linear programming ends up; judged below",
       shape: "square",
       polygon: null,
-      points: solved.map((claim) => exactPoint(claim.point)),
+      points: solved.map(exactPoint),
       why: solved.length > 0 ? null : "no solver returned a point",
     },
   ];
 }
 
+/** @param {FitData["minimax"]} minimax */
 function minimaxNote(minimax) {
   if (!minimax) return "";
   return minimax.unique
@@ -123,7 +145,10 @@ function minimaxNote(minimax) {
     : "one of the last points left as ε shrinks";
 }
 
-/** The symbol of a layer, as in the pictures. */
+/**
+ * The symbol of a layer, as in the pictures.
+ * @param {Layer} layer
+ */
 function symbol(layer) {
   const drawing =
     layer.polygon === null && layer.shape !== null
@@ -132,8 +157,14 @@ function symbol(layer) {
   return element("svg", { class: "symbol", width: 28, height: 18, "aria-hidden": "true" }, drawing);
 }
 
-/** Draws the list of layers and the referee's table. */
+/**
+ * Draws the list of layers and the referee's table.
+ * @param {Lesson} lesson
+ * @param {Layer[]} layers
+ * @param {State} state
+ */
 export function drawLayerList(lesson, layers, state) {
+  /** @param {Layer} layer */
   const row = (layer) =>
     element(
       "li",
@@ -162,6 +193,7 @@ export function drawLayerList(lesson, layers, state) {
   patch(byId("referee"), state.layers.has("lp") ? refereeTable(lesson) : []);
 }
 
+/** @param {Lesson} lesson */
 function refereeTable(lesson) {
   const rows = lesson.data.layers.lp.flatMap((solver) =>
     solver.claims.map((claim) =>

@@ -1,3 +1,4 @@
+// @ts-check
 // Numbers and names as text.
 
 import { HALF, Rational, decimalPower, powerOfTen } from "./rational.js";
@@ -10,7 +11,10 @@ const LONGEST_LIST = 12;
 const SHORTEST_RUN = 3;
 const MINUS = "\u2212";
 
-/** Puts typographic minus signs into the text of a number. */
+/**
+ * Puts typographic minus signs into the text of a number.
+ * @param {string} text
+ */
 export function withMinus(text) {
   return text.replace(/-/g, MINUS);
 }
@@ -19,6 +23,7 @@ export function withMinus(text) {
  * A decimal with at most `digits` significant digits, the one that the engine writes.
  * @param {Rational} value
  * @param {"nearest"|"down"|"up"} rounding ends of intervals are rounded outward: lower ends down, upper ends up
+ * @param {number} [digits]
  */
 export function decimal(value, digits = 5, rounding = "nearest") {
   if (value.isZero()) return "0";
@@ -47,7 +52,12 @@ export function decimal(value, digits = 5, rounding = "nearest") {
   return withMinus((negative ? "-" : "") + placePoint(text, exponent, exact));
 }
 
-// The engine's rule for where the point stands and when a power of ten is written.
+/**
+ * The engine's rule for where the point stands and when a power of ten is written.
+ * @param {string} text
+ * @param {number} exponent
+ * @param {boolean} exact
+ */
 function placePoint(text, exponent, exact) {
   const count = text.length;
   if (exponent === -1) return `0.${text}`;
@@ -59,7 +69,10 @@ function placePoint(text, exponent, exact) {
   return `${head}e${exponent}`;
 }
 
-/** A measured value as it was written down, 0.013 and not 1.3e-2, when its decimal is short; else five digits. */
+/**
+ * A measured value as it was written down, 0.013 and not 1.3e-2, when its decimal is short; else five digits.
+ * @param {Rational} value
+ */
 export function plain(value) {
   if (!value.isZero() && value.decimalExponent() > LARGEST_PLAIN) return decimal(value);
   for (let places = 0; places <= MOST_PLACES; places += 1) {
@@ -73,60 +86,94 @@ export function plain(value) {
   return decimal(value);
 }
 
-/** Five significant digits, or as many more as it takes to tell values apart that differ by `width`. */
+/**
+ * Five significant digits, or as many more as it takes to tell values apart that differ by `width`.
+ * @param {Rational} value
+ * @param {Rational} width
+ */
 export function digitsFor(value, width) {
   if (value.isZero() || width.isZero()) return 5;
   const firstThatDiffers = value.decimalExponent() - width.decimalExponent() + 1;
   return firstThatDiffers > 5 && firstThatDiffers < MOST_DIGITS ? firstThatDiffers + 1 : 5;
 }
 
-/** A fraction short enough to read: the middle of a long one is left out. Tests and copies use the whole one. */
+/**
+ * A fraction short enough to read: the middle of a long one is left out. Tests and copies use the whole one.
+ * @param {string} text
+ */
 export function shortFraction(text) {
   if (text.length <= LONGEST_FRACTION) return withMinus(text);
+  /** @param {string} part */
   const shorten = (part) => (part.length <= 20 ? part : `${part.slice(0, 9)}…${part.slice(-6)}`);
   return withMinus(text.split("/").map(shorten).join("/"));
 }
 
-/** "upper bound of reading 14" or "condition 1" for a half-plane's name. */
+/**
+ * "upper bound of reading 14" or "condition 1" for a half-plane's name.
+ * @param {BoundName} name
+ */
 export function boundText(name) {
   if (name.row === null) return `condition ${name.bound.split(":")[1]}`;
   return `${name.bound} bound of reading ${name.row}`;
 }
 
-/** The same within a sentence: "the upper bound of reading 14" or "condition 1". */
+/**
+ * The same within a sentence: "the upper bound of reading 14" or "condition 1".
+ * @param {BoundName} name
+ */
 export function theBound(name) {
   return name.row === null ? boundText(name) : `the ${boundText(name)}`;
 }
 
-/** "14 ▾" for lists where space is short: ▾ upper bound, ▴ lower bound. */
+/**
+ * "14 ▾" for lists where space is short: ▾ upper bound, ▴ lower bound.
+ * @param {BoundName} name
+ */
 export function boundMark(name) {
   if (name.row === null) return `condition ${name.bound.split(":")[1]}`;
   return `${name.row}\u202f${name.bound === "upper" ? "▾" : "▴"}`;
 }
 
-/** "a, b and c". */
+/**
+ * "a, b and c".
+ * @param {(string | number)[]} items
+ */
 export function enumeration(items) {
   if (items.length < 2) return items.join("");
   return `${items.slice(0, -1).join(", ")} and ${items[items.length - 1]}`;
 }
 
-/** An enumeration that stops when it gets long: "a, b and 48 more". */
+/**
+ * An enumeration that stops when it gets long: "a, b and 48 more".
+ * @param {(string | number)[]} items
+ */
 export function shortEnumeration(items) {
   if (items.length <= LONGEST_LIST + 1) return enumeration(items);
   return enumeration([...items.slice(0, LONGEST_LIST), `${items.length - LONGEST_LIST} more`]);
 }
 
-/** "1 vertex", "3 vertices". */
+/**
+ * "1 vertex", "3 vertices".
+ * @param {number} count
+ * @param {string} one
+ * @param {string} [many]
+ */
 export function counted(count, one, many = `${one}s`) {
   return `${count} ${count === 1 ? one : many}`;
 }
 
-/** The number of vertex 0, 1, …, as reports and figures have it: 1, 2, … */
+/**
+ * The number of vertex 0, 1, …, as reports and figures have it: 1, 2, …
+ * @param {number} index
+ */
 export function vertexName(index) {
   return `${index + 1}`;
 }
 
-/** The numbers of vertices that are drawn at one place: "4, 5", or "4–9" for many in a row. */
+/**
+ * The numbers of vertices that are drawn at one place: "4, 5", or "4–9" for many in a row.
+ * @param {number[]} indices
+ */
 export function vertexNames(indices) {
   const runs = [];
   for (const index of indices) {
@@ -134,6 +181,7 @@ export function vertexNames(indices) {
     if (last !== undefined && last[1] === index - 1) last[1] = index;
     else runs.push([index, index]);
   }
+  /** @param {number[]} run */
   const part = ([first, last]) =>
     last - first < SHORTEST_RUN
       ? indices.filter((index) => index >= first && index <= last).map(vertexName)
@@ -160,7 +208,11 @@ const KINDS = {
   plane: "the whole plane (unbounded)",
 };
 
-/** A region's kind in words, with the number of vertices where that says something. */
+/**
+ * A region's kind in words, with the number of vertices where that says something.
+ * @param {Kind} kind
+ * @param {number} vertices
+ */
 export function kindText(kind, vertices) {
   const count = kind.endsWith("polygon") ? ` with ${counted(vertices, "vertex", "vertices")}` : "";
   return KINDS[kind] + count;

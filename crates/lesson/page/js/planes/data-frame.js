@@ -1,9 +1,15 @@
+// @ts-check
 // The frame of the data plane: heights as measured or relative to the reference line, ready for drawing.
 
 import { boundingView } from "./view.js";
-import { ONE, Rational, ZERO, coordinate, decimalPower, dot, extremes, proportions } from "./rational.js";
+import { ONE, Rational, ZERO, coordinate, decimalPower, dot, extremes, proportions } from "../model/rational.js";
 
-/** Exact origins and units of both axes; in the residual view heights are relative to the reference line. */
+/**
+ * Exact origins and units of both axes; in the residual view heights are relative to the reference line.
+ * @param {Lesson} lesson
+ * @param {boolean} residual
+ * @returns {DataFrame}
+ */
 export function dataFrame(lesson, residual) {
   const reference = residual && lesson.reference !== null ? lesson.reference.theta : [ZERO, ZERO];
   const { readings } = lesson;
@@ -11,6 +17,10 @@ export function dataFrame(lesson, residual) {
   const across = lesson.isLine
     ? readings.map((reading) => reading.phi[0])
     : readings.map((r) => new Rational(BigInt(r.index)));
+  /**
+   * @param {Rational[]} values
+   * @param {Rational} least
+   */
   const unitOf = (values, least) => {
     const [low, high] = values.length === 0 ? [ZERO, ONE] : extremes(values);
     const width = high.minus(low);
@@ -23,7 +33,9 @@ export function dataFrame(lesson, residual) {
   // Relative heights keep the true zero.
   const y = unitOf(heights, widest);
   if (residual) y.origin = ZERO;
+  /** @param {Rational} value */
   const placeX = (value) => coordinate(value.minus(x.origin).over(x.unit));
+  /** @param {Rational} value */
   const placeY = (value) => coordinate(value.minus(y.origin).over(y.unit));
   return {
     isLine: lesson.isLine,
@@ -32,7 +44,6 @@ export function dataFrame(lesson, residual) {
     across: (reading) => placeX(lesson.isLine ? reading.phi[0] : new Rational(BigInt(reading.index))),
     height: (phi, value) => placeY(value.minus(dot(phi, reference))),
     length: (epsilon) => coordinate(epsilon.over(y.unit)),
-    /** The line of θ as v = slope·u + start in frame coordinates. */
     line: (theta) => {
       const [d1, d2] = [theta[0].minus(reference[0]), theta[1].minus(reference[1])];
       return {
@@ -49,7 +60,12 @@ export function dataFrame(lesson, residual) {
   };
 }
 
-/** The view that holds all fitted readings. */
+/**
+ * The view that holds all fitted readings.
+ * @param {Lesson} lesson
+ * @param {DataFrame} frame
+ * @param {Rational} s
+ */
 export function automaticDataView(lesson, frame, s) {
   const points = lesson.readings.flatMap((reading) => {
     const u = frame.across(reading);

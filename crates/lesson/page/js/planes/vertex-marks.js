@@ -1,9 +1,10 @@
+// @ts-check
 // What can be pointed at in the parameter plane: the vertices and the free point.
 
-import { element } from "./dom.js";
+import { element } from "../dom.js";
 import { round } from "./axes.js";
-import { activeAt } from "./model.js";
-import { boundText, shortEnumeration, vertexName, vertexNames } from "./format.js";
+import { activeAt } from "../model/lesson.js";
+import { boundText, shortEnumeration, vertexName, vertexNames } from "../model/format.js";
 
 const NEAREST_LABELS = 24;
 const LABEL_DISTANCE = 16;
@@ -12,7 +13,14 @@ const BASELINE = 5;
 // Labels stand beside marks rather than above or below them when the way out is mostly to a side.
 const SIDEWAYS = 0.7;
 
-/** The vertices of the region shown, each a button of its own. */
+/**
+ * The vertices of the region shown, each a button of its own.
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {Scene} scene
+ * @param {ScreenMap} map
+ * @param {number} focused
+ */
 export function vertexMarks(lesson, state, scene, map, focused) {
   const chosen = state.hover ?? state.selection;
   const born = new Set(scene.current?.born ?? []);
@@ -45,14 +53,24 @@ export function vertexMarks(lesson, state, scene, map, focused) {
   });
 }
 
+/**
+ * @param {Place} point
+ * @param {Area} area
+ */
 function isInside([x, y], { left, top, width, height }) {
   return x >= left - 1 && x <= left + width + 1 && y >= top - 1 && y <= top + height + 1;
 }
 
-/** The numbers beside the vertices. */
+/**
+ * The numbers beside the vertices.
+ * @param {State} state
+ * @param {Scene} scene
+ * @param {ScreenMap} map
+ */
 export function vertexNumbers(state, scene, map) {
   const chosen = state.hover ?? state.selection;
   const pixels = scene.places.map(map.to);
+  /** @param {number} axis */
   const share = (axis) => pixels.reduce((sum, pixel) => sum + pixel[axis] / pixels.length, 0);
   const centre = [share(0), share(1)];
   return labelGroups(pixels, map.area).map((group) => {
@@ -65,8 +83,13 @@ export function vertexNumbers(state, scene, map) {
   });
 }
 
-/** The vertices in view, in groups that share a label: labels that cover each other say nothing. */
+/**
+ * The vertices in view, in groups that share a label: labels that cover each other say nothing.
+ * @param {Place[]} pixels
+ * @param {Area} area
+ */
 function labelGroups(pixels, area) {
+  /** @type {number[][]} */
   const groups = [];
   pixels.forEach(([x, y], index) => {
     if (!isInside([x, y], area)) return;
@@ -79,7 +102,13 @@ function labelGroups(pixels, area) {
   return groups;
 }
 
-/** Where the label of a group stands: on the outer side of the set, clear of the group's marks. */
+/**
+ * Where the label of a group stands: on the outer side of the set, clear of the group's marks.
+ * @param {number[]} group
+ * @param {Place[]} pixels
+ * @param {Place} centre
+ * @param {Area} area
+ */
 function besideGroup(group, pixels, centre, { left, width }) {
   const [xs, ys] = [0, 1].map((axis) => group.map((index) => pixels[index][axis]));
   const middle = [xs, ys].map((values) => values.reduce((sum, value) => sum + value, 0) / values.length);
@@ -89,6 +118,11 @@ function besideGroup(group, pixels, centre, { left, width }) {
   const beside = middle[1] + dy * LABEL_DISTANCE + BASELINE;
   const right = Math.max(...xs) + LABEL_DISTANCE / 2;
   const isRoom = right + DIGIT_WIDTH * vertexNames(group).length < left + width;
+  /**
+   * @param {number} x
+   * @param {number} y
+   * @param {string} anchor
+   */
   const place = (x, y, anchor) => ({ x: round(x), y: round(y), "text-anchor": anchor });
   if (dx > SIDEWAYS && isRoom) return place(right, beside, "start");
   if (dx < -SIDEWAYS) return place(Math.min(...xs) - LABEL_DISTANCE / 2, beside, "end");
@@ -97,7 +131,13 @@ function besideGroup(group, pixels, centre, { left, width }) {
   return place(middle[0], edge + BASELINE, "middle");
 }
 
-/** The free point, under the pointer or chosen. */
+/**
+ * The free point, under the pointer or chosen.
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {Scene} scene
+ * @param {ScreenMap} map
+ */
 export function chosenPoint(lesson, state, scene, map) {
   const chosen = [state.hover, state.selection].find((choice) => choice?.kind === "point");
   if (chosen === undefined) return element("g");

@@ -1,30 +1,40 @@
+// @ts-check
 // Stepping through the clipping: the controls, and what each step did.
 
-import { byId, element, patch } from "./dom.js";
-import { boundText, counted, decimal, digitsFor, kindText, shortEnumeration, theBound, withMinus } from "./format.js";
+import { byId, element, patch, targetOf } from "../dom.js";
+import { boundText, counted, decimal, digitsFor, kindText, shortEnumeration, theBound, withMinus } from "../model/format.js";
 import { inequality } from "./inspector.js";
 import { numberWithFraction } from "./summary.js";
-import { ONE } from "./rational.js";
+import { ONE } from "../model/rational.js";
 
 const MILLISECONDS_PER_STEP = 1200;
 
-/** Connects the controls. */
+/**
+ * Connects the controls.
+ * @param {Lesson} lesson
+ * @param {Store} store
+ */
 export function connectClipping(lesson, store) {
   const last = () => lesson.data.orders[store.get().order].steps.length;
+  /**
+   * @param {number} step
+   * @param {boolean} [playing]
+   */
   const go = (step, playing = false) =>
     store.change({ mode: "clip", step: Math.max(0, Math.min(last(), step)), playing });
   byId("step-first").addEventListener("click", () => go(0));
   byId("step-back").addEventListener("click", () => go(store.get().step - 1));
   byId("step-forward").addEventListener("click", () => go(store.get().step + 1));
   byId("step-last").addEventListener("click", () => go(last()));
-  byId("step-slider").addEventListener("input", (event) => go(Number(event.target.value)));
+  byId("step-slider").addEventListener("input", (event) => go(Number(targetOf(event).value)));
   byId("clip-order").addEventListener("change", (event) => {
-    store.change({ mode: "clip", order: Number(event.target.value), step: 0, playing: false });
+    store.change({ mode: "clip", order: Number(targetOf(event).value), step: 0, playing: false });
   });
   byId("step-play").addEventListener("click", () => {
     const { playing, step } = store.get();
     store.change({ mode: "clip", playing: !playing, step: !playing && step === last() ? 0 : step });
   });
+  /** @type {ReturnType<typeof setInterval> | null} */
   let timer = null;
   store.subscribe((state) => {
     const run = state.playing && state.mode === "clip";
@@ -46,6 +56,11 @@ export function connectClipping(lesson, store) {
   );
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {Scene} scene
+ * @param {number[]} indices
+ */
 function pointTexts(lesson, scene, indices) {
   return element(
     "ul",
@@ -68,6 +83,10 @@ function pointTexts(lesson, scene, indices) {
   );
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {RedundancyData} redundant
+ */
 function redundancy(lesson, redundant) {
   if (redundant.why === "always") return "It is redundant: it holds for every θ.";
   if (redundant.why === "already-empty") return "It is redundant: the set is empty already.";
@@ -85,7 +104,12 @@ function redundancy(lesson, redundant) {
   return `It is redundant, dominated by ${terms.length === 1 ? "one half-plane" : "two half-planes"} added before: ${terms.join(" + ")} gives the same left side with a right side at least as small.${slack}`;
 }
 
-/** What a step did, in one sentence for the live region. */
+/**
+ * What a step did, in one sentence for the live region.
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {Scene} scene
+ */
 export function stepSentence(lesson, state, scene) {
   if (scene.current === null)
     return "Step 0: the whole plane. Nothing has been measured yet, so every θ is possible.";
@@ -98,12 +122,17 @@ export function stepSentence(lesson, state, scene) {
   return `Step ${state.step}: ${name}: ${did}.`;
 }
 
-/** Draws the controls' state and the story of the step. */
+/**
+ * Draws the controls' state and the story of the step.
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {Scene} scene
+ */
 export function drawClipping(lesson, state, scene) {
   const order = lesson.data.orders[state.order];
   const slider = byId("step-slider");
-  slider.max = order.steps.length;
-  slider.value = state.step;
+  slider.max = `${order.steps.length}`;
+  slider.value = `${state.step}`;
   slider.setAttribute("aria-valuetext", `step ${state.step} of ${order.steps.length}`);
   byId("clip-order").value = `${state.order}`;
   byId("clip-note").textContent = order.note;
@@ -118,14 +147,19 @@ export function drawClipping(lesson, state, scene) {
   if (state.mode === "clip") patch(byId("step-story"), story(lesson, state, scene));
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {Scene} scene
+ */
 function story(lesson, state, scene) {
   if (scene.current === null) return [element("p", {}, stepSentence(lesson, state, scene))];
   const halfPlane = lesson.halfPlanes[scene.current.half_plane];
   const { born, lost, redundant } = scene.current;
   const lists = [
-    ["Born", born, "born"],
-    ["Lost", lost, "lost"],
-  ].filter(([, indices]) => indices.length > 0);
+    { head: "Born", indices: born, id: "born" },
+    { head: "Lost", indices: lost, id: "lost" },
+  ].filter(({ indices }) => indices.length > 0);
   return [
     element(
       "p",
@@ -142,7 +176,7 @@ function story(lesson, state, scene) {
         ? `The set is now ${kindText(scene.region.kind, scene.region.vertices.length)}.`
         : "",
     ),
-    lists.map(([head, indices, id]) =>
+    lists.map(({ head, indices, id }) =>
       element(
         "div",
         { id: `step-${id}` },
@@ -153,7 +187,10 @@ function story(lesson, state, scene) {
   ].flat();
 }
 
-/** "the upper bound of reading 14 and the lower bound of reading 36" */
+/**
+ * "the upper bound of reading 14 and the lower bound of reading 36"
+ * @param {BoundName[]} names
+ */
 export function namesText(names) {
   return shortEnumeration(names.map(theBound));
 }

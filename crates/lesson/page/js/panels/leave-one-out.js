@@ -1,26 +1,32 @@
+// @ts-check
 // The table of readings with their switches, and what the PUI gains or loses by one of them.
 
-import { byId, element, patch } from "./dom.js";
-import { boundsOf } from "./model.js";
-import { THETA, decimal, digitsFor, plain, withMinus } from "./format.js";
+import { byId, closest, element, patch, targetOf } from "../dom.js";
+import { boundsOf } from "../model/lesson.js";
+import { THETA, decimal, digitsFor, plain, withMinus } from "../model/format.js";
 
 const LONG_NAME = 14;
+/** @type {{ parameter: string, axis: number, end: "lower" | "upper" }[]} */
 const ENDS = [
-  ["theta1", "lower"],
-  ["theta1", "upper"],
-  ["theta2", "lower"],
-  ["theta2", "upper"],
+  { parameter: "theta1", axis: 0, end: "lower" },
+  { parameter: "theta1", axis: 0, end: "upper" },
+  { parameter: "theta2", axis: 1, end: "lower" },
+  { parameter: "theta2", axis: 1, end: "upper" },
 ];
 
-/** Connects the table: a switch turns one reading off and any other one on again. */
+/**
+ * Connects the table: a switch turns one reading off and any other one on again.
+ * @param {Lesson} lesson
+ * @param {Store} store
+ */
 export function connectLeaveOneOut(lesson, store) {
   byId("readings").addEventListener("change", (event) => {
-    const row = Number(event.target.dataset.row);
-    if (event.target.checked) store.change({ mode: "explore", without: null });
+    const row = Number(targetOf(event).dataset.row);
+    if (targetOf(event).checked) store.change({ mode: "explore", without: null });
     else store.change({ mode: "leave-one-out", without: row });
   });
   byId("readings").addEventListener("click", (event) => {
-    const button = event.target.closest("button[data-show-row]");
+    const button = closest(event, "button[data-show-row]");
     if (button === null) return;
     const row = Number(button.dataset.showRow);
     const { selection } = store.get();
@@ -29,9 +35,10 @@ export function connectLeaveOneOut(lesson, store) {
     });
   });
   byId("leave-out").addEventListener("change", (event) => {
-    const row = event.target.value === "" ? null : Number(event.target.value);
+    const row = targetOf(event).value === "" ? null : Number(targetOf(event).value);
     store.change({ mode: "leave-one-out", without: row });
   });
+  /** @param {WithoutData} options */
   const option = ({ row, matters }) =>
     element("option", { value: `${row}` }, `reading ${row}${matters ? "" : " (does not matter)"}`);
   patch(
@@ -40,11 +47,21 @@ export function connectLeaveOneOut(lesson, store) {
   );
 }
 
+/**
+ * @param {Rational | null} value
+ * @param {Rational | null} width
+ * @param {"down" | "up"} rounding
+ */
 function endText(value, width, rounding) {
   if (value === null) return rounding === "down" ? "−∞" : "∞";
   return decimal(value, width === null ? 5 : digitsFor(value, width), rounding);
 }
 
+/**
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {Scene} scene
+ */
 function effect(lesson, state, scene) {
   const entry = lesson.data.leave_one_out.find(({ row }) => row === state.without);
   if (entry === undefined)
@@ -71,8 +88,7 @@ function effect(lesson, state, scene) {
       ),
     ];
   }
-  const rows = ENDS.map(([parameter, end]) => {
-    const axis = parameter === "theta1" ? 0 : 1;
+  const rows = ENDS.map(({ parameter, axis, end }) => {
     const rounding = end === "lower" ? "down" : "up";
     const { lower, upper } = before[axis];
     const width = lower === null || upper === null ? null : upper.minus(lower);
@@ -113,17 +129,27 @@ function effect(lesson, state, scene) {
   ];
 }
 
-/** Draws the effect of the switch. */
+/**
+ * Draws the effect of the switch.
+ * @param {Lesson} lesson
+ * @param {State} state
+ * @param {Scene} scene
+ */
 export function drawLeaveOneOut(lesson, state, scene) {
   byId("leave-out").value = state.without === null ? "" : `${state.without}`;
   if (state.mode === "leave-one-out") patch(byId("leave-one-out-story"), effect(lesson, state, scene));
 }
 
-/** Draws the table of readings. */
+/**
+ * Draws the table of readings.
+ * @param {Lesson} lesson
+ * @param {State} state
+ */
 export function drawReadings(lesson, state) {
   const { model } = lesson.data;
   const columns = model.kind === "line" ? [model.x] : model.regressors;
   const heads = ["row", ...columns, model.y, "ε", "matters", "use"];
+  /** @param {Reading} reading */
   const row = (reading) => {
     const matters = lesson.matters.get(reading.row);
     const off = state.mode === "leave-one-out" && state.without === reading.row;

@@ -1,12 +1,17 @@
+// @ts-check
 // The drawing area of a picture with its axes, and the marks both planes share.
 
-import { element } from "./dom.js";
+import { element } from "../dom.js";
 import { axisTicks } from "./ticks.js";
 
 // The style sheet's, for measuring.
 const AXIS_FONT = "600 13px";
 
-/** Room for tick labels and axis names. */
+/**
+ * Room for tick labels and axis names.
+ * @param {number} width
+ * @param {number} height
+ */
 export function plotArea(width, height) {
   const left = width < 480 ? 52 : 58;
   return { left, top: 30, width: width - left - 14, height: height - 30 - 46 };
@@ -14,11 +19,11 @@ export function plotArea(width, height) {
 
 /**
  * Grid, tick labels and axis names.
- * @param {Object} map the screen map
- * @param {function} exact (axis, frame coordinate) → exact value
- * @param {function} number (axis, exact value) → frame coordinate
+ * @param {ScreenMap} map
+ * @param {(axis: number, number: number) => Rational} exact
+ * @param {(axis: number, value: Rational) => number} number
  * @param {string[]} names of the axes
- * @param {Object|null} given ticks for the first axis in place of round numbers: [{at, label}]
+ * @param {AxisMarks|null} given ticks for the first axis in place of round numbers
  */
 export function axes(map, exact, number, names, given = null) {
   const { area, view } = map;
@@ -26,6 +31,11 @@ export function axes(map, exact, number, names, given = null) {
   const bottom = area.top + area.height;
   const across = given ?? ticksOn(0, view.x, area.width / 85);
   const up = ticksOn(1, view.y, area.height / 55);
+  /**
+   * @param {number} axis
+   * @param {number[]} range
+   * @param {number} room
+   */
   function ticksOn(axis, range, room) {
     const { ticks, note } = axisTicks(
       exact(axis, range[0]),
@@ -64,8 +74,14 @@ export function axes(map, exact, number, names, given = null) {
   );
 }
 
-/** The name of an axis and the note on its ticks; a name that does not fit into so many pixels is cut. */
+/**
+ * The name of an axis and the note on its ticks; a name that does not fit into so many pixels is cut.
+ * @param {string} name
+ * @param {string} note
+ * @param {number} room
+ */
 function titled(name, note, room) {
+  /** @param {number} count */
   const text = (count) =>
     `${count < name.length ? `${name.slice(0, count).trimEnd()}…` : name}  ${note}`;
   let count = name.length;
@@ -74,22 +90,32 @@ function titled(name, note, room) {
   return text(count);
 }
 
+/** @type {CanvasRenderingContext2D | null} */
 let ruler = null;
 
+/** @param {string} text */
 function textWidth(text) {
   if (ruler === null) {
-    ruler = document.createElement("canvas").getContext("2d");
+    ruler = /** @type {CanvasRenderingContext2D} */ (document.createElement("canvas").getContext("2d"));
     ruler.font = `${AXIS_FONT} ${getComputedStyle(document.body).fontFamily}`;
   }
   return ruler.measureText(text).width;
 }
 
-/** A pixel coordinate with two decimals. */
+/**
+ * A pixel coordinate with two decimals.
+ * @param {number} value
+ */
 export function round(value) {
   return Math.round(value * 100) / 100;
 }
 
-/** The path through points in frame coordinates. */
+/**
+ * The path through points in frame coordinates.
+ * @param {ScreenMap} map
+ * @param {Place[]} points
+ * @param {boolean} closed
+ */
 export function pathThrough(map, points, closed) {
   if (points.length === 0) return "";
   return `M${points.map((point) => map.to(point).map(round).join(" ")).join("L")}${closed ? "Z" : ""}`;
@@ -106,7 +132,12 @@ const SHAPES = {
   "lower-end": "M-5 7H5L0 0Z",
 };
 
-/** A mark of one of the shapes at a pixel position. */
+/**
+ * A mark of one of the shapes at a pixel position.
+ * @param {Shape} shape
+ * @param {Place} point
+ * @param {Attributes} attributes
+ */
 export function mark(shape, [x, y], attributes) {
   return element("path", {
     ...attributes,

@@ -1,17 +1,26 @@
+// @ts-check
 // Convex regions in frame coordinates, cut to the part that is shown. Unbounded regions are cut only here.
 
-import { rightHandSide } from "./model.js";
+import { rightHandSide } from "../model/lesson.js";
 
 // Far enough for a cut region to reach beyond every view, near enough for floating point.
 const FAR = 1e4;
 
+/**
+ * @param {Place} o
+ * @param {Place} p
+ * @param {Place} q
+ */
 function cross(o, p, q) {
   return (p[0] - o[0]) * (q[1] - o[1]) - (p[1] - o[1]) * (q[0] - o[0]);
 }
 
+/** @param {Place[]} points */
 function convexHull(points) {
   const sorted = [...points].sort((p, q) => p[0] - q[0] || p[1] - q[1]);
+  /** @param {Place[]} list */
   const chain = (list) => {
+    /** @type {Place[]} */
     const kept = [];
     for (const point of list) {
       while (kept.length > 1 && cross(kept[kept.length - 2], kept[kept.length - 1], point) <= 0) kept.pop();
@@ -23,6 +32,10 @@ function convexHull(points) {
   return sorted.length < 3 ? sorted : [...chain(sorted), ...chain(sorted.reverse())];
 }
 
+/**
+ * @param {Line} line
+ * @param {Place} point
+ */
 function footOn({ a, b }, [x, y]) {
   const distance = b - a[0] * x - a[1] * y;
   return [x + distance * a[0], y + distance * a[1]];
@@ -30,6 +43,10 @@ function footOn({ a, b }, [x, y]) {
 
 /**
  * Corners of a polygon that agrees with the region inside the view and reaches beyond it where the region does.
+ * @param {Lesson} lesson
+ * @param {Region} region
+ * @param {ParameterFrame} frame
+ * @param {View} view
  * @returns {number[][]} counter-clockwise in frame coordinates; fewer than three for points and lines; [] when empty
  */
 export function cornersOf(lesson, region, frame, view) {
@@ -53,6 +70,7 @@ export function cornersOf(lesson, region, frame, view) {
     ];
   });
   let points = anchors;
+  /** @param {Place[]} directions */
   const spread = (directions) =>
     points.flatMap((p) => [p, ...directions.map((d) => [p[0] + far * d[0], p[1] + far * d[1]])]);
   if (ways.length > 0) points = spread(ways);
@@ -62,10 +80,14 @@ export function cornersOf(lesson, region, frame, view) {
 
 /**
  * A polygon cut by the half-plane a·u ≤ b.
- * @param {{point: number[], cut: boolean}[]} corners `cut` marks corners whose edge to the next one is no true edge
+ * @param {Corner[]} corners
+ * @param {Line} line
+ * @param {boolean} cut whether the edge that the half-plane makes is none of the region's own
  */
 export function clipped(corners, { a, b }, cut) {
+  /** @param {Corner} options */
   const height = ({ point }) => a[0] * point[0] + a[1] * point[1] - b;
+  /** @type {Corner[]} */
   const kept = [];
   corners.forEach((corner, k) => {
     const next = corners[(k + 1) % corners.length];
@@ -80,7 +102,11 @@ export function clipped(corners, { a, b }, cut) {
   return kept;
 }
 
-/** The corners of a polygon inside the view, each marked when the edge to the next one is the view's and not its own. */
+/**
+ * The corners of a polygon inside the view, each marked when the edge to the next one is the view's and not its own.
+ * @param {Place[]} corners
+ * @param {View} view
+ */
 export function cornersInView(corners, view) {
   const walls = [
     { a: [1, 0], b: view.x[1] },
@@ -92,7 +118,11 @@ export function cornersInView(corners, view) {
   return walls.reduce((left, wall) => clipped(left, wall, true), marked);
 }
 
-/** The segment of the line a·u = b inside the view, or null. */
+/**
+ * The segment of the line a·u = b inside the view, or null.
+ * @param {Line} line
+ * @param {View} view
+ */
 export function lineInView({ a, b }, view) {
   const centre = [(view.x[0] + view.x[1]) / 2, (view.y[0] + view.y[1]) / 2];
   const foot = footOn({ a, b }, centre);

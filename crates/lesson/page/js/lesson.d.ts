@@ -1,0 +1,211 @@
+// The document that the engine hands to the page, schema `boundfit/lesson/1`, made by `crates/lesson/src/data.rs`.
+// Half-planes a·θ ≤ b, readings and points of the parameter plane are referred to by their index in the lists
+// `half_planes`, `readings` and `points`. Half-planes 2k and 2k + 1 are the upper and the lower bound of reading k; those of
+// the conditions follow.
+
+/** An exact number: "p/q" in lowest terms, or "n". */
+type Exact = string;
+
+/** A number with the decimal that reports have for it: ends of intervals outward, error bounds up, else to nearest. */
+interface NumberData {
+  exact: Exact;
+  decimal: string;
+}
+
+/** constant + slope·s, or constant + slope·s + quadratic·s², where s multiplies every error bound. */
+interface PolynomialData {
+  constant: Exact;
+  slope: Exact;
+  quadratic?: Exact;
+}
+
+/** The name of a half-plane: "upper" or "lower" with the row of a reading, or "where:1" without one. */
+interface BoundName {
+  row: number | null;
+  bound: string;
+}
+
+interface MultiplierData extends BoundName {
+  multiplier: NumberData;
+}
+
+type Kind =
+  | "empty"
+  | "point"
+  | "segment"
+  | "ray"
+  | "line"
+  | "polygon"
+  | "unbounded-polygon"
+  | "strip"
+  | "half-plane"
+  | "plane";
+
+/** A region whose vertices are points and whose boundaries are half-planes, both by index. */
+interface RegionData {
+  kind: Kind;
+  vertices: number[];
+  rays: Exact[][];
+  lines: Exact[][];
+  boundaries: number[];
+}
+
+/** A region as reports have it: with the names of what is active. */
+interface NamedRegionData<N, D> {
+  kind: Kind;
+  vertices: { theta: N[]; active: BoundName[] }[];
+  rays: D[][];
+  lines: D[][];
+  boundaries: { active: BoundName[] }[];
+}
+
+interface RangeData {
+  lower: NumberData | null;
+  upper: NumberData | null;
+}
+
+interface ProvedEndData {
+  value: NumberData | null;
+  active: MultiplierData[];
+}
+
+interface EstimateData {
+  theta: NumberData[];
+}
+
+/** The parts of `boundfit fit --format json` that the page uses. */
+interface FitData {
+  least_squares: (EstimateData & { in_fps: boolean }) | null;
+  eui: RangeData[] | null;
+  fps: NamedRegionData<NumberData, NumberData> & {
+    area: NumberData | null;
+    certificate: { farkas: MultiplierData[] } | null;
+  };
+  pui: { lower: ProvedEndData; upper: ProvedEndData }[] | null;
+  central: EstimateData | null;
+  minimax: (EstimateData & { unique: boolean; epsilon: NumberData | null }) | null;
+  area_centroid: NumberData[] | null;
+  /** Why a part is null. */
+  reasons: Record<string, string>;
+}
+
+interface ReadingData {
+  row: number;
+  phi: NumberData[];
+  y: NumberData;
+}
+
+interface HalfPlaneData {
+  name: BoundName;
+  a: Exact[];
+  b: Exact;
+  irredundant: boolean;
+}
+
+/** The k-th line holds up to the k-th breakpoint of x; null: from or to infinity. */
+interface EnvelopeData {
+  from: Exact | null;
+  to: Exact | null;
+  nowhere: boolean;
+  lines: number[];
+  breakpoints: Exact[];
+}
+
+interface RedundancyData {
+  why: string;
+  by: { half_plane: number; multiplier: NumberData }[];
+  slack: NumberData | null;
+}
+
+/** What adding one half-plane did; `born` and `lost` are points. */
+interface StepData extends RegionData {
+  half_plane: number;
+  born: number[];
+  lost: number[];
+  redundant: RedundancyData | null;
+}
+
+/** Clipping by all half-planes in one order. */
+interface OrderData {
+  id: string;
+  name: string;
+  note: string;
+  steps: StepData[];
+}
+
+/** The set at a factor where half-planes enter or leave. */
+interface BreakpointData extends NamedRegionData<NumberData, Exact> {
+  s: NumberData;
+  epsilon: NumberData | null;
+  area: NumberData | null;
+  entering: BoundName[];
+  leaving: BoundName[];
+}
+
+/** The set between two breakpoints. */
+interface PieceData extends NamedRegionData<PolynomialData, Exact> {
+  from: NumberData;
+  to: NumberData;
+  area: PolynomialData | null;
+}
+
+/** The sets under error bounds multiplied by s; `least` is the smallest s that leaves a feasible parameter. */
+interface SweepData {
+  least: NumberData | null;
+  breakpoints: BreakpointData[];
+  pieces: PieceData[];
+}
+
+/** What an LP solver answered, and what the referee says of it. */
+interface ClaimData {
+  parameter: string;
+  end: string;
+  verdict: string;
+  claimed: NumberData | null;
+  point: NumberData[] | null;
+  reason: string | null;
+}
+
+/** The set without one reading. */
+interface WithoutData extends RegionData {
+  row: number;
+  matters: boolean;
+  moved: { parameter: string; end: string; by: NumberData | null }[];
+}
+
+type ShowData = { kind: "vertex"; index: number } | { kind: "row"; row: number } | { kind: "layer"; layer: string };
+
+interface QuestionData {
+  id: string;
+  question: string;
+  answer: string;
+  show: ShowData | null;
+}
+
+interface LessonData {
+  schema: "boundfit/lesson/1";
+  title: string;
+  file: string;
+  units: { x: string | null; y: string | null };
+  model:
+    | { kind: "line"; x: string; y: string }
+    | { kind: "two-regressors"; regressors: string[]; y: string };
+  /** One error bound for all readings, or the column that has one for each. */
+  epsilon: { uniform: NumberData; column: null } | { uniform: null; column: string };
+  readings: (ReadingData & { epsilon: NumberData })[];
+  /** Readings of the file that are not fitted. */
+  others: ReadingData[];
+  conditions: { number: number; text: string }[];
+  half_planes: HalfPlaneData[];
+  points: NumberData[][];
+  fit: FitData;
+  corridor: { upper: EnvelopeData; lower: EnvelopeData } | null;
+  orders: OrderData[];
+  sweep: SweepData | null;
+  layers: {
+    directions: { count: number; inner: number[] | null; outer: number[] | null };
+    lp: { source: string; claims: ClaimData[] }[];
+  };
+  leave_one_out: WithoutData[];
+  questions: QuestionData[];
+}

@@ -1,0 +1,286 @@
+// What the script makes of the document. These names are known in every module; they vanish before a browser sees them.
+
+type Rational = import("./model/rational.js").Rational;
+type ParameterFrame = import("./planes/view.js").ParameterFrame;
+
+/** Two exact coordinates: a parameter θ, a regressor φ, a direction. */
+type Pair = Rational[];
+
+/** Two numbers: coordinates in a frame, or pixels. */
+type Place = number[];
+
+interface Reading {
+  index: number;
+  row: number;
+  phi: Pair;
+  y: Rational;
+  epsilon: Rational;
+}
+
+/** A reading that is not fitted. */
+type OtherReading = Omit<Reading, "index" | "epsilon">;
+
+/** a·θ ≤ b; `reading` is null for a condition. */
+interface HalfPlane {
+  index: number;
+  name: BoundName;
+  irredundant: boolean;
+  a: Pair;
+  b: Rational;
+  reading: Reading | null;
+}
+
+/** A half-plane in frame coordinates, with |a| = 1. */
+interface Line {
+  a: Place;
+  b: number;
+}
+
+interface Vertex {
+  theta: Pair;
+  /** Found when first asked for if the document does not say. */
+  active: BoundName[] | null;
+}
+
+/** What the document says of a region, in any of its forms. */
+interface RegionSource {
+  kind: Kind;
+  vertices: (number | { theta: (NumberData | PolynomialData)[]; active: BoundName[] })[];
+  rays: (Exact | NumberData)[][];
+  lines: (Exact | NumberData)[][];
+  boundaries: (number | { active: BoundName[] })[];
+}
+
+/** A region in one form, whichever part of the document it comes from. */
+interface Region {
+  kind: Kind;
+  vertices: Vertex[];
+  rays: Pair[];
+  lines: Pair[];
+  /** The factor on the error bounds. */
+  s: Rational;
+  /** Half-planes, one for each whole line that bounds a region without vertices. */
+  boundaries: number[];
+  /** The row that is switched off. */
+  without: number | null;
+  /** The half-planes added so far; null: all of them. */
+  among: number[] | null;
+}
+
+/** A stop of the ε slider: a breakpoint, or within a piece. */
+interface Stop {
+  s: Rational;
+  breakpoint: number | null;
+  piece: number | null;
+}
+
+interface Lesson {
+  data: LessonData;
+  readings: Reading[];
+  others: OtherReading[];
+  isLine: boolean;
+  halfPlanes: HalfPlane[];
+  points: Pair[];
+  /** The index of the reading of a row. */
+  rowIndex: Map<number, number>;
+  fps: Region;
+  /** Whether leaving out the reading of a row changes the set. */
+  matters: Map<number, boolean>;
+  leastSquares: Pair | null;
+  /** The line that heights can be shown relative to. */
+  reference: { theta: Pair; name: string; noun: string } | null;
+  /** The one error bound of all readings; null when each has its own, or when there is no error at all. */
+  epsilon: Rational | null;
+  stops: Stop[];
+}
+
+/** Ends of an interval; null: infinite. */
+interface Ends {
+  lower: Rational | null;
+  upper: Rational | null;
+}
+
+/** The part of a frame that is shown. */
+interface View {
+  x: number[];
+  y: number[];
+}
+
+/** A drawing area in pixels. */
+interface Area {
+  left: number;
+  top: number;
+  width: number;
+  height: number;
+}
+
+interface Size {
+  width: number;
+  height: number;
+}
+
+/** From frame coordinates to pixels and back. */
+interface ScreenMap {
+  area: Area;
+  view: View;
+  to: (place: Place) => Place;
+  from: (pixel: Place) => Place;
+}
+
+/** A line v = slope·u + start in frame coordinates. */
+interface Height {
+  slope: number;
+  start: number;
+}
+
+/** The frame of the data plane: exact origins and units; in the residual view heights are relative to a line. */
+interface DataFrame {
+  isLine: boolean;
+  exact: (axis: number, number: number) => Rational;
+  number: (axis: number, value: Rational) => number;
+  across: (reading: Reading) => number;
+  height: (phi: Pair, value: Rational) => number;
+  length: (epsilon: Rational) => number;
+  /** The line of θ. */
+  line: (theta: Pair) => Height;
+  prediction: (reading: Reading, theta: Pair) => number;
+  direction: (ray: Pair) => Height;
+}
+
+/** Ticks along an axis, and what to write beside it. */
+interface AxisMarks {
+  marks: { at: number; label: string }[];
+  note: string;
+}
+
+/** A corner of a polygon; `cut` when the edge to the next one is not one of the polygon's own. */
+interface Corner {
+  point: Place;
+  cut: boolean;
+}
+
+type Mode = "explore" | "clip" | "epsilon" | "leave-one-out";
+
+interface VertexChoice {
+  kind: "vertex";
+  index: number;
+  /** The half-planes active there. */
+  active?: Set<number>;
+}
+
+interface ReadingChoice {
+  kind: "reading";
+  row: number;
+}
+
+interface PointChoice {
+  kind: "point";
+  theta: Pair;
+  /** The half-plane whose boundary is near. */
+  near?: number;
+  /** The rows of the readings that the point violates. */
+  violated?: Set<number>;
+}
+
+/** What the reader has chosen or points at. */
+type Choice = VertexChoice | ReadingChoice | PointChoice;
+
+/** What the page shows. */
+interface State {
+  mode: Mode;
+  /** The order of clipping, by index. */
+  order: number;
+  /** How many half-planes have been added. */
+  step: number;
+  /** The stop of the ε slider, by index. */
+  stop: number;
+  /** The row that is switched off. */
+  without: number | null;
+  selection: Choice | null;
+  /** What the pointer or the focus is on; it wins over the selection. */
+  hover: Choice | null;
+  /** The ids of the layers shown. */
+  layers: Set<string>;
+  /** Whether heights are relative to the reference line. */
+  residual: boolean;
+  /** Whether the second axis shows the height at the middle x. */
+  straighten: boolean;
+  /** The part of the parameter plane that is shown; null: chosen to fit. */
+  parameterView: View | null;
+  dataView: View | null;
+  /** Whether the steps run by themselves. */
+  playing: boolean;
+}
+
+type Listener = (state: State, before: State) => void;
+
+interface Store {
+  get: () => State;
+  subscribe: (listener: Listener) => void;
+  change: (changes: Partial<State>) => void;
+}
+
+interface SceneLine {
+  halfPlane: HalfPlane;
+  line: Line;
+}
+
+/** What a state amounts to. */
+interface Scene {
+  frame: ParameterFrame;
+  region: Region;
+  /** The region that the one shown is compared with. */
+  before: Region | null;
+  /** The step of clipping that led here. */
+  current: StepData | null;
+  s: Rational;
+  bounds: Ends[] | null;
+  lines: SceneLine[];
+  /** The half-planes without which the region would be another one. */
+  shaping: Set<number>;
+  among: Set<number> | null;
+  summary: string;
+  /** The vertices in frame coordinates. */
+  places: Place[];
+}
+
+/** What is drawn at the moment, for what the pointer does. */
+interface Drawn {
+  scene: Scene;
+  dataMap: ScreenMap;
+  parameterMap: ScreenMap;
+  state?: State;
+}
+
+/** The vertex and the reading that the Tab key reaches. */
+interface Roving {
+  vertex: number;
+  reading: number;
+}
+
+/** Something that can be drawn over the set; `why` says why it cannot be shown. */
+interface Layer {
+  id: string;
+  name: string;
+  note: string;
+  shape: Shape | null;
+  polygon: Pair[] | null;
+  points: Pair[];
+  why: string | null;
+}
+
+type Shape = "cross" | "plus" | "diamond" | "triangle" | "square" | "ring" | "upper-end" | "lower-end";
+
+type Attributes = Record<string, unknown>;
+
+/** An element as it should be. */
+interface Description {
+  tag: string;
+  attributes: Attributes;
+  children: (Description | string)[];
+}
+
+type Content = Description | string | number | null | undefined | false | Content[];
+
+/** An element of the page by its id: whichever kind it is, these are the properties that the script uses. */
+type PageElement = HTMLInputElement;
