@@ -1,11 +1,13 @@
-//! The examples of the README, run as they stand. `SNAPSHOTS=overwrite cargo test` rewrites what they print.
+//! The examples of the documentation, run as they stand. `SNAPSHOTS=overwrite cargo test` rewrites what they print.
 
 use std::fs;
 use std::process::Command;
 
 use boundfit_tests::program::{binary, root};
 
-/// What a shell prints for a command line of the README, the status added when it is not 0.
+use crate::pages::pages;
+
+/// What a shell prints for a command line of a page, the status added when it is not 0.
 fn output_of(command: &str) -> String {
     // The program is on nobody's path here; these functions stand in for an installed one and for `cargo run`.
     let script = format!(
@@ -24,13 +26,13 @@ fn output_of(command: &str) -> String {
     text
 }
 
-/// The README with the output of every command in a `console` block replaced, and how many commands there were.
-fn rerun(readme: &str) -> (String, usize) {
+/// A page with the output of every command in a `console` block replaced, and how many commands there were.
+fn rerun(page: &str) -> (String, usize) {
     let mut result = String::new();
     let mut commands = 0;
     let mut in_block = false;
     let mut in_output = false;
-    for line in readme.lines() {
+    for line in page.lines() {
         // What stands between these comments is what the command prints, as Markdown.
         let output = line.strip_prefix("<!-- output of: ").and_then(|rest| rest.strip_suffix(" -->"));
         if let Some(command) = output {
@@ -60,19 +62,23 @@ fn rerun(readme: &str) -> (String, usize) {
 }
 
 #[test]
-fn every_example_prints_what_the_readme_says() {
-    let path = root().join("README.md");
-    let readme = fs::read_to_string(&path).unwrap();
-    let (rerun, commands) = rerun(&readme);
-    assert!(commands >= 6, "only {commands} examples");
-    if std::env::var_os("SNAPSHOTS").is_some_and(|action| action == "overwrite") {
-        fs::write(&path, &rerun).unwrap();
-        return;
+fn every_example_prints_what_the_page_says() {
+    let bless = std::env::var_os("SNAPSHOTS").is_some_and(|action| action == "overwrite");
+    let mut examples = 0;
+    for page in pages() {
+        let (rerun, commands) = rerun(&page.text);
+        examples += commands;
+        if bless {
+            fs::write(root().join(&page.path), &rerun).unwrap();
+            continue;
+        }
+        let path = page.path.display();
+        for (number, (said, printed)) in (1..).zip(page.text.lines().zip(rerun.lines())) {
+            assert_eq!(said, printed, "{path} line {number}: left is what it says, right what is printed");
+        }
+        assert_eq!(page.text.lines().count(), rerun.lines().count(), "{path}");
     }
-    for (number, (said, printed)) in (1..).zip(readme.lines().zip(rerun.lines())) {
-        assert_eq!(said, printed, "README.md line {number}: left is what it says, right what is printed");
-    }
-    assert_eq!(readme.lines().count(), rerun.lines().count());
+    assert!(examples >= 25, "only {examples} examples");
 }
 
 #[test]

@@ -1,0 +1,61 @@
+//! The pages of the documentation: the README and those of `docs`.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use boundfit_tests::program::root;
+
+/// A page and its text.
+pub struct Page {
+    /// From the top of the repository: `docs/input.md`.
+    pub path: PathBuf,
+    pub text: String,
+}
+
+impl Page {
+    pub fn read(path: &Path) -> Self {
+        let text = fs::read_to_string(root().join(path)).unwrap();
+        Page { path: path.to_owned(), text }
+    }
+
+    /// The text without code, neither blocks nor spans.
+    pub fn prose(&self) -> String {
+        let blocks = self.text.split("```").step_by(2);
+        blocks.flat_map(|block| block.split('`').step_by(2)).collect()
+    }
+
+    /// Where links and pictures of the page point to, as they are written; those to other sites are left out.
+    pub fn links(&self) -> Vec<String> {
+        let prose = self.prose();
+        let ends = [("](", ')'), ("src=\"", '"')];
+        let found = ends.iter().flat_map(|(begin, end)| {
+            prose.split(begin).skip(1).filter_map(move |rest| rest.split_once(*end).map(|(link, _)| link))
+        });
+        found.filter(|link| !link.contains("://")).map(ToOwned::to_owned).collect()
+    }
+
+    /// The anchors of its headings, as repository viewers and mdBook make them.
+    pub fn anchors(&self) -> Vec<String> {
+        let outside = self.text.split("```").step_by(2);
+        let headings = outside
+            .flat_map(str::lines)
+            .filter_map(|line| Some(line.strip_prefix('#')?.trim_start_matches('#')));
+        headings.map(anchor).collect()
+    }
+}
+
+fn anchor(heading: &str) -> String {
+    let kept = heading.trim().chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
+    kept.map(|c| if c == ' ' { '-' } else { c }).flat_map(char::to_lowercase).collect()
+}
+
+/// The README and all pages of the folder `docs`.
+pub fn pages() -> Vec<Page> {
+    let entries = fs::read_dir(root().join("docs")).unwrap();
+    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let mut paths: Vec<PathBuf> =
+        names.filter(|name| name.ends_with(".md")).map(|name| Path::new("docs").join(name)).collect();
+    paths.push(PathBuf::from("README.md"));
+    paths.sort();
+    paths.iter().map(|path| Page::read(path)).collect()
+}
