@@ -11,6 +11,7 @@ pub mod oracle;
 pub mod program;
 pub mod proofs;
 pub mod readings;
+pub mod reference_table;
 pub mod representations;
 pub mod shape;
 pub mod tables;

@@ -1,11 +1,10 @@
 //! Tables that are not text, told by their first bytes.
 
-use std::fs::File;
-use std::io::{self, Read, Seek};
+use crate::error::{InputError, InputErrorKind, STANDARD_INPUT};
+use crate::mat::kind;
 
-use crate::error::{InputError, InputErrorKind};
-use crate::mat::{START, kind_of};
-use crate::source::STANDARD_INPUT;
+/// How many bytes at the start of a file tell its format.
+pub(crate) const START: u64 = kind::START as u64;
 
 /// A format of columns in binary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,7 +21,7 @@ pub(crate) enum BinaryFormat {
 
 impl BinaryFormat {
     /// The format of a file that starts like this.
-    fn of(start: &[u8]) -> Option<Self> {
+    pub(crate) fn of(start: &[u8]) -> Option<Self> {
         let magic: [(&[u8], BinaryFormat); 3] = [
             (b"PAR1", BinaryFormat::Parquet),
             (b"ARROW1", BinaryFormat::ArrowFile),
@@ -30,12 +29,12 @@ impl BinaryFormat {
             (b"\xff\xff\xff\xff", BinaryFormat::ArrowStream),
         ];
         let arrow = magic.iter().find(|(magic, _)| start.starts_with(magic)).map(|&(_, format)| format);
-        arrow.or_else(|| kind_of(start).map(|_| BinaryFormat::Matlab))
+        arrow.or_else(|| kind::kind_of(start).map(|_| BinaryFormat::Matlab))
     }
 
-    /// Whether this is MATLAB's, which every build reads.
-    pub(crate) fn is_matlab(self) -> bool {
-        self == BinaryFormat::Matlab
+    /// Whether this build can read it.
+    pub(crate) fn is_readable(self) -> bool {
+        cfg!(feature = "arrow") || self == BinaryFormat::Matlab
     }
 
     /// The name with its article.
@@ -49,35 +48,11 @@ impl BinaryFormat {
     }
 }
 
-/// A file in a binary format that this build can read.
-pub(crate) struct BinaryTable {
-    pub(crate) format: BinaryFormat,
-    pub(crate) file: File,
-}
-
-impl BinaryTable {
-    /// The table in a file that stands at its start and is left there. Only a regular file is looked into: nothing else
-    /// can be read from its start again.
-    pub(crate) fn of(mut file: &File) -> io::Result<Option<Self>> {
-        if !file.metadata()?.is_file() {
-            return Ok(None);
-        }
-        let mut start = Vec::new();
-        file.take(START as u64).read_to_end(&mut start)?;
-        file.rewind()?;
-        let is_read = |format: &BinaryFormat| cfg!(feature = "arrow") || format.is_matlab();
-        let table = |format| Ok(BinaryTable { format, file: file.try_clone()? });
-        BinaryFormat::of(&start).filter(is_read).map(table).transpose()
-    }
-}
-
 /// Refuses a binary table where text is read.
 pub(crate) fn refuse_binary(file: &str, start: &[u8]) -> Result<(), InputError> {
     let Some(format) = BinaryFormat::of(start) else { return Ok(()) };
     let instead = match file {
-        _ if !cfg!(feature = "arrow") && !format.is_matlab() => {
-            "this build reads text tables only (build with --features arrow)"
-        }
+        _ if !format.is_readable() => "this build reads text tables only (build with --features arrow)",
         STANDARD_INPUT => "it is read from a named file, not from standard input",
         _ => "only text is read here",
     };
@@ -86,7 +61,8 @@ pub(crate) fn refuse_binary(file: &str, start: &[u8]) -> Result<(), InputError> 
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use std::io;
+
     use crate::{ColumnSelector, ScanOptions, Source, TableOptions, read_table, scan};
 
     #[test]

@@ -1,7 +1,5 @@
 //! Which columns of a table are meant: names in a header, or numbers.
 
-use csv::ByteRecord;
-
 use crate::error::{InputError, InputErrorKind, Place};
 
 /// How a column is asked for.
@@ -35,17 +33,17 @@ impl ColumnSelector {
     }
 
     /// Whether every number in the column must be at least 0.
-    pub(crate) fn is_non_negative(&self) -> bool {
+    pub fn is_non_negative(&self) -> bool {
         self.non_negative
     }
 
     /// What was asked for.
-    pub(crate) fn text(&self) -> &str {
+    pub fn text(&self) -> &str {
         &self.text
     }
 
     /// The column's number, when that is what was asked for.
-    pub(crate) fn number(&self) -> Option<usize> {
+    pub fn number(&self) -> Option<usize> {
         self.position.filter(|_| self.is_number())
     }
 
@@ -99,10 +97,10 @@ pub(crate) struct ColumnPlace {
 }
 
 impl Heading {
-    /// Reads the first record, which starts on this line. Numbers are wanted from `columns`, text from `key`.
+    /// Reads the cells of the first record, which starts on this line. Numbers are wanted from `columns`, text from `key`.
     pub(crate) fn new(
         file: &str,
-        record: &ByteRecord,
+        cells: &[&[u8]],
         line: u64,
         header: Header,
         columns: &[ColumnSelector],
@@ -113,21 +111,21 @@ impl Heading {
             Header::Absent => false,
             Header::Auto => {
                 let by_name = columns.iter().chain(key).any(|column| column.position.is_none());
-                let cells: Vec<&[u8]> = columns
+                let asked: Vec<&[u8]> = columns
                     .iter()
-                    .filter_map(|column| record.get(column.position?.checked_sub(1)?))
+                    .filter_map(|column| cells.get(column.position?.checked_sub(1)?).copied())
                     .collect();
-                by_name || (!cells.is_empty() && cells.iter().all(|cell| looks_like_name(cell)))
+                by_name || (!asked.is_empty() && asked.iter().all(|cell| looks_like_name(cell)))
             }
         };
-        let names = record.iter().enumerate().map(|(index, cell)| {
+        let names = cells.iter().enumerate().map(|(index, &cell)| {
             decode(cell).map(|name| name.trim().to_owned()).map_err(|problem| {
                 let place = ColumnPlace { position: index + 1, name: None };
                 place.error(file, line, cell, problem)
             })
         });
         let names = if is_header { Some(names.collect::<Result<_, _>>()?) } else { None };
-        Ok(Heading { width: record.len(), names, line })
+        Ok(Heading { width: cells.len(), names, line })
     }
 
     /// Where the column asked for is.

@@ -7,7 +7,10 @@ use boundfit_exact::ParseNumberError;
 use thiserror::Error;
 
 use crate::limits::Limit;
-use crate::reduction::ReductionError;
+use crate::reduction::record::ReductionError;
+
+/// What messages call the input named `-`.
+pub(crate) const STANDARD_INPUT: &str = "standard input";
 
 /// The longest piece of a file that an error message repeats.
 const LONGEST_QUOTE: usize = 40;

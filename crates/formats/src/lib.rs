@@ -13,28 +13,29 @@
 #[cfg(feature = "arrow")]
 mod arrow;
 mod binary;
+mod cdd;
+mod chunks;
 mod columns;
 mod error;
-mod ext;
 mod half_planes;
-mod ine;
+mod hash;
 mod limits;
-mod lines;
 mod mat;
+mod open;
 mod records;
 mod reduction;
 mod scan;
 mod source;
 mod start;
 mod table;
+mod threads;
 
 pub use columns::{ColumnSelector, Header};
 pub use error::{InputError, InputErrorKind, Place};
 pub use half_planes::{GeneratorRows, HalfPlaneFile, HalfPlaneFormat, RowOrigin, read_half_planes};
 pub use limits::{LONGEST_LINE, Limit, SizeLimits};
-pub use reduction::{
-    REDUCTION_MARK, ReductionError, ReductionReader, ReductionRecord, Reductions, open_reduction,
-};
-pub use scan::{Batch, Column, Pieces, Progress, ScanOptions, Scanned, scan};
+pub use open::{read_table, scan};
+pub use reduction::{REDUCTION_MARK, ReductionError, ReductionRecord, Reductions, open_reduction};
+pub use scan::{Batch, Column, Pieces, Progress, ScanOptions, Scanned};
 pub use source::Source;
-pub use table::{RowRange, Table, TableOptions, TableRow, TextLayout, read_table};
+pub use table::{RowRange, Table, TableOptions, TableRow, TextLayout};

@@ -1,79 +1,270 @@
-//! Records of delimited text, by the CSV library, with the lines on which they start.
+//! Records of delimited text, out of pieces of bytes of any size.
+//!
+//! `csv_core` knows the rules of quotes, delimiters and line ends; lines, lengths and buffers are kept here, since
+//! messages name the line on which a record starts, and no record may grow without bound.
 
-use std::io::{self, Read};
-use std::ops::Range;
+use csv_core::{ReadRecordResult, Reader, ReaderBuilder};
+use memchr::memchr2_iter;
 
-use csv::{ByteRecord, ReaderBuilder};
+use crate::error::{InputError, InputErrorKind};
 
-use crate::error::{InputError, Place};
-use crate::lines::LineCounter;
-use crate::source::Source;
-
-/// Reads the records that are not blank, one after the other.
-pub(crate) struct Records<R> {
-    reader: csv::Reader<LineCounter<R>>,
-    /// Where the last record starts, before the line ends that the library skips.
-    start: u64,
+/// The cells of a record, without their quotes.
+#[derive(Debug, Default)]
+pub(crate) struct Record {
+    /// The cells one behind the other, and room for more of them.
+    bytes: Vec<u8>,
+    bytes_used: usize,
+    /// Where the cells end, and room for more of them.
+    ends: Vec<usize>,
+    cells: usize,
 }
 
-impl<R: Read> Records<R> {
-    /// Records of at most so many bytes of an input that starts on this line.
-    pub(crate) fn new(input: R, delimiter: u8, line: u64, longest: usize) -> Self {
-        let reader = ReaderBuilder::new()
-            .has_headers(false)
-            .flexible(true)
-            .delimiter(delimiter)
-            .from_reader(LineCounter::new(input, line, longest));
-        Records { reader, start: 0 }
+impl Record {
+    /// How many cells there are.
+    pub(crate) fn len(&self) -> usize {
+        self.cells
     }
 
-    /// Reads the next record that is not blank; `false` when there is none.
-    pub(crate) fn next(&mut self, file: &str, record: &mut ByteRecord) -> Result<bool, InputError> {
+    /// A cell, counted from 0; nothing where there is none.
+    pub(crate) fn cell(&self, index: usize) -> &[u8] {
+        let ends = self.ends.get(..self.cells).unwrap_or_default();
+        let start = index.checked_sub(1).and_then(|before| ends.get(before)).copied().unwrap_or(0);
+        ends.get(index).and_then(|&end| self.bytes.get(start..end)).unwrap_or_default()
+    }
+
+    /// The cells in order.
+    pub(crate) fn cells(&self) -> impl Iterator<Item = &[u8]> {
+        (0..self.cells).map(|index| self.cell(index))
+    }
+
+    fn is_blank(&self) -> bool {
+        self.cells == 1 && self.cell(0).trim_ascii().is_empty()
+    }
+
+    fn clear(&mut self) {
+        (self.bytes_used, self.cells) = (0, 0);
+    }
+
+    /// Has the library go on with this record; gives its verdict and how many bytes it took.
+    fn read(&mut self, core: &mut Reader, input: &[u8]) -> (ReadRecordResult, usize) {
+        let bytes = self.bytes.get_mut(self.bytes_used..).unwrap_or_default();
+        let ends = self.ends.get_mut(self.cells..).unwrap_or_default();
+        let (result, taken, written, ended) = core.read_record(input, bytes, ends);
+        self.bytes_used += written;
+        self.cells += ended;
+        match result {
+            ReadRecordResult::OutputFull => self.bytes.resize(grown(self.bytes.len()), 0),
+            ReadRecordResult::OutputEndsFull => self.ends.resize(grown(self.ends.len()), 0),
+            _ => {}
+        }
+        (result, taken)
+    }
+}
+
+/// The next size of a buffer that is full.
+fn grown(size: usize) -> usize {
+    size.saturating_mul(2).max(64)
+}
+
+/// Takes the records that are not blank out of bytes that come piece after piece.
+pub(crate) struct Records<'a> {
+    file: &'a str,
+    core: Reader,
+    record: Record,
+    /// Whether the record goes on in the next piece.
+    is_open: bool,
+    /// The line of the next byte, from 1.
+    line: u64,
+    /// Whether the last byte was a carriage return: a line feed right after it belongs to the same line end.
+    is_after_return: bool,
+    /// The line on which the record starts, and how many bytes of it there are up to the first byte of its line end.
+    record_line: u64,
+    record_bytes: usize,
+    longest_record: usize,
+    /// The bytes of the record, where they are kept.
+    text: Option<Vec<u8>>,
+}
+
+impl<'a> Records<'a> {
+    /// Records with at most so many bytes, from this line of a file on. Their text is kept only if that is asked for.
+    pub(crate) fn new(
+        file: &'a str,
+        delimiter: u8,
+        line: u64,
+        longest_record: usize,
+        keep_text: bool,
+    ) -> Self {
+        let mut core = ReaderBuilder::new().delimiter(delimiter).build();
+        // The library passes over a byte order mark in front of the first bytes that it sees. Not every piece is the
+        // start of a file, where the mark has been passed over already; so let it see a line end first.
+        core.read_record(b"\n", &mut [0], &mut [0]);
+        Records {
+            file,
+            core,
+            record: Record::default(),
+            is_open: false,
+            line,
+            is_after_return: false,
+            record_line: line,
+            record_bytes: 0,
+            longest_record,
+            text: keep_text.then(Vec::new),
+        }
+    }
+
+    /// Takes bytes off the front of a piece until a record that is not blank ends; `false` when the piece is used up
+    /// before. The bytes of the next piece are those that follow.
+    ///
+    /// # Errors
+    /// When the record is too long.
+    pub(crate) fn next(&mut self, piece: &mut &[u8]) -> Result<bool, InputError> {
         loop {
-            let start = self.reader.position().byte();
-            self.reader.get_mut().begin(start);
-            match self.reader.read_byte_record(record) {
-                Ok(more) => {
-                    self.start = start;
-                    let end = self.reader.position().byte();
-                    if let Some(problem) = self.reader.get_ref().too_long(end) {
-                        let place = Place { line: Some(self.line()), ..Place::default() };
-                        return Err(InputError::new(file, place, problem));
-                    }
-                    let is_blank =
-                        record.len() == 1 && record.iter().all(|cell| cell.trim_ascii().is_empty());
-                    if !(more && is_blank) {
-                        return Ok(more);
-                    }
+            if !self.is_open {
+                self.pass_line_ends(piece);
+                if piece.is_empty() {
+                    return Ok(false);
                 }
-                Err(error) => {
-                    let error = match error.into_kind() {
-                        csv::ErrorKind::Io(error) => error,
-                        other => io::Error::other(format!("{other:?}")),
-                    };
-                    return Err(Source::stopped(file, error));
-                }
+                self.begin();
+            }
+            let is_complete = self.go_on(piece);
+            if self.record_bytes > self.longest_record {
+                let too_long = InputErrorKind::RowTooLong { limit: self.longest_record };
+                return Err(InputError::of_line(self.file, self.record_line, too_long));
+            }
+            if !is_complete {
+                return Ok(false);
+            }
+            self.is_open = false;
+            if !self.record.is_blank() {
+                return Ok(true);
             }
         }
     }
 
+    /// Ends the record that the last piece left open, since nothing follows; `false` when there is none that is not blank.
+    pub(crate) fn finish(&mut self) -> bool {
+        let was_open = std::mem::take(&mut self.is_open);
+        // To the library, no bytes are the end of all bytes.
+        while was_open && self.record.read(&mut self.core, b"").0 == ReadRecordResult::OutputEndsFull {}
+        was_open && !self.record.is_blank()
+    }
+
+    /// The last record.
+    pub(crate) fn record(&self) -> &Record {
+        &self.record
+    }
+
     /// The line on which the last record starts, from 1.
+    pub(crate) fn record_line(&self) -> u64 {
+        self.record_line
+    }
+
+    /// The last record as it stands in the file, without its line end, where that is kept.
+    pub(crate) fn text(&self) -> Option<&[u8]> {
+        let text = self.text.as_deref()?;
+        Some(text.strip_suffix(b"\n").or(text.strip_suffix(b"\r")).unwrap_or(text))
+    }
+
+    /// The line reached, from 1.
     pub(crate) fn line(&self) -> u64 {
-        self.reader.get_ref().record_line()
+        self.line
     }
 
-    /// The bytes of the input that make the last record, with line ends around it.
-    pub(crate) fn range(&self) -> Range<u64> {
-        self.start..self.reader.position().byte()
+    /// Whether a record goes on in the next piece.
+    pub(crate) fn is_open(&self) -> bool {
+        self.is_open
     }
 
-    /// What the records are read from.
-    pub(crate) fn input(&self) -> &R {
-        self.reader.get_ref().get_ref()
+    fn begin(&mut self) {
+        self.is_open = true;
+        self.record.clear();
+        (self.record_line, self.record_bytes) = (self.line, 0);
+        self.text.iter_mut().for_each(Vec::clear);
     }
 
-    /// What the records are read from.
-    pub(crate) fn input_mut(&mut self) -> &mut R {
-        self.reader.get_mut().get_mut()
+    /// Goes on with a record, and takes its bytes off the front of a piece; gives whether it is complete.
+    fn go_on(&mut self, piece: &mut &[u8]) -> bool {
+        let mut left = *piece;
+        let mut is_complete = false;
+        while !is_complete && !left.is_empty() {
+            let (result, taken) = self.record.read(&mut self.core, left);
+            left = left.get(taken..).unwrap_or_default();
+            is_complete = result == ReadRecordResult::Record;
+        }
+        let (bytes, _) = piece.split_at_checked(piece.len() - left.len()).unwrap_or_default();
+        self.count_lines(bytes);
+        self.record_bytes += bytes.len();
+        self.text.iter_mut().for_each(|text| text.extend_from_slice(bytes));
+        *piece = left;
+        is_complete
+    }
+
+    /// Takes line ends off the front of a piece.
+    fn pass_line_ends(&mut self, piece: &mut &[u8]) {
+        let is_line_end = |byte: &u8| matches!(byte, b'\r' | b'\n');
+        let length = piece.iter().take_while(|byte| is_line_end(byte)).count();
+        let (line_ends, rest) = piece.split_at_checked(length).unwrap_or_default();
+        self.count_lines(line_ends);
+        *piece = rest;
+    }
+
+    fn count_lines(&mut self, bytes: &[u8]) {
+        for position in memchr2_iter(b'\r', b'\n', bytes) {
+            let is_after_return = match position.checked_sub(1) {
+                Some(before) => bytes.get(before) == Some(&b'\r'),
+                None => self.is_after_return,
+            };
+            let is_second_half = is_after_return && bytes.get(position) == Some(&b'\n');
+            self.line += u64::from(!is_second_half);
+        }
+        if let Some(&last) = bytes.last() {
+            self.is_after_return = last == b'\r';
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The records of a text that comes in pieces of so many bytes, each with its line.
+    fn records(text: &[u8], size: usize, longest: usize) -> Result<Vec<(u64, Vec<String>)>, InputError> {
+        let mut records = Records::new("test", b',', 1, longest, false);
+        let mut found = Vec::new();
+        let mut add = |records: &Records| {
+            let cells = records.record().cells().map(|cell| String::from_utf8_lossy(cell).into_owned());
+            found.push((records.record_line(), cells.collect()));
+        };
+        for mut piece in text.chunks(size) {
+            while records.next(&mut piece)? {
+                add(&records);
+            }
+        }
+        if records.finish() {
+            add(&records);
+        }
+        Ok(found)
+    }
+
+    #[test]
+    fn records_have_their_cells_and_lines_however_small_the_pieces_are() {
+        let text = b"a,b\n\"c\nd\"\r\n\"e\"\"\"\rf,\n\n \r\n\ng";
+        let expected =
+            [(1, vec!["a", "b"]), (2, vec!["c\nd"]), (4, vec!["e\""]), (5, vec!["f", ""]), (9, vec!["g"])];
+        let expected = expected.map(|(line, cells)| (line, cells.into_iter().map(str::to_owned).collect()));
+        for size in 1..=text.len() {
+            assert_eq!(records(text, size, 100).unwrap(), expected, "in pieces of {size} bytes");
+        }
+    }
+
+    #[test]
+    fn an_endless_record_stops() {
+        let text = [&b"\n\na\n"[..], b"\"", &[b'x'; 1000], b"\n", &[b'x'; 1000]].concat();
+        for size in [1, 7, 64] {
+            let error = records(&text, size, 1500).unwrap_err();
+            assert_eq!(error.place.line, Some(4));
+            assert!(matches!(error.kind, InputErrorKind::RowTooLong { limit: 1500 }));
+        }
+        assert_eq!(records(&text, 64, 2002).unwrap().len(), 2);
     }
 }

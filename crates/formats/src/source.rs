@@ -1,24 +1,26 @@
-//! Opening a file or standard input, and watching the bytes go by.
+//! Files and standard input, opened once and looked into: the only place that opens anything.
 
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, Read, Seek};
 
-use sha2::{Digest, Sha256};
-use thiserror::Error;
+use crate::binary::{self, BinaryFormat};
+use crate::error::{InputError, InputErrorKind, STANDARD_INPUT};
 
-use crate::binary::{BinaryFormat, BinaryTable};
-use crate::error::{InputError, InputErrorKind};
-use crate::limits::SizeLimits;
-
-/// What messages call the input named `-`.
-pub(crate) const STANDARD_INPUT: &str = "standard input";
-
-/// A named stream of bytes.
+/// An input that has been opened.
 pub struct Source {
     name: String,
-    bytes: Box<dyn Read>,
-    /// The same file, when it is a binary table that this build can read.
-    binary: Option<BinaryTable>,
+    content: Content,
+    /// How many bytes there are, where that is known.
+    length: Option<u64>,
+    is_file: bool,
+}
+
+/// What an input holds, as its first bytes tell.
+pub(crate) enum Content {
+    /// Text, or what will be refused as such.
+    Bytes(Box<dyn Read>),
+    /// A binary table that this build can read.
+    Binary(BinaryFormat, File),
 }
 
 impl Source {
@@ -31,27 +33,41 @@ impl Source {
         if path == "-" {
             return Ok(Source::new(STANDARD_INPUT, io::stdin()));
         }
-        let fail = |problem: InputErrorKind| InputError::of_file(path, problem);
-        let file = File::open(path).map_err(|error| fail(InputErrorKind::Io(error)))?;
-        let metadata = file.metadata().map_err(|error| fail(InputErrorKind::Io(error)))?;
+        let fail = |error: io::Error| InputError::of_file(path, error);
+        let mut file = File::open(path).map_err(fail)?;
+        let metadata = file.metadata().map_err(fail)?;
         if metadata.is_dir() {
-            return Err(fail(InputErrorKind::IsDirectory));
+            return Err(InputError::of_file(path, InputErrorKind::IsDirectory));
         }
-        let binary = BinaryTable::of(&file).map_err(|error| fail(InputErrorKind::Io(error)))?;
-        let source = Source { binary, ..Source::new(path, file) };
+        let format = if metadata.is_file() { format_of(&mut file).map_err(fail)? } else { None };
         // Pipes, devices and the files of /proc state no length.
-        let states_length = metadata.is_file() && metadata.len() > 0;
-        Ok(if states_length { source.limited(metadata.len()) } else { source })
+        let length = (metadata.is_file() && metadata.len() > 0).then_some(metadata.len());
+        let content = match format {
+            Some(format) => Content::Binary(format, file),
+            None => Content::Bytes(match length {
+                Some(length) => Box::new(file.take(length)),
+                None => Box::new(file),
+            }),
+        };
+        Ok(Source { name: path.to_owned(), content, length, is_file: metadata.is_file() })
     }
 
-    /// A source with a name for messages.
+    /// A stream of bytes with a name for messages.
     pub fn new(name: impl Into<String>, bytes: impl Read + 'static) -> Self {
-        Source { name: name.into(), bytes: Box::new(bytes), binary: None }
+        Source::with_content(name.into(), Content::Bytes(Box::new(bytes)))
     }
 
-    /// The same, but not more than so many bytes of it.
+    pub(crate) fn with_content(name: String, content: Content) -> Self {
+        Source { name, content, length: None, is_file: false }
+    }
+
+    /// The same, but not more than so many bytes of text.
     pub fn limited(self, most_bytes: u64) -> Self {
-        Source { bytes: Box::new(self.bytes.take(most_bytes)), ..self }
+        let content = match self.content {
+            Content::Bytes(bytes) => Content::Bytes(Box::new(bytes.take(most_bytes))),
+            binary => binary,
+        };
+        Source { content, ..self }
     }
 
     /// The name that messages use.
@@ -59,110 +75,40 @@ impl Source {
         &self.name
     }
 
-    /// The error for bytes that stopped coming, as a [`WatchedReader`] reports it.
-    pub(crate) fn stopped(name: &str, error: io::Error) -> InputError {
-        match error.downcast::<Stopped>() {
-            Ok(Stopped { line, problem }) => InputError::of_line(name, line, problem),
-            Err(error) => InputError::of_file(name, error),
-        }
+    /// How many bytes a file has; `None` where that is not known before it is read.
+    pub fn length(&self) -> Option<u64> {
+        self.length
     }
 
-    /// Whether this is a binary table that this build can read.
-    pub(crate) fn is_binary(&self) -> bool {
-        self.binary.is_some()
+    /// The path under which the same bytes can be read again; `None` unless this is a regular file.
+    pub fn path(&self) -> Option<&str> {
+        self.is_file.then_some(&self.name)
     }
 
     /// Whether the numbers in this file are stored in binary, exactly, so that no reading of text applies: in a MATLAB
     /// file. What is reported of them is the binary64 reading.
     pub fn is_stored(&self) -> bool {
-        self.binary.as_ref().is_some_and(|table| table.format.is_matlab())
+        matches!(self.content, Content::Binary(BinaryFormat::Matlab, _))
     }
 
-    /// The name and the binary table, if this is one of a format like this.
-    pub(crate) fn into_binary(
-        mut self,
-        is_meant: impl Fn(BinaryFormat) -> bool,
-    ) -> Result<(String, BinaryTable), Self> {
-        match self.binary.take_if(|table| is_meant(table.format)) {
-            Some(table) => Ok((self.name, table)),
-            None => Err(self),
-        }
+    pub(crate) fn into_content(self) -> (String, Content) {
+        (self.name, self.content)
     }
 
-    pub(crate) fn into_parts(self) -> (String, Box<dyn Read>) {
-        (self.name, self.bytes)
-    }
-
-    pub(crate) fn watched(self, sizes: &SizeLimits) -> (String, WatchedReader) {
-        let reader = WatchedReader {
-            bytes: self.bytes,
-            hash: Sha256::new(),
-            line: 1,
-            since_line_end: 0,
-            longest_line: sizes.line,
+    /// The name and the bytes, whatever they are.
+    pub(crate) fn into_bytes(self) -> (String, Box<dyn Read>) {
+        let bytes = match self.content {
+            Content::Bytes(bytes) => bytes,
+            Content::Binary(_, file) => Box::new(file),
         };
-        (self.name, reader)
+        (self.name, bytes)
     }
 }
 
-/// A reader that claims to have read more than there was room for; none of the standard library's does.
-pub(crate) fn over_full() -> io::Error {
-    io::Error::other("more bytes than the buffer holds")
-}
-
-/// Why no more bytes come, and in which line, counted by line feeds from 1.
-#[derive(Debug, Error)]
-#[error("{problem}")]
-pub(crate) struct Stopped {
-    pub(crate) line: u64,
-    pub(crate) problem: InputErrorKind,
-}
-
-/// The hash of what was hashed so far, in hexadecimal.
-pub(crate) fn hexadecimal(hash: &Sha256) -> String {
-    hash.clone().finalize().iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
-/// A reader that hashes what passes and stops at a line that never ends.
-pub(crate) struct WatchedReader {
-    bytes: Box<dyn Read>,
-    hash: Sha256,
-    line: u64,
-    since_line_end: usize,
-    longest_line: usize,
-}
-
-impl WatchedReader {
-    /// SHA-256 of all bytes read so far, in hexadecimal.
-    pub(crate) fn sha256(&self) -> String {
-        hexadecimal(&self.hash)
-    }
-
-    fn stopped(&self, problem: InputErrorKind) -> io::Error {
-        io::Error::other(Stopped { line: self.line, problem })
-    }
-}
-
-impl Read for WatchedReader {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let count = loop {
-            match self.bytes.read(buffer) {
-                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
-                result => break result.map_err(|error| self.stopped(error.into()))?,
-            }
-        };
-        let bytes = buffer.get(..count).ok_or_else(over_full)?;
-        self.hash.update(bytes);
-        for piece in bytes.split_inclusive(|&byte| byte == b'\n') {
-            self.since_line_end += piece.len();
-            if self.since_line_end > self.longest_line {
-                return Err(self.stopped(InputErrorKind::LineTooLong { limit: self.longest_line }));
-            }
-            if piece.ends_with(b"\n") {
-                self.line += 1;
-                self.since_line_end = 0;
-            }
-        }
-        Ok(count)
-    }
+/// The format of a binary table that this build can read. The file is left at its start.
+fn format_of(file: &mut File) -> io::Result<Option<BinaryFormat>> {
+    let mut start = Vec::new();
+    file.by_ref().take(binary::START).read_to_end(&mut start)?;
+    file.rewind()?;
+    Ok(BinaryFormat::of(&start).filter(|format| format.is_readable()))
 }

@@ -1,26 +1,9 @@
 //! The start of a table: byte order mark and delimiter.
 
-use std::io::{self, Read};
-
 use crate::error::InputErrorKind;
-use crate::reduction::{REDUCTION_MARK, ReductionError};
-use crate::source::over_full;
+use crate::reduction::record::{REDUCTION_MARK, ReductionError};
 
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
-
-/// Everything up to the end of the first line that is not blank, and what was read with it.
-pub(crate) fn first_line(bytes: &mut impl Read) -> io::Result<Vec<u8>> {
-    let mut start = Vec::new();
-    let mut buffer = [0; 4096];
-    let mut search = FirstLine::default();
-    loop {
-        let count = bytes.read(&mut buffer)?;
-        start.extend_from_slice(buffer.get(..count).ok_or_else(over_full)?);
-        if count == 0 || search.is_in(&start, count) {
-            return Ok(start);
-        }
-    }
-}
 
 /// Looks for the first line that is not blank in a start that grows.
 #[derive(Default)]

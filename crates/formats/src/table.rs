@@ -1,18 +1,10 @@
-//! Numeric columns of a delimited text table.
-
-use std::io::{self, Cursor, Read};
+//! Tables of numbers, and how they are to be read.
 
 use boundfit_exact::{Limits, Rational, Reading};
-use csv::ByteRecord;
 
-use crate::binary::{BinaryFormat, refuse_binary};
-use crate::columns::{ColumnPlace, ColumnSelector, Header, Heading, decode};
-use crate::error::{InputError, InputErrorKind, Place};
+use crate::columns::{ColumnPlace, ColumnSelector, Header, decode};
+use crate::error::{InputError, InputErrorKind};
 use crate::limits::SizeLimits;
-use crate::mat::read_mat_table;
-use crate::records::Records;
-use crate::source::{Source, WatchedReader};
-use crate::start::{detect_delimiter, first_line, refuse_other, without_mark};
 
 /// Data rows from `first` to `last`, counted from 1, both included.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,7 +24,23 @@ impl RowRange {
         start.max(self.first)..end.min(self.last.saturating_add(1))
     }
 
-    pub(crate) fn contains(&self, row: usize) -> bool {
+    /// Those of the rows from `start` to before `end` that are not in the range: before it and behind it.
+    pub(crate) fn not_among(&self, start: usize, end: usize) -> [std::ops::Range<usize>; 2] {
+        [start..end.min(self.first), start.max(self.last.saturating_add(1))..end]
+    }
+
+    /// The first row.
+    pub fn first(&self) -> usize {
+        self.first
+    }
+
+    /// The last row.
+    pub fn last(&self) -> usize {
+        self.last
+    }
+
+    /// Whether a row is in the range.
+    pub fn contains(&self, row: usize) -> bool {
         (self.first..=self.last).contains(&row)
     }
 }
@@ -89,8 +97,6 @@ pub struct TableOptions {
 pub struct TableRow {
     /// Number of the row among the data rows, from 1.
     pub row: usize,
-    /// Line of the file on which it starts, from 1; 0 in a file without lines.
-    pub line: u64,
     /// The numbers of the columns asked for, in the order asked.
     pub numbers: Vec<Rational>,
 }
@@ -112,113 +118,6 @@ pub struct Table {
     pub sha256: String,
 }
 
-/// Reads the columns asked for from comma-, semicolon- or tab-separated text, with or without a header, quotes, a byte
-/// order mark, CRLF or blank lines. Blank lines are not rows. Only cells of wanted rows and columns need be numbers.
-/// Of a MATLAB file, the vectors and columns of matrices are read; there, numbers are those that are stored.
-///
-/// Exact as `options.reading` says. Cost: one pass; memory for the wanted cells.
-///
-/// ```
-/// use boundfit_exact::Rational;
-/// use boundfit_formats::{ColumnSelector, Source, TableOptions, read_table};
-///
-/// let columns = ["U", "I"].map(ColumnSelector::name_or_number);
-/// let text = Source::new("resistor.csv", "I;U\n0.1;1/3\n0.2;0.7\n".as_bytes());
-/// let table = read_table(text, &columns, &TableOptions::default())?;
-/// assert_eq!(table.rows[0].numbers, [Rational::ratio(1, 3), Rational::ratio(1, 10)]);
-///
-/// let text = Source::new("resistor.csv", "I;U\n0.1;o.3\n".as_bytes());
-/// let error = read_table(text, &columns, &TableOptions::default()).unwrap_err();
-/// assert!(error.to_string().starts_with("resistor.csv: line 2, column 2 (U): \"o.3\": not a number"));
-/// # Ok::<(), boundfit_formats::InputError>(())
-/// ```
-///
-/// # Errors
-/// The first thing wrong, with its place.
-pub fn read_table(
-    source: Source,
-    columns: &[ColumnSelector],
-    options: &TableOptions,
-) -> Result<Table, InputError> {
-    let source = match source.into_binary(BinaryFormat::is_matlab) {
-        Ok((name, table)) => return read_mat_table(&name, table, columns, options),
-        Err(text) => text,
-    };
-    let (file, mut bytes) = source.watched(&options.sizes);
-    let start = first_line(&mut bytes).map_err(|error| Source::stopped(&file, error))?;
-    refuse_binary(&file, &start)?;
-    refuse_other(&start).map_err(|problem| InputError::of_file(&file, problem))?;
-    let start = without_mark(&start).to_vec();
-    let delimiter = options.delimiter.unwrap_or_else(|| detect_delimiter(&start));
-    let records = Records::new(Cursor::new(start).chain(bytes), delimiter, 1, options.sizes.line);
-    TableReader { file, columns, options, delimiter, records }.read()
-}
-
-struct TableReader<'a> {
-    file: String,
-    columns: &'a [ColumnSelector],
-    options: &'a TableOptions,
-    delimiter: u8,
-    records: Records<io::Chain<Cursor<Vec<u8>>, WatchedReader>>,
-}
-
-impl TableReader<'_> {
-    fn read(mut self) -> Result<Table, InputError> {
-        let mut record = ByteRecord::new();
-        if !self.records.next(&self.file, &mut record)? {
-            return Err(InputError::of_file(&self.file, InputErrorKind::Empty));
-        }
-        let line = self.records.line();
-        check_columns(&self.file, &record, line, &self.options.sizes)?;
-        let heading = Heading::new(&self.file, &record, line, self.options.header, self.columns, None)?;
-        let places = self.columns.iter().map(|column| heading.find(&self.file, column));
-        let places = places.collect::<Result<Vec<_>, _>>()?;
-        let mut table = Table {
-            names: places.iter().map(ColumnPlace::title).collect(),
-            rows: Vec::new(),
-            others: Vec::new(),
-            rows_total: 0,
-            layout: None,
-            sha256: String::new(),
-        };
-        let mut more = heading.names.is_none() || self.records.next(&self.file, &mut record)?;
-        while more {
-            let line = self.records.line();
-            check_width(&self.file, line, record.len(), heading.width)?;
-            table.rows_total += 1;
-            let wanted = self.options.rows.is_none_or(|rows| rows.contains(table.rows_total));
-            if wanted || self.options.keep_others {
-                match self.numbers(&record, &places) {
-                    Ok(numbers) => {
-                        let row = TableRow { row: table.rows_total, line, numbers };
-                        if wanted { table.rows.push(row) } else { table.others.push(row) }
-                    }
-                    Err(error) if wanted => return Err(error),
-                    Err(_) => {}
-                }
-            }
-            more = self.records.next(&self.file, &mut record)?;
-        }
-        check_rows(&self.file, table.rows_total, self.options.rows)?;
-        let has_header = heading.names.is_some();
-        let layout =
-            TextLayout::new(self.delimiter, has_header, &places, self.options.rows, table.rows_total);
-        table.layout = Some(layout);
-        table.sha256 = self.records.input().get_ref().1.sha256();
-        Ok(table)
-    }
-
-    /// The numbers of a record in the columns asked for.
-    fn numbers(&self, record: &ByteRecord, places: &[ColumnPlace]) -> Result<Vec<Rational>, InputError> {
-        let read = |(place, column): (&ColumnPlace, &ColumnSelector)| {
-            let cell = &record[place.position - 1];
-            read_number(cell, column, self.options)
-                .map_err(|problem| place.error(&self.file, self.records.line(), cell, problem))
-        };
-        places.iter().zip(self.columns).map(read).collect()
-    }
-}
-
 /// The number in a cell of a column.
 pub(crate) fn read_number(
     cell: &[u8],
@@ -235,15 +134,14 @@ pub(crate) fn read_number(
 /// Refuses a table whose first record, on this line, has too many cells.
 pub(crate) fn check_columns(
     file: &str,
-    first: &ByteRecord,
+    cells: usize,
     line: u64,
     sizes: &SizeLimits,
 ) -> Result<(), InputError> {
-    if first.len() <= sizes.columns {
+    if cells <= sizes.columns {
         return Ok(());
     }
-    let place = Place { line: Some(line), ..Place::default() };
-    Err(InputError::new(file, place, InputErrorKind::TooManyColumns { limit: sizes.columns }))
+    Err(InputError::of_line(file, line, InputErrorKind::TooManyColumns { limit: sizes.columns }))
 }
 
 /// Refuses a row that has not as many cells as the first one.
@@ -251,8 +149,7 @@ pub(crate) fn check_width(file: &str, line: u64, found: usize, expected: usize) 
     if found == expected {
         return Ok(());
     }
-    let place = Place { line: Some(line), ..Place::default() };
-    Err(InputError::new(file, place, InputErrorKind::RaggedRow { found, expected }))
+    Err(InputError::of_line(file, line, InputErrorKind::RaggedRow { found, expected }))
 }
 
 /// Refuses a table without rows, or without all the rows that are wanted.

@@ -6,17 +6,18 @@ mod texts;
 
 use std::fs::File;
 use std::io::{self, Read, Seek};
+use std::ops::Range;
 
 use arrow_array::RecordBatch;
-use csv::ByteRecord;
-use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
-use crate::binary::BinaryTable;
+use crate::binary::BinaryFormat;
 use crate::columns::{ColumnPlace, ColumnSelector, Header, Heading};
 use crate::error::{InputError, InputErrorKind, Place};
-use crate::scan::{Batch, ScanOptions, Scanned};
+use crate::hash::hexadecimal;
+use crate::scan::{Batch, ScanOptions, Scanned, readable_rows};
 use crate::table::check_rows;
+use crate::threads;
 
 use numbers::numbers;
 use open::{batches, column_names, guarded, plain};
@@ -40,7 +41,8 @@ const BATCH_ROWS: usize = 1 << 16;
 /// The first thing wrong, with the row and column.
 pub(crate) fn scan_arrow<T: Send>(
     name: &str,
-    BinaryTable { format, mut file }: BinaryTable,
+    format: BinaryFormat,
+    mut file: File,
     columns: &[ColumnSelector],
     options: &ScanOptions,
     work: impl Fn(Batch) -> T + Sync,
@@ -59,18 +61,17 @@ pub(crate) fn scan_arrow<T: Send>(
     let (mut rows_total, mut more) = (0, true);
     while more {
         let mut group = Vec::new();
-        while more && group.len() < rayon::current_num_threads() {
+        while more && group.len() < threads::count() {
             more = match guarded(format, || batches.next().transpose()).map_err(fail)? {
                 Some(batch) => {
-                    group.extend(layout.wanted(rows_total + 1, &batch));
+                    group.extend(layout.parts(rows_total + 1, &batch));
                     rows_total += batch.num_rows();
                     true
                 }
                 None => false,
             };
         }
-        let decoded: Vec<Result<T, InputError>> =
-            group.par_iter().map(|(row, batch)| layout.decode(*row, batch).map(&work)).collect();
+        let decoded: Vec<Result<T, InputError>> = threads::map(group, |part| layout.decode(&part).map(&work));
         for result in decoded {
             take(result?);
         }
@@ -91,6 +92,14 @@ pub(crate) fn scan_arrow<T: Send>(
     })
 }
 
+/// Consecutive rows of a file.
+struct Part {
+    first_row: usize,
+    batch: RecordBatch,
+    /// Whether these rows are asked for; else they are kept where they hold numbers.
+    is_wanted: bool,
+}
+
 /// Which columns of a table are wanted.
 struct Layout<'a> {
     file: &'a str,
@@ -108,8 +117,8 @@ impl<'a> Layout<'a> {
         options: &'a ScanOptions,
     ) -> Result<Self, InputError> {
         let key = options.key.as_ref();
-        let record = ByteRecord::from(names.to_vec());
-        let heading = Heading::new(file, &record, 1, Header::Present, selectors, key)?;
+        let cells: Vec<&[u8]> = names.iter().map(|name| name.as_bytes()).collect();
+        let heading = Heading::new(file, &cells, 1, Header::Present, selectors, key)?;
         let find = |selector| {
             heading.find(file, selector).map_err(|mut error| {
                 // There are no lines here.
@@ -135,22 +144,34 @@ impl<'a> Layout<'a> {
         positions
     }
 
-    /// The wanted rows of a batch that starts with this row, in parts that are not too large.
-    fn wanted(&self, first_row: usize, batch: &RecordBatch) -> Vec<(usize, RecordBatch)> {
+    /// A batch that starts with this row in parts that are not too large, without rows that are not kept.
+    fn parts(&self, first_row: usize, batch: &RecordBatch) -> Vec<Part> {
         let end = first_row + batch.num_rows();
-        let wanted = match self.options.table.rows {
-            Some(rows) => rows.among(first_row, end),
-            None => first_row..end,
+        let parts = |rows: Range<usize>, is_wanted: bool| {
+            rows.clone().step_by(BATCH_ROWS).map(move |start| {
+                let length = BATCH_ROWS.min(rows.end - start);
+                Part { first_row: start, batch: batch.slice(start - first_row, length), is_wanted }
+            })
         };
-        let part = |start: usize| {
-            let length = BATCH_ROWS.min(wanted.end - start);
-            (start, batch.slice(start - first_row, length))
-        };
-        wanted.clone().step_by(BATCH_ROWS).map(part).collect()
+        let Some(rows) = self.options.table.rows else { return parts(first_row..end, true).collect() };
+        let unwanted = rows.not_among(first_row, end).into_iter().filter(|_| self.options.table.keep_others);
+        parts(rows.among(first_row, end), true).chain(unwanted.flat_map(|rows| parts(rows, false))).collect()
+    }
+
+    /// The batch that is handed out for a part.
+    fn decode(&self, part: &Part) -> Result<Batch, InputError> {
+        let Part { first_row, batch, is_wanted } = part;
+        if *is_wanted {
+            return self.numbers(*first_row, batch);
+        }
+        let read =
+            |rows: Range<usize>| self.numbers(first_row + rows.start, &batch.slice(rows.start, rows.len()));
+        let others = readable_rows(0..batch.num_rows(), &read);
+        Ok(Batch { others, ..read(0..0)? })
     }
 
     /// The numbers and keys of a batch that starts with this row.
-    fn decode(&self, first_row: usize, batch: &RecordBatch) -> Result<Batch, InputError> {
+    fn numbers(&self, first_row: usize, batch: &RecordBatch) -> Result<Batch, InputError> {
         let positions = self.positions();
         let array = |place: &ColumnPlace| {
             let index = positions.partition_point(|&position| position < place.position - 1);
@@ -168,6 +189,7 @@ impl<'a> Layout<'a> {
             keys: self.key.as_ref().map(key_column).transpose()?,
             lines: None,
             rows: batch.num_rows(),
+            others: Vec::new(),
         })
     }
 
@@ -207,7 +229,7 @@ fn sha256(mut file: &File) -> io::Result<String> {
     let mut buffer = vec![0; 1 << 16];
     loop {
         match file.read(&mut buffer) {
-            Ok(0) => return Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()),
+            Ok(0) => return Ok(hexadecimal(&hash)),
             Ok(count) => hash.update(buffer.get(..count).unwrap_or(&buffer)),
             Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
             Err(error) => return Err(error),

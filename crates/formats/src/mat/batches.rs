@@ -1,23 +1,20 @@
-//! The columns as rows: in batches, or all at once.
+//! The columns as rows, in batches.
 
+use std::fs::File;
 use std::ops::Range;
-
-use csv::WriterBuilder;
-use rayon::prelude::*;
 
 use super::columns::{MatColumn, MatColumns};
 use super::numbers::BadNumber;
-use crate::binary::BinaryTable;
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::{InputError, InputErrorKind, Place};
-use crate::scan::{Batch, Pieces, ScanOptions, Scanned};
-use crate::table::{Table, TableOptions, TableRow, check_rows};
+use crate::scan::{Batch, Pieces, ScanOptions, Scanned, readable_rows};
+use crate::table::check_rows;
+use crate::threads;
 
 /// The most rows that are handed out at a time: two columns of them take 1 MB.
 const BATCH_ROWS: usize = 1 << 16;
 
-/// Reads columns of a MATLAB file like [`scan`](crate::scan) reads those of a text. Every number is the one that is
-/// stored, whichever way text is to be read. With [`ScanOptions::keep_text`], the rows are written as CSV of the columns
+/// Reads columns of a MATLAB file as [`scan`](crate::scan) says. Every number is the one that is stored, whichever way text is to be read. With [`ScanOptions::keep_text`], the rows are written as CSV of the columns
 /// asked for, which reads back the same under the binary64 reading.
 ///
 /// Exact. Cost: one pass; memory for the variables that are asked for.
@@ -26,7 +23,7 @@ const BATCH_ROWS: usize = 1 << 16;
 /// The first thing wrong, with the variable, or the row and column.
 pub(crate) fn scan_mat<T: Send>(
     name: &str,
-    table: BinaryTable,
+    file: File,
     columns: &[ColumnSelector],
     options: &ScanOptions,
     work: impl Fn(Batch) -> T + Sync,
@@ -35,22 +32,27 @@ pub(crate) fn scan_mat<T: Send>(
     let fail = |problem: InputErrorKind| InputError::of_file(name, problem);
     let selectors: Vec<&ColumnSelector> = columns.iter().chain(&options.key).collect();
     let progress = options.progress.as_deref();
-    let found = MatColumns::read(table.file, &selectors, &options.table.sizes, options.hash, progress);
+    let found = MatColumns::read(file, &selectors, &options.table.sizes, options.hash, progress);
     let MatColumns { columns: found, rows, sha256, bytes } = found.map_err(fail)?;
     check_rows(name, rows, options.table.rows)?;
     let (numbers, key) = found.split_at_checked(columns.len()).unwrap_or_default();
     let rows_of = Rows { file: name, selectors: columns, columns: numbers, key: key.first(), options };
     let wanted = options.table.rows.map_or(1..rows + 1, |wanted| wanted.among(1, rows + 1));
     let starts: Vec<usize> = wanted.clone().step_by(BATCH_ROWS).collect();
-    for group in starts.chunks(rayon::current_num_threads().max(1)) {
-        let batch = |&start: &usize| rows_of.batch(start..wanted.end.min(start + BATCH_ROWS)).map(&work);
-        let done: Vec<Result<T, InputError>> = group.par_iter().map(batch).collect();
+    for group in starts.chunks(threads::count()) {
+        let batch = |start: usize| rows_of.batch(start..wanted.end.min(start + BATCH_ROWS)).map(&work);
+        let done: Vec<Result<T, InputError>> = threads::map(group.to_vec(), batch);
         for result in done {
             take(result?);
         }
         if progress.is_some_and(|progress| progress.is_cancelled()) {
             return Err(fail(InputErrorKind::Interrupted));
         }
+    }
+    if let Some(wanted) = options.table.rows.filter(|_| options.table.keep_others) {
+        let unwanted = wanted.not_among(1, rows + 1).into_iter();
+        let others = unwanted.flat_map(|rows| readable_rows(rows, &|rows| rows_of.batch(rows))).collect();
+        take(work(Batch { others, ..rows_of.batch(1..1)? }));
     }
     let names: Vec<String> = numbers.iter().map(|column| column.place.title()).collect();
     Ok(Scanned {
@@ -63,48 +65,6 @@ pub(crate) fn scan_mat<T: Send>(
         bytes,
         sha256,
     })
-}
-
-/// Reads columns of a MATLAB file like [`read_table`](crate::read_table) reads those of a text.
-///
-/// # Errors
-/// As [`scan_mat`].
-pub(crate) fn read_mat_table(
-    name: &str,
-    table: BinaryTable,
-    columns: &[ColumnSelector],
-    options: &TableOptions,
-) -> Result<Table, InputError> {
-    let fail = |problem: InputErrorKind| InputError::of_file(name, problem);
-    let selectors: Vec<&ColumnSelector> = columns.iter().collect();
-    let found = MatColumns::read(table.file, &selectors, &options.sizes, true, None).map_err(fail)?;
-    check_rows(name, found.rows, options.rows)?;
-    let scan = ScanOptions { table: options.clone(), ..ScanOptions::default() };
-    let rows_of = Rows { file: name, selectors: columns, columns: &found.columns, key: None, options: &scan };
-    let mut table = Table {
-        layout: None,
-        names: found.columns.iter().map(|column| column.place.title()).collect(),
-        rows: Vec::new(),
-        others: Vec::new(),
-        rows_total: found.rows,
-        sha256: found.sha256.clone().unwrap_or_default(),
-    };
-    for row in 1..=found.rows {
-        let wanted = options.rows.is_none_or(|rows| rows.contains(row));
-        if !wanted && !options.keep_others {
-            continue;
-        }
-        match rows_of.batch(row..row + 1) {
-            Ok(batch) => {
-                let numbers = batch.columns.iter().map(|column| column.get(0)).collect();
-                let row = TableRow { row, line: 0, numbers };
-                if wanted { table.rows.push(row) } else { table.others.push(row) }
-            }
-            Err(error) if wanted => return Err(error),
-            Err(_) => {}
-        }
-    }
-    Ok(table)
 }
 
 /// Rows of columns of one length.
@@ -147,7 +107,7 @@ impl Rows<'_> {
             }
             lines
         });
-        Ok(Batch { first_row: rows.start, columns, keys, lines, rows: rows.len() })
+        Ok(Batch { first_row: rows.start, columns, keys, lines, rows: rows.len(), others: Vec::new() })
     }
 
     fn error(&self, column: &MatColumn, bad: BadNumber) -> InputError {
@@ -167,13 +127,11 @@ fn indices(column: &MatColumn, rows: &Range<usize>) -> Range<usize> {
     column.start + rows.start - 1..column.start + rows.end - 1
 }
 
-/// Cells as a line of CSV, without its end.
+/// Cells, none of them empty, as a line of CSV, without its end.
 fn csv_line(cells: &[String]) -> Vec<u8> {
-    let mut writer = WriterBuilder::new().from_writer(Vec::new());
-    // Writing to memory does not fail.
-    let written = writer.write_record(cells);
-    debug_assert!(written.is_ok());
-    let mut line = writer.into_inner().unwrap_or_default();
-    line.pop();
-    line
+    let quoted = |cell: &String| match cell.contains([',', '"', '\r', '\n']) {
+        true => format!("\"{}\"", cell.replace('"', "\"\"")),
+        false => cell.clone(),
+    };
+    cells.iter().map(quoted).collect::<Vec<_>>().join(",").into_bytes()
 }

@@ -6,8 +6,8 @@ use std::io::{self, BufReader, Read};
 use sha2::{Digest, Sha256};
 
 use crate::error::InputErrorKind;
+use crate::hash::hexadecimal;
 use crate::scan::Progress;
-use crate::source::hexadecimal;
 
 /// Reads a file, hashes what passes if that is wanted, and tells who follows how far it is.
 pub(super) struct MatFile<'a> {

@@ -13,9 +13,8 @@ mod batches;
 mod columns;
 mod elements;
 mod file;
-mod kind;
+pub(crate) mod kind;
 mod numbers;
 mod variable;
 
-pub(crate) use batches::{read_mat_table, scan_mat};
-pub(crate) use kind::{START, kind_of};
+pub(crate) use batches::scan_mat;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use boundfit_exact::{Rational, Scaled};
 
 use crate::columns::ColumnSelector;
-use crate::table::{TableOptions, TextLayout};
+use crate::table::{TableOptions, TableRow, TextLayout};
 
 /// Numbers of one column for some consecutive rows.
 #[derive(Debug, Clone, PartialEq)]
@@ -106,7 +106,7 @@ impl Pieces<Vec<u8>> {
     }
 }
 
-/// Consecutive wanted data rows, in columns; at least one row.
+/// Consecutive wanted data rows, in columns; at least one row, unless others are kept.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Batch {
     /// Number of the first of these rows among the data rows of the file, from 1; the next one has the next number.
@@ -119,12 +119,24 @@ pub struct Batch {
     pub lines: Option<Pieces<Vec<u8>>>,
     /// How many rows there are.
     pub rows: usize,
+    /// With [`TableOptions::keep_others`], rows that are not wanted but hold numbers; then there may be no other rows.
+    pub others: Vec<TableRow>,
+}
+
+impl Batch {
+    /// The wanted rows one by one.
+    pub fn table_rows(&self) -> impl Iterator<Item = TableRow> {
+        (0..self.rows).map(|index| TableRow {
+            row: self.first_row + index,
+            numbers: self.columns.iter().map(|column| column.get(index)).collect(),
+        })
+    }
 }
 
 /// How a scan is to go.
 #[derive(Clone)]
 pub struct ScanOptions {
-    /// How the table is to be read. Rows that are not wanted are never kept.
+    /// How the table is to be read.
     pub table: TableOptions,
     /// A column of text.
     pub key: Option<ColumnSelector>,

@@ -3,6 +3,7 @@
 use boundfit_exact::{Rational, Scaled};
 
 use super::batch::{Batch, Column, Pieces};
+use crate::table::TableRow;
 
 /// The exponent of zeros alone, which are zeros on every power of ten.
 const ANY_EXPONENT: i32 = i32::MIN;
@@ -111,6 +112,7 @@ pub(super) struct BatchBuilder {
     lines: Option<Pieces<Vec<u8>>>,
     first_row: usize,
     rows: usize,
+    pub(super) others: Vec<TableRow>,
 }
 
 impl BatchBuilder {
@@ -121,6 +123,7 @@ impl BatchBuilder {
             lines: lines.then(Pieces::default),
             first_row: 0,
             rows: 0,
+            others: Vec::new(),
         }
     }
 
@@ -144,7 +147,9 @@ impl BatchBuilder {
     /// The batch, when it has rows, with so much added to their numbers.
     pub(super) fn finish(self, shift: usize) -> Option<Batch> {
         let columns = self.columns.into_iter().map(ColumnBuilder::finish).collect();
-        let BatchBuilder { first_row, rows, keys, lines, .. } = self;
-        (rows > 0).then_some(Batch { first_row: first_row + shift, rows, columns, keys, lines })
+        let BatchBuilder { first_row, rows, keys, lines, mut others, .. } = self;
+        others.iter_mut().for_each(|other| other.row += shift);
+        let is_empty = rows == 0 && others.is_empty();
+        (!is_empty).then_some(Batch { first_row: first_row + shift, rows, columns, keys, lines, others })
     }
 }

@@ -1,18 +1,14 @@
 //! What is taken from every row of a table.
 
-use std::io::Read;
-
 use boundfit_exact::{PLAIN_DIGITS, PLAIN_EXPONENT, Reading, plain_decimal, plain_double};
-use csv::ByteRecord;
 
 use crate::columns::{ColumnPlace, ColumnSelector, Heading, decode};
 use crate::error::{InputError, InputErrorKind};
-use crate::records::Records;
-use crate::table::{check_columns, read_number};
+use crate::records::{Record, Records};
+use crate::table::{TableRow, check_columns, read_number};
 
 use super::batch::{Pieces, ScanOptions};
 use super::builder::{BatchBuilder, ColumnBuilder};
-use super::tape::Tape;
 
 /// A table's columns, once its first record is known.
 pub(super) struct Layout<'a> {
@@ -31,15 +27,16 @@ impl<'a> Layout<'a> {
     /// The layout that follows from the first record, which starts on this line.
     pub(super) fn new(
         file: &'a str,
-        first: &ByteRecord,
+        first: &Record,
         line: u64,
         delimiter: u8,
         selectors: &'a [ColumnSelector],
         options: &'a ScanOptions,
     ) -> Result<Self, InputError> {
-        check_columns(file, first, line, &options.table.sizes)?;
+        check_columns(file, first.len(), line, &options.table.sizes)?;
         let key = options.key.as_ref();
-        let heading = Heading::new(file, first, line, options.table.header, selectors, key)?;
+        let cells: Vec<&[u8]> = first.cells().collect();
+        let heading = Heading::new(file, &cells, line, options.table.header, selectors, key)?;
         let places = selectors.iter().map(|selector| heading.find(file, selector));
         Ok(Layout {
             file,
@@ -53,10 +50,10 @@ impl<'a> Layout<'a> {
         })
     }
 
-    /// Records of an input that starts on this line.
-    pub(super) fn records<R: Read>(&self, input: R, line: u64) -> Records<Tape<R>> {
+    /// Records of bytes that start on this line.
+    pub(super) fn records(&self, line: u64) -> Records<'a> {
         let longest = self.options.table.sizes.line;
-        Records::new(Tape::new(input, self.options.keep_text), self.delimiter, line, longest)
+        Records::new(self.file, self.delimiter, line, longest, self.options.keep_text)
     }
 
     /// An empty batch.
@@ -76,22 +73,26 @@ impl<'a> Layout<'a> {
     }
 
     /// Adds the numbers and the key of a record to a batch.
-    pub(super) fn add(
-        &self,
-        record: &ByteRecord,
-        line: u64,
-        batch: &mut BatchBuilder,
-    ) -> Result<(), InputError> {
+    pub(super) fn add(&self, record: &Record, line: u64, batch: &mut BatchBuilder) -> Result<(), InputError> {
         for ((place, selector), column) in self.places.iter().zip(self.selectors).zip(&mut batch.columns) {
-            let cell = &record[place.position - 1];
+            let cell = record.cell(place.position - 1);
             self.add_number(cell, selector, column)
                 .map_err(|problem| place.error(self.file, line, cell, problem))?;
         }
         if let (Some(place), Some(keys)) = (&self.key, &mut batch.keys) {
-            let cell = &record[place.position - 1];
+            let cell = record.cell(place.position - 1);
             Layout::add_key(cell, keys).map_err(|problem| place.error(self.file, line, cell, problem))?;
         }
         Ok(())
+    }
+
+    /// Adds a row that is not wanted to a batch, if its cells are numbers.
+    pub(super) fn add_other(&self, record: &Record, row: usize, batch: &mut BatchBuilder) {
+        let number = |(place, selector): (&ColumnPlace, &ColumnSelector)| {
+            read_number(record.cell(place.position - 1), selector, &self.options.table)
+        };
+        let numbers = self.places.iter().zip(self.selectors).map(number).collect();
+        batch.others.extend(Result::ok(numbers).map(|numbers| TableRow { row, numbers }));
     }
 
     /// Adds the number in a cell to a column.

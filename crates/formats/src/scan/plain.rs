@@ -5,7 +5,7 @@ use memchr::{memchr, memchr_iter, memchr2, memchr3};
 
 use super::builder::BatchBuilder;
 use super::layout::Layout;
-use super::library::Rows;
+use super::rows::Rows;
 
 /// Separators that are no part of a number.
 const SEPARATORS: &[u8] = b",;\t| :";
@@ -34,10 +34,14 @@ enum What {
 }
 
 impl Route {
-    /// The route through the rows of a table, or `None` when the fast lane cannot tell numbers from separators, or reads
-    /// numbers beyond the limits.
+    /// The route through the rows of a table, or `None` when the fast lane cannot tell numbers from separators, reads
+    /// numbers beyond the limits, or would pass over rows that are kept.
     pub(super) fn new(layout: &Layout) -> Option<Self> {
-        if !SEPARATORS.contains(&layout.delimiter) || !layout.limits_allow_plain_decimals() {
+        let table = &layout.options.table;
+        if !SEPARATORS.contains(&layout.delimiter)
+            || !layout.limits_allow_plain_decimals()
+            || (table.keep_others && table.rows.is_some())
+        {
             return None;
         }
         let numbers = layout.places.iter().zip(layout.selectors).enumerate();
@@ -60,7 +64,7 @@ impl Route {
     }
 }
 
-/// Reads the rows of a chunk that comes after so many rows; `None` when it is for the CSV library.
+/// Reads the rows of a chunk that comes after so many rows; `None` when it is not for the fast lane.
 pub(super) fn parse(chunk: &[u8], layout: &Layout, route: &Route, rows_before: usize) -> Option<Rows> {
     if !is_plain(chunk) {
         return None;
@@ -95,7 +99,7 @@ fn likely_rows(chunk: &[u8]) -> usize {
     if chunk.len() == sample.len() { rows } else { (rows + rows / 16).next_multiple_of(STEP) }
 }
 
-/// How many rows a chunk has; `None` when it is for the CSV library.
+/// How many rows a chunk has; `None` when it is not for the fast lane.
 pub(super) fn count(chunk: &[u8], layout: &Layout, route: &Route) -> Option<usize> {
     if !is_plain(chunk) {
         return None;

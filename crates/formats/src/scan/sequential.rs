@@ -1,87 +1,47 @@
-//! The rest of a table, row after row: where a row may go on in the next chunk, or the bytes stop unexpectedly.
-
-use std::collections::VecDeque;
-use std::io::{self, Read};
+//! The end of a table, chunk after chunk: where a row may go on in the next chunk, or the bytes stop unexpectedly.
 
 use memchr::memchr_iter;
 
+use crate::chunks::{Chunk, ChunkReader};
 use crate::error::InputError;
-use crate::source::Stopped;
 
 use super::Run;
 use super::batch::Batch;
 use super::builder::BatchBuilder;
-use super::chunks::{Chunk, ChunkReader};
-use super::library::RowReader;
-
-/// Chunks one after the other as a stream, those already at hand first.
-pub(super) struct Rest<'a> {
-    current: Chunk,
-    position: usize,
-    at_hand: VecDeque<Chunk>,
-    reader: &'a mut ChunkReader,
-    /// The line reached, counted by line feeds from 1.
-    line: u64,
-}
-
-impl<'a> Rest<'a> {
-    /// The stream of these chunks, which start on this line, and of what the reader has after them.
-    pub(super) fn new(at_hand: Vec<Chunk>, reader: &'a mut ChunkReader, line: u64) -> Self {
-        Rest { current: Chunk::default(), position: 0, at_hand: at_hand.into(), reader, line }
-    }
-}
-
-impl Read for Rest<'_> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        while self.position == self.current.len() {
-            self.position = 0;
-            if let Some(chunk) = self.at_hand.pop_front().or_else(|| self.reader.next_chunk()) {
-                let old = std::mem::replace(&mut self.current, chunk);
-                self.reader.recycle(vec![old]);
-            } else if !self.reader.rest().is_empty() {
-                self.current.set(self.reader.rest());
-                self.reader.skip(self.current.len());
-            } else if let Some(problem) = self.reader.failure() {
-                self.current.set(b"");
-                return Err(io::Error::other(Stopped { line: self.line, problem }));
-            } else {
-                self.current.set(b"");
-                return Ok(0);
-            }
-        }
-        let mut rest = self.current.get(self.position..).unwrap_or_default();
-        let count = rest.read(buffer)?;
-        self.position += count;
-        self.line += memchr_iter(b'\n', buffer.get(..count).unwrap_or_default()).count() as u64;
-        Ok(count)
-    }
-}
+use super::first_record::Position;
+use super::layout::Layout;
+use super::rows::RowReader;
 
 impl<T, W: Fn(Batch) -> T, K: FnMut(T)> Run<'_, W, K> {
-    /// Reads all rows that a reader has, after so many rows before; the first one may have been read. Returns how many
+    /// Reads all rows of these chunks, which start at a position, and of what the reader has after them. Returns how many
     /// rows there are with those before.
-    pub(super) fn read_rows<R: Read>(
+    pub(super) fn read_in_sequence(
         &mut self,
-        mut reader: RowReader<'_, R>,
-        rows_before: usize,
-        has_row: bool,
+        layout: &Layout,
+        reader: &mut ChunkReader,
+        position: Position,
+        at_hand: Vec<Chunk>,
     ) -> Result<usize, InputError> {
-        let mut total = rows_before;
-        let mut batch = reader.layout().batch();
-        let mut batch_start = 0;
-        let mut more = has_row || reader.next()?;
-        while more {
-            total += 1;
-            reader.add(total, &mut batch)?;
-            let bytes = reader.taken() - batch_start;
-            if bytes >= self.options.chunk_bytes as u64 {
-                batch_start += bytes;
-                self.hand_out(std::mem::replace(&mut batch, reader.layout().batch()), bytes)?;
-            }
-            more = reader.next()?;
+        let mut rows = RowReader::new(layout, position.lines, position.rows);
+        let mut line = position.line_feeds;
+        let mut at_hand = at_hand.into_iter();
+        while let Some(chunk) = at_hand.next().or_else(|| reader.next_chunk()) {
+            let mut batch = layout.batch();
+            rows.read(&chunk, &mut batch)?;
+            self.hand_out(batch, chunk.len() as u64)?;
+            line += memchr_iter(b'\n', &chunk).count() as u64;
+            reader.recycle(vec![chunk]);
         }
-        self.hand_out(batch, reader.taken() - batch_start)?;
-        Ok(total)
+        // What came before a failure, if there was one; its rows are handed out no more.
+        let mut batch = layout.batch();
+        rows.read(reader.pending(), &mut batch)?;
+        line += memchr_iter(b'\n', reader.pending()).count() as u64;
+        if let Some(problem) = reader.failure() {
+            return Err(InputError::of_line(self.file, line, problem));
+        }
+        rows.finish(&mut batch)?;
+        self.hand_out(batch, 0)?;
+        Ok(rows.total())
     }
 
     fn hand_out(&mut self, batch: BatchBuilder, bytes: u64) -> Result<(), InputError> {

@@ -1,9 +1,9 @@
-//! The same rows and the same messages as `read_table`.
+//! The rows and the messages of the reference.
 
 use boundfit_formats::{ColumnSelector, ScanOptions, TableOptions};
 use boundfit_tests::generate::seeded;
 
-use super::both::{POOLS, by_scan, by_table};
+use super::both::{POOLS, by_reference, by_scan};
 use super::tables::{Case, case};
 
 /// Chunks of so many bytes, at least.
@@ -15,7 +15,7 @@ fn generated_tables() {
     let (mut found, mut refused) = (0, 0);
     for number in 0..6000 {
         let Case { bytes, columns, options } = case(&mut rng);
-        let expected = by_table(&bytes, &columns, &options);
+        let expected = by_reference(&bytes, &columns, &options);
         for (pool, threads) in POOLS.iter().zip([1, 2, 8]) {
             for chunk_bytes in CHUNKS {
                 let options = ScanOptions { chunk_bytes, ..options.clone() };
@@ -41,7 +41,7 @@ fn chunks_may_end_anywhere() {
     let start = "\u{feff}\n x,\"y\",t\r\n1.5,-2,a\n\n3,4,\"b\nc\"\r\n  \n5,6e-3,\"\"\"\"\n7/19,8,d\n9,10,e\n";
     for end in ["11,12,f\n", "11,12,f", "11,z,f\n", "11,12\n", "11,12,f\r13,14,\u{0}", "11,12,\"f\n"] {
         let bytes = [start, end].concat();
-        let expected = by_table(bytes.as_bytes(), &columns, &ScanOptions::default());
+        let expected = by_reference(bytes.as_bytes(), &columns, &ScanOptions::default());
         for chunk_bytes in 1..=bytes.len() + 1 {
             let options = ScanOptions { chunk_bytes, ..ScanOptions::default() };
             let actual = POOLS[1].install(|| by_scan(bytes.as_bytes(), &columns, &options));
@@ -63,7 +63,7 @@ fn byte_order_marks() {
         "\u{feff}x,y\n\u{feff}1,2\n",
         "\u{feff}",
     ] {
-        let expected = by_table(text.as_bytes(), &columns, &ScanOptions::default());
+        let expected = by_reference(text.as_bytes(), &columns, &ScanOptions::default());
         for chunk_bytes in [1, 4096] {
             let options = ScanOptions { chunk_bytes, ..ScanOptions::default() };
             assert_eq!(by_scan(text.as_bytes(), &columns, &options), expected, "{text:?}");
@@ -78,7 +78,7 @@ fn files_may_end_anywhere() {
     let whole = "\u{feff}x,y\r\n1.5,-2\r\n\r\n3,\"4\"\r\n5,6e-3\r\n";
     for end in 0..=whole.len() {
         let bytes = &whole.as_bytes()[..end];
-        let expected = by_table(bytes, &columns, &ScanOptions::default());
+        let expected = by_reference(bytes, &columns, &ScanOptions::default());
         for chunk_bytes in CHUNKS {
             let options = ScanOptions { chunk_bytes, ..ScanOptions::default() };
             let actual = POOLS[1].install(|| by_scan(bytes, &columns, &options));
@@ -103,7 +103,7 @@ fn the_first_bad_row_is_named() {
         ("1,2,3\nx,y\n", "data.csv: line 200002: the row has 3 cells where the first row has 2"),
     ] {
         let text = format!("{text}{bad}");
-        let expected = by_table(text.as_bytes(), &columns, &options);
+        let expected = by_reference(text.as_bytes(), &columns, &options);
         for pool in &*POOLS {
             let actual = pool.install(|| by_scan(text.as_bytes(), &columns, &options));
             assert!(actual == expected, "{bad:?}");

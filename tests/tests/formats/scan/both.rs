@@ -1,10 +1,11 @@
-//! The two readers, with what they found in one form.
+//! The reader and its reference, with what they found in one form.
 
 use std::io::Cursor;
 use std::sync::LazyLock;
 
-use boundfit_exact::Rational;
-use boundfit_formats::{Batch, ColumnSelector, ScanOptions, Scanned, Source, read_table, scan};
+use boundfit_formats::{Batch, ColumnSelector, ScanOptions, Scanned, Source, TableRow, scan};
+pub use boundfit_tests::reference_table::Found;
+use boundfit_tests::reference_table::{self, NAME};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// Pools of 1, 2 and 8 threads.
@@ -12,20 +13,13 @@ pub static POOLS: LazyLock<Vec<ThreadPool>> = LazyLock::new(|| {
     [1, 2, 8].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build().unwrap()).into()
 });
 
-/// What a reader found: the names, the number of rows, the hash, and the rows wanted with their numbers.
-#[derive(Debug, PartialEq, Eq)]
-pub struct Found {
-    pub names: Vec<String>,
-    pub rows_total: usize,
-    pub sha256: String,
-    pub rows: Vec<(usize, Vec<Rational>)>,
-}
-
-/// How `read_table` reads these bytes: what it found, or its message.
-pub fn by_table(bytes: &[u8], columns: &[ColumnSelector], options: &ScanOptions) -> Result<Found, String> {
-    let table = read_table(source(bytes), columns, &options.table).map_err(|error| error.to_string())?;
-    let rows = table.rows.into_iter().map(|row| (row.row, row.numbers)).collect();
-    Ok(Found { names: table.names, rows_total: table.rows_total, sha256: table.sha256, rows })
+/// How the reference reads these bytes: what it found, or its message.
+pub fn by_reference(
+    bytes: &[u8],
+    columns: &[ColumnSelector],
+    options: &ScanOptions,
+) -> Result<Found, String> {
+    reference_table::read(bytes, None, columns, &options.table)
 }
 
 /// How `scan` reads these bytes in the current pool.
@@ -47,16 +41,18 @@ pub fn batches(
 
 /// The rows of all batches.
 pub fn found(scanned: Scanned, batches: &[Batch]) -> Found {
+    let numbered = |row: TableRow| (row.row, row.numbers);
     let rows = batches.iter().flat_map(|batch| {
-        assert!(batch.rows > 0 && batch.columns.iter().all(|column| column.len() == batch.rows));
-        let numbers = |index| batch.columns.iter().map(|column| column.get(index)).collect();
-        (0..batch.rows).map(move |index| (batch.first_row + index, numbers(index)))
+        assert!(batch.rows + batch.others.len() > 0);
+        assert!(batch.columns.iter().all(|column| column.len() == batch.rows));
+        batch.table_rows().map(numbered)
     });
     let rows = rows.collect();
+    let others = batches.iter().flat_map(|batch| batch.others.clone()).map(numbered).collect();
     let sha256 = scanned.sha256.unwrap_or_default();
-    Found { names: scanned.names, rows_total: scanned.rows_total, sha256, rows }
+    Found { names: scanned.names, rows_total: scanned.rows_total, sha256, rows, others }
 }
 
 fn source(bytes: &[u8]) -> Source {
-    Source::new("data.csv", Cursor::new(bytes.to_vec()))
+    Source::new(NAME, Cursor::new(bytes.to_vec()))
 }

@@ -3,9 +3,10 @@
 use std::collections::VecDeque;
 use std::io::{self, Read};
 
-use boundfit_formats::{ColumnSelector, LONGEST_LINE, ScanOptions, Source, read_table};
+use boundfit_formats::{ColumnSelector, LONGEST_LINE, ScanOptions, Source};
+use boundfit_tests::reference_table;
 
-use super::both::{POOLS, batches, by_table, found};
+use super::both::{POOLS, batches, by_reference, found};
 
 /// What a reader does when it is called.
 #[derive(Clone)]
@@ -55,7 +56,7 @@ const TABLES: [&str; 4] = [
 #[test]
 fn one_byte_at_a_time_and_interrupted() {
     for table in TABLES {
-        let expected = by_table(table.as_bytes(), &columns(), &ScanOptions::default());
+        let expected = by_reference(table.as_bytes(), &columns(), &ScanOptions::default());
         let one_by_one = table.bytes().map(|byte| Event::Bytes(vec![byte]));
         let events: Vec<Event> = one_by_one.flat_map(|byte| [Event::Interrupted, byte]).collect();
         for chunk_bytes in [1, 7, 4096] {
@@ -64,8 +65,6 @@ fn one_byte_at_a_time_and_interrupted() {
             let actual = scanned.map(|(scanned, batches)| found(scanned, &batches));
             assert_eq!(actual, expected, "{table:?} in chunks of {chunk_bytes}");
         }
-        let message = read_table(source(&events), &columns(), &ScanOptions::default().table);
-        assert_eq!(message.map_err(|error| error.to_string()).err(), expected.err(), "{table:?}");
     }
 }
 
@@ -76,8 +75,9 @@ fn a_reader_that_fails() {
         for end in 0..=table.len() {
             let bytes = Event::Bytes(table.as_bytes()[..end].to_vec());
             let events = [bytes, Event::Fails];
-            let expected = read_table(source(&events), &columns(), &ScanOptions::default().table);
-            let expected = expected.map_err(|error| error.to_string()).err();
+            let bytes = &table.as_bytes()[..end];
+            let options = ScanOptions::default().table;
+            let expected = reference_table::read(bytes, Some("the disk is gone"), &columns(), &options).err();
             for chunk_bytes in [1, 7, 4096] {
                 let options = ScanOptions { chunk_bytes, ..ScanOptions::default() };
                 let actual = POOLS[1].install(|| batches(source(&events), &columns(), &options)).err();
@@ -93,16 +93,16 @@ fn a_reader_that_fails() {
 fn a_line_without_end() {
     let longest = format!("x,y\n1,2\n3,{}4\n", " ".repeat(LONGEST_LINE - 4));
     let options = ScanOptions::default();
-    let expected = by_table(longest.as_bytes(), &columns(), &options);
+    let expected = by_reference(longest.as_bytes(), &columns(), &options);
     assert_eq!(expected.as_ref().map(|found| found.rows_total), Ok(2));
     let too_long = format!("x,y\n1,2\n3,{}4\n5,z\n", " ".repeat(LONGEST_LINE - 3));
-    let refused = by_table(too_long.as_bytes(), &columns(), &options);
+    let refused = by_reference(too_long.as_bytes(), &columns(), &options);
     assert_eq!(
         refused.as_ref().err().map(String::as_str),
         Some("data.csv: line 3: the line is longer than 16777216 bytes (the limit); --max-line raises it")
     );
     let first = format!("x{}\n", " ".repeat(LONGEST_LINE));
-    let at_once = by_table(first.as_bytes(), &columns(), &options);
+    let at_once = by_reference(first.as_bytes(), &columns(), &options);
     for chunk_bytes in [1 << 12, 1 << 19, usize::MAX] {
         let options = ScanOptions { chunk_bytes, ..ScanOptions::default() };
         for (text, expected) in [(&longest, &expected), (&too_long, &refused), (&first, &at_once)] {

@@ -1,4 +1,4 @@
-//! A scan gives the rows and the errors of `read_table`, whatever the chunks, the threads and the way the bytes come.
+//! A scan gives the rows and the errors of a naive reader, whatever the chunks, the threads and the way the bytes come.
 
 mod agreement;
 mod both;

@@ -175,6 +175,7 @@ fn options(rng: &mut ChaCha8Rng, plain: bool) -> ScanOptions {
         header: if unusual { *[Header::Present, Header::Absent].choose(rng).unwrap() } else { Header::Auto },
         delimiter: [b',', b';', b' ', b'0', b'\n', b'"'].choose(rng).copied().filter(|_| unusual),
         rows,
+        keep_others: rng.random_bool(0.5),
         reading: if rng.random_bool(0.25) { Reading::Binary64 } else { Reading::Decimal },
         limits,
         ..TableOptions::default()

@@ -8,16 +8,17 @@
 use boundfit_geometry::{Direction, Generator, Generators, Point};
 
 use crate::error::{InputError, InputErrorKind};
-use crate::half_planes::{GeneratorRows, HalfPlaneFile, RowOrigin};
-use crate::ine::{MatrixRow, Parser};
+use crate::half_planes::file::{GeneratorRows, HalfPlaneFile, RowOrigin};
+
+use super::words::MatrixRow;
 
 /// The half-planes of the set that rows generate.
-pub(crate) fn from_generators<'a>(
-    parser: &Parser<'a>,
-    rows: &[MatrixRow<'a>],
+pub(super) fn from_generators(
+    file: &str,
+    rows: &[MatrixRow<'_>],
     sha256: String,
 ) -> Result<HalfPlaneFile, InputError> {
-    let generator = |row| generator(row).map_err(|problem| parser.error(row.start, problem));
+    let generator = |row: &MatrixRow<'_>| generator(row).map_err(|problem| row.start.error(file, problem));
     let mut generators = rows.iter().map(generator).collect::<Result<Generators, _>>()?;
     let has_point = generators.as_slice().iter().any(|generator| matches!(generator, Generator::Point(_)));
     if !has_point && !rows.is_empty() {

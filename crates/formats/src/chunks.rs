@@ -7,19 +7,17 @@ use memchr::{memchr, memchr_iter, memrchr};
 use sha2::{Digest, Sha256};
 
 use crate::binary::refuse_binary;
-use crate::error::{InputError, InputErrorKind, Place};
+use crate::error::{InputError, InputErrorKind};
+use crate::hash::hexadecimal;
 use crate::limits::LONGEST_LINE;
-use crate::source::hexadecimal;
 use crate::start::{FirstLine, refuse_other, without_mark};
-
-use super::batch::ScanOptions;
 
 /// How much is read beyond the size of a chunk, to find the end of its last line without another call.
 const BEYOND: usize = 4096;
 
 /// Some consecutive bytes, in a buffer that is used again.
 #[derive(Default)]
-pub(super) struct Chunk {
+pub(crate) struct Chunk {
     buffer: Vec<u8>,
     length: usize,
 }
@@ -34,18 +32,12 @@ impl Deref for Chunk {
 
 impl Chunk {
     /// Replaces what is in it.
-    pub(super) fn set(&mut self, bytes: &[u8]) {
+    pub(crate) fn set(&mut self, bytes: &[u8]) {
         self.length = bytes.len();
         match self.buffer.get_mut(..bytes.len()) {
             Some(start) => start.copy_from_slice(bytes),
             None => self.buffer = bytes.to_vec(),
         }
-    }
-}
-
-impl From<&[u8]> for Chunk {
-    fn from(bytes: &[u8]) -> Self {
-        Chunk { buffer: bytes.to_vec(), length: bytes.len() }
     }
 }
 
@@ -59,13 +51,13 @@ enum State {
 /// Cuts a stream of bytes into chunks of whole lines, and hashes it.
 ///
 /// A chunk ends with the first line end at or after its size, so that the cuts follow from the bytes alone.
-pub(super) struct ChunkReader {
+pub(crate) struct ChunkReader {
     bytes: Box<dyn Read>,
     hash: Option<Sha256>,
     chunk_bytes: usize,
     longest_line: usize,
     /// What was read but belongs to the next chunk.
-    rest: Chunk,
+    pending: Chunk,
     state: State,
     since_line_end: usize,
     total: u64,
@@ -73,13 +65,14 @@ pub(super) struct ChunkReader {
 }
 
 impl ChunkReader {
-    pub(super) fn new(bytes: Box<dyn Read>, options: &ScanOptions) -> Self {
+    /// Chunks of at least so many bytes, with lines of at most so many.
+    pub(crate) fn new(bytes: Box<dyn Read>, chunk_bytes: usize, longest_line: usize, hash: bool) -> Self {
         ChunkReader {
             bytes,
-            hash: options.hash.then(Sha256::new),
-            chunk_bytes: options.chunk_bytes.clamp(1, LONGEST_LINE),
-            longest_line: options.table.sizes.line,
-            rest: Chunk::default(),
+            hash: hash.then(Sha256::new),
+            chunk_bytes: chunk_bytes.clamp(1, LONGEST_LINE),
+            longest_line,
+            pending: Chunk::default(),
             state: State::More,
             since_line_end: 0,
             total: 0,
@@ -88,46 +81,77 @@ impl ChunkReader {
     }
 
     /// Reads the first line that is not blank, if there is one, and passes over a byte order mark.
-    pub(super) fn start(&mut self, file: &str) -> Result<(), InputError> {
+    pub(crate) fn start(&mut self, file: &str) -> Result<(), InputError> {
         let mut search = FirstLine::default();
-        let mut added = 0;
-        while matches!(self.state, State::More) && !search.is_in(&self.rest, added) {
-            let mut rest = std::mem::take(&mut self.rest);
-            added = self.read_more(&mut rest);
-            self.rest = rest;
+        let mut added = self.read_on();
+        while added > 0 && !search.is_in(&self.pending, added) {
+            added = self.read_on();
         }
         // What fails after the line is not about the line.
-        if !FirstLine::default().is_in(&self.rest, self.rest.len())
+        if !FirstLine::default().is_in(&self.pending, self.pending.len())
             && let Some(problem) = self.failure()
         {
-            let line = Some(1 + memchr_iter(b'\n', &self.rest).count() as u64);
-            return Err(InputError::new(file, Place { line, ..Place::default() }, problem));
+            let line = 1 + memchr_iter(b'\n', &self.pending).count() as u64;
+            return Err(InputError::of_line(file, line, problem));
         }
-        refuse_binary(file, &self.rest)?;
-        refuse_other(&self.rest).map_err(|problem| InputError::of_file(file, problem))?;
-        self.skip(self.rest.len() - without_mark(&self.rest).len());
+        refuse_binary(file, &self.pending)?;
+        refuse_other(&self.pending).map_err(|problem| InputError::of_file(file, problem))?;
+        self.pass_byte_order_mark();
         Ok(())
     }
 
+    /// Passes over a byte order mark in front of what was not handed out, if there is one.
+    pub(crate) fn pass_byte_order_mark(&mut self) {
+        self.skip(self.pending.len() - without_mark(&self.pending).len());
+    }
+
+    /// All bytes that were not handed out, at once.
+    pub(crate) fn read_to_end(&mut self, file: &str) -> Result<Vec<u8>, InputError> {
+        let mut content = Vec::new();
+        while let Some(chunk) = self.next_chunk() {
+            content.extend_from_slice(&chunk);
+            self.recycle(vec![chunk]);
+        }
+        match self.failure() {
+            Some(problem) => {
+                let line_feeds =
+                    [&content, self.pending()].map(|bytes| memchr_iter(b'\n', bytes).count() as u64);
+                Err(InputError::of_line(file, 1 + line_feeds.iter().sum::<u64>(), problem))
+            }
+            None => Ok(content),
+        }
+    }
+
     /// What was read but not handed out.
-    pub(super) fn rest(&self) -> &[u8] {
-        &self.rest
+    pub(crate) fn pending(&self) -> &[u8] {
+        &self.pending
+    }
+
+    /// Reads more than what was not handed out; gives how many bytes came. None come at the end and after a failure.
+    pub(crate) fn read_on(&mut self) -> usize {
+        if !matches!(self.state, State::More) {
+            return 0;
+        }
+        let mut pending = std::mem::take(&mut self.pending);
+        let added = self.read_more(&mut pending);
+        self.pending = pending;
+        added
     }
 
     /// Passes over the first bytes of what was not handed out.
-    pub(super) fn skip(&mut self, count: usize) {
-        self.rest.buffer.copy_within(count..self.rest.length, 0);
-        self.rest.length -= count;
+    pub(crate) fn skip(&mut self, count: usize) {
+        self.pending.buffer.copy_within(count..self.pending.length, 0);
+        self.pending.length -= count;
     }
 
     /// The next chunk of whole lines; the last one may lack its line end. `None` at the end, and when the bytes stop
-    /// for another reason: then [`Self::failure`] has it, and [`Self::rest`] the bytes before it.
+    /// for another reason: then [`Self::failure`] has it, and [`Self::pending`] the bytes before it.
     #[allow(
         clippy::indexing_slicing,
         reason = "searched never exceeds the length of the chunk, and a position found by memchr lies behind it"
     )]
-    pub(super) fn next_chunk(&mut self) -> Option<Chunk> {
-        let mut chunk = std::mem::take(&mut self.rest);
+    pub(crate) fn next_chunk(&mut self) -> Option<Chunk> {
+        let mut chunk = std::mem::take(&mut self.pending);
         let mut searched = (self.chunk_bytes - 1).min(chunk.len());
         let end = loop {
             if let Some(position) = memchr(b'\n', &chunk[searched..]) {
@@ -142,29 +166,29 @@ impl ChunkReader {
                 State::End if chunk.is_empty() => return None,
                 State::End => break chunk.len(),
                 State::Failed(_) => {
-                    self.rest = chunk;
+                    self.pending = chunk;
                     return None;
                 }
             }
         };
-        self.rest = self.spare.pop().unwrap_or_default();
-        self.rest.set(&chunk[end..]);
+        self.pending = self.spare.pop().unwrap_or_default();
+        self.pending.set(&chunk[end..]);
         chunk.length = end;
         Some(chunk)
     }
 
     /// Whether all bytes have been handed out.
-    pub(super) fn is_at_end(&self) -> bool {
-        matches!(self.state, State::End) && self.rest.is_empty()
+    pub(crate) fn is_at_end(&self) -> bool {
+        matches!(self.state, State::End) && self.pending.is_empty()
     }
 
     /// Whether the bytes stopped before their end, and [`Self::failure`] was not asked why.
-    pub(super) fn has_failed(&self) -> bool {
+    pub(crate) fn has_failed(&self) -> bool {
         matches!(self.state, State::Failed(_))
     }
 
     /// Why the bytes stopped, unless at their end.
-    pub(super) fn failure(&mut self) -> Option<InputErrorKind> {
+    pub(crate) fn failure(&mut self) -> Option<InputErrorKind> {
         match std::mem::replace(&mut self.state, State::End) {
             State::Failed(problem) => Some(problem),
             state => {
@@ -175,17 +199,17 @@ impl ChunkReader {
     }
 
     /// Takes back the buffers of chunks.
-    pub(super) fn recycle(&mut self, chunks: Vec<Chunk>) {
+    pub(crate) fn recycle(&mut self, chunks: Vec<Chunk>) {
         self.spare.extend(chunks);
     }
 
     /// How many bytes were read.
-    pub(super) fn total(&self) -> u64 {
+    pub(crate) fn total(&self) -> u64 {
         self.total
     }
 
     /// SHA-256 of all bytes read, in hexadecimal.
-    pub(super) fn sha256(&self) -> Option<String> {
+    pub(crate) fn sha256(&self) -> Option<String> {
         self.hash.as_ref().map(hexadecimal)
     }
 

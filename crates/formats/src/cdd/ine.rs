@@ -1,6 +1,6 @@
 //! The polyhedra files of cdd and lrs (Fukuda, *cddlib Reference Manual*, "Polyhedra H- and V-Formats"; Avis, *lrslib User's
 //! Guide*, "File Formats"): an H-representation with a row `b -a1 -a2` for `b - a1·θ1 - a2·θ2 ≥ 0`, or, after a line
-//! `V-representation`, generators as in [`crate::ext`].
+//! `V-representation`, generators as in [`super::ext`].
 //!
 //! Numbers are read exactly, whatever the word `integer`, `rational` or `real` says: cdd and lrs take fractions under
 //! `integer` too. Rows on lines `linearity` (or the older `equality`) are equations. Of the options, those that only ask for
@@ -10,12 +10,11 @@ use boundfit_exact::Rational;
 use boundfit_geometry::{Inequality, System};
 
 use crate::error::{InputError, InputErrorKind, Place};
-use crate::ext::from_generators;
-use crate::half_planes::{HalfPlaneFile, RowOrigin};
+use crate::half_planes::file::{HalfPlaneFile, RowOrigin};
 use crate::table::TableOptions;
 
-/// What lrs writes for the number of rows, which it does not know yet.
-const UNKNOWN_ROWS: &str = "*****";
+use super::ext::from_generators;
+use super::words::{MatrixRow, Token, after_unknown_rows, is_line, is_linearity, words, words_of_rest};
 
 /// Options that make the set another one, and what would be accepted in their place. cdd's `partial_enum` means what
 /// `linearity` means there, and nothing in lrs.
@@ -30,32 +29,14 @@ const OTHER_SETS: [(&str, &str); 8] = [
     ("voronoi", "the set itself"),
 ];
 
-/// A word of the file with its line and column, from 1.
-#[derive(Clone, Copy)]
-pub(crate) struct Token<'a> {
-    pub(crate) text: &'a str,
-    pub(crate) line: u64,
-    pub(crate) column: usize,
-}
-
-/// A row of the matrix.
-pub(crate) struct MatrixRow<'a> {
-    /// Its first word, for messages.
-    pub(crate) start: Token<'a>,
-    /// Its three numbers.
-    pub(crate) numbers: [Rational; 3],
-    /// Whether it is on a `linearity` line.
-    pub(crate) is_linear: bool,
-}
-
-pub(crate) struct Parser<'a> {
+struct Parser<'a> {
     file: &'a str,
     lines: Vec<(u64, &'a str)>,
     options: &'a TableOptions,
 }
 
 /// Parses an H- or V-representation in the plane.
-pub(crate) fn parse_ine(
+pub(crate) fn parse_cdd(
     file: &str,
     content: &[u8],
     sha256: String,
@@ -103,7 +84,7 @@ impl<'a> Parser<'a> {
         }
         self.refuse_late(tail)?;
         self.refuse_other_sets(tail, is_v)?;
-        if is_v { from_generators(self, &rows, sha256) } else { Ok(from_half_planes(&rows, sha256)) }
+        if is_v { from_generators(self.file, &rows, sha256) } else { Ok(from_half_planes(&rows, sha256)) }
     }
 
     /// The number of rows from the line `rows columns type`, if it is known, and the words after it.
@@ -237,14 +218,8 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    pub(crate) fn error(&self, token: Token<'a>, problem: InputErrorKind) -> InputError {
-        let place = Place {
-            line: Some(token.line),
-            row: None,
-            column: Some((token.column, None)),
-            text: Some(token.text.to_owned()),
-        };
-        InputError::new(self.file, place, problem)
+    fn error(&self, token: Token<'a>, problem: InputErrorKind) -> InputError {
+        token.error(self.file, problem)
     }
 }
 
@@ -263,39 +238,6 @@ fn from_half_planes(rows: &[MatrixRow<'_>], sha256: String) -> HalfPlaneFile {
     HalfPlaneFile { system, origins, rows: rows.len(), sha256, generators: None }
 }
 
-fn is_linearity(word: &str) -> bool {
-    word == "linearity" || word == "equality"
-}
-
-/// Whether a line has this word and nothing else but a comment.
-fn is_line(line: u64, text: &str, word: &str) -> bool {
-    let mut words = words(line, text);
-    words.next().is_some_and(|first| first.text == word) && words.next().is_none()
-}
-
-/// What follows the mark of an unknown number of rows, in a size line that has it. Any other line of asterisks is a comment.
-fn after_unknown_rows(text: &str) -> Option<&str> {
-    let rest = text.trim_start().strip_prefix(UNKNOWN_ROWS)?;
-    let mut words = rest.split_ascii_whitespace();
-    let is_size = words.next()?.parse::<usize>().is_ok() && words.next().is_some();
-    (is_size && rest.starts_with([' ', '\t'])).then_some(rest)
-}
-
-/// The words of a line. A `*` starts a comment.
-fn words(line: u64, text: &str) -> impl Iterator<Item = Token<'_>> {
-    words_of_rest(line, text, text)
-}
-
-/// The words of the end of a line.
-fn words_of_rest<'a>(line: u64, text: &'a str, rest: &'a str) -> impl Iterator<Item = Token<'a>> {
-    let rest = rest.split('*').next().unwrap_or_default();
-    rest.split_ascii_whitespace().map(move |word| Token {
-        text: word,
-        line,
-        column: 1 + word.as_ptr() as usize - text.as_ptr() as usize,
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use boundfit_geometry::{Generator, Point};
@@ -304,7 +246,7 @@ mod tests {
     use crate::limits::SizeLimits;
 
     fn parse_with(text: &str, options: &TableOptions) -> Result<HalfPlaneFile, InputError> {
-        parse_ine("test.ine", text.as_bytes(), String::new(), options)
+        parse_cdd("test.ine", text.as_bytes(), String::new(), options)
     }
 
     fn parse(text: &str) -> Result<HalfPlaneFile, InputError> {

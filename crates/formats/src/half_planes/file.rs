@@ -1,0 +1,37 @@
+//! What a file of half-planes holds.
+
+use boundfit_geometry::{Generators, System};
+
+/// Which row of the file an inequality of the system comes from; for a V-representation, its number among those computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RowOrigin {
+    /// The row, from 1.
+    pub row: usize,
+    /// Whether this is the other direction of a row that is an equation.
+    pub reversed: bool,
+}
+
+/// The half-planes of a file.
+#[derive(Debug, Clone)]
+pub struct HalfPlaneFile {
+    /// The inequalities; an equation gives two. For a V-representation, a minimal set of them.
+    pub system: System,
+    /// Where each inequality of the system comes from.
+    pub origins: Vec<RowOrigin>,
+    /// How many rows the file has.
+    pub rows: usize,
+    /// SHA-256 of the file's bytes, in hexadecimal.
+    pub sha256: String,
+    /// The rows of a V-representation.
+    pub generators: Option<GeneratorRows>,
+}
+
+/// The rows of a V-representation.
+#[derive(Debug, Clone)]
+pub struct GeneratorRows {
+    /// What each row stands for, in order; after them the origin, when there are rows but none is a point.
+    pub generators: Generators,
+    /// For each inequality of the system, the rows, from 1, of the points that span the set's part of its boundary
+    /// ([`Generators::spanning`]).
+    pub spanning: Vec<Vec<usize>>,
+}

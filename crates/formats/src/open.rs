@@ -1,0 +1,97 @@
+//! Which reader reads an input: the only place where formats are told apart.
+
+use crate::columns::ColumnSelector;
+use crate::error::InputError;
+use crate::mat::scan_mat;
+use crate::scan::{Batch, ScanOptions, Scanned, scan_text};
+use crate::source::{Content, Source};
+use crate::table::{Table, TableOptions, TableRow};
+#[cfg(feature = "arrow")]
+use crate::{arrow::scan_arrow, binary::BinaryFormat};
+
+/// Reads the columns asked for and hands their rows out in batches: of comma-, semicolon- or tab-separated text, with or
+/// without a header, quotes, a byte order mark, CRLF or blank lines, which are not rows; of MATLAB files, whose numbers
+/// are those that are stored; with the feature `arrow`, of Parquet and Arrow IPC files too. Only cells of wanted rows and
+/// columns need be numbers.
+///
+/// `work` is called for each batch of consecutive wanted rows, on the threads of the current rayon pool, in any order; `take` with what it made of them, on the calling thread and
+/// in the order of the file. A file of one batch needs no pool.
+///
+/// ```
+/// use boundfit_formats::{ColumnSelector, ScanOptions, Source, scan};
+///
+/// let table = Source::new("data.csv", "x,y\n1,2.5\n3,4.25\n".as_bytes());
+/// let columns = [ColumnSelector::name_or_number("y")];
+/// let mut largest = None;
+/// let largest_of = |batch: boundfit_formats::Batch| (0..batch.rows).map(|row| batch.columns[0].get(row)).max();
+/// let scanned =
+///     scan(table, &columns, &ScanOptions::default(), largest_of, |found| largest = found.max(largest.take()))?;
+/// assert_eq!((scanned.rows_total, largest.unwrap().to_string()), (2, "17/4".to_owned()));
+/// # Ok::<(), boundfit_formats::InputError>(())
+/// ```
+///
+/// Which rows make a batch follows from the file and [`ScanOptions::chunk_bytes`] alone. Exact. Cost: one pass; memory
+/// for a few batches per thread, whatever the size of the file.
+///
+/// # Errors
+/// The first thing wrong, with its place; by then batches before it may have been handed out.
+pub fn scan<T: Send>(
+    source: Source,
+    columns: &[ColumnSelector],
+    options: &ScanOptions,
+    work: impl Fn(Batch) -> T + Sync,
+    take: impl FnMut(T),
+) -> Result<Scanned, InputError> {
+    let (name, content) = source.into_content();
+    match content {
+        Content::Bytes(bytes) => scan_text(&name, bytes, columns, options, work, take),
+        #[cfg(feature = "arrow")]
+        Content::Binary(format, file) if format != BinaryFormat::Matlab => {
+            scan_arrow(&name, format, file, columns, options, work, take)
+        }
+        Content::Binary(_, file) => scan_mat(&name, file, columns, options, work, take),
+    }
+}
+
+/// Reads the columns asked for like [`scan`], and keeps all rows.
+///
+/// Exact as `options.reading` says. Cost: one pass; memory for the wanted cells.
+///
+/// ```
+/// use boundfit_exact::Rational;
+/// use boundfit_formats::{ColumnSelector, Source, TableOptions, read_table};
+///
+/// let columns = ["U", "I"].map(ColumnSelector::name_or_number);
+/// let text = Source::new("resistor.csv", "I;U\n0.1;1/3\n0.2;0.7\n".as_bytes());
+/// let table = read_table(text, &columns, &TableOptions::default())?;
+/// assert_eq!(table.rows[0].numbers, [Rational::ratio(1, 3), Rational::ratio(1, 10)]);
+///
+/// let text = Source::new("resistor.csv", "I;U\n0.1;o.3\n".as_bytes());
+/// let error = read_table(text, &columns, &TableOptions::default()).unwrap_err();
+/// assert!(error.to_string().starts_with("resistor.csv: line 2, column 2 (U): \"o.3\": not a number"));
+/// # Ok::<(), boundfit_formats::InputError>(())
+/// ```
+///
+/// # Errors
+/// The first thing wrong, with its place.
+pub fn read_table(
+    source: Source,
+    columns: &[ColumnSelector],
+    options: &TableOptions,
+) -> Result<Table, InputError> {
+    let options = ScanOptions { table: options.clone(), ..ScanOptions::default() };
+    let (mut rows, mut others) = (Vec::new(), Vec::new());
+    let rows_of = |batch: Batch| (batch.table_rows().collect::<Vec<TableRow>>(), batch.others);
+    let scanned = scan(source, columns, &options, rows_of, |(wanted, unwanted)| {
+        rows.extend(wanted);
+        others.extend(unwanted);
+    })?;
+    Ok(Table {
+        names: scanned.names,
+        rows,
+        others,
+        rows_total: scanned.rows_total,
+        layout: scanned.layout,
+        sha256: scanned.sha256.unwrap_or_default(),
+    })
+}

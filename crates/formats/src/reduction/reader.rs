@@ -1,0 +1,165 @@
+//! Reductions one after the other, read as one table.
+
+use std::io::{self, BufRead, BufReader, Cursor, Read};
+use std::sync::{Arc, Mutex};
+
+use crate::columns::Header;
+use crate::error::InputError;
+use crate::limits::SizeLimits;
+use crate::source::{Content, Source};
+
+use super::record::{REDUCTION_MARK, ReductionError, ReductionRecord};
+
+/// The records of a text, as far as it has been read.
+#[derive(Debug, Clone, Default)]
+pub struct Reductions(Arc<Mutex<Vec<ReductionRecord>>>);
+
+impl Reductions {
+    /// The records seen so far.
+    pub fn records(&self) -> Vec<ReductionRecord> {
+        // Nothing panics while it holds the lock.
+        self.0.lock().map(|records| records.clone()).unwrap_or_default()
+    }
+
+    /// Whether the table has a header.
+    pub fn header(&self) -> Header {
+        let present = self.records().first().is_some_and(|record| record.header);
+        if present { Header::Present } else { Header::Absent }
+    }
+}
+
+/// Opens a source as a reduction if it is one: a table as [`ReductionReader`] shows it, and its records.
+///
+/// # Errors
+/// When the source cannot be read or its first line is not understood.
+pub fn open_reduction(
+    source: Source,
+    sizes: &SizeLimits,
+) -> Result<(Source, Option<Reductions>), InputError> {
+    let (name, mut bytes) = match source.into_content() {
+        (name, Content::Bytes(bytes)) => (name, bytes),
+        (name, binary) => return Ok((Source::with_content(name, binary), None)),
+    };
+    let mut start = Vec::new();
+    let mark = REDUCTION_MARK.len() as u64;
+    let fail = |error: io::Error| InputError::of_file(&name, error);
+    bytes.by_ref().take(mark).read_to_end(&mut start).map_err(fail)?;
+    let is_reduction = start == REDUCTION_MARK.as_bytes();
+    let bytes = Cursor::new(start).chain(bytes);
+    if !is_reduction {
+        return Ok((Source::new(name, bytes), None));
+    }
+    let mut reader = ReductionReader::new(bytes, sizes.line);
+    reader.next_line().map_err(fail)?;
+    let reductions = reader.reductions.clone();
+    Ok((Source::new(name, reader), Some(reductions)))
+}
+
+/// Shows one or more reductions as one table: lines in front and repeated headers become blank lines.
+struct ReductionReader<R> {
+    inner: BufReader<R>,
+    reductions: Reductions,
+    header: Option<Vec<u8>>,
+    line: u64,
+    /// Where the current reduction began, and the rows of it so far.
+    begun: u64,
+    found: usize,
+    awaits_header: bool,
+    out: Vec<u8>,
+    position: usize,
+    longest_line: usize,
+}
+
+impl<R: Read> ReductionReader<R> {
+    /// A reader of a text that begins with [`REDUCTION_MARK`]. What reads from it is to refuse lines with more bytes than
+    /// `longest_line`; here longer ones are only kept from being held in memory whole.
+    fn new(inner: R, longest_line: usize) -> Self {
+        ReductionReader {
+            inner: BufReader::new(inner),
+            reductions: Reductions::default(),
+            header: None,
+            line: 0,
+            begun: 0,
+            found: 0,
+            awaits_header: false,
+            out: Vec::new(),
+            position: 0,
+            longest_line,
+        }
+    }
+
+    /// Reads one line and puts what is to be seen of it into `out`; `false` at the end.
+    fn next_line(&mut self) -> io::Result<bool> {
+        let mut line = Vec::new();
+        let limit = self.longest_line as u64 + 2;
+        self.inner.by_ref().take(limit).read_until(b'\n', &mut line)?;
+        if line.is_empty() {
+            self.check_count()?;
+            return Ok(false);
+        }
+        self.line += 1;
+        self.position = 0;
+        let text = line.trim_ascii_end();
+        if text.starts_with(REDUCTION_MARK.as_bytes()) {
+            self.check_count()?;
+            self.begin(ReductionRecord::parse(text).map_err(io::Error::other)?)?;
+            self.out = b"\n".to_vec();
+        } else if text.is_empty() {
+            self.out = line;
+        } else if std::mem::take(&mut self.awaits_header) {
+            let different = self.header.as_ref().is_some_and(|header| header != text);
+            if different {
+                return Err(self.different("its header"));
+            }
+            self.out = if self.header.is_some() { b"\n".to_vec() } else { line.clone() };
+            self.header = Some(text.to_vec());
+        } else {
+            self.found += 1;
+            self.out = line;
+        }
+        Ok(true)
+    }
+
+    fn begin(&mut self, record: ReductionRecord) -> io::Result<()> {
+        (self.begun, self.found, self.awaits_header) = (self.line, 0, record.header);
+        let difference = {
+            let mut records = self.reductions.0.lock().map_err(|_| poisoned())?;
+            let difference = records.first().and_then(|first| first.difference(&record));
+            records.push(record);
+            difference
+        };
+        difference.map_or(Ok(()), |what| Err(self.different(what)))
+    }
+
+    fn different(&self, what: &'static str) -> io::Error {
+        io::Error::other(ReductionError::Different { line: self.begun, what })
+    }
+
+    /// Whether as many rows as announced followed the last record.
+    fn check_count(&self) -> io::Result<()> {
+        let records = self.reductions.0.lock().map_err(|_| poisoned())?;
+        match records.last() {
+            Some(record) if record.kept != self.found => {
+                let (line, announced, found) = (self.begun, record.kept, self.found);
+                Err(io::Error::other(ReductionError::CountMismatch { line, announced, found }))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Cannot happen: nothing panics while it holds the lock.
+fn poisoned() -> io::Error {
+    io::Error::other("another thread stopped")
+}
+
+impl<R: Read> Read for ReductionReader<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        if self.position == self.out.len() && (buffer.is_empty() || !self.next_line()?) {
+            return Ok(0);
+        }
+        let count = self.out.get(self.position..).unwrap_or_default().read(buffer)?;
+        self.position += count;
+        Ok(count)
+    }
+}

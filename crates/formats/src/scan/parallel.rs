@@ -1,0 +1,139 @@
+//! Chunks side by side, in groups that keep all threads at work.
+
+use crate::chunks::{Chunk, ChunkReader};
+use crate::error::InputError;
+use crate::threads;
+
+use super::Run;
+use super::batch::Batch;
+use super::first_record::Position;
+use super::layout::Layout;
+use super::plain::{self, Route};
+use super::rows::{self, Parsed};
+
+/// Chunks of a group for each thread: enough that a slow one does not leave the other threads idle for long.
+const CHUNKS_PER_THREAD: usize = 4;
+
+/// What became of a group.
+struct Outcome<T> {
+    made: Vec<T>,
+    /// Where the next group starts.
+    position: Position,
+    /// The chunk that ends within quotes.
+    open: Option<usize>,
+}
+
+impl<T: Send, W: Fn(Batch) -> T + Sync, K: FnMut(T)> Run<'_, W, K> {
+    /// Reads all rows from a position on; returns how many there are with those before.
+    pub(super) fn read_chunks(
+        &mut self,
+        layout: &Layout,
+        reader: &mut ChunkReader,
+        position: Position,
+    ) -> Result<usize, InputError> {
+        let route = Route::new(layout);
+        let mut position = position;
+        let mut group = self.next_group(reader);
+        while !group.is_empty() {
+            let (outcome, mut next) = if reader.is_at_end() {
+                (read_group(&group, layout, route.as_ref(), position, &self.work), Vec::new())
+            } else {
+                self.read_group_and_next(&group, layout, route.as_ref(), position, reader)
+            };
+            let Outcome { made, position: end, open } = outcome?;
+            made.into_iter().for_each(&mut self.take);
+            position = end;
+            let rest = group.split_off(open.unwrap_or(group.len()));
+            self.advance(group.iter().map(|chunk| chunk.len() as u64).sum())?;
+            if open.is_some() {
+                let rest = rest.into_iter().chain(next).collect();
+                return self.read_in_sequence(layout, reader, position, rest);
+            }
+            reader.recycle(group);
+            group = std::mem::take(&mut next);
+        }
+        if reader.has_failed() {
+            return self.read_in_sequence(layout, reader, position, Vec::new());
+        }
+        Ok(position.rows)
+    }
+
+    /// Reads the rows of a group and, at the same time, the next group.
+    fn read_group_and_next(
+        &self,
+        group: &[Chunk],
+        layout: &Layout,
+        route: Option<&Route>,
+        position: Position,
+        reader: &mut ChunkReader,
+    ) -> (Result<Outcome<T>, InputError>, Vec<Chunk>) {
+        let work = &self.work;
+        threads::beside(move || read_group(group, layout, route, position, work), || self.next_group(reader))
+    }
+
+    /// Reads the next chunks, as many as are needed to keep all threads at work.
+    fn next_group(&self, reader: &mut ChunkReader) -> Vec<Chunk> {
+        let mut group: Vec<Chunk> = reader.next_chunk().into_iter().collect();
+        // Who asks for the number of threads starts them: not for a single chunk.
+        if !group.is_empty() && !reader.is_at_end() {
+            let size = CHUNKS_PER_THREAD * threads::count();
+            while group.len() < size && !self.is_cancelled() {
+                let Some(chunk) = reader.next_chunk() else { break };
+                group.push(chunk);
+            }
+        }
+        group
+    }
+}
+
+/// Reads the rows of a group that starts at a position, and works on them.
+fn read_group<T: Send>(
+    group: &[Chunk],
+    layout: &Layout,
+    route: Option<&Route>,
+    position: Position,
+    work: &(impl Fn(Batch) -> T + Sync),
+) -> Result<Outcome<T>, InputError> {
+    let mut rows_before = vec![position.rows; group.len()];
+    if layout.options.table.rows.is_some() {
+        // Which rows are wanted depends on how many come before.
+        let counts = threads::map(group.iter().collect(), |chunk: &Chunk| {
+            route
+                .and_then(|route| plain::count(chunk, layout, route))
+                .unwrap_or_else(|| rows::count(chunk, layout))
+        });
+        let mut rows = position.rows;
+        for (before, count) in rows_before.iter_mut().zip(counts) {
+            *before = rows;
+            rows += count;
+        }
+    }
+    let parsed = threads::map(group.iter().zip(rows_before).collect(), |(chunk, rows_before)| {
+        let rows = route.and_then(|route| plain::parse(chunk, layout, route, rows_before));
+        (rows.map_or_else(|| rows::parse(chunk, layout, rows_before), Parsed::Rows), rows_before)
+    });
+    let mut position = position;
+    let mut open = None;
+    let mut batches = Vec::with_capacity(group.len());
+    for (index, (parsed, rows_before)) in parsed.into_iter().enumerate() {
+        match parsed {
+            Parsed::Rows(rows) => {
+                batches.extend(rows.batch.finish(position.rows - rows_before));
+                position.rows += rows.total;
+                position.lines += rows.lines;
+                position.line_feeds += rows.line_feeds;
+            }
+            Parsed::Open => {
+                open = Some(index);
+                break;
+            }
+            Parsed::Wrong(mut error) => {
+                if let Some(line) = &mut error.place.line {
+                    *line += position.lines - 1;
+                }
+                return Err(error);
+            }
+        }
+    }
+    Ok(Outcome { made: threads::map(batches, work), position, open })
+}

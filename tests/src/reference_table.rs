@@ -1,0 +1,331 @@
+//! A reader of delimited text that shares nothing with the one of the program but the numbers in cells and the words of
+//! messages: all bytes at once, records by the `csv` crate, lines by counting.
+
+use std::io::{self, Read};
+
+use boundfit_exact::Rational;
+use boundfit_formats::{
+    ColumnSelector, Header, InputError, InputErrorKind, Place, REDUCTION_MARK, ReductionError, TableOptions,
+};
+use csv::{ByteRecord, ReaderBuilder};
+use sha2::{Digest, Sha256};
+
+/// What messages call the table.
+pub const NAME: &str = "data.csv";
+
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// What was found: the names, the number of rows, the hash, and the rows wanted with their numbers.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Found {
+    /// The names of the columns asked for.
+    pub names: Vec<String>,
+    /// How many data rows there are.
+    pub rows_total: usize,
+    /// SHA-256 of the bytes, in hexadecimal.
+    pub sha256: String,
+    /// The rows wanted, with their numbers.
+    pub rows: Vec<(usize, Vec<Rational>)>,
+    /// The rows that are not wanted but kept.
+    pub others: Vec<(usize, Vec<Rational>)>,
+}
+
+/// Reads a table of these bytes, after which reading fails in these words, or does not fail.
+///
+/// # Errors
+/// The message about the first thing wrong.
+pub fn read(
+    bytes: &[u8],
+    failure: Option<&str>,
+    columns: &[ColumnSelector],
+    options: &TableOptions,
+) -> Result<Found, String> {
+    let reader = Reader { columns, options };
+    reader.read(bytes, failure).map_err(|error| error.to_string())
+}
+
+/// Whether bytes may be those of a binary table, which is refused in words of its own.
+pub fn may_be_binary(bytes: &[u8]) -> bool {
+    let starts: [&[u8]; 5] = [b"PAR1", b"ARROW1", b"\xff\xff\xff\xff", b"\x89HDF", b"MATLAB"];
+    let start = &bytes[..bytes.len().min(128)];
+    starts.iter().any(|format| bytes.starts_with(format)) || start.contains(&0)
+}
+
+struct Reader<'a> {
+    columns: &'a [ColumnSelector],
+    options: &'a TableOptions,
+}
+
+/// Fails when it is read.
+struct Failing(Option<String>);
+
+impl Read for Failing {
+    fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
+        self.0.take().map_or(Ok(0), |words| Err(io::Error::other(words)))
+    }
+}
+
+impl Reader<'_> {
+    fn read(&self, bytes: &[u8], failure: Option<&str>) -> Result<Found, InputError> {
+        let sha256 = Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+        let limit = self.options.sizes.line;
+        // Nothing is read beyond the limit of a line.
+        let mut line_start = 0;
+        let too_long = bytes.split_inclusive(|&byte| byte == b'\n').find_map(|line| {
+            let start = line_start;
+            line_start += line.len();
+            (line.len() > limit).then_some(start + limit)
+        });
+        let (bytes, failure) = match too_long {
+            Some(end) => (&bytes[..end], Some(InputErrorKind::LineTooLong { limit })),
+            None => (bytes, failure.map(|words| InputErrorKind::Io(io::Error::other(words.to_owned())))),
+        };
+        let text = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
+        let fails_on = 1 + bytes.iter().filter(|&&byte| byte == b'\n').count() as u64;
+        // Before the first line is there, nothing is known that could be wrong with it.
+        let failure = match failure {
+            Some(kind) if !text.trim_ascii_start().contains(&b'\n') => {
+                return Err(wrong(Some(fails_on), kind));
+            }
+            failure => failure,
+        };
+        if [[0xff, 0xfe], [0xfe, 0xff]].iter().any(|mark| bytes.starts_with(mark)) {
+            return Err(wrong(None, InputErrorKind::Utf16));
+        }
+        if bytes.starts_with(REDUCTION_MARK.as_bytes()) {
+            return Err(wrong(None, InputErrorKind::Reduction(ReductionError::NotHere)));
+        }
+        let delimiter = self.options.delimiter.unwrap_or_else(|| detect(text));
+        let mut records = Records::new(text, failure.is_some(), delimiter, limit);
+        let found = self.table(&mut records, sha256);
+        match (found, failure) {
+            (Err(None), Some(kind)) => Err(wrong(Some(fails_on), kind)),
+            (Err(None), None) => Err(wrong(None, InputErrorKind::Io(io::Error::other("not said why")))),
+            (Err(Some(error)), _) => Err(error),
+            (Ok(found), _) => Ok(found),
+        }
+    }
+
+    /// The table of these records. `None` for an error says that reading failed.
+    fn table(&self, records: &mut Records, sha256: String) -> Result<Found, Option<InputError>> {
+        let mut record = ByteRecord::new();
+        if !records.next(&mut record)? {
+            return Err(Some(wrong(None, InputErrorKind::Empty)));
+        }
+        let sizes = &self.options.sizes;
+        if record.len() > sizes.columns {
+            let kind = InputErrorKind::TooManyColumns { limit: sizes.columns };
+            return Err(Some(wrong(Some(records.line), kind)));
+        }
+        let width = record.len();
+        let header = self.header(&record, records.line)?;
+        let names = header.as_deref().unwrap_or_default();
+        let find = |column| find(column, names, header.is_some(), width, records.line);
+        let places = self.columns.iter().map(find).collect::<Result<Vec<usize>, _>>()?;
+        let title = |place: &usize| match names.get(place - 1) {
+            Some(name) if !name.is_empty() => name.clone(),
+            _ => format!("col{place}"),
+        };
+        let names = names.to_vec();
+        let titles = places.iter().map(title).collect();
+        let mut found = Found { names: titles, rows_total: 0, sha256, rows: Vec::new(), others: Vec::new() };
+        let mut more = header.is_none() || records.next(&mut record)?;
+        while more {
+            if record.len() != width {
+                let kind = InputErrorKind::RaggedRow { found: record.len(), expected: width };
+                return Err(Some(wrong(Some(records.line), kind)));
+            }
+            found.rows_total += 1;
+            let is_wanted = self.options.rows.is_none_or(|rows| rows.contains(found.rows_total));
+            if is_wanted || self.options.keep_others {
+                match self.numbers(&record, &places, &names, records.line) {
+                    Ok(numbers) if is_wanted => found.rows.push((found.rows_total, numbers)),
+                    Ok(numbers) => found.others.push((found.rows_total, numbers)),
+                    Err(error) if is_wanted => return Err(Some(error)),
+                    Err(_) => {}
+                }
+            }
+            more = records.next(&mut record)?;
+        }
+        let kind = match self.options.rows {
+            _ if found.rows_total == 0 => InputErrorKind::NoRows,
+            Some(rows) if rows.last() > found.rows_total => {
+                let (first, last, total) = (rows.first(), rows.last(), found.rows_total);
+                InputErrorKind::RowsBeyondEnd { first, last, total }
+            }
+            _ => return Ok(found),
+        };
+        Err(Some(wrong(None, kind)))
+    }
+
+    /// The names in the first record, if it is a header.
+    fn header(&self, record: &ByteRecord, line: u64) -> Result<Option<Vec<String>>, InputError> {
+        let is_header = match self.options.header {
+            Header::Present => true,
+            Header::Absent => false,
+            Header::Auto => {
+                let numbers = self.columns.iter().map(ColumnSelector::number);
+                let cells = numbers.clone().flatten().filter_map(|number| record.get(number.checked_sub(1)?));
+                let cells: Vec<&[u8]> = cells.collect();
+                numbers.clone().any(|number| number.is_none())
+                    || (!cells.is_empty() && cells.into_iter().all(is_name))
+            }
+        };
+        if !is_header {
+            return Ok(None);
+        }
+        let name = |(index, cell): (usize, &[u8])| {
+            let text =
+                std::str::from_utf8(cell).map_err(|error| wrong_cell(line, index + 1, None, cell, error))?;
+            Ok(text.trim().to_owned())
+        };
+        record.iter().enumerate().map(name).collect::<Result<_, _>>().map(Some)
+    }
+
+    fn numbers(
+        &self,
+        record: &ByteRecord,
+        places: &[usize],
+        names: &[String],
+        line: u64,
+    ) -> Result<Vec<Rational>, InputError> {
+        let number = |(&place, column): (&usize, &ColumnSelector)| {
+            let (cell, name) = (&record[place - 1], names.get(place - 1));
+            let text =
+                std::str::from_utf8(cell).map_err(|error| wrong_cell(line, place, name, cell, error))?;
+            let number = self.options.reading.read(text, &self.options.limits);
+            let number = number.map_err(|error| wrong_cell(line, place, name, cell, error))?;
+            if column.is_non_negative() && number.is_negative() {
+                return Err(wrong_cell(line, place, name, cell, InputErrorKind::NegativeErrorBound));
+            }
+            Ok(number)
+        };
+        places.iter().zip(self.columns).map(number).collect()
+    }
+}
+
+/// Records that are not blank, with the lines on which they start.
+struct Records<'a> {
+    text: &'a [u8],
+    reader: csv::Reader<io::Chain<&'a [u8], Failing>>,
+    limit: usize,
+    /// Up to here line ends are counted.
+    counted: usize,
+    line: u64,
+}
+
+impl<'a> Records<'a> {
+    fn new(text: &'a [u8], fails: bool, delimiter: u8, limit: usize) -> Self {
+        let failing = Failing(fails.then(String::new));
+        let mut builder = ReaderBuilder::new();
+        let reader = builder.has_headers(false).flexible(true).delimiter(delimiter);
+        Records { text, reader: reader.from_reader(text.chain(failing)), limit, counted: 0, line: 1 }
+    }
+
+    fn next(&mut self, record: &mut ByteRecord) -> Result<bool, Option<InputError>> {
+        loop {
+            let from = self.reader.position().byte() as usize;
+            let is_line_end = |byte: &&u8| matches!(byte, b'\r' | b'\n');
+            // The library passes over a byte order mark.
+            let from = if from == 0 && self.text.starts_with(BYTE_ORDER_MARK) { 3 } else { from };
+            let start = from + self.text[from..].iter().take_while(is_line_end).count();
+            self.line += line_ends(self.text, self.counted, start);
+            self.counted = start;
+            let read = self.reader.read_byte_record(record);
+            let end = if read.is_ok() { self.reader.position().byte() as usize } else { self.text.len() };
+            if end.saturating_sub(start) > self.limit {
+                return Err(Some(wrong(Some(self.line), InputErrorKind::RowTooLong { limit: self.limit })));
+            }
+            let more = read.map_err(|_| None)?;
+            let is_blank = record.len() == 1 && record[0].trim_ascii().is_empty();
+            if !(more && is_blank) {
+                return Ok(more);
+            }
+        }
+    }
+}
+
+/// How many lines end in a range: a carriage return and a line feed right after it are one end.
+fn line_ends(text: &[u8], start: usize, end: usize) -> u64 {
+    let ends = |&at: &usize| match text[at] {
+        b'\n' => at == 0 || text[at - 1] != b'\r',
+        byte => byte == b'\r',
+    };
+    (start..end).filter(ends).count() as u64
+}
+
+/// A semicolon or tab if there is one outside quotes in the first line that is not blank, else a comma.
+fn detect(text: &[u8]) -> u8 {
+    let line = text.trim_ascii_start().split(|&byte| byte == b'\n').next().unwrap_or_default();
+    let outside = line.split(|&byte| byte == b'"').step_by(2).collect::<Vec<_>>().concat();
+    [b';', b'\t'].into_iter().find(|delimiter| outside.contains(delimiter)).unwrap_or(b',')
+}
+
+fn is_name(cell: &[u8]) -> bool {
+    let text = String::from_utf8_lossy(cell).trim().to_lowercase();
+    let missing = ["nan", "inf", "infinity", "na", "n/a", "null", "none"];
+    text.starts_with(|first: char| first.is_alphabetic() || first == '_') && !missing.contains(&text.as_str())
+}
+
+/// The number of the column that is meant, from 1.
+fn find(
+    column: &ColumnSelector,
+    names: &[String],
+    has_header: bool,
+    width: usize,
+    line: u64,
+) -> Result<usize, InputError> {
+    let wanted = column.text().to_owned();
+    let named: Vec<usize> = (1..=names.len()).filter(|&place| names[place - 1] == wanted).collect();
+    match (named.as_slice(), column.number()) {
+        ([place], _) => Ok(*place),
+        ([], Some(number)) if (1..=width).contains(&number) => Ok(number),
+        ([], _) => {
+            let available = if has_header { names.to_vec() } else { Vec::new() };
+            let kind = InputErrorKind::UnknownColumn { wanted, available, numbers: Some(width) };
+            Err(wrong(Some(line), kind))
+        }
+        _ => Err(wrong(Some(line), InputErrorKind::AmbiguousColumn { wanted })),
+    }
+}
+
+fn wrong(line: Option<u64>, kind: InputErrorKind) -> InputError {
+    InputError { file: NAME.to_owned(), place: Box::new(Place { line, ..Place::default() }), kind }
+}
+
+fn wrong_cell(
+    line: u64,
+    place: usize,
+    name: Option<&String>,
+    cell: &[u8],
+    kind: impl Into<CellError>,
+) -> InputError {
+    let place = Place {
+        line: Some(line),
+        row: None,
+        column: Some((place, name.cloned())),
+        text: Some(String::from_utf8_lossy(cell).into_owned()),
+    };
+    InputError { file: NAME.to_owned(), place: Box::new(place), kind: kind.into().0 }
+}
+
+/// What can be wrong with a cell.
+struct CellError(InputErrorKind);
+
+impl From<InputErrorKind> for CellError {
+    fn from(kind: InputErrorKind) -> Self {
+        CellError(kind)
+    }
+}
+
+impl From<std::str::Utf8Error> for CellError {
+    fn from(error: std::str::Utf8Error) -> Self {
+        CellError(InputErrorKind::NotUtf8 { position: error.valid_up_to(), unit: "cell" })
+    }
+}
+
+impl From<boundfit_exact::ParseNumberError> for CellError {
+    fn from(error: boundfit_exact::ParseNumberError) -> Self {
+        CellError(InputErrorKind::NotANumber(error))
+    }
+}
