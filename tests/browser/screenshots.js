@@ -1,4 +1,4 @@
-// Makes the pictures of the lesson page that the README shows: npm --prefix tests/browser run screenshots
+// Makes the pictures of the lesson page that README.md and docs/lesson.md show: npm --prefix tests/browser run screenshots
 
 import { mkdirSync } from "node:fs";
 import { dirname, join } from "node:path";
