@@ -4,7 +4,6 @@ use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::{Inequality, Polyhedron, ProofError, System, verify_membership};
 
 use crate::bounds::{Central, ParameterInterval, central, guaranteed_error, parameter_intervals};
-use crate::condition::Condition;
 use crate::float_least_squares::FloatLeastSquares;
 use crate::fps::{BoundName, Fps, every_half_plane};
 use crate::grid::Grid;
@@ -13,15 +12,7 @@ use crate::inverse::Inverse;
 use crate::least_squares::{LeastSquares, SingularRegressors};
 use crate::measurements::{ErrorBound, Measurements, Model};
 use crate::minimax::Minimax;
-
-/// What is to be fitted.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Problem {
-    /// The readings.
-    pub measurements: Measurements,
-    /// Prior knowledge about θ.
-    pub conditions: Vec<Condition>,
-}
+use crate::problem::Problem;
 
 /// The answer. What does not exist for a problem is `None`; [`Fit::least_squares`] says why.
 #[derive(Debug, Clone)]
@@ -133,6 +124,17 @@ impl Fit {
     pub fn float_least_squares(&self, measurements: &Measurements) -> Option<FloatLeastSquares> {
         let exact = self.least_squares.as_ref().ok()?;
         Some(FloatLeastSquares::new(measurements.all()?, &exact.theta))
+    }
+
+    /// Whether no parameters agree with all readings. [`Fit::contradiction`] says why.
+    pub fn is_empty(&self) -> bool {
+        self.fps.polyhedron().region().is_empty()
+    }
+
+    /// The vertices (θ1, θ2) of the FPS, counter-clockwise from the lexicographically smallest. Exact.
+    pub fn vertices(&self) -> Vec<[Rational; 2]> {
+        let vertices = self.fps.polyhedron().region().vertices();
+        vertices.iter().map(|vertex| vertex.point().coordinates()).collect()
     }
 
     /// The parameter uncertainty intervals without their proofs.

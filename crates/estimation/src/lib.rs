@@ -46,6 +46,7 @@ mod least_growth;
 mod least_squares;
 mod measurements;
 mod minimax;
+mod problem;
 mod summary;
 
 pub use bounds::{Central, ParameterBound, ParameterInterval};
@@ -56,7 +57,7 @@ pub use family::{
     SectionVertex,
 };
 pub use files::{Columns, EpsilonColumn};
-pub use fit::{Fit, FitBounds, Problem, fit, fit_bounds, fit_bounds_in_general};
+pub use fit::{Fit, FitBounds, fit, fit_bounds, fit_bounds_in_general};
 pub use fleet::{Fleet, fit_group, least_squares_is_feasible};
 pub use float_least_squares::{FloatEstimate, FloatLeastSquares};
 pub use fps::{BoundName, Fps, conditions_by_name, strip};
@@ -65,4 +66,5 @@ pub use least_growth::{GrowingInequality, LeastGrowth, least_growth};
 pub use least_squares::{LeastSquares, SingularRegressors};
 pub use measurements::{ErrorBound, Measurement, Measurements, Model, Readings};
 pub use minimax::{Minimax, MinimaxProof};
+pub use problem::Problem;
 pub use summary::{Keep, LineSums, NoEui, ReducedColumns, ReducedTable, Reduction, Spread};

@@ -1,5 +1,7 @@
 //! Closed intervals of rational numbers whose ends may be unbounded.
 
+use std::fmt;
+
 use crate::Rational;
 
 /// One end of an [`Interval`].
@@ -32,6 +34,20 @@ impl From<Option<Rational>> for Endpoint {
 pub struct Interval {
     lower: Endpoint,
     upper: Endpoint,
+}
+
+/// Closed ends in brackets and missing ones in parentheses: `[1/2, 3]`, `(-inf, 0]`.
+impl fmt::Display for Interval {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.lower.value() {
+            Some(lower) => write!(f, "[{lower}, ")?,
+            None => f.write_str("(-inf, ")?,
+        }
+        match self.upper.value() {
+            Some(upper) => write!(f, "{upper}]"),
+            None => f.write_str("inf)"),
+        }
+    }
 }
 
 impl Interval {

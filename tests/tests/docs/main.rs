@@ -4,3 +4,4 @@ mod book;
 mod pages;
 mod readme;
 mod theory;
+mod versions;

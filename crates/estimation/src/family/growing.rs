@@ -5,10 +5,10 @@ use boundfit_geometry::{Inequality, Multiplier, Polyhedron, System};
 
 use super::functions::Linear;
 use super::section::Section;
-use crate::fit::Problem;
 use crate::fps::{BoundName, conditions_by_name, strip};
 use crate::hulls::touching_a_hull;
 use crate::measurements::{ErrorBound, Model};
+use crate::problem::Problem;
 
 /// Half-planes a·θ ≤ b(s) with their names: the bounds of the readings move, conditions stay.
 pub(super) struct GrowingSystem {

@@ -12,10 +12,10 @@ mod section;
 
 use boundfit_exact::Rational;
 
-use crate::fit::Problem;
 use crate::fps::BoundName;
 use crate::measurements::ErrorBound;
 use crate::minimax::Minimax;
+use crate::problem::Problem;
 
 pub use functions::{Linear, Quadratic};
 pub use piece::{MovingBoundary, MovingVertex, Piece};

@@ -3,7 +3,8 @@
 use boundfit_geometry::Point;
 use boundfit_geometry::predicates::{Side, side};
 
-use crate::fit::{Fit, FitBounds, Problem, fit_bounds};
+use crate::fit::{Fit, FitBounds, fit_bounds};
+use crate::problem::Problem;
 
 /// The [`fit`](crate::fit()) without its inverse line, which is `None`. Exact.
 /// Cost: O(N log N), less than half of the whole.

@@ -1,0 +1,30 @@
+//! Readings from files: delimited text, MATLAB's `.mat`, and with the feature `arrow` Parquet and Arrow IPC.
+//!
+//! [`Measurements::scan`] reads a file in parts, in memory that does not grow with it for a line under a uniform error bound;
+//! [`Measurements::read`] reads a [`Source`], which need not be a file. A column is named by its header or its number, and
+//! every error names file, line, column and text.
+//!
+//! ```
+//! use boundfit::files::{ColumnSelector, Columns, EpsilonColumn, Measurements, Source, TableOptions};
+//! use boundfit::{Problem, Rational};
+//!
+//! let table = Source::new("readings.csv", "x,y\n0,0\n1,1.5\n2,2\n".as_bytes());
+//! let columns = Columns {
+//!     first: ColumnSelector::name_or_number("x"),
+//!     second: None,
+//!     response: ColumnSelector::name_or_number("y"),
+//!     epsilon: EpsilonColumn::Uniform(Rational::ratio(1, 2)),
+//! };
+//! let fit = Problem::new(Measurements::read(table, &columns, &TableOptions::default())?).fit();
+//! assert_eq!(fit.vertices(), boundfit::fit(&[0, 1, 2], &["0", "1.5", "2"], "1/2").unwrap().vertices());
+//! # Ok::<(), boundfit::files::InputError>(())
+//! ```
+
+pub use boundfit_estimation::{
+    Columns, EpsilonColumn, Fleet, Keep, Measurements, ReducedColumns, ReducedTable,
+};
+pub use boundfit_exact::{Limits, Reading};
+pub use boundfit_formats::{
+    ColumnSelector, HalfPlaneFile, Header, InputError, RowRange, ScanOptions, SizeLimits, Source,
+    TableOptions, read_half_planes,
+};

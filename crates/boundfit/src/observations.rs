@@ -1,0 +1,146 @@
+//! Readings in memory: from slices of numbers to a problem.
+
+use boundfit_estimation::{ErrorBound, Measurement, Measurements, Model, ParseConditionError, Problem};
+use boundfit_exact::Rational;
+use thiserror::Error;
+
+use crate::number::{Number, NumberError};
+
+/// Why numbers make no problem.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A number of a column has no exact value.
+    #[error("row {row} of {column}: {problem}")]
+    Number {
+        /// The name of the column: `x`, `phi1`, `phi2`, `y`, `eps`, or `a1`, `a2`, `b` of a half-plane.
+        column: &'static str,
+        /// The row, from 1.
+        row: usize,
+        /// What is wrong with the number.
+        problem: NumberError,
+    },
+    /// The error bound of all readings has no exact value.
+    #[error("the error bound: {0}")]
+    ErrorBound(NumberError),
+    /// A claimed end of an interval has no exact value.
+    #[error("{end}: {problem}")]
+    Claim {
+        /// Which end: `theta1-min`, `theta1-max`, `theta2-min` or `theta2-max`.
+        end: &'static str,
+        /// What is wrong with the number.
+        problem: NumberError,
+    },
+    /// Two columns are not equally long.
+    #[error("{} has {} rows, but {} has {}", .columns[0], .rows[0], .columns[1], .rows[1])]
+    Lengths {
+        /// Their names.
+        columns: [&'static str; 2],
+        /// How many numbers each has.
+        rows: [usize; 2],
+    },
+    /// An error bound is negative.
+    #[error("the error bound{} is negative", .row.map(|row| format!(" of row {row}")).unwrap_or_default())]
+    NegativeBound {
+        /// The row, from 1; `None` when the bound is that of all readings.
+        row: Option<usize>,
+    },
+    /// A text is not a condition.
+    #[error(transparent)]
+    Condition(#[from] ParseConditionError),
+}
+
+/// What was measured, before anything is known about the errors. With error bounds it becomes a [`Problem`].
+///
+/// ```
+/// use boundfit::Observations;
+///
+/// // The slope is not negative, and the second reading is ten times as good as the others.
+/// let fit = Observations::line(&[0, 1, 2], &["0.1", "0.98", "2.2"])?
+///     .error_bounds(&["0.5", "0.05", "0.5"])?
+///     .condition("theta1 >= 0")?
+///     .fit();
+/// assert!(!fit.is_empty());
+/// # Ok::<(), boundfit::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Observations {
+    model: Model,
+    regressors: Vec<[Rational; 2]>,
+    responses: Vec<Rational>,
+}
+
+impl Observations {
+    /// Readings of a line, y = theta1*x + theta2 + e. Data row k has the numbers at index k - 1.
+    ///
+    /// # Errors
+    /// When a number has no exact value, or the columns are not equally long.
+    pub fn line<X: Number, Y: Number>(x: &[X], y: &[Y]) -> Result<Self, Error> {
+        let regressors = column("x", x)?.into_iter().map(|x| [x, Rational::one()]).collect();
+        same_length(["x", "y"], [x.len(), y.len()])?;
+        Ok(Observations { model: Model::Line { x: "x".to_owned() }, regressors, responses: column("y", y)? })
+    }
+
+    /// Readings of a model with two regressors and no constant, y = theta1*phi1 + theta2*phi2 + e.
+    ///
+    /// # Errors
+    /// When a number has no exact value, or the columns are not equally long.
+    pub fn regressors<A: Number, B: Number, Y: Number>(
+        phi1: &[A],
+        phi2: &[B],
+        y: &[Y],
+    ) -> Result<Self, Error> {
+        same_length(["phi1", "phi2"], [phi1.len(), phi2.len()])?;
+        same_length(["phi1", "y"], [phi1.len(), y.len()])?;
+        let regressors = column("phi1", phi1)?.into_iter().zip(column("phi2", phi2)?);
+        let regressors = regressors.map(|(phi1, phi2)| [phi1, phi2]).collect();
+        let model = Model::TwoRegressors { regressors: ["phi1".to_owned(), "phi2".to_owned()] };
+        Ok(Observations { model, regressors, responses: column("y", y)? })
+    }
+
+    /// The problem in which every reading has this error bound: |e| ≤ eps.
+    ///
+    /// # Errors
+    /// When the number has no exact value, or is negative.
+    pub fn error_bound(self, eps: impl Number) -> Result<Problem, Error> {
+        let epsilon = eps.exact().map_err(Error::ErrorBound)?;
+        if epsilon.is_negative() {
+            return Err(Error::NegativeBound { row: None });
+        }
+        let epsilons = vec![epsilon.clone(); self.responses.len()];
+        Ok(self.problem(ErrorBound::Uniform(epsilon), epsilons))
+    }
+
+    /// The problem in which each reading has an error bound of its own.
+    ///
+    /// # Errors
+    /// When a number has no exact value or is negative, or there are not as many as readings.
+    pub fn error_bounds<E: Number>(self, eps: &[E]) -> Result<Problem, Error> {
+        same_length(["y", "eps"], [self.responses.len(), eps.len()])?;
+        let epsilons = column("eps", eps)?;
+        if let Some(index) = epsilons.iter().position(Rational::is_negative) {
+            return Err(Error::NegativeBound { row: Some(index + 1) });
+        }
+        Ok(self.problem(ErrorBound::PerRow("eps".to_owned()), epsilons))
+    }
+
+    fn problem(self, error_bound: ErrorBound, epsilons: Vec<Rational>) -> Problem {
+        let parts = self.regressors.into_iter().zip(self.responses).zip(epsilons);
+        let measurement =
+            |(row, ((regressor, response), epsilon))| Measurement { row, regressor, response, epsilon };
+        let rows = (1..).zip(parts).map(measurement).collect();
+        Problem::new(Measurements::new(self.model, "y".to_owned(), error_bound, rows))
+    }
+}
+
+/// The exact values of a column.
+pub(crate) fn column<N: Number>(name: &'static str, numbers: &[N]) -> Result<Vec<Rational>, Error> {
+    let exact = |(row, number): (usize, &N)| {
+        number.exact().map_err(|problem| Error::Number { column: name, row, problem })
+    };
+    (1..).zip(numbers).map(exact).collect()
+}
+
+fn same_length(columns: [&'static str; 2], rows: [usize; 2]) -> Result<(), Error> {
+    if rows[0] == rows[1] { Ok(()) } else { Err(Error::Lengths { columns, rows }) }
+}
