@@ -86,6 +86,7 @@
 //! | `arrow` | Parquet and Arrow IPC files |
 //! | `lp` | the module `check`: claims about the intervals, judged exactly |
 //! | `float-solvers` | solvers whose answers are judged (microlp, Clarabel) |
+//! | `verify` | the module `verify`: the checker of proofs |
 //! | `report` | the module `report`: answers as text, JSON, LaTeX, Markdown |
 //! | `figures` | the module `figures`: both planes as SVG and PNG |
 //! | `lesson` | the module `lesson`: the web page that teaches |
@@ -99,6 +100,8 @@ pub mod check;
 pub mod files;
 mod number;
 mod observations;
+#[cfg(feature = "verify")]
+pub mod verify;
 
 pub use boundfit_estimation::{
     BoundName, Central, Condition, ErrorBound, Fit, Fps, Inverse, InverseParameter, LeastSquares, Minimax,

@@ -4,6 +4,7 @@ use std::fs;
 
 use boundfit::check::check;
 use boundfit::num_rational::{BigRational, Ratio};
+use boundfit::verify::{Extent, Falsehood, VerifyError, verify};
 use boundfit::{Endpoint, Error, Fit, Interval, Number, NumberError, Observations, Problem, Rational};
 use boundfit_tests::cli::numbers::{exact, exact_or_null, pair, rational};
 use boundfit_tests::cli::report;
@@ -172,6 +173,19 @@ fn claims_are_judged_as_by_the_program() {
     assert_eq!(verdicts.concat(), told);
     let error = check(&problem, &[["1", "2"], ["x", "3"]]).unwrap_err();
     assert!(error.to_string().starts_with("theta2-min: \"x\" is not a number"), "{error}");
+}
+
+#[test]
+fn a_proof_of_the_program_is_true_of_its_table_alone() {
+    let line = "fit fixtures/transducer/transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 -o /dev/null --proof -";
+    let proof = run(&line.split_whitespace().collect::<Vec<_>>()).stdout;
+    let data = fs::read(root().join("fixtures/transducer/transducer.csv")).unwrap();
+    let statement = verify(&proof, &data).unwrap();
+    assert_eq!((statement.extent, statement.vertices, statement.half_planes), (Extent::Bounded, 6, 46));
+    let other = verify(&proof, &data[1..]);
+    assert!(matches!(other, Err(VerifyError::False(Falsehood::OtherData))), "{other:?}");
+    let cut = verify(&proof[1..], &data);
+    assert!(matches!(cut, Err(VerifyError::NotAProof(_))), "{cut:?}");
 }
 
 #[test]
