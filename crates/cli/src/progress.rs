@@ -1,6 +1,5 @@
 //! Progress on standard error: only on a terminal, and only of what takes longer than a second.
 
-use std::fs;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Arc, Mutex, OnceLock};
@@ -40,10 +39,8 @@ pub(crate) struct ReadingProgress {
 }
 
 impl ReadingProgress {
-    /// Progress through the file at a path, or standard input for `-`.
-    pub(crate) fn new(path: &str) -> Arc<Self> {
-        let metadata = if path == "-" { None } else { fs::metadata(path).ok() };
-        let total = metadata.filter(fs::Metadata::is_file).map(|metadata| metadata.len());
+    /// Progress through so many bytes, where that is known.
+    pub(crate) fn new(total: Option<u64>) -> Arc<Self> {
         Arc::new(ReadingProgress {
             started: Instant::now(),
             bytes: AtomicU64::new(0),

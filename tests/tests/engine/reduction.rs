@@ -94,7 +94,8 @@ impl Case {
 
     fn scanned(&self, path: &Path, chunk_bytes: usize, keep: Keep) -> Measurements {
         let options = options(self.reading, chunk_bytes);
-        Measurements::scan(path.to_str().unwrap(), &self.columns(), &options, keep).unwrap()
+        Measurements::scan(Source::open(path.to_str().unwrap()).unwrap(), &self.columns(), &options, keep)
+            .unwrap()
     }
 
     fn reduced(&self, path: &Path, chunk_bytes: usize) -> String {
@@ -104,7 +105,8 @@ impl Case {
             epsilon: None,
         };
         let options = options(self.reading, chunk_bytes);
-        let table = ReducedTable::scan(path.to_str().unwrap(), &columns, &options).unwrap();
+        let table =
+            ReducedTable::scan(Source::open(path.to_str().unwrap()).unwrap(), &columns, &options).unwrap();
         let mut text = Vec::new();
         table.write(&mut text).unwrap();
         String::from_utf8(text).unwrap()
@@ -268,7 +270,8 @@ fn a_file_that_changes_between_two_looks_is_refused() {
         let replacing =
             Replacing { path: path.clone(), left: AtomicU64::new(first.len() as u64), text: second };
         let options = ScanOptions { progress: Some(Arc::new(replacing)), ..options(Reading::Decimal, 1000) };
-        let scanned = Measurements::scan(path.to_str().unwrap(), &columns, &options, keep);
+        let scanned =
+            Measurements::scan(Source::open(path.to_str().unwrap()).unwrap(), &columns, &options, keep);
         match scanned {
             Err(error) => {
                 assert!(is_refused && error.to_string().ends_with("the file changed while it was read"))

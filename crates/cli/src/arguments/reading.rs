@@ -1,7 +1,5 @@
 //! From options to what the libraries take.
 
-use std::fs;
-
 use boundfit_estimation::{
     Columns, Condition, EpsilonColumn, Keep, Measurements, ParseConditionError, ParseConditionErrorKind,
     Problem,
@@ -14,6 +12,7 @@ use clap::ValueEnum;
 use super::values::{number_problem, parse_factors};
 use super::{DataArguments, FitArguments, LimitArguments, OutputArguments, TableArguments, ThreadArguments};
 use crate::exit::Failure;
+use crate::memory;
 use crate::progress::ReadingProgress;
 
 impl DataArguments {
@@ -27,66 +26,73 @@ impl DataArguments {
         self.rows.as_ref().map(|rows| rows.text.as_str())
     }
 
-    /// How the numbers of the file and of the options are read.
-    pub(crate) fn reading(&self) -> Reading {
-        self.table.reading_of(&self.data)
+    /// Opens the file.
+    pub(crate) fn open(&self) -> Data<'_> {
+        let source = Source::open(&self.data).map_err(Failure::data);
+        let is_stored = source.as_ref().is_ok_and(Source::is_stored);
+        let reading = if is_stored { Reading::Binary64 } else { self.table.reading() };
+        let origin = Origin { file: self.file_name(), rows: self.rows_asked(), reading, is_stored };
+        Data { arguments: self, origin, source }
     }
+}
 
+/// The data of a command. The file is opened before the options are understood, since it tells how numbers are read in
+/// both; that it cannot be opened is said when it is to be read, after what is wrong with the options.
+pub(crate) struct Data<'a> {
+    arguments: &'a DataArguments,
+    origin: Origin<'a>,
+    source: Result<Source, Failure>,
+}
+
+impl<'a> Data<'a> {
     /// Where the readings come from, for reports.
-    pub(crate) fn origin(&self) -> Origin<'_> {
-        Origin {
-            file: self.file_name(),
-            rows: self.rows_asked(),
-            reading: self.reading(),
-            is_stored: is_stored(&self.data),
-        }
+    pub(crate) fn origin(&self) -> Origin<'a> {
+        self.origin
     }
 
     /// Reads the problem.
-    pub(crate) fn problem(&self) -> Result<Problem, Failure> {
+    pub(crate) fn problem(self) -> Result<Problem, Failure> {
         self.read(false)
     }
 
     /// Reads the problem, and keeps the readings of the file that are not fitted.
-    pub(crate) fn problem_with_others(&self) -> Result<Problem, Failure> {
+    pub(crate) fn problem_with_others(self) -> Result<Problem, Failure> {
         self.read(true)
     }
 
     /// Reads the problem in memory that does not grow with the file, where the model allows it; with the hash of the data
     /// if it will be shown.
-    pub(crate) fn scanned_problem(&self, eui: bool, hash: bool) -> Result<Problem, Failure> {
+    pub(crate) fn scanned_problem(self, eui: bool, hash: bool) -> Result<Problem, Failure> {
         let (columns, conditions) = self.asked()?;
-        let options = self.table.scan_options(&self.data, self.rows.as_ref().map(|rows| rows.range));
+        let (source, options) = self.scan()?;
         let options = ScanOptions { hash, ..options };
         let keep = Keep { eui, ..Keep::default() };
-        let measurements = Measurements::scan(&self.data, &columns, &options, keep).map_err(Failure::data)?;
+        let measurements = Measurements::scan(source, &columns, &options, keep).map_err(Failure::data)?;
         Ok(Problem { measurements, conditions })
     }
 
-    /// Opens the file.
-    pub(crate) fn source(&self) -> Result<Source, Failure> {
-        Source::open(&self.data).map_err(Failure::data)
+    /// The file, and how it is read in parts.
+    pub(crate) fn scan(self) -> Result<(Source, ScanOptions), Failure> {
+        let source = self.source?;
+        let rows = self.arguments.rows.as_ref().map(|rows| rows.range);
+        let options = self.arguments.table.scan_options(&source, rows);
+        Ok((source, options))
     }
 
-    /// How the file is read in parts.
-    pub(crate) fn scan_options(&self) -> ScanOptions {
-        self.table.scan_options(&self.data, self.rows.as_ref().map(|rows| rows.range))
-    }
-
-    fn read(&self, keep_others: bool) -> Result<Problem, Failure> {
+    fn read(self, keep_others: bool) -> Result<Problem, Failure> {
         let (columns, conditions) = self.asked()?;
-        let rows = self.rows.as_ref().map(|rows| rows.range);
-        let options = TableOptions { keep_others, reading: self.reading(), ..self.table.options(rows) };
-        let source = Source::open(&self.data).map_err(Failure::data)?;
-        let measurements = Measurements::read(source, &columns, &options).map_err(Failure::data)?;
+        let rows = self.arguments.rows.as_ref().map(|rows| rows.range);
+        let reading = self.origin.reading;
+        let options = TableOptions { keep_others, reading, ..self.arguments.table.options(rows) };
+        let measurements = Measurements::read(self.source?, &columns, &options).map_err(Failure::data)?;
         Ok(Problem { measurements, conditions })
     }
 
     /// The columns and conditions asked for.
     pub(crate) fn asked(&self) -> Result<(Columns, Vec<Condition>), Failure> {
-        let reading = self.reading();
-        let limits = self.table.limits.number();
-        let epsilon = match (&self.epsilon.eps, &self.epsilon.eps_column) {
+        let (arguments, reading) = (self.arguments, self.origin.reading);
+        let limits = arguments.table.limits.number();
+        let epsilon = match (&arguments.epsilon.eps, &arguments.epsilon.eps_column) {
             (Some(eps), _) => EpsilonColumn::Uniform(error_bound(eps, reading, &limits)?),
             (None, Some(column)) => EpsilonColumn::Column(column.clone()),
             (None, None) => return Err(Failure::Usage("'--eps' or '--eps-column' is missing".to_owned())),
@@ -95,22 +101,15 @@ impl DataArguments {
             Condition::parse(text, reading, &limits)
                 .map_err(|error| Failure::value("--where <CONDITION>", text, condition_problem(&error)))
         };
-        let conditions = self.conditions.iter().map(condition).collect::<Result<_, _>>()?;
+        let conditions = arguments.conditions.iter().map(condition).collect::<Result<_, _>>()?;
         let columns = Columns {
-            first: self.x.first.clone(),
-            second: self.x.second.clone(),
-            response: self.y.clone(),
+            first: arguments.x.first.clone(),
+            second: arguments.x.second.clone(),
+            response: arguments.y.clone(),
             epsilon,
         };
         Ok((columns, conditions))
     }
-}
-
-/// Whether a file can be opened and stores its numbers in binary. Only a regular file is opened: who writes to a pipe would
-/// notice that its reader has gone.
-fn is_stored(path: &str) -> bool {
-    let is_file = path != "-" && fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
-    is_file && Source::open(path).is_ok_and(|source| source.is_stored())
 }
 
 fn error_bound(text: &str, reading: Reading, limits: &Limits) -> Result<Rational, Failure> {
@@ -151,22 +150,19 @@ impl TableArguments {
         }
     }
 
-    /// How the table at a path is read in parts.
-    pub(crate) fn scan_options(&self, path: &str, rows: Option<RowRange>) -> ScanOptions {
+    /// How a table is read in parts, which may be many.
+    pub(crate) fn scan_options(&self, source: &Source, rows: Option<RowRange>) -> ScanOptions {
+        memory::keep_freed();
+        let reading = if source.is_stored() { Reading::Binary64 } else { self.reading() };
         ScanOptions {
-            table: TableOptions { reading: self.reading_of(path), ..self.options(rows) },
-            progress: Some(ReadingProgress::new(path)),
+            table: TableOptions { reading, ..self.options(rows) },
+            progress: Some(ReadingProgress::new(source.length())),
             ..ScanOptions::default()
         }
     }
 
     pub(crate) fn reading(&self) -> Reading {
         self.reading
-    }
-
-    /// How the numbers of the file at a path are read.
-    fn reading_of(&self, path: &str) -> Reading {
-        if is_stored(path) { Reading::Binary64 } else { self.reading() }
     }
 
     pub(crate) fn header(&self) -> Header {

@@ -20,9 +20,10 @@ use crate::progress::while_working;
 
 /// Reads the data and the claims, runs the solvers, judges and writes the report.
 pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
-    let reading = arguments.data.reading();
+    let data = arguments.data.open();
+    let reading = data.origin().reading;
     let options = options(arguments)?;
-    let problem = arguments.data.problem()?;
+    let problem = data.problem()?;
     let check = while_working("solving", || check(&problem, reading, &options));
     let check = check.map_err(|error| Failure::Usage(error.to_string()))?;
     let style = arguments.output.style();

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use boundfit_check::{ExchangeRows, ProgramRows};
 use boundfit_estimation::{ErrorBound, Model, Problem};
+use boundfit_exact::Reading;
 use boundfit_lp::PuiEnd;
 
 use crate::CommandResult;
@@ -23,9 +24,11 @@ enum Destination<'a> {
 /// Reads the data and writes the programs that are asked for.
 pub(crate) fn run(arguments: &ConvertArguments) -> CommandResult {
     let destination = destination(arguments)?;
-    let problem = arguments.data.problem()?;
+    let data = arguments.data.open();
+    let reading = data.origin().reading;
+    let problem = data.problem()?;
     let rows = ExchangeRows::new(&ProgramRows::new(&problem));
-    let about = comments(arguments, &problem);
+    let about = comments(arguments, reading, &problem);
     let text = |end: PuiEnd| {
         let comments: Vec<String> = [heading(end)].into_iter().chain(about.iter().cloned()).collect();
         while_working("writing", || rows.text(end, arguments.to, &comments))
@@ -76,7 +79,7 @@ fn heading(end: PuiEnd) -> String {
 }
 
 /// Where the rows come from.
-fn comments(arguments: &ConvertArguments, problem: &Problem) -> Vec<String> {
+fn comments(arguments: &ConvertArguments, reading: Reading, problem: &Problem) -> Vec<String> {
     let measurements = &problem.measurements;
     let bound = match measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => epsilon.to_string(),
@@ -91,7 +94,7 @@ fn comments(arguments: &ConvertArguments, problem: &Problem) -> Vec<String> {
     let mut comments = vec![
         format!("model: {y} = {line} + e, |e| <= {bound}"),
         format!("data: {}{rows}, every row of them", arguments.data.file_name()),
-        format!("reading: {}; no number is rounded", arguments.data.reading().name()),
+        format!("reading: {}; no number is rounded", reading.name()),
     ];
     let conditions = (1..).zip(&problem.conditions);
     comments.extend(conditions.map(|(number, condition)| format!("where_{number}: {}", condition.text())));

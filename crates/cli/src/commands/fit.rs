@@ -24,15 +24,16 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     if let Some(by) = &arguments.by {
         return fleet::run(arguments, by);
     }
-    let reading = arguments.data.reading();
+    let data = arguments.data.open();
+    let origin = data.origin();
+    let reading = origin.reading;
     let is_hash_shown = arguments.output.format == ReportFormat::Json || arguments.proof.is_some();
-    let problem = arguments.data.scanned_problem(!arguments.no_eui, is_hash_shown)?;
+    let problem = data.scanned_problem(!arguments.no_eui, is_hash_shown)?;
     let fit = while_working("fitting", || fit(&problem));
     let family = arguments.sweep.as_ref().map(|FactorRange { from, to }| {
         while_working("sweeping", || Family::new(&problem, from.clone(), to.clone()))
     });
     let style = arguments.output.style();
-    let origin = arguments.data.origin();
     let report = match arguments.output.format {
         ReportFormat::Json => fit_json(&problem, &fit, family.as_ref(), reading, &style),
         ReportFormat::Latex => Markup::Latex.fit(&problem, &fit, family.as_ref(), &origin, &style),

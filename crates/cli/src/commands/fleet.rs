@@ -21,10 +21,11 @@ pub(crate) fn run(arguments: &FitArguments, by: &ColumnSelector) -> CommandResul
         ReportFormat::Csv => Job::write_csv,
         _ => return Err(Failure::Usage("'--by' writes text, json or csv".to_owned())),
     };
-    let data = &arguments.data;
+    let data = arguments.data.open();
     let (columns, conditions) = data.asked()?;
-    let options = ScanOptions { hash: false, ..data.scan_options() };
-    let fleet = Fleet::read(data.source()?, &columns, by, options).map_err(Failure::data)?;
+    let (source, options) = data.scan()?;
+    let options = ScanOptions { hash: false, ..options };
+    let fleet = Fleet::read(source, &columns, by, options).map_err(Failure::data)?;
     let job = Job { fleet: &fleet, conditions: &conditions, style: arguments.output.style() };
     let mut output = Output::open(arguments.output.file.output.as_deref())?;
     let mut summary = FleetSummary::default();

@@ -11,8 +11,9 @@ use crate::progress::while_working;
 
 /// Reads the data, fits and writes the page.
 pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
-    let reading = arguments.data.reading();
-    let problem = arguments.data.problem_with_others()?;
+    let data = arguments.data.open();
+    let reading = data.origin().reading;
+    let problem = data.problem_with_others()?;
     let fit = fit(&problem);
     let options = LessonOptions {
         file: arguments.data.file_name().to_owned(),

@@ -23,7 +23,7 @@ enum Destination<'a> {
 /// Reads the data, fits, draws every picture that is asked for, and then writes them.
 pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
     let (destination, format) = destination(arguments)?;
-    let problem = arguments.data.problem_with_others()?;
+    let problem = arguments.data.open().problem_with_others()?;
     let fit = fit(&problem);
     let options = PlotOptions {
         x_unit: arguments.labels.x_unit.clone(),

@@ -1,6 +1,7 @@
 //! `boundfit reduce`.
 
 use boundfit_estimation::{ReducedColumns, ReducedTable};
+use boundfit_formats::Source;
 
 use crate::CommandResult;
 use crate::arguments::ReduceArguments;
@@ -15,8 +16,9 @@ pub(crate) fn run(arguments: &ReduceArguments) -> CommandResult {
         y: arguments.y.clone(),
         epsilon: arguments.eps_column.clone(),
     };
-    let options = arguments.table.scan_options(&arguments.data, None);
-    let reduced = ReducedTable::scan(&arguments.data, &columns, &options).map_err(Failure::data)?;
+    let source = Source::open(&arguments.data).map_err(Failure::data)?;
+    let options = arguments.table.scan_options(&source, None);
+    let reduced = ReducedTable::scan(source, &columns, &options).map_err(Failure::data)?;
     let mut text = Vec::new();
     // Writing to memory cannot fail.
     reduced.write(&mut text).map_err(Failure::data)?;

@@ -104,22 +104,22 @@ struct Collected {
 }
 
 impl Measurements {
-    /// Reads the columns of a table at a path, or of standard input for `-`, in constant memory for a line under a
-    /// uniform error bound: see [`Keep`]. Rows and numbers are those of [`Measurements::read`].
+    /// Reads the columns of a table in constant memory for a line under a uniform error bound: see [`Keep`]. Rows and numbers are those of [`Measurements::read`].
     ///
     /// Exact. Cost: one pass; two where the EUI is asked for of a file with more readings than are kept for it.
     ///
     /// # Errors
     /// The first thing wrong with the file, a negative error bound included.
     pub fn scan(
-        path: &str,
+        source: Source,
         columns: &Columns,
         options: &ScanOptions,
         keep: Keep,
     ) -> Result<Self, InputError> {
         let of_line = columns.second.is_none() && matches!(columns.epsilon, EpsilonColumn::Uniform(_));
-        let is_stream = path == "-";
-        let usual = if is_stream { MOST_BYTES_OF_STREAM } else { MOST_BYTES_OF_FILE };
+        let name = source.name().to_owned();
+        let path = source.path().map(str::to_owned);
+        let usual = if path.is_some() { MOST_BYTES_OF_FILE } else { MOST_BYTES_OF_STREAM };
         let mut all = Collected {
             batches: Vec::new(),
             rows: 0,
@@ -138,7 +138,7 @@ impl Measurements {
             Digest { batch, line }
         };
         let most_rows = if of_line { keep.most_rows } else { usize::MAX };
-        let (source, reductions) = open_reduction(Source::open(path)?, &options.table.sizes)?;
+        let (source, reductions) = open_reduction(source, &options.table.sizes)?;
         let mut options = options.clone();
         if let Some(reductions) = &reductions {
             options.table.header = reductions.header();
@@ -156,7 +156,7 @@ impl Measurements {
         };
         if let Some(reductions) = &reductions {
             let line = columns.second.is_none();
-            let sums = LineSums::stated(reductions, path, line, &scanned.names, &options)?;
+            let sums = LineSums::stated(reductions, &name, line, &scanned.names, &options)?;
             let rows = match columns.epsilon {
                 EpsilonColumn::Uniform(_) => supporting(all.extremes),
                 EpsilonColumn::Column(_) => rows_of(&all.batches, &meaning),
@@ -171,10 +171,12 @@ impl Measurements {
         }
         let spread = if keep.eui {
             let thresholds = Thresholds::new(&all.sums);
-            match all.abscissas.spread(&thresholds) {
-                Some(spread) => Ok(spread),
-                None if is_stream => Err(NoEui::TooManyOnce),
-                None => Ok(second_look(path, columns, &options, &thresholds, &all.sums, &scanned)?),
+            match (all.abscissas.spread(&thresholds), &path) {
+                (Some(spread), _) => Ok(spread),
+                (None, None) => Err(NoEui::TooManyOnce),
+                (None, Some(path)) => {
+                    Ok(second_look(path, columns, &options, &thresholds, &all.sums, &scanned)?)
+                }
             }
         } else {
             Err(NoEui::NotAsked)

@@ -58,7 +58,7 @@ struct Collected {
 }
 
 impl ReducedTable {
-    /// Reduces the table at a path, or standard input for `-`. A line under a uniform error bound, whatever it is, has
+    /// Reduces a table. A line under a uniform error bound, whatever it is, has
     /// the same feasible set, PUI and ε_min before and after, with rows counted anew; with a column of error bounds the
     /// same holds under any multiple of these. The union of reductions, reduced, is the reduction of the union.
     ///
@@ -66,8 +66,9 @@ impl ReducedTable {
     ///
     /// # Errors
     /// The first thing wrong with the file.
-    pub fn scan(path: &str, columns: &ReducedColumns, options: &ScanOptions) -> Result<Self, InputError> {
-        let (source, reductions) = open_reduction(Source::open(path)?, &options.table.sizes)?;
+    pub fn scan(source: Source, columns: &ReducedColumns, options: &ScanOptions) -> Result<Self, InputError> {
+        let name = source.name().to_owned();
+        let (source, reductions) = open_reduction(source, &options.table.sizes)?;
         let mut options = ScanOptions { keep_text: true, hash: false, ..options.clone() };
         if let Some(reductions) = &reductions {
             options.table.header = reductions.header();
@@ -79,7 +80,7 @@ impl ReducedTable {
         let digest = |batch| Digest::new(batch, &sieve);
         let scanned = scan(source, &selectors, &options, digest, |digest| all.take(digest, &sieve))?;
         let sums = match &reductions {
-            Some(reductions) => LineSums::stated(reductions, path, true, &scanned.names, &options)?,
+            Some(reductions) => LineSums::stated(reductions, &name, true, &scanned.names, &options)?,
             None => all.sums,
         };
         let mut kept: Vec<usize> =
