@@ -28,7 +28,7 @@ mod scan;
 mod source;
 mod start;
 mod table;
-mod threads;
+pub mod threads;
 
 pub use columns::{ColumnSelector, Header};
 pub use error::{InputError, InputErrorKind, Place};
