@@ -4,13 +4,12 @@ use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::{Inequality, Polyhedron, ProofError, System, verify_membership};
 
 use crate::bounds::{Central, ParameterInterval, central, guaranteed_error, parameter_intervals};
-use crate::float_least_squares::FloatLeastSquares;
 use crate::fps::{BoundName, Fps, every_half_plane};
 use crate::grid::Grid;
 use crate::hulls::Extremes;
 use crate::inverse::Inverse;
 use crate::least_squares::{LeastSquares, SingularRegressors};
-use crate::measurements::{ErrorBound, Measurements, Model};
+use crate::measurements::{ErrorBound, Model};
 use crate::minimax::Minimax;
 use crate::problem::Problem;
 
@@ -116,14 +115,6 @@ impl Fit {
         // The proofs name half-planes by their position.
         let pui = parameter_intervals(fps.polyhedron());
         Fit { fps, pui, ..self.clone() }
-    }
-
-    /// The least-squares estimate in binary64, for comparison; `None` when there is no exact one, or not all readings are
-    /// kept. Rounded.
-    /// Cost: linear in the number of readings.
-    pub fn float_least_squares(&self, measurements: &Measurements) -> Option<FloatLeastSquares> {
-        let exact = self.least_squares.as_ref().ok()?;
-        Some(FloatLeastSquares::new(measurements.all()?, &exact.theta))
     }
 
     /// Whether no parameters agree with all readings. [`Fit::contradiction`] says why.

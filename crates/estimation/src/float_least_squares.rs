@@ -3,7 +3,8 @@
 use boundfit_exact::Rational;
 use nalgebra::{DMatrix, DVector, SVD};
 
-use crate::measurements::Measurement;
+use crate::fit::Fit;
+use crate::measurements::{Measurement, Measurements};
 
 /// A binary64 estimate beside the exact one.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,6 +23,16 @@ pub struct FloatLeastSquares {
     /// By the pseudo-inverse from a singular value decomposition, as MATLAB's `pinv(Phi)*y`: singular values below
     /// max(N, 2)·σ_max·2⁻⁵² count as zero. `None` when it does not come out finite.
     pub pseudo_inverse: Option<FloatEstimate>,
+}
+
+impl Fit {
+    /// The least-squares estimate in binary64, for comparison; `None` when there is no exact one, or not all readings are
+    /// kept. Rounded.
+    /// Cost: linear in the number of readings.
+    pub fn float_least_squares(&self, measurements: &Measurements) -> Option<FloatLeastSquares> {
+        let exact = self.least_squares.as_ref().ok()?;
+        Some(FloatLeastSquares::new(measurements.all()?, &exact.theta))
+    }
 }
 
 impl FloatLeastSquares {

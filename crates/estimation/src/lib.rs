@@ -37,6 +37,7 @@ mod family;
 mod files;
 mod fit;
 mod fleet;
+#[cfg(feature = "float-least-squares")]
 mod float_least_squares;
 mod fps;
 mod grid;
@@ -59,6 +60,7 @@ pub use family::{
 pub use files::{Columns, EpsilonColumn};
 pub use fit::{Fit, FitBounds, fit, fit_bounds, fit_bounds_in_general};
 pub use fleet::{Fleet, fit_group, least_squares_is_feasible};
+#[cfg(feature = "float-least-squares")]
 pub use float_least_squares::{FloatEstimate, FloatLeastSquares};
 pub use fps::{BoundName, Fps, conditions_by_name, strip};
 pub use inverse::{Inverse, InverseParameter};
