@@ -8,7 +8,7 @@ use std::ops::Range;
 use boundfit_exact::{Integer, Rational};
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 
-/// A common offset is taken out of the tick labels when that saves at least so many digits.
+/// A common offset is taken out of the tick labels when that saves at least this many digits.
 const DIGITS_WORTH_AN_OFFSET: usize = 4;
 /// Tick labels have no power of ten taken out when they need at most this many decimals.
 const MOST_DECIMALS: i64 = 4;
@@ -79,7 +79,7 @@ impl Axis {
         self.exact_fraction(value).to_f64()
     }
 
-    /// The same, exact.
+    /// Where a number falls between the ends of the view, as 0 to 1. Exact.
     pub(crate) fn exact_fraction(&self, value: &Rational) -> Rational {
         (value - &self.lower).checked_div(&self.width).unwrap_or_default()
     }

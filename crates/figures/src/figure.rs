@@ -1,9 +1,4 @@
-//! Which figures there are.
-
-use boundfit_estimation::{Fit, Problem};
-
-use crate::picture::{FigureError, Picture};
-use crate::{data_plane, parameter_plane, render};
+//! Which figures there are, and how they may be drawn.
 
 /// What to draw.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -52,7 +47,7 @@ impl Figure {
     }
 }
 
-/// How to draw it.
+/// How to draw a figure.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PlotOptions {
     /// Unit of x for the axes; with two regressors, of both.
@@ -72,28 +67,4 @@ impl Default for PlotOptions {
     fn default() -> Self {
         PlotOptions { x_unit: None, y_unit: None, title: None, flip: false, directions: 16 }
     }
-}
-
-/// Draws a figure of a fit. Cost: linear in the readings; [`Figure::Directions`] solves a linear program per direction.
-///
-/// # Errors
-/// Only when a library underneath fails.
-pub fn draw(
-    problem: &Problem,
-    fit: &Fit,
-    figure: Figure,
-    options: &PlotOptions,
-) -> Result<Picture, FigureError> {
-    let mut drawing = match figure {
-        Figure::Data | Figure::Eui | Figure::Pui | Figure::Corridor => {
-            data_plane::drawing(problem, fit, figure, options)
-        }
-        Figure::Fps => parameter_plane::fps(problem, fit, options),
-        Figure::Directions => parameter_plane::directions(problem, fit, options),
-    };
-    drawing.keep_legend_of_drawn();
-    if let Some(title) = &options.title {
-        drawing.title = crate::text::one_line(title, 90);
-    }
-    render::render(&drawing)
 }

@@ -27,6 +27,7 @@
 mod axis;
 mod clip;
 mod data_plane;
+mod draw;
 mod drawing;
 mod extent;
 mod figure;
@@ -39,5 +40,6 @@ mod render;
 mod samples;
 mod text;
 
-pub use figure::{Figure, PlotOptions, draw};
+pub use draw::draw;
+pub use figure::{Figure, PlotOptions};
 pub use picture::{FigureError, Picture, PictureFormat};

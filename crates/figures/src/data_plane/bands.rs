@@ -1,11 +1,10 @@
 //! Bands: how far the values of a set of parameters reach at every x, or at every row.
 
-use boundfit_estimation::{Corridor, Envelope, Measurement, Model};
+use boundfit_estimation::{Corridor, Envelope, Measurement};
 use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::Support;
 
-use super::Scene;
-use super::readings::{MOST_MARKS, Shown};
+use super::scene::Scene;
 use super::view::View;
 use crate::clip::Place;
 use crate::drawing::{LegendEntry, Panel, Swatch};
@@ -27,13 +26,13 @@ struct Band {
 
 enum BandShape {
     /// Between lines, piece by piece along x.
-    Lines(Vec<Piece>),
+    Lines(Vec<BandPiece>),
     /// Between values, row by row.
     Rows(Vec<RowRange>),
 }
 
 /// A band between two lines (θ1, θ2) for x in [from, to]; `None` where nothing bounds it.
-struct Piece {
+struct BandPiece {
     from: Rational,
     to: Rational,
     lower: Option<[Rational; 2]>,
@@ -47,27 +46,13 @@ struct RowRange {
     upper: Option<Rational>,
 }
 
-impl Scene<'_> {
-    /// Whether the model is a line.
-    pub(crate) fn is_line(&self) -> bool {
-        matches!(self.problem.measurements.model(), Model::Line { .. })
-    }
-
-    /// The fitted rows, or as many of them, evenly spread, as have room side by side.
-    pub(crate) fn rows_with_room(&self) -> impl Iterator<Item = &Shown> {
-        let step = self.readings.len().div_ceil(MOST_MARKS).max(1);
-        let kept = move |(index, shown): &(usize, &Shown)| shown.fitted && (index % step == 0 || shown.kept);
-        self.readings.iter().enumerate().filter(kept).map(|(_, shown)| shown)
-    }
-}
-
 impl Bands {
-    /// The bands of a figure over a range of x.
-    pub(crate) fn new(scene: &Scene, abscissas: &[Rational; 2]) -> Self {
+    /// The bands of a figure, along its whole axis of x.
+    pub(crate) fn new(scene: &Scene) -> Self {
         let eui = || scene.fit.eui().cloned();
         let pui = || scene.fit.pui_intervals();
         let boxed = |name, intervals: Option<[Interval; 2]>, fill, edge| {
-            let shape = of_box(scene, &intervals?, abscissas);
+            let shape = of_box(scene, &intervals?);
             Some(Band { name, fill, edge, shape })
         };
         let bands = match scene.figure {
@@ -75,7 +60,7 @@ impl Bands {
             Figure::Pui => vec![boxed("band of the PUI box", pui(), style::PUI_FILL, style::PUI_EDGE)],
             Figure::Corridor => vec![
                 boxed("band of the PUI box", pui(), style::PUI_FILL, style::PUI_EDGE),
-                of_set(scene, abscissas).map(|shape| Band {
+                of_set(scene).map(|shape| Band {
                     name: if scene.is_line() {
                         "corridor of all feasible lines"
                     } else {
@@ -120,6 +105,14 @@ impl Bands {
             }
         }
         extent
+    }
+
+    /// Whether a band goes on beyond the panel of a view.
+    pub(crate) fn go_beyond(&self, view: &View, panel: &Panel) -> bool {
+        let [_, up] = panel.coordinates();
+        let upper = up.lower() + up.width();
+        let extent = self.extent(view);
+        extent.ends().is_some_and(|[least, greatest]| least < up.lower() || *greatest > upper)
     }
 
     /// Draws the bands of a view.
@@ -187,7 +180,8 @@ fn has_breakpoints(scene: &Scene) -> bool {
 const BREAKPOINT: Mark = Mark::new(Shape::Disc, 3.2, BLUE);
 
 /// The band of all θ in a box: at x > 0 its upper edge has the largest θ1, at x < 0 the smallest, always the largest θ2.
-fn of_box(scene: &Scene, [first, second]: &[Interval; 2], [start, end]: &[Rational; 2]) -> BandShape {
+fn of_box(scene: &Scene, [first, second]: &[Interval; 2]) -> BandShape {
+    let [start, end] = &scene.abscissas;
     let value = |end: &Endpoint| end.value().cloned();
     let line = |slope: &Endpoint, offset: &Endpoint| Some([value(slope)?, value(offset)?]);
     if !scene.is_line() {
@@ -210,7 +204,7 @@ fn of_box(scene: &Scene, [first, second]: &[Interval; 2], [start, end]: &[Ration
         let left = ends[1] <= &zero;
         let (least, greatest) =
             if left { (first.upper(), first.lower()) } else { (first.lower(), first.upper()) };
-        Piece {
+        BandPiece {
             from: ends[0].clone(),
             to: ends[1].clone(),
             lower: line(least, second.lower()),
@@ -221,7 +215,8 @@ fn of_box(scene: &Scene, [first, second]: &[Interval; 2], [start, end]: &[Ration
 }
 
 /// The band of all feasible θ; `None` when there are none.
-fn of_set(scene: &Scene, [start, end]: &[Rational; 2]) -> Option<BandShape> {
+fn of_set(scene: &Scene) -> Option<BandShape> {
+    let [start, end] = &scene.abscissas;
     let polyhedron = scene.fit.fps.polyhedron();
     if !scene.is_line() {
         if polyhedron.region().is_empty() {
@@ -248,7 +243,7 @@ fn of_set(scene: &Scene, [start, end]: &[Rational; 2]) -> Option<BandShape> {
     cuts.retain(|cut| start <= cut && cut <= end);
     cuts.sort();
     cuts.dedup();
-    let piece = |ends: &[Rational]| Piece {
+    let piece = |ends: &[Rational]| BandPiece {
         from: ends[0].clone(),
         to: ends[1].clone(),
         lower: line_between(&corridor.lower, ends),
@@ -271,7 +266,7 @@ fn line_between(envelope: &Envelope, ends: &[Rational]) -> Option<[Rational; 2]>
 const BELOW: f64 = -0.01;
 const ABOVE: f64 = 1.01;
 
-fn draw_piece(panel: &mut Panel, view: &View, piece: &Piece, fill: Fill) {
+fn draw_piece(panel: &mut Panel, view: &View, piece: &BandPiece, fill: Fill) {
     let [across, up] = panel.coordinates();
     let (from, to) = (across.fraction(&piece.from), across.fraction(&piece.to));
     let at = |line: &Option<[Rational; 2]>, x: &Rational, otherwise: f64| match line {
@@ -294,8 +289,8 @@ fn draw_piece(panel: &mut Panel, view: &View, piece: &Piece, fill: Fill) {
 fn draw_edge<'a>(
     panel: &mut Panel,
     view: &View,
-    pieces: &'a [Piece],
-    edge: impl Fn(&'a Piece) -> Option<&'a [Rational; 2]>,
+    pieces: &'a [BandPiece],
+    edge: impl Fn(&'a BandPiece) -> Option<&'a [Rational; 2]>,
     stroke: Stroke,
 ) {
     let mut run: Vec<Place> = Vec::new();
@@ -338,7 +333,7 @@ fn draw_row(panel: &mut Panel, view: &View, row: &RowRange, band: &Band) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::data_plane::scene_of;
+    use crate::figure::PlotOptions;
     use crate::samples::problem;
 
     /// Ends of a band at an abscissa, read off the pieces around it.
@@ -355,17 +350,18 @@ mod tests {
         // FPS: the diamond around θ = (0, 0) with PUI [-1, 1] for both.
         let problem = problem("line", &["-1 0 1", "1 0 1"], &[]);
         let fit = boundfit_estimation::fit(&problem);
-        let scene = scene_of(&problem, &fit, Figure::Corridor);
+        let options = PlotOptions::default();
+        let bands = Bands::new(&Scene::new(&problem, &fit, Figure::Corridor, &options));
         for (x, reach) in [(-1, 2), (0, 1), (1, 2)] {
             let expected = [Some(Rational::from(-reach)), Some(Rational::from(reach))];
-            for piece in at(&scene.bands, 0, x) {
+            for piece in at(&bands, 0, x) {
                 assert_eq!(piece, expected, "PUI box at {x}");
             }
-            for piece in at(&scene.bands, 1, x) {
+            for piece in at(&bands, 1, x) {
                 assert_eq!(piece, [Some(Rational::from(-1)), Some(Rational::one())], "corridor at {x}");
             }
         }
-        assert_eq!(at(&scene.bands, 0, 0).len(), 2);
+        assert_eq!(at(&bands, 0, 0).len(), 2);
     }
 
     #[test]
@@ -373,12 +369,13 @@ mod tests {
         // 0 ≤ θ1 alone: at x > 0 nothing bounds a line from above or, θ2 being free, from below.
         let problem = problem("line", &["0 0 1"], &["theta1 >= 0"]);
         let fit = boundfit_estimation::fit(&problem);
-        let scene = scene_of(&problem, &fit, Figure::Corridor);
+        let options = PlotOptions::default();
+        let bands = Bands::new(&Scene::new(&problem, &fit, Figure::Corridor, &options));
         // θ2 in [-1, 1], θ1 ≥ 0: the abscissas shown reach from -1/2 to 1/2.
-        let BandShape::Lines(pieces) = &scene.bands.0[1].shape else { unreachable!("a line model") };
+        let BandShape::Lines(pieces) = &bands.0[1].shape else { unreachable!("a line model") };
         assert_eq!(pieces.len(), 2);
         assert_eq!((pieces[0].lower.is_none(), pieces[0].upper.is_some()), (true, true));
         assert_eq!((pieces[1].lower.is_some(), pieces[1].upper.is_none()), (true, true));
-        assert!(!scene.bands.notes().is_empty());
+        assert!(!bands.notes().is_empty());
     }
 }

@@ -3,10 +3,10 @@
 
 mod bands;
 mod readings;
+mod scene;
 mod view;
 
-use boundfit_estimation::{ErrorBound, Fit, Measurement, Model, Problem};
-use boundfit_exact::Rational;
+use boundfit_estimation::{ErrorBound, Fit, Problem};
 
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::figure::{Figure, PlotOptions};
@@ -14,52 +14,26 @@ use crate::labels::{self, Conflict};
 use crate::palette::{Dash, FAINT_INK, Stroke, style};
 use crate::render::{BOTTOM_LABELS, LEFT_LABELS, WIDTH};
 use bands::Bands;
-use readings::Shown;
+use scene::{MOST_MARKS, Reference, Scene};
 use view::View;
 
 /// Distance of panels from the right edge of the picture.
 const RIGHT: f64 = 22.0;
 
-/// A line that others are compared with.
-pub(crate) struct Reference {
-    name: &'static str,
-    theta: [Rational; 2],
-    stroke: Stroke,
-}
-
-impl Reference {
-    /// The response of a reading less that of the line.
-    fn distance(&self, reading: &Measurement) -> Rational {
-        let [phi1, phi2] = &reading.regressor;
-        &reading.response - (&self.theta[0] * phi1 + &self.theta[1] * phi2)
-    }
-}
-
-/// What a figure is made of.
-pub(crate) struct Scene<'a> {
-    problem: &'a Problem,
-    fit: &'a Fit,
-    figure: Figure,
-    options: &'a PlotOptions,
-    conflict: Conflict,
-    reference: Option<Reference>,
-    readings: Vec<Shown>,
-    bands: Bands,
-}
-
 /// A figure of the data plane.
 pub(crate) fn drawing(problem: &Problem, fit: &Fit, figure: Figure, options: &PlotOptions) -> Drawing {
-    let (scene, range) = scene(problem, fit, figure, options);
+    let scene = Scene::new(problem, fit, figure, options);
+    let bands = Bands::new(&scene);
     let frames = frames(options.flip);
     let names = [labels::abscissa(problem, options), labels::response(problem, options)];
-    let mut notes = notes(&scene);
-    let whole = View { scene: &scene, abscissas: &range, reference: None };
-    let mut panels = vec![panel(&whole, frames[0], names)];
+    let mut notes = notes(&scene, &bands);
+    let whole = View { scene: &scene, reference: None };
+    let mut panels = vec![panel(&whole, &bands, frames[0], names)];
     if let Some(reference) = &scene.reference {
-        let view = View { scene: &scene, abscissas: &range, reference: Some(reference) };
+        let view = View { scene: &scene, reference: Some(reference) };
         let names = [labels::abscissa(problem, options), labels::distance(options)];
-        let mut distances = panel(&view, frames[1], names);
-        if view.cuts_bands(&distances) {
+        let mut distances = panel(&view, &bands, frames[1], names);
+        if bands.go_beyond(&view, &distances) {
             notes.push("The band goes on beyond this view.".to_owned());
         }
         distances.heading = format!("distance from the {}", reference.name);
@@ -75,34 +49,9 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, figure: Figure, options: &Pl
         description: description(&scene, &notes),
         height: last.top + last.height + BOTTOM_LABELS + 8.0,
         panels,
-        legend: legend(&scene),
+        legend: legend(&scene, &bands),
         notes,
     }
-}
-
-/// What a figure is made of, and the ends of its axis of x.
-fn scene<'a>(
-    problem: &'a Problem,
-    fit: &'a Fit,
-    figure: Figure,
-    options: &'a PlotOptions,
-) -> (Scene<'a>, [Rational; 2]) {
-    let conflict = Conflict::of(problem, fit);
-    let reference = reference(problem, fit, figure);
-    let readings = readings::all(problem, fit, &conflict, figure, reference.as_ref());
-    let mut scene =
-        Scene { problem, fit, figure, options, conflict, reference, readings, bands: Bands::default() };
-    let range = view::abscissas(&scene);
-    scene.bands = Bands::new(&scene, &range);
-    (scene, range)
-}
-
-/// The scene of a figure with the usual options, for tests.
-#[cfg(test)]
-pub(crate) fn scene_of<'a>(problem: &'a Problem, fit: &'a Fit, figure: Figure) -> Scene<'a> {
-    static USUAL: PlotOptions =
-        PlotOptions { x_unit: None, y_unit: None, title: None, flip: false, directions: 16 };
-    scene(problem, fit, figure, &USUAL).0
 }
 
 /// Above each other, or flipped beside each other, so that they share the axis of x.
@@ -120,54 +69,17 @@ fn frames(flip: bool) -> [Frame; 2] {
 }
 
 /// One panel with everything on it, from the back to the front.
-fn panel(view: &View, frame: Frame, names: [String; 2]) -> Panel {
+fn panel(view: &View, bands: &Bands, frame: Frame, names: [String; 2]) -> Panel {
     let scene = view.scene;
-    let axes = view.axes(frame, names);
+    let axes = view.axes(frame, names, &bands.extent(view));
     let mut panel = Panel::new(frame, axes, scene.options.flip);
     view.interval_of_fitted_rows(&mut panel);
     let bars = readings::bars(view, &panel);
     readings::shade(view, &mut panel, &bars);
-    scene.bands.draw(view, &mut panel);
+    bands.draw(view, &mut panel);
     view.lines(&mut panel);
     readings::draw(view, &mut panel, &bars);
     panel
-}
-
-/// The line that distances are taken from.
-fn reference(problem: &Problem, fit: &Fit, figure: Figure) -> Option<Reference> {
-    let least_squares = || {
-        let theta = fit.least_squares.as_ref().ok()?.theta.clone();
-        Some(Reference { name: named(problem, "least squares"), theta, stroke: style::LEAST_SQUARES })
-    };
-    let central = || {
-        let theta = fit.central.as_ref()?.theta.clone();
-        Some(Reference { name: named(problem, "central"), theta, stroke: style::CENTRAL })
-    };
-    let minimax = || {
-        let theta = fit.minimax.as_ref()?.theta.clone();
-        Some(Reference { name: named(problem, "minimax"), theta, stroke: style::MINIMAX })
-    };
-    let mut reference = match figure {
-        Figure::Data | Figure::Eui => least_squares().or_else(central).or_else(minimax),
-        _ => central().or_else(minimax).or_else(least_squares),
-    }?;
-    if let Model::TwoRegressors { .. } = problem.measurements.model() {
-        // The stroke at a row is too short for dashes.
-        reference.stroke.dash = Dash::Solid;
-    }
-    Some(reference)
-}
-
-/// An estimate as the thing that is drawn: a line, or one value per row.
-fn named(problem: &Problem, estimate: &str) -> &'static str {
-    match (problem.measurements.model(), estimate) {
-        (Model::Line { .. }, "least squares") => "least-squares line",
-        (Model::Line { .. }, "central") => "central line",
-        (Model::Line { .. }, _) => "minimax line",
-        (Model::TwoRegressors { .. }, "least squares") => "least-squares fit",
-        (Model::TwoRegressors { .. }, "central") => "central fit",
-        (Model::TwoRegressors { .. }, _) => "minimax fit",
-    }
 }
 
 fn title(scene: &Scene) -> String {
@@ -223,7 +135,7 @@ fn description(scene: &Scene, notes: &[String]) -> String {
     sentences.join(" ")
 }
 
-fn legend(scene: &Scene) -> Vec<LegendEntry> {
+fn legend(scene: &Scene, bands: &Bands) -> Vec<LegendEntry> {
     let mut entries = Vec::new();
     let bound = match scene.problem.measurements.error_bound() {
         ErrorBound::Uniform(epsilon) if epsilon.is_zero() => "reading (ε = 0)",
@@ -249,12 +161,12 @@ fn legend(scene: &Scene) -> Vec<LegendEntry> {
     if let Some(Reference { name, stroke, .. }) = &scene.reference {
         entries.push(LegendEntry::new(Swatch::line(*stroke), *name));
     }
-    entries.extend(scene.bands.legend(scene));
+    entries.extend(bands.legend(scene));
     entries
 }
 
 /// Remarks on what cannot be seen.
-fn notes(scene: &Scene) -> Vec<String> {
+fn notes(scene: &Scene, bands: &Bands) -> Vec<String> {
     let mut notes = Vec::new();
     if !scene.conflict.bounds.is_empty() {
         notes.push(scene.conflict.sentence());
@@ -264,8 +176,8 @@ fn notes(scene: &Scene) -> Vec<String> {
             "Least squares and its EUI need regressors that are not proportional to each other.".to_owned(),
         );
     }
-    notes.extend(scene.bands.notes());
-    if scene.readings.len() > readings::MOST_MARKS {
+    notes.extend(bands.notes());
+    if scene.readings.len() > MOST_MARKS {
         notes.push(format!(
             "{}; marked are the extreme ones of every three pixels and those that fix the set.",
             labels::plural(scene.readings.len(), "reading")

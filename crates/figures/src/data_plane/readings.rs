@@ -2,75 +2,18 @@
 
 use std::collections::BTreeSet;
 
-use boundfit_estimation::{BoundName, Fit, Measurement, Model, Problem};
 use boundfit_exact::Rational;
 
+use super::scene::{MOST_MARKS, Shown};
 use super::view::View;
-use super::{Reference, Scene};
 use crate::clip::Place;
 use crate::drawing::{Anchor, Panel};
-use crate::figure::Figure;
-use crate::labels::Conflict;
 use crate::palette::{INK, Mark, Stroke, style};
 
-/// Above so many readings marks thin out.
-pub(crate) const MOST_MARKS: usize = 250;
-/// Above so many readings error bars have no caps.
+/// With more readings than this, error bars have no caps.
 const MOST_CAPS: usize = 60;
 /// How wide a column is in which the extreme readings are kept, in pixels.
 const COLUMN: f64 = 3.0;
-/// So many rows that fix the set are kept whatever the columns say.
-const MOST_KEPT_BY_NAME: usize = 100;
-
-/// A reading that is to be seen.
-pub(crate) struct Shown {
-    /// x, or the number of the row.
-    pub(crate) abscissa: Rational,
-    pub(crate) measurement: Measurement,
-    /// The response less that of the reference line.
-    pub(crate) distance: Rational,
-    pub(crate) fitted: bool,
-    /// Kept when marks thin out.
-    pub(crate) kept: bool,
-    pub(crate) conflicting: bool,
-}
-
-/// The readings of a figure: those that are not fitted, too, but for [`Figure::Corridor`], which is about narrow gaps.
-pub(crate) fn all(
-    problem: &Problem,
-    fit: &Fit,
-    conflict: &Conflict,
-    figure: Figure,
-    reference: Option<&Reference>,
-) -> Vec<Shown> {
-    let active = active_rows(fit);
-    let line = matches!(problem.measurements.model(), Model::Line { .. });
-    let shown = |measurement: &Measurement, fitted: bool| {
-        let conflicting = fitted && conflict.rows.contains(&measurement.row);
-        Shown {
-            abscissa: if line { measurement.regressor[0].clone() } else { Rational::from(measurement.row) },
-            fitted,
-            kept: fitted && (conflicting || active.contains(&measurement.row)),
-            conflicting,
-            distance: reference.map_or_else(Rational::zero, |reference| reference.distance(measurement)),
-            measurement: measurement.clone(),
-        }
-    };
-    let others = if figure == Figure::Corridor { &[] } else { problem.measurements.others() };
-    let fitted = problem.measurements.kept().iter().map(|row| shown(row, true));
-    others.iter().map(|row| shown(row, false)).chain(fitted).collect()
-}
-
-/// The rows whose bounds pass through a vertex: the first of each vertex, when there are many.
-fn active_rows(fit: &Fit) -> BTreeSet<usize> {
-    let row = |&index: &usize| match fit.fps.name(index) {
-        BoundName::Upper(row) | BoundName::Lower(row) => Some(row),
-        BoundName::Where(_) => None,
-    };
-    let vertices = fit.fps.polyhedron().region().vertices();
-    let all: BTreeSet<usize> = vertices.iter().flat_map(|vertex| vertex.active()).filter_map(row).collect();
-    all.into_iter().take(MOST_KEPT_BY_NAME).collect()
-}
 
 /// A reading on a panel.
 pub(crate) struct Bar<'a> {
@@ -79,13 +22,6 @@ pub(crate) struct Bar<'a> {
     low: f64,
     middle: f64,
     high: f64,
-}
-
-impl Scene<'_> {
-    /// Whether there are so many readings that each is drawn small.
-    pub(crate) fn is_dense(&self) -> bool {
-        self.readings.len() > MOST_MARKS / 2
-    }
 }
 
 /// Error bar and mark of fitted readings.

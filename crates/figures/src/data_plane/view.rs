@@ -3,8 +3,7 @@
 use boundfit_estimation::Measurement;
 use boundfit_exact::Rational;
 
-use super::readings::Shown;
-use super::{Reference, Scene};
+use super::scene::{Reference, Scene, Shown};
 use crate::axis::Axis;
 use crate::drawing::{Anchor, Frame, Panel};
 use crate::extent::Extent;
@@ -13,26 +12,7 @@ use crate::palette::{FAINT_INK, Stroke};
 /// What a panel shows: values, or distances from a reference line.
 pub(crate) struct View<'a> {
     pub(crate) scene: &'a Scene<'a>,
-    /// Ends of the axis of x.
-    pub(crate) abscissas: &'a [Rational; 2],
     pub(crate) reference: Option<&'a Reference>,
-}
-
-/// The ends of the axis of x: those of the readings, and a little more; never equal.
-pub(crate) fn abscissas(scene: &Scene) -> [Rational; 2] {
-    let mut extent = Extent::default();
-    for shown in &scene.readings {
-        extent.include(&shown.abscissa);
-    }
-    let [mut lower, mut upper] = extent.padded(&Rational::ratio(1, 20)).into_ends();
-    if !scene.is_line() {
-        // Room for the whole band of the first and of the last row.
-        let half = Rational::ratio(3, 5);
-        (lower, upper) = (lower - &half, upper + half);
-    }
-    // The axis widens what has no width; bands need to know how far.
-    let axis = Axis::new(String::new(), &lower, &upper, 1);
-    [axis.lower().clone(), axis.lower() + axis.width()]
 }
 
 impl View<'_> {
@@ -57,22 +37,22 @@ impl View<'_> {
         }
     }
 
-    /// The axes of a panel: of x and of what stands above it.
-    pub(crate) fn axes(&self, frame: Frame, [across, up]: [String; 2]) -> [Axis; 2] {
+    /// The axes of a panel: of x and of what stands above it. `bands` says how far bands reach.
+    pub(crate) fn axes(&self, frame: Frame, [across, up]: [String; 2], bands: &Extent) -> [Axis; 2] {
         let flip = self.scene.options.flip;
         let most = |along_width: bool| {
             if along_width { frame.width / 62.0 } else { frame.height / 33.0 }
         };
-        let [lower, upper] = self.extent().into_ends();
+        let [lower, upper] = self.extent(bands).into_ends();
         let abscissas = if self.scene.is_line() { Axis::new } else { Axis::counting };
         [
-            abscissas(across, &self.abscissas[0], &self.abscissas[1], most(!flip) as usize),
+            abscissas(across, &self.scene.abscissas[0], &self.scene.abscissas[1], most(!flip) as usize),
             Axis::new(up, &lower, &upper, most(flip) as usize),
         ]
     }
 
     /// The ends of the axis of y: the readings, and of the bands what does not dwarf these.
-    fn extent(&self) -> Extent {
+    fn extent(&self, bands: &Extent) -> Extent {
         let mut fitted = Extent::default();
         let mut others = Extent::default();
         for shown in &self.scene.readings {
@@ -92,17 +72,8 @@ impl View<'_> {
         let others_room = if self.reference.is_some() { Rational::ratio(1, 4) } else { whole };
         // The numbers of conflicting rows stand beside their bars.
         let margin = Rational::ratio(1, if self.scene.conflict.rows.is_empty() { 16 } else { 5 });
-        let bands = self.scene.bands.extent(self);
         let band_room = Rational::ratio(3, 2);
-        fitted.grown_towards(&bands, &band_room).grown_towards(&others, &others_room).padded(&margin)
-    }
-
-    /// Whether a band goes on beyond the panel.
-    pub(crate) fn cuts_bands(&self, panel: &Panel) -> bool {
-        let [_, up] = panel.coordinates();
-        let upper = up.lower() + up.width();
-        let bands = self.scene.bands.extent(self);
-        bands.ends().is_some_and(|[least, greatest]| least < up.lower() || *greatest > upper)
+        fitted.grown_towards(bands, &band_room).grown_towards(&others, &others_room).padded(&margin)
     }
 
     /// Where the fitted rows begin and end, when others are shown.
@@ -134,10 +105,10 @@ impl View<'_> {
         if self.scene.is_line() {
             let relative = self.relative(theta);
             let ends =
-                self.abscissas.each_ref().map(|x| panel.place([x, &(&relative[0] * x + &relative[1])]));
+                self.scene.abscissas.each_ref().map(|x| panel.place([x, &(&relative[0] * x + &relative[1])]));
             panel.line(&ends, *stroke);
         } else if self.reference.is_some() {
-            let ends = self.abscissas.each_ref().map(|row| panel.place([row, &Rational::zero()]));
+            let ends = self.scene.abscissas.each_ref().map(|row| panel.place([row, &Rational::zero()]));
             panel.line(&ends, *stroke);
         } else {
             self.strokes_at_rows(panel, theta, *stroke);

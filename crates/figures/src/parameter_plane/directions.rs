@@ -7,9 +7,10 @@ use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::{Inequality, Polyhedron, Region, Support, System};
 use boundfit_lp::spread_objectives;
 
+use super::layout::{finished, main_frame, panel};
 use super::sliver::Sliver;
 use super::view::{self, Window};
-use super::{empty, finished, main_frame, panel, region};
+use super::{empty, region};
 use crate::clip::Place;
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;

@@ -5,9 +5,10 @@ use boundfit_exact::Rational;
 use boundfit_geometry::constructions::{between_parallels, meet};
 use boundfit_geometry::{Constraint, HalfPlane, Inequality, Point, Polyhedron, System};
 
+use super::layout::{finished, main_frame, panel};
 use super::sliver::Sliver;
 use super::view::{Window, around_lines};
-use super::{finished, main_frame, marks, panel, region};
+use super::{marks, region};
 use crate::clip::{self, Place};
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;

@@ -1,13 +1,14 @@
 //! The feasible parameter set with its boxes and estimates.
 
 use boundfit_estimation::{Fit, Problem};
-use boundfit_exact::Rational;
-use boundfit_geometry::RegionKind;
+use boundfit_exact::{Endpoint, Rational, Rounding};
+use boundfit_geometry::{Region, RegionKind};
 
+use super::layout::{finished, main_frame, panel, side_frame};
 use super::marks::{self, Estimate};
 use super::sliver::Sliver;
 use super::view;
-use super::{empty, finished, kind, main_frame, panel, pui_note, region, side_frame};
+use super::{empty, region};
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
@@ -149,4 +150,45 @@ fn thin(sliver: &Sliver, fit: &Fit, estimates: &[Estimate], index: usize) -> Pan
         }
     }
     panel
+}
+
+/// The kind of a set in words: `polygon with 6 vertices`.
+fn kind(region: &Region) -> String {
+    let name = region.kind().name();
+    match region.kind() {
+        RegionKind::Polygon | RegionKind::UnboundedPolygon => {
+            let count = region.vertices().len();
+            let noun = if count == 1 { "vertex" } else { "vertices" };
+            format!("{} with {count} {noun}", name.replace('-', " "))
+        }
+        RegionKind::Empty => name.to_owned(),
+        RegionKind::Plane => "the whole plane".to_owned(),
+        _ => format!("a {name}"),
+    }
+}
+
+/// Significant digits of the ends of intervals.
+const DIGITS: usize = 5;
+
+/// The parameter uncertainty intervals in words; nothing when they are unbounded on all sides.
+fn pui_note(fit: &Fit, names: &[String; 2]) -> Option<String> {
+    let intervals = fit.pui_intervals()?;
+    let ends = || {
+        intervals.iter().flat_map(|interval| [interval.lower(), interval.upper()]).filter_map(Endpoint::value)
+    };
+    ends().next()?;
+    let rounded =
+        |end: &Rational| end.to_decimal(DIGITS, Rounding::Down) != end.to_decimal(DIGITS, Rounding::Up);
+    let text = |end: &Endpoint, digits, rounding, unbounded: &str| {
+        end.value().map_or_else(|| unbounded.to_owned(), |value| labels::number(value, digits, rounding))
+    };
+    let each = [0, 1].map(|j| {
+        let digits = intervals[j].resolving_digits(DIGITS);
+        let lower = text(intervals[j].lower(), digits, Rounding::Down, "−∞");
+        let upper = text(intervals[j].upper(), digits, Rounding::Up, "∞");
+        let (symbol, unit) = names[j].split_once(' ').unwrap_or((&names[j], ""));
+        format!("{symbol} from {lower} to {upper} {}", unit.trim_matches(['[', ']'])).trim_end().to_owned()
+    });
+    let remark = if ends().any(rounded) { " (ends rounded outward)" } else { "" };
+    Some(format!("PUI: {}; {}{remark}.", each[0], each[1]))
 }

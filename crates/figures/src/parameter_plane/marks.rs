@@ -10,7 +10,7 @@ use crate::drawing::{Anchor, LegendEntry, Panel, Swatch};
 use crate::labels;
 use crate::palette::{BLUE, Fill, Mark, Stroke, style};
 
-/// Up to so many vertices are numbered.
+/// Vertices are numbered up to this count: beyond it the numbers would cover the figure.
 pub(crate) const MOST_NUMBERED: usize = 12;
 
 /// An estimate with what it is called in the legend.

@@ -3,7 +3,7 @@
 use boundfit_exact::Rational;
 use boundfit_geometry::Region;
 
-use super::side_frame;
+use super::layout::side_frame;
 use crate::axis::Axis;
 use crate::clip::Place;
 use crate::drawing::Panel;
@@ -29,7 +29,7 @@ impl Sliver {
         Sliver::of_corners(&region.vertices().iter().map(|v| v.point().coordinates()).collect::<Vec<_>>())
     }
 
-    /// The same for the corners of a polygon.
+    /// The coordinates of a polygon with these corners; `None` when it is not thin.
     pub(crate) fn of_corners(vertices: &[[Rational; 2]]) -> Option<Self> {
         let sides = [0, 1].map(|j| {
             let mut extent = Extent::default();

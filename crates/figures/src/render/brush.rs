@@ -4,7 +4,7 @@ use plotters::element::{Circle, PathElement, Polygon};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, IntoFont, RGBColor, ShapeStyle, TextStyle, WHITE};
 
-use super::{Canvas, CanvasResult, FINE};
+use super::canvas::{Canvas, CanvasResult, FINE};
 use crate::palette::{Colour, Dash, Fill, INK, Mark, Shape, Stroke};
 use crate::text::{FAMILY, drawable};
 

@@ -1,7 +1,7 @@
 //! The legend: below the panels, where it covers nothing.
 
 use super::brush::{Align, Brush};
-use super::{CanvasResult, MARGIN, WIDTH};
+use super::canvas::{CanvasResult, MARGIN, WIDTH};
 use crate::drawing::{LegendEntry, Swatch};
 use crate::palette::{INK, Mark};
 
@@ -33,7 +33,7 @@ pub(super) fn layout<'a>(brush: &Brush, entries: &'a [LegendEntry]) -> CanvasRes
     Ok(rows)
 }
 
-/// Height of so many rows, with the distance to what follows.
+/// Height of this many rows, with the distance to what follows.
 pub(super) fn height(rows: usize) -> f64 {
     rows as f64 * ROW + 4.0
 }

@@ -1,17 +1,15 @@
 //! Drawing a [`Drawing`] with plotters.
-//!
-//! Plotters counts in whole pixels. The canvas is therefore ten times larger than the nominal size, and the picture
-//! scaled back when it is written.
 
 mod brush;
+mod canvas;
 mod legend;
 mod panel;
 
+pub(crate) use canvas::WIDTH;
 pub(crate) use panel::{BOTTOM_LABELS, LEFT_LABELS};
 
-use plotters::coord::Shift;
 use plotters::drawing::DrawingAreaErrorKind;
-use plotters::prelude::{DrawingArea, IntoDrawingArea, SVGBackend};
+use plotters::prelude::{IntoDrawingArea, SVGBackend};
 use plotters::style::WHITE;
 
 use crate::drawing::Drawing;
@@ -19,22 +17,14 @@ use crate::palette::{Colour, FAINT_INK, INK};
 use crate::picture::{FigureError, Picture};
 use crate::text;
 use brush::{Align, Brush};
+use canvas::{Canvas, CanvasResult, FINE, MARGIN};
 
-/// Nominal width of every figure in pixels.
-pub(crate) const WIDTH: f64 = 800.0;
-/// Distance of texts from the left edge of the picture.
-const MARGIN: f64 = 14.0;
 /// Height of title and subtitle.
 const HEADER: f64 = 52.0;
 /// Height of a line of notes.
 const NOTE_LINE: f64 = 17.0;
 /// Letters of subtitle and notes.
 const NOTE_SIZE: f64 = 11.5;
-/// Canvas units per nominal pixel.
-const FINE: f64 = 10.0;
-
-type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type CanvasResult<T = ()> = Result<T, DrawingAreaErrorKind<std::io::Error>>;
 
 /// Draws a figure. Cost: the number of items.
 pub(crate) fn render(drawing: &Drawing) -> Result<Picture, FigureError> {
@@ -48,6 +38,7 @@ pub(crate) fn render(drawing: &Drawing) -> Result<Picture, FigureError> {
     let canvas = SVGBackend::with_string(&mut svg, (size[0], size[1])).into_drawing_area();
     draw(&canvas, drawing, &rows, (&notes, notes_top)).map_err(fail)?;
     drop(canvas);
+    // The view box keeps the canvas's own units, so that a smaller size scales everything. Plotters has no setting for it.
     let large = format!("width=\"{}\" height=\"{}\"", size[0], size[1]);
     let nominal = format!("width=\"{WIDTH}\" height=\"{}\"", f64::from(size[1]) / FINE);
     let svg = svg.replacen(&large, &nominal, 1);

@@ -4,7 +4,7 @@ use plotters::chart::{ChartBuilder, LabelAreaPosition};
 use plotters::style::{Color, TRANSPARENT};
 
 use super::brush::{Align, Brush, Pixel, rgb, text_style};
-use super::{CanvasResult, FINE};
+use super::canvas::{CanvasResult, FINE};
 use crate::axis::Axis;
 use crate::clip::Place;
 use crate::drawing::{Anchor, Frame, Item, Panel};

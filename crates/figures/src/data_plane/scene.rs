@@ -1,0 +1,180 @@
+//! What a figure of the data plane is made of: the readings to be seen, and the line that distances are taken from.
+
+use std::collections::BTreeSet;
+
+use boundfit_estimation::{BoundName, Fit, Measurement, Model, Problem};
+use boundfit_exact::Rational;
+
+use crate::axis::Axis;
+use crate::extent::Extent;
+use crate::figure::{Figure, PlotOptions};
+use crate::labels::Conflict;
+use crate::palette::{Dash, Stroke, style};
+
+/// With more readings than this, marks thin out: they would cover each other and hide the shape of the data.
+pub(super) const MOST_MARKS: usize = 250;
+/// How many of the rows that fix the set are kept, whatever the columns say: a set may have a vertex for every reading.
+const MOST_KEPT_BY_NAME: usize = 100;
+
+/// A line that others are compared with.
+pub(crate) struct Reference {
+    pub(crate) name: &'static str,
+    pub(crate) theta: [Rational; 2],
+    pub(crate) stroke: Stroke,
+}
+
+impl Reference {
+    /// The response of a reading less that of the line.
+    fn distance(&self, reading: &Measurement) -> Rational {
+        let [phi1, phi2] = &reading.regressor;
+        &reading.response - (&self.theta[0] * phi1 + &self.theta[1] * phi2)
+    }
+}
+
+/// A reading that is to be seen.
+pub(crate) struct Shown {
+    /// x, or the number of the row.
+    pub(crate) abscissa: Rational,
+    pub(crate) measurement: Measurement,
+    /// The response less that of the reference line.
+    pub(crate) distance: Rational,
+    pub(crate) fitted: bool,
+    /// Kept when marks thin out.
+    pub(crate) kept: bool,
+    pub(crate) conflicting: bool,
+}
+
+/// What a figure is made of, but for its bands.
+pub(crate) struct Scene<'a> {
+    pub(crate) problem: &'a Problem,
+    pub(crate) fit: &'a Fit,
+    pub(crate) figure: Figure,
+    pub(crate) options: &'a PlotOptions,
+    pub(crate) conflict: Conflict,
+    pub(crate) reference: Option<Reference>,
+    pub(crate) readings: Vec<Shown>,
+    /// The ends of the axis of x.
+    pub(crate) abscissas: [Rational; 2],
+}
+
+impl<'a> Scene<'a> {
+    pub(crate) fn new(problem: &'a Problem, fit: &'a Fit, figure: Figure, options: &'a PlotOptions) -> Self {
+        let conflict = Conflict::of(problem, fit);
+        let reference = reference(problem, fit, figure);
+        let readings = readings(problem, fit, &conflict, figure, reference.as_ref());
+        let abscissas = abscissas(&readings, is_line(problem));
+        Scene { problem, fit, figure, options, conflict, reference, readings, abscissas }
+    }
+
+    /// Whether the model is a line.
+    pub(crate) fn is_line(&self) -> bool {
+        is_line(self.problem)
+    }
+
+    /// Whether each reading is drawn small, to leave room for the others.
+    pub(crate) fn is_dense(&self) -> bool {
+        self.readings.len() > MOST_MARKS / 2
+    }
+
+    /// The fitted rows, or as many of them, evenly spread, as have room side by side.
+    pub(crate) fn rows_with_room(&self) -> impl Iterator<Item = &Shown> {
+        let step = self.readings.len().div_ceil(MOST_MARKS).max(1);
+        let kept = move |(index, shown): &(usize, &Shown)| shown.fitted && (index % step == 0 || shown.kept);
+        self.readings.iter().enumerate().filter(kept).map(|(_, shown)| shown)
+    }
+}
+
+fn is_line(problem: &Problem) -> bool {
+    matches!(problem.measurements.model(), Model::Line { .. })
+}
+
+/// The ends of the axis of x: those of the readings, and a little more; never equal.
+fn abscissas(readings: &[Shown], is_line: bool) -> [Rational; 2] {
+    let mut extent = Extent::default();
+    for shown in readings {
+        extent.include(&shown.abscissa);
+    }
+    let [mut lower, mut upper] = extent.padded(&Rational::ratio(1, 20)).into_ends();
+    if !is_line {
+        // Room for the whole band of the first and of the last row.
+        let half = Rational::ratio(3, 5);
+        (lower, upper) = (lower - &half, upper + half);
+    }
+    // The axis widens what has no width; bands need to know how far.
+    let axis = Axis::new(String::new(), &lower, &upper, 1);
+    [axis.lower().clone(), axis.lower() + axis.width()]
+}
+
+/// The readings of a figure: those that are not fitted, too, but for [`Figure::Corridor`], which is about narrow gaps.
+fn readings(
+    problem: &Problem,
+    fit: &Fit,
+    conflict: &Conflict,
+    figure: Figure,
+    reference: Option<&Reference>,
+) -> Vec<Shown> {
+    let active = active_rows(fit);
+    let line = is_line(problem);
+    let shown = |measurement: &Measurement, fitted: bool| {
+        let conflicting = fitted && conflict.rows.contains(&measurement.row);
+        Shown {
+            abscissa: if line { measurement.regressor[0].clone() } else { Rational::from(measurement.row) },
+            fitted,
+            kept: fitted && (conflicting || active.contains(&measurement.row)),
+            conflicting,
+            distance: reference.map_or_else(Rational::zero, |reference| reference.distance(measurement)),
+            measurement: measurement.clone(),
+        }
+    };
+    let others = if figure == Figure::Corridor { &[] } else { problem.measurements.others() };
+    let fitted = problem.measurements.kept().iter().map(|row| shown(row, true));
+    others.iter().map(|row| shown(row, false)).chain(fitted).collect()
+}
+
+/// The rows whose bounds pass through a vertex: the first of each vertex, when there are many.
+fn active_rows(fit: &Fit) -> BTreeSet<usize> {
+    let row = |&index: &usize| match fit.fps.name(index) {
+        BoundName::Upper(row) | BoundName::Lower(row) => Some(row),
+        BoundName::Where(_) => None,
+    };
+    let vertices = fit.fps.polyhedron().region().vertices();
+    let all: BTreeSet<usize> = vertices.iter().flat_map(|vertex| vertex.active()).filter_map(row).collect();
+    all.into_iter().take(MOST_KEPT_BY_NAME).collect()
+}
+
+/// The line that distances are taken from.
+fn reference(problem: &Problem, fit: &Fit, figure: Figure) -> Option<Reference> {
+    let least_squares = || {
+        let theta = fit.least_squares.as_ref().ok()?.theta.clone();
+        Some(Reference { name: named(problem, "least squares"), theta, stroke: style::LEAST_SQUARES })
+    };
+    let central = || {
+        let theta = fit.central.as_ref()?.theta.clone();
+        Some(Reference { name: named(problem, "central"), theta, stroke: style::CENTRAL })
+    };
+    let minimax = || {
+        let theta = fit.minimax.as_ref()?.theta.clone();
+        Some(Reference { name: named(problem, "minimax"), theta, stroke: style::MINIMAX })
+    };
+    let mut reference = match figure {
+        Figure::Data | Figure::Eui => least_squares().or_else(central).or_else(minimax),
+        _ => central().or_else(minimax).or_else(least_squares),
+    }?;
+    if let Model::TwoRegressors { .. } = problem.measurements.model() {
+        // The stroke at a row is too short for dashes.
+        reference.stroke.dash = Dash::Solid;
+    }
+    Some(reference)
+}
+
+/// An estimate as the thing that is drawn: a line, or one value per row.
+fn named(problem: &Problem, estimate: &str) -> &'static str {
+    match (problem.measurements.model(), estimate) {
+        (Model::Line { .. }, "least squares") => "least-squares line",
+        (Model::Line { .. }, "central") => "central line",
+        (Model::Line { .. }, _) => "minimax line",
+        (Model::TwoRegressors { .. }, "least squares") => "least-squares fit",
+        (Model::TwoRegressors { .. }, "central") => "central fit",
+        (Model::TwoRegressors { .. }, _) => "minimax fit",
+    }
+}
