@@ -8,7 +8,7 @@ use roxmltree::{Document, Node, ParsingOptions};
 use boundfit_lp::PuiEnd;
 
 use super::error::ClaimError;
-use super::solution::{Line, Point, Solution, Status};
+use super::solution::{Line, PrintedPoint, Solution, Status};
 
 const FORMAT: &str = "CPLEX";
 
@@ -39,7 +39,7 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<Solution, ClaimError>
         let (number, start) = (document.text_pos_at(node.range().start).row as usize, node.range());
         Line { format: FORMAT, number, text: text.get(start).unwrap_or_default() }
     };
-    let mut point = Point::default();
+    let mut point = PrintedPoint::default();
     let variables = child(solution, "variables").ok_or(missing("an element <variables>"))?;
     for node in variables.children().filter(|node| node.has_tag_name("variable")) {
         let expected = || line(node).expected("<variable name=... value=.../>");

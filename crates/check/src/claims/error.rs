@@ -1,6 +1,7 @@
 //! What can be wrong with a claim.
 
 use boundfit_exact::ParseNumberError;
+use boundfit_formats::Limit;
 use boundfit_lp::PuiEnd;
 use thiserror::Error;
 
@@ -116,14 +117,9 @@ pub struct ClaimFileError {
     pub problem: ClaimError,
 }
 
-/// The option that raises the limit that a number passes.
-fn flag(error: &ParseNumberError) -> &'static str {
-    use boundfit_exact::ParseNumberErrorKind::{ExponentTooLarge, TooManyDigits};
-    match error.kind {
-        TooManyDigits(_) => "; --max-digits raises it",
-        ExponentTooLarge(_) => "; --max-exponent raises it",
-        _ => "",
-    }
+/// The option that raises the limit that a number passes; nothing where something else is wrong with it.
+fn flag(error: &ParseNumberError) -> String {
+    Limit::of_number(&error.kind).map(|limit| format!("; {} raises it", limit.flag())).unwrap_or_default()
 }
 
 /// A text, cut where it is long.

@@ -8,7 +8,7 @@ use boundfit_exact::Limits;
 use boundfit_lp::PuiEnd;
 
 use super::error::ClaimError;
-use super::solution::{Line, Point, Solution, Status};
+use super::solution::{Line, PrintedPoint, Solution, Status};
 
 const FORMAT: &str = "GLPK";
 
@@ -28,8 +28,12 @@ pub(super) fn is_printed(text: &str) -> bool {
 
 /// Reads a solution for programs. Variables have numbers here, θ1 is 1.
 pub(super) fn parse_plain(text: &str, limits: &Limits) -> Result<Solution, ClaimError> {
-    let mut plain =
-        Plain { heading: Heading::default(), solution: None, point: Point::default(), duals: Vec::new() };
+    let mut plain = Plain {
+        heading: Heading::default(),
+        solution: None,
+        point: PrintedPoint::default(),
+        duals: Vec::new(),
+    };
     for line in Line::all(FORMAT, text) {
         plain.read(line, limits)?;
     }
@@ -46,7 +50,7 @@ pub(super) fn parse_plain(text: &str, limits: &Limits) -> Result<Solution, Claim
 struct Plain {
     heading: Heading,
     solution: Option<Kind>,
-    point: Point,
+    point: PrintedPoint,
     duals: Vec<f64>,
 }
 
@@ -172,14 +176,14 @@ fn status(words: &str) -> Status {
 /// Reads a solution for people.
 pub(super) fn parse_printed(text: &str, limits: &Limits) -> Result<Solution, ClaimError> {
     /// Where a line belongs.
-    enum Part {
+    enum Section {
         Heading,
         Rows,
         Columns,
     }
     let mut heading = Heading::default();
-    let (mut point, mut duals) = (Point::default(), Vec::new());
-    let mut part = Part::Heading;
+    let (mut point, mut duals) = (PrintedPoint::default(), Vec::new());
+    let mut section = Section::Heading;
     let mut has_duals = true;
     let mut lines = Line::all(FORMAT, text).peekable();
     while let Some(line) = lines.next() {
@@ -188,17 +192,17 @@ pub(super) fn parse_printed(text: &str, limits: &Limits) -> Result<Solution, Cla
             break;
         }
         match words.as_slice() {
-            ["No.", "Row", ..] => part = Part::Rows,
-            ["No.", "Column", ..] => part = Part::Columns,
-            _ if matches!(part, Part::Heading) => heading.read(line.text),
+            ["No.", "Row", ..] => section = Section::Rows,
+            ["No.", "Column", ..] => section = Section::Columns,
+            _ if matches!(section, Section::Heading) => heading.read(line.text),
             [number, _, ..] if number.parse::<usize>().is_ok() => {
                 // A long name has a line of its own.
                 let next = (words.len() == 2).then(|| lines.next()).flatten();
                 words.extend(next.iter().flat_map(|next| next.words()));
                 let record = Record::read(line, &words)?;
                 let value = line.number(record.value, limits)?;
-                match part {
-                    Part::Columns => point.set(record.name, value),
+                match section {
+                    Section::Columns => point.set(record.name, value),
                     _ if record.name == heading.objective => {}
                     _ => {
                         has_duals &= record.has_dual_place;

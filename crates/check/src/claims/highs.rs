@@ -5,7 +5,7 @@
 use boundfit_exact::Limits;
 
 use super::error::ClaimError;
-use super::solution::{Line, Point, Solution, Status};
+use super::solution::{Line, PrintedPoint, Solution, Status};
 
 const FORMAT: &str = "HiGHS";
 
@@ -23,7 +23,7 @@ pub(super) fn is_table(text: &str) -> bool {
 
 /// What a line of the raw style belongs to.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Part {
+enum Section {
     Status,
     Primal,
     Dual,
@@ -32,46 +32,46 @@ enum Part {
 
 /// Reads a solution in raw style.
 pub(super) fn parse_raw(text: &str, limits: &Limits) -> Result<Solution, ClaimError> {
-    let mut part = Part::Status;
+    let mut section = Section::Status;
     let (mut status, mut is_primal_there, mut are_rows) = (None, false, false);
-    let (mut point, mut duals) = (Point::default(), None);
+    let (mut point, mut duals) = (PrintedPoint::default(), None);
     for line in Line::all(FORMAT, text) {
         let words = line.words();
-        match (part, words.as_slice()) {
-            (_, []) | (Part::Status, ["Model", "status"]) => {}
-            (_, ["#", "Primal", ..]) => part = Part::Primal,
-            (_, ["#", "Dual", ..]) => part = Part::Dual,
-            (_, ["#", "Basis"]) => part = Part::Basis,
-            (Part::Basis, _) => break,
+        match (section, words.as_slice()) {
+            (_, []) | (Section::Status, ["Model", "status"]) => {}
+            (_, ["#", "Primal", ..]) => section = Section::Primal,
+            (_, ["#", "Dual", ..]) => section = Section::Dual,
+            (_, ["#", "Basis"]) => section = Section::Basis,
+            (Section::Basis, _) => break,
             (_, ["#", "Columns", _]) => are_rows = false,
             (_, ["#", "Rows", _]) => {
                 are_rows = true;
-                if part == Part::Dual {
+                if section == Section::Dual {
                     duals = Some(Vec::new());
                 }
             }
-            (Part::Status, _) if status.is_none() => status = Some(raw_status(line.text)),
-            (Part::Primal, ["None" | "Feasible" | "Infeasible"]) => is_primal_there = words != ["None"],
-            (Part::Dual, ["None" | "Feasible" | "Infeasible"]) | (Part::Primal, ["Objective", _]) => {}
-            (Part::Primal, [name, value]) => {
+            (Section::Status, _) if status.is_none() => status = Some(raw_status(line.text)),
+            (Section::Primal, ["None" | "Feasible" | "Infeasible"]) => is_primal_there = words != ["None"],
+            (Section::Dual, ["None" | "Feasible" | "Infeasible"]) | (Section::Primal, ["Objective", _]) => {}
+            (Section::Primal, [name, value]) => {
                 let value = line.number(value, limits)?;
                 if !are_rows {
                     point.set(name, value);
                 }
             }
-            (Part::Dual, [_, value]) => {
+            (Section::Dual, [_, value]) => {
                 let value = line.dual(value, limits)?;
                 if let Some(duals) = duals.as_mut().filter(|_| are_rows) {
                     duals.push(value);
                 }
             }
-            (Part::Status, _) => return Err(line.expected("\"# Primal solution values\"")),
-            (Part::Primal | Part::Dual, _) => return Err(line.expected("\"NAME VALUE\"")),
+            (Section::Status, _) => return Err(line.expected("\"# Primal solution values\"")),
+            (Section::Primal | Section::Dual, _) => return Err(line.expected("\"NAME VALUE\"")),
         }
     }
     let missing = |missing| ClaimError::End { format: FORMAT, missing };
     let status = status.ok_or(missing("a status"))?;
-    if part == Part::Status {
+    if section == Section::Status {
         return Err(missing("\"# Primal solution values\""));
     }
     finish(status, point, duals, is_primal_there)
@@ -86,7 +86,7 @@ fn raw_status(words: &str) -> Status {
 
 fn finish(
     status: Status,
-    point: Point,
+    point: PrintedPoint,
     duals: Option<Vec<f64>>,
     is_there: bool,
 ) -> Result<Solution, ClaimError> {
@@ -104,7 +104,7 @@ fn finish(
 /// Reads a table for people.
 pub(super) fn parse_table(text: &str, limits: &Limits) -> Result<Solution, ClaimError> {
     let (mut are_rows, mut status) = (false, None);
-    let (mut point, mut duals) = (Point::default(), Vec::new());
+    let (mut point, mut duals) = (PrintedPoint::default(), Vec::new());
     let mut has_values = true;
     for line in Line::all(FORMAT, text) {
         match line.words().as_slice() {

@@ -75,9 +75,9 @@ pub(super) enum Printed {
 
 /// The two variables as far as they were met.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub(super) struct Point([Option<Printed>; 2]);
+pub(super) struct PrintedPoint([Option<Printed>; 2]);
 
-impl Point {
+impl PrintedPoint {
     /// Takes the value of a variable. Others than θ1 and θ2 are passed over.
     pub(super) fn set(&mut self, name: &str, value: Printed) {
         let [first, second] = &mut self.0;
@@ -90,7 +90,7 @@ impl Point {
 
     /// Takes 0 for what was not met, as solvers do that leave zeros out.
     pub(super) fn or_zero(self) -> Self {
-        Point(self.0.map(|value| value.or_else(|| Some(Printed::Finite(Rational::zero())))))
+        PrintedPoint(self.0.map(|value| value.or_else(|| Some(Printed::Finite(Rational::zero())))))
     }
 
     /// Both values if they are finite, and `None` otherwise.

@@ -5,7 +5,7 @@
 use boundfit_exact::Limits;
 
 use super::error::ClaimError;
-use super::solution::{Line, Point, Solution, Status};
+use super::solution::{Line, PrintedPoint, Solution, Status};
 
 const CBC: &str = "CBC";
 const SCIP: &str = "SCIP";
@@ -24,7 +24,7 @@ pub(super) fn is_scip(text: &str) -> bool {
 pub(super) fn parse_cbc(text: &str, limits: &Limits) -> Result<Solution, ClaimError> {
     let words = text.split(" - objective value ").next().unwrap_or_default();
     let status = Status::of_words(words);
-    let mut point = Point::default();
+    let mut point = PrintedPoint::default();
     for line in Line::all(CBC, text).skip(1) {
         let mut words = line.words();
         // What is outside its bounds.
@@ -40,7 +40,7 @@ pub(super) fn parse_cbc(text: &str, limits: &Limits) -> Result<Solution, ClaimEr
 
 /// Reads a solution of SCIP.
 pub(super) fn parse_scip(text: &str, limits: &Limits) -> Result<Solution, ClaimError> {
-    let (mut status, mut point) = (Status::Other("not in the file".to_owned()), Point::default());
+    let (mut status, mut point) = (Status::Other("not in the file".to_owned()), PrintedPoint::default());
     for line in Line::all(SCIP, text) {
         match line.words().as_slice() {
             [] | ["objective", "value:", _] | ["no", "solution", "available"] => {}
@@ -55,7 +55,7 @@ pub(super) fn parse_scip(text: &str, limits: &Limits) -> Result<Solution, ClaimE
     finish(SCIP, status, point)
 }
 
-fn finish(format: &'static str, status: Status, point: Point) -> Result<Solution, ClaimError> {
+fn finish(format: &'static str, status: Status, point: PrintedPoint) -> Result<Solution, ClaimError> {
     let point = match status {
         Status::Optimal => point.or_zero().finish().map_err(|missing| ClaimError::End { format, missing })?,
         _ => None,
