@@ -102,7 +102,7 @@ impl Output {
         let written = match &mut self.target {
             Target::Standard => io::stdout().write_all(bytes),
             Target::Device(device) => device.write_all(bytes),
-            Target::Temporary { temporary, .. } => temporary.write_all(bytes),
+            Target::Temporary { temporary, .. } => temporary.as_file_mut().write_all(bytes),
         };
         written.map_err(|error| self.stop(&error))
     }
@@ -119,7 +119,7 @@ impl Output {
 
     fn stop(&self, error: &io::Error) -> Stop {
         let is_closed = matches!(self.target, Target::Standard) && error.kind() == io::ErrorKind::BrokenPipe;
-        if is_closed { Stop::Closed } else { Stop::Failed(cannot_write(&self.name, &plain(error))) }
+        if is_closed { Stop::Closed } else { Stop::Failed(cannot_write(&self.name, error)) }
     }
 }
 
@@ -151,12 +151,11 @@ impl Target {
             Some(parent) if parent != Path::new("") => parent.to_owned(),
             _ => PathBuf::from("."),
         };
-        let mut builder = Builder::new();
-        if let Some(permissions) = new_file_permissions() {
-            builder.permissions(permissions);
-        }
         let mut unfinished = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
-        let temporary = builder.prefix(".boundfit-").tempfile_in(directory).map_err(|error| plain(&error))?;
+        // Created here and not by the library, so that it gets what any new file gets, less the user's mask, and so that an
+        // error does not name it: its name says nothing to the user.
+        let temporary =
+            Builder::new().prefix(".boundfit-").make_in(directory, |path| fs::File::create_new(path))?;
         *unfinished = Some(temporary.path().to_owned());
         drop(unfinished);
         Ok(Target::Temporary { temporary, becomes, existing })
@@ -171,7 +170,7 @@ fn persist(temporary: NamedTempFile, becomes: &Path, existing: Option<fs::Metada
         temporary.as_file().set_permissions(metadata.permissions())?;
     }
     temporary.as_file().sync_all()?;
-    temporary.persist(becomes).map_err(|error| plain(&error.error))?;
+    temporary.persist(becomes).map_err(|error| error.error)?;
     *UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner) = None;
     sync_folder_of(becomes);
     Ok(())
@@ -189,12 +188,6 @@ fn sync_folder_of(file: &Path) {
 #[cfg(not(unix))]
 fn sync_folder_of(_: &Path) {}
 
-/// The library's message goes on with the name of the temporary file, which says nothing to the user.
-fn plain(error: &io::Error) -> io::Error {
-    let message = error.to_string();
-    io::Error::new(error.kind(), message.split(" at path ").next().unwrap_or_default().to_owned())
-}
-
 /// The file behind any links, which need not exist yet.
 fn resolved(file: &Path) -> PathBuf {
     /// As many links as the kernel follows.
@@ -208,16 +201,4 @@ fn resolved(file: &Path) -> PathBuf {
         target = target.parent().map_or_else(|| next.clone(), |folder| folder.join(&next));
     }
     target
-}
-
-/// What any program asks for when it creates a file; the user's mask applies.
-#[cfg(unix)]
-fn new_file_permissions() -> Option<fs::Permissions> {
-    use std::os::unix::fs::PermissionsExt;
-    Some(fs::Permissions::from_mode(0o666))
-}
-
-#[cfg(not(unix))]
-fn new_file_permissions() -> Option<fs::Permissions> {
-    None
 }
