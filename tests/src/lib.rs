@@ -4,6 +4,7 @@
 pub mod cli;
 pub mod columns;
 pub mod deep;
+pub mod definitions;
 pub mod fuzz_targets;
 pub mod generate;
 pub mod lp_cases;

@@ -72,7 +72,7 @@ fn approximation(polyhedron: &Polyhedron) -> Approximation {
 fn hull(mut points: Vec<Point>) -> Approximation {
     points.sort_by(lexicographic);
     points.dedup();
-    let corners = Hulls::of_sorted(&points, |point| point).corners();
+    let corners = Hulls::of_sorted(&points).corners();
     let vertices: Vec<[Rational; 2]> =
         corners.into_iter().filter_map(|k| points.get(k)).map(Point::coordinates).collect();
     let next = vertices.iter().cycle().skip(1);

@@ -77,7 +77,7 @@ impl Envelope {
         let Some(domain) = domain(region, side) else { return Envelope::nowhere() };
         let mut points: Vec<Point> = region.vertices().iter().map(|vertex| vertex.point().clone()).collect();
         points.sort_by(lexicographic);
-        let Hulls { mut lower, upper } = Hulls::of_sorted(&points, |point| point);
+        let Hulls { mut lower, upper } = Hulls::of_sorted(&points);
         // The form (x, 1) turns over the upper hull from left to right as x grows, over the lower one from right to left.
         lower.reverse();
         let chain = match side {

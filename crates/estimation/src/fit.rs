@@ -98,10 +98,7 @@ fn bounds_on(problem: &Problem, grid: Option<&Grid>) -> FitBounds {
     let Problem { measurements, conditions } = problem;
     let least_squares = LeastSquares::with_grid(measurements, grid);
     let extremes = measurements.has_hulls().then(|| Extremes::new(measurements.kept(), grid));
-    let fps = match &extremes {
-        Some(extremes) => Fps::of_extremes(measurements, conditions, extremes),
-        None => Fps::new(measurements, conditions),
-    };
+    let fps = Fps::with_extremes(measurements, conditions, extremes.as_ref());
     let pui = parameter_intervals(fps.polyhedron());
     let central = pui.as_ref().and_then(central);
     let minimax = Minimax::with_extremes(measurements, conditions, extremes.as_ref());
@@ -111,7 +108,7 @@ fn bounds_on(problem: &Problem, grid: Option<&Grid>) -> FitBounds {
 impl Fit {
     /// The same answer with all half-planes of the readings in its FPS, also those that cannot be active.
     pub fn with_every_half_plane(&self, problem: &Problem) -> Fit {
-        let fps = Fps::new(&problem.measurements, &problem.conditions);
+        let fps = Fps::of_every_half_plane(&problem.measurements, &problem.conditions);
         // The proofs name half-planes by their position.
         let pui = parameter_intervals(fps.polyhedron());
         Fit { fps, pui, ..self.clone() }

@@ -62,21 +62,34 @@ pub struct Fps {
 }
 
 impl Fps {
-    /// The FPS of readings and conditions. Exact. Cost: O(N log N).
+    /// The FPS of readings and conditions. Of a line under a uniform error bound it has the half-planes that can be active
+    /// only: the upper bounds of the readings on the lower hull of (x, y), the lower bounds of those on the upper one, and
+    /// the conditions. Vertices, active sets, bounds with their proofs and the tightest half-planes of a point are those of
+    /// [`Fps::of_every_half_plane`], by name; what may differ is which of several certificates proves that the set is empty.
+    /// Exact. Cost: O(N log N).
     pub fn new(measurements: &Measurements, conditions: &[Condition]) -> Self {
+        Fps::with_extremes(measurements, conditions, Extremes::of(measurements).as_ref())
+    }
+
+    /// The FPS with all half-planes of the readings, also those that cannot be active. Exact. Cost: O(N log N).
+    pub fn of_every_half_plane(measurements: &Measurements, conditions: &[Condition]) -> Self {
         let (names, system) = every_half_plane(measurements, conditions);
         Fps { polyhedron: Polyhedron::intersect(system), names }
     }
 
-    /// The same set of a line under a uniform error bound from the half-planes that can be active: the upper bounds of the
-    /// readings on the lower hull of (x, y), the lower bounds of those on the upper one, and the conditions, in the same
-    /// order. Vertices, active sets, bounds with their proofs and the tightest half-planes of a point are those of
-    /// [`Fps::new`], by name; what may differ is which of several certificates proves that the set is empty.
-    pub(crate) fn of_extremes(
+    /// [`Fps::new`] with the extremes of a line under a uniform bound.
+    pub(crate) fn with_extremes(
         measurements: &Measurements,
         conditions: &[Condition],
-        extremes: &Extremes,
+        extremes: Option<&Extremes>,
     ) -> Self {
+        match extremes {
+            Some(extremes) => Fps::of_extremes(measurements, conditions, extremes),
+            None => Fps::of_every_half_plane(measurements, conditions),
+        }
+    }
+
+    fn of_extremes(measurements: &Measurements, conditions: &[Condition], extremes: &Extremes) -> Self {
         let count = 2 * extremes.touching.len() + conditions.len();
         let (mut names, mut inequalities) = (Vec::with_capacity(count), Vec::with_capacity(count));
         let mut add = |(name, inequality): (BoundName, Inequality)| {

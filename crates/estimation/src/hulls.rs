@@ -6,13 +6,13 @@
 
 use std::cmp::Ordering;
 
-use boundfit_exact::{Integer, Rational, Sign};
-use boundfit_geometry::grid::{GridPoint, touching_of_columns};
+use boundfit_exact::{Fraction, Integer, Rational, Sign};
+use boundfit_geometry::grid::{GridPoint, doubled_area, touching_of_columns};
 use boundfit_geometry::predicates::{by_theta1, lexicographic, orientation};
-use boundfit_geometry::{Hulls, Point};
+use boundfit_geometry::{Hull, HullSide, Point, Site};
 
 use crate::grid::{Column, Grid};
-use crate::measurements::Measurement;
+use crate::measurements::{Measurement, Measurements};
 
 /// From so many readings on, those inside are discarded before the others are sorted.
 const FEWEST_TO_FILTER: usize = 64;
@@ -49,6 +49,11 @@ pub(crate) struct Gap {
 }
 
 impl Extremes {
+    /// The extremes of readings; `None` unless they are of a line under a uniform error bound. Exact. Cost: O(N log N).
+    pub(crate) fn of(measurements: &Measurements) -> Option<Self> {
+        measurements.has_hulls().then(|| Extremes::new(measurements.kept(), Grid::new(measurements).as_ref()))
+    }
+
     /// The extremes of the readings of a line. Exact. Cost: O(N log N).
     pub(crate) fn new(rows: &[Measurement], grid: Option<&Grid>) -> Self {
         grid.map_or_else(|| Extremes::in_general(rows), Extremes::on_grid)
@@ -72,37 +77,35 @@ impl Extremes {
 
     /// For numbers of any size.
     pub(crate) fn in_general(rows: &[Measurement]) -> Self {
-        let mut points: Vec<(Point, usize)> = rows
-            .iter()
-            .enumerate()
-            .map(|(position, row)| (Point::new(&row.regressor[0], &row.response), position))
-            .collect();
-        points.sort_by(|p, q| lexicographic(&p.0, &q.0).then(p.1.cmp(&q.1)));
+        let at = |(position, row): (usize, &Measurement)| {
+            let point = Point::new(&row.regressor[0], &row.response);
+            ExactPlace { point, position }
+        };
+        let mut points: Vec<ExactPlace> = rows.iter().enumerate().map(at).collect();
+        points.sort_by(|p, q| lexicographic(&p.point, &q.point).then(p.position.cmp(&q.position)));
         Extremes::of_sorted(&points)
     }
 
     /// From at least the readings that touch a hull, sorted by x, then by y, then by position.
     fn of_sorted<P: Place>(points: &[P]) -> Self {
-        let Hulls { lower, upper } = Hulls::by(
-            points.len(),
-            |p, q| points[p].by_x(&points[q]).is_eq(),
-            |p, q, r| points[p].orientation(&points[q], &points[r]),
-        );
-        let (on_lower, on_upper) = (on_hull(points, &lower), on_hull(points, &upper));
+        let [lower, upper] =
+            [HullSide::Lower, HullSide::Upper].map(|side| Hull::new(side, points, P::orientation));
+        let mut on = vec![[false; 2]; points.len()];
+        lower.support(points).for_each(|place| on[place][0] = true);
+        upper.support(points).for_each(|place| on[place][1] = true);
         let mut touching: Vec<Touching> = points
             .iter()
-            .zip(on_lower.into_iter().zip(on_upper))
-            .filter(|(_, (lower, upper))| *lower || *upper)
-            .map(|(point, (lower, upper))| Touching { position: point.position(), lower, upper })
+            .zip(on)
+            .filter(|(_, on)| on.contains(&true))
+            .map(|(point, [lower, upper])| Touching { position: point.position(), lower, upper })
             .collect();
         touching.sort_unstable_by_key(|touching| touching.position);
-        let positions_of =
-            |hull: &[usize]| -> Vec<usize> { hull.iter().map(|&k| points[k].position()).collect() };
-        let mut corners = positions_of(&lower);
-        corners.extend(positions_of(&upper));
+        let lower: Vec<&P> = lower.corners().map(|place| &points[place]).collect();
+        let upper: Vec<&P> = upper.corners().rev().map(|place| &points[place]).collect();
+        let mut corners: Vec<usize> = lower.iter().chain(&upper).map(|corner| corner.position()).collect();
         corners.sort_unstable();
         corners.dedup();
-        Extremes { touching, widest: widest(points, &lower, &upper), corners }
+        Extremes { touching, widest: widest(&lower, &upper), corners }
     }
 }
 
@@ -116,10 +119,9 @@ pub(crate) fn touching_a_hull(rows: &[Measurement]) -> Vec<usize> {
 }
 
 /// A reading of a line as a point of the plane of x and y.
-trait Place {
+trait Place: Site {
     fn position(&self) -> usize;
     fn by_x(&self, other: &Self) -> Ordering;
-    fn is_same(&self, other: &Self) -> bool;
     /// On which side of the line through two points, in that order, a third lies.
     fn orientation(&self, second: &Self, third: &Self) -> Sign;
     /// The vertical distance, not negative, from the point to the line through two others, or to the one point if they are
@@ -127,18 +129,7 @@ trait Place {
     fn distance(&self, edge: [&Self; 2]) -> Fraction;
 }
 
-/// A number as `numerator / denominator`, `denominator > 0`, not reduced: it is only ever compared.
-struct Fraction {
-    numerator: Integer,
-    denominator: Integer,
-}
-
-impl Fraction {
-    fn is_less_than(&self, other: &Self) -> bool {
-        &self.numerator * &other.denominator < &other.numerator * &self.denominator
-    }
-}
-
+/// Coordinates of a grid are below 2⁶², so that areas are exact.
 impl Place for GridPoint {
     fn position(&self) -> usize {
         // Identifiers are positions in a list that is in memory.
@@ -149,83 +140,68 @@ impl Place for GridPoint {
         self.x.cmp(&other.x)
     }
 
-    fn is_same(&self, other: &Self) -> bool {
-        (self.x, self.y) == (other.x, other.y)
-    }
-
     fn orientation(&self, second: &Self, third: &Self) -> Sign {
-        cross(self, second, third).cmp(&0).into()
+        doubled_area(self, second, third).cmp(&0).into()
     }
 
     fn distance(&self, [left, right]: [&Self; 2]) -> Fraction {
-        if left.x == right.x {
-            return Fraction {
-                numerator: Integer::from(self.y.abs_diff(left.y)),
-                denominator: Integer::one(),
-            };
-        }
-        let area = cross(left, right, self).unsigned_abs();
-        Fraction { numerator: Integer::from(area), denominator: Integer::from(right.x - left.x) }
+        let area = doubled_area(left, right, self).unsigned_abs();
+        let over_width = Fraction::new(Integer::from(area), Integer::from(right.x - left.x));
+        over_width.unwrap_or_else(|| Integer::from(self.y.abs_diff(left.y)).into())
     }
 }
 
-/// The cross product of two differences from `p`. Coordinates of a grid are below 2⁶², so that differences fit into 64
-/// bits, products into 127 and their difference into 128.
-fn cross(p: &GridPoint, q: &GridPoint, r: &GridPoint) -> i128 {
-    let product = |left: i64, right: i64| i128::from(left) * i128::from(right);
-    product(q.x - p.x, r.y - p.y) - product(q.y - p.y, r.x - p.x)
+/// A reading with numbers of any size.
+struct ExactPlace {
+    point: Point,
+    position: usize,
 }
 
-impl Place for (Point, usize) {
+impl Site for ExactPlace {
+    fn is_above_or_below(&self, other: &Self) -> bool {
+        self.by_x(other).is_eq()
+    }
+
+    fn coincides(&self, other: &Self) -> bool {
+        self.point == other.point
+    }
+}
+
+impl Place for ExactPlace {
     fn position(&self) -> usize {
-        self.1
+        self.position
     }
 
     fn by_x(&self, other: &Self) -> Ordering {
-        by_theta1(&self.0, &other.0)
-    }
-
-    fn is_same(&self, other: &Self) -> bool {
-        self.0 == other.0
+        by_theta1(&self.point, &other.point)
     }
 
     fn orientation(&self, second: &Self, third: &Self) -> Sign {
-        orientation(&self.0, &second.0, &third.0)
+        orientation(&self.point, &second.point, &third.point)
     }
 
     fn distance(&self, [left, right]: [&Self; 2]) -> Fraction {
         let [[x, y], [left_x, left_y], [right_x, right_y]] =
-            [self, left, right].map(|place| place.0.coordinates());
+            [self, left, right].map(|place| place.point.coordinates());
         let slope = (right_y - &left_y).checked_div(&(right_x - &left_x)).unwrap_or_default();
-        let distance = (y - left_y - slope * (x - left_x)).abs();
-        Fraction { numerator: distance.numerator(), denominator: distance.denominator() }
+        Fraction::from(&(y - left_y - slope * (x - left_x)).abs())
     }
 }
 
-/// For each of some sorted points, whether it is on a hull that reaches as far in both directions.
-fn on_hull<P: Place>(points: &[P], hull: &[usize]) -> Vec<bool> {
-    let mut edges = Edges { points, hull, left: 0 };
-    let is_on = |point: &P| {
-        let [left, right] = edges.at(point);
-        if left.by_x(point).is_lt() && left.by_x(right).is_lt() {
-            left.orientation(right, point) == Sign::Zero
-        } else {
-            left.is_same(point)
-        }
-    };
-    points.iter().map(is_on).collect()
-}
-
-/// The widest gap between the hulls: that of the first corner of the upper hull with it, by x, or else of the lower one.
-fn widest<P: Place>(points: &[P], lower: &[usize], upper: &[usize]) -> Option<Gap> {
-    let gaps_of = |corners: &'_ [usize], other: &'_ [usize], corner_is_lower: bool| {
+/// The widest gap between the hulls, of which the corners are given by x: that of the first corner of the upper hull with
+/// it, or else of the lower one.
+fn widest<P: Place>(lower: &[&P], upper: &[&P]) -> Option<Gap> {
+    let gaps_of = |corners: &[&P], hull: &[&P], corner_is_lower: bool| {
         let mut widest: Option<(Fraction, Gap)> = None;
-        let mut edges = Edges { points, hull: other, left: 0 };
-        for &corner in corners {
-            let corner = &points[corner];
-            let edge = edges.at(corner);
+        let mut left = 0;
+        for corner in corners {
+            // The edge above or below the corner; from the right end of the hull on, both ends are that corner.
+            while hull.get(left + 1).is_some_and(|next| next.by_x(corner).is_le()) {
+                left += 1;
+            }
+            let edge = [hull[left], hull.get(left + 1).unwrap_or(&hull[left])];
             let distance = corner.distance(edge);
-            if widest.as_ref().is_none_or(|(most, _)| most.is_less_than(&distance)) {
+            if widest.as_ref().is_none_or(|(most, _)| *most < distance) {
                 let edge = edge.map(P::position);
                 widest = Some((distance, Gap { corner: corner.position(), edge, corner_is_lower }));
             }
@@ -233,27 +209,7 @@ fn widest<P: Place>(points: &[P], lower: &[usize], upper: &[usize]) -> Option<Ga
         widest
     };
     let (above, below) = (gaps_of(upper, lower, false)?, gaps_of(lower, upper, true)?);
-    Some(if above.0.is_less_than(&below.0) { below.1 } else { above.1 })
-}
-
-/// The edges of a hull from left to right.
-struct Edges<'a, P> {
-    points: &'a [P],
-    hull: &'a [usize],
-    left: usize,
-}
-
-impl<'a, P: Place> Edges<'a, P> {
-    /// The edge above or below a point; points must come by x, and none may be left of the hull. From its right end on,
-    /// both ends are that corner.
-    fn at(&mut self, point: &P) -> [&'a P; 2] {
-        let corner = |position: usize| self.hull.get(position).map(|&k| &self.points[k]);
-        while corner(self.left + 1).is_some_and(|next| next.by_x(point).is_le()) {
-            self.left += 1;
-        }
-        let left = &self.points[self.hull[self.left]];
-        [left, corner(self.left + 1).unwrap_or(left)]
-    }
+    Some(if above.0 < below.0 { below.1 } else { above.1 })
 }
 
 /// ε_min with its proof.

@@ -1,6 +1,6 @@
 //! The inverse line x = gain·y + offset of y = θ1·x + θ2: gain 1/θ1, offset -θ2/θ1.
 
-use boundfit_exact::{Endpoint, Integer, Interval, Rational, Sign};
+use boundfit_exact::{Endpoint, Fraction, Integer, Interval, Rational, Sign};
 use boundfit_geometry::{Branch, Inequality, Polyhedron, Region, System, Vertex, inverse_line_image};
 
 /// What is known about one parameter of the inverse line. Ranges are unions of at most two disjoint intervals, in
@@ -40,39 +40,11 @@ impl Inverse {
     ) -> Self {
         let exact = pui.and_then(|[theta1, _]| ranges_of_region(fps.region(), theta1));
         let of_box = |intervals: &[Interval; 2]| {
-            let bounded = ranges_of_box(intervals).or_else(|| ranges_of_wide_box(intervals));
-            bounded.unwrap_or_else(|| ranges(&box_of(intervals)))
+            ranges_of_box(intervals).unwrap_or_else(|| ranges(&box_of(intervals)))
         };
-        Inverse::from_ranges(
-            exact.unwrap_or_else(|| ranges(fps)),
-            pui.map(of_box).unwrap_or_default(),
-            eui.map(of_box),
-            central,
-            least_squares,
-        )
-    }
-
-    /// The same by the projective image alone, for sets of any kind.
-    pub fn in_general(
-        fps: &Polyhedron,
-        pui: Option<&[Interval; 2]>,
-        eui: Option<&[Interval; 2]>,
-        central: Option<&[Rational; 2]>,
-        least_squares: Option<&[Rational; 2]>,
-    ) -> Self {
-        let of_box = |intervals: &[Interval; 2]| ranges(&box_of(intervals));
-        let of_pui = pui.map(of_box).unwrap_or_default();
-        Inverse::from_ranges(ranges(fps), of_pui, eui.map(of_box), central, least_squares)
-    }
-
-    fn from_ranges(
-        [exact_gain, exact_offset]: Ranges,
-        [box_gain, box_offset]: Ranges,
-        eui: Option<Ranges>,
-        central: Option<&[Rational; 2]>,
-        least_squares: Option<&[Rational; 2]>,
-    ) -> Self {
-        let (eui_gain, eui_offset) = eui.map(|[gain, offset]| (gain, offset)).unzip();
+        let [exact_gain, exact_offset] = exact.unwrap_or_else(|| ranges(fps));
+        let [box_gain, box_offset] = pui.map(of_box).unwrap_or_default();
+        let (eui_gain, eui_offset) = eui.map(of_box).map(|[gain, offset]| (gain, offset)).unzip();
         let gain = |theta: &[Rational; 2]| theta[0].recip();
         let offset = |theta: &[Rational; 2]| (-&theta[1]).checked_div(&theta[0]);
         Inverse {
@@ -97,7 +69,7 @@ impl Inverse {
 /// The ranges of gain and offset.
 type Ranges = [Vec<Interval>; 2];
 
-/// The range of gain and offset over a set of θ.
+/// The range of gain and offset over a set of θ of any kind.
 fn ranges(set: &Polyhedron) -> Ranges {
     let mut ranges = [Vec::new(), Vec::new()];
     for branch in [Branch::Negative, Branch::Positive] {
@@ -111,7 +83,7 @@ fn ranges(set: &Polyhedron) -> Ranges {
     ranges.map(united)
 }
 
-/// The same for a bounded region whose θ1 has this range.
+/// The ranges over a region whose θ1 has this range, if it is bounded: its vertices are enough.
 fn ranges_of_region(region: &Region, theta1: &Interval) -> Option<Ranges> {
     if !region.is_bounded() {
         return None;
@@ -123,8 +95,8 @@ fn ranges_of_region(region: &Region, theta1: &Interval) -> Option<Ranges> {
     ranges_of_corners(&region.vertices().iter().map(place).collect::<Vec<_>>(), theta1)
 }
 
-/// The same for a bounded box.
-fn ranges_of_wide_box([theta1, theta2]: &[Interval; 2]) -> Option<Ranges> {
+/// The ranges over a box, if it is bounded.
+fn ranges_of_box([theta1, theta2]: &[Interval; 2]) -> Option<Ranges> {
     let ((left, right), (low, high)) = (theta1.ends()?, theta2.ends()?);
     let corners = [(left, low), (right, low), (right, high), (left, high)];
     let place =
@@ -176,48 +148,18 @@ fn sign_on_axis([x, y]: &[Integer; 2], [next_x, next_y]: &[Integer; 2]) -> Optio
 
 /// The least and the largest -θ2/θ1 of corners with θ1 ≠ 0; `None` without any.
 fn offsets<'a>(corners: impl Iterator<Item = &'a [Integer; 2]>) -> Option<[Rational; 2]> {
-    // With positive denominators, not reduced: these are only compared.
-    let fraction = |[x, y]: &[Integer; 2]| if x.is_negative() { (y.clone(), -x) } else { (-y, x.clone()) };
-    let is_less = |p: &(Integer, Integer), q: &(Integer, Integer)| &p.0 * &q.1 < &q.0 * &p.1;
-    let mut offsets = corners.map(fraction);
+    let mut offsets = corners.filter_map(|[x, y]| Fraction::new(-y, x.clone()));
     let first = offsets.next()?;
     let (least, most) = offsets.fold((first.clone(), first), |(least, most), offset| {
-        if is_less(&offset, &least) {
+        if offset < least {
             (offset, most)
-        } else if is_less(&most, &offset) {
+        } else if most < offset {
             (least, offset)
         } else {
             (least, most)
         }
     });
-    Some([Rational::new(least.0, least.1)?, Rational::new(most.0, most.1)?])
-}
-
-/// The same for a bounded box whose θ1 keeps one sign.
-fn ranges_of_box([theta1, theta2]: &[Interval; 2]) -> Option<Ranges> {
-    let gain = inverse_of(theta1)?;
-    let ((left, right), (low, high)) = (theta1.ends()?, theta2.ends()?);
-    let mut nearest_and_furthest = [left.abs(), right.abs()];
-    let (least, most) = if right.is_negative() {
-        nearest_and_furthest.reverse();
-        (low.clone(), high.clone())
-    } else {
-        (-high, -low)
-    };
-    // A positive number is largest when divided by the smallest |θ1|, a negative one by the largest.
-    let [near, far] = nearest_and_furthest;
-    let lower = least.checked_div(if least.is_negative() { &near } else { &far })?;
-    let upper = most.checked_div(if most.is_negative() { &far } else { &near })?;
-    Some([vec![gain], vec![Interval::new(Endpoint::Finite(lower), Endpoint::Finite(upper))?]])
-}
-
-/// 1/θ1 for a bounded interval that 0 does not belong to.
-fn inverse_of(theta1: &Interval) -> Option<Interval> {
-    let (lower, upper) = theta1.ends()?;
-    if lower.sign() != upper.sign() {
-        return None;
-    }
-    Interval::new(Endpoint::Finite(upper.recip()?), Endpoint::Finite(lower.recip()?))
+    Some([least.into(), most.into()])
 }
 
 /// The union of at most two intervals, as disjoint intervals in ascending order.

@@ -5,7 +5,6 @@ use boundfit_geometry::{Inequality, Multiplier, RegionKind, System, envelope};
 
 use crate::condition::Condition;
 use crate::fps::{BoundName, conditions_by_name, strip};
-use crate::grid::Grid;
 use crate::hulls::{Extremes, Gap, HullMinimum};
 use crate::least_growth::{GrowingInequality, LeastGrowth, least_growth};
 use crate::measurements::{ErrorBound, Measurement, Measurements};
@@ -63,10 +62,7 @@ impl Minimax {
     /// Exact. For a line under a uniform bound and no conditions from the two hulls, O(N log N); otherwise by
     /// [`least_growth`], which for a line under a uniform bound sees the readings on the hulls alone.
     pub fn new(measurements: &Measurements, conditions: &[Condition]) -> Option<Self> {
-        let extremes = measurements
-            .has_hulls()
-            .then(|| Extremes::new(measurements.kept(), Grid::new(measurements).as_ref()));
-        Minimax::with_extremes(measurements, conditions, extremes.as_ref())
+        Minimax::with_extremes(measurements, conditions, Extremes::of(measurements).as_ref())
     }
 
     /// The same with the extremes of a line under a uniform bound.
@@ -85,13 +81,8 @@ impl Minimax {
                 let touching = extremes.touching.iter().map(|touching| &rows[touching.position]);
                 Growing::of_rows(touching, |_| Rational::one()).with(conditions).minimax()
             }
-            None => Minimax::in_general(measurements, conditions),
+            None => Growing::new(measurements, conditions).minimax(),
         }
-    }
-
-    /// The same by the general method alone, for any model, error bound and conditions.
-    pub fn in_general(measurements: &Measurements, conditions: &[Condition]) -> Option<Self> {
-        Growing::new(measurements, conditions).minimax()
     }
 
     fn from_hulls(rows: &[Measurement], widest: &Gap, corners: &[usize]) -> Self {

@@ -7,8 +7,8 @@ const LEAST_EXPONENT: i64 = -1074;
 /// Bits of a binary64 significand.
 const SIGNIFICAND_BITS: i64 = 53;
 
-/// Significand and exponent of a finite binary64: `significand * 2^exponent`, exactly.
-pub(crate) fn parts(value: f64) -> (i64, i32) {
+/// Significand and exponent of a finite binary64: `significand * 2^exponent`, exactly. Of an infinity or NaN they mean nothing.
+pub fn significand_and_exponent(value: f64) -> (i64, i32) {
     let bits = value.to_bits();
     let fraction = (bits & ((1 << 52) - 1)) as i64;
     let biased = ((bits >> 52) & 0x7ff) as i32;
@@ -28,7 +28,7 @@ impl Rational {
         if !value.is_finite() {
             return None;
         }
-        let (significand, exponent) = parts(value);
+        let (significand, exponent) = significand_and_exponent(value);
         let power = Integer::power_of_two(u64::from(exponent.unsigned_abs()));
         if exponent >= 0 {
             Some(Rational::from(Integer::from(significand) * power))

@@ -1,6 +1,6 @@
 //! Long exact sums of binary64 numbers.
 
-use crate::binary64::parts;
+use crate::binary64::significand_and_exponent;
 use crate::{Integer, Rational};
 
 /// Exponents of products of two doubles go from twice the least one of a double up to twice the largest.
@@ -36,7 +36,8 @@ impl DoubleSum {
         reason = "exponents of finite doubles are at least -1074 each and at most 971: LEAST_EXPONENT to 1942, for which there are EXPONENTS places"
     )]
     pub fn add_product(&mut self, left: f64, right: f64) {
-        let ((left, left_exponent), (right, right_exponent)) = (parts(left), parts(right));
+        let ((left, left_exponent), (right, right_exponent)) =
+            (significand_and_exponent(left), significand_and_exponent(right));
         let position = (left_exponent + right_exponent - LEAST_EXPONENT) as usize;
         let product = i128::from(left) * i128::from(right);
         // By the bound on the number of terms this cannot overflow.

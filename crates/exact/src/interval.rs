@@ -86,21 +86,6 @@ impl Interval {
             && self.upper.value().is_none_or(|upper| number <= upper)
     }
 
-    /// Whether every number of `other` lies in this interval.
-    pub fn contains_interval(&self, other: &Interval) -> bool {
-        let below = match (&self.lower, &other.lower) {
-            (Endpoint::Unbounded, _) => true,
-            (_, Endpoint::Unbounded) => false,
-            (Endpoint::Finite(own), Endpoint::Finite(others)) => own <= others,
-        };
-        let above = match (&self.upper, &other.upper) {
-            (Endpoint::Unbounded, _) => true,
-            (_, Endpoint::Unbounded) => false,
-            (Endpoint::Finite(own), Endpoint::Finite(others)) => others <= own,
-        };
-        below && above
-    }
-
     /// Upper minus lower end, or `None` when an end is unbounded. Exact.
     pub fn width(&self) -> Option<Rational> {
         self.ends().map(|(lower, upper)| upper - lower)
@@ -145,11 +130,8 @@ mod tests {
 
     #[test]
     fn containment_respects_unbounded_ends() {
-        let all = interval(None, None).unwrap();
         let right = interval(Some(0), None).unwrap();
         let unit = interval(Some(0), Some(1)).unwrap();
-        assert!(all.contains_interval(&right) && right.contains_interval(&unit));
-        assert!(!right.contains_interval(&all) && !unit.contains_interval(&right));
         assert!(unit.contains(&Rational::one()) && !unit.contains(&Rational::from(2)));
         assert!(right.contains(&Rational::from(2)) && !right.contains(&Rational::from(-1)));
     }

@@ -29,7 +29,7 @@ mod serial;
 mod short_text;
 mod sum;
 
-pub use binary64::{nearest_double, plain_double};
+pub use binary64::{nearest_double, plain_double, significand_and_exponent};
 pub use decimal::{Decimal, Rounding};
 pub use double_sum::DoubleSum;
 pub use interval::{Endpoint, Interval};

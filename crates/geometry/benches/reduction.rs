@@ -1,11 +1,8 @@
-//! From columns to touching points to the region of a line, beside the time it takes merely to sum the columns.
+//! From columns to touching points, beside the time it takes merely to sum the columns.
 
 use std::hint::black_box;
 
-use boundfit_exact::Rational;
-use boundfit_geometry::grid::{
-    GridLine, GridPoint, line_region, touching, touching_doubles, touching_of_columns,
-};
+use boundfit_geometry::grid::{GridPoint, touching, touching_doubles, touching_of_columns};
 use criterion::{Criterion, criterion_group, criterion_main};
 
 /// Two columns.
@@ -89,12 +86,6 @@ fn points((x, y): &Columns) -> Vec<GridPoint> {
     x.iter().zip(y).enumerate().map(point).collect()
 }
 
-/// One ten-thousandth as the unit of both columns.
-fn line(epsilon: i64) -> GridLine {
-    let unit = Rational::ratio(1, 10_000);
-    GridLine { x_unit: unit.clone(), y_unit: unit, epsilon: epsilon.into() }
-}
-
 fn reduction(criterion: &mut Criterion) {
     const ROWS: usize = 1_000_000;
     let mut group = criterion.benchmark_group("reduction");
@@ -123,9 +114,6 @@ fn reduction(criterion: &mut Criterion) {
     group.bench_function("touching points of doubles, uniform noise, 10^6", |bencher| {
         bencher.iter(|| touching_doubles(&x, &y));
     });
-    group.bench_function("columns to region, uniform noise, 10^6", |bencher| {
-        bencher.iter(|| line_region(&touching_of_columns(&noise.0, &noise.1, 0), &line(1)));
-    });
     group.finish();
 }
 
@@ -135,17 +123,8 @@ fn all_extreme(criterion: &mut Criterion) {
     group.sample_size(20);
     for (name, columns) in [("parabola", parabola(ROWS)), ("round", round(ROWS as usize))] {
         let points = points(&columns);
-        let sorted = touching(points.clone());
-        // Large enough for every corner to be a vertex.
-        let line = line(ROWS * ROWS);
         group.bench_function(format!("{name}, sorting and hulls"), |bencher| {
             bencher.iter(|| touching(points.clone()));
-        });
-        group.bench_function(format!("{name}, region of sorted points"), |bencher| {
-            bencher.iter(|| line_region(&sorted, &line));
-        });
-        group.bench_function(format!("{name}, columns to region"), |bencher| {
-            bencher.iter(|| line_region(&touching_of_columns(&columns.0, &columns.1, 0), &line));
         });
     }
     group.finish();

@@ -73,7 +73,7 @@ impl Generators {
         }
         points.sort_unstable_by(|p, q| lexicographic(p, q));
         points.dedup();
-        let hull = Hulls::of_sorted(&points, |point| point).corners();
+        let hull = Hulls::of_sorted(&points).corners();
         let corners: Vec<&Point> =
             hull.iter().filter_map(|&position| points.get(position).copied()).collect();
         let candidates = Polyhedron::intersect(supporting(&corners, &self.cone()));

@@ -1,43 +1,132 @@
-//! The convex hull of points as two chains (Andrew 1979, the monotone chain).
+//! The convex hull of sorted points as two chains (Andrew 1979, the monotone chain).
+
+use std::borrow::Borrow;
 
 use boundfit_exact::Sign;
 
 use crate::point::Point;
 use crate::predicates::{by_theta1, orientation};
 
-/// Lower and upper hull of points, as positions in the list, each by θ1 ascending. Of several points above each other
-/// the lower hull has the lowest and the upper one the highest; of points within an edge, neither has any.
+/// What the chain asks about two points; about three it asks for their orientation.
+pub trait Site {
+    /// Whether both have the same x.
+    fn is_above_or_below(&self, other: &Self) -> bool;
+    /// Whether both are at one place.
+    fn coincides(&self, other: &Self) -> bool;
+}
+
+impl<P: Borrow<Point>> Site for P {
+    fn is_above_or_below(&self, other: &Self) -> bool {
+        by_theta1(self.borrow(), other.borrow()).is_eq()
+    }
+
+    fn coincides(&self, other: &Self) -> bool {
+        self.borrow() == other.borrow()
+    }
+}
+
+/// Which of the two hulls, and with it the way along which it is found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HullSide {
+    /// Below all points, from left to right.
+    Lower,
+    /// Above all points, from right to left.
+    Upper,
+}
+
+/// One of the two hulls of points, as positions in their list, counter-clockwise. Of several points above each other it has
+/// the lowest or the highest only.
+#[derive(Debug, Clone)]
+pub struct Hull {
+    side: HullSide,
+    links: Vec<Link>,
+}
+
+/// A point on a hull, of those that coincide the first on the way.
+#[derive(Debug, Clone, Copy)]
+struct Link {
+    position: usize,
+    /// Not within an edge.
+    is_corner: bool,
+}
+
+impl Hull {
+    /// The hull of points sorted by x, then y. `orientation` says on which side of the line through the first two points, in
+    /// that order, the third lies (`Positive` is to the left). As exact as that. Cost: linear.
+    pub fn new<P: Site>(side: HullSide, sorted: &[P], orientation: impl Fn(&P, &P, &P) -> Sign) -> Self {
+        let links = match side {
+            HullSide::Lower => chain(0..sorted.len(), sorted, orientation),
+            HullSide::Upper => chain((0..sorted.len()).rev(), sorted, orientation),
+        };
+        Hull { side, links }
+    }
+
+    /// Positions of the corners.
+    pub fn corners(&self) -> impl DoubleEndedIterator<Item = usize> {
+        self.links.iter().filter(|link| link.is_corner).map(|link| link.position)
+    }
+
+    /// Positions of everything on the hull: corners, points within edges, and every repetition of each.
+    pub fn support<P: Site>(&self, sorted: &[P]) -> impl Iterator<Item = usize> {
+        self.links.iter().flat_map(|link| self.repetitions(sorted, link.position))
+    }
+
+    /// All positions with the point of a link, in the order of the way.
+    fn repetitions<P: Site>(&self, sorted: &[P], first: usize) -> impl Iterator<Item = usize> {
+        let (ahead, behind) = match self.side {
+            HullSide::Lower => (first..sorted.len(), 0..0),
+            HullSide::Upper => (0..0, 0..first + 1),
+        };
+        ahead.chain(behind.rev()).take_while(move |&position| sorted[position].coincides(&sorted[first]))
+    }
+}
+
+/// Where a walk over sorted points keeps turning left or going straight on.
+fn chain<P: Site>(
+    walk: impl Iterator<Item = usize>,
+    sorted: &[P],
+    orientation: impl Fn(&P, &P, &P) -> Sign,
+) -> Vec<Link> {
+    let mut chain: Vec<Link> = Vec::new();
+    for position in walk {
+        // Walking forward the first point of each x is its lowest, walking back its highest.
+        if chain.last().is_some_and(|last| sorted[last.position].is_above_or_below(&sorted[position])) {
+            continue;
+        }
+        while let [.., before, last] = chain.as_mut_slice() {
+            match orientation(&sorted[before.position], &sorted[last.position], &sorted[position]) {
+                Sign::Negative => chain.pop(),
+                turn => {
+                    // Said anew by each point that comes next: the one that stays has the last word.
+                    last.is_corner = turn == Sign::Positive;
+                    break;
+                }
+            };
+        }
+        chain.push(Link { position, is_corner: true });
+    }
+    chain
+}
+
+/// The corners of lower and upper hull, as positions in the list of points, each from left to right.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Hulls {
-    /// From the leftmost to the rightmost point below all others.
+    /// Below all others.
     pub lower: Vec<usize>,
-    /// From the leftmost to the rightmost point above all others.
+    /// Above all others.
     pub upper: Vec<usize>,
 }
 
 impl Hulls {
-    /// The hulls of items at points, sorted by [`lexicographic`](crate::predicates::lexicographic). Exact. Cost: linear.
-    pub fn of_sorted<T>(items: &[T], point: impl Fn(&T) -> &Point) -> Self {
-        let at = |position: usize| point(&items[position]);
-        Hulls::by(
-            items.len(),
-            |p, q| by_theta1(at(p), at(q)).is_eq(),
-            |p, q, r| orientation(at(p), at(q), at(r)),
-        )
-    }
-
-    /// The hulls of points of any kind, sorted by θ1, then by θ2, from what is asked about their positions: whether two
-    /// are above each other, and on which side of the line through two, in that order, a third lies (`Positive` is to the
-    /// left). As exact as the answers. Cost: linear.
-    pub fn by(
-        count: usize,
-        above_each_other: impl Fn(usize, usize) -> bool,
-        orientation: impl Fn(usize, usize, usize) -> Sign,
-    ) -> Self {
-        let lower = chain(0..count, &above_each_other, &orientation);
-        let mut upper = chain((0..count).rev(), &above_each_other, &orientation);
-        upper.reverse();
-        Hulls { lower, upper }
+    /// The hulls of points sorted by [`lexicographic`](crate::predicates::lexicographic). Exact. Cost: linear.
+    pub fn of_sorted<P: Borrow<Point>>(points: &[P]) -> Self {
+        let hull = |side: HullSide| {
+            Hull::new(side, points, |p: &P, q: &P, r: &P| orientation(p.borrow(), q.borrow(), r.borrow()))
+        };
+        Hulls {
+            lower: hull(HullSide::Lower).corners().collect(),
+            upper: hull(HullSide::Upper).corners().rev().collect(),
+        }
     }
 
     /// The corners of the convex hull of distinct points, counter-clockwise from the leftmost lowest.
@@ -52,28 +141,6 @@ impl Hulls {
     fn ends(&self) -> [&usize; 2] {
         [self.lower.first().unwrap_or(&0), self.lower.last().unwrap_or(&0)]
     }
-}
-
-/// The positions where a walk over sorted points, either way, keeps turning left.
-fn chain(
-    walk: impl Iterator<Item = usize>,
-    above_each_other: &impl Fn(usize, usize) -> bool,
-    orientation: &impl Fn(usize, usize, usize) -> Sign,
-) -> Vec<usize> {
-    let mut chain: Vec<usize> = Vec::new();
-    for next in walk {
-        // Walking forward the first point of each θ1 is its lowest, walking back its highest.
-        if chain.last().is_some_and(|&last| above_each_other(last, next)) {
-            continue;
-        }
-        while let [.., before, last] = chain.as_slice()
-            && orientation(*before, *last, next) != Sign::Positive
-        {
-            chain.pop();
-        }
-        chain.push(next);
-    }
-    chain
 }
 
 #[cfg(test)]
@@ -91,7 +158,7 @@ mod tests {
     }
 
     fn hulls(points: &[(i64, i64)]) -> (Vec<usize>, Vec<usize>, Vec<usize>) {
-        let hulls = Hulls::of_sorted(&sorted(points), |point| point);
+        let hulls = Hulls::of_sorted(&sorted(points));
         (hulls.lower.clone(), hulls.upper.clone(), hulls.corners())
     }
 
@@ -100,6 +167,19 @@ mod tests {
         // 0 (0,0)  1 (0,1)  2 (0,2)  3 (1,0)  4 (1,2)  5 (2,0)  6 (2,1)  7 (2,2)
         let square = [(0, 0), (0, 1), (0, 2), (1, 0), (1, 2), (2, 0), (2, 1), (2, 2)];
         assert_eq!(hulls(&square), (vec![0, 5], vec![2, 7], vec![0, 5, 7, 2]));
+    }
+
+    #[test]
+    fn the_support_has_everything_on_a_hull() {
+        // 0 (0,0)  1 (0,0)  2 (0,3)  3 (1,0)  4 (2,0)  5 (2,0)  6 (2,9)  7 (3,1)  8 (4,0)  9 (4,3)  10 (4,3)
+        let points =
+            sorted(&[(0, 0), (0, 0), (0, 3), (1, 0), (2, 0), (2, 0), (2, 9), (3, 1), (4, 0), (4, 3), (4, 3)]);
+        let hull = |side| Hull::new(side, &points, orientation);
+        let (lower, upper) = (hull(HullSide::Lower), hull(HullSide::Upper));
+        assert_eq!(lower.support(&points).collect::<Vec<_>>(), [0, 1, 3, 4, 5, 8]);
+        assert_eq!(lower.corners().collect::<Vec<_>>(), [0, 8]);
+        assert_eq!(upper.support(&points).collect::<Vec<_>>(), [10, 9, 6, 2]);
+        assert_eq!(upper.corners().collect::<Vec<_>>(), [10, 6, 2]);
     }
 
     #[test]

@@ -45,7 +45,7 @@ mod system;
 
 pub use generators::{Generator, Generators};
 pub use half_plane::{Constraint, HalfPlane, Inequality};
-pub use hull::Hulls;
+pub use hull::{Hull, HullSide, Hulls, Site};
 pub use invariants::InvariantViolation;
 pub use point::{Direction, Point};
 pub use polyhedron::{Face, Membership, Polyhedron, Redundancy, Support};

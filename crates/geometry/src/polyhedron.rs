@@ -3,13 +3,13 @@
 use boundfit_exact::{Endpoint, Interval, Rational};
 
 use crate::constructions::foot;
+use crate::envelope;
 use crate::fan::{FanSupport, NormalFan};
 use crate::point::{Direction, Point};
 use crate::predicates::{Turn, turn};
 use crate::proof::{BoundProof, Farkas, Multiplier, UnboundedProof};
 use crate::region::Region;
 use crate::system::System;
-use crate::{clipping, envelope};
 
 /// A system of inequalities and the region that it describes.
 #[derive(Debug, Clone)]
@@ -111,17 +111,6 @@ impl Polyhedron {
     /// ```
     pub fn intersect(system: System) -> Self {
         let region = envelope::intersect(&system);
-        Polyhedron::from_parts(system, region)
-    }
-
-    /// Intersects the half-planes of a system by clipping. Exact, and equal to [`Polyhedron::intersect`].
-    /// Cost: inequalities times vertices.
-    pub fn by_clipping(system: System) -> Self {
-        let region = clipping::intersect(&system);
-        Polyhedron::from_parts(system, region)
-    }
-
-    fn from_parts(system: System, region: Region) -> Self {
         let fan = NormalFan::of(&system, &region);
         Polyhedron { system, region, fan }
     }

@@ -47,7 +47,7 @@ fn without(problem: &Problem, fit: &Fit, position: usize) -> Without {
     let row = rows.remove(position).row;
     let rest =
         Measurements::new(all.model().clone(), all.response().to_owned(), all.error_bound().clone(), rows);
-    let fps = Fps::new(&rest, &problem.conditions);
+    let fps = Fps::of_every_half_plane(&rest, &problem.conditions);
     let pui = fps.polyhedron().bounding_box();
     let moved = match (fit.pui_intervals(), &pui) {
         (Some(before), Some(after)) => moved(&before, after),

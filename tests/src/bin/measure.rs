@@ -13,9 +13,9 @@ use boundfit_estimation::{
 };
 use boundfit_exact::{Interval, Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Source, TableOptions, read_table};
-use boundfit_geometry::grid::{GridLine, line_region, touching_of_columns};
+use boundfit_geometry::grid::touching_of_columns;
 use boundfit_geometry::predicates::lexicographic;
-use boundfit_geometry::{Hulls, Point, Region};
+use boundfit_geometry::{Hulls, Point};
 use boundfit_lp::{FloatProgram, Outcome, Program, PuiEnd, Solver, solver_named};
 use cpu_time::ProcessTime;
 use serde_json::{Map, Value, json};
@@ -89,28 +89,36 @@ fn sum_of_integers(problem: &Problem, runs: usize) -> Result<Map<String, Value>,
     Ok(timed(runs, || (total(black_box(&x)), total(black_box(&y)))).0)
 }
 
-/// Two columns of integers on powers of ten to the exact polygon, its vertices as fractions.
+/// Two columns of integers on powers of ten to the exact polygon, its vertices as fractions, as the program goes: the
+/// readings that touch a hull, and their FPS.
 fn polygon(problem: &Problem, epsilon: &Rational, runs: usize) -> Result<Map<String, Value>, String> {
     let rows = problem.measurements.kept();
-    let (x, x_unit) = on_grid(rows.iter().map(|row| &row.regressor[0]))?;
-    let (y, y_unit) = on_grid(rows.iter().map(|row| &row.response))?;
-    let line = GridLine { x_unit, y_unit, epsilon: epsilon.clone() };
-    let (mut times, region) = timed(runs, || {
+    let (x, _) = on_grid(rows.iter().map(|row| &row.regressor[0]))?;
+    let (y, _) = on_grid(rows.iter().map(|row| &row.response))?;
+    let (mut times, (fps, _)) = timed(runs, || {
         let touching = touching_of_columns(black_box(&x), black_box(&y), 0);
-        let region = line_region(&touching, &line)?;
-        let fractions: Vec<_> = region.vertices().iter().map(|vertex| vertex.point().coordinates()).collect();
-        Some((region, fractions))
+        let mut kept: Vec<usize> = touching.iter().map(|point| point.id as usize).collect();
+        kept.sort_unstable();
+        let kept = line(kept.into_iter().map(|row| rows[row].clone()).collect(), epsilon);
+        let fps = Fps::new(&kept, &[]);
+        let vertices = fps.polyhedron().region().vertices().iter();
+        let fractions: Vec<_> = vertices.map(|vertex| vertex.point().coordinates()).collect();
+        (fps, fractions)
     });
-    let (region, _) = region.ok_or("the region is not a polygon")?;
-    let general = Fps::new(&problem.measurements, &[]);
-    let points = |region: &Region| -> Vec<Point> {
-        region.vertices().iter().map(|vertex| vertex.point().clone()).collect()
+    let every = Fps::of_every_half_plane(&problem.measurements, &[]);
+    let points = |fps: &Fps| -> Vec<Point> {
+        fps.polyhedron().region().vertices().iter().map(|vertex| vertex.point().clone()).collect()
     };
-    if points(&region) != points(general.polyhedron().region()) {
+    if points(&fps) != points(&every) {
         return Err("the fast and the general way differ".to_owned());
     }
-    times.insert("vertices".to_owned(), json!(region.vertices().len()));
+    times.insert("vertices".to_owned(), json!(points(&fps).len()));
     Ok(times)
+}
+
+fn line(rows: Vec<Measurement>, epsilon: &Rational) -> Measurements {
+    let model = Model::Line { x: "x".to_owned() };
+    Measurements::new(model, "y".to_owned(), ErrorBound::Uniform(epsilon.clone()), rows)
 }
 
 /// Everything that is known about the readings, with all proofs.
@@ -127,7 +135,7 @@ fn reference(problem: &Problem) -> Map<String, Value> {
         rows.iter().map(|row| Point::new(&row.regressor[0], &row.response)).collect();
     points.sort_by(lexicographic);
     points.dedup();
-    let corners = Hulls::of_sorted(&points, |point| point).corners().len();
+    let corners = Hulls::of_sorted(&points).corners().len();
     let fit = fit(problem);
     let pui = exact_ends(&fit);
     let theta = fit.least_squares.ok().map(|estimate| estimate.theta.map(|theta| theta.to_f64()));
@@ -257,9 +265,7 @@ fn sensors(file: &str, epsilon: &Rational) -> Result<Vec<Problem>, String> {
         .collect();
     let group = |rows: &[(&String, Measurement)]| {
         let rows = rows.iter().map(|(_, row)| row.clone()).collect();
-        let bound = ErrorBound::Uniform(epsilon.clone());
-        let measurements = Measurements::new(Model::Line { x: "x".to_owned() }, "y".to_owned(), bound, rows);
-        Problem { measurements, conditions: Vec::new() }
+        Problem { measurements: line(rows, epsilon), conditions: Vec::new() }
     };
     Ok(rows.chunk_by(|left, right| left.0 == right.0).map(group).collect())
 }

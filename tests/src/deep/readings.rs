@@ -18,6 +18,7 @@ use super::placement::Placement;
 use super::simplex::{is_feasible, same_maximum};
 use super::{Case, same};
 use crate::columns::Shape;
+use crate::definitions::least_bound;
 use crate::oracle::{Row, solve};
 use crate::readings::{line, problem, with_error_bound, with_rows};
 use crate::shape::shape;
@@ -89,7 +90,6 @@ pub struct ReadingsCase {
 
 impl Case for ReadingsCase {
     fn check(&self) -> Result<&'static str, String> {
-        let Problem { measurements, conditions } = &self.problem;
         let fit = fit(&self.problem);
         fit.verify(&self.problem).map_err(|error| format!("the fit's own proofs: {error:?}"))?;
         self.same_without_machine_integers(&fit)?;
@@ -99,9 +99,8 @@ impl Case for ReadingsCase {
             let answer = Placement::identity().answer(region.region());
             same("the FPS and brute force", &answer, &Some(solve(&rows)))?;
         }
-        let in_general = Minimax::in_general(measurements, conditions);
         let least = |minimax: &Option<Minimax>| minimax.clone().map(|m| (m.least, m.theta, m.unique));
-        same("ε_min by hulls and by cuts", &least(&fit.minimax), &least(&in_general))?;
+        same("ε_min by hulls and by cuts", &least(&fit.minimax), &least_bound(&self.problem))?;
         self.least_bound_is_least(fit.minimax.as_ref())?;
         Ok(kind)
     }

@@ -7,6 +7,7 @@ use boundfit_estimation::{
 };
 use boundfit_exact::{Endpoint, Rational};
 use boundfit_geometry::RegionKind;
+use boundfit_tests::definitions::section;
 use boundfit_tests::generate::seeded;
 use boundfit_tests::readings::{noisy_line, problem, rebuilt};
 use rand::RngExt;
@@ -20,7 +21,7 @@ fn fresh(problem: &Problem, s: &Rational) -> Section {
         per_row @ ErrorBound::PerRow(_) => per_row.clone(),
     };
     let problem = rebuilt(problem, rows, error_bound);
-    Section::of_fps(&Fps::new(&problem.measurements, &problem.conditions))
+    section(&Fps::of_every_half_plane(&problem.measurements, &problem.conditions))
 }
 
 /// What a piece says without its ends: two neighbours that agree in this should have been one.
@@ -179,7 +180,7 @@ fn a_part_of_the_range_says_the_same() {
         let one = Rational::one();
         let single = Family::new(&problem, one.clone(), one.clone());
         assert_eq!((single.pieces().len(), single.breakpoints().len()), (0, 1));
-        assert_eq!(single.at(&one), Some(Section::of_fps(&fit(&problem).fps)));
+        assert_eq!(single.at(&one), Some(section(&fit(&problem).fps)));
         assert_eq!(single.at(&Rational::zero()), None);
         assert_eq!(single.at(&Rational::from(2)), None);
     }

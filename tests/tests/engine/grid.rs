@@ -1,12 +1,11 @@
-//! Touching points and line regions on the integer grid: against the definition and against the general algorithms.
+//! Touching points on the integer grid: against the definition and against the general algorithms.
 
 use boundfit_exact::{Integer, Rational, Sign};
 use boundfit_geometry::grid::{
-    Division, GridLine, GridPoint, Plan, Sieve, candidates_of_columns, line_region, touching,
-    touching_doubles, touching_doubles_by, touching_of_columns, touching_of_columns_by,
+    GridPoint, Sieve, candidates_of_columns, touching, touching_doubles, touching_of_columns,
 };
 use boundfit_geometry::predicates::{lexicographic, orientation};
-use boundfit_geometry::{Hulls, Inequality, Point, RegionKind, System, envelope};
+use boundfit_geometry::{Hulls, Point};
 use boundfit_tests::columns::{Columns, Shape, points};
 use boundfit_tests::generate::{seeded, shuffled};
 use rand::RngExt;
@@ -39,7 +38,7 @@ fn touching_by_definition(points: &[GridPoint]) -> Vec<GridPoint> {
 fn touching_by_rationals(points: &[Point]) -> Vec<usize> {
     let mut sorted = points.to_vec();
     sorted.sort_by(lexicographic);
-    let Hulls { lower, upper } = Hulls::of_sorted(&sorted, |point| point);
+    let Hulls { lower, upper } = Hulls::of_sorted(&sorted);
     let is_on = |hull: &[usize], r: &Point| {
         let corner = |place: usize| &sorted[hull[place]];
         (0..hull.len()).any(|place| corner(place) == r)
@@ -51,17 +50,6 @@ fn touching_by_rationals(points: &[Point]) -> Vec<usize> {
             })
     };
     (0..points.len()).filter(|&k| is_on(&lower, &points[k]) || is_on(&upper, &points[k])).collect()
-}
-
-/// Plans that force every path: no filter, tiny samples, a sample of everything, both divisions.
-fn plans(count: usize) -> Vec<Plan> {
-    let mut plans = vec![Plan { sample: 1, division: None, exact: usize::MAX }];
-    for sample in [1, 2, 3, 7, count / 2, count] {
-        for division in [None, Some(Division::Equal), Some(Division::Corners)] {
-            plans.push(Plan { sample, division, exact: 0 });
-        }
-    }
-    plans
 }
 
 /// Generated sets of every shape.
@@ -124,14 +112,10 @@ fn parts_reduced_first_reduce_to_the_same() {
 }
 
 #[test]
-fn columns_have_the_same_touching_points_by_every_plan() {
+fn columns_have_the_touching_points_of_their_points() {
     for (shape, columns, _) in cases(4, 60, 400) {
         let (x, y) = &columns;
-        let expected = touching(points(&columns));
-        assert_eq!(touching_of_columns(x, y, 0), expected, "{shape:?}");
-        for plan in plans(x.len()) {
-            assert_eq!(touching_of_columns_by(x, y, 0, &plan), expected, "{shape:?} {plan:?} {columns:?}");
-        }
+        assert_eq!(touching_of_columns(x, y, 0), touching(points(&columns)), "{shape:?}");
     }
 }
 
@@ -285,9 +269,6 @@ fn doubles_have_the_touching_points_of_their_exact_values() {
         let points: Vec<Point> = x.iter().zip(&y).map(|(&x, &y)| Point::new(&exact(x), &exact(y))).collect();
         let expected = touching_by_rationals(&points);
         assert_eq!(touching_doubles(&x, &y), expected, "{x:?} {y:?}");
-        for plan in plans(count) {
-            assert_eq!(touching_doubles_by(&x, &y, &plan), expected, "{plan:?} {x:?} {y:?}");
-        }
     }
 }
 
@@ -316,101 +297,4 @@ fn rows_without_a_place_are_kept_and_change_nothing() {
     }
     let expected: Vec<usize> = without.into_iter().chain(2_000..2_004).collect();
     assert_eq!(touching_doubles(&x, &y), expected);
-}
-
-/// The half-planes of points in the order of their ids, the upper bound of each before its lower bound.
-fn system(points: &[GridPoint], line: &GridLine) -> System {
-    let mut by_id = points.to_vec();
-    by_id.sort_by_key(|point| point.id);
-    let bounds = |point: &GridPoint| {
-        let (x, y) = (Rational::from(point.x) * &line.x_unit, Rational::from(point.y) * &line.y_unit);
-        let (high, low) = (&y + &line.epsilon, &line.epsilon - &y);
-        [Inequality::new(x.clone(), Rational::one(), high), Inequality::new(-x, -Rational::one(), low)]
-    };
-    by_id.iter().flat_map(bounds).collect()
-}
-
-/// Checks one region and says whether it is a polygon.
-fn check_region(points: &[GridPoint], line: &GridLine) -> bool {
-    let expected = envelope::intersect(&system(points, line));
-    let is_polygon = expected.kind() == RegionKind::Polygon;
-    assert_eq!(line_region(points, line), is_polygon.then_some(expected), "{points:?} {line:?}");
-    is_polygon
-}
-
-#[test]
-fn regions_of_grid_points_are_those_of_their_half_planes() {
-    let mut polygons = 0;
-    let mut others = 0;
-    for (_, columns, mut rng) in cases(8, 700, 16) {
-        let mut points = points(&columns);
-        // Ids in any order, with gaps.
-        for (point, id) in points.iter_mut().zip(shuffled(&mut rng, columns.0.len())) {
-            point.id = 3 * id as u64 + 5;
-        }
-        let all = {
-            let mut sorted = points.clone();
-            sorted.sort_unstable();
-            sorted
-        };
-        let touching = touching(points);
-        let unit = |rng: &mut ChaCha8Rng| {
-            [Rational::one(), Rational::ratio(1, 1_000), Rational::from(100), Rational::ratio(3, 7)]
-                [rng.random_range(0..4)]
-            .clone()
-        };
-        let (x_unit, y_unit) = (unit(&mut rng), unit(&mut rng));
-        // ε in steps of y of all sizes; halves of small whole numbers are often the least possible.
-        let size = 1_i64 << rng.random_range(0..63);
-        let steps = match rng.random_range(0..3) {
-            0 => Rational::ratio(rng.random_range(0..20), 2),
-            1 => Rational::ratio(rng.random_range(0..size), 2),
-            _ => Rational::from(u64::MAX) * Rational::ratio(rng.random_range(1..100), 97),
-        };
-        let epsilon = steps * &y_unit;
-        let line = GridLine { x_unit, y_unit, epsilon };
-        let is_polygon = check_region(&touching, &line);
-        // Points between the hulls do no harm.
-        assert_eq!(check_region(&all, &line), is_polygon);
-        *(if is_polygon { &mut polygons } else { &mut others }) += 1;
-    }
-    assert!(polygons > 2_000 && others > 1_000, "{polygons} {others}");
-}
-
-#[test]
-fn larger_regions_of_grid_points_are_those_of_their_half_planes() {
-    let mut rng = seeded(9);
-    let unit = Rational::ratio(1, 10_000);
-    for count in [50, 300, 1_000] {
-        for shape in [Shape::Parabola, Shape::NoisyLine, Shape::LastBits] {
-            let points = touching(points(&shape.columns(&mut rng, count)));
-            for epsilon in
-                [Rational::ratio(1, 20), Rational::from(700_000), Rational::from(1_000_000_000_000_i64)]
-            {
-                check_region(&points, &GridLine { x_unit: unit.clone(), y_unit: unit.clone(), epsilon });
-            }
-        }
-    }
-}
-
-#[test]
-fn what_is_no_polygon_is_left_to_the_general_way() {
-    let line =
-        |epsilon: i64| GridLine { x_unit: Rational::one(), y_unit: Rational::one(), epsilon: epsilon.into() };
-    let region = |columns: &Columns, epsilon: i64| line_region(&touching(points(columns)), &line(epsilon));
-    assert_eq!(region(&(vec![], vec![]), 1), None);
-    // A strip, a point, nothing.
-    assert_eq!(region(&(vec![4, 4], vec![0, 1]), 1), None);
-    assert_eq!(region(&(vec![0, 1, 2], vec![0, 2, 0]), 1), None);
-    assert_eq!(region(&(vec![0, 1, 2], vec![0, 3, 0]), 1), None);
-    // A segment: two parallel edges at the distance 2·ε.
-    assert_eq!(region(&(vec![0, 3, 1, 2], vec![0, 0, 2, 2]), 1), None);
-    assert!(region(&(vec![0, 1, 2], vec![0, 1, 0]), 1).is_some());
-    assert_eq!(region(&(vec![0, 1, 2], vec![0, 1, 0]), -1), None);
-    let upside_down = GridLine { y_unit: -Rational::one(), ..line(1) };
-    assert_eq!(line_region(&touching(points(&(vec![0, 1], vec![0, 0]))), &upside_down), None);
-    let mut unsorted = touching(points(&(vec![0, 1, 2], vec![0, 1, 0])));
-    assert!(line_region(&unsorted, &line(1)).is_some());
-    unsorted.swap(0, 1);
-    assert_eq!(line_region(&unsorted, &line(1)), None);
 }

@@ -2,11 +2,13 @@
 //! that can be active or from all, by vertices or by projective images.
 
 use boundfit_estimation::{
-    BoundName, Condition, ErrorBound, Fit, Fps, Inverse, LeastSquares, Measurement, Measurements, Minimax,
-    Model, ParameterBound, ParameterInterval, Problem, fit, fit_bounds, fit_bounds_in_general,
+    BoundName, Condition, ErrorBound, Fit, Fps, Inverse, InverseParameter, LeastSquares, Measurement,
+    Measurements, Minimax, Model, ParameterBound, ParameterInterval, Problem, fit, fit_bounds,
+    fit_bounds_in_general,
 };
-use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_exact::{Interval, Limits, Rational, Reading};
 use boundfit_geometry::{Direction, HalfPlane, Multiplier, Point, RegionKind};
+use boundfit_tests::definitions::{box_of, inverse_ranges, least_bound};
 use boundfit_tests::generate::seeded;
 use boundfit_tests::readings::{line, parse_condition, problem, with_error_bound};
 use rand::RngExt;
@@ -92,17 +94,25 @@ fn same_on_all_paths(problem: &Problem, case: &str) -> Fit {
 
     let least =
         |minimax: &Option<Minimax>| minimax.as_ref().map(|m| (m.least.clone(), m.theta.clone(), m.unique));
-    assert_eq!(least(&fit.minimax), least(&Minimax::in_general(measurements, conditions)), "{case}");
+    assert_eq!(least(&fit.minimax), least_bound(problem), "{case}");
     if let Some(inverse) = &fit.inverse {
-        let estimate = fit.least_squares.as_ref().ok();
-        let by_images = Inverse::in_general(
-            every.fps.polyhedron(),
-            fit.pui_intervals().as_ref(),
-            estimate.and_then(|estimate| estimate.eui.as_ref().ok()),
-            fit.central.as_ref().map(|central| &central.theta),
-            estimate.map(|estimate| &estimate.theta),
-        );
-        assert_eq!(inverse, &by_images, "{case}");
+        let Inverse { gain, offset } = inverse;
+        let ranges = |of: fn(&InverseParameter) -> &Vec<Interval>| [of(gain).clone(), of(offset).clone()];
+        let by_images = |intervals: &[Interval; 2]| inverse_ranges(&box_of(intervals));
+        assert_eq!(ranges(|of| &of.exact_range), inverse_ranges(every.fps.polyhedron()), "{case}");
+        let of_pui = fit.pui_intervals().map(|pui| by_images(&pui));
+        assert_eq!(ranges(|of| &of.box_range), of_pui.unwrap_or_default(), "{case}");
+        let of_eui =
+            gain.eui_range.clone().zip(offset.eui_range.clone()).map(|(gain, offset)| [gain, offset]);
+        assert_eq!(of_eui, fit.eui().map(by_images), "{case}");
+        let at = |theta: &[Rational; 2]| {
+            let gain = Rational::one().checked_div(&theta[0])?;
+            Some((gain.clone(), -(&theta[1] * gain)))
+        };
+        let central = fit.central.as_ref().and_then(|central| at(&central.theta));
+        assert_eq!(gain.central.clone().zip(offset.central.clone()), central, "{case}");
+        let estimate = fit.least_squares.as_ref().ok().and_then(|estimate| at(&estimate.theta));
+        assert_eq!(gain.least_squares.clone().zip(offset.least_squares.clone()), estimate, "{case}");
     }
     assert_eq!(fit.verify(problem), Ok(()), "{case}");
     fit

@@ -3,7 +3,7 @@
 use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::{Boundary, Direction, Polyhedron, RegionKind, Vertex};
 
-use crate::fps::{BoundName, Fps};
+use crate::fps::BoundName;
 
 /// A set FPS(s·ε) at one s, all exact.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -45,15 +45,6 @@ pub struct SectionBoundary {
 }
 
 impl Section {
-    /// The set of a fit, for comparison with a family.
-    pub fn of_fps(fps: &Fps) -> Self {
-        Section::of(fps.polyhedron(), |indices| {
-            let mut names: Vec<BoundName> = indices.iter().map(|&index| fps.name(index)).collect();
-            names.sort_unstable();
-            names
-        })
-    }
-
     pub(super) fn of(polyhedron: &Polyhedron, named: impl Fn(&[usize]) -> Vec<BoundName>) -> Self {
         let region = polyhedron.region();
         let vertex = |vertex: &Vertex| SectionVertex {

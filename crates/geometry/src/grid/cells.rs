@@ -1,6 +1,6 @@
 //! Division of the x-axis into cells.
 
-use super::filter::Coordinate;
+use super::coordinate::Coordinate;
 
 /// A line `slope·offset + intercept`.
 #[derive(Debug, Clone, Copy)]

@@ -1,6 +1,6 @@
 //! Touching points of integer columns.
 
-use super::filter::{Plan, candidates};
+use super::filter::candidates;
 use super::{GridPoint, touching};
 
 /// The [`touching`] points of two columns of equal length, with ids `first_id`, `first_id + 1`, …
@@ -11,22 +11,12 @@ use super::{GridPoint, touching};
 /// # Panics
 /// When an id does not fit into 64 bits.
 pub fn touching_of_columns(x: &[i64], y: &[i64], first_id: u64) -> Vec<GridPoint> {
-    touching(points(x, y, first_id, None))
-}
-
-/// The same with a given plan for the filter, to test that it does not matter.
-#[doc(hidden)]
-pub fn touching_of_columns_by(x: &[i64], y: &[i64], first_id: u64, plan: &Plan) -> Vec<GridPoint> {
-    touching(points(x, y, first_id, Some(plan)))
+    let point = |row: usize| GridPoint { x: x[row], y: y[row], id: first_id + row as u64 };
+    touching(candidates(x, y).into_iter().map(point).collect())
 }
 
 /// Positions, ascending, of the rows of two columns of equal length that may [touch](super::touching) a hull: every one that
 /// does is among them, and of data with some width few others. Exact in this sense. Cost: linear.
 pub fn candidates_of_columns(x: &[i128], y: &[i128]) -> Vec<usize> {
-    candidates(x, y, None)
-}
-
-fn points(x: &[i64], y: &[i64], first_id: u64, plan: Option<&Plan>) -> Vec<GridPoint> {
-    let point = |row: usize| GridPoint { x: x[row], y: y[row], id: first_id + row as u64 };
-    candidates(x, y, plan).into_iter().map(point).collect()
+    candidates(x, y)
 }

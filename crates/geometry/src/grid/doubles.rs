@@ -2,11 +2,11 @@
 
 use std::cmp::Ordering;
 
-use boundfit_exact::Integer;
+use boundfit_exact::{Integer, Sign, significand_and_exponent};
 
-use super::chain::{Repeatable, Site, marked};
-use super::filter::{Plan, candidates};
-use super::{GridPoint, narrow_orientation};
+use super::filter::candidates;
+use super::{GridPoint, doubled_area};
+use crate::hull::{Hull, HullSide, Site};
 
 /// Positions, ascending, of the points of two columns of equal length that [touch](super::touching) a hull.
 ///
@@ -14,26 +14,22 @@ use super::{GridPoint, narrow_orientation};
 /// have no place in the plane; they are among the positions and change nothing else. Cost: linear when few rows are close
 /// to the hulls, O(n log n) at worst.
 pub fn touching_doubles(x: &[f64], y: &[f64]) -> Vec<usize> {
-    touching_rows(x, y, None)
+    touching_of_rows(x, y, candidates(x, y))
 }
 
-/// The same with a given plan for the filter, to test that it does not matter.
-#[doc(hidden)]
-pub fn touching_doubles_by(x: &[f64], y: &[f64], plan: &Plan) -> Vec<usize> {
-    touching_rows(x, y, Some(plan))
-}
-
-fn touching_rows(x: &[f64], y: &[f64], plan: Option<&Plan>) -> Vec<usize> {
+/// The touching ones of some rows that every touching one is among.
+pub(super) fn touching_of_rows(x: &[f64], y: &[f64], rows: Vec<usize>) -> Vec<usize> {
     let place = |row: usize| Place { x: x[row], y: y[row], row };
-    let (mut places, homeless): (Vec<Place>, Vec<Place>) = candidates(x, y, plan)
-        .into_iter()
-        .map(place)
-        .partition(|place| place.x.is_finite() && place.y.is_finite());
+    let (mut places, homeless): (Vec<Place>, Vec<Place>) =
+        rows.into_iter().map(place).partition(|place| place.x.is_finite() && place.y.is_finite());
     places.sort_unstable_by(|p, q| order(p.x, q.x).then_with(|| order(p.y, q.y)));
-    let marks = marked(&places, orientation);
-    let touching = places.iter().zip(marks).filter(|(_, touches)| *touches).map(|(place, _)| place.row);
-    let mut rows: Vec<usize> = touching.chain(homeless.iter().map(|place| place.row)).collect();
+    let mut rows: Vec<usize> = homeless.iter().map(|place| place.row).collect();
+    for side in [HullSide::Lower, HullSide::Upper] {
+        let hull = Hull::new(side, &places, orientation);
+        rows.extend(hull.support(&places).map(|position| places[position].row));
+    }
     rows.sort_unstable();
+    rows.dedup();
     rows
 }
 
@@ -49,9 +45,7 @@ impl Site for Place {
     fn is_above_or_below(&self, other: &Self) -> bool {
         self.x == other.x
     }
-}
 
-impl Repeatable for Place {
     fn coincides(&self, other: &Self) -> bool {
         self.x == other.x && self.y == other.y
     }
@@ -62,8 +56,8 @@ fn order(left: f64, right: f64) -> Ordering {
     left.partial_cmp(&right).unwrap_or(Ordering::Equal)
 }
 
-/// `Greater` when the way from `p` over `q` to `r` turns left. Exact.
-fn orientation(p: &Place, q: &Place, r: &Place) -> Ordering {
+/// On which side of the line through `p` and `q`, in that order, `r` lies: `Positive` is to the left. Exact.
+fn orientation(p: &Place, q: &Place, r: &Place) -> Sign {
     /// 2⁻¹⁰⁷⁰: more than all underflow.
     const UNDERFLOW: f64 = f64::from_bits(1 << 4);
     let (left, right) = ((q.x - p.x) * (r.y - p.y), (q.y - p.y) * (r.x - p.x));
@@ -71,15 +65,15 @@ fn orientation(p: &Place, q: &Place, r: &Place) -> Ordering {
     // shows (3 + 2⁻⁴⁹)·2⁻⁵³. An overflow makes the comparison false.
     let error = 2.0 * f64::EPSILON * (left.abs() + right.abs()) + UNDERFLOW;
     if (left - right).abs() > error {
-        return order(left, right);
+        return order(left, right).into();
     }
     let (x, y) = ([p.x, q.x, r.x].map(Binary::of), [p.y, q.y, r.y].map(Binary::of));
     if let (Some([px, qx, rx]), Some([py, qy, ry])) = (narrow(&x), narrow(&y)) {
         let point = |x: i64, y: i64| GridPoint { x, y, id: 0 };
-        return narrow_orientation(&point(px, py), &point(qx, qy), &point(rx, ry));
+        return doubled_area(&point(px, py), &point(qx, qy), &point(rx, ry)).cmp(&0).into();
     }
     let ([px, qx, rx], [py, qy, ry]) = (aligned(&x), aligned(&y));
-    ((qx - &px) * (ry - &py)).cmp(&((qy - &py) * (rx - &px)))
+    ((qx - &px) * (ry - &py)).cmp(&((qy - &py) * (rx - &px))).into()
 }
 
 /// A finite binary64 as `significand · 2^exponent`, the significand odd or 0.
@@ -91,19 +85,13 @@ struct Binary {
 
 impl Binary {
     fn of(value: f64) -> Self {
-        let bits = value.to_bits();
-        let fraction = (bits & ((1 << 52) - 1)) as i64;
-        let biased = ((bits >> 52) & 0x7ff) as i32;
-        let (magnitude, exponent) =
-            if biased == 0 { (fraction, -1074) } else { (fraction | (1 << 52), biased - 1075) };
-        if magnitude == 0 {
+        let (significand, exponent) = significand_and_exponent(value);
+        if significand == 0 {
             // Whatever it is multiplied by.
             return Binary { significand: 0, exponent: i32::MAX };
         }
-        let zeros = magnitude.trailing_zeros();
-        let odd = magnitude >> zeros;
-        let significand = if value.is_sign_negative() { -odd } else { odd };
-        Binary { significand, exponent: exponent + zeros as i32 }
+        let zeros = significand.trailing_zeros();
+        Binary { significand: significand >> zeros, exponent: exponent + zeros as i32 }
     }
 }
 

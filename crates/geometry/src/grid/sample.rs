@@ -13,9 +13,11 @@
 
 use std::cmp::Ordering;
 
+use boundfit_exact::Sign;
+
 use super::cells::{Between, Cell, Chord, Equal, Index, MOST_CELLS};
-use super::chain::{Hull, Site};
-use super::filter::Coordinate;
+use super::coordinate::Coordinate;
+use crate::hull::{Hull, HullSide, Site};
 
 /// A row of the sample.
 #[derive(Debug, Clone, Copy)]
@@ -30,6 +32,10 @@ pub(super) struct Sampled<C> {
 impl<C: Coordinate> Site for Sampled<C> {
     fn is_above_or_below(&self, other: &Self) -> bool {
         self.x == other.x
+    }
+
+    fn coincides(&self, other: &Self) -> bool {
+        self.x == other.x && self.y == other.y
     }
 }
 
@@ -70,11 +76,12 @@ impl<C: Coordinate> Sample<C> {
             let by_x = p.x.partial_cmp(&q.x).unwrap_or(Ordering::Equal);
             by_x.then_with(|| p.y.total_cmp(&q.y))
         });
-        let hull = |hull: Hull| -> Vec<Sampled<C>> {
-            hull.chain(&points, rough_orientation).into_iter().map(|position| points[position]).collect()
+        let hull = |side: HullSide| -> Vec<Sampled<C>> {
+            let hull = Hull::new(side, &points, rough_orientation);
+            hull.support(&points).map(|position| points[position]).collect()
         };
-        let lower = hull(Hull::Lower);
-        let mut upper = hull(Hull::Upper);
+        let lower = hull(HullSide::Lower);
+        let mut upper = hull(HullSide::Upper);
         upper.reverse();
         upper.iter_mut().for_each(|point| point.y = -point.y);
         let height = points.iter().map(|point| point.y.abs()).fold(0.0, f64::max);
@@ -150,7 +157,7 @@ impl<C: Coordinate> Sample<C> {
 }
 
 /// Rounded, for hulls that need not be convex: any points of the sample have a chord.
-fn rough_orientation<C>(p: &Sampled<C>, q: &Sampled<C>, r: &Sampled<C>) -> Ordering {
+fn rough_orientation<C>(p: &Sampled<C>, q: &Sampled<C>, r: &Sampled<C>) -> Sign {
     let turn = (q.offset - p.offset) * (r.y - p.y) - (q.y - p.y) * (r.offset - p.offset);
-    turn.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
+    turn.partial_cmp(&0.0).unwrap_or(Ordering::Equal).into()
 }

@@ -1,0 +1,77 @@
+//! Points with integer coordinates, and what is decided about them.
+
+use std::cmp::Ordering;
+
+use boundfit_exact::Sign;
+
+use crate::hull::{Hull, HullSide, Site};
+
+/// A point with integer coordinates that stands for a reading.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct GridPoint {
+    /// Abscissa, in some unit.
+    pub x: i64,
+    /// Ordinate, in some unit.
+    pub y: i64,
+    /// Which reading it is.
+    pub id: u64,
+}
+
+/// Below this in absolute value, differences of coordinates fit into 64 bits and orientations into 128.
+const NARROW: u64 = 1 << 62;
+
+impl Site for GridPoint {
+    fn is_above_or_below(&self, other: &Self) -> bool {
+        self.x == other.x
+    }
+
+    fn coincides(&self, other: &Self) -> bool {
+        self.x == other.x && self.y == other.y
+    }
+}
+
+/// A hull of points with any coordinates, sorted by x, then y. Exact. Cost: linear.
+pub(super) fn hull(side: HullSide, sorted: &[GridPoint]) -> Hull {
+    let is_narrow = |point: &GridPoint| point.x.unsigned_abs() < NARROW && point.y.unsigned_abs() < NARROW;
+    if sorted.iter().all(is_narrow) {
+        Hull::new(side, sorted, |p, q, r| doubled_area(p, q, r).cmp(&0).into())
+    } else {
+        Hull::new(side, sorted, wide_orientation)
+    }
+}
+
+/// Twice the signed area of a triangle, positive when it goes around counter-clockwise. Exact for coordinates below 2⁶² in
+/// absolute value; beyond, it means nothing.
+pub fn doubled_area(p: &GridPoint, q: &GridPoint, r: &GridPoint) -> i128 {
+    // Differences of numbers within ±2⁶² do not wrap.
+    let difference = |to: i64, from: i64| i128::from(to.wrapping_sub(from));
+    // Nor do products of two of them, which are within ±2¹²⁶, nor the difference of these.
+    let product = |left: i128, right: i128| left.wrapping_mul(right);
+    product(difference(q.x, p.x), difference(r.y, p.y))
+        .wrapping_sub(product(difference(q.y, p.y), difference(r.x, p.x)))
+}
+
+/// On which side of the line through `p` and `q`, in that order, `r` lies, for any coordinates: `Positive` is to the left.
+fn wide_orientation(p: &GridPoint, q: &GridPoint, r: &GridPoint) -> Sign {
+    let order = compare_products(
+        [difference(q.x, p.x), difference(r.y, p.y)],
+        [difference(q.y, p.y), difference(r.x, p.x)],
+    );
+    order.into()
+}
+
+/// `to - from`, which is within ±(2⁶⁴ - 1).
+fn difference(to: i64, from: i64) -> i128 {
+    i128::from(to) - i128::from(from)
+}
+
+/// Compares two products of factors within ±(2⁶⁴ - 1). The absolute values of such products fit into 128 bits without
+/// a sign.
+fn compare_products(left: [i128; 2], right: [i128; 2]) -> Ordering {
+    let sign = |[a, b]: [i128; 2]| a.signum() * b.signum();
+    let size = |[a, b]: [i128; 2]| a.unsigned_abs() * b.unsigned_abs();
+    sign(left).cmp(&sign(right)).then_with(|| {
+        let order = size(left).cmp(&size(right));
+        if sign(left) < 0 { order.reverse() } else { order }
+    })
+}

@@ -1,0 +1,110 @@
+//! Parts of a fit by their definitions, where the engine has a shorter way to the same answer.
+
+use boundfit_estimation::{
+    BoundName, ErrorBound, Fps, GrowingInequality, LeastGrowth, Problem, Section, SectionBoundary,
+    SectionVertex, conditions_by_name, least_growth, strip,
+};
+use boundfit_exact::{Endpoint, Interval, Rational};
+use boundfit_geometry::{
+    Boundary, Branch, Inequality, Polyhedron, RegionKind, System, Vertex, envelope, inverse_line_image,
+};
+
+/// The least error bound, a minimiser and whether it is the only one, from all half-planes by cutting planes; `None` when no
+/// bound leaves anything.
+pub fn least_bound(problem: &Problem) -> Option<(Rational, [Rational; 2], bool)> {
+    let growing =
+        |growth: &Rational, at_zero: Inequality| GrowingInequality { at_zero, growth: growth.clone() };
+    let (zero, one) = (Rational::zero(), Rational::one());
+    let readings = problem.measurements.kept().iter().flat_map(|row| {
+        let growth = match problem.measurements.error_bound() {
+            ErrorBound::Uniform(_) => &one,
+            ErrorBound::PerRow(_) => &row.epsilon,
+        };
+        strip(row, &zero).map(|(_, at_zero)| growing(growth, at_zero))
+    });
+    let conditions =
+        conditions_by_name(&problem.conditions).map(|(_, inequality)| growing(&zero, inequality));
+    let all: Vec<GrowingInequality> = readings.chain(conditions).collect();
+    let LeastGrowth::From { t, .. } = least_growth(&all) else { return None };
+    let at_t = |GrowingInequality { at_zero: Inequality { a: [a1, a2], b }, growth }: &GrowingInequality| {
+        Inequality::new(a1.clone(), a2.clone(), b + growth * &t)
+    };
+    let region = envelope::intersect(&all.iter().map(at_t).collect());
+    let theta = region.witness()?.coordinates();
+    Some((t, theta, region.kind() == RegionKind::Point))
+}
+
+/// The ranges of gain and offset of the inverse line over a set, by its projective images.
+pub fn inverse_ranges(set: &Polyhedron) -> [Vec<Interval>; 2] {
+    let images = [Branch::Negative, Branch::Positive].map(|branch| inverse_line_image(set, branch));
+    let boxes: Vec<[Interval; 2]> = images.iter().flatten().filter_map(Polyhedron::bounding_box).collect();
+    [0, 1].map(|axis| {
+        let mut parts: Vec<Interval> = boxes.iter().map(|intervals| intervals[axis].clone()).collect();
+        // An end that is not there comes first.
+        parts.sort_by(|one, other| one.lower().value().cmp(&other.lower().value()));
+        let [one, other] = parts.as_slice() else { return parts };
+        match one.upper().value().zip(other.lower().value()) {
+            Some((upper, lower)) if upper < lower => parts,
+            _ => {
+                let upper = one.upper().value().zip(other.upper().value());
+                let upper = upper.map(|(one, other)| one.max(other).clone());
+                Interval::new(one.lower().clone(), Endpoint::from(upper)).into_iter().collect()
+            }
+        }
+    })
+}
+
+/// A box as a set.
+pub fn box_of(intervals: &[Interval; 2]) -> Polyhedron {
+    let zero = Rational::zero;
+    let mut system = System::default();
+    for (axis, interval) in intervals.iter().enumerate() {
+        let mut bound = |sign: i64, end: &Endpoint| {
+            let Some(value) = end.value() else { return };
+            let sign = Rational::from(sign);
+            let [a1, a2] = if axis == 0 { [sign.clone(), zero()] } else { [zero(), sign.clone()] };
+            system.push(Inequality::new(a1, a2, value * sign));
+        };
+        bound(1, interval.upper());
+        bound(-1, interval.lower());
+    }
+    Polyhedron::intersect(system)
+}
+
+/// Whether every number of one interval lies in another.
+pub fn contains(outer: &Interval, inner: &Interval) -> bool {
+    let within = |end: &Endpoint, outer_end: &Endpoint| match end {
+        Endpoint::Finite(value) => outer.contains(value),
+        Endpoint::Unbounded => outer_end.value().is_none(),
+    };
+    within(inner.lower(), outer.lower()) && within(inner.upper(), outer.upper())
+}
+
+/// A set as one of a family.
+pub fn section(fps: &Fps) -> Section {
+    let (polyhedron, region) = (fps.polyhedron(), fps.polyhedron().region());
+    let named = |indices: &[usize]| {
+        let mut names: Vec<BoundName> = indices.iter().map(|&index| fps.name(index)).collect();
+        names.sort_unstable();
+        names
+    };
+    let vertex = |vertex: &Vertex| SectionVertex {
+        theta: vertex.point().coordinates(),
+        active: named(vertex.active()),
+    };
+    let boundary = |boundary: &Boundary| {
+        let (half_plane, normal) = (boundary.half_plane(), boundary.half_plane().normal());
+        let divisor = half_plane.a1().gcd(half_plane.a2());
+        let offset = Rational::new(half_plane.b().clone(), divisor).expect("a normal that is not zero");
+        SectionBoundary { normal, offset, active: named(boundary.active()) }
+    };
+    Section {
+        kind: region.kind(),
+        vertices: region.vertices().iter().map(vertex).collect(),
+        rays: region.rays(),
+        lines: region.lines(),
+        boundaries: region.boundaries().iter().map(boundary).collect(),
+        pui: polyhedron.bounding_box(),
+        area: region.area().filter(|_| !region.is_empty()),
+    }
+}
