@@ -4,7 +4,7 @@ use std::fs;
 
 use boundfit_check::ProgramRows;
 use boundfit_estimation::{Columns, EpsilonColumn, ErrorBound, Measurement, Measurements, Model, Problem};
-use boundfit_exact::{Integer, Limits, Rational, Reading};
+use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Source, TableOptions};
 use boundfit_geometry::{Inequality, System};
 use boundfit_lp::Row;
@@ -41,8 +41,7 @@ pub fn whole_rows(rows: &[[i64; 3]]) -> Vec<Row> {
 
 /// 10 to a power.
 pub fn ten_to(exponent: i32) -> Rational {
-    let power = Rational::from(Integer::power_of_ten(exponent.unsigned_abs()));
-    if exponent < 0 { power.recip().unwrap_or_default() } else { power }
+    Rational::scientific(1, exponent)
 }
 
 /// A number between -10 and 10 over a denominator of up to 18 digits.

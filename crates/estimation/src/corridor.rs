@@ -12,14 +12,14 @@ use boundfit_geometry::{Hulls, Point, Polyhedron, Region, Support};
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Corridor {
     /// max θ1·x + θ2.
-    pub upper: Envelope,
+    pub upper: CorridorEdge,
     /// min θ1·x + θ2.
-    pub lower: Envelope,
+    pub lower: CorridorEdge,
 }
 
 /// One edge of a corridor: a piecewise linear function of x, exact.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Envelope {
+pub struct CorridorEdge {
     domain: Option<Interval>,
     lines: Vec<[Rational; 2]>,
     breakpoints: Vec<Rational>,
@@ -31,13 +31,13 @@ impl Corridor {
     pub fn new(polyhedron: &Polyhedron) -> Option<Self> {
         let region = polyhedron.region();
         (!region.is_empty()).then(|| Corridor {
-            upper: Envelope::new(polyhedron, Side::Upper),
-            lower: Envelope::new(polyhedron, Side::Lower),
+            upper: CorridorEdge::new(polyhedron, Side::Upper),
+            lower: CorridorEdge::new(polyhedron, Side::Lower),
         })
     }
 }
 
-impl Envelope {
+impl CorridorEdge {
     /// The x for which the edge is finite: all for a bounded set; `None` when there are none. Exact.
     pub fn domain(&self) -> Option<&Interval> {
         self.domain.as_ref()
@@ -66,15 +66,15 @@ impl Envelope {
     fn new(polyhedron: &Polyhedron, side: Side) -> Self {
         let region = polyhedron.region();
         if region.vertices().is_empty() {
-            Envelope::of_parallels(polyhedron, side)
+            CorridorEdge::of_parallels(polyhedron, side)
         } else {
-            Envelope::of_vertices(region, side)
+            CorridorEdge::of_vertices(region, side)
         }
     }
 
     /// The edge of a set with vertices: its upper or lower hull, as far as its rays let it be finite.
     fn of_vertices(region: &Region, side: Side) -> Self {
-        let Some(domain) = domain(region, side) else { return Envelope::nowhere() };
+        let Some(domain) = domain(region, side) else { return CorridorEdge::nowhere() };
         let mut points: Vec<Point> = region.vertices().iter().map(|vertex| vertex.point().clone()).collect();
         points.sort_by(lexicographic);
         let Hulls { mut lower, upper } = Hulls::of_sorted(&points);
@@ -97,7 +97,7 @@ impl Envelope {
             breakpoints.truncate(kept);
             lines.truncate(kept + 1);
         }
-        Envelope { domain: Some(domain), lines, breakpoints }
+        CorridorEdge { domain: Some(domain), lines, breakpoints }
     }
 
     /// The edge of a set with a line in it: finite at most where the form (x, 1) is constant along that line.
@@ -111,13 +111,17 @@ impl Envelope {
             };
             let Support::Bounded { proof, .. } = polyhedron.support(&form) else { return None };
             let domain = Interval::around(&x, &Rational::zero());
-            Some(Envelope { domain, lines: vec![proof.attained_at.coordinates()], breakpoints: Vec::new() })
+            Some(CorridorEdge {
+                domain,
+                lines: vec![proof.attained_at.coordinates()],
+                breakpoints: Vec::new(),
+            })
         };
-        finite().unwrap_or_else(Envelope::nowhere)
+        finite().unwrap_or_else(CorridorEdge::nowhere)
     }
 
     fn nowhere() -> Self {
-        Envelope { domain: None, lines: Vec::new(), breakpoints: Vec::new() }
+        CorridorEdge { domain: None, lines: Vec::new(), breakpoints: Vec::new() }
     }
 }
 

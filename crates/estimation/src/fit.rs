@@ -177,7 +177,9 @@ impl Fit {
         }
     }
 
-    fn contradiction_of_conditions(&self) -> Option<Vec<(BoundName, Rational)>> {
+    /// For conditions that contradict each other whatever the readings are, at most three of them with positive multipliers
+    /// whose sum is `0 ≤ negative`. Exact.
+    pub fn contradiction_of_conditions(&self) -> Option<Vec<(BoundName, Rational)>> {
         let named = self.fps.names().iter().zip(self.fps.polyhedron().system().inequalities());
         let (names, system): (Vec<BoundName>, Vec<Inequality>) = named
             .filter(|(name, _)| matches!(name, BoundName::Where(_)))

@@ -128,6 +128,18 @@ impl Fps {
     }
 }
 
+/// Where the upper and the lower bound of the reading at a position are among the half-planes of
+/// [`Fps::of_every_half_plane`]; the conditions come after those of all readings.
+pub fn bounds_of_reading(position: usize) -> [usize; 2] {
+    [2 * position, 2 * position + 1]
+}
+
+/// The position of the reading that a half-plane of [`Fps::of_every_half_plane`] is a bound of; beyond all readings for a
+/// condition.
+pub fn reading_of_bound(half_plane: usize) -> usize {
+    half_plane / 2
+}
+
 /// All half-planes of readings and conditions, with their names.
 pub(crate) fn every_half_plane(
     measurements: &Measurements,

@@ -52,7 +52,7 @@ mod summary;
 
 pub use bounds::{Central, ParameterBound, ParameterInterval};
 pub use condition::{Condition, ParseConditionError, ParseConditionErrorKind};
-pub use corridor::{Corridor, Envelope};
+pub use corridor::{Corridor, CorridorEdge};
 pub use family::{
     Breakpoint, Family, Linear, MovingBoundary, MovingVertex, Piece, Quadratic, Section, SectionBoundary,
     SectionVertex,
@@ -62,7 +62,7 @@ pub use fit::{Fit, FitBounds, fit, fit_bounds, fit_bounds_in_general};
 pub use fleet::{Fleet, fit_group, least_squares_is_feasible};
 #[cfg(feature = "float-least-squares")]
 pub use float_least_squares::{FloatEstimate, FloatLeastSquares};
-pub use fps::{BoundName, Fps, conditions_by_name, strip};
+pub use fps::{BoundName, Fps, bounds_of_reading, conditions_by_name, reading_of_bound, strip};
 pub use inverse::{Inverse, InverseParameter};
 pub use least_growth::{GrowingInequality, LeastGrowth, least_growth};
 pub use least_squares::{LeastSquares, SingularRegressors};

@@ -85,6 +85,16 @@ impl Minimax {
         }
     }
 
+    /// The least factor on the error bounds of the readings that leaves something; `None` when none does, which is so where
+    /// the bound is 0 and too small. Exact.
+    pub fn least_factor(&self, error_bound: &ErrorBound) -> Option<Rational> {
+        match error_bound {
+            ErrorBound::PerRow(_) => Some(self.least.clone()),
+            ErrorBound::Uniform(_) if self.least.is_zero() => Some(Rational::zero()),
+            ErrorBound::Uniform(epsilon) => self.least.checked_div(epsilon),
+        }
+    }
+
     fn from_hulls(rows: &[Measurement], widest: &Gap, corners: &[usize]) -> Self {
         let HullMinimum { epsilon, proof, theta } = widest.minimum(rows);
         let named = |(position, is_lower, multiplier): (usize, bool, Rational)| {

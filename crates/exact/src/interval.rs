@@ -146,7 +146,7 @@ mod tests {
     #[test]
     fn narrow_intervals_are_shown_to_one_digit_beyond_the_first_that_differs() {
         let digits = |lower: i64, exponent: u32| {
-            let unit = Rational::from(crate::Integer::power_of_ten(exponent)).recip().unwrap();
+            let unit = Rational::scientific(1, -i64::from(exponent));
             let start = Rational::from(lower);
             Interval::new(Endpoint::Finite(start.clone()), Endpoint::Finite(start + unit))
                 .unwrap()

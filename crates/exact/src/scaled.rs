@@ -1,6 +1,6 @@
 //! Decimals as integers on a common power of ten.
 
-use crate::{Integer, Rational};
+use crate::Rational;
 
 /// Integers on a common power of ten: number `i` is `mantissas[i] · 10^exponent`.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -31,21 +31,8 @@ impl Scaled {
         reason = "documented to panic; who asks counts the rows of the same batch"
     )]
     pub fn get(&self, index: usize) -> Rational {
-        decimal(self.mantissas[index], self.exponent)
+        Rational::scientific(self.mantissas[index], self.exponent)
     }
-}
-
-/// `mantissa · 10^exponent`. Exact. Cost: the size of the power.
-pub(crate) fn decimal(mantissa: i64, exponent: i32) -> Rational {
-    if (-18..=0).contains(&exponent) {
-        return Rational::of_decimal(mantissa, exponent.unsigned_abs());
-    }
-    let power = Integer::power_of_ten(exponent.unsigned_abs());
-    let mantissa = Integer::from(mantissa);
-    if exponent >= 0 {
-        return Rational::from(mantissa * power);
-    }
-    Rational::new(mantissa, power).unwrap_or_default()
 }
 
 /// The most digits of a text that [`plain_decimal`] reads, zeros included.
@@ -289,7 +276,7 @@ mod tests {
             if let (Some((mantissa, exponent)), Ok(number)) =
                 (expected, Reading::Decimal.read(text, &Limits::default()))
             {
-                assert_eq!(decimal(mantissa, exponent), number, "{text}");
+                assert_eq!(Rational::scientific(mantissa, exponent), number, "{text}");
             }
         }
     }

@@ -55,7 +55,7 @@ impl Axis {
         let width = upper - &lower;
         let (labels, scale) = grid.labels();
         let place = |multiple: &Integer| {
-            let value = Rational::from(multiple) * power_of_ten(grid.exponent);
+            let value = Rational::from(multiple) * Rational::scientific(1, grid.exponent);
             (value - &lower).checked_div(&width).unwrap_or_default().to_f64()
         };
         let ticks =
@@ -136,7 +136,7 @@ impl TickGrid {
     fn new(lower: &Rational, upper: &Rational, most: usize) -> Self {
         let least_step = (upper - lower).checked_div(&Rational::from(most.max(1))).unwrap_or_default();
         let (digit, exponent) = step_at_least(&least_step);
-        let unit = power_of_ten(exponent);
+        let unit = Rational::scientific(1, exponent);
         let step = Rational::from(digit) * &unit;
         let first = -floor(&-(lower.checked_div(&step).unwrap_or_default()));
         let last = floor(&upper.checked_div(&step).unwrap_or_default());
@@ -200,21 +200,20 @@ fn widened(lower: &Rational, upper: &Rational) -> (Rational, Rational) {
     if lower < upper {
         return (lower.clone(), upper.clone());
     }
-    let half = lower.decimal_exponent().map_or_else(Rational::one, power_of_ten).half();
+    let half = lower
+        .decimal_exponent()
+        .map_or_else(Rational::one, |exponent| Rational::scientific(1, exponent))
+        .half();
     (lower - &half, upper + &half)
 }
 
 /// The smallest 1, 2 or 5 times a power of ten that is not below a positive number, as digit and exponent.
 fn step_at_least(least: &Rational) -> (i64, i64) {
     let exponent = least.decimal_exponent().unwrap_or(0);
-    let digit = [1, 2, 5].into_iter().find(|&digit| Rational::from(digit) * power_of_ten(exponent) >= *least);
+    let digit = [1, 2, 5]
+        .into_iter()
+        .find(|&digit| Rational::from(digit) * Rational::scientific(1, exponent) >= *least);
     digit.map_or((1, exponent + 1), |digit| (digit, exponent))
-}
-
-/// 10 to an integer power.
-pub(crate) fn power_of_ten(exponent: i64) -> Rational {
-    let power = Rational::from(Integer::power_of_ten(exponent.unsigned_abs() as u32));
-    if exponent >= 0 { power } else { power.recip().unwrap_or_default() }
 }
 
 fn floor(value: &Rational) -> Integer {
@@ -307,7 +306,7 @@ mod tests {
     #[test]
     fn an_offset_comes_out_of_a_range_of_1e_12_beside_a_million() {
         let lower = Rational::from(1_000_000);
-        let width = power_of_ten(-12);
+        let width = Rational::scientific(1, -12);
         let narrow = axis(lower.clone(), &lower + &width, 5);
         assert_eq!(labels(&narrow), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
         assert_eq!(narrow.scale(), "×10⁻¹² + 1000000");
@@ -328,9 +327,9 @@ mod tests {
     #[test]
     fn offsets_are_written_in_full() {
         let lower = Rational::ratio(7_242_136_415_695, 10_000_000_000_000);
-        let narrow = axis(lower.clone(), lower + power_of_ten(-14), 5);
+        let narrow = axis(lower.clone(), lower + Rational::scientific(1, -14), 5);
         assert_eq!(narrow.scale(), "×10⁻¹⁴ + 0.7242136415695");
-        let large = power_of_ten(30);
+        let large = Rational::scientific(1, 30);
         assert_eq!(axis(large.clone(), large + Rational::one(), 1).scale(), "+1×10³⁰");
     }
 

@@ -1,6 +1,6 @@
 //! The band that all feasible lines cover.
 
-use boundfit_estimation::{Corridor, Envelope, Fit, Model, Problem};
+use boundfit_estimation::{Corridor, CorridorEdge, Fit, Model, Problem};
 use boundfit_exact::{Endpoint, Rational};
 use serde::Serialize;
 
@@ -8,13 +8,13 @@ use crate::points::Points;
 
 #[derive(Debug, Serialize)]
 pub(crate) struct CorridorJson {
-    upper: EnvelopeJson,
-    lower: EnvelopeJson,
+    upper: EdgeJson,
+    lower: EdgeJson,
 }
 
 /// One edge of the band: on the k-th interval of x it is the line with the parameters of the k-th point.
 #[derive(Debug, Serialize)]
-struct EnvelopeJson {
+struct EdgeJson {
     from: Option<String>,
     to: Option<String>,
     nowhere: bool,
@@ -28,17 +28,17 @@ pub(crate) fn corridor(problem: &Problem, fit: &Fit, points: &mut Points) -> Opt
         return None;
     }
     let Corridor { upper, lower } = Corridor::new(fit.fps.polyhedron())?;
-    Some(CorridorJson { upper: envelope(&upper, points), lower: envelope(&lower, points) })
+    Some(CorridorJson { upper: edge(&upper, points), lower: edge(&lower, points) })
 }
 
-fn envelope(envelope: &Envelope, points: &mut Points) -> EnvelopeJson {
+fn edge(edge: &CorridorEdge, points: &mut Points) -> EdgeJson {
     let end = |end: &Endpoint| end.value().map(Rational::to_string);
-    let domain = envelope.domain();
-    EnvelopeJson {
+    let domain = edge.domain();
+    EdgeJson {
         from: domain.and_then(|domain| end(domain.lower())),
         to: domain.and_then(|domain| end(domain.upper())),
         nowhere: domain.is_none(),
-        lines: envelope.lines().iter().map(|theta| points.index_of(theta)).collect(),
-        breakpoints: envelope.breakpoints().iter().map(Rational::to_string).collect(),
+        lines: edge.lines().iter().map(|theta| points.index_of(theta)).collect(),
+        breakpoints: edge.breakpoints().iter().map(Rational::to_string).collect(),
     }
 }

@@ -1,8 +1,8 @@
 //! The half-planes of readings and conditions.
 
-use boundfit_estimation::{BoundName, Condition, Fit, Problem};
+use boundfit_estimation::{BoundName, Fit, Problem};
 use boundfit_exact::Rational;
-use boundfit_geometry::{Inequality, Multiplier, Polyhedron};
+use boundfit_geometry::Inequality;
 use serde::Serialize;
 
 /// The name of a half-plane.
@@ -56,15 +56,8 @@ pub(crate) fn irredundant(problem: &Problem, fit: &Fit) -> Vec<usize> {
 }
 
 /// For an empty set, at most three half-planes with positive multipliers whose sum is `0 ≤ negative`: conditions alone
-/// where these contradict each other, whatever the readings are, else those that the fit reports.
+/// where these contradict each other, else those that the fit reports. The page moves the error bounds, and such conditions
+/// leave nothing wherever these stand.
 pub(crate) fn contradiction(problem: &Problem, fit: &Fit) -> Option<Vec<(BoundName, Rational)>> {
-    of_conditions(&problem.conditions).or_else(|| fit.contradiction(problem.measurements.error_bound()))
-}
-
-/// The same for conditions without any reading.
-pub(crate) fn of_conditions(conditions: &[Condition]) -> Option<Vec<(BoundName, Rational)>> {
-    let system = conditions.iter().map(|condition| condition.inequality().clone()).collect();
-    let certificate = Polyhedron::intersect(system).region().certificate()?.clone();
-    let named = |m: &Multiplier| (BoundName::Where(m.index + 1), m.value.clone());
-    Some(certificate.multipliers().iter().map(named).collect())
+    fit.contradiction_of_conditions().or_else(|| fit.contradiction(problem.measurements.error_bound()))
 }

@@ -1,6 +1,6 @@
 //! The set without each of the readings.
 
-use boundfit_estimation::{Fit, Fps, Measurements, Problem};
+use boundfit_estimation::{Fit, Fps, Measurements, Problem, bounds_of_reading};
 use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::Region;
 use boundfit_lp::End;
@@ -103,7 +103,7 @@ pub(crate) fn to_json(all: &[Without], digits: ParameterDigits, points: &mut Poi
         .map(|(position, without)| WithoutJson {
             row: without.row,
             matters: without.matters,
-            region: RegionJson::new(&without.region, points).skipping(2 * position, 2),
+            region: RegionJson::new(&without.region, points).skipping(bounds_of_reading(position)[0], 2),
             pui: without.pui.as_ref().map(|pui| [digits.range(0, &pui[0]), digits.range(1, &pui[1])]),
             moved: without.moved.iter().map(moved).collect(),
         })

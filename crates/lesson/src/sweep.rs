@@ -1,6 +1,6 @@
 //! The family of sets under a common factor on all error bounds.
 
-use boundfit_estimation::{ErrorBound, Family, Fit, Problem};
+use boundfit_estimation::{Family, Fit, Problem};
 use boundfit_exact::Rational;
 use boundfit_report::{Style, sweep_value};
 use serde_json::Value;
@@ -8,16 +8,8 @@ use serde_json::Value;
 /// The sets from factor 0 up to 2, or to twice the factor at which the set is born when that is more.
 pub(crate) fn sweep(problem: &Problem, fit: &Fit) -> Value {
     let two = Rational::from(2);
-    let least = least_factor(fit, problem.measurements.error_bound());
+    let error_bound = problem.measurements.error_bound();
+    let least = fit.minimax.as_ref().and_then(|minimax| minimax.least_factor(error_bound));
     let to = two.clone().max(least.unwrap_or_default() * &two);
     sweep_value(problem, &Family::new(problem, Rational::zero(), to), &Style::default())
-}
-
-/// The smallest factor on the error bounds that leaves a feasible parameter; `None` when none does.
-fn least_factor(fit: &Fit, error_bound: &ErrorBound) -> Option<Rational> {
-    let least = &fit.minimax.as_ref()?.least;
-    match error_bound {
-        ErrorBound::PerRow(_) => Some(least.clone()),
-        ErrorBound::Uniform(epsilon) => least.checked_div(epsilon),
-    }
 }

@@ -1,6 +1,6 @@
 //! The corridor of all feasible lines, against the support function and against its own vertices.
 
-use boundfit_estimation::{Corridor, Envelope, Fps, Model, fit};
+use boundfit_estimation::{Corridor, CorridorEdge, Fps, Model, fit};
 use boundfit_exact::{Endpoint, Rational};
 use boundfit_geometry::{Inequality, Polyhedron, Support, System};
 use boundfit_tests::generate::seeded;
@@ -16,24 +16,24 @@ fn extreme(polyhedron: &Polyhedron, x: &Rational, upper: bool) -> Option<Rationa
     }
 }
 
-fn check(envelope: &Envelope, polyhedron: &Polyhedron, upper: bool, others: &[Rational], case: usize) {
-    let lines = envelope.lines();
-    assert_eq!(lines.is_empty(), envelope.domain().is_none(), "case {case}");
-    assert!(lines.is_empty() || envelope.breakpoints().len() + 1 == lines.len(), "case {case}");
+fn check(edge: &CorridorEdge, polyhedron: &Polyhedron, upper: bool, others: &[Rational], case: usize) {
+    let lines = edge.lines();
+    assert_eq!(lines.is_empty(), edge.domain().is_none(), "case {case}");
+    assert!(lines.is_empty() || edge.breakpoints().len() + 1 == lines.len(), "case {case}");
     assert!(lines.iter().all(|line| polyhedron.membership(line).is_inside()), "case {case}");
-    for (pair, x) in lines.windows(2).zip(envelope.breakpoints()) {
+    for (pair, x) in lines.windows(2).zip(edge.breakpoints()) {
         let value = |line: &[Rational; 2]| &line[0] * x + &line[1];
         assert_eq!(value(&pair[0]), value(&pair[1]), "case {case}: the edge jumps");
         assert_eq!(pair[0][0] < pair[1][0], upper, "case {case}: not convex");
     }
-    let ends = envelope.domain().into_iter().flat_map(|domain| [domain.lower(), domain.upper()]);
+    let ends = edge.domain().into_iter().flat_map(|domain| [domain.lower(), domain.upper()]);
     let mut samples: Vec<Rational> = ends.filter_map(Endpoint::value).cloned().collect();
-    samples.extend(envelope.breakpoints().iter().cloned());
+    samples.extend(edge.breakpoints().iter().cloned());
     let beyond = [Rational::ratio(-1, 1000), Rational::ratio(1, 1000)];
     let beside: Vec<Rational> =
         samples.iter().flat_map(|x| beyond.iter().map(move |step| x + step)).collect();
     for x in samples.iter().chain(&beside).chain(others) {
-        assert_eq!(envelope.value(x), extreme(polyhedron, x, upper), "case {case} at x = {x}");
+        assert_eq!(edge.value(x), extreme(polyhedron, x, upper), "case {case} at x = {x}");
     }
 }
 

@@ -7,7 +7,7 @@ use boundfit_geometry::grid::{
 use boundfit_geometry::predicates::{lexicographic, orientation};
 use boundfit_geometry::{Hulls, Point};
 use boundfit_tests::columns::{Columns, Shape, points};
-use boundfit_tests::generate::{seeded, shuffled};
+use boundfit_tests::generate::seeded;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 

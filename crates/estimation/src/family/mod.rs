@@ -13,7 +13,6 @@ mod section;
 use boundfit_exact::Rational;
 
 use crate::fps::BoundName;
-use crate::measurements::ErrorBound;
 use crate::minimax::Minimax;
 use crate::problem::Problem;
 
@@ -54,7 +53,8 @@ impl Family {
         let from = from.max(Rational::zero());
         let to = to.max(from.clone());
         let system = GrowingSystem::new(problem);
-        let least = least_factor(problem);
+        let minimax = Minimax::new(&problem.measurements, &problem.conditions);
+        let least = minimax.and_then(|minimax| minimax.least_factor(problem.measurements.error_bound()));
         // Sets grow with s: empty below the least factor, never above it.
         let born = least
             .as_ref()
@@ -143,14 +143,4 @@ fn pieces_between(system: &GrowingSystem, from: Rational, to: Rational) -> Vec<P
     }
     pieces.sort_by(|piece, other| piece.from.cmp(&other.from));
     pieces
-}
-
-/// The least factor on the error bounds that leaves a feasible parameter.
-fn least_factor(problem: &Problem) -> Option<Rational> {
-    let minimax = Minimax::new(&problem.measurements, &problem.conditions)?;
-    match problem.measurements.error_bound() {
-        ErrorBound::PerRow(_) => Some(minimax.least),
-        ErrorBound::Uniform(_) if minimax.least.is_zero() => Some(Rational::zero()),
-        ErrorBound::Uniform(epsilon) => minimax.least.checked_div(epsilon),
-    }
 }

@@ -167,7 +167,5 @@ fn of_numbers(x: &Column, y: &Column) -> LineSums {
 
 /// 10 to any power.
 pub(super) fn power_of_ten(exponent: i32) -> Rational {
-    let power = Rational::from(Integer::power_of_ten(exponent.unsigned_abs()));
-    // A power of ten is not zero.
-    if exponent < 0 { power.recip().unwrap_or_default() } else { power }
+    Rational::scientific(1, exponent)
 }

@@ -1,6 +1,6 @@
 //! Bands: how far the values of a set of parameters reach at every x, or at every row.
 
-use boundfit_estimation::{Corridor, Envelope, Measurement};
+use boundfit_estimation::{Corridor, CorridorEdge, Measurement};
 use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::Support;
 
@@ -253,13 +253,13 @@ fn of_set(scene: &Scene) -> Option<BandShape> {
 }
 
 /// The line that an edge of the corridor follows between two neighbouring cuts.
-fn line_between(envelope: &Envelope, ends: &[Rational]) -> Option<[Rational; 2]> {
+fn line_between(edge: &CorridorEdge, ends: &[Rational]) -> Option<[Rational; 2]> {
     let middle = (&ends[0] + &ends[1]).half();
-    if !envelope.domain()?.contains(&middle) {
+    if !edge.domain()?.contains(&middle) {
         return None;
     }
-    let index = envelope.breakpoints().partition_point(|breakpoint| breakpoint < &middle);
-    envelope.lines().get(index).cloned()
+    let index = edge.breakpoints().partition_point(|breakpoint| breakpoint < &middle);
+    edge.lines().get(index).cloned()
 }
 
 /// Just outside of every panel: the edge of a band that has none.

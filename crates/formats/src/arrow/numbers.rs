@@ -9,7 +9,7 @@ use arrow_array::types::{
 };
 use arrow_array::{Array, ArrayRef, ArrowPrimitiveType};
 use arrow_schema::DataType;
-use boundfit_exact::{Integer, PLAIN_DIGITS, PLAIN_EXPONENT, Rational, Reading, Scaled, plain_decimal};
+use boundfit_exact::{PLAIN_DIGITS, PLAIN_EXPONENT, Rational, Reading, Scaled, plain_decimal};
 
 use super::texts::{BadCell, refuse_nulls};
 use crate::columns::ColumnSelector;
@@ -80,7 +80,15 @@ impl Reader<'_> {
         let mantissas = values.iter().map(|&value| i64::try_from(value.into()));
         match mantissas.collect() {
             Ok(mantissas) => Column::Scaled(Scaled { mantissas, exponent }),
-            Err(_) => Column::Exact(values.iter().map(|&value| decimal(value.into(), exponent)).collect()),
+            Err(_) => Column::Exact(
+                values
+                    .iter()
+                    .map(|&value| {
+                        let mantissa: i128 = value.into();
+                        Rational::scientific(mantissa, exponent)
+                    })
+                    .collect(),
+            ),
         }
     }
 
@@ -131,16 +139,6 @@ impl Reader<'_> {
     }
 }
 
-/// `mantissa · 10^exponent`.
-fn decimal(mantissa: i128, exponent: i32) -> Rational {
-    let power = Integer::power_of_ten(exponent.unsigned_abs());
-    let mantissa = Integer::from(mantissa);
-    if exponent >= 0 {
-        return Rational::from(mantissa * power);
-    }
-    Rational::new(mantissa, power).unwrap_or_default()
-}
-
 /// The double nearest to `mantissa · 10^exponent`.
 fn nearest(mantissa: i128, exponent: i32) -> f64 {
     // The conversion of an integer rounds to the nearest. So does the division of two doubles: integers up to 2⁵³ and
@@ -150,7 +148,7 @@ fn nearest(mantissa: i128, exponent: i32) -> f64 {
         -19..0 if mantissa.unsigned_abs() <= 1 << 53 => {
             mantissa as f64 / 10_u64.pow(exponent.unsigned_abs()) as f64
         }
-        _ => decimal(mantissa, exponent).to_f64(),
+        _ => Rational::scientific(mantissa, exponent).to_f64(),
     }
 }
 

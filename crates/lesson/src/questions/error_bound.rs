@@ -1,11 +1,10 @@
 //! The smallest error bound.
 
-use boundfit_estimation::{BoundName, ErrorBound, Minimax};
+use boundfit_estimation::{BoundName, ErrorBound, Minimax, reading_of_bound};
 use boundfit_exact::{Rational, Rounding};
 
 use super::wording::{clash, combination, owners, sentence, size, value};
 use super::{Facts, Question, Show};
-use crate::half_planes::of_conditions;
 use crate::number::DIGITS;
 
 /// What is the smallest error bound that leaves anything, and who fixes it?
@@ -28,12 +27,12 @@ pub(super) fn least(facts: &Facts<'_>) -> Question {
 /// Why no error bound, however large, leaves anything.
 fn none(facts: &Facts<'_>, uniform: bool) -> String {
     let symbol = if uniform { "ε" } else { "s" };
-    if let Some(terms) = of_conditions(&facts.problem.conditions) {
+    if let Some(terms) = facts.fit.contradiction_of_conditions() {
         let names: Vec<BoundName> = terms.iter().map(|(name, _)| *name).collect();
         return format!("There is none: {}, however large {symbol} is.", clash(&names, facts.problem));
     }
     let rows = facts.problem.measurements.kept();
-    let grows = |index: &usize| rows.get(index / 2).is_some_and(|row| !row.epsilon.is_zero());
+    let grows = |index: &usize| rows.get(reading_of_bound(*index)).is_some_and(|row| !row.epsilon.is_zero());
     let growing: Vec<usize> = (0..facts.inequalities().len()).filter(grows).collect();
     let (fixed, names) = facts.others(&growing);
     let multipliers = fixed.region().certificate().map_or(&[][..], |certificate| certificate.multipliers());

@@ -1,13 +1,13 @@
 //! What changes when a reading is left out.
 
-use boundfit_estimation::BoundName;
+use boundfit_estimation::{BoundName, bounds_of_reading};
 use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::{Inequality, Multiplier, Polyhedron, Region, RegionKind, Support};
 use boundfit_lp::End;
 
 use super::wording::{THETA, bound, clash, combination, described, sentence, size, value};
 use super::{Facts, Question, Show};
-use crate::half_planes::{irredundant, of_conditions};
+use crate::half_planes::irredundant;
 use crate::leave_one_out::{Moved, Without};
 use crate::number::DIGITS;
 
@@ -82,12 +82,11 @@ fn larger(region: &Region) -> String {
 /// A reading that does not matter.
 pub(super) fn one_that_does_not(facts: &Facts<'_>) -> Option<Question> {
     let needed = irredundant(facts.problem, facts.fit);
-    let is_needed =
-        |position: usize| needed.contains(&(2 * position)) || needed.contains(&(2 * position + 1));
+    let is_needed = |position: usize| bounds_of_reading(position).iter().any(|bound| needed.contains(bound));
     let idle = || facts.without.iter().enumerate().filter(|(_, without)| !without.matters);
     // Better one with a reason of its own than the twin of one that matters.
     let (position, without) = idle().find(|(position, _)| !is_needed(*position)).or_else(|| idle().next())?;
-    let answer = without_it(facts, [2 * position, 2 * position + 1]);
+    let answer = without_it(facts, bounds_of_reading(position));
     Some(Question {
         id: "remove-a-reading-that-does-not-matter",
         question: format!("Leave out reading {}: what changes?", without.row),
@@ -102,7 +101,7 @@ fn without_it(facts: &Facts<'_>, [upper, lower]: [usize; 2]) -> String {
     if let Some(certificate) = others.region().certificate() {
         let named = |m: &Multiplier| names.get(m.index).copied();
         let of_rest: Vec<BoundName> = certificate.multipliers().iter().filter_map(named).collect();
-        let conditions = of_conditions(&facts.problem.conditions);
+        let conditions = facts.fit.contradiction_of_conditions();
         let clashing = conditions.map_or(of_rest, |terms| terms.into_iter().map(|(name, _)| name).collect());
         return format!(
             "Nothing: the set is empty without it too, because {}.",
