@@ -1,13 +1,17 @@
 //! Parts of a fit by their definitions, where the engine has a shorter way to the same answer.
 
 use boundfit_estimation::{
-    BoundName, ErrorBound, Fps, GrowingInequality, LeastGrowth, Problem, Section, SectionBoundary,
-    SectionVertex, conditions_by_name, least_growth, strip,
+    BoundName, Condition, ErrorBound, FitBounds, Fps, GrowingInequality, LeastGrowth, Measurement,
+    MinimaxProof, ParameterBound, Problem, Section, SectionBoundary, SectionVertex, conditions_by_name,
+    fit_bounds, least_growth, strip,
 };
-use boundfit_exact::{Endpoint, Interval, Rational};
+use boundfit_exact::{Endpoint, Integer, Interval, Rational};
 use boundfit_geometry::{
-    Boundary, Branch, Inequality, Polyhedron, RegionKind, System, Vertex, envelope, inverse_line_image,
+    Boundary, Branch, Direction, Inequality, Multiplier, Polyhedron, RegionKind, System, Vertex, envelope,
+    inverse_line_image,
 };
+
+use crate::readings::{parse_condition, rebuilt};
 
 /// The least error bound, a minimiser and whether it is the only one, from all half-planes by cutting planes; `None` when no
 /// bound leaves anything.
@@ -107,4 +111,90 @@ pub fn section(fps: &Fps) -> Section {
         pui: polyhedron.bounding_box(),
         area: region.area().filter(|_| !region.is_empty()),
     }
+}
+
+/// The problem in another unit of the response: responses, error bounds and right-hand sides of conditions times a factor.
+/// Every parameter is then that many times as large. With a factor of 2⁸⁰ or more no column of responses other than zeros
+/// fits into machine integers.
+pub fn in_unit(problem: &Problem, factor: &Rational) -> Problem {
+    let scaled = |row: &Measurement| Measurement {
+        response: &row.response * factor,
+        epsilon: &row.epsilon * factor,
+        ..row.clone()
+    };
+    let error_bound = match problem.measurements.error_bound() {
+        ErrorBound::Uniform(epsilon) => ErrorBound::Uniform(epsilon * factor),
+        per_row @ ErrorBound::PerRow(_) => per_row.clone(),
+    };
+    let rows = problem.measurements.kept().iter().map(scaled).collect();
+    let condition = |condition: &Condition| {
+        let Inequality { a: [a1, a2], b } = condition.inequality();
+        let text = format!("{a1}*theta1 + {a2}*theta2 <= {}", b * factor).replace("+ -", "- ");
+        parse_condition(&text)
+    };
+    let conditions = problem.conditions.iter().map(condition).collect();
+    Problem { conditions, ..rebuilt(problem, rows, error_bound) }
+}
+
+/// An end of an interval: its value and the multipliers that prove it.
+type End = Option<(Rational, Vec<Multiplier>)>;
+
+/// What a fit says, all parameters over a unit: the same for a problem and for it [in another unit](in_unit).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    least_squares: Option<([Rational; 2], Option<[Interval; 2]>)>,
+    names: Vec<BoundName>,
+    kind: RegionKind,
+    vertices: Vec<([Rational; 2], Vec<usize>)>,
+    boundaries: Vec<(Direction, Vec<usize>)>,
+    directions: [Vec<Direction>; 2],
+    pui: Option<[[End; 2]; 2]>,
+    central: Option<[[Rational; 2]; 2]>,
+    /// The least bound, its minimiser if it is the only one, and the proof.
+    minimax: Option<(Rational, Option<[Rational; 2]>, MinimaxProof)>,
+}
+
+/// What a fit says, over a unit.
+pub fn answer(fit: &FitBounds, unit: &Rational) -> Answer {
+    let over = |value: &Rational| value.checked_div(unit).expect("a unit that is not zero");
+    let both = |values: &[Rational; 2]| values.each_ref().map(over);
+    let region = fit.fps.polyhedron().region();
+    let end = |bound: &ParameterBound| match bound {
+        ParameterBound::Bounded { value, proof } => Some((over(value), proof.multipliers.clone())),
+        ParameterBound::Unbounded(_) => None,
+    };
+    let interval = |interval: &Interval| {
+        let [lower, upper] = [interval.lower(), interval.upper()].map(|end| end.value().map(over).into());
+        Interval::new(lower, upper).expect("ends in order")
+    };
+    Answer {
+        least_squares: fit.least_squares.as_ref().ok().map(|estimate| {
+            (both(&estimate.theta), estimate.eui.as_ref().ok().map(|eui| eui.each_ref().map(interval)))
+        }),
+        names: fit.fps.names().to_vec(),
+        kind: region.kind(),
+        vertices: region
+            .vertices()
+            .iter()
+            .map(|v| (both(&v.point().coordinates()), v.active().to_vec()))
+            .collect(),
+        boundaries: region
+            .boundaries()
+            .iter()
+            .map(|b| (b.half_plane().normal(), b.active().to_vec()))
+            .collect(),
+        directions: [region.rays(), region.lines()],
+        pui: fit.pui.as_ref().map(|pui| pui.each_ref().map(|ends| [end(&ends.lower), end(&ends.upper)])),
+        central: fit.central.as_ref().map(|central| [both(&central.theta), both(&central.guaranteed_error)]),
+        minimax: fit.minimax.as_ref().map(|minimax| {
+            let theta = minimax.unique.then(|| both(&minimax.theta));
+            (over(&minimax.least), theta, minimax.proof.clone())
+        }),
+    }
+}
+
+/// The answer as it comes without machine integers, from the problem in another unit.
+pub fn answer_in_general(problem: &Problem) -> Answer {
+    let unit = Rational::from(Integer::power_of_two(80));
+    answer(&fit_bounds(&in_unit(problem, &unit)), &unit)
 }

@@ -85,19 +85,10 @@ pub fn fit(problem: &Problem) -> Fit {
 ///
 /// Sums and hulls are decided on machine integers where the readings, as integers on common denominators, fit into them.
 pub fn fit_bounds(problem: &Problem) -> FitBounds {
-    bounds_on(problem, Grid::new(&problem.measurements).as_ref())
-}
-
-/// The same, equal in every part, with numbers of any size alone: what [`fit_bounds`] does with readings that do not fit
-/// into machine integers.
-pub fn fit_bounds_in_general(problem: &Problem) -> FitBounds {
-    bounds_on(problem, None)
-}
-
-fn bounds_on(problem: &Problem, grid: Option<&Grid>) -> FitBounds {
     let Problem { measurements, conditions } = problem;
-    let least_squares = LeastSquares::with_grid(measurements, grid);
-    let extremes = measurements.has_hulls().then(|| Extremes::new(measurements.kept(), grid));
+    let grid = Grid::new(measurements);
+    let least_squares = LeastSquares::with_grid(measurements, grid.as_ref());
+    let extremes = measurements.has_hulls().then(|| Extremes::new(measurements.kept(), grid.as_ref()));
     let fps = Fps::with_extremes(measurements, conditions, extremes.as_ref());
     let pui = parameter_intervals(fps.polyhedron());
     let central = pui.as_ref().and_then(central);

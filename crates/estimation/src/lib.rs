@@ -58,7 +58,7 @@ pub use family::{
     SectionVertex,
 };
 pub use files::{Columns, EpsilonColumn};
-pub use fit::{Fit, FitBounds, fit, fit_bounds, fit_bounds_in_general};
+pub use fit::{Fit, FitBounds, fit, fit_bounds};
 pub use fleet::{Fleet, fit_group, least_squares_is_feasible};
 #[cfg(feature = "float-least-squares")]
 pub use float_least_squares::{FloatEstimate, FloatLeastSquares};

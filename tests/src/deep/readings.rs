@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 
 use boundfit_check::ProgramRows;
 use boundfit_estimation::{
-    ErrorBound, Fit, LeastSquares, Measurement, Minimax, Model, Problem, fit, fit_bounds_in_general,
+    ErrorBound, Fit, LeastSquares, Measurement, Minimax, Model, Problem, fit, fit_bounds,
 };
 use boundfit_exact::{Integer, Rational};
 use boundfit_geometry::{Inequality, System};
@@ -18,7 +18,7 @@ use super::placement::Placement;
 use super::simplex::{is_feasible, same_maximum};
 use super::{Case, same};
 use crate::columns::Shape;
-use crate::definitions::least_bound;
+use crate::definitions::{answer, answer_in_general, least_bound};
 use crate::oracle::{Row, solve};
 use crate::readings::{line, problem, with_error_bound, with_rows};
 use crate::shape::shape;
@@ -145,15 +145,11 @@ impl Case for ReadingsCase {
 
 impl ReadingsCase {
     fn same_without_machine_integers(&self, fit: &Fit) -> Result<(), String> {
-        let general = fit_bounds_in_general(&self.problem);
-        same("least squares", &fit.least_squares, &general.least_squares)?;
         let direct = LeastSquares::in_general(&self.problem.measurements);
         same("least squares by fractions", &fit.least_squares, &direct)?;
-        same("names", &fit.fps.names(), &general.fps.names())?;
-        same("FPS", fit.fps.polyhedron().region(), general.fps.polyhedron().region())?;
-        same("PUI", &fit.pui, &general.pui)?;
-        same("central", &fit.central, &general.central)?;
-        same("minimax", &fit.minimax, &general.minimax)
+        let bounds = fit_bounds(&self.problem);
+        same("minimax", &fit.minimax, &bounds.minimax)?;
+        same("the fit in another unit", &answer(&bounds, &Rational::one()), &answer_in_general(&self.problem))
     }
 
     /// The FPS is that of all half-planes, by clipping and by the simplex; gives them and its kind.

@@ -4,11 +4,10 @@
 use boundfit_estimation::{
     BoundName, Condition, ErrorBound, Fit, Fps, Inverse, InverseParameter, LeastSquares, Measurement,
     Measurements, Minimax, Model, ParameterBound, ParameterInterval, Problem, fit, fit_bounds,
-    fit_bounds_in_general,
 };
 use boundfit_exact::{Interval, Limits, Rational, Reading};
 use boundfit_geometry::{Direction, HalfPlane, Multiplier, Point, RegionKind};
-use boundfit_tests::definitions::{box_of, inverse_ranges, least_bound};
+use boundfit_tests::definitions::{answer, answer_in_general, box_of, inverse_ranges, least_bound};
 use boundfit_tests::generate::seeded;
 use boundfit_tests::readings::{line, parse_condition, problem, with_error_bound};
 use rand::RngExt;
@@ -64,16 +63,15 @@ fn tightest(fps: &Fps, theta: &[Rational; 2]) -> (Option<Rational>, Option<Bound
 fn same_on_all_paths(problem: &Problem, case: &str) -> Fit {
     let Problem { measurements, conditions } = problem;
     let fit = fit(problem);
-    let (bounds, general) = (fit_bounds(problem), fit_bounds_in_general(problem));
-    for other in [&bounds, &general] {
-        assert_eq!(other.least_squares, fit.least_squares, "{case}");
-        assert_eq!(other.fps.names(), fit.fps.names(), "{case}");
-        assert_eq!(other.fps.polyhedron().system(), fit.fps.polyhedron().system(), "{case}");
-        assert_eq!(other.fps.polyhedron().region(), fit.fps.polyhedron().region(), "{case}");
-        assert_eq!(other.pui, fit.pui, "{case}");
-        assert_eq!(other.central, fit.central, "{case}");
-        assert_eq!(other.minimax, fit.minimax, "{case}");
-    }
+    let bounds = fit_bounds(problem);
+    assert_eq!(bounds.least_squares, fit.least_squares, "{case}");
+    assert_eq!(bounds.fps.names(), fit.fps.names(), "{case}");
+    assert_eq!(bounds.fps.polyhedron().system(), fit.fps.polyhedron().system(), "{case}");
+    assert_eq!(bounds.fps.polyhedron().region(), fit.fps.polyhedron().region(), "{case}");
+    assert_eq!(bounds.pui, fit.pui, "{case}");
+    assert_eq!(bounds.central, fit.central, "{case}");
+    assert_eq!(bounds.minimax, fit.minimax, "{case}");
+    assert_eq!(answer(&bounds, &Rational::one()), answer_in_general(problem), "{case}");
     assert_eq!(LeastSquares::in_general(measurements), fit.least_squares, "{case}");
 
     let every = fit.with_every_half_plane(problem);
