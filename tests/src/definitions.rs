@@ -2,8 +2,8 @@
 
 use boundfit_estimation::{
     BoundName, Condition, ErrorBound, FitBounds, Fps, GrowingInequality, LeastGrowth, Measurement,
-    MinimaxProof, ParameterBound, Problem, Section, SectionBoundary, SectionVertex, conditions_by_name,
-    fit_bounds, least_growth, strip,
+    ParameterBound, Problem, Section, SectionBoundary, SectionVertex, conditions_by_name, fit_bounds,
+    least_growth, strip,
 };
 use boundfit_exact::{Endpoint, Integer, Interval, Rational};
 use boundfit_geometry::{
@@ -151,11 +151,16 @@ pub struct Answer {
     pui: Option<[[End; 2]; 2]>,
     central: Option<[[Rational; 2]; 2]>,
     /// The least bound, its minimiser if it is the only one, and the proof.
-    minimax: Option<(Rational, Option<[Rational; 2]>, MinimaxProof)>,
+    minimax: Option<(Rational, Option<[Rational; 2]>, Vec<(BoundName, Rational)>)>,
 }
 
-/// What a fit says, over a unit.
-pub fn answer(fit: &FitBounds, unit: &Rational) -> Answer {
+/// What a fit of a problem says, over a unit.
+pub fn answer(problem: &Problem, fit: &FitBounds, unit: &Rational) -> Answer {
+    // Error bounds per reading have a least factor, in no unit, and multipliers that add them up to 1.
+    let (least_unit, multiplier_unit) = match problem.measurements.error_bound() {
+        ErrorBound::Uniform(_) => (unit.clone(), Rational::one()),
+        ErrorBound::PerRow(_) => (Rational::one(), unit.clone()),
+    };
     let over = |value: &Rational| value.checked_div(unit).expect("a unit that is not zero");
     let both = |values: &[Rational; 2]| values.each_ref().map(over);
     let region = fit.fps.polyhedron().region();
@@ -188,7 +193,9 @@ pub fn answer(fit: &FitBounds, unit: &Rational) -> Answer {
         central: fit.central.as_ref().map(|central| [both(&central.theta), both(&central.guaranteed_error)]),
         minimax: fit.minimax.as_ref().map(|minimax| {
             let theta = minimax.unique.then(|| both(&minimax.theta));
-            (over(&minimax.least), theta, minimax.proof.clone())
+            let multipliers = minimax.proof.multipliers.iter();
+            let multipliers = multipliers.map(|(name, value)| (*name, value * &multiplier_unit)).collect();
+            (minimax.least.checked_div(&least_unit).expect("a unit that is not zero"), theta, multipliers)
         }),
     }
 }
@@ -196,5 +203,5 @@ pub fn answer(fit: &FitBounds, unit: &Rational) -> Answer {
 /// The answer as it comes without machine integers, from the problem in another unit.
 pub fn answer_in_general(problem: &Problem) -> Answer {
     let unit = Rational::from(Integer::power_of_two(80));
-    answer(&fit_bounds(&in_unit(problem, &unit)), &unit)
+    answer(problem, &fit_bounds(&in_unit(problem, &unit)), &unit)
 }

@@ -149,7 +149,11 @@ impl ReadingsCase {
         same("least squares by fractions", &fit.least_squares, &direct)?;
         let bounds = fit_bounds(&self.problem);
         same("minimax", &fit.minimax, &bounds.minimax)?;
-        same("the fit in another unit", &answer(&bounds, &Rational::one()), &answer_in_general(&self.problem))
+        same(
+            "the fit in another unit",
+            &answer(&self.problem, &bounds, &Rational::one()),
+            &answer_in_general(&self.problem),
+        )
     }
 
     /// The FPS is that of all half-planes, by clipping and by the simplex; gives them and its kind.

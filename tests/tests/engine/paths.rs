@@ -71,7 +71,7 @@ fn same_on_all_paths(problem: &Problem, case: &str) -> Fit {
     assert_eq!(bounds.pui, fit.pui, "{case}");
     assert_eq!(bounds.central, fit.central, "{case}");
     assert_eq!(bounds.minimax, fit.minimax, "{case}");
-    assert_eq!(answer(&bounds, &Rational::one()), answer_in_general(problem), "{case}");
+    assert_eq!(answer(problem, &bounds, &Rational::one()), answer_in_general(problem), "{case}");
     assert_eq!(LeastSquares::in_general(measurements), fit.least_squares, "{case}");
 
     let every = fit.with_every_half_plane(problem);
