@@ -1,6 +1,5 @@
 //! The columns that are asked for.
 
-use std::fs::File;
 use std::io::{self, Read};
 use std::sync::Arc;
 
@@ -96,7 +95,7 @@ impl<'a> Wanted<'a> {
 impl MatColumns {
     /// Reads the columns that are asked for, and nothing of the other variables but their names.
     pub(super) fn read(
-        file: File,
+        file: Box<dyn Read>,
         selectors: &[&ColumnSelector],
         sizes: &SizeLimits,
         hash: bool,
