@@ -49,12 +49,13 @@ impl Measurements {
     /// use boundfit_exact::{Column, Rational, Unit};
     ///
     /// let x = Column::of_counts(1..=100_000, Unit::TenTo(-3));
-    /// let y = Column::of_counts((1..=100_000).map(|k| 2 * k + k % 2), Unit::TenTo(-3));
+    /// let y = Column::of_counts((1..=100_000).map(|k| 2 * k + k * k % 1009), Unit::TenTo(-3));
     /// let model = Model::Line { x: "x".to_owned() };
-    /// let bound = ErrorBound::Uniform(Rational::ratio(1, 1000));
+    /// let bound = ErrorBound::Uniform(Rational::one());
     /// let measurements =
     ///     Measurements::of_columns(model, "y".to_owned(), bound, &[x, y], Keep::default())?;
-    /// assert_eq!((measurements.fitted(), measurements.kept().len()), (100_000, 4));
+    /// assert_eq!(measurements.fitted(), 100_000);
+    /// assert!(measurements.kept().len() < 1000);
     /// let fit = fit(&Problem { measurements, conditions: Vec::new() });
     /// assert_eq!(fit.minimax.unwrap().theta[0], Rational::from(2));
     /// # Ok::<(), boundfit_estimation::ColumnsError>(())
