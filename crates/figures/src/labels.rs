@@ -1,6 +1,7 @@
 //! What is written on figures: names with units, the model, numbers.
 
 use boundfit_estimation::{BoundName, ErrorBound, Fit, Model, Problem};
+use boundfit_exact::english::{counted, listed, sentence};
 use boundfit_exact::{Rational, Rounding};
 
 use crate::axis::superscript;
@@ -71,18 +72,16 @@ pub(crate) fn subtitle(problem: &Problem, options: &PlotOptions) -> String {
         ErrorBound::PerRow(column) => format!("|e| ≤ {} of each row", one_line(column, LONGEST_NAME)),
     };
     let (fitted, total) = (measurements.fitted(), measurements.rows_total());
-    let rows =
-        if fitted == total { plural(total, "row") } else { format!("{fitted} of {}", plural(total, "row")) };
+    let rows = if fitted == total {
+        counted(total, "row", "rows")
+    } else {
+        format!("{fitted} of {}", counted(total, "row", "rows"))
+    };
     let conditions = match problem.conditions.len() {
         0 => String::new(),
-        count => format!(", {}", plural(count, "condition")),
+        count => format!(", {}", counted(count, "condition", "conditions")),
     };
     format!("{model},  {bound},  {rows}{conditions}")
-}
-
-/// `1 row`, `2 rows`.
-pub(crate) fn plural(count: usize, noun: &str) -> String {
-    if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
 }
 
 /// A decimal of at most so many digits with a true minus sign and a written-out power of ten.
@@ -130,26 +129,20 @@ impl Conflict {
 
     /// `rows 14, 24 and 34 and condition 1`.
     pub(crate) fn names(&self) -> String {
-        let listed = |noun: &str, numbers: &[usize]| {
+        let named = |noun: &str, numbers: &[usize]| {
             let all: Vec<String> = numbers.iter().map(usize::to_string).collect();
-            match all.as_slice() {
-                [] => None,
-                [one] => Some(format!("{noun} {one}")),
-                [most @ .., last] => Some(format!("{noun}s {} and {last}", most.join(", "))),
-            }
+            let plural = if all.len() == 1 { "" } else { "s" };
+            (!all.is_empty()).then(|| format!("{noun}{plural} {}", listed(&all)))
         };
-        let parts = [listed("row", &self.rows), listed("condition", &self.conditions)];
+        let parts = [named("row", &self.rows), named("condition", &self.conditions)];
         parts.into_iter().flatten().collect::<Vec<_>>().join(" and ")
     }
 
     /// A sentence about who contradicts whom.
     pub(crate) fn sentence(&self) -> String {
         let one = self.rows.len() + self.conditions.len() == 1;
-        let names = self.names();
-        let mut letters = names.chars();
-        let capital: String =
-            letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect();
-        if one { format!("{capital} cannot be met.") } else { format!("{capital} contradict each other.") }
+        let names = sentence(&self.names());
+        if one { format!("{names} cannot be met.") } else { format!("{names} contradict each other.") }
     }
 }
 

@@ -7,6 +7,7 @@ mod scene;
 mod view;
 
 use boundfit_estimation::{ErrorBound, Fit, Problem};
+use boundfit_exact::english::counted;
 
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::figure::{Figure, PlotOptions};
@@ -124,7 +125,7 @@ fn description(scene: &Scene, notes: &[String]) -> String {
     if let Some(reference) = &scene.reference {
         sentences.push(format!("Second panel: the same as distance from the {}.", reference.name));
     }
-    let fitted = labels::plural(problem.measurements.fitted(), "reading");
+    let fitted = counted(problem.measurements.fitted(), "reading", "readings");
     sentences.push(match problem.measurements.others().len() {
         others if others > 0 && scene.figure != Figure::Corridor => {
             format!("Fitted, with error bars: {fitted}. Not fitted: {others}.")
@@ -180,7 +181,7 @@ fn notes(scene: &Scene, bands: &Bands) -> Vec<String> {
     if scene.readings.len() > MOST_MARKS {
         notes.push(format!(
             "{}; marked are the extreme ones of every three pixels and those that fix the set.",
-            labels::plural(scene.readings.len(), "reading")
+            counted(scene.readings.len(), "reading", "readings")
         ));
     }
     notes

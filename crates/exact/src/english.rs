@@ -1,0 +1,78 @@
+//! Counts and lists in English, for the texts of every crate: all stand on this one.
+
+/// How many items a list names before it only counts the rest.
+const MOST: usize = 8;
+
+/// `1 vertex`, `2 vertices`.
+pub fn counted(count: usize, one: &str, several: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { several })
+}
+
+/// `one half-plane`, `seven half-planes`, `46 half-planes`.
+pub fn counted_in_words(count: usize, one: &str, several: &str) -> String {
+    format!("{} {}", in_words(count), if count == 1 { one } else { several })
+}
+
+/// A count, in words up to ten.
+pub fn in_words(count: usize) -> String {
+    const WORDS: [&str; 11] =
+        ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"];
+    WORDS.get(count).map_or_else(|| count.to_string(), |word| (*word).to_owned())
+}
+
+/// A list in a table or behind a colon: `a, b, c`; of more than eight items the first ones, `…, and 3 more`.
+pub fn list(items: impl ExactSizeIterator<Item = String>) -> String {
+    let count = items.len();
+    let mut shown: Vec<String> = items.take(MOST).collect();
+    if count > MOST {
+        shown.push(format!("and {} more", count - MOST));
+    }
+    shown.join(", ")
+}
+
+/// A list within a sentence: `a`, `a and b`, `a, b and c`; of more than eight items seven, `… and 3 more`.
+pub fn listed(items: &[String]) -> String {
+    match items {
+        [] => String::new(),
+        [only] => only.clone(),
+        [first @ .., last] if items.len() <= MOST => format!("{} and {last}", first.join(", ")),
+        _ => {
+            let (shown, more) = items.split_at(MOST - 1);
+            format!("{} and {} more", shown.join(", "), more.len())
+        }
+    }
+}
+
+/// The text as a sentence begins: its first letter large.
+pub fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_read_like_english() {
+        let items = |count: usize| (1..=count).map(|i| i.to_string()).collect::<Vec<_>>();
+        assert_eq!(listed(&items(0)), "");
+        assert_eq!(listed(&items(1)), "1");
+        assert_eq!(listed(&items(2)), "1 and 2");
+        assert_eq!(listed(&items(3)), "1, 2 and 3");
+        assert_eq!(listed(&items(8)), "1, 2, 3, 4, 5, 6, 7 and 8");
+        assert_eq!(listed(&items(12)), "1, 2, 3, 4, 5, 6, 7 and 5 more");
+        assert_eq!(list(items(2).into_iter()), "1, 2");
+        assert_eq!(list(items(8).into_iter()), "1, 2, 3, 4, 5, 6, 7, 8");
+        assert_eq!(list(items(12).into_iter()), "1, 2, 3, 4, 5, 6, 7, 8, and 4 more");
+    }
+
+    #[test]
+    fn counts_agree_with_their_nouns() {
+        assert_eq!(counted(1, "vertex", "vertices"), "1 vertex");
+        assert_eq!(counted(0, "vertex", "vertices"), "0 vertices");
+        assert_eq!(counted_in_words(0, "vertex", "vertices"), "no vertices");
+        assert_eq!(counted_in_words(11, "vertex", "vertices"), "11 vertices");
+        assert_eq!(sentence("the end"), "The end");
+    }
+}
