@@ -36,7 +36,7 @@ mod corridor;
 mod family;
 mod files;
 mod fit;
-mod fit_group;
+mod fleet;
 #[cfg(feature = "float-least-squares")]
 mod float_least_squares;
 mod fps;
@@ -47,7 +47,6 @@ mod least_growth;
 mod least_squares;
 mod measurements;
 mod minimax;
-mod moments;
 mod problem;
 mod summary;
 
@@ -58,9 +57,9 @@ pub use family::{
     Breakpoint, Family, Linear, MovingBoundary, MovingVertex, Piece, Quadratic, Section, SectionBoundary,
     SectionVertex,
 };
-pub use files::{Columns, EpsilonColumn, Fleet, ReducedColumns, ReducedTable};
+pub use files::{Columns, EpsilonColumn};
 pub use fit::{Fit, FitBounds, fit, fit_bounds};
-pub use fit_group::{fit_group, least_squares_is_feasible};
+pub use fleet::{Fleet, fit_group, least_squares_is_feasible};
 #[cfg(feature = "float-least-squares")]
 pub use float_least_squares::{FloatEstimate, FloatLeastSquares};
 pub use fps::{BoundName, Fps, bounds_of_reading, conditions_by_name, reading_of_bound, strip};
@@ -70,4 +69,4 @@ pub use least_squares::{LeastSquares, SingularRegressors};
 pub use measurements::{ErrorBound, Measurement, Measurements, Model, Readings};
 pub use minimax::{Minimax, MinimaxProof};
 pub use problem::Problem;
-pub use summary::{ColumnsError, Keep, LineSums, NoEui, Reduction, Spread};
+pub use summary::{Keep, LineSums, NoEui, ReducedColumns, ReducedTable, Reduction, Spread};

@@ -2,15 +2,14 @@
 
 use boundfit_estimation::{Fit, Model, Problem};
 use boundfit_exact::Reading;
-use boundfit_report::{Style, fit_json};
+use boundfit_report::{FitJson, Number, SweepJson};
 use serde::Serialize;
-use serde_json::Value;
 
 use crate::corridor::{CorridorJson, corridor};
 use crate::half_planes::{HalfPlaneJson, half_planes};
 use crate::layers::{self, LayersJson, programs};
 use crate::leave_one_out::{self, WithoutJson, leave_one_out};
-use crate::number::{Number, ParameterDigits};
+use crate::number::STYLE;
 use crate::orders::{OrderJson, orders};
 use crate::points::Points;
 use crate::questions::{Facts, Question, questions};
@@ -33,10 +32,10 @@ pub(crate) struct LessonJson {
     conditions: Vec<ConditionJson>,
     half_planes: Vec<HalfPlaneJson>,
     points: Vec<[Number; 2]>,
-    fit: Value,
+    fit: FitJson,
     corridor: Option<CorridorJson>,
     orders: Vec<OrderJson>,
-    sweep: Value,
+    sweep: SweepJson,
     layers: LayersJson,
     leave_one_out: Vec<WithoutJson>,
     questions: Vec<Question>,
@@ -67,12 +66,12 @@ pub(crate) fn build(
     }
     // Half-planes that cannot be active are part of the lesson.
     let fit = &fit.with_every_half_plane(problem);
-    let digits = ParameterDigits::of(fit);
-    let mut points = Points::new(digits);
+    let styles = STYLE.resolving_both(fit.pui_intervals().as_ref());
+    let mut points = Points::new(styles);
     let programs = programs(problem);
     let without = leave_one_out(problem, fit);
     let file = file_name(&options.file);
-    let facts = Facts { problem, fit, digits, programs: &programs, without: &without };
+    let facts = Facts { problem, fit, styles, programs: &programs, without: &without };
     Ok(LessonJson {
         schema: "boundfit/lesson/1",
         title: options.title.clone().unwrap_or_else(|| default_title(file, problem)),
@@ -85,12 +84,12 @@ pub(crate) fn build(
         others: readings::others(measurements),
         conditions: readings::conditions(&problem.conditions),
         half_planes: half_planes(problem, fit),
-        fit: serde_json::from_str(&fit_json(problem, fit, None, reading, &Style::default()))?,
+        fit: FitJson::new(problem, fit, None, reading, &STYLE),
         corridor: corridor(problem, fit, &mut points),
         orders: orders(problem, fit, &mut points),
         sweep: sweep(problem, fit),
-        layers: layers::to_json(&programs, reading, digits, &mut points),
-        leave_one_out: leave_one_out::to_json(&without, digits, &mut points),
+        layers: layers::to_json(&programs, reading, &styles, &mut points),
+        leave_one_out: leave_one_out::to_json(&without, &styles, &mut points),
         questions: questions(&facts),
         points: points.into_numbers(),
     })

@@ -3,31 +3,15 @@
 use boundfit_estimation::{BoundName, Fit, Problem};
 use boundfit_exact::Rational;
 use boundfit_geometry::Inequality;
+use boundfit_report::ActiveJson;
 use serde::Serialize;
-
-/// The name of a half-plane.
-#[derive(Debug, Clone, Serialize)]
-pub(crate) struct NameJson {
-    row: Option<usize>,
-    bound: String,
-}
 
 #[derive(Debug, Serialize)]
 pub(crate) struct HalfPlaneJson {
-    name: NameJson,
+    name: ActiveJson,
     a: [String; 2],
     b: String,
     irredundant: bool,
-}
-
-impl From<BoundName> for NameJson {
-    fn from(name: BoundName) -> Self {
-        match name {
-            BoundName::Upper(row) => NameJson { row: Some(row), bound: "upper".to_owned() },
-            BoundName::Lower(row) => NameJson { row: Some(row), bound: "lower".to_owned() },
-            BoundName::Where(number) => NameJson { row: None, bound: format!("where:{number}") },
-        }
-    }
 }
 
 /// All half-planes `a·θ ≤ b` in the order of the fit's system.

@@ -9,10 +9,11 @@ use boundfit_check::{
 use boundfit_estimation::Problem;
 use boundfit_exact::{Rational, Reading, Rounding};
 use boundfit_lp::{BoundClaim, End, Judgement, PuiEnd, Referee, Refutation, Verdict};
+use boundfit_report::{Number, Style};
 use serde::Serialize;
 
 use crate::leave_one_out::PARAMETERS;
-use crate::number::{Number, ParameterDigits, with_minus};
+use crate::number::{STYLE, point, with_minus};
 use crate::points::Points;
 
 /// How many directions the set is looked at from.
@@ -97,13 +98,13 @@ struct ClaimJson {
 pub(crate) fn to_json(
     programs: &Programs,
     reading: Reading,
-    digits: ParameterDigits,
+    styles: &[Style; 2],
     points: &mut Points,
 ) -> LayersJson {
     let lp = programs.answers.iter().map(|answer| LpJson {
         source: answer.source.clone(),
         reading: reading.name(),
-        claims: PuiEnd::ALL.map(|end| claim(answer, end, digits)).into(),
+        claims: PuiEnd::ALL.map(|end| claim(answer, end, styles)).into(),
     });
     LayersJson { lp: lp.collect(), directions: directions_json(&programs.directions, points) }
 }
@@ -114,7 +115,8 @@ fn directions_json(found: &Directions, points: &mut Points) -> DirectionsJson {
     let mut corners = |approximation: Option<&Approximation>| -> Option<Vec<usize>> {
         Some(approximation?.vertices.iter().map(|theta| points.index_of(theta)).collect())
     };
-    let area = |approximation: Option<&Approximation>| approximation?.area.as_ref().map(Number::nearest);
+    let area =
+        |approximation: Option<&Approximation>| approximation?.area.as_ref().map(|area| STYLE.number(area));
     DirectionsJson {
         count: found.count,
         inner: corners(inner),
@@ -124,16 +126,19 @@ fn directions_json(found: &Directions, points: &mut Points) -> DirectionsJson {
     }
 }
 
-fn claim(answer: &LpAnswer, end: PuiEnd, digits: ParameterDigits) -> ClaimJson {
+fn claim(answer: &LpAnswer, end: PuiEnd, styles: &[Style; 2]) -> ClaimJson {
     let judgement = end.of(&answer.judgements);
-    let rounding = if end.end() == End::Lower { Rounding::Down } else { Rounding::Up };
-    let claimed = |value: &Rational| Number::rounded(value, digits.of_parameter(end.axis()), rounding);
+    let style = &styles[end.axis()];
+    let claimed = |value: &Rational| match end.end() {
+        End::Lower => style.lower_number(value),
+        End::Upper => style.upper_number(value),
+    };
     ClaimJson {
         parameter: PARAMETERS[end.axis()],
         end: end.end().name(),
         verdict: judgement.verdict.name(),
         claimed: judgement.claimed.as_ref().map(claimed),
-        point: end.of(&answer.claims).point.as_ref().map(|point| digits.point(point)),
+        point: end.of(&answer.claims).point.as_ref().map(|theta| point(styles, theta)),
         reason: reason(judgement),
     }
 }

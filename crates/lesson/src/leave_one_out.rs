@@ -4,11 +4,12 @@ use boundfit_estimation::{Fit, Fps, Measurements, Problem, bounds_of_reading};
 use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::Region;
 use boundfit_lp::End;
+use boundfit_report::{Number, RangeJson, Style};
 use serde::Serialize;
 
-use crate::number::{Number, ParameterDigits, Range};
+use crate::number::STYLE;
 use crate::points::Points;
-use crate::region::{RegionJson, same_set};
+use crate::region::{IndexedRegion, same_set};
 
 /// What is left without one reading.
 #[derive(Debug)]
@@ -79,8 +80,8 @@ pub(crate) struct WithoutJson {
     row: usize,
     matters: bool,
     #[serde(flatten)]
-    region: RegionJson,
-    pui: Option<[Range; 2]>,
+    region: IndexedRegion,
+    pui: Option<[RangeJson; 2]>,
     moved: Vec<MovedJson>,
 }
 
@@ -92,19 +93,19 @@ struct MovedJson {
 }
 
 /// The sets as JSON. The boundaries of a set are counted in its own system, so they are turned into the whole one's.
-pub(crate) fn to_json(all: &[Without], digits: ParameterDigits, points: &mut Points) -> Vec<WithoutJson> {
+pub(crate) fn to_json(all: &[Without], styles: &[Style; 2], points: &mut Points) -> Vec<WithoutJson> {
     let moved = |moved: &Moved| MovedJson {
         parameter: PARAMETERS[moved.axis],
         end: moved.end.name(),
-        by: moved.by_and_to.as_ref().map(|(by, _)| Number::up(by)),
+        by: moved.by_and_to.as_ref().map(|(by, _)| STYLE.upper_number(by)),
     };
     all.iter()
         .enumerate()
         .map(|(position, without)| WithoutJson {
             row: without.row,
             matters: without.matters,
-            region: RegionJson::new(&without.region, points).skipping(bounds_of_reading(position)[0], 2),
-            pui: without.pui.as_ref().map(|pui| [digits.range(0, &pui[0]), digits.range(1, &pui[1])]),
+            region: IndexedRegion::new(&without.region, points).skipping(bounds_of_reading(position)[0], 2),
+            pui: without.pui.as_ref().map(|pui| [0, 1].map(|axis| RangeJson::new(&pui[axis], &styles[axis]))),
             moved: without.moved.iter().map(moved).collect(),
         })
         .collect()

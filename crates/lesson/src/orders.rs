@@ -5,11 +5,12 @@ use boundfit_exact::Rational;
 use boundfit_geometry::clipping::{Step, StepRedundancy, steps};
 use boundfit_geometry::predicates::by_angle;
 use boundfit_geometry::{Region, System};
+use boundfit_report::Number;
 use serde::Serialize;
 
-use crate::number::Number;
+use crate::number::STYLE;
 use crate::points::Points;
-use crate::region::RegionJson;
+use crate::region::IndexedRegion;
 
 #[derive(Debug, Serialize)]
 pub(crate) struct OrderJson {
@@ -24,7 +25,7 @@ pub(crate) struct OrderJson {
 struct StepJson {
     half_plane: usize,
     #[serde(flatten)]
-    region: RegionJson,
+    region: IndexedRegion,
     born: Vec<usize>,
     lost: Vec<usize>,
     redundant: Option<RedundantJson>,
@@ -127,7 +128,7 @@ fn outcome(steps: &[Step]) -> String {
 fn step_json(step: &Step, points: &mut Points) -> StepJson {
     StepJson {
         half_plane: step.index,
-        region: RegionJson::new(&step.after, points),
+        region: IndexedRegion::new(&step.after, points),
         born: step.born.iter().map(|point| points.index(point)).collect(),
         lost: step.lost.iter().map(|point| points.index(point)).collect(),
         redundant: step.redundant.as_ref().map(redundant),
@@ -143,9 +144,9 @@ fn redundant(redundancy: &StepRedundancy) -> RedundantJson {
             why: "dominated",
             by: by
                 .iter()
-                .map(|m| MultiplierJson { half_plane: m.index, multiplier: Number::nearest(&m.value) })
+                .map(|m| MultiplierJson { half_plane: m.index, multiplier: STYLE.number(&m.value) })
                 .collect(),
-            slack: Some(Number::nearest(slack)),
+            slack: Some(STYLE.number(slack)),
         },
     }
 }

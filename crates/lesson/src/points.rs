@@ -4,30 +4,31 @@ use std::collections::HashMap;
 
 use boundfit_exact::Rational;
 use boundfit_geometry::Point;
+use boundfit_report::{Number, Style};
 
-use crate::number::{Number, ParameterDigits};
+use crate::number::point;
 
 /// A pool of points; the rest of the data refers to them by index, in the order in which they first came up.
 #[derive(Debug)]
 pub(crate) struct Points {
-    digits: ParameterDigits,
+    styles: [Style; 2],
     indices: HashMap<Point, usize>,
     numbers: Vec<[Number; 2]>,
 }
 
 impl Points {
-    pub(crate) fn new(digits: ParameterDigits) -> Self {
-        Points { digits, indices: HashMap::new(), numbers: Vec::new() }
+    pub(crate) fn new(styles: [Style; 2]) -> Self {
+        Points { styles, indices: HashMap::new(), numbers: Vec::new() }
     }
 
     /// The index of a point, which is added when it is new.
-    pub(crate) fn index(&mut self, point: &Point) -> usize {
-        if let Some(&index) = self.indices.get(point) {
+    pub(crate) fn index(&mut self, at: &Point) -> usize {
+        if let Some(&index) = self.indices.get(at) {
             return index;
         }
         let index = self.numbers.len();
-        self.indices.insert(point.clone(), index);
-        self.numbers.push(self.digits.point(&point.coordinates()));
+        self.indices.insert(at.clone(), index);
+        self.numbers.push(point(&self.styles, &at.coordinates()));
         index
     }
 

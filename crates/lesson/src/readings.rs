@@ -1,9 +1,10 @@
 //! What was measured, and under which model.
 
 use boundfit_estimation::{Condition, ErrorBound, Measurement, Measurements, Model};
+use boundfit_report::Number;
 use serde::Serialize;
 
-use crate::number::Number;
+use crate::number::STYLE;
 
 /// The most readings that are shown beside the fitted ones; of more, evenly spaced ones.
 const MOST_OTHERS: usize = 500;
@@ -47,14 +48,16 @@ pub(crate) fn model(measurements: &Measurements) -> ModelJson {
 
 pub(crate) fn epsilon(bound: &ErrorBound) -> EpsilonJson {
     match bound {
-        ErrorBound::Uniform(epsilon) => EpsilonJson { uniform: Some(Number::given(epsilon)), column: None },
+        ErrorBound::Uniform(epsilon) => {
+            EpsilonJson { uniform: Some(STYLE.given_number(epsilon)), column: None }
+        }
         ErrorBound::PerRow(column) => EpsilonJson { uniform: None, column: Some(column.clone()) },
     }
 }
 
 /// The readings that are fitted.
 pub(crate) fn fitted(measurements: &Measurements) -> Vec<ReadingJson> {
-    let with_epsilon = |row: &Measurement| reading(row, Some(Number::given(&row.epsilon)));
+    let with_epsilon = |row: &Measurement| reading(row, Some(STYLE.given_number(&row.epsilon)));
     measurements.kept().iter().map(with_epsilon).collect()
 }
 
@@ -73,8 +76,8 @@ pub(crate) fn conditions(conditions: &[Condition]) -> Vec<ConditionJson> {
 fn reading(row: &Measurement, epsilon: Option<Number>) -> ReadingJson {
     ReadingJson {
         row: row.row,
-        phi: row.regressor.each_ref().map(Number::given),
-        y: Number::given(&row.response),
+        phi: row.regressor.each_ref().map(|value| STYLE.given_number(value)),
+        y: STYLE.given_number(&row.response),
         epsilon,
     }
 }

@@ -8,7 +8,7 @@ use crate::points::Points;
 /// A region. Vertices are indices of points, counter-clockwise; rays and lines are exact integer directions; boundaries
 /// are half-planes, one for each whole line that bounds a region without vertices.
 #[derive(Debug, Serialize)]
-pub(crate) struct RegionJson {
+pub(crate) struct IndexedRegion {
     kind: &'static str,
     vertices: Vec<usize>,
     rays: Vec<[String; 2]>,
@@ -16,11 +16,11 @@ pub(crate) struct RegionJson {
     boundaries: Vec<usize>,
 }
 
-impl RegionJson {
+impl IndexedRegion {
     pub(crate) fn new(region: &Region, points: &mut Points) -> Self {
         let direction = |direction: &Direction| [direction.dx().to_string(), direction.dy().to_string()];
         let first_active = |boundary: &Boundary| boundary.active().first().copied();
-        RegionJson {
+        IndexedRegion {
             kind: region.kind().name(),
             vertices: region.vertices().iter().map(|vertex| points.index(vertex.point())).collect(),
             rays: region.rays().iter().map(direction).collect(),

@@ -4,46 +4,47 @@ use boundfit_estimation::Model;
 use boundfit_exact::{Integer, Rational, Sign};
 use boundfit_geometry::{Direction, Region};
 
+use crate::document::{Operator, Text};
+use crate::formula::pair;
 use crate::style::Style;
 
 /// A sentence about which further reading would bound an unbounded FPS; `None` when it is bounded.
 ///
 /// A reading confines θ to a strip across its regressor φ, which stops every recession direction d with φ·d ≠ 0. One
 /// strip stops a whole pointed cone when φ·d has one sign on all of it.
-pub(crate) fn bounding_reading(region: &Region, model: &Model, style: &Style) -> Option<String> {
+pub(crate) fn bounding_reading(region: &Region, model: &Model, style: &Style) -> Option<Text> {
     if region.is_bounded() {
         return None;
     }
     let advice = match (region.rays().as_slice(), region.lines().as_slice()) {
         ([], [line]) => match (model, line_at_zero(line)) {
             (Model::Line { x }, Some(value)) => {
-                format!("One further reading at any {x} other than {} would bound it.", style.text(&value))
+                let at = Text::from("One further reading at any ").given(x).words(" other than ");
+                at.number(style.nearest(&value)).words(" would bound it.")
             }
-            _ => format!(
-                "One further reading whose regressors are not a multiple of ({}, {}) would bound it.",
-                line.dy(),
-                -line.dx()
-            ),
+            _ => Text::from("One further reading whose regressors are not a multiple of ")
+                .then(pair(line.dy(), -line.dx()))
+                .words(" would bound it."),
         },
         (rays @ ([_] | [_, _]), []) => {
             let (phi1, phi2) = stopping_regressor(rays)?;
-            match model {
+            let example = Text::from("One further reading would bound it, for example ");
+            let example = match model {
                 Model::Line { x } => {
-                    let value = style.text(&Rational::new(phi1, phi2)?);
-                    format!("One further reading would bound it, for example at {x} = {value}.")
+                    let value = Rational::new(phi1, phi2)?;
+                    let x = example.words("at ").given(x);
+                    x.operator(Operator::Equals).number(style.nearest(&value))
                 }
-                Model::TwoRegressors { .. } => {
-                    format!(
-                        "One further reading would bound it, for example with regressors ({phi1}, {phi2})."
-                    )
-                }
-            }
+                Model::TwoRegressors { .. } => example.words("with regressors ").then(pair(phi1, phi2)),
+            };
+            example.words(".")
         }
         _ => match model {
-            Model::Line { x } => format!("Two further readings at different {x} would bound it."),
+            Model::Line { x } => {
+                Text::from("Two further readings at different ").given(x).words(" would bound it.")
+            }
             Model::TwoRegressors { .. } => {
-                "Two further readings whose regressors are not multiples of each other would bound it."
-                    .to_owned()
+                "Two further readings whose regressors are not multiples of each other would bound it.".into()
             }
         },
     };

@@ -5,9 +5,9 @@ use boundfit_exact::{Rational, Reading};
 use boundfit_lp::{Judgement, Multiplier, PuiEnd, Refutation, Verdict};
 use serde::Serialize;
 
-use crate::fit_json::{term, to_text};
-use crate::region::TermJson;
-use crate::style::{Number, Style};
+use crate::json::{TermJson, to_text};
+use crate::number::Number;
+use crate::style::Style;
 
 #[derive(Serialize)]
 struct CheckJson {
@@ -21,12 +21,12 @@ struct CheckJson {
 struct ClaimJson {
     source: String,
     reading: &'static str,
-    bounds: Vec<BoundJson>,
+    bounds: Vec<EndJson>,
     verdict: &'static str,
 }
 
 #[derive(Serialize)]
-struct BoundJson {
+struct EndJson {
     target: &'static str,
     end: &'static str,
     claimed: Option<Number>,
@@ -41,13 +41,13 @@ struct BoundJson {
     bound: Option<String>,
     violation: Option<Number>,
     witness: Option<[Number; 2]>,
-    proof: Option<ProofJson>,
+    proof: Option<EvidenceJson>,
     repairable: Option<bool>,
     reason: Option<String>,
 }
 
 #[derive(Serialize)]
-struct ProofJson {
+struct EvidenceJson {
     shows: &'static str,
     rows: Vec<TermJson>,
     theta: Option<[Number; 2]>,
@@ -135,17 +135,18 @@ fn bound(
     judgement: &Judgement,
     rows: &ProgramRows,
     style: &Style,
-) -> BoundJson {
+) -> EndJson {
     let number = |value: &Option<Rational>| value.as_ref().map(|value| style.number(value));
     let violated = judgement.violation.as_ref().map(|violation| {
-        let TermJson { row, bound, multiplier } = term(rows.name(violation.row), &violation.by, style);
+        let TermJson { row, bound, multiplier } =
+            TermJson::new(rows.name(violation.row), &violation.by, style);
         (row, bound, multiplier)
     });
     let (row, bound, violation) = match violated {
         Some((row, bound, by)) => (row, Some(bound), Some(by)),
         None => (None, None, None),
     };
-    BoundJson {
+    EndJson {
         target,
         end,
         claimed: number(&judgement.claimed),
@@ -165,16 +166,16 @@ fn bound(
         row,
         bound,
         violation,
-        witness: judgement.witness.as_ref().map(|theta| numbers(theta, style)),
+        witness: judgement.witness.as_ref().map(|theta| style.numbers(theta)),
         proof: judgement.proof.as_ref().map(|found| proof(found, rows, style)),
         repairable: judgement.repairable,
         reason: judgement.reason.clone(),
     }
 }
 
-fn proof(proof: &Refutation, rows: &ProgramRows, style: &Style) -> ProofJson {
+fn proof(proof: &Refutation, rows: &ProgramRows, style: &Style) -> EvidenceJson {
     let terms = |multipliers: &[Multiplier]| {
-        multipliers.iter().map(|m| term(rows.name(m.row), &m.value, style)).collect()
+        multipliers.iter().map(|m| TermJson::new(rows.name(m.row), &m.value, style)).collect()
     };
     let (shows, rows, theta, ray) = match proof {
         Refutation::Infeasible(multipliers) => ("infeasible", terms(multipliers), None, None),
@@ -182,13 +183,13 @@ fn proof(proof: &Refutation, rows: &ProgramRows, style: &Style) -> ProofJson {
         Refutation::FeasiblePoint(theta) => ("feasible", Vec::new(), Some(theta), None),
         Refutation::Ray { theta, ray } => ("unbounded", Vec::new(), Some(theta), Some(ray)),
     };
-    let pair = |pair: Option<&[Rational; 2]>| pair.map(|pair| numbers(pair, style));
-    ProofJson { shows, rows, theta: pair(theta), ray: pair(ray) }
+    let pair = |pair: Option<&[Rational; 2]>| pair.map(|pair| style.numbers(pair));
+    EvidenceJson { shows, rows, theta: pair(theta), ray: pair(ray) }
 }
 
 fn directions(found: &Directions, style: &Style) -> DirectionsJson {
     let approximation = |found: &Approximation| ApproximationJson {
-        vertices: found.vertices.iter().map(|vertex| numbers(vertex, style)).collect(),
+        vertices: found.vertices.iter().map(|vertex| style.numbers(vertex)).collect(),
         area: found.area.as_ref().map(|area| style.number(area)),
     };
     DirectionsJson {
@@ -198,8 +199,4 @@ fn directions(found: &Directions, style: &Style) -> DirectionsJson {
         exact: approximation(&found.exact),
         outer: found.outer.as_ref().map(approximation),
     }
-}
-
-fn numbers(theta: &[Rational; 2], style: &Style) -> [Number; 2] {
-    theta.each_ref().map(|value| style.number(value))
 }

@@ -3,20 +3,26 @@
 use std::collections::BTreeMap;
 
 use boundfit_estimation::{
-    BoundName, ErrorBound, Family, Fit, FloatEstimate, InverseParameter, LeastSquares, Model, ParameterBound,
+    ErrorBound, Family, Fit, FloatEstimate, InverseParameter, LeastSquares, Model, ParameterBound,
     ParameterInterval, Problem,
 };
 use boundfit_exact::{Endpoint, Interval, Rational, Reading};
 use boundfit_geometry::Multiplier;
 use serde::Serialize;
 
-use crate::fit_text::NO_BINARY64;
-use crate::region::{BoundJson, IntervalJson, RegionJson, TermJson};
-use crate::style::{Number, Style};
-use crate::sweep_json::{SweepJson, sweep};
+use crate::json::{ActiveJson, BoundJson, IntervalJson, RangeJson, RegionJson, TermJson, to_text};
+use crate::number::Number;
+use crate::style::Style;
+use crate::sweep_json::SweepJson;
 
-#[derive(Serialize)]
-struct FitJson {
+/// Why binary64 least squares is left out of a report.
+pub(crate) const NO_BINARY64: &str = "not computed, since not every reading is kept in memory";
+
+/// The report of a fit, which is serialised as schema `boundfit/fit/1`. A main part that is null (least squares, EUI, PUI,
+/// central, ε_min, minimax, inverse, tightness) has an entry in `reasons`. A family over the error bound becomes the part
+/// `sweep`.
+#[derive(Debug, Serialize)]
+pub struct FitJson {
     schema: &'static str,
     input: InputJson,
     least_squares: Option<LeastSquaresJson>,
@@ -34,7 +40,7 @@ struct FitJson {
     sweep: Option<SweepJson>,
 }
 
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
 struct InputJson {
     rows: usize,
     rows_total: usize,
@@ -48,7 +54,7 @@ struct InputJson {
     r#where: Vec<String>,
 }
 
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
 struct LeastSquaresJson {
     theta: [Number; 2],
     in_fps: bool,
@@ -56,32 +62,19 @@ struct LeastSquaresJson {
     binary64: BTreeMap<&'static str, Option<FloatJson>>,
 }
 
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
 struct FloatJson {
     theta: [f64; 2],
     distance: [Number; 2],
 }
 
-#[derive(Serialize)]
-pub(crate) struct RangeJson {
-    lower: Option<Number>,
-    upper: Option<Number>,
-}
-
-/// The name of a half-plane in JSON. `row` is null for a condition.
 #[derive(Debug, Serialize)]
-pub(crate) struct ActiveJson {
-    row: Option<usize>,
-    bound: String,
-}
-
-#[derive(Serialize)]
 pub(crate) struct CentralJson {
-    pub(crate) theta: [Number; 2],
-    pub(crate) guaranteed_error: [Number; 2],
+    theta: [Number; 2],
+    guaranteed_error: [Number; 2],
 }
 
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
 struct InverseJson {
     exact_range: Vec<RangeJson>,
     box_range: Vec<RangeJson>,
@@ -90,7 +83,7 @@ struct InverseJson {
     least_squares: Option<Number>,
 }
 
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
 struct MinimaxJson {
     theta: [Number; 2],
     unique: bool,
@@ -99,8 +92,7 @@ struct MinimaxJson {
     proof: Vec<TermJson>,
 }
 
-/// The report as JSON, with a line end. A main part that is null (least squares, EUI, PUI, central, ε_min, minimax,
-/// inverse, tightness) has an entry in `reasons`. A family over the error bound becomes the part `sweep`.
+/// The report as indented JSON, with a line end.
 pub fn fit_json(
     problem: &Problem,
     fit: &Fit,
@@ -108,62 +100,38 @@ pub fn fit_json(
     reading: Reading,
     style: &Style,
 ) -> String {
-    let report = FitJson {
-        schema: "boundfit/fit/1",
-        input: input(problem, reading, style),
-        least_squares: least_squares(problem, fit, style),
-        eui: fit.eui().map(|eui| eui.each_ref().map(|eui| range(eui, style))),
-        fps: fps(problem, fit, style),
-        pui: fit
-            .pui
-            .as_ref()
-            .filter(|_| has_bounded_end(fit))
-            .map(|pui| pui.each_ref().map(|interval| parameter_interval(fit, interval, style))),
-        central: fit.central.as_ref().map(|central| CentralJson {
-            theta: numbers(&central.theta, style),
-            guaranteed_error: central.guaranteed_error.each_ref().map(|error| style.upper_number(error)),
-        }),
-        epsilon_min: uniform_minimum(problem, fit).map(|epsilon| style.upper_number(epsilon)),
-        inverse: fit.inverse.as_ref().map(|inverse| {
-            let parameters = [("gain", &inverse.gain), ("offset", &inverse.offset)];
-            parameters
-                .into_iter()
-                .map(|(name, parameter)| (name, inverse_parameter(parameter, style)))
-                .collect()
-        }),
-        minimax: minimax(problem, fit, style),
-        tightness: fit.tightness().map(|tightness| style.number(&tightness)),
-        area_centroid: fit
-            .fps
-            .polyhedron()
-            .region()
-            .area_centroid()
-            .map(|point| numbers(&point.coordinates(), style)),
-        reasons: reasons(problem, fit),
-        sweep: family.map(|family| sweep(problem, family, style)),
-    };
-    to_text(&report)
+    to_text(&FitJson::new(problem, fit, family, reading, style))
 }
 
-/// Indented JSON with a line end.
-pub(crate) fn to_text(report: &impl Serialize) -> String {
-    // The report types hold strings, numbers and lists only: there is nothing in them that cannot be written.
-    let mut text = serde_json::to_string_pretty(report).expect("a report that is not JSON");
-    text.push('\n');
-    text
-}
-
-/// A multiple of a named half-plane in JSON.
-pub(crate) fn term(name: BoundName, multiplier: &Rational, style: &Style) -> TermJson {
-    let ActiveJson { row, bound } = active(name);
-    TermJson { row, bound, multiplier: style.number(multiplier) }
-}
-
-pub(crate) fn active(name: BoundName) -> ActiveJson {
-    match name {
-        BoundName::Upper(row) => ActiveJson { row: Some(row), bound: "upper".to_owned() },
-        BoundName::Lower(row) => ActiveJson { row: Some(row), bound: "lower".to_owned() },
-        BoundName::Where(number) => ActiveJson { row: None, bound: format!("where:{number}") },
+impl FitJson {
+    /// The report of a fit, and of the family over the error bound if there is one.
+    pub fn new(
+        problem: &Problem,
+        fit: &Fit,
+        family: Option<&Family>,
+        reading: Reading,
+        style: &Style,
+    ) -> Self {
+        let region = fit.fps.polyhedron().region();
+        FitJson {
+            schema: "boundfit/fit/1",
+            input: input(problem, reading, style),
+            least_squares: least_squares(problem, fit, style),
+            eui: fit.eui().map(|eui| eui.each_ref().map(|eui| RangeJson::new(eui, style))),
+            fps: fps(problem, fit, style),
+            pui: pui(fit, style),
+            central: central(fit, style),
+            epsilon_min: uniform_minimum(problem, fit).map(|epsilon| style.upper_number(epsilon)),
+            inverse: fit.inverse.as_ref().map(|inverse| {
+                let parameters = [("gain", &inverse.gain), ("offset", &inverse.offset)];
+                parameters.map(|(name, parameter)| (name, inverse_parameter(parameter, style))).into()
+            }),
+            minimax: minimax(problem, fit, style),
+            tightness: fit.tightness().map(|tightness| style.number(&tightness)),
+            area_centroid: region.area_centroid().map(|point| style.numbers(&point.coordinates())),
+            reasons: reasons(problem, fit),
+            sweep: family.map(|family| SweepJson::new(problem, family, style)),
+        }
     }
 }
 
@@ -203,7 +171,7 @@ fn least_squares(problem: &Problem, fit: &Fit, style: &Style) -> Option<LeastSqu
         BTreeMap::from([("qr", float(&floats.qr)), ("pseudo_inverse", float(&floats.pseudo_inverse))])
     });
     Some(LeastSquaresJson {
-        theta: numbers(&estimate.theta, style),
+        theta: style.numbers(&estimate.theta),
         in_fps: fit.least_squares_slack().is_some_and(|(slack, _)| !slack.is_negative()),
         guaranteed_error: fit
             .least_squares_guaranteed_error()
@@ -214,31 +182,40 @@ fn least_squares(problem: &Problem, fit: &Fit, style: &Style) -> Option<LeastSqu
 
 fn fps(problem: &Problem, fit: &Fit, style: &Style) -> RegionJson<ActiveJson> {
     let contradiction = fit.contradiction(problem.measurements.error_bound());
-    let farkas = contradiction
-        .map(|terms| terms.iter().map(|(name, multiplier)| term(*name, multiplier, style)).collect());
-    let name = |indices: &[usize]| indices.iter().map(|&index| active(fit.fps.name(index))).collect();
+    let farkas =
+        contradiction.map(|terms| terms.iter().map(|(name, m)| TermJson::new(*name, m, style)).collect());
+    let name = |indices: &[usize]| indices.iter().map(|&index| fit.fps.name(index).into()).collect();
     RegionJson::new(fit.fps.polyhedron().region(), style, name, farkas)
 }
 
-pub(crate) fn has_bounded_end(fit: &Fit) -> bool {
+fn has_bounded_end(fit: &Fit) -> bool {
     fit.pui_intervals()
         .iter()
         .flatten()
         .any(|interval| interval.lower() != &Endpoint::Unbounded || interval.upper() != &Endpoint::Unbounded)
 }
 
-pub(crate) fn parameter_interval(fit: &Fit, interval: &ParameterInterval, style: &Style) -> IntervalJson {
+/// The parameter uncertainty intervals with their proofs; `None` when no end is bounded.
+pub(crate) fn pui(fit: &Fit, style: &Style) -> Option<[IntervalJson; 2]> {
     let bound = |bound: &ParameterBound, number: &dyn Fn(&Rational) -> Number| match bound {
         ParameterBound::Unbounded(_) => BoundJson { value: None, active: Vec::new() },
         ParameterBound::Bounded { value, proof } => {
-            let named = |m: &Multiplier| term(fit.fps.name(m.index), &m.value, style);
+            let named = |m: &Multiplier| TermJson::new(fit.fps.name(m.index), &m.value, style);
             BoundJson { value: Some(number(value)), active: proof.multipliers.iter().map(named).collect() }
         }
     };
-    IntervalJson {
+    let interval = |interval: &ParameterInterval| IntervalJson {
         lower: bound(&interval.lower, &|value| style.lower_number(value)),
         upper: bound(&interval.upper, &|value| style.upper_number(value)),
-    }
+    };
+    fit.pui.as_ref().filter(|_| has_bounded_end(fit)).map(|pui| pui.each_ref().map(interval))
+}
+
+pub(crate) fn central(fit: &Fit, style: &Style) -> Option<CentralJson> {
+    fit.central.as_ref().map(|central| CentralJson {
+        theta: style.numbers(&central.theta),
+        guaranteed_error: central.guaranteed_error.each_ref().map(|error| style.upper_number(error)),
+    })
 }
 
 /// ε_min exists under a uniform error bound only.
@@ -252,14 +229,15 @@ fn minimax(problem: &Problem, fit: &Fit, style: &Style) -> Option<MinimaxJson> {
     let least = Some(style.upper_number(&minimax.least));
     let (epsilon, epsilon_factor) =
         if uniform_minimum(problem, fit).is_some() { (least, None) } else { (None, least) };
-    let proof = minimax.proof.multipliers.iter().map(|(name, m)| term(*name, m, style)).collect();
-    let theta = numbers(&minimax.theta, style);
+    let proof = minimax.proof.multipliers.iter().map(|(name, m)| TermJson::new(*name, m, style)).collect();
+    let theta = style.numbers(&minimax.theta);
     Some(MinimaxJson { theta, unique: minimax.unique, epsilon, epsilon_factor, proof })
 }
 
 fn inverse_parameter(parameter: &InverseParameter, style: &Style) -> InverseJson {
-    let ranges =
-        |intervals: &Vec<Interval>| intervals.iter().map(|interval| range(interval, style)).collect();
+    let ranges = |intervals: &Vec<Interval>| {
+        intervals.iter().map(|interval| RangeJson::new(interval, style)).collect()
+    };
     InverseJson {
         exact_range: ranges(&parameter.exact_range),
         box_range: ranges(&parameter.box_range),
@@ -267,17 +245,6 @@ fn inverse_parameter(parameter: &InverseParameter, style: &Style) -> InverseJson
         central: parameter.central.as_ref().map(|value| style.number(value)),
         least_squares: parameter.least_squares.as_ref().map(|value| style.number(value)),
     }
-}
-
-pub(crate) fn range(interval: &Interval, style: &Style) -> RangeJson {
-    RangeJson {
-        lower: interval.lower().value().map(|value| style.lower_number(value)),
-        upper: interval.upper().value().map(|value| style.upper_number(value)),
-    }
-}
-
-pub(crate) fn numbers(theta: &[Rational; 2], style: &Style) -> [Number; 2] {
-    theta.each_ref().map(|value| style.number(value))
 }
 
 /// Why each part that is null is null.

@@ -63,8 +63,8 @@ impl FleetCsv {
         for axis in 0..2 {
             match &pui {
                 Some(pui) => {
-                    self.end(pui[axis].lower(), "-inf", |value| styles[axis].lower_shown(value));
-                    self.end(pui[axis].upper(), "inf", |value| styles[axis].upper_shown(value));
+                    self.end(pui[axis].lower(), "-inf", |value| styles[axis].lower(value));
+                    self.end(pui[axis].upper(), "inf", |value| styles[axis].upper(value));
                 }
                 None => {
                     self.cell("");
@@ -74,14 +74,14 @@ impl FleetCsv {
         }
         let central = fit.central.as_ref();
         for (axis, own) in styles.iter().enumerate() {
-            self.optional(central.map(|central| own.shown(&central.theta[axis])));
-            self.optional(central.map(|central| style.upper_shown(&central.guaranteed_error[axis])));
+            self.optional(central.map(|central| own.nearest(&central.theta[axis])));
+            self.optional(central.map(|central| style.upper(&central.guaranteed_error[axis])));
         }
         for (axis, own) in styles.iter().enumerate() {
             let estimate = fit.least_squares.as_ref().ok();
-            self.optional(estimate.map(|estimate| own.shown(&estimate.theta[axis])));
+            self.optional(estimate.map(|estimate| own.nearest(&estimate.theta[axis])));
         }
-        self.optional(group.least().map(|least| style.upper_shown(least)));
+        self.optional(group.least().map(|least| style.upper(least)));
         self.writer.write_record(None::<&[u8]>).expect(WRITTEN);
     }
 

@@ -1,15 +1,14 @@
 //! One group of a fleet as a line of JSON, schema `boundfit/fleet/1`. What means the same as in `boundfit/fit/1` has the
 //! same name and the same shape.
 
-use boundfit_estimation::{ParameterInterval, least_squares_is_feasible};
+use boundfit_estimation::least_squares_is_feasible;
 use serde::Serialize;
 
-use crate::fit_json::{
-    CentralJson, RangeJson, has_bounded_end, numbers, parameter_interval, range, term, uniform_minimum,
-};
+use crate::fit_json::{CentralJson, central, pui, uniform_minimum};
 use crate::fleet_summary::GroupReport;
-use crate::region::{CertificateJson, IntervalJson};
-use crate::style::{Number, Style};
+use crate::json::{CertificateJson, IntervalJson, RangeJson, TermJson};
+use crate::number::Number;
+use crate::style::Style;
 
 #[derive(Serialize)]
 struct GroupJson<'a> {
@@ -51,24 +50,19 @@ pub fn write_group_json(text: &mut Vec<u8>, group: &GroupReport<'_>, style: &Sty
         rows: group.rows(),
         first_row: group.first_row(),
         least_squares: least_squares.map(|estimate| LeastSquaresJson {
-            theta: numbers(&estimate.theta, style),
+            theta: style.numbers(&estimate.theta),
             in_fps: least_squares_is_feasible(fit).unwrap_or(false),
         }),
-        eui: fit.eui().map(|eui| eui.each_ref().map(|eui| range(eui, style))),
+        eui: fit.eui().map(|eui| eui.each_ref().map(|eui| RangeJson::new(eui, style))),
         fps: FpsJson {
             kind: group.kind().name(),
             vertex_count: region.vertices().len(),
             certificate: contradiction.map(|terms| CertificateJson {
-                farkas: terms.iter().map(|(name, multiplier)| term(*name, multiplier, style)).collect(),
+                farkas: terms.iter().map(|(name, m)| TermJson::new(*name, m, style)).collect(),
             }),
         },
-        pui: fit.pui.as_ref().filter(|_| has_bounded_end(fit)).map(|pui| {
-            pui.each_ref().map(|interval: &ParameterInterval| parameter_interval(fit, interval, style))
-        }),
-        central: fit.central.as_ref().map(|central| CentralJson {
-            theta: numbers(&central.theta, style),
-            guaranteed_error: central.guaranteed_error.each_ref().map(|error| style.upper_number(error)),
-        }),
+        pui: pui(fit, style),
+        central: central(fit, style),
         epsilon_min: uniform_minimum(problem, fit).map(|epsilon| style.upper_number(epsilon)),
         epsilon_factor: group
             .least()

@@ -2,9 +2,8 @@
 
 use boundfit_estimation::{ErrorBound, Fit, Problem};
 use boundfit_exact::Rational;
+use boundfit_exact::english::counted;
 use boundfit_geometry::RegionKind;
-
-use crate::text::counted;
 
 /// How many of the groups without an answer a summary names.
 const MOST_NAMED: usize = 5;

@@ -1,8 +1,8 @@
 //! The groups of a fleet as text: one line each, aligned.
 
 use boundfit_estimation::ParameterInterval;
-use unicode_width::UnicodeWidthStr;
 
+use crate::align::{widths, write_line};
 use crate::fleet_summary::{GroupReport, shown_key};
 use crate::style::Style;
 
@@ -22,14 +22,14 @@ impl GroupCells {
         let pui = group.fit.pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval));
         let styles = style.resolving_both(pui.as_ref());
         let interval =
-            |axis: usize| pui.as_ref().map_or_else(none, |pui| styles[axis].interval_text(&pui[axis]));
+            |axis: usize| pui.as_ref().map_or_else(none, |pui| styles[axis].interval(&pui[axis]).to_string());
         GroupCells([
             shown_key(group.key),
             group.rows().to_string(),
             group.kind().name().to_owned(),
             interval(0),
             interval(1),
-            group.least().map_or_else(none, |least| style.upper_text(least)),
+            group.least().map_or_else(none, |least| style.upper(least).to_string()),
         ])
     }
 
@@ -44,7 +44,7 @@ impl GroupCells {
 /// its line.
 #[derive(Debug)]
 pub struct FleetTable {
-    widths: Option<[usize; CELLS]>,
+    widths: Option<Vec<usize>>,
     waiting: Vec<GroupCells>,
 }
 
@@ -57,7 +57,7 @@ impl FleetTable {
     /// Appends a line to the text, or keeps it until it is known how wide the columns are.
     pub fn push(&mut self, cells: GroupCells, text: &mut String) {
         match &self.widths {
-            Some(widths) => write_line(&cells, widths, text),
+            Some(widths) => write_line(&cells.0, widths, text),
             None => {
                 self.waiting.push(cells);
                 if self.waiting.len() > LINES_MEASURED {
@@ -70,24 +70,17 @@ impl FleetTable {
     /// Appends the lines that are still waiting.
     pub fn finish(&mut self, text: &mut String) {
         let waiting = std::mem::take(&mut self.waiting);
-        let widths = self.widths.get_or_insert_with(|| {
-            let width = |column: usize| waiting.iter().map(|line| line.0[column].width()).max().unwrap_or(0);
-            std::array::from_fn(width)
-        });
+        let widths = self.widths.get_or_insert_with(|| widths(&waiting));
         for cells in &waiting {
-            write_line(cells, widths, text);
+            write_line(&cells.0, widths, text);
         }
     }
 }
 
-fn write_line(cells: &GroupCells, widths: &[usize; CELLS], text: &mut String) {
-    for (column, (cell, &width)) in cells.0.iter().zip(widths).enumerate() {
-        text.push_str(cell);
-        if column + 1 < CELLS {
-            text.extend(std::iter::repeat_n(' ', width.saturating_sub(cell.width()) + 2));
-        }
+impl AsRef<[String]> for GroupCells {
+    fn as_ref(&self) -> &[String] {
+        &self.0
     }
-    text.push('\n');
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! boundfit's answers as text for people and JSON for programs.
+//! boundfit's answers for people and for programs: documents in plain text, LaTeX and Markdown, and JSON.
 //!
 //! Every printed decimal is rounded from an exact value in a direction that [`Style`] fixes: interval ends outward, error
 //! bounds upward, all other numbers to nearest. JSON carries the exact value beside every decimal.
@@ -24,53 +24,50 @@
 //! ```
 
 mod advice;
+mod align;
 mod cdd;
+mod check;
 mod check_json;
-mod check_text;
 mod document;
-mod fit_blocks;
+mod fit;
 mod fit_json;
-mod fit_text;
 mod fleet_csv;
 mod fleet_json;
 mod fleet_summary;
 mod fleet_text;
+mod formula;
 mod generators;
-mod latex;
-mod markdown;
-mod markup;
-mod polygon_json;
-mod polygon_rows;
-mod polygon_tables;
-mod polygon_text;
+mod json;
+mod number;
+mod polygon;
 mod proof_json;
 mod region;
 mod script;
 mod style;
+mod sweep;
 mod sweep_json;
-mod sweep_text;
-mod text;
 mod verify;
 mod vertices_csv;
 mod wkt;
 
 pub use cdd::{h_representation, v_representation};
+pub use check::{check_document, conformance_table, verdict_line};
 pub use check_json::{check_json, conformance_json};
-pub use check_text::{check_text, conformance_table, verdict_line};
-pub use fit_json::fit_json;
-pub use fit_text::{Origin, fit_text};
+pub use document::Document;
+pub use fit::{Origin, fit_document};
+pub use fit_json::{FitJson, fit_json};
 pub use fleet_csv::FleetCsv;
 pub use fleet_json::write_group_json;
 pub use fleet_summary::{FleetSummary, GroupReport};
 pub use fleet_text::{FleetTable, GroupCells};
-pub use markup::Markup;
-pub use polygon_json::polygon_json;
-pub use polygon_text::polygon_text;
+pub use json::{ActiveJson, RangeJson};
+pub use number::Number;
+pub use polygon::{polygon_document, polygon_json};
 pub use proof_json::proof_json;
 pub use script::region_script;
 pub use style::{EndRounding, Style};
-pub use sweep_json::sweep_value;
-pub use sweep_text::sweep_text;
+pub use sweep::sweep_document;
+pub use sweep_json::SweepJson;
 pub use verify::{verify_json, verify_text};
 pub use vertices_csv::vertices_csv;
 pub use wkt::region_wkt;

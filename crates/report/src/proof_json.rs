@@ -2,12 +2,11 @@
 
 use boundfit_estimation::{BoundName, Condition, ErrorBound, Fit, Fps, ParameterBound, Problem};
 use boundfit_exact::{Rational, Reading};
-use boundfit_formats::TextLayout;
 use boundfit_geometry::predicates::{Turn, normal_turn};
 use boundfit_geometry::{Multiplier, Polyhedron, Vertex};
 use serde::Serialize;
 
-use crate::fit_json::to_text;
+use crate::json::to_text;
 
 #[derive(Serialize)]
 struct ProofJson {
@@ -22,12 +21,12 @@ struct ProofJson {
     vertices: Vec<[String; 2]>,
     active: Vec<(usize, String)>,
     sides: Vec<(String, Option<usize>)>,
-    farkas: Vec<TermJson>,
-    bounds: Vec<(Vec<TermJson>, [String; 2], [String; 2])>,
+    farkas: Vec<NamedMultiplier>,
+    bounds: Vec<(Vec<NamedMultiplier>, [String; 2], [String; 2])>,
 }
 
 /// The name of a half-plane and its multiplier.
-type TermJson = (String, String);
+type NamedMultiplier = (String, String);
 
 /// The proof of a fit as JSON, with a line end: what was read from which bytes, the feasible parameter set with the
 /// half-planes of its sides, and its bounds; for an empty set the readings that contradict each other. `None` when the
@@ -36,11 +35,11 @@ type TermJson = (String, String);
 /// All numbers are exact fractions as text. Its size is linear in the vertices and the half-planes that touch them.
 pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<String> {
     let measurements = &problem.measurements;
-    let TextLayout { delimiter, has_header, columns, rows } = measurements.layout()?;
+    let layout = measurements.layout()?;
     let column = |&column: &usize| (column, "1".to_owned());
     // Column 0 holds 1 in every row.
-    let (epsilon, columns) = match (measurements.error_bound(), columns.split_last()?) {
-        (ErrorBound::Uniform(epsilon), _) => ((0, epsilon.to_string()), columns.as_slice()),
+    let (epsilon, columns) = match (measurements.error_bound(), layout.columns.split_last()?) {
+        (ErrorBound::Uniform(epsilon), _) => ((0, epsilon.to_string()), layout.columns.as_slice()),
         (ErrorBound::PerRow(_), (own, others)) => (column(own), others),
     };
     let [x1, x2, y] = match columns {
@@ -61,15 +60,15 @@ pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<Stri
     let sides = polyhedron.irredundant_by_angle().iter().zip(corners(polyhedron));
     let sides: Vec<_> = sides.map(|(&index, vertex)| (name(index), vertex)).collect();
     let contradiction = fit.contradiction(problem.measurements.error_bound()).unwrap_or_default();
-    let farkas: Vec<TermJson> = contradiction.iter().map(|(name, value)| term(*name, value)).collect();
+    let farkas: Vec<NamedMultiplier> = contradiction.iter().map(|(name, value)| term(*name, value)).collect();
     let ends = fit.pui.iter().flatten().flat_map(|interval| [&interval.lower, &interval.upper]);
     let bounds = ends.map(|end| bound_json(end, &fit.fps)).collect();
     let proof = ProofJson {
         schema: "boundfit/proof/1",
         sha256: measurements.sha256()?.to_owned(),
-        delimiter: char::from(*delimiter),
-        header: *has_header,
-        rows: *rows,
+        delimiter: char::from(layout.delimiter),
+        header: layout.has_header,
+        rows: layout.rows,
         reading: reading.name(),
         model: [x1, x2, y, epsilon],
         conditions: problem.conditions.iter().map(condition).collect(),
@@ -107,7 +106,7 @@ fn corners(polyhedron: &Polyhedron) -> Vec<Option<usize>> {
 }
 
 /// Multipliers, a point and a ray. At a finite end the ray is zero; where there is none, there are no multipliers.
-fn bound_json(bound: &ParameterBound, fps: &Fps) -> (Vec<TermJson>, [String; 2], [String; 2]) {
+fn bound_json(bound: &ParameterBound, fps: &Fps) -> (Vec<NamedMultiplier>, [String; 2], [String; 2]) {
     let (multipliers, point, ray) = match bound {
         ParameterBound::Bounded { proof, .. } => {
             let multiplier = |m: &Multiplier| term(fps.name(m.index), &m.value);
@@ -121,6 +120,6 @@ fn bound_json(bound: &ParameterBound, fps: &Fps) -> (Vec<TermJson>, [String; 2],
     (multipliers, point.coordinates().map(|coordinate| coordinate.to_string()), ray)
 }
 
-fn term(name: BoundName, multiplier: &Rational) -> TermJson {
+fn term(name: BoundName, multiplier: &Rational) -> NamedMultiplier {
     (name.to_string(), multiplier.to_string())
 }

@@ -2,11 +2,16 @@
 
 use std::fmt;
 
-use boundfit_exact::{Decimal, Endpoint, Interval, Rational, Rounding};
-use serde::ser::{Serialize, SerializeStruct, Serializer};
+use boundfit_exact::{Decimal, Interval, Rational, Rounding};
+
+use crate::document::{Inline, Symbol, Text};
+use crate::number::Number;
 
 /// The longest fraction that text reports show without being asked for exact numbers.
 const LONGEST_FRACTION: usize = 80;
+
+/// Significant digits up to which a given number is shown in full.
+const GIVEN_DIGITS: usize = 20;
 
 /// In which direction the ends of intervals and the error bounds are rounded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -33,7 +38,7 @@ impl EndRounding {
 }
 
 /// How numbers are shown.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Style {
     /// Significant digits of decimals.
     pub digits: usize,
@@ -47,32 +52,6 @@ impl Default for Style {
     /// Five digits, ends outward, decimals.
     fn default() -> Self {
         Style { digits: 5, ends: EndRounding::Outward, exact: false }
-    }
-}
-
-/// A number in JSON: `{"exact": "p/q", "decimal": "1.8194e-3"}`. It becomes text only where it is written.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Number {
-    exact: Rational,
-    digits: usize,
-    rounding: Rounding,
-}
-
-impl Serialize for Number {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut fields = serializer.serialize_struct("Number", 2)?;
-        fields.serialize_field("exact", &Written(&self.exact))?;
-        fields.serialize_field("decimal", &Written(self.exact.decimal(self.digits, self.rounding)))?;
-        fields.end()
-    }
-}
-
-/// Something with a text as a string in JSON, without a `String` between.
-struct Written<T>(T);
-
-impl<T: fmt::Display> Serialize for Written<T> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(&self.0)
     }
 }
 
@@ -93,107 +72,97 @@ impl fmt::Display for Shown<'_> {
 
 impl Style {
     /// Both forms of a number that is neither an end of an interval nor an error bound.
-    pub(crate) fn number(&self, value: &Rational) -> Number {
-        self.rounded(value, Rounding::Nearest)
+    pub fn number(&self, value: &Rational) -> Number {
+        Number::rounded(value, self.digits, Rounding::Nearest)
     }
 
     /// Both forms of a lower end.
-    pub(crate) fn lower_number(&self, value: &Rational) -> Number {
-        self.rounded(value, self.directed(Rounding::Down))
+    pub fn lower_number(&self, value: &Rational) -> Number {
+        Number::rounded(value, self.digits, self.directed(Rounding::Down))
     }
 
     /// Both forms of an upper end or an error bound.
-    pub(crate) fn upper_number(&self, value: &Rational) -> Number {
-        self.rounded(value, self.directed(Rounding::Up))
+    pub fn upper_number(&self, value: &Rational) -> Number {
+        Number::rounded(value, self.digits, self.directed(Rounding::Up))
     }
 
-    /// A given number as text, in full: its decimal when that is exact, else its fraction.
-    pub(crate) fn given_text(&self, value: &Rational) -> String {
-        const MOST: usize = 20;
-        value
-            .exact_decimal(MOST.max(self.digits))
-            .filter(|_| !self.exact)
-            .unwrap_or_else(|| self.proof_text(value))
+    /// Both forms of a given number: its decimal in full where that is exact.
+    pub fn given_number(&self, value: &Rational) -> Number {
+        let digits = if value.exact_decimal(GIVEN_DIGITS).is_some() { GIVEN_DIGITS } else { self.digits };
+        Number::rounded(value, digits, Rounding::Nearest)
     }
 
-    /// A multiplier of a proof as text: exact, since rounded ones prove nothing, unless too long to read.
-    pub(crate) fn proof_text(&self, value: &Rational) -> String {
-        let exact = value.to_string();
-        if exact.len() <= LONGEST_FRACTION || self.exact {
-            exact
-        } else {
-            format!("about {}", self.text(value))
-        }
-    }
-
-    /// An error bound as text, with the exact value behind it when the decimal is rounded.
-    pub(crate) fn upper_text_with_exact(&self, value: &Rational) -> String {
-        match value.exact_decimal(self.digits) {
-            _ if self.exact => value.to_string(),
-            Some(decimal) => decimal,
-            None if value.to_string().len() > LONGEST_FRACTION => self.upper_text(value),
-            None => format!("{} (exactly {value})", self.upper_text(value)),
-        }
+    pub(crate) fn numbers(&self, values: &[Rational; 2]) -> [Number; 2] {
+        values.each_ref().map(|value| self.number(value))
     }
 
     /// This style with as many more digits as it takes to tell the ends of an interval apart: when one unit of the last
     /// digit is wider than the interval, one digit beyond the first that differs.
     pub(crate) fn resolving(&self, interval: &Interval) -> Style {
-        Style { digits: interval.resolving_digits(self.digits), ..self.clone() }
+        Style { digits: interval.resolving_digits(self.digits), ..*self }
     }
 
-    /// One style for each of two parameters, resolving their ranges when these are known.
-    pub(crate) fn resolving_both(&self, ranges: Option<&[Interval; 2]>) -> [Style; 2] {
-        [0, 1].map(|axis| ranges.map_or_else(|| self.clone(), |ranges| self.resolving(&ranges[axis])))
+    /// One style for each of two parameters, which tell the ends of their ranges apart when these are known.
+    pub fn resolving_both(&self, ranges: Option<&[Interval; 2]>) -> [Style; 2] {
+        [0, 1].map(|axis| ranges.map_or(*self, |ranges| self.resolving(&ranges[axis])))
     }
 
-    /// A number as text.
-    pub(crate) fn text(&self, value: &Rational) -> String {
-        self.shown(value).to_string()
+    /// A number, to nearest.
+    pub(crate) fn nearest<'a>(&self, value: &'a Rational) -> Shown<'a> {
+        self.shown(value, Rounding::Nearest)
     }
 
-    /// A lower end as text.
-    pub(crate) fn lower_text(&self, value: &Rational) -> String {
-        self.lower_shown(value).to_string()
+    /// A lower end.
+    pub(crate) fn lower<'a>(&self, value: &'a Rational) -> Shown<'a> {
+        self.shown(value, self.directed(Rounding::Down))
     }
 
-    /// An upper end or an error bound as text.
-    pub(crate) fn upper_text(&self, value: &Rational) -> String {
-        self.upper_shown(value).to_string()
+    /// An upper end or an error bound.
+    pub(crate) fn upper<'a>(&self, value: &'a Rational) -> Shown<'a> {
+        self.shown(value, self.directed(Rounding::Up))
     }
 
-    /// A number as text, for writing.
-    pub(crate) fn shown<'a>(&self, value: &'a Rational) -> Shown<'a> {
-        self.chosen(value, Rounding::Nearest)
+    /// A given number in full: its decimal when that is exact, else its fraction.
+    pub(crate) fn given(&self, value: &Rational) -> Text {
+        let decimal = value.exact_decimal(GIVEN_DIGITS.max(self.digits)).filter(|_| !self.exact);
+        decimal.map_or_else(|| self.proof(value), |decimal| Text::new().number(decimal))
     }
 
-    /// A lower end as text, for writing.
-    pub(crate) fn lower_shown<'a>(&self, value: &'a Rational) -> Shown<'a> {
-        self.chosen(value, self.directed(Rounding::Down))
+    /// A number of a proof: exact, since rounded ones prove nothing, unless too long to read.
+    pub(crate) fn proof(&self, value: &Rational) -> Text {
+        if self.exact || is_readable(value) {
+            Text::new().number(value)
+        } else {
+            Text::from("about ").number(self.nearest(value))
+        }
     }
 
-    /// An upper end or an error bound as text, for writing.
-    pub(crate) fn upper_shown<'a>(&self, value: &'a Rational) -> Shown<'a> {
-        self.chosen(value, self.directed(Rounding::Up))
+    /// An error bound with the exact value behind it when the decimal is rounded.
+    pub(crate) fn upper_with_exact(&self, value: &Rational) -> Text {
+        let upper = Text::new().number(self.upper(value));
+        if self.exact || value.exact_decimal(self.digits).is_some() || !is_readable(value) {
+            upper
+        } else {
+            upper.words(" (exactly ").number(value).words(")")
+        }
     }
 
-    /// An interval as text: `[1.5, 2]`, `(-inf, 2]`.
-    pub(crate) fn interval_text(&self, interval: &Interval) -> String {
-        let lower = match interval.lower() {
-            Endpoint::Finite(value) => format!("[{}", self.lower_text(value)),
-            Endpoint::Unbounded => "(-inf".to_owned(),
-        };
-        let upper = match interval.upper() {
-            Endpoint::Finite(value) => format!("{}]", self.upper_text(value)),
-            Endpoint::Unbounded => "inf)".to_owned(),
-        };
-        format!("{lower}, {upper}")
+    /// An interval: `[1.5, 2]`, `(-inf, 2]`.
+    pub(crate) fn interval(&self, interval: &Interval) -> Text {
+        let lower = interval.lower().value().map(|value| Text::new().number(self.lower(value)));
+        let upper = interval.upper().value().map(|value| Text::new().number(self.upper(value)));
+        range(lower, upper)
     }
 
-    /// A union of intervals as text.
-    pub(crate) fn union_text(&self, intervals: &[Interval]) -> String {
-        let intervals: Vec<String> = intervals.iter().map(|interval| self.interval_text(interval)).collect();
-        if intervals.is_empty() { "-".to_owned() } else { intervals.join(" or ") }
+    /// A union of intervals; a hyphen when there is none.
+    pub(crate) fn union(&self, intervals: &[Interval]) -> Text {
+        match intervals {
+            [] => "-".into(),
+            _ => {
+                let or = Inline::Words(" or ".to_owned());
+                Text::joined(intervals.iter().map(|interval| self.interval(interval)), &or)
+            }
+        }
     }
 
     fn directed(&self, outward: Rounding) -> Rounding {
@@ -203,17 +172,33 @@ impl Style {
         }
     }
 
-    fn rounded(&self, value: &Rational, rounding: Rounding) -> Number {
-        Number { exact: value.clone(), digits: self.digits, rounding }
-    }
-
-    fn chosen<'a>(&self, value: &'a Rational, rounding: Rounding) -> Shown<'a> {
+    fn shown<'a>(&self, value: &'a Rational, rounding: Rounding) -> Shown<'a> {
         if self.exact { Shown::Exact(value) } else { Shown::Rounded(value.decimal(self.digits, rounding)) }
     }
 }
 
+/// Whether a fraction is short enough to be read.
+pub(crate) fn is_readable(value: &Rational) -> bool {
+    value.to_string().len() <= LONGEST_FRACTION
+}
+
+/// An interval with these ends; infinite where there is none.
+pub(crate) fn range(lower: Option<Text>, upper: Option<Text>) -> Text {
+    let lower = match lower {
+        Some(lower) => Text::new().mark("[").then(lower),
+        None => Text::new().mark("(").mark("-").symbol(Symbol::Infinity),
+    };
+    let upper = match upper {
+        Some(upper) => upper.mark("]"),
+        None => Text::from(Symbol::Infinity).mark(")"),
+    };
+    lower.mark(", ").then(upper)
+}
+
 #[cfg(test)]
 mod tests {
+    use boundfit_exact::Endpoint;
+
     use super::*;
 
     fn interval(lower: Rational, upper: Rational) -> Interval {
@@ -227,7 +212,7 @@ mod tests {
         assert_eq!(style.resolving(&wide), style);
         let base = Rational::ratio(17, 10);
         let narrow = interval(base.clone(), &base + Rational::ratio(3, 1_000_000_000));
-        assert_eq!(style.resolving(&narrow).interval_text(&narrow), "[1.7, 1.700000003]");
+        assert_eq!(style.resolving(&narrow).interval(&narrow).to_string(), "[1.7, 1.700000003]");
         assert_eq!(style.resolving(&interval(base.clone(), base.clone())), style);
         let hopeless = Rational::new(1.into(), boundfit_exact::Integer::power_of_ten(9_999)).unwrap();
         assert_eq!(style.resolving(&interval(base.clone(), &base + &hopeless)), style);
@@ -236,9 +221,9 @@ mod tests {
     #[test]
     fn given_numbers_are_shown_in_full() {
         let style = Style::default();
-        assert_eq!(style.given_text(&Rational::ratio(373_923_265, 1_000_000_000)), "0.373923265");
-        assert_eq!(style.given_text(&Rational::ratio(1, 3)), "1/3");
-        assert_eq!(style.upper_text_with_exact(&Rational::ratio(1, 3)), "0.33334 (exactly 1/3)");
-        assert_eq!(style.upper_text_with_exact(&Rational::ratio(1, 4)), "0.25");
+        assert_eq!(style.given(&Rational::ratio(373_923_265, 1_000_000_000)).to_string(), "0.373923265");
+        assert_eq!(style.given(&Rational::ratio(1, 3)).to_string(), "1/3");
+        assert_eq!(style.upper_with_exact(&Rational::ratio(1, 3)).to_string(), "0.33334 (exactly 1/3)");
+        assert_eq!(style.upper_with_exact(&Rational::ratio(1, 4)).to_string(), "0.25");
     }
 }

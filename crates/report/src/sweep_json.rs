@@ -3,16 +3,17 @@
 use boundfit_estimation::{
     BoundName, Breakpoint, ErrorBound, Family, Linear, MovingVertex, Piece, Problem, Quadratic, Section,
 };
-use boundfit_exact::{Interval, Rational};
+use boundfit_exact::Rational;
 use boundfit_geometry::Direction;
 use serde::Serialize;
 
-use crate::fit_json::{ActiveJson, active};
-use crate::style::{Number, Style};
+use crate::json::{ActiveJson, RangeJson, VertexJson};
+use crate::number::Number;
+use crate::style::Style;
 
-/// The sets FPS(s·ε) from one factor to another.
+/// The sets FPS(s·ε) from one factor to another, which are serialised as the part `sweep` of `boundfit/fit/1`.
 #[derive(Debug, Serialize)]
-pub(crate) struct SweepJson {
+pub struct SweepJson {
     from: Number,
     to: Number,
     least: Option<Number>,
@@ -25,11 +26,11 @@ struct BreakpointJson {
     s: Number,
     epsilon: Option<Number>,
     kind: &'static str,
-    vertices: Vec<VertexJson<Number>>,
+    vertices: Vec<VertexJson<Number, ActiveJson>>,
     rays: Vec<[String; 2]>,
     lines: Vec<[String; 2]>,
     boundaries: Vec<BoundaryJson<Number>>,
-    pui: Option<[EndsJson<Number>; 2]>,
+    pui: Option<[RangeJson; 2]>,
     area: Option<Number>,
     entering: Vec<ActiveJson>,
     leaving: Vec<ActiveJson>,
@@ -40,18 +41,12 @@ struct PieceJson {
     from: Number,
     to: Number,
     kind: &'static str,
-    vertices: Vec<VertexJson<LinearJson>>,
+    vertices: Vec<VertexJson<LinearJson, ActiveJson>>,
     rays: Vec<[String; 2]>,
     lines: Vec<[String; 2]>,
     boundaries: Vec<BoundaryJson<LinearJson>>,
-    pui: Option<[EndsJson<LinearJson>; 2]>,
+    pui: Option<[RangeJson<LinearJson>; 2]>,
     area: Option<QuadraticJson>,
-}
-
-#[derive(Debug, Serialize)]
-struct VertexJson<V> {
-    theta: [V; 2],
-    active: Vec<ActiveJson>,
 }
 
 /// normal·θ ≤ offset.
@@ -60,13 +55,6 @@ struct BoundaryJson<V> {
     normal: [String; 2],
     offset: V,
     active: Vec<ActiveJson>,
-}
-
-/// The ends of an interval, null where there is none.
-#[derive(Debug, Serialize)]
-struct EndsJson<V> {
-    lower: Option<V>,
-    upper: Option<V>,
 }
 
 /// `constant + slope·s`.
@@ -84,27 +72,21 @@ struct QuadraticJson {
     quadratic: String,
 }
 
-/// The family as a JSON value, for documents other than a fit's.
-pub fn sweep_value(problem: &Problem, family: &Family, style: &Style) -> serde_json::Value {
-    // The types hold strings and lists only: there is nothing in them that cannot be a value.
-    serde_json::to_value(sweep(problem, family, style)).expect("a sweep that is not JSON")
-}
-
-/// The family as the value of the key `sweep`.
-pub(crate) fn sweep(problem: &Problem, family: &Family, style: &Style) -> SweepJson {
-    let breakpoints = family.breakpoints();
-    let end = |breakpoint: Option<&Breakpoint>| {
-        style.upper_number(breakpoint.map_or(&Rational::default(), |breakpoint| &breakpoint.s))
-    };
-    SweepJson {
-        from: end(breakpoints.first()),
-        to: end(breakpoints.last()),
-        least: family.least().map(|least| style.upper_number(least)),
-        breakpoints: breakpoints
-            .iter()
-            .map(|breakpoint| breakpoint_json(problem, breakpoint, style))
-            .collect(),
-        pieces: family.pieces().iter().map(|piece| piece_json(piece, style)).collect(),
+impl SweepJson {
+    /// The family between the factors that it was made for.
+    pub fn new(problem: &Problem, family: &Family, style: &Style) -> Self {
+        let breakpoints = family.breakpoints();
+        let end = |breakpoint: Option<&Breakpoint>| {
+            style.upper_number(breakpoint.map_or(&Rational::default(), |breakpoint| &breakpoint.s))
+        };
+        let pieces = family.pieces().iter();
+        SweepJson {
+            from: end(breakpoints.first()),
+            to: end(breakpoints.last()),
+            least: family.least().map(|least| style.upper_number(least)),
+            breakpoints: breakpoints.iter().map(|own| breakpoint_json(problem, own, style)).collect(),
+            pieces: pieces.map(|piece| piece_json(piece, style)).collect(),
+        }
     }
 }
 
@@ -114,20 +96,13 @@ fn breakpoint_json(problem: &Problem, breakpoint: &Breakpoint, style: &Style) ->
         ErrorBound::Uniform(epsilon) => Some(style.upper_number(&(epsilon * &breakpoint.s))),
         ErrorBound::PerRow(_) => None,
     };
-    let range = |interval: &Interval| EndsJson {
-        lower: interval.lower().value().map(|value| style.lower_number(value)),
-        upper: interval.upper().value().map(|value| style.upper_number(value)),
-    };
     BreakpointJson {
         s: style.upper_number(&breakpoint.s),
         epsilon,
         kind: kind.name(),
         vertices: vertices
             .iter()
-            .map(|vertex| VertexJson {
-                theta: vertex.theta.each_ref().map(|value| style.number(value)),
-                active: names(&vertex.active),
-            })
+            .map(|vertex| VertexJson { theta: style.numbers(&vertex.theta), active: names(&vertex.active) })
             .collect(),
         rays: directions(rays),
         lines: directions(lines),
@@ -139,7 +114,7 @@ fn breakpoint_json(problem: &Problem, breakpoint: &Breakpoint, style: &Style) ->
                 active: names(&boundary.active),
             })
             .collect(),
-        pui: pui.as_ref().map(|pui| pui.each_ref().map(range)),
+        pui: pui.as_ref().map(|pui| pui.each_ref().map(|interval| RangeJson::new(interval, style))),
         area: area.as_ref().map(|area| style.number(area)),
         entering: names(&breakpoint.entering),
         leaving: names(&breakpoint.leaving),
@@ -151,7 +126,7 @@ fn piece_json(piece: &Piece, style: &Style) -> PieceJson {
         theta: vertex.theta.each_ref().map(linear),
         active: names(&vertex.active),
     };
-    let range = |[lower, upper]: &[Option<Linear>; 2]| EndsJson {
+    let range = |[lower, upper]: &[Option<Linear>; 2]| RangeJson {
         lower: lower.as_ref().map(linear),
         upper: upper.as_ref().map(linear),
     };
@@ -189,7 +164,7 @@ fn quadratic(Quadratic { constant, slope, quadratic }: &Quadratic) -> QuadraticJ
 }
 
 fn names(names: &[BoundName]) -> Vec<ActiveJson> {
-    names.iter().map(|&name| active(name)).collect()
+    names.iter().map(|&name| name.into()).collect()
 }
 
 fn direction(direction: &Direction) -> [String; 2] {

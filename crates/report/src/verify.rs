@@ -1,11 +1,11 @@
 //! The verdict on a proof, as text and as JSON of schema `boundfit/verify/1`.
 
+use boundfit_exact::english::counted;
 use boundfit_exact::{Rational, Rounding};
 use boundfit_verify::{Extent, Falsehood, Statement};
 use serde::Serialize;
 
-use crate::fit_json::to_text;
-use crate::text::counted;
+use crate::json::to_text;
 
 /// What a checker found: what the proof states, all of it true, or the first statement that is false.
 type Verdict = Result<Statement, Falsehood>;

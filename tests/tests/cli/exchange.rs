@@ -179,7 +179,8 @@ fn names_of_columns_are_escaped() {
     let fit = "fit t.csv --x 1 --y 2 --eps 1";
     let latex = printed(directory.path(), &format!("{fit} --format latex"));
     let y = r"z\textasciicircum{}2\textasciitilde{}\#\$";
-    let model = format!(r"model & {y} $= \theta_1\cdot$V\_z \& 5\%\textbar{{}} $+ \theta_2 + e$ \\");
+    let model =
+        format!(r"model & {y}${{}} = \theta_1 \cdot {{}}$V\_z \& 5\%\textbar{{}}${{}} + \theta_2 + e$ \\");
     assert!(latex.contains(&model), "{latex}");
     let markdown = printed(directory.path(), &format!("{fit} --format markdown"));
     let model = r"| model | z^2\~\#\$ = theta1\*V\_z \& 5%\| + theta2 + e |";

@@ -9,7 +9,7 @@ use boundfit_check::{
 };
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_lp::Verdict;
-use boundfit_report::{check_json, check_text};
+use boundfit_report::{check_document, check_json};
 
 use crate::CommandResult;
 use crate::arguments::{CheckArguments, Format, number_problem};
@@ -29,7 +29,7 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
     let style = arguments.output.style();
     let report = match arguments.output.format {
         Format::Json => check_json(&check, reading, &style),
-        Format::Text => check_text(&check, arguments.data.file_name(), reading, &style),
+        Format::Text => check_document(&check, arguments.data.file_name(), reading, &style).to_text(),
     };
     output::write(&report, arguments.output.file.output.as_deref())?;
     Ok(if check.worst(reading).is_some_and(Verdict::is_refutation) { Exit::Refuted } else { Exit::Answer })

@@ -6,8 +6,8 @@ use boundfit_check::{CheckOptions, check, source_names};
 use boundfit_estimation::{Family, Fit, Keep, Problem, fit};
 use boundfit_exact::{Rational, Reading};
 use boundfit_report::{
-    Markup, fit_json, fit_text, h_representation, proof_json, region_script, region_wkt, sweep_text,
-    v_representation, verdict_line, vertices_csv,
+    Document, fit_document, fit_json, h_representation, proof_json, region_script, region_wkt,
+    sweep_document, v_representation, verdict_line, vertices_csv,
 };
 
 use crate::CommandResult;
@@ -34,10 +34,18 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
         while_working("sweeping", || Family::new(&problem, from.clone(), to.clone()))
     });
     let style = arguments.output.style();
+    let document = |lp_verdict: Option<String>| {
+        let mut document = fit_document(&problem, &fit, &origin, &style);
+        lp_verdict.into_iter().for_each(|verdict| document.add_result("LP solver", &verdict));
+        document.append(
+            family.as_ref().map_or_else(Document::default, |family| sweep_document(&problem, family, &style)),
+        );
+        document
+    };
     let report = match arguments.output.format {
         ReportFormat::Json => fit_json(&problem, &fit, family.as_ref(), reading, &style),
-        ReportFormat::Latex => Markup::Latex.fit(&problem, &fit, family.as_ref(), &origin, &style),
-        ReportFormat::Markdown => Markup::Markdown.fit(&problem, &fit, family.as_ref(), &origin, &style),
+        ReportFormat::Latex => document(None).to_latex(),
+        ReportFormat::Markdown => document(None).to_markdown(),
         ReportFormat::Csv => {
             vertices_csv(fit.fps.polyhedron(), &|index| fit.fps.name(index).to_string(), &style)
         }
@@ -46,10 +54,8 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
         ReportFormat::Ine => h_representation(fit.fps.polyhedron()),
         ReportFormat::Ext => v_representation(fit.fps.polyhedron()),
         ReportFormat::Text => {
-            let report = fit_text(&problem, &fit, &origin, &style);
-            let lp_line = if arguments.no_lp { String::new() } else { lp_line(&problem, reading)? };
-            let sweep = family.map(|family| format!("\n{}", sweep_text(&problem, &family, &style)));
-            report + &lp_line + &sweep.unwrap_or_default()
+            let verdict = if arguments.no_lp { None } else { lp_verdict(&problem, reading)? };
+            document(verdict).to_text()
         }
     };
     if let Some(file) = &arguments.proof {
@@ -90,9 +96,9 @@ fn proof(problem: &Problem, fit: &Fit, reading: Reading, file: &str) -> Result<S
 }
 
 /// What the default solver makes of the same data.
-fn lp_line(problem: &Problem, reading: Reading) -> Result<String, Failure> {
+fn lp_verdict(problem: &Problem, reading: Reading) -> Result<Option<String>, Failure> {
     if problem.measurements.fitted() > Keep::MOST_ROWS {
-        return Ok(format!("LP solver      not asked above {} rows (see boundfit check)\n", Keep::MOST_ROWS));
+        return Ok(Some(format!("not asked above {} rows (see boundfit check)", Keep::MOST_ROWS)));
     }
     let options = CheckOptions {
         solvers: source_names().into_iter().take(1).collect(),
@@ -102,5 +108,5 @@ fn lp_line(problem: &Problem, reading: Reading) -> Result<String, Failure> {
         directions: None,
     };
     let check = check(problem, reading, &options).map_err(Failure::data)?;
-    Ok(verdict_line(&check, reading).unwrap_or_default())
+    Ok(verdict_line(&check, reading))
 }

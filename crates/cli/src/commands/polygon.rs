@@ -3,7 +3,7 @@
 use boundfit_formats::{Source, read_half_planes};
 use boundfit_geometry::Polyhedron;
 use boundfit_report::{
-    Markup, h_representation, polygon_json, polygon_text, region_script, region_wkt, v_representation,
+    h_representation, polygon_document, polygon_json, region_script, region_wkt, v_representation,
     vertices_csv,
 };
 
@@ -25,11 +25,12 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
         if file.generators.is_some() { format!("facet:{row}") } else { row.to_string() }
     };
     let style = arguments.output.style();
+    let document = || polygon_document(&file, &polyhedron, &name, &style);
     let report = match arguments.output.format {
-        ReportFormat::Text => polygon_text(&file, &polyhedron, &name, &style),
+        ReportFormat::Text => document().to_text(),
         ReportFormat::Json => polygon_json(&file, &polyhedron, reading, &style),
-        ReportFormat::Latex => Markup::Latex.polygon(&file, &polyhedron, &name, &style),
-        ReportFormat::Markdown => Markup::Markdown.polygon(&file, &polyhedron, &name, &style),
+        ReportFormat::Latex => document().to_latex(),
+        ReportFormat::Markdown => document().to_markdown(),
         ReportFormat::Csv => vertices_csv(&polyhedron, &active, &style),
         ReportFormat::Wkt => region_wkt(&polyhedron, &style).map_err(Failure::data)?,
         ReportFormat::M => region_script(&polyhedron, &active),

@@ -1,10 +1,11 @@
 //! The set beside boxes, hulls and what solvers say.
 
+use boundfit_exact::english::{counted_in_words, in_words, listed};
 use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::RegionKind;
 use boundfit_lp::{PuiEnd, Verdict};
 
-use super::wording::{THETA, counted, in_words, listed, size};
+use super::wording::{THETA, size};
 use super::{Facts, Question, Show};
 use crate::layers::{LpAnswer, reason};
 
@@ -88,7 +89,7 @@ pub(super) fn inner_or_outer(facts: &Facts<'_>) -> Option<Question> {
         "{} linear programs, one for each of as many directions, end in {}. Is the hull of these points an inner or an \
          outer approximation of the set?",
         found.count,
-        counted(optimisers, "optimiser", "different optimisers")
+        counted_in_words(optimisers, "optimiser", "different optimisers")
     );
     Some(Question { id: "inner-or-outer", question, answer, show: Some(Show::Layer { layer: "directions" }) })
 }
@@ -122,7 +123,7 @@ fn finding(facts: &Facts<'_>, answer: &LpAnswer) -> String {
         Verdict::Exact => format!("yes, {}", four_ends(facts)),
         Verdict::Rounded { ulps: 0 } => "yes, all four ends, rounded to the nearest doubles".to_owned(),
         Verdict::Rounded { ulps } => {
-            let count = counted(usize::try_from(ulps).unwrap_or(usize::MAX), "double", "doubles");
+            let count = counted_in_words(usize::try_from(ulps).unwrap_or(usize::MAX), "double", "doubles");
             format!("yes, all four ends to within {count} of the nearest ones")
         }
         Verdict::WithinTolerance => "nearly, within a tolerance of one millionth".to_owned(),

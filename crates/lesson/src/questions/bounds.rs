@@ -1,13 +1,12 @@
 //! What fixes the ends of the intervals, and what proves that a set is empty or shows that it goes on for ever.
 
 use boundfit_estimation::{BoundName, ParameterBound, ParameterInterval};
+use boundfit_exact::english::{counted_in_words, listed, sentence};
 use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::{BoundProof, Direction, Multiplier, Region, RegionKind, UnboundedProof};
 use boundfit_lp::End;
 
-use super::wording::{
-    THETA, clash, combination, counted, described, every_bound, listed, never, owners, pair, sentence, value,
-};
+use super::wording::{THETA, clash, combination, described, every_bound, never, owners, pair, value};
 use super::{Facts, Question, Show};
 use crate::half_planes::contradiction as contradiction_of;
 use crate::number::DIGITS;
@@ -46,7 +45,7 @@ pub(super) fn contradiction(facts: &Facts<'_>) -> Option<Question> {
 fn contradicting(terms: &[(BoundName, Rational)], facts: &Facts<'_>) -> String {
     let bounds = terms.iter().filter(|(name, _)| row_of(*name).is_some()).count();
     let conditions = terms.len() - bounds;
-    let bounds_text = counted(bounds, "bound", "bounds");
+    let bounds_text = counted_in_words(bounds, "bound", "bounds");
     match (bounds, conditions) {
         (0, _) => {
             let names: Vec<BoundName> = terms.iter().map(|(name, _)| *name).collect();
@@ -55,7 +54,7 @@ fn contradicting(terms: &[(BoundName, Rational)], facts: &Facts<'_>) -> String {
         (_, 0) => format!("{bounds_text} contradict each other"),
         _ => format!(
             "{bounds_text} and {} contradict each other",
-            counted(conditions, "condition", "conditions")
+            counted_in_words(conditions, "condition", "conditions")
         ),
     }
 }
@@ -122,7 +121,7 @@ fn end(
         End::Upper => ("largest", "≤", "larger", Rounding::Up),
     };
     let theta = THETA[axis];
-    let what = value(end_value, facts.digits.of_parameter(axis), rounding);
+    let what = value(end_value, facts.styles[axis].digits, rounding);
     let proof_text = match terms.as_slice() {
         [(_, times)] if *times == Rational::one() => format!("It says that {theta} {relation} {what}"),
         [_] => format!("{} is {theta} {relation} {what}", sentence(&combination(&terms, facts.problem))),

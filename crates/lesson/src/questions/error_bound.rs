@@ -1,9 +1,10 @@
 //! The smallest error bound.
 
 use boundfit_estimation::{BoundName, ErrorBound, Minimax, reading_of_bound};
+use boundfit_exact::english::sentence;
 use boundfit_exact::{Rational, Rounding};
 
-use super::wording::{clash, combination, owners, sentence, size, value};
+use super::wording::{clash, combination, owners, size, value};
 use super::{Facts, Question, Show};
 use crate::number::DIGITS;
 

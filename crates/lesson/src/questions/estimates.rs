@@ -1,10 +1,11 @@
 //! The least-squares and the central estimate.
 
 use boundfit_estimation::BoundName;
+use boundfit_exact::english::in_words;
 use boundfit_exact::{Rational, Rounding};
 
 use super::bounds::row_of;
-use super::wording::{THETA, all_bounds, bound, bounds, every_bound, in_words, size, value};
+use super::wording::{THETA, all_bounds, bound, bounds, every_bound, size, value};
 use super::{Facts, Question, Show};
 use crate::number::DIGITS;
 

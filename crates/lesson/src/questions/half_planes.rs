@@ -1,8 +1,9 @@
 //! How many half-planes the set needs.
 
+use boundfit_exact::english::{counted_in_words, in_words, sentence};
 use boundfit_geometry::{Redundancy, RegionKind};
 
-use super::wording::{bounds, counted, every_bound, in_words, sentence};
+use super::wording::{bounds, every_bound};
 use super::{Facts, Question};
 use crate::half_planes::irredundant;
 use crate::region::same_set;
@@ -31,7 +32,7 @@ pub(super) fn how_many_matter(facts: &Facts<'_>) -> Question {
     let question = format!(
         "{} {}. How many of these {asked}?",
         givers(facts),
-        counted(total, "half-plane", "half-planes")
+        counted_in_words(total, "half-plane", "half-planes")
     );
     Question { id: "how-many-matter", question, answer, show: None }
 }
@@ -50,10 +51,12 @@ fn has_choice(facts: &Facts<'_>, needed: &[usize]) -> bool {
 /// `23 readings and one condition give`.
 fn givers(facts: &Facts<'_>) -> String {
     let rows = facts.problem.measurements.kept().len();
-    let readings = counted(rows, "reading", "readings");
+    let readings = counted_in_words(rows, "reading", "readings");
     let givers = match facts.problem.conditions.len() {
         0 => format!("{readings} {}", if rows == 1 { "gives" } else { "give" }),
-        conditions => format!("{readings} and {} give", counted(conditions, "condition", "conditions")),
+        conditions => {
+            format!("{readings} and {} give", counted_in_words(conditions, "condition", "conditions"))
+        }
     };
     sentence(&givers)
 }

@@ -12,18 +12,18 @@ mod wording;
 
 use boundfit_estimation::{BoundName, Fit, Model, Problem};
 use boundfit_geometry::{Inequality, Polyhedron, Region};
+use boundfit_report::Style;
 use serde::Serialize;
 
 use crate::layers::Programs;
 use crate::leave_one_out::Without;
-use crate::number::ParameterDigits;
 
 /// What questions are made of.
 #[derive(Debug)]
 pub(crate) struct Facts<'a> {
     pub(crate) problem: &'a Problem,
     pub(crate) fit: &'a Fit,
-    pub(crate) digits: ParameterDigits,
+    pub(crate) styles: [Style; 2],
     pub(crate) programs: &'a Programs,
     pub(crate) without: &'a [Without],
 }

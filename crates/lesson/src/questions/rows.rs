@@ -1,11 +1,12 @@
 //! What changes when a reading is left out.
 
 use boundfit_estimation::{BoundName, bounds_of_reading};
+use boundfit_exact::english::sentence;
 use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::{Inequality, Multiplier, Polyhedron, Region, RegionKind, Support};
 use boundfit_lp::End;
 
-use super::wording::{THETA, bound, clash, combination, described, sentence, size, value};
+use super::wording::{THETA, bound, clash, combination, described, size, value};
 use super::{Facts, Question, Show};
 use crate::half_planes::irredundant;
 use crate::leave_one_out::{Moved, Without};
@@ -45,7 +46,7 @@ fn moved_end(facts: &Facts<'_>, moved: &Moved) -> String {
     };
     match &moved.by_and_to {
         Some((by, to)) => {
-            let to = value(to, facts.digits.of_parameter(moved.axis), rounding);
+            let to = value(to, facts.styles[moved.axis].digits, rounding);
             format!("the {end} end of {theta} moves {way} by {} to {to}", size(by, Rounding::Up))
         }
         None => format!("the {end} end of {theta} goes {way} to {infinity}"),

@@ -1,6 +1,7 @@
 //! Plain English for half-planes, sets and numbers.
 
 use boundfit_estimation::{BoundName, Problem};
+use boundfit_exact::english::{counted_in_words, listed};
 use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::{Region, RegionKind};
 
@@ -40,35 +41,6 @@ pub(super) fn fraction(value: &Rational) -> String {
 /// A point or direction, exact where that can be read.
 pub(super) fn pair(numbers: &[Rational; 2]) -> String {
     format!("({}, {})", fraction(&numbers[0]), fraction(&numbers[1]))
-}
-
-/// `a`, `a and b`, `a, b and c`; of many only the first.
-pub(super) fn listed(items: &[String]) -> String {
-    const MOST: usize = 8;
-    match items {
-        [] => String::new(),
-        [only] => only.clone(),
-        [first @ .., last] if items.len() <= MOST => format!("{} and {last}", first.join(", ")),
-        _ => format!("{} and {} more", items[..MOST - 1].join(", "), items.len() - MOST + 1),
-    }
-}
-
-/// `one half-plane`, `seven half-planes`, `46 half-planes`.
-pub(super) fn counted(count: usize, one: &str, several: &str) -> String {
-    format!("{} {}", in_words(count), if count == 1 { one } else { several })
-}
-
-/// A count, in words where it is small.
-pub(super) fn in_words(count: usize) -> String {
-    const WORDS: [&str; 11] =
-        ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"];
-    WORDS.get(count).map_or_else(|| count.to_string(), |word| (*word).to_owned())
-}
-
-/// A sentence's first letter, large.
-pub(super) fn sentence(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// A half-plane: `the upper bound of reading 14`, `the condition theta1 >= 0`.
@@ -158,7 +130,7 @@ pub(super) fn every_bound(problem: &Problem) -> &'static str {
 
 /// What a set is: `a polygon with 6 vertices`.
 pub(super) fn described(region: &Region) -> String {
-    let vertices = counted(region.vertices().len(), "vertex", "vertices");
+    let vertices = counted_in_words(region.vertices().len(), "vertex", "vertices");
     match region.kind() {
         RegionKind::Empty => "empty".to_owned(),
         RegionKind::Point => "a single point".to_owned(),
@@ -178,19 +150,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lists_read_like_english() {
-        let items = |count: usize| (1..=count).map(|i| i.to_string()).collect::<Vec<_>>();
-        assert_eq!(listed(&items(1)), "1");
-        assert_eq!(listed(&items(2)), "1 and 2");
-        assert_eq!(listed(&items(3)), "1, 2 and 3");
-        assert_eq!(listed(&items(8)), "1, 2, 3, 4, 5, 6, 7 and 8");
-        assert_eq!(listed(&items(12)), "1, 2, 3, 4, 5, 6, 7 and 5 more");
-    }
-
-    #[test]
     fn numbers_say_when_they_are_rounded() {
         assert_eq!(value(&Rational::ratio(1, 4), 5, Rounding::Up), "0.25");
         assert_eq!(value(&Rational::ratio(1, 3), 5, Rounding::Up), "0.33334 (exactly 1/3)");
-        assert_eq!(sentence("the end"), "The end");
     }
 }

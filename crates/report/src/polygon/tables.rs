@@ -2,29 +2,18 @@
 
 use std::collections::HashMap;
 
+use boundfit_exact::english::{counted, list};
 use boundfit_formats::{HalfPlaneFile, RowOrigin};
 use boundfit_geometry::{Direction, Generator, Generators, Inequality, Multiplier, Polyhedron, Redundancy};
 
-use crate::polygon_rows::redundant_rows;
+use super::rows::redundant_rows;
+use crate::document::{Block, Table, Text};
+use crate::formula::products;
 use crate::style::Style;
-use crate::text::{counted, list};
 
-const REDUNDANCY_HEADER: [&str; 2] = ["row", "why"];
-const FACET_HEADER: [&str; 4] = ["facet", "a1", "a2", "b"];
-
-/// A sentence, and the table that goes with it; without rows when the sentence says it all.
-pub(crate) struct PolygonTable {
-    pub(crate) sentence: String,
-    pub(crate) header: &'static [&'static str],
-    pub(crate) rows: Vec<Vec<String>>,
-}
-
-/// Of half-planes which are redundant; of generators the half-planes that they give, and which are redundant.
-pub(crate) fn polygon_tables(
-    file: &HalfPlaneFile,
-    polyhedron: &Polyhedron,
-    style: &Style,
-) -> Vec<PolygonTable> {
+/// Of half-planes which are redundant; of generators the half-planes that they give, and which are redundant. Each is a
+/// sentence and a table, which has no rows when the sentence says it all.
+pub(super) fn table_blocks(file: &HalfPlaneFile, polyhedron: &Polyhedron, style: &Style) -> Vec<Block> {
     let redundant = redundant_rows(file, polyhedron);
     let why = match &file.generators {
         _ if redundant.is_empty() => Vec::new(),
@@ -33,28 +22,28 @@ pub(crate) fn polygon_tables(
     };
     let listed = list(redundant.iter().map(ToString::to_string));
     let sentence = if redundant.is_empty() {
-        "No row is redundant.".to_owned()
+        "No row is redundant.".into()
     } else {
         format!("Redundant rows: {listed}")
     };
-    let redundancy = PolygonTable { sentence, header: &REDUNDANCY_HEADER, rows: why };
-    let facets = file.generators.is_some().then(|| facets(polyhedron, style));
-    facets.into_iter().chain([redundancy]).collect()
+    let mut blocks = if file.generators.is_some() { facets(polyhedron, style).into() } else { Vec::new() };
+    blocks.extend([Block::Lead(sentence.into()), Block::Table(Table::new(["row", "why"], why))]);
+    blocks
 }
 
 /// The half-planes of a set given by generators.
-fn facets(polyhedron: &Polyhedron, style: &Style) -> PolygonTable {
+fn facets(polyhedron: &Polyhedron, style: &Style) -> [Block; 2] {
     let inequalities = polyhedron.system().inequalities();
     let row = |(number, Inequality { a: [a1, a2], b }): (usize, &Inequality)| {
-        let [a1, a2, b] = [a1, a2, b].map(|value| style.proof_text(value));
-        vec![number.to_string(), a1, a2, b]
+        let [a1, a2, b] = [a1, a2, b].map(|value| style.proof(value));
+        vec![Text::new().number(number), a1, a2, b]
     };
-    let rows = (1..).zip(inequalities).map(row).collect();
     let sentence = match inequalities.len() {
         0 => "No half-plane bounds it.".to_owned(),
         count => format!("{} a1*theta1 + a2*theta2 <= b", counted(count, "half-plane", "half-planes")),
     };
-    PolygonTable { sentence, header: &FACET_HEADER, rows }
+    let rows = (1..).zip(inequalities).map(row).collect();
+    [Block::Lead(sentence.into()), Block::Table(Table::new(["facet", "a1", "a2", "b"], rows))]
 }
 
 /// Why each of these rows is not needed.
@@ -63,7 +52,7 @@ fn redundancy(
     polyhedron: &Polyhedron,
     redundant: &[usize],
     style: &Style,
-) -> Vec<Vec<String>> {
+) -> Vec<Vec<Text>> {
     let mut rows = Vec::new();
     for (index, reason) in polyhedron.redundancies().iter().enumerate() {
         let RowOrigin { row, reversed } = file.origins[index];
@@ -71,21 +60,21 @@ fn redundancy(
             continue;
         };
         let reason = match reason {
-            Redundancy::Always => "holds everywhere".to_owned(),
+            Redundancy::Always => "holds everywhere".into(),
             Redundancy::SameAs(other) => {
                 let RowOrigin { row, reversed } = file.origins[*other];
-                format!("the same half-plane as row {row}{}", if reversed { " (>=)" } else { "" })
+                format!("the same half-plane as row {row}{}", direction(reversed)).into()
             }
-            Redundancy::EmptyWithout => "the region is empty without it".to_owned(),
+            Redundancy::EmptyWithout => "the region is empty without it".into(),
             Redundancy::Dominated { by, slack } if slack.is_zero() => {
-                format!("touches the region; implied by {}", products(file, by, style))
+                Text::from("touches the region; implied by ").then(products_of(file, by, style))
             }
             Redundancy::Dominated { by, slack } => {
-                format!("implied by {} with {} to spare", products(file, by, style), style.text(slack))
+                let products = Text::from("implied by ").then(products_of(file, by, style));
+                products.words(" with ").number(style.nearest(slack)).words(" to spare")
             }
         };
-        let direction = if reversed { " (>=)" } else { "" };
-        rows.push(vec![format!("{row}{direction}"), reason]);
+        rows.push(vec![format!("{row}{}", direction(reversed)).into(), reason]);
     }
     rows
 }
@@ -95,7 +84,7 @@ fn redundant_generators(
     generators: &Generators,
     polyhedron: &Polyhedron,
     redundant: &[usize],
-) -> Vec<Vec<String>> {
+) -> Vec<Vec<Text>> {
     let mut needed: HashMap<&Generator, usize> = HashMap::new();
     let mut directions: HashMap<Direction, usize> = HashMap::new();
     for index in generators.irredundant(polyhedron.region()) {
@@ -124,18 +113,21 @@ fn redundant_generators(
         },
     };
     let generator_of = |row: &usize| generators.as_slice().get(row.checked_sub(1)?);
-    let why = |row: &usize| Some(vec![row.to_string(), reason(generator_of(row)?)]);
+    let why = |row: &usize| Some(vec![row.to_string().into(), reason(generator_of(row)?).into()]);
     redundant.iter().filter_map(why).collect()
 }
 
 /// `2 * (row 3) + 1/2 * (row 5)`.
-pub(crate) fn products(file: &HalfPlaneFile, multipliers: &[Multiplier], style: &Style) -> String {
-    let product = |multiplier: &Multiplier| {
+pub(super) fn products_of(file: &HalfPlaneFile, multipliers: &[Multiplier], style: &Style) -> Text {
+    let what = if file.generators.is_some() { "facet" } else { "row" };
+    products(multipliers.iter().map(|multiplier| {
         let RowOrigin { row, reversed } = file.origins[multiplier.index];
-        let sign = if reversed { "-" } else { "" };
-        let what = if file.generators.is_some() { "facet" } else { "row" };
-        format!("{sign}{} * ({what} {row})", style.proof_text(&multiplier.value))
-    };
-    let products: Vec<String> = multipliers.iter().map(product).collect();
-    products.join(" + ")
+        let sign = if reversed { Text::new().mark("-") } else { Text::new() };
+        (sign.then(style.proof(&multiplier.value)), format!("{what} {row}"))
+    }))
+}
+
+/// Behind the number of a row, which direction of an equation is meant.
+fn direction(reversed: bool) -> &'static str {
+    if reversed { " (>=)" } else { "" }
 }

@@ -5,7 +5,7 @@ use boundfit_geometry::Polyhedron;
 
 /// The rows of the file behind inequalities that are active at a vertex or boundary, ascending, each once. Of a
 /// V-representation those of the points that equal the vertex or lie on the boundary.
-pub(crate) fn rows_of(file: &HalfPlaneFile, indices: &[usize]) -> Vec<usize> {
+pub(super) fn rows_of(file: &HalfPlaneFile, indices: &[usize]) -> Vec<usize> {
     let mut rows: Vec<usize> = match &file.generators {
         None => {
             indices.iter().filter_map(|&index| file.origins.get(index)).map(|origin| origin.row).collect()
@@ -25,7 +25,7 @@ pub(crate) fn rows_of(file: &HalfPlaneFile, indices: &[usize]) -> Vec<usize> {
 }
 
 /// The rows that could be left out together; an equation only when both of its directions could.
-pub(crate) fn redundant_rows(file: &HalfPlaneFile, polyhedron: &Polyhedron) -> Vec<usize> {
+pub(super) fn redundant_rows(file: &HalfPlaneFile, polyhedron: &Polyhedron) -> Vec<usize> {
     let (needed, all): (Vec<usize>, Vec<usize>) = match &file.generators {
         Some(rows) => {
             let needed = rows.generators.irredundant(polyhedron.region());

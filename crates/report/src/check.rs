@@ -1,15 +1,16 @@
-//! The text report of a check, and the conformance table of many.
+//! The report of a check, and the conformance table of many.
 
 use boundfit_check::{Approximation, Check, Directions, JudgedAnswer, ProgramRows};
+use boundfit_exact::english::counted;
 use boundfit_exact::{Endpoint, Interval, Rational, Reading};
 use boundfit_lp::{End, Judgement, Multiplier, PuiEnd, Refutation, Verdict};
 
-use crate::style::Style;
-use crate::text::{counted, table};
+use crate::document::{Block, Document, Inline, Table, Text};
+use crate::formula::{absurdity, pair, products};
+use crate::style::{Shown, Style};
 
-/// The report as text. `reading` is that of the data.
-pub fn check_text(check: &Check, file: &str, reading: Reading, style: &Style) -> String {
-    let mut text = format!("LP answers about {file}, judged exactly\n");
+/// The report of a check about the data of this file. `reading` is that of the data.
+pub fn check_document(check: &Check, file: &str, reading: Reading, style: &Style) -> Document {
     let styles = resolving(check, reading, style);
     let mut rows = Vec::new();
     let mut reasons = Vec::new();
@@ -25,35 +26,31 @@ pub fn check_text(check: &Check, file: &str, reading: Reading, style: &Style) ->
         for end in PuiEnd::ALL {
             let (judgement, name) = (end.of(&answer.bounds), heading(end));
             if let Some(reason) = reason(judgement, &check.rows, style) {
-                let source = format!("{}, {}", answer.source, answer.reading.name());
-                reasons.push(format!("  {source}: {name}: {}: {reason}\n", judgement.verdict.name()));
+                let verdict = format!(", {}: {name}: {}: ", answer.reading.name(), judgement.verdict.name());
+                reasons.push(Text::new().given(&answer.source).words(verdict).then(reason));
             }
         }
     }
-    if let Some(exact) = exact_row(check, reading, &styles) {
-        rows.push(exact);
-    }
+    rows.extend(exact_row(check, reading, &styles));
+    let title = Text::from("LP answers about ").given(file).words(", judged exactly");
+    let mut blocks = vec![Block::Lead(title)];
     if !rows.is_empty() {
-        text.push('\n');
+        let header = ["source", "judged by"].map(str::to_owned).into_iter().chain(PuiEnd::ALL.map(heading));
+        blocks.extend([Block::Space, Block::Table(Table::new(header, rows))]);
     }
-    let header = PuiEnd::ALL.map(heading);
-    let [theta1_min, theta1_max, theta2_min, theta2_max] = header.each_ref().map(String::as_str);
-    let header = ["source", "judged by", theta1_min, theta1_max, theta2_min, theta2_max];
-    text.push_str(&table(&header, rows));
     if !reasons.is_empty() {
-        text.push_str(&format!("\nReasons\n{}", reasons.concat()));
+        blocks.push(Block::Title("Reasons".into()));
+        blocks.extend(reasons.into_iter().map(Block::Paragraph));
     }
-    if let Some(found) = &check.directions {
-        text.push_str(&format!("\n{}", directions(found, style)));
-    }
+    blocks.extend(check.directions.iter().flat_map(|found| directions(found, style)));
     if let Some(worst) = check.worst(reading) {
         let refuted = if worst.is_refutation() { "; refuted" } else { "" };
-        text.push_str(&format!("\nWorst verdict: {}{refuted}\n", worst.name()));
+        blocks.push(Block::Lead(format!("Worst verdict: {}{refuted}", worst.name()).into()));
     }
-    text
+    Document::new(blocks)
 }
 
-/// One line about the first answer of a check, for the report of a fit.
+/// What the first answer of a check is worth in a few words, for the report of a fit.
 pub fn verdict_line(check: &Check, reading: Reading) -> Option<String> {
     let answer = check.answers.iter().find(|answer| answer.reading == reading)?;
     let worst = answer.worst();
@@ -70,7 +67,7 @@ pub fn verdict_line(check: &Check, reading: Reading) -> Option<String> {
             format!("{} on {} (see boundfit check)", worst.name(), names.join(", "))
         }
     };
-    Some(format!("{:<14} {}: {detail}\n", "LP solver", answer.source))
+    Some(format!("{}: {detail}", answer.source))
 }
 
 /// A Markdown table of the worst verdict of each source on each case. Each case comes with its name and its check.
@@ -120,20 +117,22 @@ fn resolving(check: &Check, reading: Reading, style: &Style) -> [Style; 2] {
             }
             _ => None,
         };
-        interval.map_or_else(|| style.clone(), |interval| style.resolving(&interval))
+        interval.map_or(*style, |interval| style.resolving(&interval))
     })
 }
 
-fn answer_row(answer: &JudgedAnswer, styles: &[Style; 2]) -> Vec<String> {
-    let mut row = vec![answer.source.clone(), answer.reading.name().to_owned()];
+fn answer_row(answer: &JudgedAnswer, styles: &[Style; 2]) -> Vec<Text> {
+    let mut row = vec![Text::new().given(&answer.source), answer.reading.name().into()];
     for end in PuiEnd::ALL {
         let judgement = end.of(&answer.bounds);
-        let claimed = judgement.claimed.as_ref().map(|value| end_text(styles, end, value));
         let verdict = match judgement.verdict {
             Verdict::Rounded { ulps: ulps @ 1.. } => format!("rounded, {ulps} ulp"),
             verdict => verdict.name().to_owned(),
         };
-        row.push(claimed.map_or(verdict.clone(), |claimed| format!("{claimed} {verdict}")));
+        row.push(match &judgement.claimed {
+            Some(claimed) => Text::new().number(shown_end(styles, end, claimed)).words(format!(" {verdict}")),
+            None => verdict.into(),
+        });
     }
     row
 }
@@ -143,107 +142,106 @@ fn heading(end: PuiEnd) -> String {
     end.name().replace('-', " ")
 }
 
-/// An end as text. Claimed and true ends are rounded alike, so that equal ones look equal.
-fn end_text(styles: &[Style; 2], end: PuiEnd, value: &Rational) -> String {
+/// An end. Claimed and true ends are rounded alike, so that equal ones look equal.
+fn shown_end<'a>(styles: &[Style; 2], end: PuiEnd, value: &'a Rational) -> Shown<'a> {
     let style = &styles[end.axis()];
     match end.end() {
-        End::Lower => style.lower_text(value),
-        End::Upper => style.upper_text(value),
+        End::Lower => style.lower(value),
+        End::Upper => style.upper(value),
     }
 }
 
 /// The true ends.
-fn exact_row(check: &Check, reading: Reading, styles: &[Style; 2]) -> Option<Vec<String>> {
+fn exact_row(check: &Check, reading: Reading, styles: &[Style; 2]) -> Option<Vec<Text>> {
     let answer = check.answers.iter().find(|answer| answer.reading == reading)?;
-    let mut row = vec!["true ends".to_owned(), reading.name().to_owned()];
+    let mut row = vec!["true ends".into(), reading.name().into()];
     for end in PuiEnd::ALL {
         let exact = end.of(&answer.bounds).exact.as_ref();
-        row.push(exact.map_or("none".to_owned(), |value| end_text(styles, end, value)));
+        let shown = exact.map(|value| Text::new().number(shown_end(styles, end, value)));
+        row.push(shown.unwrap_or("none".into()));
     }
     Some(row)
 }
 
 /// Why a claim is not simply right.
-fn reason(judgement: &Judgement, rows: &ProgramRows, style: &Style) -> Option<String> {
-    let widths = judgement.excess_in_widths.as_ref().map(|widths| style.upper_text(&widths.abs()));
-    let widths = widths.map(|widths| format!(", {widths} of the true width")).unwrap_or_default();
-    let excess =
-        || judgement.excess.as_ref().map(|excess| style.upper_text(&excess.abs())).unwrap_or_default();
-    let mut reason = match judgement.verdict {
+fn reason(judgement: &Judgement, rows: &ProgramRows, style: &Style) -> Option<Text> {
+    let size = |words: &str, size: &Option<Rational>, after: &str| match size {
+        Some(size) => Text::from(words).number(style.upper(&size.abs())).words(after),
+        None => Text::new(),
+    };
+    let too_large = |words: &str| {
+        let widths = size(", ", &judgement.excess_in_widths, " of the true width");
+        Text::from(words).then(size("", &judgement.excess, "")).then(widths)
+    };
+    let main = match judgement.verdict {
         Verdict::Exact | Verdict::Rounded { .. } => return None,
-        Verdict::NoAnswer => judgement.reason.clone().unwrap_or_default(),
-        Verdict::InvertedInterval => "the lower end is above the upper end".to_owned(),
+        Verdict::NoAnswer => judgement.reason.clone().unwrap_or_default().into(),
+        Verdict::InvertedInterval => "the lower end is above the upper end".into(),
         Verdict::WrongStatus => judgement.proof.as_ref().map(|proof| contrary(proof, rows, style))?,
         Verdict::Unsafe => {
             let witness = judgement.witness.as_ref().map(|theta| point(theta, style)).unwrap_or_default();
-            format!("cuts off {}{widths}; {witness} is feasible", excess())
+            too_large("cuts off ").words("; ").then(witness).words(" is feasible")
         }
-        Verdict::Loose => format!("too wide by {}{widths}", excess()),
-        Verdict::WithinTolerance | Verdict::InfeasiblePoint => String::new(),
+        Verdict::Loose => too_large("too wide by "),
+        Verdict::WithinTolerance | Verdict::InfeasiblePoint
+            if judgement.excess.as_ref().is_some_and(Rational::is_positive) =>
+        {
+            too_large("too wide by ")
+        }
+        Verdict::WithinTolerance | Verdict::InfeasiblePoint => Text::new(),
     };
-    let mut also = |text: String| {
-        let separator = if reason.is_empty() { "" } else { "; " };
-        reason.push_str(&format!("{separator}{text}"));
-    };
-    if matches!(judgement.verdict, Verdict::WithinTolerance | Verdict::InfeasiblePoint)
-        && let Some(excess) = judgement.excess.as_ref().filter(|excess| excess.is_positive())
-    {
-        also(format!("too wide by {}{widths}", style.upper_text(excess)));
-    }
+    let mut reasons = vec![main];
     if let Some(violation) = &judgement.violation
         && judgement.verdict >= Verdict::WithinTolerance
     {
-        let name = rows.name(violation.row);
-        also(match (&judgement.tau, &judgement.tau_in_epsilon) {
-            (Some(tau), Some(relative)) => format!(
-                "the point exceeds {name} by {}: it needs eps + {} ({} of eps)",
-                style.upper_text(&violation.by),
-                style.upper_text(tau),
-                style.upper_text(relative)
-            ),
-            _ => format!("the point exceeds {name} by {}", style.upper_text(&violation.by)),
+        let exceeds = format!("the point exceeds {} by ", rows.name(violation.row));
+        let exceeds = Text::from(exceeds).number(style.upper(&violation.by));
+        reasons.push(match (&judgement.tau, &judgement.tau_in_epsilon) {
+            (Some(tau), Some(relative)) => {
+                let needs = exceeds.words(": it needs eps + ").number(style.upper(tau));
+                needs.words(" (").number(style.upper(relative)).words(" of eps)")
+            }
+            _ => exceeds,
         });
     }
     if judgement.verdict.is_refutation() && judgement.repairable == Some(true) {
-        also("its basis is right, only the digits are wrong (repairable)".to_owned());
+        reasons.push("its basis is right, only the digits are wrong (repairable)".into());
     }
-    Some(reason)
+    reasons.retain(|reason| !reason.is_empty());
+    Some(Text::joined(reasons, &Inline::Words("; ".to_owned())))
 }
 
 /// What shows that a status is wrong.
-fn contrary(proof: &Refutation, rows: &ProgramRows, style: &Style) -> String {
-    let products = |multipliers: &[Multiplier]| {
-        let products: Vec<String> = multipliers
-            .iter()
-            .map(|m| format!("{} * ({})", style.proof_text(&m.value), rows.name(m.row)))
-            .collect();
-        products.join(" + ")
+fn contrary(proof: &Refutation, rows: &ProgramRows, style: &Style) -> Text {
+    let products_of = |multipliers: &[Multiplier]| {
+        products(multipliers.iter().map(|m| (style.proof(&m.value), rows.name(m.row).to_string())))
     };
     match proof {
         Refutation::Infeasible(multipliers) => {
             let sum: Rational = multipliers.iter().map(|m| &rows.rows()[m.row].row.b * &m.value).sum();
-            format!("the set is empty: {} gives 0 <= {}", products(multipliers), style.upper_text(&sum))
+            absurdity(Text::from("the set is empty: ").then(products_of(multipliers)), &sum, style)
         }
-        Refutation::Bound(multipliers) => format!("it is bounded, by {}", products(multipliers)),
-        Refutation::FeasiblePoint(theta) => format!("{} is feasible", point(theta, style)),
+        Refutation::Bound(multipliers) => Text::from("it is bounded, by ").then(products_of(multipliers)),
+        Refutation::FeasiblePoint(theta) => point(theta, style).words(" is feasible"),
         Refutation::Ray { theta, ray } => {
-            format!("it is unbounded from {} in direction {}", point(theta, style), point(ray, style))
+            let from = Text::from("it is unbounded from ").then(point(theta, style));
+            from.words(" in direction ").then(point(ray, style))
         }
     }
 }
 
-fn point(theta: &[Rational; 2], style: &Style) -> String {
-    format!("({}, {})", style.text(&theta[0]), style.text(&theta[1]))
+fn point([theta1, theta2]: &[Rational; 2], style: &Style) -> Text {
+    pair(style.nearest(theta1), style.nearest(theta2))
 }
 
 /// The set between its two approximations.
-fn directions(found: &Directions, style: &Style) -> String {
+fn directions(found: &Directions, style: &Style) -> [Block; 2] {
     let row = |name: &str, approximation: Option<&Approximation>| {
-        let vertices = approximation.map_or("-".to_owned(), |found| found.vertices.len().to_string());
-        let area = approximation.map_or("-".to_owned(), |found| {
-            found.area.as_ref().map_or("infinite".to_owned(), |area| style.text(area))
-        });
-        vec![name.to_owned(), vertices, area]
+        let Some(Approximation { vertices, area }) = approximation else {
+            return [name, "-", "-"].map(Text::from).into();
+        };
+        let area = area.as_ref().map(|area| Text::new().number(style.nearest(area)));
+        vec![name.into(), Text::new().number(vertices.len()), area.unwrap_or("infinite".into())]
     };
     let rows = vec![
         row("inner: hull of the optimisers", found.inner.as_ref()),
@@ -254,9 +252,6 @@ fn directions(found: &Directions, style: &Style) -> String {
         0 => String::new(),
         count => format!(", {count} of them unbounded"),
     };
-    format!(
-        "The set seen from {} directions{unbounded}\n{}",
-        found.count,
-        table(&["", "vertices", "area"], rows)
-    )
+    let title = format!("The set seen from {} directions{unbounded}", found.count);
+    [Block::Title(title.into()), Block::Table(Table::new(["", "vertices", "area"], rows))]
 }

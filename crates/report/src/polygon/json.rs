@@ -5,10 +5,10 @@ use boundfit_formats::{HalfPlaneFile, RowOrigin};
 use boundfit_geometry::{Inequality, Multiplier, Polyhedron, Support};
 use serde::Serialize;
 
-use crate::fit_json::to_text;
-use crate::polygon_rows::{redundant_rows, rows_of};
-use crate::region::{BoundJson, IntervalJson, RegionJson, TermJson};
-use crate::style::{Number, Style};
+use super::rows::{redundant_rows, rows_of};
+use crate::json::{BoundJson, IntervalJson, RegionJson, TermJson, to_text};
+use crate::number::Number;
+use crate::style::Style;
 
 #[derive(Serialize)]
 struct PolygonJson {
@@ -53,7 +53,6 @@ pub fn polygon_json(
     let farkas = region
         .certificate()
         .map(|certificate| certificate.multipliers().iter().map(|m| term(file, m, style)).collect());
-    let numbers = |theta: &[Rational; 2]| theta.each_ref().map(|value| style.number(value));
     let report = PolygonJson {
         schema: "boundfit/polygon/1",
         input: InputJson { rows: file.rows, reading: reading.name(), sha256: file.sha256.clone() },
@@ -61,17 +60,14 @@ pub fn polygon_json(
         facets: file.generators.is_some().then(|| facets(polyhedron, style)),
         redundant: redundant_rows(file, polyhedron),
         bounds: bounds(file, polyhedron, style),
-        area_centroid: region.area_centroid().map(|point| numbers(&point.coordinates())),
+        area_centroid: region.area_centroid().map(|point| style.numbers(&point.coordinates())),
         squared_diameter: region.squared_diameter().map(|diameter| style.number(&diameter)),
     };
     to_text(&report)
 }
 
 fn facets(polyhedron: &Polyhedron, style: &Style) -> Vec<HalfPlaneJson> {
-    let facet = |Inequality { a, b }: &Inequality| HalfPlaneJson {
-        a: a.each_ref().map(|coefficient| style.number(coefficient)),
-        b: style.number(b),
-    };
+    let facet = |Inequality { a, b }: &Inequality| HalfPlaneJson { a: style.numbers(a), b: style.number(b) };
     polyhedron.system().inequalities().iter().map(facet).collect()
 }
 

@@ -1,0 +1,167 @@
+//! The report of a fit.
+
+mod estimates;
+mod results;
+
+use boundfit_estimation::{BoundName, ErrorBound, Fit, Model, ParameterBound, ParameterInterval, Problem};
+use boundfit_exact::english::counted;
+use boundfit_exact::{Rational, Reading};
+
+use crate::advice::bounding_reading;
+use crate::document::{Block, Document, Facts, Operator, Symbol, THETA, Table, Text};
+use crate::formula::{absurdity, products};
+use crate::region::region_blocks;
+use crate::style::Style;
+
+/// Where the readings come from.
+#[derive(Debug, Clone, Copy)]
+pub struct Origin<'a> {
+    /// The file, in the words of the user.
+    pub file: &'a str,
+    /// The range of rows, in the words of the user; `None` for all.
+    pub rows: Option<&'a str>,
+    /// How numbers were read.
+    pub reading: Reading,
+    /// Whether the file stores them in binary, so that they were not read from text.
+    pub is_stored: bool,
+}
+
+/// The report of a fit. The last part of it are the remaining results, so that [`Document::add_result`] can add to them.
+pub fn fit_document(problem: &Problem, fit: &Fit, origin: &Origin, style: &Style) -> Document {
+    let theta = style.resolving_both(fit.pui_intervals().as_ref());
+    let report = Report { problem, fit, style, theta };
+    let mut blocks = vec![Block::Title("Set-membership fit".into())];
+    blocks.push(Block::Facts(Facts { width: 7, rows: report.facts(origin) }));
+    blocks.extend(estimates::blocks(&report));
+    let names = |indices: &[usize]| indices.iter().map(|&index| report.name(index)).collect();
+    let region = fit.fps.polyhedron().region();
+    blocks.extend(region_blocks("Feasible parameter set (FPS)", region, &report.theta, names));
+    let advice = bounding_reading(region, problem.measurements.model(), style);
+    blocks.extend(report.emptiness().into_iter().chain(advice).map(Block::Paragraph));
+    let proofs = report.proofs();
+    if !proofs.is_empty() {
+        let header = Text::from("multiplier").operator(Operator::Times).words("(row and bound)");
+        blocks.push(Block::Title("What proves each end of the PUI".into()));
+        blocks.push(Block::Table(Table::new([Text::new(), Text::new(), header], proofs)));
+    }
+    blocks.push(Block::Results(results::lines(&report)));
+    Document::new(blocks)
+}
+
+/// What the parts of a report are made of.
+struct Report<'a> {
+    problem: &'a Problem,
+    fit: &'a Fit,
+    style: &'a Style,
+    /// With the digits that tell the ends of each PUI apart.
+    theta: [Style; 2],
+}
+
+impl Report<'_> {
+    /// What was fitted, in which way.
+    fn facts(&self, &Origin { file, rows, reading, is_stored }: &Origin) -> Vec<(Text, Text)> {
+        let measurements = &self.problem.measurements;
+        let bounded = Text::new().mark("|").symbol(Symbol::Error).mark("|").operator(Operator::AtMost);
+        let bound = match measurements.error_bound() {
+            ErrorBound::Uniform(epsilon) => bounded.then(self.style.given(epsilon)),
+            ErrorBound::PerRow(column) => bounded.given(column).words(", one bound per row"),
+        };
+        let (used, total) = (measurements.fitted(), measurements.rows_total());
+        let rows = match rows {
+            None if measurements.is_of_reductions() => {
+                let kept = counted(measurements.kept().len(), "row", "rows");
+                format!("a reduction: {kept} for {}", counted(total, "reading", "readings"))
+            }
+            None => counted(total, "row", "rows"),
+            Some(rows) => format!("rows {rows}: {used} of {total}"),
+        };
+        let reading = match reading {
+            _ if is_stored => "binary64: the numbers of the file exactly as stored",
+            Reading::Decimal => "decimal: numbers exactly as written",
+            Reading::Binary64 => "binary64: the double nearest to each number, exactly",
+        };
+        let facts = [
+            ("model", self.model()),
+            ("error", bound),
+            ("data", Text::new().given(file).words(format!(", {rows}"))),
+            ("reading", reading.into()),
+        ];
+        let conditions = (1..).zip(&self.problem.conditions).map(|(number, condition)| {
+            (format!("where:{number}").into(), Text::new().given(condition.text()))
+        });
+        facts.into_iter().map(|(label, text)| (label.into(), text)).chain(conditions).collect()
+    }
+
+    fn model(&self) -> Text {
+        let term = |theta, regressor: &str| Text::from(theta).operator(Operator::Dot).given(regressor);
+        let measurements = &self.problem.measurements;
+        let (first, second) = match measurements.model() {
+            Model::Line { x } => (x, Symbol::Theta2.into()),
+            Model::TwoRegressors { regressors: [first, second] } => (first, term(Symbol::Theta2, second)),
+        };
+        let model = Text::new().given(measurements.response()).operator(Operator::Equals);
+        let model = model.then(term(Symbol::Theta1, first)).operator(Operator::Plus).then(second);
+        model.operator(Operator::Plus).symbol(Symbol::Error)
+    }
+
+    fn name(&self, index: usize) -> String {
+        self.fit.fps.name(index).to_string()
+    }
+
+    /// Which rows contradict each other, and what would help; nothing when the set is not empty.
+    fn emptiness(&self) -> Vec<Text> {
+        if !self.fit.fps.polyhedron().region().is_empty() {
+            return Vec::new();
+        }
+        let (style, error_bound) = (self.style, self.problem.measurements.error_bound());
+        let terms = self.fit.contradiction(error_bound).unwrap_or_default();
+        let names: Vec<String> = terms.iter().map(|(name, _)| name.to_string()).collect();
+        let verb = if names.len() == 1 { "cannot hold" } else { "contradict each other" };
+        let contradiction = format!("No theta meets every bound. These {verb}: {}.", names.join(", "));
+        let products = products(terms.iter().map(|(name, m)| (style.proof(m), name.to_string())));
+        let proof = absurdity(Text::from("Proof: ").then(products), &self.sum_of(&terms), style);
+        let help = match (&self.fit.minimax, error_bound) {
+            (None, _) => "A larger error bound would not help.".into(),
+            (Some(minimax), ErrorBound::Uniform(epsilon)) => {
+                let growth = Text::from("The error bound would have to grow by ")
+                    .number(style.upper(&(&minimax.least - epsilon)));
+                growth.words(", to at least ").then(style.upper_with_exact(&minimax.least)).words(".")
+            }
+            (Some(minimax), ErrorBound::PerRow(_)) => {
+                Text::from("All error bounds would have to grow by a factor of at least ")
+                    .then(style.upper_with_exact(&minimax.least))
+                    .words(".")
+            }
+        };
+        vec![contradiction.into(), proof.words("."), help]
+    }
+
+    /// The right-hand side of a combination of half-planes.
+    fn sum_of(&self, terms: &[(BoundName, Rational)]) -> Rational {
+        let inequalities = self.fit.fps.polyhedron().system().inequalities();
+        let right_hand_side = |name: &BoundName| {
+            (0..inequalities.len())
+                .find(|&index| self.fit.fps.name(index) == *name)
+                .map(|index| &inequalities[index].b)
+        };
+        terms.iter().filter_map(|(name, multiplier)| Some(right_hand_side(name)? * multiplier)).sum()
+    }
+
+    /// The readings behind each end of the PUI.
+    fn proofs(&self) -> Vec<Vec<Text>> {
+        let mut rows = Vec::new();
+        for (axis, ParameterInterval { lower, upper }) in self.fit.pui.iter().flatten().enumerate() {
+            let own = &self.theta[axis];
+            for (relation, end) in [(Symbol::AtLeast, lower), (Symbol::AtMost, upper)] {
+                let ParameterBound::Bounded { value, proof } = end else { continue };
+                let is_lower = relation == Symbol::AtLeast;
+                let value = if is_lower { own.lower(value) } else { own.upper(value) };
+                let terms =
+                    proof.multipliers.iter().map(|m| (self.style.proof(&m.value), self.name(m.index)));
+                let label = Text::from(THETA[axis]).mark(" ").symbol(relation);
+                rows.push(vec![label, Text::new().number(value), products(terms)]);
+            }
+        }
+        rows
+    }
+}

@@ -1,0 +1,92 @@
+//! The remaining results of a fit: one line each.
+
+use boundfit_estimation::{ErrorBound, FloatEstimate, LeastSquares};
+use boundfit_exact::Rational;
+use boundfit_exact::english::list;
+
+use super::Report;
+use crate::document::{Symbol, Text};
+use crate::fit_json::NO_BINARY64;
+use crate::region::point_text;
+
+/// A label, blank where the line goes on with the result above, and the result.
+pub(super) fn lines(report: &Report) -> Vec<(Text, Text)> {
+    let (fit, style) = (report.fit, report.style);
+    let mut lines: Vec<(Text, Text)> = report.least_error_bound();
+    let region = fit.fps.polyhedron().region();
+    if let Some(area) = region.area().filter(|_| !region.is_empty()) {
+        let line = Text::new().number(style.nearest(&area));
+        let line = match fit.tightness() {
+            Some(tightness) => line.words(", ").number(style.nearest(&tightness)).words(" of its PUI box"),
+            None => line,
+        };
+        lines.push(("area".into(), line));
+    }
+    if let Some(centroid) = region.area_centroid() {
+        lines.push(("centroid".into(), point_text(&centroid.coordinates(), &report.theta)));
+    }
+    lines.extend(report.least_squares());
+    lines
+}
+
+impl Report<'_> {
+    /// An error, either way.
+    pub(super) fn give_or_take(&self, error: &Rational) -> Text {
+        Text::from(Symbol::PlusMinus).number(self.style.upper(error))
+    }
+
+    fn least_error_bound(&self) -> Vec<(Text, Text)> {
+        let label = Text::from(Symbol::LeastEpsilon);
+        let Some(minimax) = &self.fit.minimax else {
+            return vec![(label, "none: no error bound, however large, is enough".into())];
+        };
+        let least = self.style.upper_with_exact(&minimax.least);
+        let least = match self.problem.measurements.error_bound() {
+            ErrorBound::Uniform(_) => least,
+            ErrorBound::PerRow(_) => least.words(" times each row's bound"),
+        };
+        let proof = list(minimax.proof.multipliers.iter().map(|(name, _)| name.to_string()));
+        let least = if proof.is_empty() { least } else { least.words(format!(", fixed by {proof}")) };
+        let mut lines = vec![(label, least)];
+        if !minimax.unique {
+            lines.push((Text::new(), "the minimax estimate is not unique; this is one of many".into()));
+        }
+        lines
+    }
+
+    fn least_squares(&self) -> Vec<(Text, Text)> {
+        let (fit, style) = (self.fit, self.style);
+        let state = match (&fit.least_squares, fit.least_squares_slack()) {
+            (Err(singular), _) => format!("none: {singular}").into(),
+            (Ok(_), Some((slack, name))) if slack.is_negative() => {
+                Text::from(format!("not feasible: exceeds {name} by ")).number(style.upper(&-slack))
+            }
+            (Ok(_), _) => "feasible".into(),
+        };
+        let mut lines = vec![("least squares".into(), state)];
+        if let Some([first, second]) = fit.least_squares_guaranteed_error() {
+            let line = Text::from("guaranteed error ").symbol(Symbol::Theta1).mark(" ");
+            let line = line.then(self.give_or_take(&first)).words(", ").symbol(Symbol::Theta2).mark(" ");
+            lines.push((Text::new(), line.then(self.give_or_take(&second))));
+        }
+        let float = |method: &str, estimate: &Option<FloatEstimate>| match estimate {
+            Some(FloatEstimate { distance: [first, second], .. }) => Text::from(format!("{method} off by "))
+                .number(style.upper(first))
+                .words(" and ")
+                .number(style.upper(second)),
+            None => format!("{method} fails").into(),
+        };
+        let binary64 = match fit.float_least_squares(&self.problem.measurements) {
+            Some(floats) => {
+                let qr = float("QR", &floats.qr).words("; ");
+                Some(qr.then(float("pseudo-inverse", &floats.pseudo_inverse)))
+            }
+            None => fit.least_squares.is_ok().then(|| NO_BINARY64.into()),
+        };
+        lines.extend(binary64.map(|line| (Text::new(), Text::from("in binary64: ").then(line))));
+        if let Ok(LeastSquares { eui: Err(reason), .. }) = &fit.least_squares {
+            lines.push(("EUI".into(), format!("none: {reason}").into()));
+        }
+        lines
+    }
+}

@@ -1,0 +1,137 @@
+//! What the JSON documents have in common: numbers, names of half-planes, ends with their proofs, regions.
+
+use boundfit_estimation::BoundName;
+use boundfit_exact::{Interval, Rational};
+use boundfit_geometry::{Direction, Point, Region, Vertex};
+use serde::Serialize;
+
+use crate::number::Number;
+use crate::style::Style;
+
+/// The ends of an interval, null where there is none. They are numbers, or functions of the factor on the error bounds.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct RangeJson<V = Number> {
+    pub(crate) lower: Option<V>,
+    pub(crate) upper: Option<V>,
+}
+
+impl RangeJson {
+    /// An interval, its ends rounded as the style says.
+    pub fn new(interval: &Interval, style: &Style) -> Self {
+        RangeJson {
+            lower: interval.lower().value().map(|value| style.lower_number(value)),
+            upper: interval.upper().value().map(|value| style.upper_number(value)),
+        }
+    }
+}
+
+/// The name of a half-plane in JSON. `row` is null for a condition.
+#[derive(Debug, Clone, Serialize)]
+pub struct ActiveJson {
+    row: Option<usize>,
+    bound: String,
+}
+
+impl From<BoundName> for ActiveJson {
+    fn from(name: BoundName) -> Self {
+        match name {
+            BoundName::Upper(row) => ActiveJson { row: Some(row), bound: "upper".to_owned() },
+            BoundName::Lower(row) => ActiveJson { row: Some(row), bound: "lower".to_owned() },
+            BoundName::Where(number) => ActiveJson { row: None, bound: format!("where:{number}") },
+        }
+    }
+}
+
+/// A multiple of a named half-plane. `row` is null for a condition.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct TermJson {
+    pub(crate) row: Option<usize>,
+    pub(crate) bound: String,
+    pub(crate) multiplier: Number,
+}
+
+impl TermJson {
+    pub(crate) fn new(name: BoundName, multiplier: &Rational, style: &Style) -> Self {
+        let ActiveJson { row, bound } = name.into();
+        TermJson { row, bound, multiplier: style.number(multiplier) }
+    }
+}
+
+/// One end of an interval with its proof.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct BoundJson {
+    pub(crate) value: Option<Number>,
+    pub(crate) active: Vec<TermJson>,
+}
+
+/// A parameter interval with its proofs.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct IntervalJson {
+    pub(crate) lower: BoundJson,
+    pub(crate) upper: BoundJson,
+}
+
+/// A corner with the half-planes that meet there. `V` is a coordinate, `A` names a half-plane.
+#[derive(Debug, Serialize)]
+pub(crate) struct VertexJson<V, A> {
+    pub(crate) theta: [V; 2],
+    pub(crate) active: Vec<A>,
+}
+
+/// What proves that a set is empty.
+#[derive(Debug, Serialize)]
+pub(crate) struct CertificateJson {
+    pub(crate) farkas: Vec<TermJson>,
+}
+
+/// A region in JSON; `A` names a half-plane.
+#[derive(Debug, Serialize)]
+pub(crate) struct RegionJson<A> {
+    kind: &'static str,
+    vertices: Vec<VertexJson<Number, A>>,
+    rays: Vec<[Number; 2]>,
+    lines: Vec<[Number; 2]>,
+    boundaries: Vec<BoundaryJson<A>>,
+    witness: Option<[Number; 2]>,
+    area: Option<Number>,
+    certificate: Option<CertificateJson>,
+}
+
+/// A whole line of the boundary of a region without vertices.
+#[derive(Debug, Serialize)]
+struct BoundaryJson<A> {
+    active: Vec<A>,
+}
+
+impl<A> RegionJson<A> {
+    /// A region; `name` gives the names of the half-planes active at a vertex or boundary, `farkas` the certificate.
+    pub(crate) fn new(
+        region: &Region,
+        style: &Style,
+        name: impl Fn(&[usize]) -> Vec<A>,
+        farkas: Option<Vec<TermJson>>,
+    ) -> Self {
+        let direction = |d: &Direction| [d.dx(), d.dy()].map(|c| style.number(&Rational::from(c)));
+        let point = |point: &Point| style.numbers(&point.coordinates());
+        let vertex = |v: &Vertex| VertexJson { theta: point(v.point()), active: name(v.active()) };
+        let boundaries = region.boundaries().iter();
+        RegionJson {
+            kind: region.kind().name(),
+            vertices: region.vertices().iter().map(vertex).collect(),
+            rays: region.rays().iter().map(direction).collect(),
+            lines: region.lines().iter().map(direction).collect(),
+            boundaries: boundaries.map(|b| BoundaryJson { active: name(b.active()) }).collect(),
+            witness: region.witness().as_ref().map(point),
+            area: region.area().filter(|_| !region.is_empty()).map(|area| style.number(&area)),
+            certificate: farkas.map(|farkas| CertificateJson { farkas }),
+        }
+    }
+}
+
+/// Indented JSON with a line end.
+pub(crate) fn to_text(report: &impl Serialize) -> String {
+    // The report types hold strings, numbers and lists only: there is nothing in them that cannot be written.
+    let mut text = serde_json::to_string_pretty(report).expect("a report that is not JSON");
+    text.push('\n');
+    text
+}

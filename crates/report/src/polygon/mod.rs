@@ -1,0 +1,65 @@
+//! The report of any half-planes or generators. Only here and below the crate knows their files.
+
+mod json;
+mod rows;
+mod tables;
+
+use boundfit_exact::Rational;
+use boundfit_exact::english::counted;
+use boundfit_formats::HalfPlaneFile;
+use boundfit_geometry::{Multiplier, Polyhedron};
+
+use crate::document::{Block, Document, Facts, THETA, Table, Text};
+use crate::formula::absurdity;
+use crate::region::{point_text, region_blocks};
+use crate::style::Style;
+use rows::rows_of;
+use tables::{products_of, table_blocks};
+
+pub use json::polygon_json;
+
+/// The report of half-planes or generators that were read from a file of this name.
+pub fn polygon_document(
+    file: &HalfPlaneFile,
+    polyhedron: &Polyhedron,
+    name: &str,
+    style: &Style,
+) -> Document {
+    let styles = style.resolving_both(polyhedron.bounding_box().as_ref());
+    let what = if file.generators.is_some() { "Generators of " } else { "Half-planes of " };
+    let data = Text::from(what).given(name).words(format!(", {}", counted(file.rows, "row", "rows")));
+    let names = |indices: &[usize]| rows_of(file, indices).iter().map(ToString::to_string).collect();
+    let mut blocks = vec![Block::Lead(data)];
+    blocks.extend(region_blocks("Region", polyhedron.region(), &styles, names));
+    blocks.extend(emptiness(file, polyhedron, style).map(Block::Paragraph));
+    if let Some(bounds) = polyhedron.bounding_box() {
+        let row = |axis: usize| vec![THETA[axis].into(), styles[axis].interval(&bounds[axis])];
+        blocks.push(Block::Space);
+        blocks.push(Block::Table(Table::new(["", "range"], [0, 1].map(row).into())));
+    }
+    blocks.push(Block::Facts(Facts { width: 8, rows: measures(polyhedron, style, &styles) }));
+    blocks.extend(table_blocks(file, polyhedron, style));
+    Document::new(blocks)
+}
+
+/// What proves that an empty region is empty.
+fn emptiness(file: &HalfPlaneFile, polyhedron: &Polyhedron, style: &Style) -> Option<Text> {
+    let multipliers = polyhedron.region().certificate()?.multipliers();
+    let right_hand_side = |m: &Multiplier| &polyhedron.system().inequalities()[m.index].b * &m.value;
+    let sum: Rational = multipliers.iter().map(right_hand_side).sum();
+    let products = Text::from("Proof: ").then(products_of(file, multipliers, style));
+    Some(absurdity(products, &sum, style).words("."))
+}
+
+/// Area, centroid and diameter, where there are such.
+fn measures(polyhedron: &Polyhedron, style: &Style, styles: &[Style; 2]) -> Vec<(Text, Text)> {
+    let region = polyhedron.region();
+    let number = |words: &str, value: &Rational| Text::from(words).number(style.nearest(value));
+    let area = region.area().filter(|_| !region.is_empty()).map(|area| ("area", number("", &area)));
+    let centroid = region.area_centroid();
+    let centroid = centroid.map(|point| ("centroid", point_text(&point.coordinates(), styles)));
+    let diameter = region.squared_diameter();
+    let diameter = diameter.map(|square| ("diameter", number("square root of ", &square)));
+    let measures = area.into_iter().chain(centroid).chain(diameter);
+    measures.map(|(label, text)| (label.into(), text)).collect()
+}

@@ -1,0 +1,147 @@
+//! The report of the family of sets over the error bound.
+
+use boundfit_estimation::{
+    BoundName, Breakpoint, ErrorBound, Family, Linear, MovingBoundary, MovingVertex, Piece, Problem,
+    Quadratic,
+};
+use boundfit_exact::Rational;
+use boundfit_exact::english::list;
+
+use crate::document::{Block, Document, Facts, Operator, Symbol, THETA, Table, Text};
+use crate::formula::{form_text, sum_text};
+use crate::region::{endless, kind_text, vertex_table};
+use crate::style::{Style, is_readable, range};
+
+/// The sets FPS(s·ε): where the set changes its shape, then every vertex and every end of the PUI between, as exact
+/// functions of s.
+pub fn sweep_document(problem: &Problem, family: &Family, style: &Style) -> Document {
+    let breakpoints = family.breakpoints();
+    let (Some(first), Some(last)) = (breakpoints.first(), breakpoints.last()) else {
+        return Document::default();
+    };
+    let title = Text::from("Sweep of the error bound: FPS").mark("(").symbol(Symbol::Factor);
+    let title = title.operator(Operator::Dot).symbol(Symbol::Epsilon).mark(")").words(" for ");
+    let mut blocks = vec![
+        Block::Title(title.then(from_to(style.given(&first.s), style.given(&last.s)))),
+        Block::Paragraph(birth(family, style)),
+        Block::Table(breakpoint_table(problem, breakpoints, style)),
+    ];
+    family.pieces().iter().for_each(|piece| blocks.extend(piece_blocks(piece, style)));
+    Document::new(blocks)
+}
+
+fn from_to(from: Text, to: Text) -> Text {
+    Text::from(Symbol::Factor).words(" from ").then(from).words(" to ").then(to)
+}
+
+/// Where the set is born.
+fn birth(family: &Family, style: &Style) -> Text {
+    match family.least() {
+        None => "No factor, however large, leaves a feasible parameter.".into(),
+        Some(least) if least.is_zero() => "The set is never empty.".into(),
+        Some(least) => {
+            let birth = Text::from("The set is born at ").symbol(Symbol::Factor).operator(Operator::Equals);
+            birth.then(style.upper_with_exact(least)).words(".")
+        }
+    }
+}
+
+fn breakpoint_table(problem: &Problem, breakpoints: &[Breakpoint], style: &Style) -> Table {
+    let epsilon = match problem.measurements.error_bound() {
+        ErrorBound::Uniform(epsilon) => Some(epsilon),
+        ErrorBound::PerRow(_) => None,
+    };
+    let rows = breakpoints.iter().map(|breakpoint| {
+        let section = &breakpoint.section;
+        // Of factors as of error bounds: what is printed is never too small.
+        let upper = |value: &Rational| Text::new().number(style.upper(value));
+        let mut row = vec![upper(&breakpoint.s)];
+        if !style.exact {
+            row.push(style.proof(&breakpoint.s));
+        }
+        row.extend(epsilon.map(|epsilon| upper(&(epsilon * &breakpoint.s))));
+        row.push(kind_text(section.kind, section.vertices.len()).into());
+        row.extend([&breakpoint.entering, &breakpoint.leaving].map(|names| names_text(names)));
+        row
+    });
+    let mut header = vec![Text::from(Symbol::Factor)];
+    if !style.exact {
+        header.push("exactly".into());
+    }
+    header.extend(epsilon.map(|_| Symbol::Epsilon.into()));
+    header.extend(["set", "begins to shape it", "ceases to"].map(Text::from));
+    Table::new(header, rows.collect())
+}
+
+/// The vertices between two breakpoints, where the set goes on for ever, which lines bound it, the ends of the PUI and the
+/// area.
+fn piece_blocks(piece: &Piece, style: &Style) -> Vec<Block> {
+    let function = |function: &Linear| linear_text(function, style);
+    let title = Text::from("For ").then(from_to(style.proof(&piece.from), style.proof(&piece.to)));
+    let title = title.words(format!(": {}", kind_text(piece.kind, piece.vertices.len())));
+    let vertex = |(number, vertex): (usize, &MovingVertex)| {
+        let [theta1, theta2] = vertex.theta.each_ref().map(function);
+        vec![Text::new().number(number), theta1, theta2, names_text(&vertex.active)]
+    };
+    let vertices = vertex_table((1..).zip(&piece.vertices).map(vertex).collect());
+    let boundaries = piece.boundaries.iter().map(|MovingBoundary { normal, offset, active }| {
+        let bound = form_text(normal).operator(Operator::AtMost).then(function(offset));
+        Text::from("bounded by ").then(bound).words(": ").then(names_text(active))
+    });
+    let lines = endless(&piece.rays, &piece.lines).into_iter().chain(boundaries).map(Block::Paragraph);
+    let pui = piece.pui.iter().flatten().zip(THETA).map(|([lower, upper], theta)| {
+        let range = range(lower.as_ref().map(function), upper.as_ref().map(function));
+        (Text::from("PUI ").symbol(theta), range)
+    });
+    let area = piece.area.as_ref().map(|area| ("area".into(), quadratic_text(area, style)));
+    let facts = Facts { width: 10, rows: pui.chain(area).collect() };
+    [Block::Title(title), vertices].into_iter().chain(lines).chain([Block::Facts(facts)]).collect()
+}
+
+fn names_text(names: &[BoundName]) -> Text {
+    list(names.iter().map(BoundName::to_string)).into()
+}
+
+fn linear_text(Linear { constant, slope }: &Linear, style: &Style) -> Text {
+    polynomial_text(&[constant, slope], style)
+}
+
+fn quadratic_text(Quadratic { constant, slope, quadratic }: &Quadratic, style: &Style) -> Text {
+    polynomial_text(&[constant, slope, quadratic], style)
+}
+
+/// A polynomial in s with these coefficients, from the constant on.
+fn polynomial_text(coefficients: &[&Rational], style: &Style) -> Text {
+    let s = Text::from(Symbol::Factor);
+    let powers = [None, Some(s.clone()), Some(s.mark("^2"))];
+    sum_text(coefficients.iter().zip(powers).map(|(&value, power)| {
+        let size = value.abs();
+        let shown = style.proof(&size);
+        let is_whole = style.exact || is_readable(&size);
+        let shown = if is_whole { shown } else { Text::new().mark("(").then(shown).mark(")") };
+        (value.clone(), shown, power)
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn functions_read_like_formulas() {
+        let text = |coefficients: &[i64]| {
+            let values: Vec<Rational> = coefficients.iter().map(|&value| Rational::ratio(value, 2)).collect();
+            polynomial_text(&values.iter().collect::<Vec<_>>(), &Style::default()).to_string()
+        };
+        for (coefficients, expected) in [
+            (&[1, -3][..], "1/2 - 3/2*s"),
+            (&[0, 2], "s"),
+            (&[2, 0], "1"),
+            (&[0, 0, 0], "0"),
+            (&[-2, -2, 1], "-1 - s + 1/2*s^2"),
+            (&[0, -2, 4], "-s + 2*s^2"),
+        ] {
+            assert_eq!(text(coefficients), expected);
+        }
+    }
+}
