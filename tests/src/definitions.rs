@@ -139,6 +139,9 @@ pub fn in_unit(problem: &Problem, factor: &Rational) -> Problem {
 /// An end of an interval: its value and the multipliers that prove it.
 type End = Option<(Rational, Vec<Multiplier>)>;
 
+/// A least error bound, its minimiser if it is the only one, and the proof.
+type Least = (Rational, Option<[Rational; 2]>, Vec<(BoundName, Rational)>);
+
 /// What a fit says, all parameters over a unit: the same for a problem and for it [in another unit](in_unit).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
@@ -150,8 +153,7 @@ pub struct Answer {
     directions: [Vec<Direction>; 2],
     pui: Option<[[End; 2]; 2]>,
     central: Option<[[Rational; 2]; 2]>,
-    /// The least bound, its minimiser if it is the only one, and the proof.
-    minimax: Option<(Rational, Option<[Rational; 2]>, Vec<(BoundName, Rational)>)>,
+    minimax: Option<Least>,
 }
 
 /// What a fit of a problem says, over a unit.

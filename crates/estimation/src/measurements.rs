@@ -70,6 +70,7 @@ impl Meaning {
 
 /// The readings that are fitted, as far as they are in memory.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[allow(clippy::large_enum_variant, reason = "one per fit")]
 pub enum Readings {
     /// Every one of them.
     All(Vec<Measurement>),

@@ -83,7 +83,6 @@ fn all_options(data: &[u8], check: &(dyn Fn(&[ColumnSelector], &ScanOptions) + S
                 reading,
                 limits: LIMITS,
                 sizes: SIZES,
-                ..TableOptions::default()
             };
             for chunk_bytes in [chunk_bytes, 1 << 18] {
                 check(&columns, &ScanOptions { table: table.clone(), chunk_bytes, ..ScanOptions::default() });
