@@ -1,7 +1,9 @@
 //! Generated readings, the same on every run.
 
-use boundfit_estimation::{Condition, ErrorBound, Measurement, Measurements, Model, Problem};
-use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_estimation::{
+    Condition, ErrorBound, LeastSquares, Measurement, Measurements, Model, Problem, SingularRegressors,
+};
+use boundfit_exact::{Interval, Limits, Rational, Reading};
 use rand::RngExt;
 use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
@@ -79,6 +81,32 @@ pub fn rebuilt(problem: &Problem, rows: Vec<Measurement>, error_bound: ErrorBoun
     let old = &problem.measurements;
     let measurements = Measurements::new(old.model().clone(), old.response().to_owned(), error_bound, rows);
     Problem { measurements, conditions: problem.conditions.clone() }
+}
+
+/// Least squares and EUI by their definitions, θ̂ = A·y with A = (ΦᵀΦ)⁻¹Φᵀ and Σ_k |A_jk|·ε_k, one fraction after the other.
+pub fn naive_least_squares(measurements: &Measurements) -> Result<LeastSquares, SingularRegressors> {
+    let rows = measurements.all().expect("every reading is kept");
+    let gram = |i: usize, j: usize| -> Rational {
+        rows.iter().map(|row| &row.regressor[i] * &row.regressor[j]).sum()
+    };
+    let (g11, g12, g22) = (gram(0, 0), gram(0, 1), gram(1, 1));
+    let determinant = &g11 * &g22 - &g12 * &g12;
+    let weights = |j: usize, Measurement { regressor: [u, v], .. }: &Measurement| {
+        let numerator = if j == 0 { &g22 * u - &g12 * v } else { &g11 * v - &g12 * u };
+        numerator.checked_div(&determinant).ok_or(SingularRegressors)
+    };
+    let part = |j: usize| {
+        let (mut theta, mut radius) = (Rational::zero(), Rational::zero());
+        for row in rows {
+            let weight = weights(j, row)?;
+            theta = theta + &weight * &row.response;
+            radius = radius + weight.abs() * &row.epsilon;
+        }
+        let eui = Interval::around(&theta, &radius).expect("a radius is not negative");
+        if rows.is_empty() { Err(SingularRegressors) } else { Ok((theta, eui)) }
+    };
+    let ((theta1, eui1), (theta2, eui2)) = (part(0)?, part(1)?);
+    Ok(LeastSquares { theta: [theta1, theta2], eui: Ok([eui1, eui2]) })
 }
 
 /// A line sampled at `count` places with four decimals, with uniform noise below the error bound: the benchmarks' data.

@@ -6,12 +6,12 @@
 
 use std::cmp::Ordering;
 
-use boundfit_exact::{Fraction, Integer, Rational, Sign};
+use boundfit_exact::{Fraction, Integer, Rational, Scaled, Sign};
 use boundfit_geometry::grid::{GridPoint, doubled_area, touching_of_columns};
 use boundfit_geometry::predicates::{by_theta1, lexicographic, orientation};
 use boundfit_geometry::{Hull, HullSide, Point, Site};
 
-use crate::grid::{Column, Grid};
+use crate::grid::Grid;
 use crate::measurements::{Measurement, Measurements};
 
 /// From so many readings on, those inside are discarded before the others are sorted.
@@ -64,8 +64,8 @@ impl Extremes {
         Extremes::of_columns(&grid.phi1, &grid.response)
     }
 
-    fn of_columns(x: &Column, y: &Column) -> Self {
-        let (x, y) = (&x.mantissas, &y.mantissas);
+    fn of_columns(x: &Scaled<i64>, y: &Scaled<i64>) -> Self {
+        let (x, y) = (x.counts(), y.counts());
         if x.len() >= FEWEST_TO_FILTER {
             return Extremes::of_sorted(&touching_of_columns(x, y, 0));
         }
@@ -112,8 +112,8 @@ impl Extremes {
 /// Positions of the readings of a line on either hull of (x, y), ascending; see [`Extremes::touching`]. Exact.
 /// Cost: O(N log N).
 pub(crate) fn touching_a_hull(rows: &[Measurement]) -> Vec<usize> {
-    let columns = Column::new(rows.iter().map(|row| &row.regressor[0]))
-        .zip(Column::new(rows.iter().map(|row| &row.response)));
+    let columns = Scaled::of_numbers(rows.iter().map(|row| &row.regressor[0]))
+        .zip(Scaled::of_numbers(rows.iter().map(|row| &row.response)));
     let extremes = columns.map_or_else(|| Extremes::in_general(rows), |(x, y)| Extremes::of_columns(&x, &y));
     extremes.touching.iter().map(|touching| touching.position).collect()
 }

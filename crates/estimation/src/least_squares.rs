@@ -1,12 +1,13 @@
 //! Exact least squares and its uncertainty intervals.
 
-use boundfit_exact::{Endpoint, Integer, Interval, Rational, Sum};
+use boundfit_exact::{Endpoint, Integer, Interval, Rational, Scaled, Sum, Unit};
 use boundfit_geometry::Direction;
 use thiserror::Error;
 
-use crate::grid::{Column, Grid};
-use crate::measurements::{ErrorBound, Measurements, Readings};
-use crate::summary::NoEui;
+use crate::grid::Grid;
+use crate::measurements::{ErrorBound, Measurement, Measurements, Readings};
+use crate::moments::{Moments, Solution};
+use crate::summary::{NoEui, Reduction};
 
 /// The least-squares estimate θ̂ = (ΦᵀΦ)⁻¹Φᵀy with its estimate uncertainty intervals.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -35,87 +36,104 @@ impl LeastSquares {
         LeastSquares::with_grid(measurements, Grid::new(measurements).as_ref())
     }
 
-    /// The same where the readings are on a grid already, if they fit on one.
+    /// As [`LeastSquares::new`], on the machine integers of the readings if there are any.
     pub(crate) fn with_grid(
         measurements: &Measurements,
         grid: Option<&Grid>,
     ) -> Result<Self, SingularRegressors> {
-        if let Readings::Supporting { reduction, .. } = measurements.readings() {
-            return LeastSquares::of_reduction(reduction, measurements.error_bound());
-        }
-        match grid.and_then(|grid| LeastSquares::on_grid(measurements, grid)) {
-            Some(solved) => solved,
-            None => LeastSquares::in_general(measurements),
+        match measurements.readings() {
+            Readings::Supporting { reduction, .. } => {
+                LeastSquares::of_reduction(reduction, measurements.error_bound())
+            }
+            Readings::All(rows) => grid
+                .and_then(|grid| LeastSquares::on_grid(grid, measurements.error_bound()))
+                .unwrap_or_else(|| LeastSquares::of_rows(rows)),
         }
     }
 
-    /// The same without machine integers, for readings of any size.
-    ///
-    /// # Errors
-    /// When ΦᵀΦ is singular.
-    pub fn in_general(measurements: &Measurements) -> Result<Self, SingularRegressors> {
-        let rows = measurements.kept();
-        let total = |term: &dyn Fn(usize, &mut Sum)| {
-            let mut sum = Sum::default();
-            (0..rows.len()).for_each(|row| term(row, &mut sum));
-            sum.total()
-        };
-        let gram = |i: usize, j: usize| {
-            total(&|row, sum| sum.add_product(&rows[row].regressor[i], &rows[row].regressor[j]))
-        };
-        let moment =
-            |i: usize| total(&|row, sum| sum.add_product(&rows[row].regressor[i], &rows[row].response));
-        let (g11, g12, g22) = (gram(0, 0), gram(0, 1), gram(1, 1));
-        let (m1, m2) = (moment(0), moment(1));
-        let determinant = &g11 * &g22 - &g12 * &g12;
-        let solved = |numerator: Rational| numerator.checked_div(&determinant).ok_or(SingularRegressors);
-        let theta = [solved(&g22 * &m1 - &g12 * &m2)?, solved(&g11 * &m2 - &g12 * &m1)?];
+    /// From readings of any size.
+    fn of_rows(rows: &[Measurement]) -> Result<Self, SingularRegressors> {
+        let readings = rows.iter().map(|Measurement { regressor: [u, v], response, .. }| [u, v, response]);
+        LeastSquares::of_moments(&Moments::of_readings(readings), |moments| {
+            let Moments { uu, uv, vv, .. } = moments;
+            let reach = |p: &Rational, q: &Rational| {
+                // Only the sign of a weight matters, so p and q may be scaled to integers. They are not both 0.
+                let Some(scaled) = Direction::from_rational(&[p.clone(), q.clone()]) else {
+                    return Rational::zero();
+                };
+                let mut sums = [Sum::default(), Sum::default()];
+                for Measurement { regressor: [u, v], epsilon, .. } in rows {
+                    let weight = scaled.dx() * (u.numerator() * v.denominator())
+                        + scaled.dy() * (v.numerator() * u.denominator());
+                    let signed = if weight.is_negative() { -epsilon } else { epsilon.clone() };
+                    sums[0].add_product(u, &signed);
+                    sums[1].add_product(v, &signed);
+                }
+                p * sums[0].total() + q * sums[1].total()
+            };
+            Ok([reach(vv, &-uv), reach(&-uv, uu)])
+        })
+    }
 
-        // A_jk = (p·φ_k1 + q·φ_k2) / det with (p, q) a row of the adjugate; det > 0.
-        let reach = |p: &Rational, q: &Rational| {
-            let mut sums = [Sum::default(), Sum::default()];
-            // Only the sign of A_jk matters here, so p and q may be scaled to integers.
-            let scaled = Direction::from_rational(&[p.clone(), q.clone()]).ok_or(SingularRegressors)?;
-            for row in rows {
-                let [phi1, phi2] = &row.regressor;
-                let cross = scaled.dx() * (phi1.numerator() * phi2.denominator())
-                    + scaled.dy() * (phi2.numerator() * phi1.denominator());
-                let epsilon = if cross.is_negative() { -&row.epsilon } else { row.epsilon.clone() };
-                sums[0].add_product(phi1, &epsilon);
-                sums[1].add_product(phi2, &epsilon);
+    /// From the sums over the readings of a line, most of which are no longer there. Cost: constant.
+    fn of_reduction(reduction: &Reduction, error_bound: &ErrorBound) -> Result<Self, SingularRegressors> {
+        let Reduction { sums, spread } = reduction;
+        LeastSquares::of_moments(&sums.moments(), |_| match (spread, error_bound) {
+            (Err(reason), _) => Err(*reason),
+            // Bounds that differ from reading to reading have no spread.
+            (Ok(_), ErrorBound::PerRow(_)) => Err(NoEui::Reduced),
+            (Ok(spread), ErrorBound::Uniform(epsilon)) => {
+                Ok(spread.absolute_weights(sums).map(|weight| weight * epsilon))
             }
-            solved(p * sums[0].total() + q * sums[1].total())
+        })
+    }
+
+    /// From moments, and what gives Σ_k |A_jk|·ε_k times the determinant for them. A_jk times the determinant is
+    /// p·φ_k1 + q·φ_k2 with (p, q) a row of the adjugate of ΦᵀΦ.
+    fn of_moments(
+        moments: &Moments<Rational>,
+        reaches: impl FnOnce(&Moments<Rational>) -> Result<[Rational; 2], NoEui>,
+    ) -> Result<Self, SingularRegressors> {
+        let Solution { numerators, determinant } = moments.solution();
+        let solved = |numerator: &Rational| numerator.checked_div(&determinant).ok_or(SingularRegressors);
+        let theta = [solved(&numerators[0])?, solved(&numerators[1])?];
+        let interval = |j: usize, reach: &Rational| {
+            Interval::around(&theta[j], &solved(reach)?).ok_or(SingularRegressors)
         };
-        let radii = [reach(&g22, &-&g12)?, reach(&-&g12, &g11)?];
-        let interval = |j: usize| Interval::around(&theta[j], &radii[j]).ok_or(SingularRegressors);
-        let eui = Ok([interval(0)?, interval(1)?]);
+        let eui = match reaches(moments) {
+            Ok([first, second]) => Ok([interval(0, &first)?, interval(1, &second)?]),
+            Err(reason) => Err(reason),
+        };
         Ok(LeastSquares { theta, eui })
     }
 
-    /// The same on machine integers, every fraction reduced once; `None` when a sum does not fit into 128 bits.
-    fn on_grid(measurements: &Measurements, grid: &Grid) -> Option<Result<Self, SingularRegressors>> {
-        let Moments { g11, g12, g22, m1, m2 } = Moments::new(grid)?;
-        let [i11, i12, i22, i1, i2] = [g11, g12, g22, m1, m2].map(Integer::from);
-        let determinant = &i11 * &i22 - &i12 * &i12;
+    /// From machine integers, with every fraction reduced once; `None` when a sum does not fit into 128 bits.
+    fn on_grid(grid: &Grid, error_bound: &ErrorBound) -> Option<Result<Self, SingularRegressors>> {
+        let second = grid.phi2.as_ref();
+        let moments =
+            Moments::of_integers(grid.phi1.counts(), second.map(Scaled::counts), grid.response.counts())?;
+        let Solution { numerators, determinant } = moments.map(Integer::from).solution();
         if determinant.is_zero() {
             return Some(Err(SingularRegressors));
         }
-        let solutions = [&i22 * &i1 - &i12 * &i2, &i11 * &i2 - &i12 * &i1];
         // With φ = Φ/s and y = Y/t, an estimate in the units of the grid is θ·t/s.
-        let one = Integer::one();
-        let scales = [grid.phi1.scale(), grid.phi2.as_ref().map_or(one.clone(), Column::scale)];
-        let response_scale = grid.response.scale();
-        let (epsilon, epsilon_scale) = match (measurements.error_bound(), &grid.epsilon) {
-            (ErrorBound::Uniform(epsilon), _) => (epsilon.numerator(), epsilon.denominator()),
-            (ErrorBound::PerRow(_), column) => (one.clone(), column.as_ref().map_or(one, Column::scale)),
+        let per_one = |column: Option<&Scaled<i64>>| {
+            let count = column.map_or(Some(1), |column| Unit::TenTo(0).counted_in(column.unit()));
+            count.map(Integer::from)
         };
-        // A_jk = (p·φ_k1 + q·φ_k2) / det with (p, q) a row of the adjugate.
-        let reaches = [(g22, g12.checked_neg()?), (g12.checked_neg()?, g11)];
+        let scales = [per_one(Some(&grid.phi1))?, per_one(second)?];
+        let response_scale = per_one(Some(&grid.response))?;
+        let (epsilon, epsilon_scale) = match error_bound {
+            ErrorBound::Uniform(epsilon) => (epsilon.numerator(), epsilon.denominator()),
+            ErrorBound::PerRow(_) => (Integer::one(), per_one(grid.epsilon.as_ref())?),
+        };
+        let Moments { uu, uv, vv, .. } = moments;
+        let rows_of_adjugate = [(vv, -uv), (-uv, uu)];
         // The estimate and the ends of its interval have this denominator in common.
         let denominator = &determinant * &response_scale * &epsilon_scale;
         let part = |j: usize| {
-            let centre = &solutions[j] * &epsilon_scale;
-            let radius = reach(grid, reaches[j])? * &epsilon * &response_scale;
+            let centre = &numerators[j] * &epsilon_scale;
+            let radius = reach(grid, rows_of_adjugate[j])? * &epsilon * &response_scale;
             let scaled = |numerator: Integer| Rational::new(numerator * &scales[j], denominator.clone());
             let ends = [scaled(&centre - &radius)?, scaled(&centre + &radius)?].map(Endpoint::Finite);
             let [lower, upper] = ends;
@@ -126,49 +144,12 @@ impl LeastSquares {
     }
 }
 
-/// ΦᵀΦ and Φᵀy of readings on a grid.
-struct Moments {
-    g11: i128,
-    g12: i128,
-    g22: i128,
-    m1: i128,
-    m2: i128,
-}
-
-impl Moments {
-    fn new(grid: &Grid) -> Option<Self> {
-        let (first, response) = (&grid.phi1.mantissas, &grid.response.mantissas);
-        let rows = first.iter().zip(response);
-        let mut sums = Moments { g11: 0, g12: 0, g22: 0, m1: 0, m2: 0 };
-        match &grid.phi2 {
-            None => {
-                sums.g22 = i128::try_from(grid.len()).ok()?;
-                for (&u, &y) in rows {
-                    sums.g11 = sums.g11.checked_add(product(u, u))?;
-                    sums.g12 = sums.g12.checked_add(i128::from(u))?;
-                    sums.m1 = sums.m1.checked_add(product(u, y))?;
-                    sums.m2 = sums.m2.checked_add(i128::from(y))?;
-                }
-            }
-            Some(second) => {
-                for ((&u, &y), &v) in rows.zip(&second.mantissas) {
-                    sums.g11 = sums.g11.checked_add(product(u, u))?;
-                    sums.g12 = sums.g12.checked_add(product(u, v))?;
-                    sums.g22 = sums.g22.checked_add(product(v, v))?;
-                    sums.m1 = sums.m1.checked_add(product(u, y))?;
-                    sums.m2 = sums.m2.checked_add(product(v, y))?;
-                }
-            }
-        }
-        Some(sums)
-    }
-}
-
 /// Σ |p·u + q·v|·ε over the readings (u, v) of a grid, in its units; ε counts as 1 when it is uniform.
 fn reach(grid: &Grid, (p, q): (i128, i128)) -> Option<Integer> {
+    let product = |left: i64, right: i64| i128::from(left) * i128::from(right);
     let mut sums = [0_i128, 0];
-    for (row, &u) in grid.phi1.mantissas.iter().enumerate() {
-        let at = |column: &Option<Column>| column.as_ref().map_or(1, |column| column.mantissas[row]);
+    for (row, &u) in grid.phi1.counts().iter().enumerate() {
+        let at = |column: &Option<Scaled<i64>>| column.as_ref().map_or(1, |column| column.counts()[row]);
         let (v, epsilon) = (at(&grid.phi2), at(&grid.epsilon));
         let cross = p.checked_mul(i128::from(u))?.checked_add(q.checked_mul(i128::from(v))?)?;
         let signed = if cross < 0 { -epsilon } else { epsilon };
@@ -176,8 +157,4 @@ fn reach(grid: &Grid, (p, q): (i128, i128)) -> Option<Integer> {
         sums[1] = sums[1].checked_add(product(signed, v))?;
     }
     Some(Integer::from(p) * Integer::from(sums[0]) + Integer::from(q) * Integer::from(sums[1]))
-}
-
-fn product(left: i64, right: i64) -> i128 {
-    i128::from(left) * i128::from(right)
 }

@@ -36,7 +36,7 @@ mod corridor;
 mod family;
 mod files;
 mod fit;
-mod fleet;
+mod fit_group;
 #[cfg(feature = "float-least-squares")]
 mod float_least_squares;
 mod fps;
@@ -47,6 +47,7 @@ mod least_growth;
 mod least_squares;
 mod measurements;
 mod minimax;
+mod moments;
 mod problem;
 mod summary;
 
@@ -57,9 +58,9 @@ pub use family::{
     Breakpoint, Family, Linear, MovingBoundary, MovingVertex, Piece, Quadratic, Section, SectionBoundary,
     SectionVertex,
 };
-pub use files::{Columns, EpsilonColumn};
+pub use files::{Columns, EpsilonColumn, Fleet, ReducedColumns, ReducedTable};
 pub use fit::{Fit, FitBounds, fit, fit_bounds};
-pub use fleet::{Fleet, fit_group, least_squares_is_feasible};
+pub use fit_group::{fit_group, least_squares_is_feasible};
 #[cfg(feature = "float-least-squares")]
 pub use float_least_squares::{FloatEstimate, FloatLeastSquares};
 pub use fps::{BoundName, Fps, bounds_of_reading, conditions_by_name, reading_of_bound, strip};
@@ -69,4 +70,4 @@ pub use least_squares::{LeastSquares, SingularRegressors};
 pub use measurements::{ErrorBound, Measurement, Measurements, Model, Readings};
 pub use minimax::{Minimax, MinimaxProof};
 pub use problem::Problem;
-pub use summary::{Keep, LineSums, NoEui, ReducedColumns, ReducedTable, Reduction, Spread};
+pub use summary::{ColumnsError, Keep, LineSums, NoEui, Reduction, Spread};

@@ -19,22 +19,24 @@
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
 
 mod binary64;
+mod column;
 mod decimal;
 mod double_sum;
 pub mod english;
 mod interval;
 mod number;
 mod parse;
-mod scaled;
+mod plain;
 mod serial;
 mod short_text;
 mod sum;
 
 pub use binary64::{nearest_double, plain_double, significand_and_exponent};
+pub use column::{Column, Count, Scaled, Unit};
 pub use decimal::{Decimal, Rounding};
 pub use double_sum::DoubleSum;
 pub use interval::{Endpoint, Interval};
 pub use number::{Fraction, Integer, Rational, Sign, TooWide};
 pub use parse::{Limits, ParseNumberError, ParseNumberErrorKind, Reading};
-pub use scaled::{PLAIN_DIGITS, PLAIN_EXPONENT, PlainPrefix, Scaled, plain_decimal, plain_prefix};
+pub use plain::{PLAIN_DIGITS, PLAIN_EXPONENT, PlainPrefix, plain_decimal, plain_prefix};
 pub use sum::Sum;

@@ -27,7 +27,7 @@ impl ColumnSelector {
         ColumnSelector { text: name.to_owned(), position: Some(position), non_negative: false }
     }
 
-    /// The same column, in which every number must be at least 0.
+    /// This column, with the demand that every number in it is at least 0.
     pub fn non_negative(self) -> Self {
         ColumnSelector { non_negative: true, ..self }
     }

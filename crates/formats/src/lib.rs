@@ -36,6 +36,6 @@ pub use half_planes::{GeneratorRows, HalfPlaneFile, HalfPlaneFormat, RowOrigin, 
 pub use limits::{LONGEST_LINE, Limit, SizeLimits};
 pub use open::{read_table, scan};
 pub use reduction::{REDUCTION_MARK, ReductionError, ReductionRecord, Reductions, open_reduction};
-pub use scan::{Batch, Column, Pieces, Progress, ScanOptions, Scanned};
+pub use scan::{Batch, Pieces, Progress, ScanOptions, Scanned};
 pub use source::Source;
 pub use table::{RowRange, Table, TableOptions, TableRow, TextLayout};

@@ -49,7 +49,7 @@ pub fn scan<T: Send>(
         Content::Binary(format, file) if format != BinaryFormat::Matlab => {
             scan_arrow(&name, format, file, columns, options, work, take)
         }
-        Content::Binary(_, file) => scan_mat(&name, file, columns, options, work, take),
+        Content::Binary(_, file) => scan_mat(&name, Box::new(file), columns, options, work, take),
     }
 }
 

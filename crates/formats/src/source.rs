@@ -61,7 +61,7 @@ impl Source {
         Source { name, content, length: None, is_file: false }
     }
 
-    /// The same, but not more than so many bytes of text.
+    /// This source, cut off after so many bytes of text.
     pub fn limited(self, most_bytes: u64) -> Self {
         let content = match self.content {
             Content::Bytes(bytes) => Content::Bytes(Box::new(bytes.take(most_bytes))),

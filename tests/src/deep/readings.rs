@@ -5,9 +5,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use boundfit_check::ProgramRows;
-use boundfit_estimation::{
-    ErrorBound, Fit, LeastSquares, Measurement, Minimax, Model, Problem, fit, fit_bounds,
-};
+use boundfit_estimation::{ErrorBound, Fit, Measurement, Minimax, Model, Problem, fit, fit_bounds};
 use boundfit_exact::{Integer, Rational};
 use boundfit_geometry::{Inequality, System};
 use rand::RngExt;
@@ -20,6 +18,7 @@ use super::{Case, same};
 use crate::columns::Shape;
 use crate::definitions::{answer, answer_in_general, least_bound};
 use crate::oracle::{Row, solve};
+use crate::readings::naive_least_squares;
 use crate::readings::{line, problem, with_error_bound, with_rows};
 use crate::shape::shape;
 use boundfit_lp::PuiEnd;
@@ -145,8 +144,8 @@ impl Case for ReadingsCase {
 
 impl ReadingsCase {
     fn same_without_machine_integers(&self, fit: &Fit) -> Result<(), String> {
-        let direct = LeastSquares::in_general(&self.problem.measurements);
-        same("least squares by fractions", &fit.least_squares, &direct)?;
+        let direct = naive_least_squares(&self.problem.measurements);
+        same("least squares by its definition", &fit.least_squares, &direct)?;
         let bounds = fit_bounds(&self.problem);
         same("minimax", &fit.minimax, &bounds.minimax)?;
         same(

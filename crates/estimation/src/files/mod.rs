@@ -1,12 +1,18 @@
-//! Readings from files.
+//! Readings from files: whole tables, tables of any size, reductions and fleets. Nothing else in this crate reads.
 
+mod abscissas;
 mod columns;
+mod fleet;
+mod reduce;
+mod scan;
 
-use boundfit_formats::{Batch, InputError, Scanned, Source, TableOptions, TableRow, read_table};
+use boundfit_formats::{InputError, Source, TableOptions, TableRow, read_table};
 
 pub use columns::{Columns, EpsilonColumn};
+pub use fleet::Fleet;
+pub use reduce::{ReducedColumns, ReducedTable};
 
-use crate::measurements::{Meaning, Measurement, Measurements, Origin, Readings};
+use crate::measurements::{Measurements, Origin, Readings};
 
 impl Measurements {
     /// Reads the columns of a table.
@@ -24,20 +30,4 @@ impl Measurements {
         let origin = Origin { rows_total, layout, sha256 };
         Ok(Measurements { meaning, readings: Readings::All(rows), others, origin })
     }
-
-    /// Readings of a table that was read in batches.
-    pub(crate) fn scanned(columns: &Columns, scanned: Scanned, readings: Readings) -> Self {
-        let meaning = columns.meaning(&scanned.names);
-        let Scanned { rows_total, layout, sha256, .. } = scanned;
-        let origin = Origin { rows_total, layout, sha256 };
-        Measurements { meaning, readings, others: Vec::new(), origin }
-    }
-}
-
-/// All readings of batches.
-pub(crate) fn rows_of(batches: &[Batch], meaning: &Meaning) -> Vec<Measurement> {
-    let row = |batch: &Batch, k: usize| {
-        meaning.measurement(batch.first_row + k, batch.columns.iter().map(|column| column.get(k)))
-    };
-    batches.iter().flat_map(|batch| (0..batch.rows).map(move |k| row(batch, k))).collect()
 }

@@ -1,40 +1,27 @@
 //! Readings of any number in memory that does not grow with them.
 //!
-//! Under a uniform error bound a line is decided by the readings that touch the convex hull, least squares by five sums,
-//! and both of a whole are found from those of its parts. Only the EUI needs a second look at x, when the sums are known.
+//! Under a uniform error bound a line is decided by the readings that support a hull, least squares by five sums, and
+//! both of a whole are found from those of its parts. Only the EUI needs a second look at x, when the sums are known.
 
-mod abscissas;
-mod columns;
-mod estimate;
-mod extremes;
-mod reduce;
+mod in_memory;
 mod sieve;
 mod spread;
 mod sums;
+mod support;
 
-use boundfit_exact::Rational;
-use boundfit_formats::{
-    Batch, InputError, InputErrorKind, ScanOptions, Scanned, Source, open_reduction, scan,
-};
+use std::collections::BTreeMap;
+
+use boundfit_exact::{Column, Rational};
 use thiserror::Error;
 
-pub use reduce::{ReducedColumns, ReducedTable};
+pub use in_memory::ColumnsError;
+pub(crate) use sieve::SharedSieve;
 pub use spread::Spread;
+pub(crate) use spread::Thresholds;
 pub use sums::LineSums;
 
-use abscissas::{Abscissas, StoredPart};
-use columns::LineColumns;
-use extremes::Extremes;
-use sieve::SharedSieve;
-use spread::Thresholds;
-
-use crate::files::{Columns, EpsilonColumn, rows_of};
-use crate::measurements::{Measurement, Measurements, Readings};
-
-/// Bytes of x kept from a file before it is rather read a second time: twelve million readings at four bytes each.
-const MOST_BYTES_OF_FILE: usize = 48 << 20;
-/// Bytes of x kept from standard input, which cannot be read a second time: 134 million readings at four bytes each.
-const MOST_BYTES_OF_STREAM: usize = 512 << 20;
+use crate::measurements::Measurement;
+use support::SupportRows;
 
 /// How many readings are kept in memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -88,153 +75,62 @@ pub enum NoEui {
     Reduced,
 }
 
-/// One batch with what is made of it at once.
-struct Digest {
-    batch: Batch,
-    line: Option<(LineSums, Extremes, Option<StoredPart>)>,
+/// What is kept of readings of a line, however many they are.
+#[derive(Debug, Default)]
+pub(crate) struct LineSummary {
+    pub(crate) sums: LineSums,
+    /// The readings that support a hull of those with the same error bound; under a uniform one, whatever it is, `None`
+    /// stands for it.
+    support: BTreeMap<Option<Rational>, SupportRows>,
 }
 
-/// Everything taken so far.
-struct Collected {
-    batches: Vec<Batch>,
-    rows: usize,
-    sums: LineSums,
-    extremes: Extremes,
-    abscissas: Abscissas,
-}
-
-impl Measurements {
-    /// Reads the columns of a table in constant memory for a line under a uniform error bound: see [`Keep`]. Rows and numbers are those of [`Measurements::read`].
-    ///
-    /// Exact. Cost: one pass; two where the EUI is asked for of a file with more readings than are kept for it.
-    ///
-    /// # Errors
-    /// The first thing wrong with the file, a negative error bound included.
-    pub fn scan(
-        source: Source,
-        columns: &Columns,
-        options: &ScanOptions,
-        keep: Keep,
-    ) -> Result<Self, InputError> {
-        let of_line = columns.second.is_none() && matches!(columns.epsilon, EpsilonColumn::Uniform(_));
-        let name = source.name().to_owned();
-        let path = source.path().map(str::to_owned);
-        let usual = if path.is_some() { MOST_BYTES_OF_FILE } else { MOST_BYTES_OF_STREAM };
-        let mut all = Collected {
-            batches: Vec::new(),
-            rows: 0,
-            sums: LineSums::default(),
-            extremes: Extremes::default(),
-            abscissas: Abscissas::new(keep.most_bytes.unwrap_or(usual)),
-        };
-        let sieve = SharedSieve::default();
-        let digest = |batch: Batch| {
-            let line = of_line.then(|| {
-                let columns = LineColumns::new(&batch.columns[0], &batch.columns[1]);
-                let extremes = sieve.extremes(&columns, batch.first_row);
-                let stored = keep.eui.then(|| StoredPart::new(&columns));
-                (LineSums::of_columns(&columns), extremes, stored)
-            });
-            Digest { batch, line }
-        };
-        let most_rows = if of_line { keep.most_rows } else { usize::MAX };
-        let (source, reductions) = open_reduction(source, &options.table.sizes)?;
-        let mut options = options.clone();
-        if let Some(reductions) = &reductions {
-            options.table.header = reductions.header();
-        }
-        let scanned = scan(source, &columns.selectors(), &options, digest, |digest| {
-            all.take(digest, most_rows, &sieve);
-        })?;
-        let meaning = columns.meaning(&scanned.names);
-        let supporting = |extremes: Extremes| {
-            let reading = |reading: Measurement| {
-                let [x, _] = reading.regressor;
-                meaning.measurement(reading.row, [x, reading.response].into_iter())
-            };
-            extremes.into_rows().into_iter().map(reading).collect()
-        };
-        if let Some(reductions) = &reductions {
-            let line = columns.second.is_none();
-            let sums = LineSums::stated(reductions, &name, line, &scanned.names, &options)?;
-            let rows = match columns.epsilon {
-                EpsilonColumn::Uniform(_) => supporting(all.extremes),
-                EpsilonColumn::Column(_) => rows_of(&all.batches, &meaning),
-            };
-            let scanned = Scanned { rows_total: sums.count, layout: None, ..scanned };
-            let reduction = Reduction { sums, spread: Err(NoEui::Reduced) };
-            return Ok(Measurements::scanned(columns, scanned, Readings::Supporting { rows, reduction }));
-        }
-        if all.rows <= most_rows {
-            let rows = rows_of(&all.batches, &meaning);
-            return Ok(Measurements::scanned(columns, scanned, Readings::All(rows)));
-        }
-        let spread = if keep.eui {
-            let thresholds = Thresholds::new(&all.sums);
-            match (all.abscissas.spread(&thresholds), &path) {
-                (Some(spread), _) => Ok(spread),
-                (None, None) => Err(NoEui::TooManyOnce),
-                (None, Some(path)) => {
-                    Ok(second_look(path, columns, &options, &thresholds, &all.sums, &scanned)?)
+impl LineSummary {
+    /// What is kept of columns of equal length whose rows are numbered from `first_row`, as far as the readings before
+    /// leave it open. Exact.
+    pub(crate) fn of_columns(
+        [x, y]: [&Column; 2],
+        epsilon: Option<&Column>,
+        first_row: usize,
+        sieve: &SharedSieve,
+    ) -> Self {
+        let support = match epsilon {
+            None => BTreeMap::from([(None, sieve.support(x, y, first_row))]),
+            Some(epsilon) => {
+                let mut rows: BTreeMap<Rational, Vec<usize>> = BTreeMap::new();
+                for k in 0..epsilon.len() {
+                    rows.entry(epsilon.get(k)).or_default().push(k);
                 }
+                let support = |rows: Vec<usize>| {
+                    SupportRows::of_readings(rows.into_iter().map(|k| (first_row + k, x.get(k), y.get(k))))
+                };
+                rows.into_iter().map(|(bound, rows)| (Some(bound), support(rows))).collect()
             }
-        } else {
-            Err(NoEui::NotAsked)
         };
-        let (rows, reduction) = (supporting(all.extremes), Reduction { sums: all.sums, spread });
-        Ok(Measurements::scanned(columns, scanned, Readings::Supporting { rows, reduction }))
+        LineSummary { sums: LineSums::of_columns(x, y), support }
     }
-}
 
-impl Collected {
-    fn take(&mut self, Digest { batch, line }: Digest, most_rows: usize, sieve: &SharedSieve) {
-        self.rows += batch.rows;
-        if self.rows <= most_rows {
-            self.batches.push(batch);
-        } else {
-            self.batches = Vec::new();
+    /// Adds what is kept of other readings, and lets the sieve learn from it. Exact.
+    pub(crate) fn merge(&mut self, other: LineSummary, sieve: &SharedSieve) {
+        self.sums = self.sums.merged(&other.sums);
+        for (bound, support) in other.support {
+            self.support.entry(bound).or_default().merge(support);
         }
-        if let Some((sums, extremes, abscissas)) = line {
-            self.sums = self.sums.merged(&sums);
-            self.extremes.merge(extremes);
-            sieve.learn(&self.extremes, self.rows);
-            if let Some(part) = abscissas {
-                self.abscissas.push(part);
-            }
+        if let Some(support) = self.support.get(&None) {
+            sieve.learn(support, self.sums.count);
         }
     }
-}
 
-/// Reads x once more, and nothing that was not there the first time.
-fn second_look(
-    path: &str,
-    columns: &Columns,
-    options: &ScanOptions,
-    thresholds: &Thresholds,
-    sums: &LineSums,
-    scanned: &Scanned,
-) -> Result<Spread, InputError> {
-    let options = ScanOptions { hash: false, ..options.clone() };
-    let mut spread = Spread::default();
-    let (mut count, mut total) = (0, Rational::zero());
-    let look = |batch: Batch| {
-        let x = &batch.columns[0];
-        (x.len(), LineSums::of_x(x), thresholds.of_column(x))
-    };
-    let again = Source::open(path)?.limited(scanned.bytes);
-    scan(again, &columns.selectors()[..1], &options, look, |(rows, x, part)| {
-        count += rows;
-        total = &total + x;
-        spread = spread.merged(&part);
-    })
-    // What was right the first time is wrong only because it is something else now.
-    .map_err(|error| match error.kind {
-        InputErrorKind::Io(_) | InputErrorKind::Interrupted => error,
-        _ => InputError::of_file(path, InputErrorKind::Changed),
-    })?;
-    if count == sums.count && total == sums.x {
-        Ok(spread)
-    } else {
-        Err(InputError::of_file(path, InputErrorKind::Changed))
+    /// The rows of all readings that may turn out to be kept, in no order.
+    pub(crate) fn row_numbers(&self) -> impl Iterator<Item = usize> + '_ {
+        self.support.values().flat_map(SupportRows::row_numbers)
+    }
+
+    /// The sums, and the readings that support a hull, by row, with this error bound.
+    pub(crate) fn into_parts(self, epsilon: &Rational) -> (LineSums, Vec<Measurement>) {
+        let mut rows: Vec<Measurement> =
+            self.support.into_values().flat_map(SupportRows::into_rows).collect();
+        rows.sort_by_key(|reading| reading.row);
+        rows.iter_mut().for_each(|reading| reading.epsilon = epsilon.clone());
+        (self.sums, rows)
     }
 }

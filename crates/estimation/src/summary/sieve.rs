@@ -2,52 +2,51 @@
 
 use std::sync::RwLock;
 
-use boundfit_formats::Column;
+use boundfit_exact::{Column, Unit};
 use boundfit_geometry::grid::Sieve;
 
-use super::columns::LineColumns;
-use super::extremes::Extremes;
+use super::support::SupportRows;
 
 /// A sieve that all threads use, and that becomes finer while readings are taken.
 #[derive(Default)]
-pub(super) struct SharedSieve {
+pub(crate) struct SharedSieve {
     current: RwLock<Option<Current>>,
 }
 
 struct Current {
     /// Of the grid that it is for.
-    exponents: [i32; 2],
+    units: [Unit; 2],
     sieve: Sieve,
     /// How many readings it was made from.
     rows: usize,
 }
 
 impl SharedSieve {
-    /// Of two columns, those that may be extreme among all readings; see [`Extremes::of_columns`].
-    pub(super) fn extremes(&self, columns: &LineColumns, first_row: usize) -> Extremes {
-        if let (Column::Scaled(x), Column::Scaled(y)) = (columns.x, columns.y)
+    /// Of two columns, those that may support a hull of all readings; see [`SupportRows::of_columns`].
+    pub(super) fn support(&self, x: &Column, y: &Column, first_row: usize) -> SupportRows {
+        if let (Column::Narrow(x), Column::Narrow(y)) = (x, y)
             && let Ok(current) = self.current.read()
-            && let Some(Current { exponents, sieve, .. }) = current.as_ref()
-            && *exponents == [x.exponent, y.exponent]
+            && let Some(Current { units, sieve, .. }) = current.as_ref()
+            && *units == [x.unit(), y.unit()]
         {
-            let points = sieve.touching_of_columns(&x.mantissas, &y.mantissas, first_row as u64);
-            return Extremes::of_grid(*exponents, points);
+            let points = sieve.touching_of_columns(x.counts(), y.counts(), first_row as u64);
+            return SupportRows::of_grid(*units, points);
         }
-        Extremes::of_columns(columns, first_row)
+        SupportRows::of_columns(x, y, first_row)
     }
 
-    /// Learns from the extremes of so many readings, whenever these have doubled.
-    pub(super) fn learn(&self, extremes: &Extremes, rows: usize) {
+    /// Learns from the support rows of so many readings, whenever these have doubled.
+    pub(super) fn learn(&self, support: &SupportRows, rows: usize) {
         let is_fresh =
             |current: &Option<Current>| current.as_ref().is_some_and(|current| rows < 2 * current.rows);
         if self.current.read().is_ok_and(|current| is_fresh(&current)) {
             return;
         }
-        if let Some((exponents, points)) = extremes.grid_points()
+        if let Some((units, points)) = support.grid_points()
             && let Some(sieve) = Sieve::new(&points)
             && let Ok(mut current) = self.current.write()
         {
-            *current = Some(Current { exponents, sieve, rows });
+            *current = Some(Current { units, sieve, rows });
         }
     }
 }

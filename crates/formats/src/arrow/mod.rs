@@ -20,11 +20,8 @@ use crate::table::check_rows;
 use crate::threads;
 
 use numbers::numbers;
-use open::{batches, column_names, guarded, plain};
+use open::{BATCH_ROWS, batches, column_names, guarded, plain};
 use texts::{BadCell, keys};
-
-/// The most rows that are decoded at a time: two columns of them take 1 MB.
-const BATCH_ROWS: usize = 1 << 16;
 
 /// Reads a Parquet file or an Arrow IPC file or stream like [`scan`](crate::scan) reads text: the same numbers, rows and
 /// batches in order as from a CSV of the same table. The names of the columns are those of the schema.

@@ -9,13 +9,11 @@ use arrow_array::types::{
 };
 use arrow_array::{Array, ArrayRef, ArrowPrimitiveType};
 use arrow_schema::DataType;
-use boundfit_exact::{PLAIN_DIGITS, PLAIN_EXPONENT, Rational, Reading, Scaled, plain_decimal};
+use boundfit_exact::{Column, PLAIN_DIGITS, PLAIN_EXPONENT, Rational, Reading, Unit, plain_decimal};
 
 use super::texts::{BadCell, refuse_nulls};
 use crate::columns::ColumnSelector;
 use crate::error::InputErrorKind;
-use crate::scan::Column;
-use crate::scan::builder::ColumnBuilder;
 use crate::table::{TableOptions, read_number};
 
 /// The numbers of an array without a dictionary.
@@ -56,7 +54,7 @@ pub(super) fn numbers(
         other => return Err(BadCell::of_type(other, "a column of integers, decimals, floats or text")),
     };
     if selector.is_non_negative()
-        && let Some(index) = first_negative(&column)
+        && let Some(index) = column.first_negative()
     {
         return Err(BadCell::at(array, index, InputErrorKind::NegativeErrorBound));
     }
@@ -77,19 +75,7 @@ impl Reader<'_> {
         if self.options.reading == Reading::Binary64 {
             return Column::Doubles(values.iter().map(|&value| nearest(value.into(), exponent)).collect());
         }
-        let mantissas = values.iter().map(|&value| i64::try_from(value.into()));
-        match mantissas.collect() {
-            Ok(mantissas) => Column::Scaled(Scaled { mantissas, exponent }),
-            Err(_) => Column::Exact(
-                values
-                    .iter()
-                    .map(|&value| {
-                        let mantissa: i128 = value.into();
-                        Rational::scientific(mantissa, exponent)
-                    })
-                    .collect(),
-            ),
-        }
+        Column::of_counts(values.iter().map(|&value| value.into()), Unit::TenTo(exponent))
     }
 
     /// Finite floats: themselves, or what their shortest text says.
@@ -99,7 +85,7 @@ impl Reader<'_> {
         double: impl Fn(&F) -> f64,
         write: impl Fn(&F, &mut String) -> std::fmt::Result,
     ) -> Result<Column, BadCell> {
-        let mut column = ColumnBuilder::default();
+        let mut column = Column::default();
         let mut text = String::new();
         for (index, float) in floats.iter().enumerate() {
             let finite = double(float).is_finite();
@@ -113,26 +99,26 @@ impl Reader<'_> {
             debug_assert!(written.is_ok());
             self.add(&text, &mut column).map_err(|problem| BadCell::at(self.array, index, problem))?;
         }
-        Ok(column.finish())
+        Ok(column)
     }
 
     /// Numbers as text.
     fn texts<S: AsRef<str>>(&self, texts: impl Iterator<Item = S>) -> Result<Column, BadCell> {
-        let mut column = ColumnBuilder::default();
+        let mut column = Column::default();
         for (index, text) in texts.enumerate() {
             let added = self.add(text.as_ref(), &mut column);
             added.map_err(|problem| BadCell::at(self.array, index, problem))?;
         }
-        Ok(column.finish())
+        Ok(column)
     }
 
-    fn add(&self, text: &str, column: &mut ColumnBuilder) -> Result<(), InputErrorKind> {
+    fn add(&self, text: &str, column: &mut Column) -> Result<(), InputErrorKind> {
         let limits = &self.options.limits;
         let plain = limits.digits >= PLAIN_DIGITS && limits.exponent >= PLAIN_EXPONENT;
         let exact = || read_number(text.as_bytes(), self.selector, self.options);
         match (self.options.reading, plain_decimal(text.as_bytes()).filter(|_| plain)) {
             (Reading::Decimal, Some((mantissa, exponent))) => column.push_decimal(mantissa, exponent),
-            (Reading::Decimal, None) => column.push_exact(exact()?),
+            (Reading::Decimal, None) => column.push(exact()?),
             (Reading::Binary64, _) => column.push_double(exact()?.to_f64()),
         }
         Ok(())
@@ -149,13 +135,5 @@ fn nearest(mantissa: i128, exponent: i32) -> f64 {
             mantissa as f64 / 10_u64.pow(exponent.unsigned_abs()) as f64
         }
         _ => Rational::scientific(mantissa, exponent).to_f64(),
-    }
-}
-
-fn first_negative(column: &Column) -> Option<usize> {
-    match column {
-        Column::Scaled(scaled) => scaled.mantissas.iter().position(|&mantissa| mantissa < 0),
-        Column::Doubles(doubles) => doubles.iter().position(|&double| double < 0.0),
-        Column::Exact(numbers) => numbers.iter().position(Rational::is_negative),
     }
 }

@@ -13,9 +13,11 @@ use arrow_select::take::take;
 use parquet::arrow::ProjectionMask;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 
-use super::BATCH_ROWS;
 use crate::binary::BinaryFormat;
 use crate::error::InputErrorKind;
+
+/// The most rows that are decoded at a time: two columns of them take 1 MB.
+pub(super) const BATCH_ROWS: usize = 1 << 16;
 
 /// The names of all columns.
 pub(super) fn column_names(format: BinaryFormat, file: &File) -> Result<Vec<String>, InputErrorKind> {

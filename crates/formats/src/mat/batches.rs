@@ -1,6 +1,6 @@
 //! The columns as rows, in batches.
 
-use std::fs::File;
+use std::io::Read;
 use std::ops::Range;
 
 use super::columns::{MatColumn, MatColumns};
@@ -23,7 +23,7 @@ const BATCH_ROWS: usize = 1 << 16;
 /// The first thing wrong, with the variable, or the row and column.
 pub(crate) fn scan_mat<T: Send>(
     name: &str,
-    file: File,
+    file: Box<dyn Read>,
     columns: &[ColumnSelector],
     options: &ScanOptions,
     work: impl Fn(Batch) -> T + Sync,

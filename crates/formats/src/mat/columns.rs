@@ -1,6 +1,5 @@
 //! The columns that are asked for.
 
-use std::fs::File;
 use std::io::{self, Read};
 use std::sync::Arc;
 
@@ -52,6 +51,16 @@ impl Found {
     fn has_number(&self, number: u64) -> bool {
         (self.before + 1..=self.before + self.variable.content.columns()).contains(&number)
     }
+
+    /// Rows and columns of a matrix of numbers.
+    fn size(&self) -> Result<(u64, u64), InputErrorKind> {
+        match &self.variable.content {
+            &Content::Numbers { rows, columns } => Ok((rows, columns)),
+            Content::Other(what) => {
+                Err(InputErrorKind::NoNumbers { variable: self.variable.name.clone(), what: what.clone() })
+            }
+        }
+    }
 }
 
 /// Which column is meant by a selector.
@@ -86,7 +95,7 @@ impl<'a> Wanted<'a> {
 impl MatColumns {
     /// Reads the columns that are asked for, and nothing of the other variables but their names.
     pub(super) fn read(
-        file: File,
+        file: Box<dyn Read>,
         selectors: &[&ColumnSelector],
         sizes: &SizeLimits,
         hash: bool,
@@ -101,12 +110,7 @@ impl MatColumns {
             file.go_on()?;
             let start = file.position();
             let found = next(&mut file, order, &wanted, before, sizes);
-            let found = match found {
-                Ok(None) => break,
-                Ok(Some(Outcome::Found(found))) => found,
-                Ok(Some(Outcome::Refused(problem))) => return Err(problem),
-                Err(damage) => return Err(unreadable(start, damage)),
-            };
+            let Some(found) = found.map_err(|damage| unreadable(start, damage))? else { break };
             // Only one of several variables of a name is held.
             let is_other =
                 |other: &Found| other.numbers.is_some() && other.variable.name == found.variable.name;
@@ -146,12 +150,6 @@ fn header(file: &mut MatFile) -> Result<ByteOrder, InputErrorKind> {
     }
 }
 
-/// What comes of a variable.
-enum Outcome {
-    Found(Found),
-    Refused(InputErrorKind),
-}
-
 /// Reads the next variable; `None` at the end of the file.
 fn next(
     file: &mut MatFile,
@@ -159,10 +157,10 @@ fn next(
     wanted: &[Wanted],
     before: u64,
     sizes: &SizeLimits,
-) -> Result<Option<Outcome>, Damage> {
+) -> Result<Option<Found>, Damage> {
     let Some(tag) = Elements::new(file.by_ref(), order).tag()? else { return Ok(None) };
     let mut body = file.by_ref().take(tag.bytes);
-    let outcome = match tag.kind {
+    let found = match tag.kind {
         MATRIX => matrix(&mut body, order, wanted, before, sizes)?,
         COMPRESSED => {
             let mut inflated = ZlibDecoder::new(&mut body);
@@ -170,13 +168,12 @@ fn next(
             if inner.kind != MATRIX {
                 return Err(Damage::format(format!("the element type {} is inflated", inner.kind)));
             }
-            let outcome = matrix(inflated.by_ref().take(inner.bytes), order, wanted, before, sizes)?;
+            let found = matrix(inflated.by_ref().take(inner.bytes), order, wanted, before, sizes)?;
             // The end of what is inflated has a checksum.
-            let is_read = matches!(&outcome, Outcome::Found(Found { numbers: Some(_), .. }));
-            if is_read && inflated.read(&mut [0])? > 0 {
+            if found.numbers.is_some() && inflated.read(&mut [0])? > 0 {
                 return Err(Damage::format("more is inflated than announced"));
             }
-            outcome
+            found
         }
         other => return Err(Damage::format(format!("the element type {other} is not that of a variable"))),
     };
@@ -184,7 +181,7 @@ fn next(
     if body.limit() > 0 {
         return Err(Damage::Io(io::ErrorKind::UnexpectedEof.into()));
     }
-    Ok(Some(outcome))
+    Ok(Some(found))
 }
 
 /// Reads a variable, and its numbers if they may be wanted.
@@ -194,73 +191,62 @@ fn matrix(
     wanted: &[Wanted],
     before: u64,
     sizes: &SizeLimits,
-) -> Result<Outcome, Damage> {
+) -> Result<Found, Damage> {
     let mut elements = Elements::new(body, order);
     let variable = Variable::read(&mut elements)?;
     let mut found = Found { variable, numbers: None, before };
-    let Content::Numbers { rows, columns } = found.variable.content else { return Ok(Outcome::Found(found)) };
+    let Content::Numbers { rows, columns } = found.variable.content else { return Ok(found) };
     if found.variable.name.is_empty() {
         found.variable.content = Content::Other("MATLAB's own".to_owned());
-        return Ok(Outcome::Found(found));
+        return Ok(found);
     }
     if !wanted.iter().any(|wanted| wanted.is_in(&found)) {
-        return Ok(Outcome::Found(found));
+        return Ok(found);
     }
     // Both are below 2³¹.
     let count = rows * columns;
     if usize::try_from(count).map_or(true, |count| count > sizes.elements) {
         let (variable, limit) = (found.variable.name, sizes.elements);
-        return Ok(Outcome::Refused(InputErrorKind::TooManyElements { variable, elements: count, limit }));
+        return Err(Damage::Refused(InputErrorKind::TooManyElements { variable, elements: count, limit }));
     }
     found.numbers = Some(Arc::new(Numbers::read(&mut elements, count)?));
     // What is left of the variable is inflated for its checksum, and is at most padding.
     if elements.tag()?.is_some() {
         return Err(Damage::format(format!("{:?} goes on behind its numbers", found.variable.name)));
     }
-    Ok(Outcome::Found(found))
+    Ok(found)
 }
 
 /// The column that is meant.
 fn resolve(wanted: &Wanted, all: &[Found]) -> Result<MatColumn, InputErrorKind> {
-    let ambiguous = || InputErrorKind::AmbiguousColumn { wanted: wanted.text.to_owned() };
-    let mut named = all.iter().filter(|found| found.variable.name == wanted.text);
-    if let Some(found) = named.next() {
-        if named.next().is_some() {
-            return Err(ambiguous());
-        }
-        return match &found.variable.content {
-            Content::Other(what) => {
-                Err(InputErrorKind::NoNumbers { variable: found.variable.name.clone(), what: what.clone() })
-            }
-            &Content::Numbers { rows, columns } if found.variable.content.columns() > 1 => {
-                Err(InputErrorKind::WholeMatrix { variable: found.variable.name.clone(), rows, columns })
-            }
-            Content::Numbers { .. } => column(found, 1),
-        };
+    if let Some(found) = only(wanted.text, wanted, all)? {
+        let (rows, columns) = found.size()?;
+        let is_matrix = found.variable.content.columns() > 1;
+        let whole = || InputErrorKind::WholeMatrix { variable: found.variable.name.clone(), rows, columns };
+        return if is_matrix { Err(whole()) } else { column(found, 1) };
     }
-    if let Some((name, number)) = &wanted.of_matrix {
-        let mut named = all.iter().filter(|found| found.variable.name == *name);
-        match (named.next(), named.next()) {
-            (Some(_), Some(_)) => return Err(ambiguous()),
-            (Some(found), None) => {
-                if let Content::Other(what) = &found.variable.content {
-                    return Err(InputErrorKind::NoNumbers { variable: name.clone(), what: what.clone() });
-                }
-                // A row has as many columns as numbers in MATLAB, and is one here.
-                let is_row = matches!(found.variable.content, Content::Numbers { rows: 1, columns: 2.. });
-                if !is_row && (1..=found.variable.content.columns()).contains(number) {
-                    return column(found, *number);
-                }
-            }
-            (None, _) => {}
+    if let Some((name, number)) = &wanted.of_matrix
+        && let Some(found) = only(name, wanted, all)?
+    {
+        // A row has as many columns as numbers in MATLAB, and is one here.
+        let is_row = matches!(found.size()?, (1, 2..));
+        if !is_row && (1..=found.variable.content.columns()).contains(number) {
+            return column(found, *number);
         }
     }
-    let number = wanted
-        .number
-        .and_then(|number| all.iter().find(|found| found.has_number(number)).map(|found| (found, number)));
-    match number {
+    let numbered = |number: u64| Some((all.iter().find(|found| found.has_number(number))?, number));
+    match wanted.number.and_then(numbered) {
         Some((found, number)) => column(found, number - found.before),
         None => Err(unknown(wanted, all)),
+    }
+}
+
+/// The variable of this name, if there is one.
+fn only<'a>(name: &str, wanted: &Wanted, all: &'a [Found]) -> Result<Option<&'a Found>, InputErrorKind> {
+    let mut named = all.iter().filter(|found| found.variable.name == name);
+    match (named.next(), named.next()) {
+        (_, Some(_)) => Err(InputErrorKind::AmbiguousColumn { wanted: wanted.text.to_owned() }),
+        (found, None) => Ok(found),
     }
 }
 
@@ -309,6 +295,7 @@ fn common_length(columns: &[MatColumn]) -> Result<usize, InputErrorKind> {
 /// What is wrong with the variable that starts at this byte.
 fn unreadable(start: u64, damage: Damage) -> InputErrorKind {
     let reason = match damage {
+        Damage::Refused(problem) => return problem,
         Damage::Format(reason) => format!("the variable at byte {start}: {reason}"),
         Damage::Io(error) => match error.kind() {
             io::ErrorKind::UnexpectedEof => format!("it stops within the variable at byte {start}"),

@@ -3,6 +3,7 @@
 use std::io::{self, Read};
 
 use super::kind::ByteOrder;
+use crate::error::InputErrorKind;
 
 /// Element types that are not numbers.
 pub(super) const MATRIX: u32 = 14;
@@ -18,6 +19,8 @@ pub(super) enum Damage {
     Io(io::Error),
     /// They contradict the format.
     Format(String),
+    /// They are sound, but more than may be asked for.
+    Refused(InputErrorKind),
 }
 
 impl Damage {

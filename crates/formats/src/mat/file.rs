@@ -1,6 +1,5 @@
 //! A file from front to back, with the hash of its bytes.
 
-use std::fs::File;
 use std::io::{self, BufReader, Read};
 
 use sha2::{Digest, Sha256};
@@ -11,14 +10,14 @@ use crate::scan::Progress;
 
 /// Reads a file, hashes what passes if that is wanted, and tells who follows how far it is.
 pub(super) struct MatFile<'a> {
-    inner: BufReader<File>,
+    inner: BufReader<Box<dyn Read>>,
     hash: Option<Sha256>,
     progress: Option<&'a dyn Progress>,
     position: u64,
 }
 
 impl<'a> MatFile<'a> {
-    pub(super) fn new(file: File, hash: bool, progress: Option<&'a dyn Progress>) -> Self {
+    pub(super) fn new(file: Box<dyn Read>, hash: bool, progress: Option<&'a dyn Progress>) -> Self {
         MatFile { inner: BufReader::new(file), hash: hash.then(Sha256::new), progress, position: 0 }
     }
 

@@ -3,12 +3,11 @@
 use std::io::Read;
 use std::ops::Range;
 
-use boundfit_exact::{Integer, Rational};
+use boundfit_exact::{Column, Unit};
 
 use super::elements::{Damage, Elements};
 use super::kind::ByteOrder;
 use crate::error::InputErrorKind;
-use crate::scan::Column;
 
 /// Numbers exactly as they are stored.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,16 +76,11 @@ impl Numbers {
             Numbers::Integers(integers) => {
                 let integers = integers.get(range.clone()).unwrap_or_default();
                 let doubles = integers.iter().map(|&integer| as_double(integer)).collect();
-                let exact = || Column::Exact(integers.iter().map(|&integer| exact(integer)).collect());
+                let exact = || Column::of_counts(integers.iter().copied(), Unit::TenTo(0));
                 Option::map_or_else(doubles, exact, Column::Doubles)
             }
         };
-        let negative = match &column {
-            _ if !non_negative => None,
-            Column::Doubles(doubles) => doubles.iter().position(|&double| double < 0.0),
-            Column::Exact(numbers) => numbers.iter().position(Rational::is_negative),
-            Column::Scaled(_) => None,
-        };
+        let negative = if non_negative { column.first_negative() } else { None };
         match negative {
             Some(index) => Err(bad(index, InputErrorKind::NegativeErrorBound)),
             None => Ok(column),
@@ -139,10 +133,6 @@ fn extend(doubles: &mut Vec<f64>, kind: u32, part: &[u8], order: ByteOrder) {
 fn as_double(integer: i128) -> Option<f64> {
     let double = integer as f64;
     (double as i128 == integer).then_some(double)
-}
-
-fn exact(integer: i128) -> Rational {
-    Rational::from(Integer::from(integer))
 }
 
 /// The shortest text that reads back as the same double, as MATLAB spells what is not finite.
@@ -207,7 +197,7 @@ mod tests {
         let numbers = Numbers::Integers(vec![1 << 53, (1 << 53) + 1, -1]);
         let column = |range: Range<usize>, non_negative| numbers.column(range, non_negative).ok();
         assert_eq!(column(0..1, true), Some(Column::Doubles(vec![9_007_199_254_740_992.0])));
-        assert_eq!(column(1..2, true), Some(Column::Exact(vec![exact((1 << 53) + 1)])));
+        assert_eq!(column(1..2, true), Some(Column::of_counts([(1 << 53) + 1].into_iter(), Unit::TenTo(0))));
         assert_eq!(column(0..3, true), None);
         assert_eq!(column(0..3, false).map(|column| column.len()), Some(3));
         assert_eq!((numbers.first_beyond_doubles(0..3), numbers.first_beyond_doubles(2..3)), (Some(1), None));

@@ -2,50 +2,10 @@
 
 use std::sync::Arc;
 
-use boundfit_exact::{Rational, Scaled};
+use boundfit_exact::Column;
 
 use crate::columns::ColumnSelector;
 use crate::table::{TableOptions, TableRow, TextLayout};
-
-/// Numbers of one column for some consecutive rows.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Column {
-    /// Decimals as integers on their finest power of ten.
-    Scaled(Scaled),
-    /// Under the binary64 reading: finite doubles, each meant exactly; zero is never negative.
-    Doubles(Vec<f64>),
-    /// Decimals and fractions that are not all integers of 64 bits on one power of ten.
-    Exact(Vec<Rational>),
-}
-
-impl Column {
-    /// How many numbers there are.
-    pub fn len(&self) -> usize {
-        match self {
-            Column::Scaled(scaled) => scaled.len(),
-            Column::Doubles(doubles) => doubles.len(),
-            Column::Exact(numbers) => numbers.len(),
-        }
-    }
-
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
-    /// A number, exactly.
-    ///
-    /// # Panics
-    /// When there are not that many.
-    #[allow(clippy::indexing_slicing, reason = "documented to panic; who asks counts the rows of the batch")]
-    pub fn get(&self, index: usize) -> Rational {
-        match self {
-            Column::Scaled(scaled) => scaled.get(index),
-            Column::Doubles(doubles) => Rational::from_f64(doubles[index]).unwrap_or_default(),
-            Column::Exact(numbers) => numbers[index].clone(),
-        }
-    }
-}
 
 /// One piece of text per row, in one buffer.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]

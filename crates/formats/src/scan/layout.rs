@@ -1,6 +1,6 @@
 //! What is taken from every row of a table.
 
-use boundfit_exact::{PLAIN_DIGITS, PLAIN_EXPONENT, Reading, plain_decimal, plain_double};
+use boundfit_exact::{Column, PLAIN_DIGITS, PLAIN_EXPONENT, Reading, plain_decimal, plain_double};
 
 use crate::columns::{ColumnPlace, ColumnSelector, Heading, decode};
 use crate::error::{InputError, InputErrorKind};
@@ -8,7 +8,7 @@ use crate::records::{Record, Records};
 use crate::table::{TableRow, check_columns, read_number};
 
 use super::batch::{Pieces, ScanOptions};
-use super::builder::{BatchBuilder, ColumnBuilder};
+use super::builder::BatchBuilder;
 
 /// A table's columns, once its first record is known.
 pub(super) struct Layout<'a> {
@@ -100,7 +100,7 @@ impl<'a> Layout<'a> {
         &self,
         cell: &[u8],
         selector: &ColumnSelector,
-        column: &mut ColumnBuilder,
+        column: &mut Column,
     ) -> Result<(), InputErrorKind> {
         let options = &self.options.table;
         let plain = self.limits_allow_plain_decimals();
@@ -110,7 +110,7 @@ impl<'a> Layout<'a> {
                     return Err(InputErrorKind::NegativeErrorBound);
                 }
                 Some((mantissa, exponent)) => column.push_decimal(mantissa, exponent),
-                None => column.push_exact(read_number(cell, selector, options)?),
+                None => column.push(read_number(cell, selector, options)?),
             },
             Reading::Binary64 => match plain_double(cell).filter(|_| plain) {
                 Some(double) if double < 0.0 && selector.is_non_negative() => {

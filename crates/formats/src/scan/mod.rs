@@ -6,7 +6,7 @@
 //! (`sequential`).
 
 mod batch;
-pub(crate) mod builder;
+mod builder;
 mod first_record;
 mod layout;
 mod others;
@@ -23,7 +23,7 @@ use crate::error::{InputError, InputErrorKind};
 use crate::start::detect_delimiter;
 use crate::table::{TextLayout, check_rows};
 
-pub use batch::{Batch, Column, Pieces, Progress, ScanOptions, Scanned};
+pub use batch::{Batch, Pieces, Progress, ScanOptions, Scanned};
 use first_record::FirstRecord;
 pub(crate) use others::readable_rows;
 

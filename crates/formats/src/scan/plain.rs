@@ -187,7 +187,7 @@ impl Lane<'_> {
         self.long_number(at, column)
     }
 
-    /// The same for any number.
+    /// Adds any other number in the cell that starts here to a column; gives the end of the cell.
     #[inline(never)]
     fn long_number(&mut self, at: usize, column: usize) -> Option<usize> {
         let end = self.end_of_cell(at);

@@ -160,7 +160,8 @@ fn keys_are_the_text_of_their_cells() {
 
 #[test]
 fn a_batch_knows_how_its_numbers_are_kept() {
-    use boundfit_formats::{Batch, Column, Source, scan};
+    use boundfit_exact::Column;
+    use boundfit_formats::{Batch, Source, scan};
     let numbers: ArrayRef = Arc::new(Float64Array::from(vec![0.25, 1.0, -30.0]));
     let folder = tempfile::tempdir().expect("a temporary folder");
     write_all(folder.path(), &[RecordBatch::try_from_iter([("x", numbers)]).expect("one column")], 9);
@@ -179,7 +180,7 @@ fn a_batch_knows_how_its_numbers_are_kept() {
         columns
     };
     assert!(
-        matches!(&kept(Reading::Decimal)[..], [Column::Scaled(scaled)] if scaled.mantissas == [25, 100, -3000])
+        matches!(&kept(Reading::Decimal)[..], [Column::Narrow(scaled)] if scaled.counts() == [25, 100, -3000])
     );
     assert_eq!(kept(Reading::Binary64), [Column::Doubles(vec![0.25, 1.0, -30.0])]);
 }

@@ -4,10 +4,8 @@ use std::io::Cursor;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use boundfit_exact::{Rational, Reading, Scaled};
-use boundfit_formats::{
-    Batch, Column, ColumnSelector, Progress, RowRange, ScanOptions, Source, TableOptions,
-};
+use boundfit_exact::{Column, Rational, Reading, Unit};
+use boundfit_formats::{Batch, ColumnSelector, Progress, RowRange, ScanOptions, Source, TableOptions};
 
 use super::both::{POOLS, batches};
 
@@ -91,32 +89,41 @@ fn column(cells: &str, reading: Reading) -> Column {
 
 #[test]
 fn columns_are_kept_as_their_numbers_allow() {
-    let scaled =
-        |mantissas: &[i64], exponent| Column::Scaled(Scaled { mantissas: mantissas.to_vec(), exponent });
+    let narrow = |counts: &[i64], unit| Column::of_counts(counts.iter().map(|&count| count.into()), unit);
+    let wide = |counts: &[i128], unit| Column::of_counts(counts.iter().copied(), unit);
+    let most = (1 << 62) - 1;
     for (cells, expected) in [
-        ("1.5\n-2\n3.25\n", scaled(&[150, -200, 325], -2)),
-        ("0\n0.000\n", scaled(&[0, 0], 0)),
-        ("0.000\n5e300\n0\n", scaled(&[0, 5, 0], 300)),
-        ("9223372036854775807\n-9223372036854775808\n", scaled(&[i64::MAX, i64::MIN], 0)),
-        ("922337203685477580\n0.1\n", scaled(&[9_223_372_036_854_775_800, 1], -1)),
-        ("0.1\n922337203685477580\n", scaled(&[1, 9_223_372_036_854_775_800], -1)),
-        ("1\n2e18\n", scaled(&[1, 2_000_000_000_000_000_000], 0)),
+        ("1.5\n-2\n3.25\n", narrow(&[150, -200, 325], Unit::TenTo(-2))),
+        ("0\n0.000\n", narrow(&[0, 0], Unit::Any)),
+        ("0.000\n5e300\n0\n", narrow(&[0, 5, 0], Unit::TenTo(300))),
+        ("4611686018427387903\n-4611686018427387903\n", narrow(&[most, -most], Unit::TenTo(0))),
+        ("461168601842738790\n0.1\n", narrow(&[most - 3, 1], Unit::TenTo(-1))),
+        ("0.1\n461168601842738790\n", narrow(&[1, most - 3], Unit::TenTo(-1))),
+        ("1\n2e18\n", narrow(&[1, 2_000_000_000_000_000_000], Unit::TenTo(0))),
+        ("0\n1/3\n", narrow(&[0, 1], Unit::OneOver(3))),
+        ("0.1\n1/3\n", narrow(&[3, 10], Unit::OneOver(30))),
     ] {
+        assert!(matches!(expected, Column::Narrow(_)));
         assert_eq!(column(cells, Reading::Decimal), expected, "{cells:?}");
     }
-    for cells in [
-        "922337203685477581\n0.1\n",
-        "0.1\n922337203685477581\n",
-        "1e300\n1e-300\n",
-        "1e-300\n1e300\n",
-        "1\n9223372036854775808\n",
-        "0\n1/3\n",
+    for (cells, expected) in [
+        ("9223372036854775807\n0\n", wide(&[i64::MAX.into(), 0], Unit::TenTo(0))),
+        ("922337203685477581\n0.1\n", wide(&[9_223_372_036_854_775_810, 1], Unit::TenTo(-1))),
+        ("0.1\n922337203685477581\n", wide(&[1, 9_223_372_036_854_775_810], Unit::TenTo(-1))),
+        ("1\n9223372036854775808\n", wide(&[1, 1 << 63], Unit::OneOver(1))),
     ] {
+        assert!(matches!(expected, Column::Wide(_)));
+        let found = column(cells, Reading::Decimal);
+        assert!(matches!(found, Column::Wide(_)), "{cells:?}");
+        let numbers = |column: &Column| [column.get(0), column.get(1)];
+        assert_eq!(numbers(&found), numbers(&expected), "{cells:?}");
+    }
+    for cells in ["1e300\n1e-300\n", "1e-300\n1e300\n", "1/3\n1e30\n"] {
         let exact: Vec<Rational> = cells
             .lines()
             .map(|cell| Reading::Decimal.read(cell, &TableOptions::default().limits).unwrap())
             .collect();
-        assert_eq!(column(cells, Reading::Decimal), Column::Exact(exact), "{cells:?}");
+        assert_eq!(column(cells, Reading::Decimal), Column::Fractions(exact), "{cells:?}");
     }
     let doubles = column("0.1\n1/3\n-0.0\n-1e-400\n9007199254740993\n", Reading::Binary64);
     let Column::Doubles(doubles) = doubles else { panic!("{doubles:?}") };

@@ -1,6 +1,6 @@
 //! Plain decimals are read as the full parser reads them.
 
-use boundfit_exact::{Limits, Rational, Reading, Scaled, plain_decimal, plain_double, plain_prefix};
+use boundfit_exact::{Limits, Rational, Reading, Unit, plain_decimal, plain_double, plain_prefix};
 use boundfit_tests::generate::seeded;
 use rand::RngExt;
 use rand::seq::IndexedRandom;
@@ -32,7 +32,7 @@ fn plain_decimals_are_what_they_spell() {
         let exact = read(Reading::Decimal, &text);
         match plain_decimal(text.as_bytes()) {
             Some((mantissa, exponent)) => {
-                let number = Scaled { mantissas: vec![mantissa], exponent }.get(0);
+                let number = Unit::TenTo(exponent).times(mantissa.into());
                 assert_eq!(Ok(number), exact, "{text:?}");
                 plain += 1;
             }
@@ -47,8 +47,7 @@ fn plain_decimals_are_what_they_spell() {
             assert_eq!(Rational::from_f64(double), read(Reading::Binary64, &text).ok(), "{text:?}");
         }
         if let Some(prefix) = plain_prefix(text.as_bytes()) {
-            let number =
-                Scaled { mantissas: vec![prefix.mantissa], exponent: -prefix.fraction_digits }.get(0);
+            let number = Unit::TenTo(-prefix.fraction_digits).times(prefix.mantissa.into());
             assert_eq!(Ok(number), read(Reading::Decimal, &text[..prefix.length]), "{text:?}");
         }
     }

@@ -1,39 +1,4 @@
-//! Decimals as integers on a common power of ten.
-
-use crate::Rational;
-
-/// Integers on a common power of ten: number `i` is `mantissas[i] · 10^exponent`.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Scaled {
-    /// The integers; any `i64`.
-    pub mantissas: Vec<i64>,
-    /// The power of ten that each of them counts.
-    pub exponent: i32,
-}
-
-impl Scaled {
-    /// How many numbers there are.
-    pub fn len(&self) -> usize {
-        self.mantissas.len()
-    }
-
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.mantissas.is_empty()
-    }
-
-    /// A number, exactly.
-    ///
-    /// # Panics
-    /// When there are not that many.
-    #[allow(
-        clippy::indexing_slicing,
-        reason = "documented to panic; who asks counts the rows of the same batch"
-    )]
-    pub fn get(&self, index: usize) -> Rational {
-        Rational::scientific(self.mantissas[index], self.exponent)
-    }
-}
+//! Plain decimals as integers times powers of ten, read fast.
 
 /// The most digits of a text that [`plain_decimal`] reads, zeros included.
 pub const PLAIN_DIGITS: usize = 40;
@@ -231,7 +196,7 @@ fn written_exponent(text: &[u8]) -> Option<i32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Limits, Reading};
+    use crate::{Limits, Rational, Reading};
 
     #[test]
     fn edges_of_plain_decimals() {
@@ -297,14 +262,6 @@ mod tests {
                 assert_eq!(plain_prefix(format!("-{text}").as_bytes()), Some(negative), "-{text}");
             }
         }
-    }
-
-    #[test]
-    fn numbers_on_a_common_power_of_ten_are_counted_and_exact() {
-        let scaled = Scaled { mantissas: vec![15, -7], exponent: -1 };
-        assert_eq!((scaled.len(), scaled.is_empty()), (2, false));
-        assert_eq!([scaled.get(0), scaled.get(1)], [Rational::ratio(3, 2), Rational::ratio(-7, 10)]);
-        assert_eq!((Scaled::default().len(), Scaled::default().is_empty()), (0, true));
     }
 
     #[test]

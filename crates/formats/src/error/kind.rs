@@ -1,6 +1,5 @@
-//! What can be wrong with an input file, and where.
+//! What can be wrong with an input file.
 
-use std::fmt;
 use std::io;
 
 use boundfit_exact::ParseNumberError;
@@ -10,54 +9,7 @@ use thiserror::Error;
 use crate::limits::Limit;
 use crate::reduction::record::ReductionError;
 
-/// What messages call the input named `-`.
-pub(crate) const STANDARD_INPUT: &str = "standard input";
-
-/// The longest piece of a file that an error message repeats.
-const LONGEST_QUOTE: usize = 40;
-
-/// Where in a file something is wrong. The parts that make no sense for a problem are `None`.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Place {
-    /// Line of the file, from 1.
-    pub line: Option<u64>,
-    /// Number of the data row, from 1, in a file without lines.
-    pub row: Option<usize>,
-    /// Column of the table, from 1, with its name when there is a header.
-    pub column: Option<(usize, Option<String>)>,
-    /// The text found there.
-    pub text: Option<String>,
-}
-
-/// An input file that cannot be used.
-#[derive(Debug, Error)]
-#[error("{file}{place}: {kind}{}{}", Expected(.kind), RaisedBy(.kind))]
-pub struct InputError {
-    /// The file, as it was named.
-    pub file: String,
-    /// Where in the file.
-    pub place: Box<Place>,
-    /// What is wrong there.
-    #[source]
-    pub kind: InputErrorKind,
-}
-
-impl InputError {
-    /// The error for a file in which something is wrong as a whole.
-    pub fn of_file(file: &str, kind: impl Into<InputErrorKind>) -> Self {
-        InputError::new(file, Place::default(), kind)
-    }
-
-    /// The error for something wrong on a line of a file, counted from 1.
-    pub(crate) fn of_line(file: &str, line: u64, kind: impl Into<InputErrorKind>) -> Self {
-        InputError::new(file, Place { line: Some(line), ..Place::default() }, kind)
-    }
-
-    /// The error for something wrong at a place of a file.
-    pub(crate) fn new(file: &str, place: Place, kind: impl Into<InputErrorKind>) -> Self {
-        InputError { file: file.to_owned(), place: Box::new(place), kind: kind.into() }
-    }
-}
+use super::quote::quote;
 
 /// What is wrong with an input file.
 #[derive(Debug, Error)]
@@ -313,7 +265,7 @@ impl InputErrorKind {
     }
 
     /// What would be accepted instead, where that can be said.
-    fn expected(&self) -> Option<String> {
+    pub(super) fn expected(&self) -> Option<String> {
         Some(match self {
             InputErrorKind::IsDirectory => "a file, or - for standard input".to_owned(),
             InputErrorKind::Empty | InputErrorKind::NoRows => "at least one row of numbers".to_owned(),
@@ -367,61 +319,7 @@ impl InputErrorKind {
     }
 }
 
-/// The part of a message that says what would be accepted.
-struct Expected<'a>(&'a InputErrorKind);
-
-impl fmt::Display for Expected<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0.expected() {
-            Some(expected) => write!(f, " (expected {expected})"),
-            None => Ok(()),
-        }
-    }
-}
-
-/// The part of a message that says how a limit is raised.
-struct RaisedBy<'a>(&'a InputErrorKind);
-
-impl fmt::Display for RaisedBy<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0.limit() {
-            Some(limit) => write!(f, "; {} raises it", limit.flag()),
-            None => Ok(()),
-        }
-    }
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(line) = self.line {
-            write!(f, ": line {line}")?;
-        }
-        if let Some(row) = self.row {
-            write!(f, ": row {row}")?;
-        }
-        if let Some((number, name)) = &self.column {
-            let separator = if self.line.is_none() && self.row.is_none() { ":" } else { "," };
-            write!(f, "{separator} column {number}")?;
-            if let Some(name) = name {
-                write!(f, " ({name})")?;
-            }
-        }
-        if let Some(text) = &self.text {
-            write!(f, ": {}", quote(text))?;
-        }
-        Ok(())
-    }
-}
-
 /// `2 rows were announced and `, where a number was.
 fn announced(rows: Option<usize>) -> String {
     rows.map(|rows| format!("{rows} rows were announced and ")).unwrap_or_default()
-}
-
-/// A text in quotes, cut where it is long, with control characters made visible.
-fn quote(text: &str) -> String {
-    match text.char_indices().nth(LONGEST_QUOTE) {
-        Some((end, _)) => format!("{:?}...", text.get(..end).unwrap_or_default()),
-        None => format!("{text:?}"),
-    }
 }

@@ -3,7 +3,6 @@
 //! The table is read once. A number takes eight bytes where the text allows it, a row one column of numbers each and the
 //! number of its group; the rows of a group need not be neighbours and are gathered by counting.
 
-mod fit;
 mod groups;
 mod keys;
 mod series;
@@ -19,8 +18,6 @@ use crate::measurements::{ErrorBound, Meaning, Measurements};
 use groups::Groups;
 use keys::Keys;
 use series::Series;
-
-pub use fit::{fit_group, least_squares_is_feasible};
 
 /// How many groups one piece of work has.
 const GROUPS_PER_PIECE: usize = 64;

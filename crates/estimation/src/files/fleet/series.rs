@@ -1,0 +1,99 @@
+//! A column of any length in memory: eight bytes per number where the numbers allow it.
+
+use boundfit_exact::{Column, Rational};
+
+/// How many numbers a segment has. One number that needs more room makes its segment longer, not the whole column, and a
+/// column grows without being moved.
+const SEGMENT: usize = 1 << 16;
+
+/// Numbers, added at the end and read anywhere. Exact.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Series {
+    /// All but the last have [`SEGMENT`] numbers.
+    segments: Vec<Column>,
+}
+
+impl Series {
+    /// Adds the numbers of a column.
+    pub(super) fn push(&mut self, column: &Column) {
+        let mut from = 0;
+        while from < column.len() {
+            let last = self.segments.last_mut().filter(|last| last.len() < SEGMENT);
+            let upto = column.len().min(from + SEGMENT - last.as_ref().map_or(0, |last| last.len()));
+            match last {
+                Some(last) => last.append(column, from..upto),
+                None => {
+                    let mut fresh = column.part(from..upto);
+                    // A column that grows by doubling would end up with up to twice the memory.
+                    fresh.reserve(SEGMENT - fresh.len());
+                    self.segments.push(fresh);
+                }
+            }
+            from = upto;
+        }
+    }
+
+    /// A number.
+    pub(super) fn get(&self, index: usize) -> Rational {
+        self.segments[index / SEGMENT].get(index % SEGMENT)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use boundfit_exact::Unit;
+
+    use super::*;
+
+    fn scaled(mantissas: &[i64], exponent: i32) -> Column {
+        Column::of_counts(mantissas.iter().map(|&mantissa| mantissa.into()), Unit::TenTo(exponent))
+    }
+
+    #[test]
+    fn numbers_come_back_as_they_went_in() {
+        let columns = [
+            scaled(&[12, -3, 0], -1),
+            scaled(&[5, 7], 2),
+            scaled(&[i64::MAX, i64::MIN], -1),
+            scaled(&[1], -300),
+            scaled(&[9], 0),
+            Column::Fractions(vec![Rational::ratio(1, 3), Rational::one()]),
+            Column::Doubles(vec![0.5, -0.25]),
+            Column::Fractions(Vec::new()),
+        ];
+        let mut series = Series::default();
+        columns.iter().for_each(|column| series.push(column));
+        let expected = columns.iter().flat_map(|column| (0..column.len()).map(|index| column.get(index)));
+        for (index, expected) in expected.enumerate() {
+            assert_eq!(series.get(index), expected, "{index}");
+        }
+    }
+
+    #[test]
+    fn short_numbers_stay_short_across_segments() {
+        let mut series = Series::default();
+        let numbers: Vec<i64> = (0..50_000).map(|k| k * k - 7).collect();
+        for exponent in [-3, -2, -3, -2] {
+            series.push(&scaled(&numbers, exponent));
+        }
+        assert_eq!(
+            series.segments.iter().map(Column::len).collect::<Vec<_>>(),
+            [65_536, 65_536, 65_536, 3_392]
+        );
+        assert!(series.segments.iter().all(|segment| matches!(segment, Column::Narrow(_))));
+        assert_eq!(series.get(50_003), Rational::ratio(2, 100));
+        assert_eq!(series.get(199_999), Rational::ratio(49_999 * 49_999 - 7, 100));
+    }
+
+    #[test]
+    fn a_long_number_makes_its_own_segment_long_only() {
+        let mut series = Series::default();
+        let ones = vec![1; SEGMENT - 1];
+        series.push(&scaled(&ones, 0));
+        let tiny = Rational::ratio(1, 1 << 62) * Rational::ratio(1, 1 << 62);
+        series.push(&Column::Fractions(vec![tiny.clone()]));
+        series.push(&scaled(&ones, 0));
+        assert!(matches!(series.segments.as_slice(), [Column::Fractions(_), Column::Narrow(_)]));
+        assert_eq!(series.get(SEGMENT - 1), tiny);
+    }
+}

@@ -1,0 +1,117 @@
+//! Readings that are in memory already, as columns.
+
+use boundfit_exact::Column;
+use thiserror::Error;
+
+use super::{Keep, LineSummary, NoEui, Reduction, SharedSieve, Thresholds};
+use crate::measurements::{ErrorBound, Meaning, Measurements, Model, Origin, Readings};
+
+/// How many readings are summarised at a time: few enough for sums in 128 bits, many enough for what is kept of them to
+/// be little.
+const ROWS_PER_PART: usize = 1 << 16;
+
+/// What is wrong with columns.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum ColumnsError {
+    /// Regressors, response and, with one for each reading, error bounds are not as many.
+    #[error("the model has {expected} columns, not {found}")]
+    Count {
+        /// How many there should be.
+        expected: usize,
+        /// How many there are.
+        found: usize,
+    },
+    /// The columns differ in length.
+    #[error("column {column} has {found} numbers, not {expected} like the first")]
+    Length {
+        /// Which one, from 1.
+        column: usize,
+        /// How many numbers the first column has.
+        expected: usize,
+        /// How many this one has.
+        found: usize,
+    },
+    /// An error bound is negative.
+    #[error("row {row} has a negative error bound")]
+    NegativeErrorBound {
+        /// The first such row, from 1; 0 for a bound that all readings share.
+        row: usize,
+    },
+}
+
+impl Measurements {
+    /// Readings from columns: x of a line or φ1 and φ2, then the response, and the error bounds if each reading has its
+    /// own. Rows are numbered from 1. Of more than `keep.most_rows` readings of a line under a uniform error bound only those are
+    /// kept that support a hull.
+    ///
+    /// ```
+    /// use boundfit_estimation::{ErrorBound, Keep, Measurements, Model, Problem, fit};
+    /// use boundfit_exact::{Column, Rational, Unit};
+    ///
+    /// let x = Column::of_counts(1..=100_000, Unit::TenTo(-3));
+    /// let y = Column::of_counts((1..=100_000).map(|k| 2 * k + k * k % 1009), Unit::TenTo(-3));
+    /// let model = Model::Line { x: "x".to_owned() };
+    /// let bound = ErrorBound::Uniform(Rational::one());
+    /// let measurements =
+    ///     Measurements::of_columns(model, "y".to_owned(), bound, &[x, y], Keep::default())?;
+    /// assert_eq!(measurements.fitted(), 100_000);
+    /// assert!(measurements.kept().len() < 1000);
+    /// let fit = fit(&Problem { measurements, conditions: Vec::new() });
+    /// assert_eq!(fit.minimax.unwrap().theta[0], Rational::from(2));
+    /// # Ok::<(), boundfit_estimation::ColumnsError>(())
+    /// ```
+    ///
+    /// Exact. Cost: linear, on one thread.
+    ///
+    /// # Errors
+    /// When the columns are not those of the model, differ in length, or an error bound is negative.
+    pub fn of_columns(
+        model: Model,
+        response: String,
+        error_bound: ErrorBound,
+        columns: &[Column],
+        keep: Keep,
+    ) -> Result<Self, ColumnsError> {
+        let meaning = Meaning { model, response, error_bound };
+        check(&meaning, columns)?;
+        let rows_total = columns.first().map_or(0, Column::len);
+        let readings = match (&meaning.model, &meaning.error_bound, columns) {
+            (Model::Line { .. }, ErrorBound::Uniform(epsilon), [x, y]) if rows_total > keep.most_rows => {
+                let (mut summary, sieve) = (LineSummary::default(), SharedSieve::default());
+                for start in (0..rows_total).step_by(ROWS_PER_PART) {
+                    let range = start..rows_total.min(start + ROWS_PER_PART);
+                    let [x, y] = [x.part(range.clone()), y.part(range)];
+                    summary.merge(LineSummary::of_columns([&x, &y], None, start + 1, &sieve), &sieve);
+                }
+                let (sums, rows) = summary.into_parts(epsilon);
+                let spread = || Thresholds::new(&sums).of_column(x);
+                let spread = keep.eui.then(spread).ok_or(NoEui::NotAsked);
+                Readings::Supporting { rows, reduction: Reduction { sums, spread } }
+            }
+            _ => {
+                let row = |k: usize| meaning.measurement(k + 1, columns.iter().map(|column| column.get(k)));
+                Readings::All((0..rows_total).map(row).collect())
+            }
+        };
+        let origin = Origin { rows_total, ..Origin::default() };
+        Ok(Measurements { meaning, readings, others: Vec::new(), origin })
+    }
+}
+
+fn check(meaning: &Meaning, columns: &[Column]) -> Result<(), ColumnsError> {
+    let regressors = if matches!(meaning.model, Model::Line { .. }) { 1 } else { 2 };
+    let bounds = usize::from(matches!(meaning.error_bound, ErrorBound::PerRow(_)));
+    let (expected, found) = (regressors + 1 + bounds, columns.len());
+    if found != expected {
+        return Err(ColumnsError::Count { expected, found });
+    }
+    let expected = columns[0].len();
+    if let Some(index) = columns.iter().position(|column| column.len() != expected) {
+        return Err(ColumnsError::Length { column: index + 1, expected, found: columns[index].len() });
+    }
+    let negative = match &meaning.error_bound {
+        ErrorBound::Uniform(epsilon) => epsilon.is_negative().then_some(0),
+        ErrorBound::PerRow(_) => columns[found - 1].first_negative().map(|index| index + 1),
+    };
+    negative.map_or(Ok(()), |row| Err(ColumnsError::NegativeErrorBound { row }))
+}

@@ -1,0 +1,224 @@
+//! Columns of exact numbers, as compact as the numbers allow.
+
+mod scaled;
+mod unit;
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+use crate::Rational;
+
+pub use scaled::{Count, Scaled};
+pub use unit::Unit;
+
+/// Exact numbers in the order in which they were added. How they are kept follows from their values alone, and no answer
+/// depends on it.
+///
+/// ```
+/// use boundfit_exact::{Column, Rational};
+///
+/// let mut column = Column::default();
+/// column.push_decimal(15, -1);
+/// column.push(Rational::ratio(1, 3));
+/// assert_eq!([column.get(0), column.get(1)], [Rational::ratio(3, 2), Rational::ratio(1, 3)]);
+/// assert!(matches!(column, Column::Narrow(scaled) if scaled.counts() == [45, 10]));
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub enum Column {
+    /// Integers of 64 bits on a common unit.
+    Narrow(Scaled<i64>),
+    /// Integers of 128 bits on a common unit.
+    Wide(Scaled<i128>),
+    /// Finite doubles, each meant exactly; zero is never negative. They are a kind of their own because no integers of
+    /// these sizes hold numbers whose exponents differ by 2000, and because floats compare and add them faster.
+    Doubles(Vec<f64>),
+    /// Numbers that are none of these.
+    Fractions(Vec<Rational>),
+}
+
+impl Default for Column {
+    fn default() -> Self {
+        Column::Narrow(Scaled::default())
+    }
+}
+
+impl FromIterator<Rational> for Column {
+    fn from_iter<T: IntoIterator<Item = Rational>>(numbers: T) -> Self {
+        let mut column = Column::default();
+        numbers.into_iter().for_each(|number| column.push(number));
+        column
+    }
+}
+
+impl Column {
+    /// So many units each. Exact.
+    pub fn of_counts(counts: impl Iterator<Item = i128> + Clone, unit: Unit) -> Self {
+        if let Some(narrow) = Scaled::new(counts.clone(), unit) {
+            return Column::Narrow(narrow);
+        }
+        if let Some(wide) = Scaled::new(counts.clone(), unit) {
+            return Column::Wide(wide);
+        }
+        Column::Fractions(counts.map(|count| unit.times(count)).collect())
+    }
+
+    /// How many numbers there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Column::Narrow(scaled) => scaled.counts().len(),
+            Column::Wide(scaled) => scaled.counts().len(),
+            Column::Doubles(doubles) => doubles.len(),
+            Column::Fractions(numbers) => numbers.len(),
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// A number, exactly.
+    ///
+    /// # Panics
+    /// When there are not that many.
+    #[allow(
+        clippy::indexing_slicing,
+        reason = "documented to panic; who asks counts the rows of the same column"
+    )]
+    pub fn get(&self, index: usize) -> Rational {
+        match self {
+            Column::Narrow(scaled) => scaled.unit().times(scaled.counts()[index].into()),
+            Column::Wide(scaled) => scaled.unit().times(scaled.counts()[index]),
+            Column::Doubles(doubles) => Rational::from_f64(doubles[index]).unwrap_or_default(),
+            Column::Fractions(numbers) => numbers[index].clone(),
+        }
+    }
+
+    /// The position of the first number below 0.
+    pub fn first_negative(&self) -> Option<usize> {
+        match self {
+            Column::Narrow(scaled) => scaled.counts().iter().position(|&count| count < 0),
+            Column::Wide(scaled) => scaled.counts().iter().position(|&count| count < 0),
+            Column::Doubles(doubles) => doubles.iter().position(|&double| double < 0.0),
+            Column::Fractions(numbers) => numbers.iter().position(Rational::is_negative),
+        }
+    }
+
+    /// The numbers as wide integers, unless these do not hold them.
+    pub fn wide(&self) -> Option<Cow<'_, Scaled<i128>>> {
+        match self {
+            Column::Narrow(scaled) => Some(Cow::Owned(scaled.widened())),
+            Column::Wide(scaled) => Some(Cow::Borrowed(scaled)),
+            Column::Doubles(_) | Column::Fractions(_) => None,
+        }
+    }
+
+    /// Some of the numbers.
+    ///
+    /// # Panics
+    /// When there are not that many.
+    #[allow(clippy::indexing_slicing, reason = "documented to panic")]
+    pub fn part(&self, range: Range<usize>) -> Column {
+        match self {
+            Column::Narrow(scaled) => Column::Narrow(scaled.part(range)),
+            Column::Wide(scaled) => Column::Wide(scaled.part(range)),
+            Column::Doubles(doubles) => Column::Doubles(doubles[range].to_vec()),
+            Column::Fractions(numbers) => Column::Fractions(numbers[range].to_vec()),
+        }
+    }
+
+    /// Makes room for exactly so many more numbers.
+    pub fn reserve(&mut self, more: usize) {
+        match self {
+            Column::Narrow(scaled) => scaled.reserve(more),
+            Column::Wide(scaled) => scaled.reserve(more),
+            Column::Doubles(doubles) => doubles.reserve_exact(more),
+            Column::Fractions(numbers) => numbers.reserve_exact(more),
+        }
+    }
+
+    /// Adds `mantissa · 10^exponent`. Cost: a few nanoseconds when the exponent is that of the numbers before.
+    #[inline]
+    pub fn push_decimal(&mut self, mantissa: i64, exponent: i32) {
+        if let Column::Narrow(scaled) = self
+            && mantissa.unsigned_abs() >> 62 == 0
+            && scaled.push_same(mantissa, exponent)
+        {
+            return;
+        }
+        self.push_count(mantissa.into(), Unit::TenTo(exponent));
+    }
+
+    /// Adds a number.
+    pub fn push(&mut self, number: Rational) {
+        match (number.numerator().to_i128(), number.denominator().to_i128()) {
+            (Some(numerator), Some(denominator)) => self.push_count(numerator, Unit::OneOver(denominator)),
+            _ => self.push_fraction(number),
+        }
+    }
+
+    /// Adds a finite double, meant exactly. A column of nothing else stays one.
+    #[inline]
+    pub fn push_double(&mut self, double: f64) {
+        // Zero has one sign.
+        let double = double + 0.0;
+        match self {
+            Column::Doubles(doubles) => doubles.push(double),
+            empty if empty.is_empty() => *empty = Column::Doubles(vec![double]),
+            _ => self.push(Rational::from_f64(double).unwrap_or_default()),
+        }
+    }
+
+    /// Adds some of the numbers of another column.
+    ///
+    /// # Panics
+    /// When there are not that many.
+    #[allow(clippy::indexing_slicing, reason = "documented to panic")]
+    pub fn append(&mut self, other: &Column, range: Range<usize>) {
+        match (&mut *self, other) {
+            (own, other) if own.is_empty() => *own = other.part(range),
+            (Column::Doubles(own), Column::Doubles(other)) => own.extend_from_slice(&other[range]),
+            (_, Column::Narrow(other)) => {
+                self.append_counts(other.counts()[range].iter().map(|&count| count.into()), other.unit());
+            }
+            (_, Column::Wide(other)) => {
+                self.append_counts(other.counts()[range].iter().copied(), other.unit());
+            }
+            _ => range.for_each(|index| self.push(other.get(index))),
+        }
+    }
+
+    fn append_counts(&mut self, counts: impl Iterator<Item = i128> + Clone, unit: Unit) {
+        if let Column::Narrow(own) = self
+            && own.append(counts.clone(), unit).is_some()
+        {
+            return;
+        }
+        counts.for_each(|count| self.push_count(count, unit));
+    }
+
+    #[inline(never)]
+    fn push_count(&mut self, count: i128, unit: Unit) {
+        if let Column::Narrow(scaled) = self {
+            if scaled.push(count, unit).is_some() {
+                return;
+            }
+            *self = Column::Wide(scaled.widened());
+        }
+        if let Column::Wide(scaled) = self
+            && scaled.push(count, unit).is_some()
+        {
+            return;
+        }
+        self.push_fraction(unit.times(count));
+    }
+
+    fn push_fraction(&mut self, number: Rational) {
+        if let Column::Fractions(numbers) = self {
+            numbers.push(number);
+            return;
+        }
+        let numbers = (0..self.len()).map(|index| self.get(index)).chain([number]);
+        *self = Column::Fractions(numbers.collect());
+    }
+}

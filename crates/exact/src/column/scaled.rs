@@ -1,0 +1,242 @@
+//! Integers on a common unit.
+
+use super::unit::Unit;
+use crate::Rational;
+
+/// Integers on a common unit: number `i` is `counts[i]` units. How large they are is limited by [`Count`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Scaled<I> {
+    counts: Vec<I>,
+    unit: Unit,
+}
+
+/// The integers of a column, and how large they may be.
+pub trait Count: Copy + Eq + Into<i128> {
+    /// 1.
+    const ONE: Self;
+
+    /// The integer with this value, if it is not too large.
+    fn new(value: i128) -> Option<Self>;
+
+    /// The product, if it is not too large.
+    fn times(self, factor: Self) -> Option<Self>;
+
+    /// The quotient, if it is an integer.
+    fn over(self, divisor: Self) -> Option<Self>;
+
+    /// Numerator and denominator of a number, if both are machine integers of this size.
+    fn parts(number: &Rational) -> Option<(Self, Self)>;
+}
+
+macro_rules! count {
+    ($integer:ty, $bits:literal, $parts:expr) => {
+        impl Count for $integer {
+            const ONE: Self = 1;
+
+            #[inline]
+            fn new(value: i128) -> Option<Self> {
+                (value.unsigned_abs() >> $bits == 0).then_some(value as $integer)
+            }
+
+            #[inline]
+            fn times(self, factor: Self) -> Option<Self> {
+                self.checked_mul(factor).filter(|product| product.unsigned_abs() >> $bits == 0)
+            }
+
+            #[inline]
+            fn over(self, divisor: Self) -> Option<Self> {
+                (self.checked_rem(divisor)? == 0).then(|| self / divisor)
+            }
+
+            #[inline]
+            fn parts(number: &Rational) -> Option<(Self, Self)> {
+                $parts(number)
+            }
+        }
+    };
+}
+
+// Differences of two integers of 62 bits fit into 64 bits, products of two differences into 127.
+count!(i64, 62, Rational::to_words);
+// Integers of 92 bits, in two parts, have sums of products in 128 bits: those of numbers with 17 digits, as other programs
+// print binary64, and exponents that differ by ten.
+count!(i128, 92, |number: &Rational| Some((number.numerator().to_i128()?, number.denominator().to_i128()?)));
+
+impl<I> Default for Scaled<I> {
+    fn default() -> Self {
+        Scaled { counts: Vec::new(), unit: Unit::Any }
+    }
+}
+
+impl<I: Count> Scaled<I> {
+    /// So many units each; `None` when one is too large.
+    pub fn new(counts: impl IntoIterator<Item = i128>, unit: Unit) -> Option<Self> {
+        Some(Scaled { counts: counts.into_iter().map(I::new).collect::<Option<_>>()?, unit })
+    }
+
+    /// Numbers on their least common denominator; `None` when they are too large on it. Exact. Cost: linear, with few
+    /// divisions where neighbours have the same denominator.
+    pub fn of_numbers<'a>(numbers: impl ExactSizeIterator<Item = &'a Rational>) -> Option<Self> {
+        let mut column =
+            Scaled { counts: Vec::with_capacity(numbers.len()), unit: Unit::OneOver(I::ONE.into()) };
+        // The common denominator, the denominator of the number before, and how often it divides the common one: a
+        // division takes longer than all the rest.
+        let (mut common, mut last, mut factor) = (I::ONE, I::ONE, I::ONE);
+        for number in numbers {
+            let (numerator, denominator) = I::parts(number)?;
+            if denominator != last {
+                factor = match common.over(denominator) {
+                    Some(factor) => factor,
+                    None => {
+                        column.refine(Unit::OneOver(denominator.into()))?;
+                        common = I::new(Unit::TenTo(0).counted_in(column.unit)?)?;
+                        common.over(denominator)?
+                    }
+                };
+                last = denominator;
+            }
+            column.counts.push(numerator.times(factor)?);
+        }
+        Some(column)
+    }
+
+    /// How many units each number is.
+    #[inline]
+    pub fn counts(&self) -> &[I] {
+        &self.counts
+    }
+
+    /// What they count.
+    #[inline]
+    pub fn unit(&self) -> Unit {
+        self.unit
+    }
+
+    pub(super) fn reserve(&mut self, more: usize) {
+        self.counts.reserve_exact(more);
+    }
+
+    /// Adds so many of the units that are counted already; gives `false` when the unit is another one.
+    #[inline]
+    pub(super) fn push_same(&mut self, count: I, exponent: i32) -> bool {
+        let is_same = matches!(self.unit, Unit::TenTo(own) if own == exponent);
+        if is_same {
+            self.counts.push(count);
+        }
+        is_same
+    }
+
+    /// Adds so many units of any kind. Afterwards the numbers are on the finer unit, or, when they would become too large,
+    /// without the new one: `None`.
+    pub(super) fn push(&mut self, count: i128, unit: Unit) -> Option<()> {
+        self.append([count], unit)
+    }
+
+    /// Adds several like [`Scaled::push`]: all of them or none.
+    pub(super) fn append(&mut self, counts: impl IntoIterator<Item = i128>, unit: Unit) -> Option<()> {
+        let before = self.counts.len();
+        for count in counts {
+            if self.push_one(count, unit).is_none() {
+                self.counts.truncate(before);
+                return None;
+            }
+        }
+        Some(())
+    }
+
+    fn push_one(&mut self, count: i128, unit: Unit) -> Option<()> {
+        let count = I::new(count)?;
+        let factor = match unit.counted_in(self.unit) {
+            Some(factor) => factor,
+            // A zero needs no unit of its own.
+            None if count.into() == 0 => 1,
+            None => {
+                self.refine(unit)?;
+                unit.counted_in(self.unit)?
+            }
+        };
+        self.counts.push(count.times(I::new(factor)?)?);
+        Some(())
+    }
+
+    /// Makes another unit a multiple of that of the column, which at least halves, so that this happens rarely.
+    #[cold]
+    fn refine(&mut self, unit: Unit) -> Option<()> {
+        let common = self.unit.common(unit)?;
+        let factor = I::new(self.unit.counted_in(common)?)?;
+        if self.counts.iter().any(|count| count.times(factor).is_none()) {
+            return None;
+        }
+        for count in &mut self.counts {
+            *count = count.times(factor).unwrap_or(*count);
+        }
+        self.unit = common;
+        Some(())
+    }
+
+    /// Some of the numbers; those that there are.
+    pub(super) fn part(&self, range: std::ops::Range<usize>) -> Self {
+        Scaled { counts: self.counts.get(range).unwrap_or_default().to_vec(), unit: self.unit }
+    }
+}
+
+impl Scaled<i64> {
+    /// The same numbers as wider integers.
+    pub(super) fn widened(&self) -> Scaled<i128> {
+        Scaled { counts: self.counts.iter().map(|&count| count.into()).collect(), unit: self.unit }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Limits, Reading};
+
+    fn narrow(numbers: &[(i64, i64)]) -> Option<Scaled<i64>> {
+        let numbers: Vec<Rational> = numbers.iter().map(|&(n, d)| Rational::ratio(n, d)).collect();
+        Scaled::of_numbers(numbers.iter())
+    }
+
+    #[test]
+    fn numbers_share_their_least_common_denominator() {
+        let column = narrow(&[(1, 2), (-3, 5), (7, 1), (1, 1000), (1, 5)]).unwrap();
+        assert_eq!(column.counts(), [500, -600, 7000, 1, 200]);
+        assert_eq!(column.unit(), Unit::OneOver(1000));
+        assert_eq!(narrow(&[]).unwrap().unit(), Unit::OneOver(1));
+    }
+
+    #[test]
+    fn what_leaves_62_bits_is_not_narrow() {
+        let largest = (1 << 62) - 1;
+        assert_eq!(narrow(&[(largest, 1), (-largest, 1)]).unwrap().counts(), [largest, -largest]);
+        assert!(narrow(&[(largest + 1, 1)]).is_none());
+        assert!(narrow(&[(-largest - 1, 1)]).is_none());
+        assert!(narrow(&[(largest, 1), (1, 2)]).is_none(), "the number before no longer fits");
+        assert!(narrow(&[(1, 2), (largest, 1)]).is_none());
+        assert!(narrow(&[(1, 3), (1, 1 << 61)]).is_none(), "the denominator does not fit");
+        assert!(narrow(&[(0, 1), (1, i64::MAX)]).is_none());
+        assert!(Scaled::<i64>::of_numbers([Rational::from(1_i128 << 64)].iter()).is_none());
+    }
+
+    #[test]
+    fn wide_numbers_keep_their_values() {
+        let read = |text| Reading::Decimal.read(text, &Limits::default()).unwrap();
+        let numbers = ["1/3", "0.1", "-7", "12345678901234567.89", "2e-9", "5/6"].map(read);
+        let column = Scaled::<i128>::of_numbers(numbers.iter()).unwrap();
+        let values: Vec<Rational> = column.counts().iter().map(|&count| column.unit().times(count)).collect();
+        assert_eq!(values, numbers);
+        for too_wide in ["1e28", "1e-28"].map(|text| read(text) + Rational::ratio(1, 7)) {
+            assert!(Scaled::<i128>::of_numbers([too_wide].iter()).is_none());
+        }
+    }
+
+    #[test]
+    fn what_does_not_fit_leaves_the_others_as_they_were() {
+        let mut column = Scaled::<i64>::new([1, 1 << 61], Unit::TenTo(0)).unwrap();
+        assert!(column.append([3, 5], Unit::TenTo(-1)).is_none());
+        assert_eq!((column.counts(), column.unit()), (&[1, 1 << 61][..], Unit::TenTo(0)));
+        assert!(column.append([7, i128::from(i64::MAX)], Unit::TenTo(0)).is_none());
+        assert_eq!(column.counts(), [1, 1 << 61]);
+        assert!(Scaled::<i64>::new([1 << 62], Unit::TenTo(0)).is_none());
+    }
+}
