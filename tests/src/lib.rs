@@ -16,3 +16,8 @@ pub mod reference_table;
 pub mod representations;
 pub mod shape;
 pub mod tables;
+
+/// The README, whose example in Rust is compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+pub struct Readme;
