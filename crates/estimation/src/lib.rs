@@ -34,6 +34,7 @@ mod bounds;
 mod condition;
 mod corridor;
 mod family;
+#[cfg(feature = "files")]
 mod files;
 mod fit;
 mod fit_group;
@@ -58,6 +59,7 @@ pub use family::{
     Breakpoint, Family, Linear, MovingBoundary, MovingVertex, Piece, Quadratic, Section, SectionBoundary,
     SectionVertex,
 };
+#[cfg(feature = "files")]
 pub use files::{Columns, EpsilonColumn, Fleet, ReducedColumns, ReducedTable};
 pub use fit::{Fit, FitBounds, fit, fit_bounds};
 pub use fit_group::{fit_group, least_squares_is_feasible};

@@ -1,6 +1,7 @@
 //! Readings: what was measured, under which model, with which error bound.
 
 use boundfit_exact::Rational;
+#[cfg(feature = "files")]
 use boundfit_formats::TextLayout;
 
 use crate::summary::{NoEui, Reduction};
@@ -89,6 +90,7 @@ pub enum Readings {
 pub(crate) struct Origin {
     /// How many data rows there are, fitted or not.
     pub(crate) rows_total: usize,
+    #[cfg(feature = "files")]
     pub(crate) layout: Option<TextLayout>,
     pub(crate) sha256: Option<String>,
 }
@@ -181,6 +183,7 @@ impl Measurements {
 
     /// Where in the file the numbers stand: regressors, response and, with one per row, error bound; `None` unless the
     /// readings come from delimited text that has a row for each of them.
+    #[cfg(feature = "files")]
     pub fn layout(&self) -> Option<&TextLayout> {
         self.origin.layout.as_ref()
     }

@@ -121,6 +121,7 @@ impl LineSummary {
     }
 
     /// The rows of all readings that may turn out to be kept, in no order.
+    #[cfg(feature = "files")]
     pub(crate) fn row_numbers(&self) -> impl Iterator<Item = usize> + '_ {
         self.support.values().flat_map(SupportRows::row_numbers)
     }

@@ -74,6 +74,7 @@ impl SupportRows {
     }
 
     /// The rows of all readings that may turn out to be extreme, in no order.
+    #[cfg(feature = "files")]
     pub(super) fn row_numbers(&self) -> impl Iterator<Item = usize> + '_ {
         self.merged.iter().chain(&self.pending).flat_map(Rows::row_numbers)
     }
@@ -125,6 +126,7 @@ impl Rows {
         }
     }
 
+    #[cfg(feature = "files")]
     fn row_numbers(&self) -> Vec<usize> {
         match self {
             Rows::Grid { points, .. } => points.iter().map(|point| point.id as usize).collect(),

@@ -10,8 +10,7 @@ mod series;
 use std::io;
 use std::ops::Range;
 
-use boundfit_formats::{Batch, ColumnSelector, InputError, ScanOptions, Source, scan};
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use boundfit_formats::{Batch, ColumnSelector, InputError, ScanOptions, Source, scan, threads};
 
 use crate::files::Columns;
 use crate::measurements::{ErrorBound, Meaning, Measurements};
@@ -117,8 +116,8 @@ impl Fleet {
         let mut ready: Vec<T> = Vec::new();
         for start in (0..pieces).step_by(PIECES_PER_BLOCK) {
             let block = start..pieces.min(start + PIECES_PER_BLOCK);
-            let (next, taken) = rayon::join(
-                || block.into_par_iter().map(piece).collect(),
+            let (next, taken) = threads::beside(
+                || threads::map(block.collect(), piece),
                 || ready.drain(..).try_for_each(&mut take),
             );
             taken?;
