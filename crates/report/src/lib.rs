@@ -39,7 +39,9 @@ mod formula;
 mod generators;
 mod json;
 mod number;
+#[cfg(feature = "files")]
 mod polygon;
+#[cfg(feature = "files")]
 mod proof_json;
 mod region;
 mod script;
@@ -62,7 +64,9 @@ pub use fleet_summary::{FleetSummary, GroupReport};
 pub use fleet_text::{FleetTable, GroupCells};
 pub use json::{ActiveJson, RangeJson};
 pub use number::Number;
+#[cfg(feature = "files")]
 pub use polygon::{polygon_document, polygon_json};
+#[cfg(feature = "files")]
 pub use proof_json::proof_json;
 pub use script::region_script;
 pub use style::{EndRounding, Style};
