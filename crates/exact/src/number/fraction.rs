@@ -52,6 +52,7 @@ impl PartialOrd for Fraction {
 }
 
 impl PartialEq for Fraction {
+    #[inline]
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other).is_eq()
     }

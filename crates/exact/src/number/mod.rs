@@ -29,6 +29,7 @@ pub enum Sign {
 }
 
 impl From<Ordering> for Sign {
+    #[inline]
     fn from(ordering: Ordering) -> Self {
         match ordering {
             Ordering::Less => Sign::Negative,

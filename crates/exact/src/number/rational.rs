@@ -233,6 +233,7 @@ impl Rational {
     /// let (integers, denominator) = Rational::over_common_denominator([&halves, &sixths]);
     /// assert_eq!((integers, denominator), ([9, -1].map(Integer::from), Integer::from(6)));
     /// ```
+    #[inline]
     pub fn over_common_denominator<const N: usize>(numbers: [&Rational; N]) -> ([Integer; N], Integer) {
         let mut denominators = numbers.iter().map(|number| &number.denominator);
         let first = denominators.next().map_or_else(Integer::one, Integer::clone);
