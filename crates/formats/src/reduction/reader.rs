@@ -28,7 +28,7 @@ impl Reductions {
     }
 }
 
-/// Opens a source as a reduction if it is one: a table as [`ReductionReader`] shows it, and its records.
+/// Opens a source as a reduction if it is one: a table whose lines keep their numbers, and its records.
 ///
 /// # Errors
 /// When the source cannot be read or its first line is not understood.

@@ -13,8 +13,10 @@ pub(crate) fn readable_rows(
     rows: Range<usize>,
     read: &impl Fn(Range<usize>) -> Result<Batch, InputError>,
 ) -> Vec<TableRow> {
+    if rows.is_empty() {
+        return Vec::new();
+    }
     match read(rows.clone()) {
-        _ if rows.is_empty() => Vec::new(),
         Ok(batch) => batch.table_rows().collect(),
         Err(_) if rows.len() == 1 => Vec::new(),
         Err(_) => {
@@ -22,5 +24,34 @@ pub(crate) fn readable_rows(
             let halves = [rows.start..middle, middle..rows.end];
             halves.into_iter().flat_map(|half| readable_rows(half, read)).collect()
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::InputErrorKind;
+
+    #[test]
+    fn rows_that_cannot_be_read_are_left_out_and_only_they() {
+        for bad in [&[][..], &[3], &[0, 1, 2], &[0, 4, 9], &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9]] {
+            let read = |rows: Range<usize>| match bad.iter().any(|row| rows.contains(row)) {
+                true => Err(InputError::of_file("test", InputErrorKind::NotFinite)),
+                false => Ok(Batch {
+                    first_row: rows.start,
+                    columns: Vec::new(),
+                    keys: None,
+                    lines: None,
+                    rows: rows.len(),
+                    others: Vec::new(),
+                }),
+            };
+            let found: Vec<usize> = readable_rows(0..10, &read).iter().map(|row| row.row).collect();
+            let expected: Vec<usize> = (0..10).filter(|row| !bad.contains(row)).collect();
+            assert_eq!(found, expected);
+        }
+        let none = |_: Range<usize>| panic!("there is nothing to read");
+        assert!(readable_rows(5..5, &none).is_empty());
+        assert!(readable_rows(Range { start: 6, end: 5 }, &none).is_empty());
     }
 }
