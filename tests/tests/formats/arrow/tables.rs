@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use arrow_array::{ArrayRef, Float64Array, Int64Array, RecordBatch, StringArray};
-use boundfit_formats::{ColumnSelector, Progress, ScanOptions};
+use boundfit_formats::{ColumnSelector, Progress, ScanOptions, Source, TableOptions, read_table};
 
 use super::{FILES, message, scanned, scanned_text, wanted_rows, write_all};
 
@@ -46,6 +46,30 @@ fn groups_and_batches_make_no_difference() {
             assert_eq!(result.rows_total, in_text.rows_total);
             assert_eq!((result.names, result.key_name), (in_text.names.clone(), in_text.key_name.clone()));
         });
+    }
+}
+
+/// Rows that are not wanted are kept where they hold numbers.
+#[test]
+fn rows_beside_a_range() {
+    let text: ArrayRef = Arc::new(StringArray::from(vec!["1", "x", "3", "4", "", "6.5", "7", "8", "y"]));
+    let batch = RecordBatch::try_from_iter([("t", text)]).expect("one column");
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    write_all(folder.path(), &[batch.slice(0, 5), batch.slice(5, 4)], 3);
+    let columns = [ColumnSelector::name_or_number("t")];
+    let options = TableOptions { keep_others: true, ..wanted_rows(3, 4).table };
+    let path = |file: &str| folder.path().join(file).to_string_lossy().into_owned();
+    for file in FILES {
+        let source = Source::open(&path(file)).expect("the file is there");
+        let table = read_table(source, &columns, &options).expect("a table");
+        let rows = |rows: &[boundfit_formats::TableRow]| -> Vec<(usize, String)> {
+            rows.iter().map(|row| (row.row, row.numbers[0].to_string())).collect()
+        };
+        let numbered = |rows: &[(usize, &str)]| -> Vec<(usize, String)> {
+            rows.iter().map(|&(row, number)| (row, number.to_owned())).collect()
+        };
+        assert_eq!(rows(&table.rows), numbered(&[(3, "3"), (4, "4")]), "{file}");
+        assert_eq!(rows(&table.others), numbered(&[(1, "1"), (6, "13/2"), (7, "7"), (8, "8")]), "{file}");
     }
 }
 
