@@ -241,11 +241,11 @@ mod tests {
 
     #[test]
     fn what_is_too_wide_can_be_broken() {
-        let text = Text::new().number("123456/7890123").words(" ").given("long/names");
-        assert_eq!(line(&text, None), "$123456/7890123$ long/names");
+        let text = Text::new().number("123456/7890123").words(" ").given("to/the/names");
+        assert_eq!(line(&text, None), "$123456/7890123$ to/the/names");
         assert_eq!(
             line(&text, Some(10.0)),
-            r"$1234\allowbreak 56/\allowbreak 7890\allowbreak 123$ long/\allowbreak{}name\allowbreak{}s"
+            r"$1234\allowbreak 56/\allowbreak 7890\allowbreak 123$ to/\allowbreak{}the/\allowbreak{}name\allowbreak{}s"
         );
         let table = |cells: [&str; 3]| Table::new(["", "", ""], vec![cells.map(Text::from).into()]);
         assert_eq!(limits(&table(["ab", "cd", "ef"])), [None; 3]);
