@@ -97,7 +97,7 @@ pub fn fit_bounds(problem: &Problem) -> FitBounds {
 }
 
 impl Fit {
-    /// The same answer with all half-planes of the readings in its FPS, also those that cannot be active.
+    /// This answer with all half-planes of the readings in its FPS, also those that cannot be active.
     pub fn with_every_half_plane(&self, problem: &Problem) -> Fit {
         let fps = Fps::of_every_half_plane(&problem.measurements, &problem.conditions);
         // The proofs name half-planes by their position.

@@ -37,7 +37,7 @@ pub enum Model {
 /// Where the error bounds come from.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ErrorBound {
-    /// The same for every reading.
+    /// One for all readings.
     Uniform(Rational),
     /// One per reading, from a column of this name.
     PerRow(String),

@@ -65,7 +65,7 @@ impl Minimax {
         Minimax::with_extremes(measurements, conditions, Extremes::of(measurements).as_ref())
     }
 
-    /// The same with the extremes of a line under a uniform bound.
+    /// [`Minimax::new`] where the extremes of a line under a uniform bound are known already.
     pub(crate) fn with_extremes(
         measurements: &Measurements,
         conditions: &[Condition],

@@ -73,7 +73,7 @@ impl Picture {
     }
 
     /// A self-contained SVG document without fonts, with title and description for those who cannot see it.
-    /// The same bytes on every call.
+    /// Every call gives the same bytes.
     pub fn svg(&self) -> String {
         let options = WriteOptions {
             coordinates_precision: 0,
@@ -94,7 +94,7 @@ impl Picture {
         }
     }
 
-    /// A PNG of twice the nominal size: 1600 pixels wide. The same bytes on every call.
+    /// A PNG of twice the nominal size: 1600 pixels wide. Every call gives the same bytes.
     ///
     /// # Errors
     /// When the pixels cannot be encoded.

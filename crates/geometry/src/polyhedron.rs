@@ -179,7 +179,7 @@ impl Polyhedron {
         indices
     }
 
-    /// The same for a region that is not empty, by the angle of the normals from the positive θ1 axis: neighbours meet
+    /// The half-planes that are not redundant, by the angle of their normals from the positive θ1 axis: neighbours meet
     /// in a vertex, unless the region goes on between them. Nothing for an empty region.
     pub fn irredundant_by_angle(&self) -> &[usize] {
         self.fan.indices()

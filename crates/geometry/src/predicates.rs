@@ -21,7 +21,7 @@ pub enum Side {
 /// How the direction `v` is reached from the direction `u`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Turn {
-    /// The same direction.
+    /// No turn: both point in one direction.
     None,
     /// Counter-clockwise by less than a half turn.
     Left,

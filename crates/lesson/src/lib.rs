@@ -91,7 +91,7 @@ pub enum LessonError {
 
 /// The lesson as one HTML file without outside parts. `reading` says how the problem's numbers were read.
 ///
-/// The same bytes on every run. Cost: that of [`lesson_data`].
+/// Every run gives the same bytes. Cost: that of [`lesson_data`].
 ///
 /// # Errors
 /// With more than [`LessonOptions::most_rows`] readings.

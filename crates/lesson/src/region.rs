@@ -29,7 +29,7 @@ impl IndexedRegion {
         }
     }
 
-    /// The same region of a system that lacks `count` half-planes from index `from` on, by the indices of the whole one.
+    /// This region of a system that lacks `count` half-planes from index `from` on, by the indices of the whole one.
     pub(crate) fn skipping(mut self, from: usize, count: usize) -> Self {
         self.boundaries.iter_mut().filter(|index| **index >= from).for_each(|index| *index += count);
         self

@@ -65,7 +65,7 @@ pub(crate) struct FitArguments {
     /// and every vertex and PUI end as an exact function of s
     #[arg(id = "sweep", long = "sweep", value_name = "FROM..TO")]
     pub(super) asked_factors: Option<String>,
-    /// The same as numbers, within the limits that other options set.
+    /// The factors of `--sweep` as numbers, within the limits that other options set.
     #[arg(skip)]
     pub(crate) sweep: Option<FactorRange>,
     /// Fit each group of rows with the same text in this column on its own: one line of text, JSON or CSV per group, in the

@@ -128,7 +128,7 @@ fn condition_problem(error: &ParseConditionError) -> String {
 }
 
 impl FitArguments {
-    /// The same with the factors of `--sweep` as numbers, which need the limits.
+    /// Reads the factors of `--sweep`, which need the limits.
     pub(crate) fn with_factors(self) -> Result<Self, Failure> {
         let limits = self.data.table.limits.number();
         let sweep = self.asked_factors.as_deref().map(|text| parse_factors(text, &limits)).transpose()?;

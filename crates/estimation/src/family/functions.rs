@@ -47,7 +47,7 @@ impl Quadratic {
         &self.constant + (&self.slope + &self.quadratic * s) * s
     }
 
-    /// The same value everywhere.
+    /// The function that has one value everywhere.
     pub(crate) fn constant(value: Rational) -> Self {
         Quadratic { constant: value, ..Quadratic::default() }
     }

@@ -8,7 +8,7 @@ use crate::measurements::{ErrorBound, Meaning, Model};
 /// The error bound as it is asked for.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum EpsilonColumn {
-    /// The same number for every reading; not negative.
+    /// One number for all readings; not negative.
     Uniform(Rational),
     /// A column.
     Column(ColumnSelector),

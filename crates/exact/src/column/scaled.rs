@@ -181,7 +181,7 @@ impl<I: Count> Scaled<I> {
 }
 
 impl Scaled<i64> {
-    /// The same numbers as wider integers.
+    /// These numbers as wider integers.
     pub(super) fn widened(&self) -> Scaled<i128> {
         Scaled { counts: self.counts.iter().map(|&count| count.into()).collect(), unit: self.unit }
     }

@@ -1,4 +1,4 @@
-//! The same decimals for numbers whose terms fit into 128 bits: no big number, no memory, one division.
+//! Decimals of numbers whose terms fit into 128 bits: no big number, no memory, one division.
 
 use super::{Rounding, Significand};
 use crate::Rational;

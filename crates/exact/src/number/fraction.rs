@@ -66,7 +66,7 @@ impl From<Integer> for Fraction {
     }
 }
 
-/// The same value in lowest terms. Exact.
+/// Reduces to lowest terms. Exact.
 impl From<Fraction> for Rational {
     fn from(Fraction { numerator, denominator }: Fraction) -> Self {
         // The denominator is not 0.
@@ -74,7 +74,7 @@ impl From<Fraction> for Rational {
     }
 }
 
-/// The same value. Exact.
+/// Keeps the value. Exact.
 impl From<&Rational> for Fraction {
     fn from(value: &Rational) -> Self {
         Fraction { numerator: value.numerator(), denominator: value.denominator() }
