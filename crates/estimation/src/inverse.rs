@@ -40,7 +40,8 @@ impl Inverse {
     ) -> Self {
         let exact = pui.and_then(|[theta1, _]| ranges_of_region(fps.region(), theta1));
         let of_box = |intervals: &[Interval; 2]| {
-            ranges_of_box(intervals).unwrap_or_else(|| ranges(&box_of(intervals)))
+            let bounded = ranges_of_one_sign(intervals).or_else(|| ranges_of_box(intervals));
+            bounded.unwrap_or_else(|| ranges(&box_of(intervals)))
         };
         let [exact_gain, exact_offset] = exact.unwrap_or_else(|| ranges(fps));
         let [box_gain, box_offset] = pui.map(of_box).unwrap_or_default();
@@ -148,7 +149,11 @@ fn sign_on_axis([x, y]: &[Integer; 2], [next_x, next_y]: &[Integer; 2]) -> Optio
 
 /// The least and the largest -θ2/θ1 of corners with θ1 ≠ 0; `None` without any.
 fn offsets<'a>(corners: impl Iterator<Item = &'a [Integer; 2]>) -> Option<[Rational; 2]> {
-    let mut offsets = corners.filter_map(|[x, y]| Fraction::new(-y, x.clone()));
+    // A positive denominator from the start: the sign of each number is changed once at most.
+    let offset = |[x, y]: &[Integer; 2]| {
+        if x.is_negative() { Fraction::new(y.clone(), -x) } else { Fraction::new(-y, x.clone()) }
+    };
+    let mut offsets = corners.filter_map(offset);
     let first = offsets.next()?;
     let (least, most) = offsets.fold((first.clone(), first), |(least, most), offset| {
         if offset < least {
@@ -160,6 +165,28 @@ fn offsets<'a>(corners: impl Iterator<Item = &'a [Integer; 2]>) -> Option<[Ratio
         }
     });
     Some([least.into(), most.into()])
+}
+
+/// The ranges over a bounded box whose θ1 keeps one sign, which nearly every box of a fit does: two quotients, where four
+/// corners are compared by products that leave machine words. For a few readings this is a tenth of the whole fit.
+fn ranges_of_one_sign([theta1, theta2]: &[Interval; 2]) -> Option<Ranges> {
+    let ((left, right), (low, high)) = (theta1.ends()?, theta2.ends()?);
+    if left.sign() != right.sign() {
+        return None;
+    }
+    let gain = Interval::new(Endpoint::Finite(right.recip()?), Endpoint::Finite(left.recip()?))?;
+    let mut nearest_and_furthest = [left.abs(), right.abs()];
+    let (least, most) = if right.is_negative() {
+        nearest_and_furthest.reverse();
+        (low.clone(), high.clone())
+    } else {
+        (-high, -low)
+    };
+    // A positive number is largest when divided by the smallest |θ1|, a negative one by the largest.
+    let [near, far] = nearest_and_furthest;
+    let lower = least.checked_div(if least.is_negative() { &near } else { &far })?;
+    let upper = most.checked_div(if most.is_negative() { &far } else { &near })?;
+    Some([vec![gain], vec![Interval::new(Endpoint::Finite(lower), Endpoint::Finite(upper))?]])
 }
 
 /// The union of at most two intervals, as disjoint intervals in ascending order.
