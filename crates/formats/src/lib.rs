@@ -33,7 +33,7 @@ pub mod threads;
 pub use columns::{ColumnSelector, Header};
 pub use error::{InputError, InputErrorKind, Place};
 pub use half_planes::{GeneratorRows, HalfPlaneFile, HalfPlaneFormat, RowOrigin, read_half_planes};
-pub use limits::{LONGEST_LINE, Limit, SizeLimits};
+pub use limits::{LONGEST_LINE, SizeLimits};
 pub use open::{read_table, scan};
 pub use reduction::{REDUCTION_MARK, ReductionError, ReductionRecord, Reductions, open_reduction};
 pub use scan::{Batch, Pieces, Progress, ScanOptions, Scanned};

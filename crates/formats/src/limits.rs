@@ -1,7 +1,5 @@
 //! What a file as a whole may ask for.
 
-use boundfit_exact::ParseNumberErrorKind;
-
 /// The most that one file may ask for, beside what one of its numbers may ([`boundfit_exact::Limits`]). What passes a limit
 /// is refused before memory is taken for it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,55 +32,3 @@ impl Default for SizeLimits {
 /// The longest line that is read unless more is asked for, in bytes. Without a bound, a file without line ends would be
 /// held in memory whole.
 pub const LONGEST_LINE: usize = 1 << 24;
-
-/// A limit that an input can pass.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Limit {
-    /// [`boundfit_exact::Limits::digits`].
-    Digits,
-    /// [`boundfit_exact::Limits::exponent`].
-    Exponent,
-    /// [`SizeLimits::line`].
-    Line,
-    /// [`SizeLimits::columns`].
-    Columns,
-    /// [`SizeLimits::rows`].
-    Rows,
-    /// [`SizeLimits::elements`].
-    Elements,
-    /// [`SizeLimits::nesting`].
-    Nesting,
-}
-
-impl Limit {
-    /// The limit that a number passes; `None` where something else is wrong with it.
-    ///
-    /// ```
-    /// use boundfit_exact::{Limits, Reading};
-    /// use boundfit_formats::Limit;
-    ///
-    /// let refused = Reading::Decimal.read("1e999999999", &Limits::default()).unwrap_err();
-    /// assert_eq!(Limit::of_number(&refused.kind), Some(Limit::Exponent));
-    /// assert_eq!(Limit::Exponent.flag(), "--max-exponent");
-    /// ```
-    pub fn of_number(kind: &ParseNumberErrorKind) -> Option<Self> {
-        match kind {
-            ParseNumberErrorKind::TooManyDigits(_) => Some(Limit::Digits),
-            ParseNumberErrorKind::ExponentTooLarge(_) => Some(Limit::Exponent),
-            _ => None,
-        }
-    }
-
-    /// The program's option that raises it.
-    pub fn flag(self) -> &'static str {
-        match self {
-            Limit::Digits => "--max-digits",
-            Limit::Exponent => "--max-exponent",
-            Limit::Line => "--max-line",
-            Limit::Columns => "--max-columns",
-            Limit::Rows => "--max-rows",
-            Limit::Elements => "--max-elements",
-            Limit::Nesting => "--max-nesting",
-        }
-    }
-}

@@ -1,7 +1,6 @@
 //! What can be wrong with a claim.
 
-use boundfit_exact::ParseNumberError;
-use boundfit_formats::Limit;
+use boundfit_exact::{Limit, ParseNumberError};
 use boundfit_lp::PuiEnd;
 use thiserror::Error;
 

@@ -4,8 +4,8 @@ use boundfit_estimation::{
     Columns, Condition, EpsilonColumn, Keep, Measurements, ParseConditionError, ParseConditionErrorKind,
     Problem,
 };
-use boundfit_exact::{Limits, Rational, Reading};
-use boundfit_formats::{Header, Limit, RowRange, ScanOptions, SizeLimits, Source, TableOptions};
+use boundfit_exact::{Limit, Limits, Rational, Reading};
+use boundfit_formats::{Header, RowRange, ScanOptions, SizeLimits, Source, TableOptions};
 use boundfit_report::{Origin, Style};
 use clap::ValueEnum;
 

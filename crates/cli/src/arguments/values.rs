@@ -1,7 +1,7 @@
 //! The values of options that are more than a text or a number.
 
-use boundfit_exact::{Limits, ParseNumberError, Rational, Reading};
-use boundfit_formats::{ColumnSelector, Limit, RowRange};
+use boundfit_exact::{Limit, Limits, ParseNumberError, Rational, Reading};
+use boundfit_formats::{ColumnSelector, RowRange};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::exit::Failure;

@@ -1,7 +1,7 @@
 //! `boundfit verify`.
 
 use boundfit_check::nested_beyond;
-use boundfit_formats::Limit;
+use boundfit_exact::Limit;
 use boundfit_report::{verify_json, verify_text};
 use boundfit_verify::{Falsehood, Proof};
 use serde_json::Value;

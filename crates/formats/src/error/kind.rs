@@ -2,11 +2,10 @@
 
 use std::io;
 
-use boundfit_exact::ParseNumberError;
 use boundfit_exact::english::counted;
+use boundfit_exact::{Limit, ParseNumberError};
 use thiserror::Error;
 
-use crate::limits::Limit;
 use crate::reduction::record::ReductionError;
 
 use super::quote::quote;

@@ -1,0 +1,54 @@
+//! What an input may pass, and who raises it.
+
+use crate::ParseNumberErrorKind;
+
+/// A limit that an input can pass.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Limit {
+    /// [`Limits::digits`](crate::Limits::digits).
+    Digits,
+    /// [`Limits::exponent`](crate::Limits::exponent).
+    Exponent,
+    /// Bytes of one line.
+    Line,
+    /// Columns of a table of text.
+    Columns,
+    /// Rows that a size line may announce.
+    Rows,
+    /// Elements of one array of a `.mat` file.
+    Elements,
+    /// How deep arrays and objects of JSON may be nested.
+    Nesting,
+}
+
+impl Limit {
+    /// The limit that a number passes; `None` where something else is wrong with it.
+    ///
+    /// ```
+    /// use boundfit_exact::{Limit, Limits, Reading};
+    ///
+    /// let refused = Reading::Decimal.read("1e999999999", &Limits::default()).unwrap_err();
+    /// assert_eq!(Limit::of_number(&refused.kind), Some(Limit::Exponent));
+    /// assert_eq!(Limit::Exponent.flag(), "--max-exponent");
+    /// ```
+    pub fn of_number(kind: &ParseNumberErrorKind) -> Option<Self> {
+        match kind {
+            ParseNumberErrorKind::TooManyDigits(_) => Some(Limit::Digits),
+            ParseNumberErrorKind::ExponentTooLarge(_) => Some(Limit::Exponent),
+            _ => None,
+        }
+    }
+
+    /// The program's option that raises it.
+    pub fn flag(self) -> &'static str {
+        match self {
+            Limit::Digits => "--max-digits",
+            Limit::Exponent => "--max-exponent",
+            Limit::Line => "--max-line",
+            Limit::Columns => "--max-columns",
+            Limit::Rows => "--max-rows",
+            Limit::Elements => "--max-elements",
+            Limit::Nesting => "--max-nesting",
+        }
+    }
+}
