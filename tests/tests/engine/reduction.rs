@@ -6,10 +6,10 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use boundfit_estimation::{
-    BoundName, Columns, Condition, EpsilonColumn, Fit, Keep, Measurements, ParameterBound, Problem,
-    ReducedColumns, ReducedTable, fit,
+    BoundName, Columns, Condition, EpsilonColumn, ErrorBound, Fit, Keep, Measurement, Measurements, Model,
+    ParameterBound, Problem, ReducedColumns, ReducedTable, fit,
 };
-use boundfit_exact::{Rational, Reading};
+use boundfit_exact::{Column, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Progress, ScanOptions, Source, TableOptions};
 use boundfit_geometry::RegionKind;
 use boundfit_tests::generate::seeded;
@@ -98,6 +98,20 @@ impl Case {
             .unwrap()
     }
 
+    /// The same readings from columns in memory, of which only those that support a hull are kept.
+    fn in_memory(&self, all: &Measurements) -> Measurements {
+        let numbers = |number: fn(&Measurement) -> &Rational| all.kept().iter().map(number);
+        let column = |number: fn(&Measurement) -> &Rational| match self.reading {
+            Reading::Decimal => numbers(number).cloned().collect(),
+            Reading::Binary64 => Column::Doubles(numbers(number).map(Rational::to_f64).collect()),
+        };
+        let columns = [column(|row| &row.regressor[0]), column(|row| &row.response)];
+        let (model, response, bound) =
+            (all.model().clone(), all.response().to_owned(), all.error_bound().clone());
+        let keep = Keep { most_rows: 0, ..Keep::default() };
+        Measurements::of_columns(model, response, bound, &columns, keep).unwrap()
+    }
+
     fn reduced(&self, path: &Path, chunk_bytes: usize) -> String {
         let columns = ReducedColumns {
             x: ColumnSelector::name_or_number("x"),
@@ -182,6 +196,9 @@ fn a_scan_gives_the_fit_of_all_readings_for_any_parts_and_threads() {
         }
         kinds.push(whole.1.fps.polyhedron().region().kind());
         let expected = essence(&whole, &|row| row);
+        let in_memory = case.fitted(case.in_memory(&whole.0.measurements));
+        assert_eq!(essence(&in_memory, &|row| row), expected, "case {case_number}: {:?}", case.rows);
+        assert_eq!(in_memory.1.eui(), whole.1.eui(), "case {case_number}: {:?}", case.rows);
         for (chunk_bytes, pool) in [1, 7, 4096].into_iter().zip(&pools) {
             // The x in memory, and the file read a second time.
             for most_bytes in [None, Some(0)] {
@@ -319,5 +336,29 @@ fn reductions_of_parts_put_together_and_reduced_are_the_reduction_of_the_whole()
         let area = |fit: &Fit| fit.fps.polyhedron().region().area();
         assert_eq!(area(&from_parts.1), area(&whole.1), "case {case_number}");
         assert!(reduced.1.eui().is_none());
+    }
+}
+
+#[test]
+fn columns_that_are_not_those_of_a_model_are_refused() {
+    let column = |numbers: &[i64]| numbers.iter().map(|&number| Rational::from(number)).collect::<Column>();
+    let of = |bound: ErrorBound, columns: &[Column]| {
+        let model = Model::Line { x: "x".to_owned() };
+        let refused = Measurements::of_columns(model, "y".to_owned(), bound, columns, Keep::default());
+        refused.map(|measurements| measurements.fitted()).map_err(|error| error.to_string())
+    };
+    let (uniform, per_row) =
+        (|bound: i64| ErrorBound::Uniform(bound.into()), ErrorBound::PerRow("e".to_owned()));
+    let (two, three) = (column(&[1, 2]), column(&[1, 2, -3]));
+    assert_eq!(of(uniform(1), &[two.clone(), two.clone()]), Ok(2));
+    assert_eq!(of(per_row.clone(), &[two.clone(), two.clone(), two.clone()]), Ok(2));
+    for (bound, columns, expected) in [
+        (uniform(1), vec![two.clone()], "the model has 2 columns, not 1"),
+        (per_row.clone(), vec![two.clone(), two.clone()], "the model has 3 columns, not 2"),
+        (uniform(1), vec![two, three.clone()], "column 2 has 3 numbers, not 2 like the first"),
+        (per_row, vec![three.clone(); 3], "row 3 has a negative error bound"),
+        (uniform(-1), vec![three; 2], "the error bound is negative"),
+    ] {
+        assert_eq!(of(bound, &columns), Err(expected.to_owned()));
     }
 }

@@ -31,10 +31,13 @@ pub enum ColumnsError {
         /// How many this one has.
         found: usize,
     },
-    /// An error bound is negative.
+    /// The error bound of all readings is negative.
+    #[error("the error bound is negative")]
+    NegativeErrorBound,
+    /// The error bound of a reading is negative.
     #[error("row {row} has a negative error bound")]
-    NegativeErrorBound {
-        /// The first such row, from 1; 0 for a bound that all readings share.
+    NegativeErrorBoundOf {
+        /// The first such row, from 1.
         row: usize,
     },
 }
@@ -109,9 +112,12 @@ fn check(meaning: &Meaning, columns: &[Column]) -> Result<(), ColumnsError> {
     if let Some(index) = columns.iter().position(|column| column.len() != expected) {
         return Err(ColumnsError::Length { column: index + 1, expected, found: columns[index].len() });
     }
-    let negative = match &meaning.error_bound {
-        ErrorBound::Uniform(epsilon) => epsilon.is_negative().then_some(0),
-        ErrorBound::PerRow(_) => columns[found - 1].first_negative().map(|index| index + 1),
-    };
-    negative.map_or(Ok(()), |row| Err(ColumnsError::NegativeErrorBound { row }))
+    match &meaning.error_bound {
+        ErrorBound::Uniform(epsilon) if epsilon.is_negative() => Err(ColumnsError::NegativeErrorBound),
+        ErrorBound::Uniform(_) => Ok(()),
+        ErrorBound::PerRow(_) => match columns[found - 1].first_negative() {
+            Some(index) => Err(ColumnsError::NegativeErrorBoundOf { row: index + 1 }),
+            None => Ok(()),
+        },
+    }
 }

@@ -128,23 +128,8 @@ impl<I: Count> Scaled<I> {
 
     /// Adds so many units of any kind. Afterwards the numbers are on the finer unit, or, when they would become too large,
     /// without the new one: `None`.
+    #[inline]
     pub(super) fn push(&mut self, count: i128, unit: Unit) -> Option<()> {
-        self.append([count], unit)
-    }
-
-    /// Adds several like [`Scaled::push`]: all of them or none.
-    pub(super) fn append(&mut self, counts: impl IntoIterator<Item = i128>, unit: Unit) -> Option<()> {
-        let before = self.counts.len();
-        for count in counts {
-            if self.push_one(count, unit).is_none() {
-                self.counts.truncate(before);
-                return None;
-            }
-        }
-        Some(())
-    }
-
-    fn push_one(&mut self, count: i128, unit: Unit) -> Option<()> {
         let count = I::new(count)?;
         let factor = match unit.counted_in(self.unit) {
             Some(factor) => factor,
@@ -156,6 +141,18 @@ impl<I: Count> Scaled<I> {
             }
         };
         self.counts.push(count.times(I::new(factor)?)?);
+        Some(())
+    }
+
+    /// Adds several like [`Scaled::push`]: all of them or none.
+    pub(super) fn append(&mut self, counts: impl IntoIterator<Item = i128>, unit: Unit) -> Option<()> {
+        let before = self.counts.len();
+        for count in counts {
+            if self.push(count, unit).is_none() {
+                self.counts.truncate(before);
+                return None;
+            }
+        }
         Some(())
     }
 

@@ -31,6 +31,7 @@ impl Unit {
     }
 
     /// How many units of another kind make one of these; `None` unless that is an integer of 128 bits.
+    #[inline]
     pub fn counted_in(self, finer: Unit) -> Option<i128> {
         match (self, finer) {
             (Unit::Any, _) => Some(1),
@@ -66,6 +67,7 @@ impl Unit {
 
 /// `10^exponent`, if it is an integer of 128 bits. From a table: rows whose numbers have different numbers of digits ask
 /// for it once for each of these.
+#[inline]
 fn power_of_ten(exponent: i32) -> Option<i128> {
     const POWERS: [i128; 39] = {
         let mut powers = [1; 39];
