@@ -3,7 +3,7 @@
 use boundfit_estimation::{
     BoundName, Condition, ErrorBound, FitBounds, Fps, GrowingInequality, LeastGrowth, Measurement,
     ParameterBound, Problem, Section, SectionBoundary, SectionVertex, conditions_by_name, fit_bounds,
-    least_growth, strip,
+    least_growth,
 };
 use boundfit_exact::{Endpoint, Integer, Interval, Rational};
 use boundfit_geometry::{
@@ -11,7 +11,7 @@ use boundfit_geometry::{
     inverse_line_image,
 };
 
-use crate::readings::{parse_condition, rebuilt};
+use crate::readings::{parse_condition, rebuilt, y_and_epsilon};
 
 /// The least error bound, a minimiser and whether it is the only one, from all half-planes by cutting planes; `None` when no
 /// bound leaves anything.
@@ -20,11 +20,11 @@ pub fn least_bound(problem: &Problem) -> Option<(Rational, [Rational; 2], bool)>
         |growth: &Rational, at_zero: Inequality| GrowingInequality { at_zero, growth: growth.clone() };
     let (zero, one) = (Rational::zero(), Rational::one());
     let readings = problem.measurements.kept().iter().flat_map(|row| {
-        let growth = match problem.measurements.error_bound() {
-            ErrorBound::Uniform(_) => &one,
-            ErrorBound::PerRow(_) => &row.epsilon,
-        };
-        strip(row, &zero).map(|(_, at_zero)| growing(growth, at_zero))
+        let (y, epsilon) = y_and_epsilon(row);
+        let growth = if problem.measurements.error_bound().is_uniform() { &one } else { epsilon };
+        let [u, v] = &row.regressor;
+        let strip = [Inequality::new(u.clone(), v.clone(), y.clone()), Inequality::new(-u, -v, -y)];
+        strip.map(|at_zero| growing(growth, at_zero))
     });
     let conditions =
         conditions_by_name(&problem.conditions).map(|(_, inequality)| growing(&zero, inequality));
@@ -117,14 +117,13 @@ pub fn section(fps: &Fps) -> Section {
 /// Every parameter is then that many times as large. With a factor of 2⁸⁰ or more no column of responses other than zeros
 /// fits into machine integers.
 pub fn in_unit(problem: &Problem, factor: &Rational) -> Problem {
-    let scaled = |row: &Measurement| Measurement {
-        response: &row.response * factor,
-        epsilon: &row.epsilon * factor,
-        ..row.clone()
+    let scaled = |row: &Measurement| {
+        let (y, epsilon) = y_and_epsilon(row);
+        Measurement::around(row.row, row.regressor.clone(), y * factor, epsilon * factor)
     };
     let error_bound = match problem.measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => ErrorBound::Uniform(epsilon * factor),
-        per_row @ ErrorBound::PerRow(_) => per_row.clone(),
+        per_row => per_row.clone(),
     };
     let rows = problem.measurements.kept().iter().map(scaled).collect();
     let condition = |condition: &Condition| {
@@ -161,7 +160,7 @@ pub fn answer(problem: &Problem, fit: &FitBounds, unit: &Rational) -> Answer {
     // Error bounds per reading have a least factor, in no unit, and multipliers that add them up to 1.
     let (least_unit, multiplier_unit) = match problem.measurements.error_bound() {
         ErrorBound::Uniform(_) => (unit.clone(), Rational::one()),
-        ErrorBound::PerRow(_) => (Rational::one(), unit.clone()),
+        _ => (Rational::one(), unit.clone()),
     };
     let over = |value: &Rational| value.checked_div(unit).expect("a unit that is not zero");
     let both = |values: &[Rational; 2]| values.each_ref().map(over);

@@ -91,11 +91,8 @@ pub fn times(row: &Row, factor: &Rational) -> Row {
 
 /// A line fit under one error bound.
 pub fn line_problem(readings: &[(Rational, Rational)], epsilon: &Rational) -> Problem {
-    let rows = readings.iter().zip(1..).map(|((x, y), row)| Measurement {
-        row,
-        regressor: [x.clone(), Rational::one()],
-        response: y.clone(),
-        epsilon: epsilon.clone(),
+    let rows = readings.iter().zip(1..).map(|((x, y), row)| {
+        Measurement::around(row, [x.clone(), Rational::one()], y.clone(), epsilon.clone())
     });
     let model = Model::Line { x: "x".to_owned() };
     let bound = ErrorBound::Uniform(epsilon.clone());

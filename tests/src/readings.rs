@@ -1,7 +1,7 @@
 //! Generated readings, the same on every run.
 
 use boundfit_estimation::{
-    Condition, ErrorBound, LeastSquares, Measurement, Measurements, Model, Problem, SingularRegressors,
+    Bounds, Condition, ErrorBound, LeastSquares, Measurement, Measurements, Model, NoLeastSquares, Problem,
 };
 use boundfit_exact::{Interval, Limits, Rational, Reading};
 use rand::RngExt;
@@ -34,7 +34,7 @@ pub fn problem(rng: &mut ChaCha8Rng) -> Problem {
         let noise = Rational::ratio(rng.random_range(-10..=10), 8);
         let response = &slope * &regressor[0] + &regressor[1] * Rational::from(2) + noise;
         let epsilon = if uniform { epsilon.clone() } else { Rational::ratio(rng.random_range(0..=16), 8) };
-        rows.push(Measurement { row, regressor, response, epsilon });
+        rows.push(Measurement::around(row, regressor, response, epsilon));
     }
     let model = if line {
         Model::Line { x: "x".to_owned() }
@@ -69,11 +69,19 @@ pub fn with_rows(problem: &Problem, rows: Vec<Measurement>) -> Problem {
 /// The problem with its error bounds multiplied (per row) or replaced (uniform).
 pub fn with_error_bound(problem: &Problem, bound: &Rational) -> Problem {
     let old = &problem.measurements;
-    let uniform = matches!(old.error_bound(), ErrorBound::Uniform(_));
-    let epsilon = |row: &Measurement| if uniform { bound.clone() } else { &row.epsilon * bound };
-    let rows = old.kept().iter().map(|row| Measurement { epsilon: epsilon(row), ..row.clone() }).collect();
+    let uniform = old.error_bound().is_uniform();
+    let epsilon = |row: &Measurement| if uniform { bound.clone() } else { y_and_epsilon(row).1 * bound };
+    let rows = old.kept().iter().map(|row| row.clone().within(epsilon(row))).collect();
     let error_bound = if uniform { ErrorBound::Uniform(bound.clone()) } else { old.error_bound().clone() };
     rebuilt(problem, rows, error_bound)
+}
+
+/// y and ε of a reading that is bounded by them.
+pub fn y_and_epsilon(row: &Measurement) -> (&Rational, &Rational) {
+    let Bounds::Around { response, epsilon } = &row.bounds else {
+        panic!("row {} has other bounds", row.row)
+    };
+    (response, epsilon)
 }
 
 /// The problem with other rows and error bounds.
@@ -84,7 +92,7 @@ pub fn rebuilt(problem: &Problem, rows: Vec<Measurement>, error_bound: ErrorBoun
 }
 
 /// Least squares and EUI by their definitions, θ̂ = A·y with A = (ΦᵀΦ)⁻¹Φᵀ and Σ_k |A_jk|·ε_k, one fraction after the other.
-pub fn naive_least_squares(measurements: &Measurements) -> Result<LeastSquares, SingularRegressors> {
+pub fn naive_least_squares(measurements: &Measurements) -> Result<LeastSquares, NoLeastSquares> {
     let rows = measurements.all().expect("every reading is kept");
     let gram = |i: usize, j: usize| -> Rational {
         rows.iter().map(|row| &row.regressor[i] * &row.regressor[j]).sum()
@@ -93,17 +101,18 @@ pub fn naive_least_squares(measurements: &Measurements) -> Result<LeastSquares, 
     let determinant = &g11 * &g22 - &g12 * &g12;
     let weights = |j: usize, Measurement { regressor: [u, v], .. }: &Measurement| {
         let numerator = if j == 0 { &g22 * u - &g12 * v } else { &g11 * v - &g12 * u };
-        numerator.checked_div(&determinant).ok_or(SingularRegressors)
+        numerator.checked_div(&determinant).ok_or(NoLeastSquares::Singular)
     };
     let part = |j: usize| {
         let (mut theta, mut radius) = (Rational::zero(), Rational::zero());
         for row in rows {
             let weight = weights(j, row)?;
-            theta = theta + &weight * &row.response;
-            radius = radius + weight.abs() * &row.epsilon;
+            let (response, epsilon) = y_and_epsilon(row);
+            theta = theta + &weight * response;
+            radius = radius + weight.abs() * epsilon;
         }
         let eui = Interval::around(&theta, &radius).expect("a radius is not negative");
-        if rows.is_empty() { Err(SingularRegressors) } else { Ok((theta, eui)) }
+        if rows.is_empty() { Err(NoLeastSquares::Singular) } else { Ok((theta, eui)) }
     };
     let ((theta1, eui1), (theta2, eui2)) = (part(0)?, part(1)?);
     Ok(LeastSquares { theta: [theta1, theta2], eui: Ok([eui1, eui2]) })
@@ -133,12 +142,9 @@ pub fn parabola(count: i64) -> Problem {
 
 /// Readings of a line under a uniform error bound.
 pub fn line(points: impl IntoIterator<Item = (Rational, Rational)>, epsilon: Rational) -> Problem {
-    let rows = (1..).zip(points).map(|(row, (x, response))| Measurement {
-        row,
-        regressor: [x, Rational::one()],
-        response,
-        epsilon: epsilon.clone(),
-    });
+    let rows = (1..)
+        .zip(points)
+        .map(|(row, (x, y))| Measurement::around(row, [x, Rational::one()], y, epsilon.clone()));
     let model = Model::Line { x: "x".to_owned() };
     let measurements =
         Measurements::new(model, "y".to_owned(), ErrorBound::Uniform(epsilon.clone()), rows.collect());

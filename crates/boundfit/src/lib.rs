@@ -105,7 +105,7 @@ pub mod verify;
 
 pub use boundfit_estimation::{
     BoundName, Central, Condition, ErrorBound, Fit, Fps, Inverse, InverseParameter, LeastSquares, Minimax,
-    ParameterBound, ParameterInterval, ParseConditionError, Problem, SingularRegressors,
+    NoLeastSquares, ParameterBound, ParameterInterval, ParseConditionError, Problem,
 };
 pub use boundfit_exact::{Endpoint, Integer, Interval, ParseNumberError, Rational, Rounding};
 pub use boundfit_geometry::{

@@ -127,7 +127,7 @@ impl Observations {
     fn problem(self, error_bound: ErrorBound, epsilons: Vec<Rational>) -> Problem {
         let parts = self.regressors.into_iter().zip(self.responses).zip(epsilons);
         let measurement =
-            |(row, ((regressor, response), epsilon))| Measurement { row, regressor, response, epsilon };
+            |(row, ((regressor, response), epsilon))| Measurement::around(row, regressor, response, epsilon);
         let rows = (1..).zip(parts).map(measurement).collect();
         Problem::new(Measurements::new(self.model, "y".to_owned(), error_bound, rows))
     }

@@ -1,6 +1,8 @@
 //! A fit's half-planes as the rows of linear programs.
 
-use boundfit_estimation::{BoundName, Problem, conditions_by_name, strip};
+use std::borrow::Cow;
+
+use boundfit_estimation::{BoundName, Problem, conditions_by_name, half_planes};
 use boundfit_exact::Rational;
 use boundfit_geometry::Inequality;
 use boundfit_lp::{FloatProgram, Program, RefereeRow, Row};
@@ -17,12 +19,12 @@ impl ProgramRows {
     pub fn new(problem: &Problem) -> Self {
         let row = |(name, Inequality { a, b }), epsilon| (name, RefereeRow { row: Row { a, b }, epsilon });
         let readings = problem.measurements.kept().iter();
-        let (upper, lower): (Vec<_>, Vec<_>) = readings
-            .map(|reading| {
-                let [upper, lower] = strip(reading, &reading.epsilon);
-                (row(upper, Some(reading.epsilon.clone())), row(lower, Some(reading.epsilon.clone())))
-            })
-            .unzip();
+        let bounds = readings.flat_map(|reading| {
+            let epsilon = reading.half_width().map(Cow::into_owned);
+            half_planes(reading).map(move |bound| row(bound, epsilon.clone()))
+        });
+        let (upper, lower): (Vec<_>, Vec<_>) =
+            bounds.partition(|(name, _)| matches!(name, BoundName::Upper(_)));
         let conditions = conditions_by_name(&problem.conditions).map(|condition| row(condition, None));
         let (names, rows) = upper.into_iter().chain(lower).chain(conditions).unzip();
         ProgramRows { rows, names }

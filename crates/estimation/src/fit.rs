@@ -8,7 +8,7 @@ use crate::fps::{BoundName, Fps, every_half_plane};
 use crate::grid::Grid;
 use crate::hulls::Extremes;
 use crate::inverse::Inverse;
-use crate::least_squares::{LeastSquares, SingularRegressors};
+use crate::least_squares::{LeastSquares, NoLeastSquares};
 use crate::measurements::{ErrorBound, Model};
 use crate::minimax::Minimax;
 use crate::problem::Problem;
@@ -17,7 +17,7 @@ use crate::problem::Problem;
 #[derive(Debug, Clone)]
 pub struct Fit {
     /// The least-squares estimate with its EUI.
-    pub least_squares: Result<LeastSquares, SingularRegressors>,
+    pub least_squares: Result<LeastSquares, NoLeastSquares>,
     /// The feasible parameter set. Of a line under a uniform error bound it has the half-planes that can be active only;
     /// [`Fit::with_every_half_plane`] has all of them.
     pub fps: Fps,
@@ -35,7 +35,7 @@ pub struct Fit {
 #[derive(Debug, Clone)]
 pub struct FitBounds {
     /// As [`Fit::least_squares`].
-    pub least_squares: Result<LeastSquares, SingularRegressors>,
+    pub least_squares: Result<LeastSquares, NoLeastSquares>,
     /// As [`Fit::fps`].
     pub fps: Fps,
     /// As [`Fit::pui`].
@@ -155,13 +155,10 @@ impl Fit {
     /// are never active the FPS has. Exact.
     pub fn contradiction(&self, error_bound: &ErrorBound) -> Option<Vec<(BoundName, Rational)>> {
         let certificate = self.fps.polyhedron().region().certificate()?;
-        let in_use = match error_bound {
-            ErrorBound::Uniform(epsilon) => epsilon.clone(),
-            ErrorBound::PerRow(_) => Rational::one(),
-        };
+        let in_use = error_bound.uniform().cloned().unwrap_or_else(Rational::one);
         match &self.minimax {
             Some(minimax) if minimax.least > in_use => Some(minimax.proof.multipliers.clone()),
-            None if matches!(error_bound, ErrorBound::Uniform(_)) => self.contradiction_of_conditions(),
+            None if error_bound.is_uniform() => self.contradiction_of_conditions(),
             _ => Some(
                 certificate.multipliers().iter().map(|m| (self.fps.name(m.index), m.value.clone())).collect(),
             ),

@@ -39,7 +39,7 @@ impl FloatLeastSquares {
     /// Computes both estimates. Rounded; the distances are exact. Cost: linear in the number of readings.
     pub fn new(rows: &[Measurement], exact: &[Rational; 2]) -> Self {
         let phi = DMatrix::from_fn(rows.len(), 2, |row, column| rows[row].regressor[column].to_f64());
-        let y = DVector::from_fn(rows.len(), |row, _| rows[row].response.to_f64());
+        let y = DVector::from_fn(rows.len(), |row, _| rows[row].value().unwrap_or_default().to_f64());
         // An infinity would keep the iterative decomposition going for ever.
         if phi.iter().chain(y.iter()).any(|value| !value.is_finite()) {
             return FloatLeastSquares { qr: None, pseudo_inverse: None };

@@ -1,21 +1,24 @@
 //! The feasible parameter set: the intersection of the 2N half-planes of the readings with the conditions.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::fmt;
+use std::ops::Range;
 
 use boundfit_exact::Rational;
 use boundfit_geometry::{Inequality, Polyhedron, System};
 
 use crate::condition::Condition;
 use crate::hulls::Extremes;
+use crate::least_growth::GrowingInequality;
 use crate::measurements::{Measurement, Measurements};
 
 /// The name of one half-plane of an FPS.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum BoundName {
-    /// φ·θ ≤ y + ε of this data row.
+    /// φ·θ ≤ y + ε, or the upper bound, of this data row.
     Upper(usize),
-    /// φ·θ ≥ y - ε of this data row.
+    /// φ·θ ≥ y - ε, or the lower bound, of this data row.
     Lower(usize),
     /// The condition with this number, from 1.
     Where(usize),
@@ -98,12 +101,12 @@ impl Fps {
         };
         for touching in &extremes.touching {
             let measurement = &measurements.kept()[touching.position];
-            if touching.lower {
-                add(upper_bound(measurement, &measurement.epsilon));
-            }
-            if touching.upper {
-                add(lower_bound(measurement, &measurement.epsilon));
-            }
+            let bounds = half_planes(measurement).filter(|(name, _)| match name {
+                BoundName::Upper(_) => touching.lower,
+                BoundName::Lower(_) => touching.upper,
+                BoundName::Where(_) => false,
+            });
+            bounds.for_each(&mut add);
         }
         conditions_by_name(conditions).for_each(add);
         Fps { polyhedron: Polyhedron::intersect(System::new(inequalities)), names }
@@ -128,16 +131,22 @@ impl Fps {
     }
 }
 
-/// Where the upper and the lower bound of the reading at a position are among the half-planes of
-/// [`Fps::of_every_half_plane`]; the conditions come after those of all readings.
-pub fn bounds_of_reading(position: usize) -> [usize; 2] {
-    [2 * position, 2 * position + 1]
+/// Where the bounds of the reading at a position are among the half-planes of [`Fps::of_every_half_plane`], the upper one
+/// first; the conditions come after those of all readings. Cost: linear in the position.
+///
+/// # Panics
+/// When there are fewer readings than that.
+pub fn bounds_of_reading(rows: &[Measurement], position: usize) -> Range<usize> {
+    let start = rows[..position].iter().map(|row| half_planes(row).count()).sum();
+    start..start + half_planes(&rows[position]).count()
 }
 
-/// The position of the reading that a half-plane of [`Fps::of_every_half_plane`] is a bound of; beyond all readings for a
-/// condition.
-pub fn reading_of_bound(half_plane: usize) -> usize {
-    half_plane / 2
+/// The position of the reading that a half-plane of [`Fps::of_every_half_plane`] is a bound of; `None` for a condition.
+/// Cost: linear.
+pub fn reading_of_bound(rows: &[Measurement], half_plane: usize) -> Option<usize> {
+    let mut positions =
+        rows.iter().enumerate().flat_map(|(position, row)| half_planes(row).map(move |_| position));
+    positions.nth(half_plane)
 }
 
 /// All half-planes of readings and conditions, with their names.
@@ -145,29 +154,43 @@ pub(crate) fn every_half_plane(
     measurements: &Measurements,
     conditions: &[Condition],
 ) -> (Vec<BoundName>, System) {
-    let (names, inequalities): (Vec<BoundName>, Vec<Inequality>) = measurements
-        .kept()
-        .iter()
-        .flat_map(|measurement| strip(measurement, &measurement.epsilon))
-        .chain(conditions_by_name(conditions))
-        .unzip();
+    let (names, inequalities): (Vec<BoundName>, Vec<Inequality>) =
+        measurements.kept().iter().flat_map(half_planes).chain(conditions_by_name(conditions)).unzip();
     (names, System::new(inequalities))
 }
 
-/// The two half-planes of a reading with an error bound, the upper bound first: the strip of all θ whose line passes that
-/// close. This is the model, row by row; whoever needs its half-planes takes them from here. Exact.
-pub fn strip(measurement: &Measurement, epsilon: &Rational) -> [(BoundName, Inequality); 2] {
-    [upper_bound(measurement, epsilon), lower_bound(measurement, epsilon)]
+/// The half-planes of a reading, its upper bound first; the one of a bound that is not there is left out. This is the model,
+/// row by row; whoever needs its half-planes takes them from here. Exact.
+pub fn half_planes(measurement: &Measurement) -> impl Iterator<Item = (BoundName, Inequality)> {
+    [upper(measurement, measurement.upper()), lower(measurement, measurement.lower())].into_iter().flatten()
 }
 
-fn upper_bound(measurement: &Measurement, epsilon: &Rational) -> (BoundName, Inequality) {
-    let Measurement { row, regressor: [phi1, phi2], response, .. } = measurement;
-    (BoundName::Upper(*row), Inequality::new(phi1.clone(), phi2.clone(), response + epsilon))
+/// The half-planes of a reading as they move with a factor on its error bound: at factor 0, and how fast the right-hand side
+/// grows. A reading with both bounds grows about their middle by half of their distance; one with a single bound, or with
+/// bounds that cross or coincide, says the same at every factor. Exact.
+pub fn growing_half_planes(
+    measurement: &Measurement,
+) -> impl Iterator<Item = (BoundName, GrowingInequality)> {
+    let growth = measurement.half_width().filter(|half_width| !half_width.is_negative());
+    let at_zero = match &growth {
+        Some(_) => [measurement.middle(), measurement.middle()].map(|middle| middle.map(Cow::into_owned)),
+        None => [measurement.upper(), measurement.lower()],
+    };
+    let growth = growth.map_or_else(Rational::zero, Cow::into_owned);
+    let [at_most, at_least] = at_zero;
+    let bounds = [upper(measurement, at_most), lower(measurement, at_least)];
+    let moving = move |(name, at_zero)| (name, GrowingInequality { at_zero, growth: growth.clone() });
+    bounds.into_iter().flatten().map(moving)
 }
 
-fn lower_bound(measurement: &Measurement, epsilon: &Rational) -> (BoundName, Inequality) {
-    let Measurement { row, regressor: [phi1, phi2], response, .. } = measurement;
-    (BoundName::Lower(*row), Inequality::new(-phi1, -phi2, epsilon - response))
+fn upper(measurement: &Measurement, bound: Option<Rational>) -> Option<(BoundName, Inequality)> {
+    let Measurement { row, regressor: [phi1, phi2], .. } = measurement;
+    Some((BoundName::Upper(*row), Inequality::new(phi1.clone(), phi2.clone(), bound?)))
+}
+
+fn lower(measurement: &Measurement, bound: Option<Rational>) -> Option<(BoundName, Inequality)> {
+    let Measurement { row, regressor: [phi1, phi2], .. } = measurement;
+    Some((BoundName::Lower(*row), Inequality::new(-phi1, -phi2, -bound?)))
 }
 
 /// The conditions as named inequalities, numbered from 1.

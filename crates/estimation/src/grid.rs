@@ -15,18 +15,23 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// The readings as integers; `None` when a column does not fit. Cost: linear.
+    /// The readings as integers; `None` when a column does not fit, or a reading does not say how far from y it may be.
+    /// Cost: linear.
     pub(crate) fn new(measurements: &Measurements) -> Option<Self> {
         let rows = measurements.kept();
         let of = |number: fn(&Measurement) -> &Rational| Scaled::of_numbers(rows.iter().map(number));
+        if !measurements.is_around_y() {
+            return None;
+        }
         let phi2 = match measurements.model() {
             Model::Line { .. } => None,
             Model::TwoRegressors { .. } => Some(of(|row| &row.regressor[1])?),
         };
         let epsilon = match measurements.error_bound() {
             ErrorBound::Uniform(_) => None,
-            ErrorBound::PerRow(_) => Some(of(|row| &row.epsilon)?),
+            ErrorBound::PerRow(_) | ErrorBound::Interval { .. } => Some(of(|row| row.y_and_epsilon().1)?),
         };
-        Some(Grid { phi1: of(|row| &row.regressor[0])?, phi2, response: of(|row| &row.response)?, epsilon })
+        let response = of(|row| row.y_and_epsilon().0)?;
+        Some(Grid { phi1: of(|row| &row.regressor[0])?, phi2, response, epsilon })
     }
 }

@@ -78,7 +78,7 @@ impl Extremes {
     /// For numbers of any size.
     pub(crate) fn in_general(rows: &[Measurement]) -> Self {
         let at = |(position, row): (usize, &Measurement)| {
-            let point = Point::new(&row.regressor[0], &row.response);
+            let point = Point::new(&row.regressor[0], row.y_and_epsilon().0);
             ExactPlace { point, position }
         };
         let mut points: Vec<ExactPlace> = rows.iter().enumerate().map(at).collect();
@@ -113,7 +113,7 @@ impl Extremes {
 /// Cost: O(N log N).
 pub(crate) fn touching_a_hull(rows: &[Measurement]) -> Vec<usize> {
     let columns = Scaled::of_numbers(rows.iter().map(|row| &row.regressor[0]))
-        .zip(Scaled::of_numbers(rows.iter().map(|row| &row.response)));
+        .zip(Scaled::of_numbers(rows.iter().map(|row| row.y_and_epsilon().0)));
     let extremes = columns.map_or_else(|| Extremes::in_general(rows), |(x, y)| Extremes::of_columns(&x, &y));
     extremes.touching.iter().map(|touching| touching.position).collect()
 }
@@ -228,8 +228,8 @@ impl Gap {
     pub(crate) fn minimum(&self, rows: &[Measurement]) -> HullMinimum {
         let Gap { corner, edge: [left, right], corner_is_lower } = *self;
         let place = |position: usize| {
-            let Measurement { regressor: [x, _], response, .. } = &rows[position];
-            (x, response)
+            let row = &rows[position];
+            (&row.regressor[0], row.y_and_epsilon().0)
         };
         let ((x, y), (left_x, left_y), (right_x, right_y)) = (place(corner), place(left), place(right));
         let run = right_x - left_x;

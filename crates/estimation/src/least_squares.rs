@@ -1,11 +1,13 @@
 //! Exact least squares and its uncertainty intervals.
 
+use std::borrow::Cow;
+
 use boundfit_exact::{Endpoint, Integer, Interval, Rational, Scaled, Sum, Unit};
 use boundfit_geometry::Direction;
 use thiserror::Error;
 
 use crate::grid::Grid;
-use crate::measurements::{ErrorBound, Measurement, Measurements, Readings};
+use crate::measurements::{Bounds, ErrorBound, Measurement, Measurements, Readings};
 use crate::moments::{Moments, Solution};
 use crate::summary::{NoEui, Reduction};
 
@@ -14,25 +16,33 @@ use crate::summary::{NoEui, Reduction};
 pub struct LeastSquares {
     /// θ̂.
     pub theta: [Rational; 2],
-    /// EUI_j = [θ̂_j ∓ Σ_k |A_jk|·ε_k] with A = (ΦᵀΦ)⁻¹Φᵀ: where θ̂_j would lie for any errors within their bounds.
+    /// EUI_j = [θ̂_j ∓ Σ_k |A_jk|·ε_k] with A = (ΦᵀΦ)⁻¹Φᵀ: where θ̂_j would lie for any errors within their bounds. Of readings
+    /// with two bounds of their own, where A_j·t lies for all t between these: the estimate from their middles ∓
+    /// Σ_k |A_jk|·w_k with half the widths w_k, whatever y is.
     ///
     /// It takes a second look at all readings; why there was none, otherwise.
     pub eui: Result<[Interval; 2], NoEui>,
 }
 
-/// ΦᵀΦ has no inverse: all regressors are multiples of one.
+/// Why there is no least-squares estimate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-#[error(
-    "the regressors are all parallel (for a line: fewer than two distinct x), so the normal equations are singular"
-)]
-pub struct SingularRegressors;
+pub enum NoLeastSquares {
+    /// ΦᵀΦ has no inverse: all regressors are multiples of one.
+    #[error(
+        "the regressors are all parallel (for a line: fewer than two distinct x), so the normal equations are singular"
+    )]
+    Singular,
+    /// A reading with neither y nor both bounds.
+    #[error("no column of y was given, and a reading with one bound only has no middle to take instead")]
+    NoResponse,
+}
 
 impl LeastSquares {
     /// Solves the normal equations. Exact. Cost: linear in the number of readings.
     ///
     /// # Errors
     /// When ΦᵀΦ is singular.
-    pub fn new(measurements: &Measurements) -> Result<Self, SingularRegressors> {
+    pub fn new(measurements: &Measurements) -> Result<Self, NoLeastSquares> {
         LeastSquares::with_grid(measurements, Grid::new(measurements).as_ref())
     }
 
@@ -40,7 +50,7 @@ impl LeastSquares {
     pub(crate) fn with_grid(
         measurements: &Measurements,
         grid: Option<&Grid>,
-    ) -> Result<Self, SingularRegressors> {
+    ) -> Result<Self, NoLeastSquares> {
         match measurements.readings() {
             Readings::Supporting { reduction, .. } => {
                 LeastSquares::of_reduction(reduction, measurements.error_bound())
@@ -52,36 +62,52 @@ impl LeastSquares {
     }
 
     /// From readings of any size.
-    fn of_rows(rows: &[Measurement]) -> Result<Self, SingularRegressors> {
-        let readings = rows.iter().map(|Measurement { regressor: [u, v], response, .. }| [u, v, response]);
-        LeastSquares::of_moments(&Moments::of_readings(readings), |moments| {
+    fn of_rows(rows: &[Measurement]) -> Result<Self, NoLeastSquares> {
+        let values = |number: fn(&Measurement) -> Option<Cow<'_, Rational>>| {
+            rows.iter().map(number).collect::<Option<Vec<_>>>()
+        };
+        let moments_of = |y: &[Cow<'_, Rational>]| {
+            let readings =
+                rows.iter().zip(y).map(|(Measurement { regressor: [u, v], .. }, y)| [u, v, y.as_ref()]);
+            Moments::of_readings(readings)
+        };
+        let y = values(Measurement::value).ok_or(NoLeastSquares::NoResponse)?;
+        let moments = moments_of(&y);
+        let widths = values(Measurement::half_width);
+        let reaches = |moments: &Moments<Rational>| {
+            let widths = widths.ok_or(NoEui::OneSided)?;
+            if widths.iter().any(|width| width.is_negative()) {
+                return Err(NoEui::Crossing);
+            }
             let Moments { uu, uv, vv, .. } = moments;
-            let reach = |p: &Rational, q: &Rational| {
-                // Only the sign of a weight matters, so p and q may be scaled to integers. They are not both 0.
-                let Some(scaled) = Direction::from_rational(&[p.clone(), q.clone()]) else {
-                    return Rational::zero();
-                };
-                let mut sums = [Sum::default(), Sum::default()];
-                for Measurement { regressor: [u, v], epsilon, .. } in rows {
-                    let weight = scaled.dx() * (u.numerator() * v.denominator())
-                        + scaled.dy() * (v.numerator() * u.denominator());
-                    let signed = if weight.is_negative() { -epsilon } else { epsilon.clone() };
-                    sums[0].add_product(u, &signed);
-                    sums[1].add_product(v, &signed);
-                }
-                p * sums[0].total() + q * sums[1].total()
-            };
-            Ok([reach(vv, &-uv), reach(&-uv, uu)])
-        })
+            Ok([reach_of(rows, &widths, vv, &-uv), reach_of(rows, &widths, &-uv, uu)])
+        };
+        let estimate = LeastSquares::of_moments(&moments, reaches)?;
+        if rows.iter().all(|row| matches!(row.bounds, Bounds::Around { .. })) || estimate.eui.is_err() {
+            return Ok(estimate);
+        }
+        // The EUI is about the middles of the bounds; the estimate itself takes y.
+        let middles = values(Measurement::middle).ok_or(NoLeastSquares::NoResponse)?;
+        let about_middles = LeastSquares::of_moments(&moments_of(&middles), |_| Err(NoEui::NotAsked))?.theta;
+        let shifted = |j: usize, eui: &Interval| {
+            let shift = &about_middles[j] - &estimate.theta[j];
+            let moved = |end: &Endpoint| Endpoint::from(end.value().map(|value| value + &shift));
+            Interval::new(moved(eui.lower()), moved(eui.upper())).ok_or(NoLeastSquares::Singular)
+        };
+        let eui = match &estimate.eui {
+            Ok([first, second]) => Ok([shifted(0, first)?, shifted(1, second)?]),
+            Err(reason) => Err(*reason),
+        };
+        Ok(LeastSquares { eui, ..estimate })
     }
 
     /// From the sums over the readings of a line, most of which are no longer there. Cost: constant.
-    fn of_reduction(reduction: &Reduction, error_bound: &ErrorBound) -> Result<Self, SingularRegressors> {
+    fn of_reduction(reduction: &Reduction, error_bound: &ErrorBound) -> Result<Self, NoLeastSquares> {
         let Reduction { sums, spread } = reduction;
         LeastSquares::of_moments(&sums.moments(), |_| match (spread, error_bound) {
             (Err(reason), _) => Err(*reason),
             // Bounds that differ from reading to reading have no spread.
-            (Ok(_), ErrorBound::PerRow(_)) => Err(NoEui::Reduced),
+            (Ok(_), ErrorBound::PerRow(_) | ErrorBound::Interval { .. }) => Err(NoEui::Reduced),
             (Ok(spread), ErrorBound::Uniform(epsilon)) => {
                 Ok(spread.absolute_weights(sums).map(|weight| weight * epsilon))
             }
@@ -93,12 +119,13 @@ impl LeastSquares {
     fn of_moments(
         moments: &Moments<Rational>,
         reaches: impl FnOnce(&Moments<Rational>) -> Result<[Rational; 2], NoEui>,
-    ) -> Result<Self, SingularRegressors> {
+    ) -> Result<Self, NoLeastSquares> {
         let Solution { numerators, determinant } = moments.solution();
-        let solved = |numerator: &Rational| numerator.checked_div(&determinant).ok_or(SingularRegressors);
+        let solved =
+            |numerator: &Rational| numerator.checked_div(&determinant).ok_or(NoLeastSquares::Singular);
         let theta = [solved(&numerators[0])?, solved(&numerators[1])?];
         let interval = |j: usize, reach: &Rational| {
-            Interval::around(&theta[j], &solved(reach)?).ok_or(SingularRegressors)
+            Interval::around(&theta[j], &solved(reach)?).ok_or(NoLeastSquares::Singular)
         };
         let eui = match reaches(moments) {
             Ok([first, second]) => Ok([interval(0, &first)?, interval(1, &second)?]),
@@ -108,13 +135,13 @@ impl LeastSquares {
     }
 
     /// From machine integers, with every fraction reduced once; `None` when a sum does not fit into 128 bits.
-    fn on_grid(grid: &Grid, error_bound: &ErrorBound) -> Option<Result<Self, SingularRegressors>> {
+    fn on_grid(grid: &Grid, error_bound: &ErrorBound) -> Option<Result<Self, NoLeastSquares>> {
         let second = grid.phi2.as_ref();
         let moments =
             Moments::of_integers(grid.phi1.counts(), second.map(Scaled::counts), grid.response.counts())?;
         let Solution { numerators, determinant } = moments.map(Integer::from).solution();
         if determinant.is_zero() {
-            return Some(Err(SingularRegressors));
+            return Some(Err(NoLeastSquares::Singular));
         }
         // With φ = Φ/s and y = Y/t, an estimate in the units of the grid is θ·t/s.
         let per_one = |column: Option<&Scaled<i64>>| {
@@ -125,7 +152,9 @@ impl LeastSquares {
         let response_scale = per_one(Some(&grid.response))?;
         let (epsilon, epsilon_scale) = match error_bound {
             ErrorBound::Uniform(epsilon) => (epsilon.numerator(), epsilon.denominator()),
-            ErrorBound::PerRow(_) => (Integer::one(), per_one(grid.epsilon.as_ref())?),
+            ErrorBound::PerRow(_) | ErrorBound::Interval { .. } => {
+                (Integer::one(), per_one(grid.epsilon.as_ref())?)
+            }
         };
         let Moments { uu, uv, vv, .. } = moments;
         let rows_of_adjugate = [(vv, -uv), (-uv, uu)];
@@ -142,6 +171,23 @@ impl LeastSquares {
         let ((theta1, eui1), (theta2, eui2)) = (part(0)?, part(1)?);
         Some(Ok(LeastSquares { theta: [theta1, theta2], eui: Ok([eui1, eui2]) }))
     }
+}
+
+/// Σ |p·u + q·v|·w over readings (u, v) with these half widths w.
+fn reach_of(rows: &[Measurement], widths: &[Cow<'_, Rational>], p: &Rational, q: &Rational) -> Rational {
+    // Only the sign of a weight matters, so p and q may be scaled to integers. They are not both 0.
+    let Some(scaled) = Direction::from_rational(&[p.clone(), q.clone()]) else {
+        return Rational::zero();
+    };
+    let mut sums = [Sum::default(), Sum::default()];
+    for (Measurement { regressor: [u, v], .. }, width) in rows.iter().zip(widths) {
+        let weight =
+            scaled.dx() * (u.numerator() * v.denominator()) + scaled.dy() * (v.numerator() * u.denominator());
+        let signed = if weight.is_negative() { -width.as_ref() } else { width.clone().into_owned() };
+        sums[0].add_product(u, &signed);
+        sums[1].add_product(v, &signed);
+    }
+    p * sums[0].total() + q * sums[1].total()
 }
 
 /// Σ |p·u + q·v|·ε over the readings (u, v) of a grid, in its units; ε counts as 1 when it is uniform.

@@ -17,11 +17,9 @@
 //! use boundfit_exact::Rational;
 //!
 //! let readings = [(1, 1), (2, 3), (3, 4)];
-//! let rows = readings.iter().zip(1..).map(|(&(x, y), row)| Measurement {
-//!     row,
-//!     regressor: [Rational::from(x), Rational::one()],
-//!     response: Rational::from(y),
-//!     epsilon: Rational::ratio(1, 2),
+//! let rows = readings.iter().zip(1..).map(|(&(x, y), row)| {
+//!     let regressor = [Rational::from(x), Rational::one()];
+//!     Measurement::around(row, regressor, Rational::from(y), Rational::ratio(1, 2))
 //! });
 //! let bound = ErrorBound::Uniform(Rational::ratio(1, 2));
 //! let model = Model::Line { x: "x".to_owned() };
@@ -65,11 +63,13 @@ pub use fit::{Fit, FitBounds, fit, fit_bounds};
 pub use fit_group::{fit_group, least_squares_is_feasible};
 #[cfg(feature = "float-least-squares")]
 pub use float_least_squares::{FloatEstimate, FloatLeastSquares};
-pub use fps::{BoundName, Fps, bounds_of_reading, conditions_by_name, reading_of_bound, strip};
+pub use fps::{
+    BoundName, Fps, bounds_of_reading, conditions_by_name, growing_half_planes, half_planes, reading_of_bound,
+};
 pub use inverse::{Inverse, InverseParameter};
 pub use least_growth::{GrowingInequality, LeastGrowth, least_growth};
-pub use least_squares::{LeastSquares, SingularRegressors};
-pub use measurements::{ErrorBound, Measurement, Measurements, Model, Readings};
+pub use least_squares::{LeastSquares, NoLeastSquares};
+pub use measurements::{Bounds, ErrorBound, Measurement, Measurements, Model, Readings};
 pub use minimax::{Minimax, MinimaxProof};
 pub use problem::Problem;
 pub use summary::{ColumnsError, Keep, LineSums, NoEui, Reduction, Spread};

@@ -1,5 +1,7 @@
 //! Readings: what was measured, under which model, with which error bound.
 
+use std::borrow::Cow;
+
 use boundfit_exact::Rational;
 #[cfg(feature = "files")]
 use boundfit_formats::TextLayout;
@@ -13,10 +15,115 @@ pub struct Measurement {
     pub row: usize,
     /// φ = (φ1, φ2); (x, 1) for the line model.
     pub regressor: [Rational; 2],
-    /// y.
-    pub response: Rational,
-    /// The bound on the error of this reading; not negative.
-    pub epsilon: Rational,
+    /// What it says of φ·θ.
+    pub bounds: Bounds,
+}
+
+/// What a reading says of φ·θ.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Bounds {
+    /// It lies within ε of y.
+    Around {
+        /// y.
+        response: Rational,
+        /// ε; not negative.
+        epsilon: Rational,
+    },
+    /// It lies between two values, of which one may be missing. The lower one may be above the upper one: no θ agrees then.
+    Between {
+        /// φ·θ is at least this.
+        lower: Option<Rational>,
+        /// φ·θ is at most this.
+        upper: Option<Rational>,
+        /// y, if there is one. It bounds nothing: least squares takes it.
+        response: Option<Rational>,
+    },
+}
+
+impl Measurement {
+    /// A reading y with |y - φ·θ| ≤ ε.
+    pub fn around(row: usize, regressor: [Rational; 2], response: Rational, epsilon: Rational) -> Self {
+        Measurement { row, regressor, bounds: Bounds::Around { response, epsilon } }
+    }
+
+    /// A reading that says lower ≤ φ·θ ≤ upper, as far as the bounds are there, and nothing else.
+    pub fn between(
+        row: usize,
+        regressor: [Rational; 2],
+        lower: Option<Rational>,
+        upper: Option<Rational>,
+    ) -> Self {
+        Measurement { row, regressor, bounds: Bounds::Between { lower, upper, response: None } }
+    }
+
+    /// y, if there is one.
+    pub fn response(&self) -> Option<&Rational> {
+        match &self.bounds {
+            Bounds::Around { response, .. } => Some(response),
+            Bounds::Between { response, .. } => response.as_ref(),
+        }
+    }
+
+    /// y and ε of a reading that is bounded by them.
+    ///
+    /// # Panics
+    /// When it has other bounds.
+    pub(crate) fn y_and_epsilon(&self) -> (&Rational, &Rational) {
+        match &self.bounds {
+            Bounds::Around { response, epsilon } => (response, epsilon),
+            Bounds::Between { .. } => panic!("bounds that do not come from y"),
+        }
+    }
+
+    /// What least squares takes for y: y if there is one, else the middle of both bounds. Exact.
+    pub fn value(&self) -> Option<Cow<'_, Rational>> {
+        self.response().map(Cow::Borrowed).or_else(|| self.middle())
+    }
+
+    /// The least value that φ·θ may have. Exact.
+    pub fn lower(&self) -> Option<Rational> {
+        match &self.bounds {
+            Bounds::Around { response, epsilon } => Some(response - epsilon),
+            Bounds::Between { lower, .. } => lower.clone(),
+        }
+    }
+
+    /// The largest value that φ·θ may have. Exact.
+    pub fn upper(&self) -> Option<Rational> {
+        match &self.bounds {
+            Bounds::Around { response, epsilon } => Some(response + epsilon),
+            Bounds::Between { upper, .. } => upper.clone(),
+        }
+    }
+
+    /// The middle between both bounds; `None` unless there are both. Exact.
+    pub fn middle(&self) -> Option<Cow<'_, Rational>> {
+        match &self.bounds {
+            Bounds::Around { response, .. } => Some(Cow::Borrowed(response)),
+            Bounds::Between { lower, upper, .. } => {
+                Some(Cow::Owned((lower.as_ref()? + upper.as_ref()?).half()))
+            }
+        }
+    }
+
+    /// Half of the distance from the lower to the upper bound, negative where they cross; `None` unless there are both.
+    /// Exact.
+    pub fn half_width(&self) -> Option<Cow<'_, Rational>> {
+        match &self.bounds {
+            Bounds::Around { epsilon, .. } => Some(Cow::Borrowed(epsilon)),
+            Bounds::Between { lower, upper, .. } => {
+                Some(Cow::Owned((upper.as_ref()? - lower.as_ref()?).half()))
+            }
+        }
+    }
+
+    /// This reading within another distance of y; one with bounds that do not come from y stays as it is.
+    pub fn within(mut self, bound: Rational) -> Self {
+        if let Bounds::Around { epsilon, .. } = &mut self.bounds {
+            *epsilon = bound;
+        }
+        self
+    }
 }
 
 /// How the regressors come from the columns.
@@ -41,6 +148,28 @@ pub enum ErrorBound {
     Uniform(Rational),
     /// One per reading, from a column of this name.
     PerRow(String),
+    /// The values between which φ·θ lies, from columns of these names, of which one may be left out.
+    Interval {
+        /// The column of lower bounds.
+        lower: Option<String>,
+        /// The column of upper bounds.
+        upper: Option<String>,
+    },
+}
+
+impl ErrorBound {
+    /// The bound on all errors, if there is one.
+    pub fn uniform(&self) -> Option<&Rational> {
+        match self {
+            ErrorBound::Uniform(epsilon) => Some(epsilon),
+            ErrorBound::PerRow(_) | ErrorBound::Interval { .. } => None,
+        }
+    }
+
+    /// Whether all errors have one bound.
+    pub fn is_uniform(&self) -> bool {
+        self.uniform().is_some()
+    }
 }
 
 /// What the numbers of a row mean.
@@ -61,11 +190,8 @@ impl Meaning {
             Model::TwoRegressors { .. } => [next(), next()],
         };
         let response = next();
-        let epsilon = match &self.error_bound {
-            ErrorBound::Uniform(epsilon) => epsilon.clone(),
-            ErrorBound::PerRow(_) => next(),
-        };
-        Measurement { row, regressor, response, epsilon }
+        let epsilon = self.error_bound.uniform().cloned().unwrap_or_else(next);
+        Measurement::around(row, regressor, response, epsilon)
     }
 }
 
@@ -128,9 +254,14 @@ impl Measurements {
         &self.meaning.error_bound
     }
 
+    /// Whether every reading in memory lies within an ε of its y.
+    pub(crate) fn is_around_y(&self) -> bool {
+        self.kept().iter().all(|row| matches!(row.bounds, Bounds::Around { .. }))
+    }
+
     /// Whether the two hulls of the readings tell which of them can bound anything.
     pub(crate) fn has_hulls(&self) -> bool {
-        matches!(self.model(), Model::Line { .. }) && matches!(self.error_bound(), ErrorBound::Uniform(_))
+        matches!(self.model(), Model::Line { .. }) && self.error_bound().is_uniform() && self.is_around_y()
     }
 
     /// The readings that are fitted, and whether all of them are in memory.

@@ -4,7 +4,7 @@ use boundfit_exact::Rational;
 use boundfit_geometry::{Inequality, Multiplier, RegionKind, System, envelope};
 
 use crate::condition::Condition;
-use crate::fps::{BoundName, conditions_by_name, strip};
+use crate::fps::{BoundName, conditions_by_name, growing_half_planes};
 use crate::hulls::{Extremes, Gap, HullMinimum};
 use crate::least_growth::{GrowingInequality, LeastGrowth, least_growth};
 use crate::measurements::{ErrorBound, Measurement, Measurements};
@@ -13,7 +13,7 @@ use crate::measurements::{ErrorBound, Measurement, Measurements};
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Minimax {
     /// Under a uniform error bound ε_min; under an error bound per reading the smallest factor s for which the bounds
-    /// s·ε_i leave something.
+    /// s·ε_i leave something; of intervals, the smallest factor on their widths, about their middles.
     pub least: Rational,
     /// A minimiser: the only one when `unique`, else a point in the relative interior of all of them.
     pub theta: [Rational; 2],
@@ -24,7 +24,8 @@ pub struct Minimax {
 }
 
 /// Proof that the least error bound is not smaller: positive multiples of at most three half-planes
-/// a·θ ≤ b + s·growth, whose growth is 1 (uniform bound), ε_i (bound per reading) or 0 (condition), with
+/// a·θ ≤ b + s·growth, whose growth is 1 (uniform bound), ε_i (bound per reading), half the width of an interval or 0
+/// (condition, or reading with one bound only), with
 /// Σ λ·a = 0, Σ λ·growth = 1 and Σ λ·b = -least. At any smaller bound they are a Farkas certificate of emptiness.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MinimaxProof {
@@ -79,7 +80,7 @@ impl Minimax {
             // The reading that a line misses most is on a hull, and so are all that it misses as much.
             Some(extremes) => {
                 let touching = extremes.touching.iter().map(|touching| &rows[touching.position]);
-                Growing::of_rows(touching, |_| Rational::one()).with(conditions).minimax()
+                Growing::of_rows(touching, true).with(conditions).minimax()
             }
             None => Growing::new(measurements, conditions).minimax(),
         }
@@ -89,7 +90,7 @@ impl Minimax {
     /// the bound is 0 and too small. Exact.
     pub fn least_factor(&self, error_bound: &ErrorBound) -> Option<Rational> {
         match error_bound {
-            ErrorBound::PerRow(_) => Some(self.least.clone()),
+            ErrorBound::PerRow(_) | ErrorBound::Interval { .. } => Some(self.least.clone()),
             ErrorBound::Uniform(_) if self.least.is_zero() => Some(Rational::zero()),
             ErrorBound::Uniform(epsilon) => self.least.checked_div(epsilon),
         }
@@ -111,7 +112,7 @@ impl Minimax {
             Some(theta) => Minimax { least: epsilon, theta, unique: true, proof },
             None => {
                 let corners = corners.iter().map(|&position| &rows[position]);
-                Growing::of_rows(corners, |_| Rational::one()).minimisers(epsilon, proof)
+                Growing::of_rows(corners, true).minimisers(epsilon, proof)
             }
         }
     }
@@ -125,11 +126,8 @@ struct Growing {
 
 impl Growing {
     fn new(measurements: &Measurements, conditions: &[Condition]) -> Self {
-        let growing = match measurements.error_bound() {
-            ErrorBound::Uniform(_) => Growing::of_rows(measurements.kept().iter(), |_| Rational::one()),
-            ErrorBound::PerRow(_) => Growing::of_rows(measurements.kept().iter(), |row| row.epsilon.clone()),
-        };
-        growing.with(conditions)
+        let is_uniform = measurements.error_bound().is_uniform();
+        Growing::of_rows(measurements.kept().iter(), is_uniform).with(conditions)
     }
 
     fn with(mut self, conditions: &[Condition]) -> Self {
@@ -140,18 +138,13 @@ impl Growing {
         self
     }
 
-    fn of_rows<'a>(
-        rows: impl Iterator<Item = &'a Measurement>,
-        growth: impl Fn(&Measurement) -> Rational,
-    ) -> Self {
-        let zero = Rational::zero();
-        let (names, inequalities) = rows
-            .flat_map(|row| {
-                let growth = growth(row);
-                strip(row, &zero)
-                    .map(|(name, at_zero)| (name, GrowingInequality { at_zero, growth: growth.clone() }))
-            })
-            .unzip();
+    /// Under a uniform bound the factor is the bound itself, so that every reading grows by 1.
+    fn of_rows<'a>(rows: impl Iterator<Item = &'a Measurement>, is_uniform: bool) -> Self {
+        let (names, mut inequalities): (_, Vec<GrowingInequality>) =
+            rows.flat_map(growing_half_planes).unzip();
+        if is_uniform {
+            inequalities.iter_mut().for_each(|inequality| inequality.growth = Rational::one());
+        }
         Growing { names, inequalities }
     }
 

@@ -70,6 +70,15 @@ pub(crate) fn subtitle(problem: &Problem, options: &PlotOptions) -> String {
             format!("|e| ≤ {}{unit}", number(epsilon, 12, Rounding::Up))
         }
         ErrorBound::PerRow(column) => format!("|e| ≤ {} of each row", one_line(column, LONGEST_NAME)),
+        ErrorBound::Interval { lower, upper } => {
+            let [lower, upper] =
+                [lower, upper].map(|name| name.as_ref().map(|name| one_line(name, LONGEST_NAME)));
+            match (lower, upper) {
+                (Some(lower), Some(upper)) => format!("between {lower} and {upper} of each row"),
+                (Some(lower), None) => format!("at least {lower} of each row"),
+                (None, upper) => format!("at most {} of each row", upper.unwrap_or_default()),
+            }
+        }
     };
     let (fitted, total) = (measurements.fitted(), measurements.rows_total());
     let rows = if fitted == total {

@@ -10,11 +10,9 @@
 //! use boundfit_figures::{Figure, PlotOptions, draw};
 //!
 //! let bound = Rational::ratio(1, 2);
-//! let rows = [(1, 1), (2, 3), (3, 4)].iter().zip(1..).map(|(&(x, y), row)| Measurement {
-//!     row,
-//!     regressor: [Rational::from(x), Rational::one()],
-//!     response: Rational::from(y),
-//!     epsilon: bound.clone(),
+//! let rows = [(1, 1), (2, 3), (3, 4)].iter().zip(1..).map(|(&(x, y), row)| {
+//!     let regressor = [Rational::from(x), Rational::one()];
+//!     Measurement::around(row, regressor, Rational::from(y), bound.clone())
 //! });
 //! let (model, rows) = (Model::Line { x: "x".to_owned() }, rows.collect());
 //! let measurements = Measurements::new(model, "y".to_owned(), ErrorBound::Uniform(bound.clone()), rows);

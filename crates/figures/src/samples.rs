@@ -13,7 +13,7 @@ pub(crate) fn problem(model: &str, rows: &[&str], conditions: &[&str]) -> Proble
             "line" => ([numbers[0].clone(), Rational::one()], &numbers[1..]),
             _ => ([numbers[0].clone(), numbers[1].clone()], &numbers[2..]),
         };
-        Measurement { row: index + 1, regressor, response: rest[0].clone(), epsilon: rest[1].clone() }
+        Measurement::around(index + 1, regressor, rest[0].clone(), rest[1].clone())
     };
     let rows = rows.iter().enumerate().map(row).collect();
     let kind = match model {

@@ -1,6 +1,6 @@
 //! The set without each of the readings.
 
-use boundfit_estimation::{Fit, Fps, Measurements, Problem, bounds_of_reading};
+use boundfit_estimation::{Fit, Fps, Measurement, Measurements, Problem, bounds_of_reading};
 use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::Region;
 use boundfit_lp::End;
@@ -93,7 +93,12 @@ struct MovedJson {
 }
 
 /// The sets as JSON. The boundaries of a set are counted in its own system, so they are turned into the whole one's.
-pub(crate) fn to_json(all: &[Without], styles: &[Style; 2], points: &mut Points) -> Vec<WithoutJson> {
+pub(crate) fn to_json(
+    all: &[Without],
+    rows: &[Measurement],
+    styles: &[Style; 2],
+    points: &mut Points,
+) -> Vec<WithoutJson> {
     let moved = |moved: &Moved| MovedJson {
         parameter: PARAMETERS[moved.axis],
         end: moved.end.name(),
@@ -104,7 +109,7 @@ pub(crate) fn to_json(all: &[Without], styles: &[Style; 2], points: &mut Points)
         .map(|(position, without)| WithoutJson {
             row: without.row,
             matters: without.matters,
-            region: IndexedRegion::new(&without.region, points).skipping(bounds_of_reading(position)[0], 2),
+            region: IndexedRegion::new(&without.region, points).skipping(bounds_of_reading(rows, position)),
             pui: without.pui.as_ref().map(|pui| [0, 1].map(|axis| RangeJson::new(&pui[axis], &styles[axis]))),
             moved: without.moved.iter().map(moved).collect(),
         })

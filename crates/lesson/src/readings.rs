@@ -52,12 +52,14 @@ pub(crate) fn epsilon(bound: &ErrorBound) -> EpsilonJson {
             EpsilonJson { uniform: Some(STYLE.given_number(epsilon)), column: None }
         }
         ErrorBound::PerRow(column) => EpsilonJson { uniform: None, column: Some(column.clone()) },
+        ErrorBound::Interval { .. } => EpsilonJson { uniform: None, column: None },
     }
 }
 
 /// The readings that are fitted.
 pub(crate) fn fitted(measurements: &Measurements) -> Vec<ReadingJson> {
-    let with_epsilon = |row: &Measurement| reading(row, Some(STYLE.given_number(&row.epsilon)));
+    let with_epsilon =
+        |row: &Measurement| reading(row, row.half_width().map(|epsilon| STYLE.given_number(&epsilon)));
     measurements.kept().iter().map(with_epsilon).collect()
 }
 
@@ -77,7 +79,7 @@ fn reading(row: &Measurement, epsilon: Option<Number>) -> ReadingJson {
     ReadingJson {
         row: row.row,
         phi: row.regressor.each_ref().map(|value| STYLE.given_number(value)),
-        y: STYLE.given_number(&row.response),
+        y: STYLE.given_number(&row.value().unwrap_or_default()),
         epsilon,
     }
 }

@@ -1,5 +1,7 @@
 //! A region by the indices of its points and half-planes.
 
+use std::ops::Range;
+
 use boundfit_geometry::{Boundary, Direction, HalfPlane, Point, Region, Vertex};
 use serde::Serialize;
 
@@ -29,9 +31,10 @@ impl IndexedRegion {
         }
     }
 
-    /// This region of a system that lacks `count` half-planes from index `from` on, by the indices of the whole one.
-    pub(crate) fn skipping(mut self, from: usize, count: usize) -> Self {
-        self.boundaries.iter_mut().filter(|index| **index >= from).for_each(|index| *index += count);
+    /// This region of a system that lacks these half-planes, by the indices of the whole one.
+    pub(crate) fn skipping(mut self, lacking: Range<usize>) -> Self {
+        let count = lacking.len();
+        self.boundaries.iter_mut().filter(|index| **index >= lacking.start).for_each(|index| *index += count);
         self
     }
 }

@@ -144,6 +144,7 @@ fn input(problem: &Problem, reading: Reading, style: &Style) -> InputJson {
     let (epsilon, epsilon_column) = match measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => (Some(style.upper_number(epsilon)), None),
         ErrorBound::PerRow(column) => (None, Some(column.clone())),
+        ErrorBound::Interval { .. } => (None, None),
     };
     InputJson {
         rows: measurements.fitted(),
@@ -220,7 +221,7 @@ pub(crate) fn central(fit: &Fit, style: &Style) -> Option<CentralJson> {
 
 /// ε_min exists under a uniform error bound only.
 pub(crate) fn uniform_minimum<'a>(problem: &Problem, fit: &'a Fit) -> Option<&'a Rational> {
-    let uniform = matches!(problem.measurements.error_bound(), ErrorBound::Uniform(_));
+    let uniform = problem.measurements.error_bound().is_uniform();
     fit.minimax.as_ref().filter(|_| uniform).map(|minimax| &minimax.least)
 }
 
@@ -277,7 +278,7 @@ fn reasons(problem: &Problem, fit: &Fit) -> BTreeMap<&'static str, String> {
         reasons.insert("minimax", "no error bound, however large, leaves a feasible parameter".to_owned());
     }
     if uniform_minimum(problem, fit).is_none() {
-        let per_row = matches!(problem.measurements.error_bound(), ErrorBound::PerRow(_));
+        let per_row = !problem.measurements.error_bound().is_uniform();
         let reason = if per_row { "every reading has its own error bound" } else { "see minimax" };
         reasons.insert("epsilon_min", reason.to_owned());
     }

@@ -1,6 +1,6 @@
 //! A group of a fleet, and what a whole fleet comes to.
 
-use boundfit_estimation::{ErrorBound, Fit, Problem};
+use boundfit_estimation::{Fit, Problem};
 use boundfit_exact::Rational;
 use boundfit_exact::english::counted;
 use boundfit_geometry::RegionKind;
@@ -39,7 +39,7 @@ impl<'a> GroupReport<'a> {
 
     /// Whether every reading has its own error bound.
     pub(crate) fn is_bounded_per_row(&self) -> bool {
-        matches!(self.problem.measurements.error_bound(), ErrorBound::PerRow(_))
+        !self.problem.measurements.error_bound().is_uniform()
     }
 }
 

@@ -41,6 +41,7 @@ pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<Stri
     let (epsilon, columns) = match (measurements.error_bound(), layout.columns.split_last()?) {
         (ErrorBound::Uniform(epsilon), _) => ((0, epsilon.to_string()), layout.columns.as_slice()),
         (ErrorBound::PerRow(_), (own, others)) => (column(own), others),
+        (ErrorBound::Interval { .. }, _) => return None,
     };
     let [x1, x2, y] = match columns {
         [x, y] => [x, &0, y].map(column),

@@ -1,8 +1,7 @@
 //! The report of the family of sets over the error bound.
 
 use boundfit_estimation::{
-    BoundName, Breakpoint, ErrorBound, Family, Linear, MovingBoundary, MovingVertex, Piece, Problem,
-    Quadratic,
+    BoundName, Breakpoint, Family, Linear, MovingBoundary, MovingVertex, Piece, Problem, Quadratic,
 };
 use boundfit_exact::Rational;
 use boundfit_exact::english::list;
@@ -47,10 +46,7 @@ fn birth(family: &Family, style: &Style) -> Text {
 }
 
 fn breakpoint_table(problem: &Problem, breakpoints: &[Breakpoint], style: &Style) -> Table {
-    let epsilon = match problem.measurements.error_bound() {
-        ErrorBound::Uniform(epsilon) => Some(epsilon),
-        ErrorBound::PerRow(_) => None,
-    };
+    let epsilon = problem.measurements.error_bound().uniform();
     let rows = breakpoints.iter().map(|breakpoint| {
         let section = &breakpoint.section;
         // Of factors as of error bounds: what is printed is never too small.

@@ -1,7 +1,7 @@
 //! The family of sets over the error bound as JSON: part of `boundfit/fit/1`.
 
 use boundfit_estimation::{
-    BoundName, Breakpoint, ErrorBound, Family, Linear, MovingVertex, Piece, Problem, Quadratic, Section,
+    BoundName, Breakpoint, Family, Linear, MovingVertex, Piece, Problem, Quadratic, Section,
 };
 use boundfit_exact::Rational;
 use boundfit_geometry::Direction;
@@ -92,10 +92,8 @@ impl SweepJson {
 
 fn breakpoint_json(problem: &Problem, breakpoint: &Breakpoint, style: &Style) -> BreakpointJson {
     let Section { kind, vertices, rays, lines, boundaries, pui, area } = &breakpoint.section;
-    let epsilon = match problem.measurements.error_bound() {
-        ErrorBound::Uniform(epsilon) => Some(style.upper_number(&(epsilon * &breakpoint.s))),
-        ErrorBound::PerRow(_) => None,
-    };
+    let epsilon = problem.measurements.error_bound().uniform();
+    let epsilon = epsilon.map(|epsilon| style.upper_number(&(epsilon * &breakpoint.s)));
     BreakpointJson {
         s: style.upper_number(&breakpoint.s),
         epsilon,

@@ -17,6 +17,7 @@ use boundfit_geometry::grid::touching_of_columns;
 use boundfit_geometry::predicates::lexicographic;
 use boundfit_geometry::{Hulls, Point};
 use boundfit_lp::{FloatProgram, Outcome, Program, PuiEnd, Solver, solver_named};
+use boundfit_tests::readings::y_and_epsilon;
 use cpu_time::ProcessTime;
 use serde_json::{Map, Value, json};
 
@@ -76,7 +77,7 @@ fn answer(arguments: &[&str]) -> Result<Map<String, Value>, String> {
 fn sum(problem: &Problem, runs: usize) -> Map<String, Value> {
     let rows = problem.measurements.kept();
     let x: Vec<f64> = rows.iter().map(|row| row.regressor[0].to_f64()).collect();
-    let y: Vec<f64> = rows.iter().map(|row| row.response.to_f64()).collect();
+    let y: Vec<f64> = rows.iter().map(|row| y_and_epsilon(row).0.to_f64()).collect();
     timed(runs, || (black_box(&x).iter().sum::<f64>(), black_box(&y).iter().sum::<f64>())).0
 }
 
@@ -84,7 +85,7 @@ fn sum(problem: &Problem, runs: usize) -> Map<String, Value> {
 fn sum_of_integers(problem: &Problem, runs: usize) -> Result<Map<String, Value>, String> {
     let rows = problem.measurements.kept();
     let (x, _) = on_grid(rows.iter().map(|row| &row.regressor[0]))?;
-    let (y, _) = on_grid(rows.iter().map(|row| &row.response))?;
+    let (y, _) = on_grid(rows.iter().map(|row| y_and_epsilon(row).0))?;
     let total = |column: &[i64]| column.iter().fold(0_i64, |sum, &value| sum.wrapping_add(value));
     Ok(timed(runs, || (total(black_box(&x)), total(black_box(&y)))).0)
 }
@@ -94,7 +95,7 @@ fn sum_of_integers(problem: &Problem, runs: usize) -> Result<Map<String, Value>,
 fn polygon(problem: &Problem, epsilon: &Rational, runs: usize) -> Result<Map<String, Value>, String> {
     let rows = problem.measurements.kept();
     let (x, _) = on_grid(rows.iter().map(|row| &row.regressor[0]))?;
-    let (y, _) = on_grid(rows.iter().map(|row| &row.response))?;
+    let (y, _) = on_grid(rows.iter().map(|row| y_and_epsilon(row).0))?;
     let (mut times, (fps, _)) = timed(runs, || {
         let touching = touching_of_columns(black_box(&x), black_box(&y), 0);
         let mut kept: Vec<usize> = touching.iter().map(|point| point.id as usize).collect();
@@ -132,7 +133,7 @@ fn whole_fit(problem: &Problem, runs: usize) -> Map<String, Value> {
 fn reference(problem: &Problem) -> Map<String, Value> {
     let rows = problem.measurements.kept();
     let mut points: Vec<Point> =
-        rows.iter().map(|row| Point::new(&row.regressor[0], &row.response)).collect();
+        rows.iter().map(|row| Point::new(&row.regressor[0], y_and_epsilon(row).0)).collect();
     points.sort_by(lexicographic);
     points.dedup();
     let corners = Hulls::of_sorted(&points).corners().len();
@@ -260,7 +261,7 @@ fn sensors(file: &str, epsilon: &Rational) -> Result<Vec<Problem>, String> {
         .map(|(key, row)| {
             let [x, y] = [row.numbers[0].clone(), row.numbers[1].clone()];
             let regressor = [x, Rational::one()];
-            (key, Measurement { row: row.row, regressor, response: y, epsilon: epsilon.clone() })
+            (key, Measurement::around(row.row, regressor, y, epsilon.clone()))
         })
         .collect();
     let group = |rows: &[(&String, Measurement)]| {

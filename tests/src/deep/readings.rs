@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use boundfit_check::ProgramRows;
-use boundfit_estimation::{ErrorBound, Fit, Measurement, Minimax, Model, Problem, fit, fit_bounds};
+use boundfit_estimation::{ErrorBound, Fit, Minimax, Model, Problem, fit, fit_bounds};
 use boundfit_exact::{Integer, Rational};
 use boundfit_geometry::{Inequality, System};
 use rand::RngExt;
@@ -19,7 +19,7 @@ use crate::columns::Shape;
 use crate::definitions::{answer, answer_in_general, least_bound};
 use crate::oracle::{Row, solve};
 use crate::readings::naive_least_squares;
-use crate::readings::{line, problem, with_error_bound, with_rows};
+use crate::readings::{line, problem, with_error_bound, with_rows, y_and_epsilon};
 use crate::shape::shape;
 use boundfit_lp::PuiEnd;
 
@@ -129,12 +129,13 @@ impl Case for ReadingsCase {
         let is_line = matches!(measurements.model(), Model::Line { .. });
         let bound = match measurements.error_bound() {
             ErrorBound::Uniform(epsilon) => format!("--eps {epsilon}"),
-            ErrorBound::PerRow(_) => "--eps-column eps".to_owned(),
+            _ => "--eps-column eps".to_owned(),
         };
         let conditions: String =
             conditions.iter().map(|condition| format!(" --where '{}'", condition.text())).collect();
         let mut text = format!("{header},y,eps\n");
-        for Measurement { regressor: [u, v], response, epsilon, .. } in measurements.kept() {
+        for row in measurements.kept() {
+            let ([u, v], (response, epsilon)) = (&row.regressor, y_and_epsilon(row));
             let regressor = if is_line { u.to_string() } else { format!("{u},{v}") };
             let _ = writeln!(text, "{regressor},{response},{epsilon}");
         }

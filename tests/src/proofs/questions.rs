@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::fs;
 
-use boundfit_estimation::{ErrorBound, Measurement};
+use boundfit_estimation::ErrorBound;
 use boundfit_exact::{Rational, Reading};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -12,7 +12,7 @@ use serde_json::Value;
 use super::Question;
 use crate::generate::half_planes;
 use crate::program::root;
-use crate::readings::problem;
+use crate::readings::{problem, y_and_epsilon};
 use crate::tables::TableKind;
 
 /// Fits of the published data, of every kind of set, and of text in every form that is accepted.
@@ -161,7 +161,8 @@ pub fn generated(rng: &mut ChaCha8Rng) -> Question {
     }
     let problem = problem(rng);
     let mut text = "u,v,y,eps\n".to_owned();
-    for Measurement { regressor: [u, v], response, epsilon, .. } in problem.measurements.kept() {
+    for row in problem.measurements.kept() {
+        let ([u, v], (response, epsilon)) = (&row.regressor, y_and_epsilon(row));
         let _ = writeln!(text, "{u},{v},{response},{epsilon}");
     }
     let question = Question {
@@ -171,5 +172,6 @@ pub fn generated(rng: &mut ChaCha8Rng) -> Question {
     match problem.measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => Question { epsilon: Ok(epsilon.clone()), ..question },
         ErrorBound::PerRow(column) => question.epsilon_column(column),
+        ErrorBound::Interval { .. } => question,
     }
 }

@@ -7,7 +7,7 @@ use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::RegionKind;
 use boundfit_tests::definitions::{contains, least_bound};
 use boundfit_tests::generate::seeded;
-use boundfit_tests::readings::{problem, rebuilt, with_error_bound, with_rows};
+use boundfit_tests::readings::{problem, rebuilt, with_error_bound, with_rows, y_and_epsilon};
 use rand::RngExt;
 use rand::seq::SliceRandom;
 
@@ -149,11 +149,10 @@ fn units_can_be_changed() {
         let c = Rational::ratio(rng.random_range(1..=1000), 7);
         let k = Rational::ratio(rng.random_range(1..=1000), 11);
         let ratio = c.checked_div(&k).unwrap();
-        let rows = problem.measurements.kept().iter().map(|row| Measurement {
-            row: row.row,
-            regressor: [&row.regressor[0] * &k, row.regressor[1].clone()],
-            response: &row.response * &c,
-            epsilon: &row.epsilon * &c,
+        let rows = problem.measurements.kept().iter().map(|row| {
+            let (y, epsilon) = y_and_epsilon(row);
+            let regressor = [&row.regressor[0] * &k, row.regressor[1].clone()];
+            Measurement::around(row.row, regressor, y * &c, epsilon * &c)
         });
         let rows = rows.collect();
         let error_bound = match problem.measurements.error_bound() {
@@ -219,17 +218,15 @@ fn binary64_readings_are_the_nearest_doubles_taken_exactly() {
         let read = |text: &str| Reading::Binary64.read(text, &Limits::default()).unwrap();
         let rounded = |value: &Rational| Rational::from_f64((value * &tenth).to_f64()).unwrap();
         let rows = problem.measurements.kept();
-        let as_text = rows.iter().map(|row| Measurement {
-            row: row.row,
-            regressor: row.regressor.each_ref().map(|value| read(&decimal(value))),
-            response: read(&decimal(&row.response)),
-            epsilon: row.epsilon.clone(),
+        let as_text = rows.iter().map(|row| {
+            let (y, epsilon) = y_and_epsilon(row);
+            let regressor = row.regressor.each_ref().map(|value| read(&decimal(value)));
+            Measurement::around(row.row, regressor, read(&decimal(y)), epsilon.clone())
         });
-        let as_doubles = rows.iter().map(|row| Measurement {
-            row: row.row,
-            regressor: row.regressor.each_ref().map(rounded),
-            response: rounded(&row.response),
-            epsilon: row.epsilon.clone(),
+        let as_doubles = rows.iter().map(|row| {
+            let (y, epsilon) = y_and_epsilon(row);
+            let regressor = row.regressor.each_ref().map(rounded);
+            Measurement::around(row.row, regressor, rounded(y), epsilon.clone())
         });
         let (text, doubles) =
             (with_rows(&problem, as_text.collect()), with_rows(&problem, as_doubles.collect()));

@@ -9,16 +9,16 @@ use boundfit_exact::{Endpoint, Rational};
 use boundfit_geometry::RegionKind;
 use boundfit_tests::definitions::section;
 use boundfit_tests::generate::seeded;
-use boundfit_tests::readings::{noisy_line, problem, rebuilt};
+use boundfit_tests::readings::{noisy_line, problem, rebuilt, y_and_epsilon};
 use rand::RngExt;
 
 /// The set with every error bound multiplied, computed afresh.
 fn fresh(problem: &Problem, s: &Rational) -> Section {
-    let scaled = |row: &Measurement| Measurement { epsilon: &row.epsilon * s, ..row.clone() };
+    let scaled = |row: &Measurement| row.clone().within(y_and_epsilon(row).1 * s);
     let rows = problem.measurements.kept().iter().map(scaled).collect();
     let error_bound = match problem.measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => ErrorBound::Uniform(epsilon * s),
-        per_row @ ErrorBound::PerRow(_) => per_row.clone(),
+        per_row => per_row.clone(),
     };
     let problem = rebuilt(problem, rows, error_bound);
     section(&Fps::of_every_half_plane(&problem.measurements, &problem.conditions))
@@ -117,11 +117,9 @@ fn readings_in_line_and_repeated_ones_stay_active() {
     let mut longest = 0;
     for case in 0..300 {
         let epsilon = Rational::ratio(rng.random_range(0..=4), 2);
-        let rows = (1..=rng.random_range(3..=15)).map(|row| Measurement {
-            row,
-            regressor: [Rational::from(rng.random_range(-3..=3)), Rational::one()],
-            response: Rational::from(rng.random_range(0..=2)),
-            epsilon: epsilon.clone(),
+        let rows = (1..=rng.random_range(3..=15)).map(|row| {
+            let regressor = [Rational::from(rng.random_range(-3..=3)), Rational::one()];
+            Measurement::around(row, regressor, Rational::from(rng.random_range(0..=2)), epsilon.clone())
         });
         let model = Model::Line { x: "x".to_owned() };
         let bound = ErrorBound::Uniform(epsilon.clone());

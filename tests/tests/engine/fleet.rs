@@ -4,14 +4,14 @@ use std::fmt::Write as _;
 use std::io::Cursor;
 
 use boundfit_estimation::{
-    Columns, EpsilonColumn, ErrorBound, Fleet, Measurement, Measurements, Model, Problem, fit, fit_group,
-    least_squares_is_feasible,
+    Bounds, Columns, EpsilonColumn, ErrorBound, Fleet, Measurement, Measurements, Model, Problem, fit,
+    fit_group, least_squares_is_feasible,
 };
 use boundfit_exact::{Rational, Reading};
 use boundfit_formats::{ColumnSelector, RowRange, ScanOptions, Source, TableOptions};
 use boundfit_geometry::RegionKind;
 use boundfit_tests::generate::{seeded, shuffled};
-use boundfit_tests::readings::{problem, rebuilt};
+use boundfit_tests::readings::{problem, rebuilt, y_and_epsilon};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
@@ -24,7 +24,7 @@ fn columns(model: &Model, error_bound: &ErrorBound) -> Columns {
         response: named("y"),
         epsilon: match error_bound {
             ErrorBound::Uniform(epsilon) => EpsilonColumn::Uniform(epsilon.clone()),
-            ErrorBound::PerRow(_) => EpsilonColumn::Column(named("eps")),
+            _ => EpsilonColumn::Column(named("eps")),
         },
     }
 }
@@ -65,18 +65,19 @@ impl Case {
         }
         let bound = match base.measurements.error_bound() {
             ErrorBound::Uniform(epsilon) => ErrorBound::Uniform(epsilon.clone()),
-            ErrorBound::PerRow(_) => ErrorBound::PerRow("eps".to_owned()),
+            _ => ErrorBound::PerRow("eps".to_owned()),
         };
         let far = Rational::new(7.into(), boundfit_exact::Integer::power_of_ten(40)).unwrap();
         for (number, group) in groups.iter_mut().enumerate() {
             let mut rows = group.measurements.kept().to_vec();
             for row in &mut rows {
+                let Bounds::Around { response, epsilon: own } = &mut row.bounds else { unreachable!() };
                 if let ErrorBound::Uniform(epsilon) = &bound {
-                    row.epsilon = epsilon.clone();
+                    *own = epsilon.clone();
                 }
                 // Some numbers have no short form.
                 if number % 17 == 3 {
-                    row.response = &row.response + &far;
+                    *response = &*response + &far;
                 }
             }
             *group = Problem { conditions: base.conditions.clone(), ..rebuilt(group, rows, bound.clone()) };
@@ -100,8 +101,9 @@ impl Case {
             });
             let own = &mut gathered[place].1;
             let row = Measurement { row: number, ..groups[group].measurements.kept()[own.len()].clone() };
-            let [a, b, y, epsilon] = [&row.regressor[0], &row.regressor[1], &row.response, &row.epsilon]
-                .map(|number| text(rng, number));
+            let (y, epsilon) = y_and_epsilon(&row);
+            let [a, b, y, epsilon] =
+                [&row.regressor[0], &row.regressor[1], y, epsilon].map(|number| text(rng, number));
             writeln!(table, "{epsilon},{b},sensor {group},{y},{a}").unwrap();
             own.push(row);
         }
@@ -151,7 +153,8 @@ fn every_group_is_fitted_as_it_would_be_alone() {
             assert_eq!(least_squares_is_feasible(&own), slack, "{alone:?}");
             let kind = own.fps.polyhedron().region().kind();
             kinds[RegionKind::ALL.iter().position(|other| *other == kind).unwrap()] += 1;
-            let numbers = alone.measurements.kept().iter().map(|row| row.response.denominator().bits());
+            let numbers =
+                alone.measurements.kept().iter().map(|row| y_and_epsilon(row).0.denominator().bits());
             long += usize::from(numbers.max() > Some(100));
         }
     }
@@ -172,7 +175,7 @@ fn doubles_are_taken_as_they_are() {
     let fleet = read(table, &columns, ScanOptions { table: table_options, ..ScanOptions::default() });
     let numbers = |group| -> Vec<[Rational; 2]> {
         let rows = fleet.measurements(group).kept().to_vec();
-        rows.into_iter().map(|row| [row.regressor[0].clone(), row.response]).collect()
+        rows.into_iter().map(|row| [row.regressor[0].clone(), y_and_epsilon(&row).0.clone()]).collect()
     };
     let double = |value: f64| Rational::from_f64(value).unwrap();
     assert_eq!(numbers(0), [[double(0.1), double(1e-310)], [double(0.3), double(0.0)]]);

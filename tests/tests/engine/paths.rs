@@ -237,12 +237,8 @@ fn edges_of_machine_integers_in_least_squares() {
             )
             .unwrap()
         };
-        let rows = (1..=6).map(|row| Measurement {
-            row,
-            regressor: [number(), number()],
-            response: number(),
-            epsilon: number().abs(),
-        });
+        let rows =
+            (1..=6).map(|row| Measurement::around(row, [number(), number()], number(), number().abs()));
         let rows: Vec<Measurement> = rows.collect();
         let model = Model::TwoRegressors { regressors: ["u".to_owned(), "v".to_owned()] };
         let bound = ErrorBound::PerRow("eps".to_owned());

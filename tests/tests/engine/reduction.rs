@@ -13,7 +13,7 @@ use boundfit_exact::{Column, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Progress, ScanOptions, Source, TableOptions};
 use boundfit_geometry::RegionKind;
 use boundfit_tests::generate::seeded;
-use boundfit_tests::readings::parse_condition;
+use boundfit_tests::readings::{parse_condition, y_and_epsilon};
 use boundfit_tests::tables::TableKind;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -105,7 +105,7 @@ impl Case {
             Reading::Decimal => numbers(number).cloned().collect(),
             Reading::Binary64 => Column::Doubles(numbers(number).map(Rational::to_f64).collect()),
         };
-        let columns = [column(|row| &row.regressor[0]), column(|row| &row.response)];
+        let columns = [column(|row| &row.regressor[0]), column(|row| y_and_epsilon(row).0)];
         let (model, response, bound) =
             (all.model().clone(), all.response().to_owned(), all.error_bound().clone());
         let keep = Keep { most_rows: 0, ..Keep::default() };

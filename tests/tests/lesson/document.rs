@@ -8,7 +8,9 @@ use boundfit_lesson::{LessonOptions, lesson_data};
 use boundfit_tests::generate::seeded;
 use boundfit_tests::lp_cases::hard_cases;
 use boundfit_tests::program::root;
-use boundfit_tests::readings::{parse_condition, problem as random_problem, with_error_bound, with_rows};
+use boundfit_tests::readings::{
+    parse_condition, problem as random_problem, with_error_bound, with_rows, y_and_epsilon,
+};
 use boundfit_tests::shape::Shape;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -173,13 +175,13 @@ fn sparse_problem(rng: &mut ChaCha8Rng) -> Problem {
     rows.truncate(rng.random_range(1..=3));
     let first = rows[0].clone();
     for row in rows.iter_mut().filter(|_| same) {
-        let Measurement { regressor, response, .. } = first.clone();
+        let (regressor, response) = (first.regressor.clone(), y_and_epsilon(&first).0.clone());
         let (regressor, response) = if zero {
             ([Rational::zero(), Rational::zero()], Rational::zero())
         } else {
             (regressor, response)
         };
-        *row = Measurement { regressor, response, ..row.clone() };
+        *row = Measurement::around(row.row, regressor, response, y_and_epsilon(row).1.clone());
     }
     let conditions =
         (0..rng.random_range(0..=2)).map(|_| parse_condition(CONDITIONS[rng.random_range(0..7)]));

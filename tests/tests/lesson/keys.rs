@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::Polyhedron;
+use boundfit_tests::readings::y_and_epsilon;
 use boundfit_tests::shape::{shape, subsystem};
 use serde_json::Value;
 
@@ -68,7 +69,7 @@ fn readings_and_half_planes_are_those_of_the_fit() {
             assert_eq!(pair(&reading["phi"]), row.regressor);
             assert_eq!(
                 (exact(&reading["y"]), exact(&reading["epsilon"])),
-                (row.response.clone(), row.epsilon.clone())
+                (y_and_epsilon(row).0.clone(), y_and_epsilon(row).1.clone())
             );
         }
         assert_eq!(items(&data["readings"]).count(), rows.len());

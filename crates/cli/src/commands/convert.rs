@@ -81,9 +81,13 @@ fn heading(end: PuiEnd) -> String {
 /// Where the rows come from.
 fn comments(arguments: &ConvertArguments, reading: Reading, problem: &Problem) -> Vec<String> {
     let measurements = &problem.measurements;
+    let column = |name: &Option<String>, none: &str| name.clone().unwrap_or_else(|| none.to_owned());
     let bound = match measurements.error_bound() {
-        ErrorBound::Uniform(epsilon) => epsilon.to_string(),
-        ErrorBound::PerRow(column) => column.clone(),
+        ErrorBound::Uniform(epsilon) => format!("|e| <= {epsilon}"),
+        ErrorBound::PerRow(name) => format!("|e| <= {name}"),
+        ErrorBound::Interval { lower, upper } => {
+            format!("between {} and {}", column(lower, "-inf"), column(upper, "inf"))
+        }
     };
     let rows = arguments.data.rows_asked().map(|rows| format!(", rows {rows}")).unwrap_or_default();
     let y = measurements.response();
@@ -92,7 +96,7 @@ fn comments(arguments: &ConvertArguments, reading: Reading, problem: &Problem) -
         Model::TwoRegressors { regressors: [first, second] } => format!("theta1*{first} + theta2*{second}"),
     };
     let mut comments = vec![
-        format!("model: {y} = {line} + e, |e| <= {bound}"),
+        format!("model: {y} = {line} + e, {bound}"),
         format!("data: {}{rows}, every row of them", arguments.data.file_name()),
         format!("reading: {}; no number is rounded", reading.name()),
     ];

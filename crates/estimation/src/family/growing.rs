@@ -5,9 +5,9 @@ use boundfit_geometry::{Inequality, Multiplier, Polyhedron, System};
 
 use super::functions::Linear;
 use super::section::Section;
-use crate::fps::{BoundName, conditions_by_name, strip};
+use crate::fps::{BoundName, conditions_by_name, growing_half_planes};
 use crate::hulls::touching_a_hull;
-use crate::measurements::{ErrorBound, Model};
+use crate::least_growth::GrowingInequality;
 use crate::problem::Problem;
 
 /// Half-planes a·θ ≤ b(s) with their names: the bounds of the readings move, conditions stay.
@@ -21,12 +21,11 @@ impl GrowingSystem {
     pub(super) fn new(problem: &Problem) -> Self {
         let mut system = GrowingSystem { names: Vec::new(), forms: Vec::new(), bounds: Vec::new() };
         let rows = problem.measurements.kept();
-        let of_hulls = matches!(problem.measurements.model(), Model::Line { .. })
-            && matches!(problem.measurements.error_bound(), ErrorBound::Uniform(_));
+        let of_hulls = problem.measurements.has_hulls();
         let positions = if of_hulls { touching_a_hull(rows) } else { (0..rows.len()).collect() };
         for row in positions.into_iter().map(|position| &rows[position]) {
-            for (name, at_zero) in strip(row, &Rational::zero()) {
-                system.push(name, at_zero, row.epsilon.clone());
+            for (name, GrowingInequality { at_zero, growth }) in growing_half_planes(row) {
+                system.push(name, at_zero, growth);
             }
         }
         for (name, inequality) in conditions_by_name(&problem.conditions) {

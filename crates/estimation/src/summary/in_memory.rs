@@ -103,7 +103,7 @@ impl Measurements {
 
 fn check(meaning: &Meaning, columns: &[Column]) -> Result<(), ColumnsError> {
     let regressors = if matches!(meaning.model, Model::Line { .. }) { 1 } else { 2 };
-    let bounds = usize::from(matches!(meaning.error_bound, ErrorBound::PerRow(_)));
+    let bounds = usize::from(!meaning.error_bound.is_uniform());
     let (expected, found) = (regressors + 1 + bounds, columns.len());
     if found != expected {
         return Err(ColumnsError::Count { expected, found });
@@ -115,7 +115,7 @@ fn check(meaning: &Meaning, columns: &[Column]) -> Result<(), ColumnsError> {
     match &meaning.error_bound {
         ErrorBound::Uniform(epsilon) if epsilon.is_negative() => Err(ColumnsError::NegativeErrorBound),
         ErrorBound::Uniform(_) => Ok(()),
-        ErrorBound::PerRow(_) => match columns[found - 1].first_negative() {
+        ErrorBound::PerRow(_) | ErrorBound::Interval { .. } => match columns[found - 1].first_negative() {
             Some(index) => Err(ColumnsError::NegativeErrorBoundOf { row: index + 1 }),
             None => Ok(()),
         },

@@ -70,6 +70,12 @@ pub enum NoEui {
         "standard input has more readings than are kept for a second look at their x; a file can be read twice"
     )]
     TooManyOnce,
+    /// A reading has one bound only.
+    #[error("a reading has one bound only, so that nothing limits its error on the other side")]
+    OneSided,
+    /// The bounds of a reading cross.
+    #[error("the bounds of a reading cross, so that it has no error that they allow")]
+    Crossing,
     /// The data are the result of a reduction.
     #[error("the data are a reduction, which does not have the x of every reading")]
     Reduced,
@@ -131,7 +137,6 @@ impl LineSummary {
         let mut rows: Vec<Measurement> =
             self.support.into_values().flat_map(SupportRows::into_rows).collect();
         rows.sort_by_key(|reading| reading.row);
-        rows.iter_mut().for_each(|reading| reading.epsilon = epsilon.clone());
-        (self.sums, rows)
+        (self.sums, rows.into_iter().map(|reading| reading.within(epsilon.clone())).collect())
     }
 }

@@ -171,5 +171,5 @@ impl Rows {
 }
 
 fn reading(row: usize, x: Rational, y: Rational) -> Measurement {
-    Measurement { row, regressor: [x, Rational::one()], response: y, epsilon: Rational::zero() }
+    Measurement::around(row, [x, Rational::one()], y, Rational::zero())
 }

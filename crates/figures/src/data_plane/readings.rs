@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use boundfit_estimation::Bounds;
 use boundfit_exact::Rational;
 
 use super::scene::{MOST_MARKS, Shown};
@@ -15,6 +16,9 @@ const MOST_CAPS: usize = 60;
 /// How wide a column is in which the extreme readings are kept, in pixels.
 const COLUMN: f64 = 3.0;
 
+/// How far a bar without a bound on one side goes on beyond what is known, in parts of the panel.
+const OPEN_END: f64 = 0.06;
+
 /// A reading on a panel.
 pub(crate) struct Bar<'a> {
     shown: &'a Shown,
@@ -22,6 +26,8 @@ pub(crate) struct Bar<'a> {
     low: f64,
     middle: f64,
     high: f64,
+    /// Whether there is no bound below, and none above.
+    is_open: [bool; 2],
 }
 
 /// Error bar and mark of fitted readings.
@@ -49,8 +55,16 @@ pub(crate) fn bars<'a>(view: &View<'a>, panel: &Panel) -> Vec<Bar<'a>> {
     };
     let bar = |shown: &'a Shown| {
         let middle = up.fraction(view.value(shown));
-        let half = half_of(&shown.measurement.epsilon);
-        Bar { shown, at: across.fraction(&shown.abscissa), low: middle - half, middle, high: middle + half }
+        let at = across.fraction(&shown.abscissa);
+        if let Bounds::Around { epsilon, .. } = &shown.measurement.bounds {
+            let half = half_of(epsilon);
+            return Bar { shown, at, low: middle - half, middle, high: middle + half, is_open: [false; 2] };
+        }
+        let [lower, upper] = view.ends(shown).map(|end| end.map(|end| up.fraction(&end)));
+        let is_open = [lower.is_none(), upper.is_none()];
+        let low = lower.unwrap_or_else(|| middle.min(upper.unwrap_or(middle)) - OPEN_END);
+        let high = upper.unwrap_or_else(|| middle.max(lower.unwrap_or(middle)) + OPEN_END);
+        Bar { shown, at, low, middle, high, is_open }
     };
     let bars = view.scene.readings.iter().map(bar);
     bars.filter(|bar| (0.0..=1.0).contains(&bar.at)).collect()
@@ -106,12 +120,21 @@ fn draw_bar(panel: &mut Panel, bar: &Bar, caps: f64, dense: bool) {
     if bar.high > bar.low {
         let ends = [bar.low, bar.high];
         panel.line(&ends.map(|up| place(bar.at, up)).map(|p| panel.oriented(p)), stroke);
-        for up in ends.into_iter().filter(|_| caps > 0.0) {
-            let cap = [place(bar.at - caps, up), place(bar.at + caps, up)].map(|p| panel.oriented(p));
-            panel.line(&cap, stroke);
+        for (up, is_open, inwards) in [(bar.low, bar.is_open[0], 1.0), (bar.high, bar.is_open[1], -1.0)] {
+            if caps > 0.0 {
+                // An arrow head where the bar goes on without end.
+                let back = if is_open { inwards * OPEN_END / 3.0 } else { 0.0 };
+                let cap =
+                    [place(bar.at - caps, up + back), place(bar.at, up), place(bar.at + caps, up + back)];
+                let cap = cap.map(|p| panel.oriented(p));
+                if is_open { panel.line(&cap, stroke) } else { panel.line(&[cap[0], cap[2]], stroke) }
+            }
         }
     }
-    panel.mark(middle, mark);
+    // Bounds without a y have nothing between them to be marked.
+    if bar.shown.measurement.response().is_some() || bar.high <= bar.low {
+        panel.mark(middle, mark);
+    }
     if bar.shown.conflicting {
         label(panel, bar);
     }

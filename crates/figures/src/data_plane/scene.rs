@@ -1,5 +1,6 @@
 //! What a figure of the data plane is made of: the readings to be seen, and the line that distances are taken from.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use boundfit_estimation::{BoundName, Fit, Measurement, Model, Problem};
@@ -24,11 +25,17 @@ pub(crate) struct Reference {
 }
 
 impl Reference {
-    /// The response of a reading less that of the line.
+    /// What a reading stands at, less the line.
     fn distance(&self, reading: &Measurement) -> Rational {
         let [phi1, phi2] = &reading.regressor;
-        &reading.response - (&self.theta[0] * phi1 + &self.theta[1] * phi2)
+        level(reading) - (&self.theta[0] * phi1 + &self.theta[1] * phi2)
     }
+}
+
+/// Where a reading stands: at y or the middle of its bounds, else at its only bound.
+fn level(reading: &Measurement) -> Rational {
+    let value = reading.value().map(Cow::into_owned);
+    value.or_else(|| reading.lower()).or_else(|| reading.upper()).unwrap_or_default()
 }
 
 /// A reading that is to be seen.
@@ -36,7 +43,9 @@ pub(crate) struct Shown {
     /// x, or the number of the row.
     pub(crate) abscissa: Rational,
     pub(crate) measurement: Measurement,
-    /// The response less that of the reference line.
+    /// Where it stands.
+    pub(crate) level: Rational,
+    /// The level less that of the reference line.
     pub(crate) distance: Rational,
     pub(crate) fitted: bool,
     /// Kept when marks thin out.
@@ -123,6 +132,7 @@ fn readings(
             kept: fitted && (conflicting || active.contains(&measurement.row)),
             conflicting,
             distance: reference.map_or_else(Rational::zero, |reference| reference.distance(measurement)),
+            level: level(measurement),
             measurement: measurement.clone(),
         }
     };

@@ -24,9 +24,15 @@ impl View<'_> {
         })
     }
 
-    /// The response of a reading as the panel shows it.
+    /// Where a reading stands, as the panel shows it.
     pub(crate) fn value<'b>(&self, shown: &'b Shown) -> &'b Rational {
-        if self.reference.is_some() { &shown.distance } else { &shown.measurement.response }
+        if self.reference.is_some() { &shown.distance } else { &shown.level }
+    }
+
+    /// The bounds of a reading as the panel shows them.
+    pub(crate) fn ends(&self, shown: &Shown) -> [Option<Rational>; 2] {
+        let base = &shown.level - self.value(shown);
+        [shown.measurement.lower(), shown.measurement.upper()].map(|end| end.map(|end| end - &base))
     }
 
     /// A line of the data plane as the panel shows it.
@@ -56,14 +62,15 @@ impl View<'_> {
         let mut fitted = Extent::default();
         let mut others = Extent::default();
         for shown in &self.scene.readings {
-            let epsilon = &shown.measurement.epsilon;
             let middle = self.value(shown);
-            if shown.fitted {
-                fitted.include(&(middle - epsilon));
-                fitted.include(&(middle + epsilon));
-            } else {
+            if !shown.fitted {
                 others.include(middle);
+                continue;
             }
+            let [lower, upper] = self.ends(shown);
+            fitted.include(&lower.unwrap_or_else(|| middle.clone()));
+            fitted.include(&upper.unwrap_or_else(|| middle.clone()));
+            fitted.include(middle);
         }
         if self.reference.is_some() {
             fitted.include(&Rational::zero());

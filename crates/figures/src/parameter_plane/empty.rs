@@ -1,6 +1,6 @@
 //! The picture of an empty set: the strips of the readings that contradict each other, where they come nearest.
 
-use boundfit_estimation::{BoundName, Fit, Problem};
+use boundfit_estimation::{BoundName, Fit, Problem, half_planes};
 use boundfit_exact::Rational;
 use boundfit_geometry::constructions::{between_parallels, meet};
 use boundfit_geometry::{Constraint, HalfPlane, Inequality, Point, Polyhedron, System};
@@ -94,12 +94,7 @@ fn allowed(problem: &Problem, bound: BoundName) -> Option<Allowed> {
         }
         BoundName::Upper(row) | BoundName::Lower(row) => {
             let reading = problem.measurements.kept().iter().find(|reading| reading.row == row)?;
-            let [phi1, phi2] = reading.regressor.clone();
-            let (above, below) = (&reading.response + &reading.epsilon, &reading.epsilon - &reading.response);
-            let sides = vec![
-                Inequality::new(phi1.clone(), phi2.clone(), above),
-                Inequality::new(-phi1, -phi2, below),
-            ];
+            let sides = half_planes(reading).map(|(_, side)| side).collect();
             let upper = matches!(bound, BoundName::Upper(_));
             let side = if upper { "upper" } else { "lower" };
             (format!("allowed by row {row} ({side} bound thick)"), sides, usize::from(!upper))

@@ -37,8 +37,7 @@ pub(crate) fn estimates(problem: &Problem, fit: &Fit) -> Vec<Estimate> {
         all.push(Estimate { theta, mark: style::CENTRAL_MARK, name });
     }
     if let Some(minimax) = &fit.minimax {
-        let uniform =
-            matches!(problem.measurements.error_bound(), boundfit_estimation::ErrorBound::Uniform(_));
+        let uniform = problem.measurements.error_bound().is_uniform();
         let (sign, least) = labels::rounded_up(&minimax.least);
         let least = if uniform {
             format!("least ε {sign} {least}")

@@ -1,6 +1,6 @@
 //! The smallest error bound.
 
-use boundfit_estimation::{BoundName, ErrorBound, Minimax, reading_of_bound};
+use boundfit_estimation::{BoundName, Measurement, Minimax, reading_of_bound};
 use boundfit_exact::english::sentence;
 use boundfit_exact::{Rational, Rounding};
 
@@ -10,7 +10,7 @@ use crate::number::DIGITS;
 
 /// What is the smallest error bound that leaves anything, and who fixes it?
 pub(super) fn least(facts: &Facts<'_>) -> Question {
-    let uniform = matches!(facts.problem.measurements.error_bound(), ErrorBound::Uniform(_));
+    let uniform = facts.problem.measurements.error_bound().is_uniform();
     let question = if uniform {
         "What is the smallest error bound ε that leaves a feasible parameter pair, and what fixes it?"
     } else {
@@ -33,7 +33,10 @@ fn none(facts: &Facts<'_>, uniform: bool) -> String {
         return format!("There is none: {}, however large {symbol} is.", clash(&names, facts.problem));
     }
     let rows = facts.problem.measurements.kept();
-    let grows = |index: &usize| rows.get(reading_of_bound(*index)).is_some_and(|row| !row.epsilon.is_zero());
+    let grows = |index: &usize| {
+        let row = reading_of_bound(rows, *index).and_then(|position| rows.get(position));
+        row.and_then(Measurement::half_width).is_some_and(|width| width.is_positive())
+    };
     let growing: Vec<usize> = (0..facts.inequalities().len()).filter(grows).collect();
     let (fixed, names) = facts.others(&growing);
     let multipliers = fixed.region().certificate().map_or(&[][..], |certificate| certificate.multipliers());
@@ -87,9 +90,9 @@ fn positive(facts: &Facts<'_>, minimax: &Minimax, uniform: bool) -> String {
 
 /// How the error bound in use compares.
 fn present(facts: &Facts<'_>, least: &Rational, symbol: &str) -> String {
-    let (in_use, what) = match facts.problem.measurements.error_bound() {
-        ErrorBound::Uniform(epsilon) => (epsilon.clone(), value(epsilon, DIGITS, Rounding::Nearest)),
-        ErrorBound::PerRow(_) => (Rational::one(), "1".to_owned()),
+    let (in_use, what) = match facts.problem.measurements.error_bound().uniform() {
+        Some(epsilon) => (epsilon.clone(), value(epsilon, DIGITS, Rounding::Nearest)),
+        None => (Rational::one(), "1".to_owned()),
     };
     match in_use.cmp(least) {
         std::cmp::Ordering::Less => format!(" With {symbol} = {what} the set is empty."),

@@ -65,7 +65,7 @@ fn tight(facts: &Facts<'_>) -> String {
         1 => ", and it satisfies the condition",
         _ => ", and it satisfies the conditions",
     };
-    if rows.iter().all(|row| row.epsilon.is_zero()) {
+    if rows.iter().all(|row| row.half_width().is_some_and(|width| width.is_zero())) {
         let meets = if facts.is_line() { "passes exactly through" } else { "reproduces exactly" };
         return format!(
             "Yes. It {meets} every reading, so that it meets every error bound of 0 with equality{conditions}."

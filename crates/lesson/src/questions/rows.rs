@@ -83,11 +83,12 @@ fn larger(region: &Region) -> String {
 /// A reading that does not matter.
 pub(super) fn one_that_does_not(facts: &Facts<'_>) -> Option<Question> {
     let needed = irredundant(facts.problem, facts.fit);
-    let is_needed = |position: usize| bounds_of_reading(position).iter().any(|bound| needed.contains(bound));
+    let rows = facts.problem.measurements.kept();
+    let is_needed = |position: usize| bounds_of_reading(rows, position).any(|bound| needed.contains(&bound));
     let idle = || facts.without.iter().enumerate().filter(|(_, without)| !without.matters);
     // Better one with a reason of its own than the twin of one that matters.
     let (position, without) = idle().find(|(position, _)| !is_needed(*position)).or_else(|| idle().next())?;
-    let answer = without_it(facts, bounds_of_reading(position));
+    let answer = without_it(facts, &bounds_of_reading(rows, position).collect::<Vec<_>>());
     Some(Question {
         id: "remove-a-reading-that-does-not-matter",
         question: format!("Leave out reading {}: what changes?", without.row),
@@ -96,9 +97,9 @@ pub(super) fn one_that_does_not(facts: &Facts<'_>) -> Option<Question> {
     })
 }
 
-/// Why nothing changes without the two bounds of a reading, proved from all other half-planes.
-fn without_it(facts: &Facts<'_>, [upper, lower]: [usize; 2]) -> String {
-    let (others, names) = facts.others(&[upper, lower]);
+/// Why nothing changes without the bounds of a reading, proved from all other half-planes.
+fn without_it(facts: &Facts<'_>, bounds: &[usize]) -> String {
+    let (others, names) = facts.others(bounds);
     if let Some(certificate) = others.region().certificate() {
         let named = |m: &Multiplier| names.get(m.index).copied();
         let of_rest: Vec<BoundName> = certificate.multipliers().iter().filter_map(named).collect();
@@ -109,12 +110,12 @@ fn without_it(facts: &Facts<'_>, [upper, lower]: [usize; 2]) -> String {
             clash(&clashing, facts.problem)
         );
     }
-    let reason = |index: usize, which: &str| {
+    let reason = |&index: &usize| {
         let inequality = facts.inequalities().get(index)?;
+        let which = if matches!(facts.fit.fps.name(index), BoundName::Upper(_)) { "upper" } else { "lower" };
         Some(format!(" Its {which} bound {}.", why(facts, inequality, &others, &names)?))
     };
-    let reasons = [reason(upper, "upper"), reason(lower, "lower")];
-    format!("Nothing at all.{}", reasons.into_iter().flatten().collect::<String>())
+    format!("Nothing at all.{}", bounds.iter().filter_map(reason).collect::<String>())
 }
 
 /// Why a half-plane holds wherever others do; `None` where it does not.

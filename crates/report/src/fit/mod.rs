@@ -65,6 +65,7 @@ impl Report<'_> {
         let bound = match measurements.error_bound() {
             ErrorBound::Uniform(epsilon) => bounded.then(self.style.given(epsilon)),
             ErrorBound::PerRow(column) => bounded.given(column).words(", one bound per row"),
+            ErrorBound::Interval { lower, upper } => interval_columns(lower.as_deref(), upper.as_deref()),
         };
         let (used, total) = (measurements.fitted(), measurements.rows_total());
         let rows = match rows {
@@ -132,6 +133,11 @@ impl Report<'_> {
                     .then(style.upper_with_exact(&minimax.least))
                     .words(".")
             }
+            (Some(minimax), ErrorBound::Interval { .. }) => {
+                Text::from("All intervals would have to grow about their middles by a factor of at least ")
+                    .then(style.upper_with_exact(&minimax.least))
+                    .words(".")
+            }
         };
         vec![contradiction.into(), proof.words("."), help]
     }
@@ -163,5 +169,16 @@ impl Report<'_> {
             }
         }
         rows
+    }
+}
+
+/// Between which columns the model lies.
+fn interval_columns(lower: Option<&str>, upper: Option<&str>) -> Text {
+    match (lower, upper) {
+        (Some(lower), Some(upper)) => {
+            Text::from("between ").given(lower).words(" and ").given(upper).words(" of each row")
+        }
+        (Some(lower), None) => Text::from("at least ").given(lower).words(" of each row"),
+        (None, upper) => Text::from("at most ").given(upper.unwrap_or_default()).words(" of each row"),
     }
 }

@@ -44,6 +44,7 @@ impl Report<'_> {
         let least = match self.problem.measurements.error_bound() {
             ErrorBound::Uniform(_) => least,
             ErrorBound::PerRow(_) => least.words(" times each row's bound"),
+            ErrorBound::Interval { .. } => least.words(" times the width of each interval, about its middle"),
         };
         let proof = list(minimax.proof.multipliers.iter().map(|(name, _)| name.to_string()));
         let least = if proof.is_empty() { least } else { least.words(format!(", fixed by {proof}")) };

@@ -8,7 +8,7 @@ use boundfit_exact::Rational;
 use boundfit_lp::{BoundClaim, Claimed, End, Judgement, Referee, Verdict};
 use boundfit_tests::generate::seeded;
 use boundfit_tests::lp_cases::{fine, line_problem, number, ten_to};
-use boundfit_tests::readings::{parse_condition, problem, with_error_bound};
+use boundfit_tests::readings::{parse_condition, problem, with_error_bound, y_and_epsilon};
 use boundfit_tests::shape::Tally;
 use rand::RngExt;
 use rand::seq::SliceRandom;
@@ -55,7 +55,8 @@ fn needed(problem: &Problem, theta: &[Rational; 2]) -> Option<Rational> {
     }
     let growth = problem.measurements.kept().iter().map(|row| {
         let predicted = &row.regressor[0] * &theta[0] + &row.regressor[1] * &theta[1];
-        (&row.response - predicted).abs() - &row.epsilon
+        let (y, epsilon) = y_and_epsilon(row);
+        (y - predicted).abs() - epsilon
     });
     growth.chain([Rational::zero()]).max()
 }

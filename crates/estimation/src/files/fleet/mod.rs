@@ -13,7 +13,7 @@ use std::ops::Range;
 use boundfit_formats::{Batch, ColumnSelector, InputError, ScanOptions, Source, scan, threads};
 
 use crate::files::Columns;
-use crate::measurements::{ErrorBound, Meaning, Measurements};
+use crate::measurements::{Meaning, Measurements};
 use groups::Groups;
 use keys::Keys;
 use series::Series;
@@ -74,7 +74,7 @@ impl Fleet {
 
     /// Whether every reading has its own error bound.
     pub fn is_bounded_per_row(&self) -> bool {
-        matches!(self.meaning.error_bound, ErrorBound::PerRow(_))
+        !self.meaning.error_bound.is_uniform()
     }
 
     /// The text that the rows of a group have in common.
