@@ -9,18 +9,21 @@ use super::{TRANSDUCER, boundfit, command, directory_with, files_in, finish, wor
 /// What a number may look like.
 pub const A_NUMBER: &str = "(expected a decimal such as 1.30e-2 or a fraction such as 7/19)";
 
+/// An old answer, which a new one may replace.
+const OLD: &[u8] = b"{\"schema\":\"boundfit/fit/1\"}";
+
 /// Checks that the program refuses a command line with this status and message, and that it writes nothing: neither to
 /// standard output, nor to a new file, nor over an old one.
 pub fn refuses(directory: &Path, line: &str, status: i32, message: &str) {
     check_refusal(&boundfit(directory, line), line, status, message);
-    let outputs = directory_with(&[("old", b"kept")]);
+    let outputs = directory_with(&[("old", OLD)]);
     for (name, format) in [("new", "text"), ("old", "json")] {
         let mut command = command(directory);
         command.args(words(line)).args(["--format", format, "-o"]).arg(outputs.path().join(name));
         check_refusal(&finish(&mut command, b""), line, status, message);
     }
     assert_eq!(files_in(outputs.path()), ["old"], "{line}");
-    assert_eq!(std::fs::read(outputs.path().join("old")).unwrap(), b"kept", "{line}");
+    assert_eq!(std::fs::read(outputs.path().join("old")).unwrap(), OLD, "{line}");
 }
 
 /// Bad data is one line. Bad usage begins with the message; hints on usage follow after a blank line.

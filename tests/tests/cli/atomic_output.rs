@@ -28,6 +28,9 @@ const TO_FILE: [&str; 5] = [
 ];
 const TO_FOLDER: &str = "plot data.csv --x x --y y --eps 200000 --figure all";
 
+/// An old answer, which a new one may replace.
+const KEPT: &[u8] = b"Set-membership fit\nkept";
+
 /// The name of the file that a command writes.
 fn output_of(line: &str) -> &'static str {
     if line.starts_with("plot") { "out.svg" } else { "out" }
@@ -35,7 +38,7 @@ fn output_of(line: &str) -> &'static str {
 
 /// A directory with the data and an old file where the answer is to go.
 fn prepared(line: &str) -> TempDir {
-    directory_with(&[("data.csv", parabola().as_bytes()), (output_of(line), b"kept")])
+    directory_with(&[("data.csv", parabola().as_bytes()), (output_of(line), KEPT)])
 }
 
 /// Checks that a run failed for this reason and left everything as it was.
@@ -44,7 +47,7 @@ fn changed_nothing(run: &Run, reason: &str, directory: &Path, line: &str) {
     let message = format!("error: {output}: cannot write: {reason}\n");
     assert_eq!((run.status, run.stdout.as_str(), run.stderr.as_str()), (1, "", message.as_str()), "{line}");
     assert_eq!(files_in(directory), ["data.csv", output], "{line}");
-    assert_eq!(fs::read(directory.join(output)).unwrap(), b"kept", "{line}");
+    assert_eq!(fs::read(directory.join(output)).unwrap(), KEPT, "{line}");
 }
 
 /// The operating system's words for an error.
@@ -91,15 +94,17 @@ fn a_full_disk_leaves_the_old_file() {
         let output = output_of(line);
         // Status, message, what is in the old file, and which files there are.
         let script = format!(
-            "printf kept > full/{output} && {{ \"$0\" \"$@\" -o full/{output} 2> message; \
+            "printf 'Set-membership fit\\nkept' > full/{output} && {{ \"$0\" \"$@\" -o full/{output} 2> message; \
              printf '%s\\n' $?; cat message full/{output}; printf '\\n'; ls -A full; }}"
         );
         let Some(run) = on_a_small_disk(8_192, directory.path(), &script, &words(line)) else {
             eprintln!("no disk could be mounted");
             return;
         };
-        let expected =
-            format!("1\nerror: full/{output}: cannot write: {}\nkept\n{output}\n", words_for(NO_SPACE));
+        let expected = format!(
+            "1\nerror: full/{output}: cannot write: {}\nSet-membership fit\nkept\n{output}\n",
+            words_for(NO_SPACE)
+        );
         assert_eq!((run.stdout.as_str(), run.stderr.as_str()), (expected.as_str(), ""), "{line}");
     }
 }
@@ -114,7 +119,7 @@ fn a_disk_that_fills_up_leaves_every_figure_whole_or_as_it_was() {
     // Room for the first two of them and not quite the third, in pages.
     let room: usize = ["data.svg", "eui.svg"].map(|name| size(name).next_multiple_of(4096)).iter().sum();
     let directory = directory_with(&[("data.csv", parabola().as_bytes())]);
-    let script = "printf kept > full/fps.svg && { \"$0\" \"$@\" -o full 2> message; printf '%s\\n' $?; mkdir found; \
+    let script = "printf 'Set-membership fit\\nkept' > full/fps.svg && { \"$0\" \"$@\" -o full 2> message; printf '%s\\n' $?; mkdir found; \
                   cp -a full/. found; }";
     let Some(run) = on_a_small_disk(room + 2 * 4096, directory.path(), script, &words(TO_FOLDER)) else {
         eprintln!("no disk could be mounted");
@@ -129,7 +134,7 @@ fn a_disk_that_fills_up_leaves_every_figure_whole_or_as_it_was() {
     assert_eq!(message, expected);
     let found = directory.path().join("found");
     assert_eq!(files_in(&found), ["data.svg", "eui.svg", "fps.svg"]);
-    assert_eq!(fs::read(found.join("fps.svg")).unwrap(), b"kept");
+    assert_eq!(fs::read(found.join("fps.svg")).unwrap(), KEPT);
     for name in ["data.svg", "eui.svg"] {
         let expected = fs::read(whole.path().join("all").join(name)).unwrap();
         assert!(fs::read(found.join(name)).unwrap() == expected, "{name}");
@@ -174,7 +179,7 @@ fn killed(line: &str, output: &str, new: &[(String, Vec<u8>)], moment: impl FnOn
     let folder = directory.path().join("folder");
     fs::create_dir(&folder).unwrap();
     for (name, _) in new {
-        fs::write(folder.join(name), b"kept").unwrap();
+        fs::write(folder.join(name), KEPT).unwrap();
     }
     let mut command = boundfit_tests::cli::command(directory.path());
     command.args(words(line)).args(["-o", output]).stdout(Stdio::null()).stderr(Stdio::null());
@@ -186,7 +191,7 @@ fn killed(line: &str, output: &str, new: &[(String, Vec<u8>)], moment: impl FnOn
     assert_eq!(found.len(), new.len(), "{line}");
     for ((name, found), (expected, new)) in found.iter().zip(new) {
         assert_eq!(name, expected, "{line}");
-        assert!(found == b"kept" || found == new, "{line}: {name} is neither old nor new");
+        assert!(found == KEPT || found == new, "{line}: {name} is neither old nor new");
     }
 }
 

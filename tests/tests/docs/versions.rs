@@ -10,7 +10,8 @@ fn the_citation_and_the_changelog_name_this_version() {
     let citation = fs::read_to_string(root().join("CITATION.cff")).unwrap();
     assert!(citation.lines().any(|line| line == format!("version: {version}")), "{citation}");
     let changes = fs::read_to_string(root().join("CHANGELOG.md")).unwrap();
-    let newest = changes.lines().find_map(|line| line.strip_prefix("## ").filter(|name| *name != "Versions"));
+    let is_release = |name: &&str| !["Versions", "Unreleased"].contains(name);
+    let newest = changes.lines().find_map(|line| line.strip_prefix("## ").filter(is_release));
     assert_eq!(newest, Some(version));
 }
 

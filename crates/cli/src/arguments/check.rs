@@ -80,9 +80,9 @@ pub(super) const BENCH_NOTES: Notes = Notes {
 pub(crate) struct BenchSolversArguments {
     /// The folder
     pub(crate) folder: String,
-    /// A Markdown table, or JSON with the verdicts of every case
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(crate) format: Format,
+    /// A Markdown table, or JSON with the verdicts of every case; told by the end of the output file's name when left out
+    #[arg(long, value_enum)]
+    pub(crate) format: Option<Format>,
     #[command(flatten)]
     pub(crate) file: FileArguments,
     #[command(flatten)]

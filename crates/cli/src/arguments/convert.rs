@@ -4,9 +4,9 @@ use boundfit_lp::{ExchangeFormat, PuiEnd};
 use clap::Args;
 use clap::builder::{NonEmptyStringValueParser, PossibleValue};
 
-use super::DataArguments;
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::values::{explained, named};
+use super::{DataArguments, ReplaceArguments};
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -39,11 +39,11 @@ pub(super) const NOTES: Notes = Notes {
 pub(crate) struct ConvertArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
-    /// Format of the programs
+    /// Format of the programs; told by the end of the output file's name when left out
     #[arg(long, value_parser = explained(ExchangeFormat::ALL.map(|format| {
         (PossibleValue::new(format.name()).help(format.title()), format)
     })))]
-    pub(crate) to: ExchangeFormat,
+    pub(crate) to: Option<ExchangeFormat>,
     /// Write this program alone; all four into a folder when left out
     #[arg(long, value_parser = named(PuiEnd::ALL.map(|end| (end.name(), end))))]
     pub(crate) objective: Option<PuiEnd>,
@@ -51,4 +51,6 @@ pub(crate) struct ConvertArguments {
     /// file whole or not at all
     #[arg(short, long, value_name = "DIR|FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) output: Option<String>,
+    #[command(flatten)]
+    pub(crate) replace: ReplaceArguments,
 }

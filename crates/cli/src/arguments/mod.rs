@@ -2,6 +2,7 @@
 
 mod check;
 mod convert;
+mod endings;
 mod fit;
 mod lesson;
 mod notes;
@@ -18,6 +19,7 @@ use clap_complete::Shell;
 
 pub(crate) use check::{BenchSolversArguments, CheckArguments};
 pub(crate) use convert::ConvertArguments;
+pub(crate) use endings::{ending, told_by_name};
 pub(crate) use fit::FitArguments;
 pub(crate) use lesson::LessonArguments;
 pub(crate) use notes::Notes;
@@ -25,8 +27,8 @@ pub(crate) use plot::{Figures, PlotArguments};
 pub(crate) use polygon::PolygonArguments;
 pub(crate) use reduce::ReduceArguments;
 pub(crate) use shared::{
-    DataArguments, FileArguments, Format, LabelArguments, LimitArguments, OutputArguments, ReportFormat,
-    TableArguments, ThreadArguments,
+    DataArguments, FileArguments, Format, LabelArguments, LimitArguments, OutputArguments, ReplaceArguments,
+    ReportFormat, TableArguments, ThreadArguments,
 };
 pub(crate) use values::{FactorRange, number_problem};
 pub(crate) use verify::VerifyArguments;

@@ -6,7 +6,7 @@ use clap::{Args, value_parser};
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::values::{explained, named};
-use super::{DataArguments, LabelArguments};
+use super::{DataArguments, LabelArguments, ReplaceArguments};
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -52,13 +52,15 @@ pub(crate) struct PlotArguments {
     /// How many directions the figure 'directions' has
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = value_parser!(u16).range(3..=1000))]
     pub(crate) directions: u16,
-    /// SVG or PNG; told by the name of the output file when left out, else SVG
+    /// SVG or PNG; told by the end of the output file's name when left out, else SVG
     #[arg(long, value_parser = named(PictureFormat::ALL.map(|format| (format.name(), format))))]
     pub(crate) format: Option<PictureFormat>,
     /// Write to this .svg or .png file, or for all figures into this folder, instead of standard output; each file
     /// whole or not at all
     #[arg(short, long, value_name = "FILE|DIR", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) output: Option<String>,
+    #[command(flatten)]
+    pub(crate) replace: ReplaceArguments,
 }
 
 /// The value of `--figure` that asks for each of them.

@@ -21,6 +21,11 @@ impl DataArguments {
         if self.data == "-" { "standard input" } else { &self.data }
     }
 
+    /// The file as it was named on the command line.
+    pub(crate) fn path(&self) -> &str {
+        &self.data
+    }
+
     /// The row range in the user's words.
     pub(crate) fn rows_asked(&self) -> Option<&str> {
         self.rows.as_ref().map(|rows| rows.text.as_str())
@@ -206,7 +211,7 @@ impl ThreadArguments {
     }
 }
 
-impl<F: ValueEnum + Default + Send + Sync + 'static> OutputArguments<F> {
+impl<F: ValueEnum + Send + Sync + 'static> OutputArguments<F> {
     pub(crate) fn style(&self) -> Style {
         Style { digits: usize::from(self.digits), ends: self.rounding, exact: self.exact }
     }

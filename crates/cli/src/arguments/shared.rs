@@ -6,6 +6,10 @@ use boundfit_report::EndRounding;
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ValueEnum, value_parser};
 
+use crate::exit::Failure;
+use crate::output::Guard;
+
+use super::endings::{NamedFormat, told_by_name};
 use super::values::{AskedRows, Delimiter, Regressors, named, parse_column, parse_regressors, parse_rows};
 
 /// Where a text goes.
@@ -14,6 +18,23 @@ pub(crate) struct FileArguments {
     /// Write to this file instead of standard output: whole or not at all
     #[arg(short, long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) output: Option<String>,
+    #[command(flatten)]
+    pub(crate) replace: ReplaceArguments,
+}
+
+/// What may be lost by writing.
+#[derive(Debug, Args)]
+pub(crate) struct ReplaceArguments {
+    /// Replace an existing file even if boundfit did not write it; never one that is read, or is read-only
+    #[arg(long)]
+    force: bool,
+}
+
+impl ReplaceArguments {
+    /// Keeps these inputs, and what else may not be replaced, from being written over.
+    pub(crate) fn guard<'a>(&self, inputs: impl IntoIterator<Item = &'a str>) -> Guard {
+        Guard::new(inputs, self.force)
+    }
 }
 
 /// How much of the machine is used.
@@ -131,10 +152,10 @@ pub(crate) struct LimitArguments {
 
 /// How the answer is written.
 #[derive(Debug, Args)]
-pub(crate) struct OutputArguments<F: ValueEnum + Default + Send + Sync + 'static = Format> {
-    /// Format of the answer
-    #[arg(long, value_enum, default_value_t = F::default())]
-    pub(crate) format: F,
+pub(crate) struct OutputArguments<F: ValueEnum + Send + Sync + 'static = Format> {
+    /// Format of the answer; told by the end of the output file's name when left out (r.json, r.txt ...), else text
+    #[arg(long, value_enum)]
+    format: Option<F>,
     #[command(flatten)]
     pub(crate) file: FileArguments,
     /// Significant digits of decimals
@@ -147,6 +168,24 @@ pub(crate) struct OutputArguments<F: ValueEnum + Default + Send + Sync + 'static
     /// Show exact fractions in place of decimals (JSON always has both)
     #[arg(long)]
     pub(super) exact: bool,
+}
+
+impl<F: NamedFormat + ValueEnum + Send + Sync> OutputArguments<F> {
+    /// The format that is asked for, or told by the name of the output file.
+    pub(crate) fn format(&self) -> Result<F, Failure> {
+        self.file.format(self.format)
+    }
+}
+
+impl FileArguments {
+    /// The format asked for, or else told by the name of the output file.
+    pub(crate) fn format<F: NamedFormat>(&self, asked: Option<F>) -> Result<F, Failure> {
+        let told = || told_by_name(self.output.as_deref(), F::ENDINGS, Some("'--format'"));
+        Ok(match asked {
+            Some(format) => format,
+            None => told()?.unwrap_or_default(),
+        })
+    }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]

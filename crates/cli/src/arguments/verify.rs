@@ -34,9 +34,9 @@ pub(crate) struct VerifyArguments {
     pub(crate) proof: String,
     /// The data, or - for standard input
     pub(crate) data: String,
-    /// Format of the verdict
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(crate) format: Format,
+    /// Format of the verdict; told by the end of the output file's name when left out, else text
+    #[arg(long, value_enum)]
+    pub(crate) format: Option<Format>,
     #[command(flatten)]
     pub(crate) limits: LimitArguments,
     /// Bytes that a proof may have

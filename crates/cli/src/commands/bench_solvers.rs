@@ -11,7 +11,7 @@ use boundfit_formats::{ColumnSelector, Source, TableOptions};
 use boundfit_report::{conformance_json, conformance_table};
 
 use crate::CommandResult;
-use crate::arguments::{BenchSolversArguments, Format, number_problem};
+use crate::arguments::{BenchSolversArguments, Format, ending, number_problem};
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
@@ -19,6 +19,11 @@ use crate::progress::while_working;
 /// Runs every solver on every case of a folder and prints the worst verdict of each.
 pub(crate) fn run(arguments: &BenchSolversArguments) -> CommandResult {
     let folder = &arguments.folder;
+    let format = match (arguments.format, arguments.file.output.as_deref().and_then(ending).as_deref()) {
+        // The text is Markdown.
+        (None, Some("md" | "markdown")) => Format::Text,
+        (asked, _) => arguments.file.format(asked)?,
+    };
     let entries = fs::read_dir(folder)
         .map_err(|error| Failure::data(format_args!("{folder}: cannot read: {error}")))?;
     let mut names: Vec<String> = entries
@@ -30,6 +35,14 @@ pub(crate) fn run(arguments: &BenchSolversArguments) -> CommandResult {
     if names.is_empty() {
         return Err(Failure::data(format_args!("{folder}: there is no case NAME.csv with NAME.json")));
     }
+    let path = |name: &String, ending: &str| {
+        Path::new(folder).join(format!("{name}.{ending}")).to_string_lossy().into_owned()
+    };
+    let inputs: Vec<String> =
+        names.iter().flat_map(|name| ["csv", "json"].map(|ending| path(name, ending))).collect();
+    let guard = arguments.file.replace.guard(inputs.iter().map(String::as_str));
+    let output = arguments.file.output.as_deref();
+    guard.check(output)?;
     let limits = &arguments.limits;
     let table = TableOptions { limits: limits.number(), sizes: limits.sizes(), ..TableOptions::default() };
     let cases = while_working("solving", || {
@@ -37,11 +50,11 @@ pub(crate) fn run(arguments: &BenchSolversArguments) -> CommandResult {
             |name: String| judged_case(Path::new(folder), &name, &table).map(|judged| (name, judged));
         names.into_iter().map(judged).collect::<Result<Vec<_>, Failure>>()
     })?;
-    let report = match arguments.format {
+    let report = match format {
         Format::Text => conformance_table(&cases),
         Format::Json => conformance_json(&cases),
     };
-    output::write(&report, arguments.file.output.as_deref())?;
+    output::write(&report, output, &guard)?;
     Ok(Exit::Answer)
 }
 

@@ -20,18 +20,24 @@ use crate::progress::while_working;
 
 /// Reads the data and the claims, runs the solvers, judges and writes the report.
 pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
+    let format = arguments.output.format()?;
+    let claims = claim_files(&arguments.claims)?;
+    let inputs = claims.iter().map(String::as_str).chain([arguments.data.path()]);
+    let guard = arguments.output.file.replace.guard(inputs);
+    let output = arguments.output.file.output.as_deref();
+    guard.check(output)?;
     let data = arguments.data.open();
     let reading = data.origin().reading;
-    let options = options(arguments)?;
+    let options = options(arguments, claims)?;
     let problem = data.problem()?;
     let check = while_working("solving", || check(&problem, reading, &options));
     let check = check.map_err(|error| Failure::Usage(error.to_string()))?;
     let style = arguments.output.style();
-    let report = match arguments.output.format {
+    let report = match format {
         Format::Json => check_json(&check, reading, &style),
         Format::Text => check_document(&check, arguments.data.file_name(), reading, &style).to_text(),
     };
-    output::write(&report, arguments.output.file.output.as_deref())?;
+    output::write(&report, output, &guard)?;
     Ok(if check.worst(reading).is_some_and(Verdict::is_refutation) { Exit::Refuted } else { Exit::Answer })
 }
 
@@ -47,11 +53,11 @@ fn tolerance(arguments: &CheckArguments) -> Result<Rational, Failure> {
     if tolerance.is_negative() { Err(refuse("negative".to_owned())) } else { Ok(tolerance) }
 }
 
-fn options(arguments: &CheckArguments) -> Result<CheckOptions, Failure> {
+fn options(arguments: &CheckArguments, claim_files: Vec<String>) -> Result<CheckOptions, Failure> {
     let limits = &arguments.data.table.limits;
     let limits = ClaimLimits { number: limits.number(), nesting: limits.sizes().nesting };
     let mut claims = Vec::new();
-    for file in claim_files(&arguments.claims)? {
+    for file in claim_files {
         let text = read_text(&file, arguments.max_claim_size, "--max-claim-size")?;
         claims.push(ClaimText { file, text });
     }

@@ -12,6 +12,10 @@ use crate::output;
 pub(crate) fn run(shell: Shell, file: &FileArguments) -> CommandResult {
     let mut script = Vec::new();
     generate(shell, &mut Arguments::command(), "boundfit", &mut script);
-    output::write(&String::from_utf8(script).map_err(Failure::data)?, file.output.as_deref())?;
+    output::write(
+        &String::from_utf8(script).map_err(Failure::data)?,
+        file.output.as_deref(),
+        &file.replace.guard([]),
+    )?;
     Ok(Exit::Answer)
 }

@@ -5,10 +5,10 @@ use std::path::Path;
 use boundfit_check::{ExchangeRows, ProgramRows};
 use boundfit_estimation::{ErrorBound, Model, Problem};
 use boundfit_exact::Reading;
-use boundfit_lp::PuiEnd;
+use boundfit_lp::{ExchangeFormat, PuiEnd};
 
 use crate::CommandResult;
-use crate::arguments::ConvertArguments;
+use crate::arguments::{ConvertArguments, told_by_name};
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
@@ -24,6 +24,16 @@ enum Destination<'a> {
 /// Reads the data and writes the programs that are asked for.
 pub(crate) fn run(arguments: &ConvertArguments) -> CommandResult {
     let destination = destination(arguments)?;
+    let format = match arguments.to {
+        Some(format) => format,
+        None => told_format(arguments)?,
+    };
+    let name = |end: PuiEnd| format!("{}.{}", end.name(), format.name());
+    let guard = arguments.replace.guard([arguments.data.path()]);
+    match destination {
+        Destination::One(_, file) => guard.check(file)?,
+        Destination::All(folder) => guard.check_all(folder, PuiEnd::ALL.map(name))?,
+    }
     let data = arguments.data.open();
     let reading = data.origin().reading;
     let problem = data.problem()?;
@@ -31,17 +41,25 @@ pub(crate) fn run(arguments: &ConvertArguments) -> CommandResult {
     let about = comments(arguments, reading, &problem);
     let text = |end: PuiEnd| {
         let comments: Vec<String> = [heading(end)].into_iter().chain(about.iter().cloned()).collect();
-        while_working("writing", || rows.text(end, arguments.to, &comments))
+        while_working("writing", || rows.text(end, format, &comments))
     };
     match destination {
-        Destination::One(end, file) => output::write(text(end), file)?,
+        Destination::One(end, file) => output::write(text(end), file, &guard)?,
         Destination::All(folder) => {
-            let file =
-                |end: PuiEnd| (format!("{}.{}", end.name(), arguments.to.name()), text(end).into_bytes());
-            output::write_all(folder, &PuiEnd::ALL.map(file))?;
+            let file = |end: PuiEnd| (name(end), text(end).into_bytes());
+            output::write_all(folder, &PuiEnd::ALL.map(file), &guard)?;
         }
     }
     Ok(Exit::Answer)
+}
+
+/// The format that the name of the output file tells.
+fn told_format(arguments: &ConvertArguments) -> Result<ExchangeFormat, Failure> {
+    let endings = ExchangeFormat::ALL.map(|format| (format.name(), format));
+    let told = told_by_name(arguments.output.as_deref(), &endings, Some("'--to'"))?;
+    told.ok_or_else(|| {
+        Failure::Usage("'--to <TO>' is missing: the format of the programs, mps or lp".to_owned())
+    })
 }
 
 /// What goes where.

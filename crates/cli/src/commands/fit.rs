@@ -21,13 +21,18 @@ use crate::progress::while_working;
 pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     arguments.threads.set()?;
     check_usage_of_proof(arguments)?;
+    let format = arguments.output.format()?;
+    let output = arguments.output.file.output.as_deref();
+    let mut guard = arguments.output.file.replace.guard([arguments.data.path()]);
+    guard.check(output)?;
+    guard.check(arguments.proof.as_deref())?;
     if let Some(by) = &arguments.by {
-        return fleet::run(arguments, by);
+        return fleet::run(arguments, by, format, &guard);
     }
     let data = arguments.data.open();
     let origin = data.origin();
     let reading = origin.reading;
-    let is_hash_shown = arguments.output.format == ReportFormat::Json || arguments.proof.is_some();
+    let is_hash_shown = format == ReportFormat::Json || arguments.proof.is_some();
     let problem = data.scanned_problem(!arguments.no_eui, is_hash_shown)?;
     let fit = while_working("fitting", || fit(&problem));
     let family = arguments.sweep.as_ref().map(|FactorRange { from, to }| {
@@ -42,7 +47,7 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
         );
         document
     };
-    let report = match arguments.output.format {
+    let report = match format {
         ReportFormat::Json => fit_json(&problem, &fit, family.as_ref(), reading, &style),
         ReportFormat::Latex => document(None).to_latex(),
         ReportFormat::Markdown => document(None).to_markdown(),
@@ -59,9 +64,10 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
         }
     };
     if let Some(file) = &arguments.proof {
-        output::write(proof(&problem, &fit, reading, arguments.data.file_name())?, Some(file))?;
+        output::write(proof(&problem, &fit, reading, arguments.data.file_name())?, Some(file), &guard)?;
+        guard.keep_written(file);
     }
-    output::write(&report, arguments.output.file.output.as_deref())?;
+    output::write(&report, output, &guard)?;
     Ok(if fit.fps.polyhedron().region().is_empty() { Exit::Empty } else { Exit::Answer })
 }
 
@@ -76,7 +82,7 @@ fn check_usage_of_proof(arguments: &FitArguments) -> Result<(), Failure> {
         "-" if file == "-" => Err(Failure::Usage(
             "'--proof -' and the report would both go to standard output: give one of them a file".to_owned(),
         )),
-        output if output == file && file != "-" => {
+        output if output != "-" && file != "-" && output::is_one_file(output, file) => {
             Err(Failure::Usage("'--proof' and '--output' name the same file".to_owned()))
         }
         _ => Ok(()),

@@ -10,12 +10,17 @@ use boundfit_report::{FleetCsv, FleetSummary, FleetTable, GroupCells, GroupRepor
 use crate::CommandResult;
 use crate::arguments::{FitArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
-use crate::output::{Output, Stop};
+use crate::output::{Guard, Output, Stop};
 use crate::progress::while_working;
 
 /// Reads the data, then fits group after group and writes what is ready.
-pub(crate) fn run(arguments: &FitArguments, by: &ColumnSelector) -> CommandResult {
-    let write_groups = match arguments.output.format {
+pub(crate) fn run(
+    arguments: &FitArguments,
+    by: &ColumnSelector,
+    format: ReportFormat,
+    guard: &Guard,
+) -> CommandResult {
+    let write_groups = match format {
         ReportFormat::Text => Job::write_text,
         ReportFormat::Json => Job::write_json,
         ReportFormat::Csv => Job::write_csv,
@@ -27,7 +32,7 @@ pub(crate) fn run(arguments: &FitArguments, by: &ColumnSelector) -> CommandResul
     let options = ScanOptions { hash: false, ..options };
     let fleet = Fleet::read(source, &columns, by, options).map_err(Failure::data)?;
     let job = Job { fleet: &fleet, conditions: &conditions, style: arguments.output.style() };
-    let mut output = Output::open(arguments.output.file.output.as_deref())?;
+    let mut output = Output::open(arguments.output.file.output.as_deref(), guard)?;
     let mut summary = FleetSummary::default();
     let mut write = || write_groups(&job, &mut output, &mut summary);
     // Lines that scroll by on a terminal are progress enough.
@@ -36,7 +41,7 @@ pub(crate) fn run(arguments: &FitArguments, by: &ColumnSelector) -> CommandResul
     match written {
         Ok(()) => {
             output.finish()?;
-            if arguments.output.format != ReportFormat::Text {
+            if format != ReportFormat::Text {
                 // The answer is written, whether or not somebody reads the summary.
                 let _ = io::stderr().write_all(summary.to_text().as_bytes());
             }

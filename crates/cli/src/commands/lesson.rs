@@ -4,13 +4,17 @@ use boundfit_estimation::fit;
 use boundfit_lesson::{LessonError, LessonOptions, page};
 
 use crate::CommandResult;
-use crate::arguments::LessonArguments;
+use crate::arguments::{LessonArguments, told_by_name};
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
 
 /// Reads the data, fits and writes the page.
 pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
+    let output = arguments.file.output.as_deref();
+    let guard = arguments.file.replace.guard([arguments.data.path()]);
+    guard.check(output)?;
+    told_by_name(output, &[("html", ()), ("htm", ())], None)?;
     let data = arguments.data.open();
     let reading = data.origin().reading;
     let problem = data.problem_with_others()?;
@@ -30,6 +34,6 @@ pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
         )),
         _ => Failure::data(error),
     })?;
-    output::write(page, arguments.file.output.as_deref())?;
+    output::write(page, output, &guard)?;
     Ok(if fit.fps.polyhedron().region().is_empty() { Exit::Empty } else { Exit::Answer })
 }

@@ -27,7 +27,7 @@ pub(crate) fn run(topic: Option<&str>, file: &FileArguments) -> CommandResult {
         }
     };
     let page = page(command).map_err(Failure::data)?;
-    output::write(&page, file.output.as_deref())?;
+    output::write(&page, file.output.as_deref(), &file.replace.guard([]))?;
     Ok(Exit::Answer)
 }
 

@@ -7,7 +7,7 @@ use boundfit_estimation::fit;
 use boundfit_figures::{Figure, PictureFormat, PlotOptions, draw};
 
 use crate::CommandResult;
-use crate::arguments::{Figures, PlotArguments};
+use crate::arguments::{Figures, PlotArguments, ending};
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
@@ -23,6 +23,12 @@ enum Destination<'a> {
 /// Reads the data, fits, draws every picture that is asked for, and then writes them.
 pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
     let (destination, format) = destination(arguments)?;
+    let name = |figure: Figure| format!("{}.{}", figure.name(), format.name());
+    let guard = arguments.replace.guard([arguments.data.path()]);
+    match destination {
+        Destination::One(_, file) => guard.check(file)?,
+        Destination::All(folder) => guard.check_all(folder, Figure::ALL.map(name))?,
+    }
     let problem = arguments.data.open().problem_with_others()?;
     let fit = fit(&problem);
     let options = PlotOptions {
@@ -38,12 +44,11 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
         picture.encoded(format).map_err(Failure::data)
     };
     match destination {
-        Destination::One(figure, file) => output::write(picture(figure)?, file)?,
+        Destination::One(figure, file) => output::write(picture(figure)?, file, &guard)?,
         Destination::All(folder) => {
-            let file =
-                |figure: Figure| Ok((format!("{}.{}", figure.name(), format.name()), picture(figure)?));
+            let file = |figure: Figure| Ok((name(figure), picture(figure)?));
             let files = Figure::ALL.into_iter().map(file).collect::<Result<Vec<_>, Failure>>()?;
-            output::write_all(folder, &files)?;
+            output::write_all(folder, &files, &guard)?;
         }
     }
     Ok(if fit.fps.polyhedron().region().is_empty() { Exit::Empty } else { Exit::Answer })
@@ -75,18 +80,16 @@ fn destination(arguments: &PlotArguments) -> Result<(Destination<'_>, PictureFor
     };
     let refuse = |problem: String| Err(Failure::value("--output <FILE|DIR>", file, problem));
     match (told_by_name(file), asked) {
-        (Some(told), Some(asked)) if told != asked => {
-            refuse(format!("the name and '--format {}' contradict each other", asked.name()))
-        }
-        (Some(told), _) => Ok((Destination::One(figure, Some(file)), told)),
-        (None, _) => {
-            refuse("a picture is either SVG or PNG (expected a name that ends in .svg or .png)".to_owned())
-        }
+        (_, Some(format)) | (Some(format), None) => Ok((Destination::One(figure, Some(file)), format)),
+        (None, None) => refuse(
+            "a picture is either SVG or PNG (expected a name that ends in .svg or .png, or '--format')"
+                .to_owned(),
+        ),
     }
 }
 
 /// The format that the end of a file's name says.
 fn told_by_name(file: &str) -> Option<PictureFormat> {
-    let ending = Path::new(file).extension()?.to_str()?.to_ascii_lowercase();
+    let ending = ending(file)?;
     PictureFormat::ALL.into_iter().find(|format| format.name() == ending)
 }

@@ -14,6 +14,10 @@ use crate::output;
 
 /// Reads the half-planes, or finds those of generators, intersects them and writes the report.
 pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
+    let format = arguments.output.format()?;
+    let guard = arguments.output.file.replace.guard([arguments.file.as_str()]);
+    let output = arguments.output.file.output.as_deref();
+    guard.check(output)?;
     let reading = arguments.table.reading();
     let options = arguments.table.options(None);
     let source = Source::open(&arguments.file).map_err(Failure::data)?;
@@ -26,7 +30,7 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     };
     let style = arguments.output.style();
     let document = || polygon_document(&file, &polyhedron, &name, &style);
-    let report = match arguments.output.format {
+    let report = match format {
         ReportFormat::Text => document().to_text(),
         ReportFormat::Json => polygon_json(&file, &polyhedron, reading, &style),
         ReportFormat::Latex => document().to_latex(),
@@ -37,6 +41,6 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
         ReportFormat::Ine => h_representation(&polyhedron),
         ReportFormat::Ext => v_representation(&polyhedron),
     };
-    output::write(&report, arguments.output.file.output.as_deref())?;
+    output::write(&report, output, &guard)?;
     Ok(if polyhedron.region().is_empty() { Exit::Empty } else { Exit::Answer })
 }

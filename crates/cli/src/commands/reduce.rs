@@ -4,13 +4,17 @@ use boundfit_estimation::{ReducedColumns, ReducedTable};
 use boundfit_formats::Source;
 
 use crate::CommandResult;
-use crate::arguments::ReduceArguments;
+use crate::arguments::{ReduceArguments, told_by_name};
 use crate::exit::{Exit, Failure};
 use crate::output;
 
 /// Reads the data and writes those rows that decide every fit.
 pub(crate) fn run(arguments: &ReduceArguments) -> CommandResult {
     arguments.threads.set()?;
+    let output = arguments.file.output.as_deref();
+    let guard = arguments.file.replace.guard([arguments.data.as_str()]);
+    guard.check(output)?;
+    told_by_name(output, &[("csv", ()), ("tsv", ()), ("txt", ())], None)?;
     let columns = ReducedColumns {
         x: arguments.x.clone(),
         y: arguments.y.clone(),
@@ -22,6 +26,6 @@ pub(crate) fn run(arguments: &ReduceArguments) -> CommandResult {
     let mut text = Vec::new();
     // Writing to memory cannot fail.
     reduced.write(&mut text).map_err(Failure::data)?;
-    output::write(&text, arguments.file.output.as_deref())?;
+    output::write(&text, output, &guard)?;
     Ok(Exit::Answer)
 }

@@ -18,9 +18,12 @@ use crate::progress::while_working;
 pub(crate) fn run(arguments: &VerifyArguments) -> CommandResult {
     let VerifyArguments { proof: proof_file, data: data_file, format, limits, max_proof_size, file } =
         arguments;
+    let format = file.format(*format)?;
     if proof_file == "-" && data_file == "-" {
         return Err(Failure::Usage("the proof and the data cannot both be standard input".to_owned()));
     }
+    let guard = file.replace.guard([proof_file.as_str(), data_file]);
+    guard.check(file.output.as_deref())?;
     let text = read_proof(proof_file, limits, *max_proof_size)?;
     let not_a_proof = |problem: &dyn std::fmt::Display| {
         Failure::data(format_args!(
@@ -49,7 +52,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> CommandResult {
         Format::Text => verify_text(&verdict, named(proof_file), named(data_file)),
         Format::Json => verify_json(&verdict),
     };
-    output::write(&report, file.output.as_deref())?;
+    output::write(&report, file.output.as_deref(), &guard)?;
     Ok(if verdict.is_ok() { Exit::Answer } else { Exit::Refuted })
 }
 

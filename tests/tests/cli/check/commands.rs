@@ -87,8 +87,8 @@ fn reports_are_written_whole() {
     let claim = "--claim fixtures/claims/near-parallel-highs.json";
     for options in ["--format json", "--format text", "--directions 4"] {
         let printed = boundfit(&format!("{NEAR_PARALLEL} {claim} {options}"));
-        std::fs::write(&file, "what was there before, and much longer than any report\n".repeat(1000))
-            .unwrap();
+        let before = "what was there before, and much longer than any report\n".repeat(1000);
+        std::fs::write(&file, format!("LP answers about it, judged exactly\n{before}")).unwrap();
         let written = boundfit(&format!("{NEAR_PARALLEL} {claim} {options} -o {}", file.display()));
         assert_eq!((written.status, written.stdout.as_str()), (4, ""), "{options}");
         assert_eq!(std::fs::read_to_string(&file).unwrap(), printed.stdout, "{options}");

@@ -245,7 +245,11 @@ fn refusals_write_nothing() {
     let message = "(expected a folder for them, or '--objective' for one of them)";
     let run = boundfit(&format!("convert {STEAM} --to mps -o {file}"));
     assert!(run.status == 2 && run.stderr.contains(message), "{run:?}");
-    refused(&format!("convert {STEAM} -o {file}"), 2, "the following required arguments were not provided");
+    refused(
+        &format!("convert {STEAM} -o {}", path("none")),
+        2,
+        "'--to <TO>' is missing: the format of the programs, mps or lp\n",
+    );
     refused(&format!("convert {STEAM} --to sol -o {file}"), 2, "invalid value 'sol' for '--to <TO>'");
     refused(&format!("convert {STEAM} --to lp --objective theta3-min"), 2, "invalid value 'theta3-min'");
     let bad =

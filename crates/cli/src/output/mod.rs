@@ -1,4 +1,7 @@
-//! Writing the answer: to standard output, or to a file whole or not at all.
+//! Writing the answer: to standard output, or to a file whole or not at all, and never over what is not ours to replace.
+
+mod guard;
+mod marks;
 
 use std::fs;
 use std::io::{self, Write};
@@ -10,10 +13,12 @@ use tempfile::{Builder, NamedTempFile};
 
 use crate::exit::Failure;
 
-/// Writes an answer to a file, or to standard output without one or for `-`. A reader of standard output that has gone
-/// away is no error.
-pub(crate) fn write(answer: impl AsRef<[u8]>, file: Option<&str>) -> Result<(), Failure> {
-    let mut output = Output::open(file)?;
+pub(crate) use guard::Guard;
+
+/// Writes an answer to a file that the guard lets be written, or to standard output without one or for `-`. A reader of
+/// standard output that has gone away is no error.
+pub(crate) fn write(answer: impl AsRef<[u8]>, file: Option<&str>, guard: &Guard) -> Result<(), Failure> {
+    let mut output = Output::open(file, guard)?;
     match output.write(answer.as_ref()) {
         Ok(()) => output.finish(),
         Err(Stop::Closed) => Ok(()),
@@ -23,7 +28,8 @@ pub(crate) fn write(answer: impl AsRef<[u8]>, file: Option<&str>) -> Result<(), 
 
 /// Writes files, by their names, into a folder, which is made where there is none. All of them or, where it can be told
 /// beforehand that one cannot be written, none.
-pub(crate) fn write_all(folder: &str, files: &[(String, Vec<u8>)]) -> Result<(), Failure> {
+pub(crate) fn write_all(folder: &str, files: &[(String, Vec<u8>)], guard: &Guard) -> Result<(), Failure> {
+    guard.check_all(folder, files.iter().map(|(name, _)| name.clone()))?;
     fs::create_dir_all(folder)
         .map_err(|error| Failure::data(format_args!("{folder}: cannot create: {error}")))?;
     let path = |(name, _): &(String, _)| Path::new(folder).join(name).to_string_lossy().into_owned();
@@ -34,7 +40,7 @@ pub(crate) fn write_all(folder: &str, files: &[(String, Vec<u8>)]) -> Result<(),
     tempfile::tempfile_in(folder)
         .map_err(|error| Failure::data(format_args!("{folder}: cannot write: {}", error.kind())))?;
     for (done, (path, (_, bytes))) in paths.iter().zip(files).enumerate() {
-        write(bytes, Some(path)).map_err(|failure| match failure {
+        write(bytes, Some(path), guard).map_err(|failure| match failure {
             Failure::Data(message) if done > 0 => {
                 let written: Vec<&str> = paths.iter().take(done).map(String::as_str).collect();
                 Failure::Data(format!("{message} (already written: {})", written.join(", ")))
@@ -88,8 +94,10 @@ enum Target {
 }
 
 impl Output {
-    /// Gets ready to write to a file, or to standard output without one or for `-`.
-    pub(crate) fn open(file: Option<&str>) -> Result<Self, Failure> {
+    /// Gets ready to write to a file, or to standard output without one or for `-`. The guard is asked again: since it was
+    /// asked before the work began, a file may have come to be there.
+    pub(crate) fn open(file: Option<&str>, guard: &Guard) -> Result<Self, Failure> {
+        guard.check(file)?;
         let Some(file) = file.filter(|file| *file != "-") else {
             return Ok(Output { name: "standard output".to_owned(), target: Target::Standard });
         };
@@ -139,14 +147,14 @@ fn cannot_write(name: &str, error: &io::Error) -> Failure {
 impl Target {
     fn open(file: &Path) -> io::Result<Self> {
         // A link is written through, and a device or pipe is written to: neither may be replaced.
-        let becomes = resolved(file);
-        let existing = fs::metadata(&becomes).ok();
+        let existing = fs::metadata(file).ok();
         if existing.as_ref().is_some_and(fs::Metadata::is_dir) {
             return Err(io::Error::other("is a directory"));
         }
         if existing.as_ref().is_some_and(|metadata| !metadata.is_file()) {
-            return Ok(Target::Device(fs::OpenOptions::new().write(true).open(&becomes)?));
+            return Ok(Target::Device(fs::OpenOptions::new().write(true).open(file)?));
         }
+        let becomes = resolved(file);
         let directory = match becomes.parent() {
             Some(parent) if parent != Path::new("") => parent.to_owned(),
             _ => PathBuf::from("."),
@@ -187,6 +195,21 @@ fn sync_folder_of(file: &Path) {
 /// Here a folder cannot be opened like a file; the system keeps names in a journal.
 #[cfg(not(unix))]
 fn sync_folder_of(_: &Path) {}
+
+/// Whether two names are those of one file, which need not exist yet.
+pub(crate) fn is_one_file(first: &str, second: &str) -> bool {
+    let whole = |file: &str| {
+        let resolved = resolved(Path::new(file));
+        let folder = resolved.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
+        match (fs::canonicalize(folder), resolved.file_name()) {
+            (Ok(folder), Some(name)) => folder.join(name),
+            _ => resolved,
+        }
+    };
+    let is_same = |first: &str, second: &str| same_file::is_same_file(first, second).unwrap_or(false);
+    let is_file = |file: &str| fs::metadata(file).is_ok_and(|metadata| metadata.is_file());
+    whole(first) == whole(second) || (is_file(first) && is_file(second) && is_same(first, second))
+}
 
 /// The file behind any links, which need not exist yet.
 fn resolved(file: &Path) -> PathBuf {

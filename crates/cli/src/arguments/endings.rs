@@ -1,0 +1,85 @@
+//! Formats that the end of a file's name tells.
+
+use std::path::Path;
+
+use super::{Format, ReportFormat};
+use crate::exit::Failure;
+
+/// A format of answers that a file's name may tell.
+pub(crate) trait NamedFormat: Copy + Default + 'static {
+    /// The ends of names, in small letters, and what they tell.
+    const ENDINGS: &'static [(&'static str, Self)];
+}
+
+impl NamedFormat for Format {
+    const ENDINGS: &'static [(&'static str, Self)] = &[("json", Format::Json), ("txt", Format::Text)];
+}
+
+impl NamedFormat for ReportFormat {
+    const ENDINGS: &'static [(&'static str, Self)] = &[
+        ("json", ReportFormat::Json),
+        ("ndjson", ReportFormat::Json),
+        ("jsonl", ReportFormat::Json),
+        ("tex", ReportFormat::Latex),
+        ("md", ReportFormat::Markdown),
+        ("markdown", ReportFormat::Markdown),
+        ("csv", ReportFormat::Csv),
+        ("wkt", ReportFormat::Wkt),
+        ("m", ReportFormat::M),
+        ("ine", ReportFormat::Ine),
+        ("ext", ReportFormat::Ext),
+        ("txt", ReportFormat::Text),
+    ];
+}
+
+/// Ends of names that are those of one format, so that nothing else belongs in such a file.
+const TELLING: [&str; 41] = [
+    "arrow", "bmp", "csv", "doc", "docx", "eps", "ext", "feather", "gif", "htm", "html", "ine", "ipynb",
+    "jpeg", "jpg", "json", "jsonl", "lp", "m", "markdown", "mat", "md", "mps", "ndjson", "npy", "npz", "ods",
+    "odt", "parquet", "pdf", "png", "ps", "py", "svg", "tex", "tsv", "webp", "wkt", "xls", "xlsx", "xml",
+];
+
+/// The format that the end of a file's name tells, among those that a command has; `None` where it tells nothing.
+/// `instead` is the option that tells the format, if there is one.
+///
+/// # Errors
+/// When the name tells a format that the command does not have.
+pub(crate) fn told_by_name<F: Copy>(
+    file: Option<&str>,
+    endings: &[(&str, F)],
+    instead: Option<&str>,
+) -> Result<Option<F>, Failure> {
+    let Some((file, ending)) = file.and_then(|file| Some((file, ending(file)?))) else { return Ok(None) };
+    if let Some((_, format)) = endings.iter().find(|(name, _)| *name == ending) {
+        return Ok(Some(*format));
+    }
+    if !TELLING.contains(&ending.as_str()) {
+        return Ok(None);
+    }
+    let names: Vec<String> = endings.iter().map(|(name, _)| format!(".{name}")).collect();
+    let instead = instead.map(|option| format!(", or {option}")).unwrap_or_default();
+    let problem = format!(
+        "this command writes no .{ending} (expected a name that ends in {}{instead})",
+        names.join(", ")
+    );
+    Err(Failure::value("--output <FILE>", file, problem))
+}
+
+/// The end of a file's name in small letters.
+pub(crate) fn ending(file: &str) -> Option<String> {
+    Some(Path::new(file).extension()?.to_str()?.to_ascii_lowercase())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_ending_of_a_format_is_telling() {
+        let names =
+            |endings: &[&'static str]| endings.iter().all(|name| *name == "txt" || TELLING.contains(name));
+        assert!(names(&Format::ENDINGS.iter().map(|(name, _)| *name).collect::<Vec<_>>()));
+        assert!(names(&ReportFormat::ENDINGS.iter().map(|(name, _)| *name).collect::<Vec<_>>()));
+        assert!(TELLING.is_sorted());
+    }
+}
