@@ -38,8 +38,11 @@ def half_planes(proof, data):  # section 2: name -> (a1, a2, b): a1*theta1 + a2*
         x1, x2, y, epsilon = (read(row, column) * factor for column, factor in model)
         must(epsilon >= 0, f"row {row}: a negative error bound")
         planes[f"{row} upper"], planes[f"{row} lower"] = (x1, x2, y + epsilon), (-x1, -x2, epsilon - y)
-    conditions = enumerate(proof["conditions"], 1)
-    return planes | {f"where:{k}": (number(a1), number(a2), number(b)) for k, (a1, a2, b) in conditions}
+    for k, (a1, a2, b, *sign) in enumerate(proof["conditions"], 1):
+        must(sign in ([], ["="]), "conditions", ValueError)
+        upper, lower = (number(a1), number(a2), number(b)), (-number(a1), -number(a2), -number(b))
+        planes |= {f"where:{k} upper": upper, f"where:{k} lower": lower} if sign else {f"where:{k}": upper}
+    return planes
 def verify(proof, data):
     must(proof["sha256"] == hashlib.sha256(data).hexdigest(), "sha256")
     planes, points, bounds = half_planes(proof, data), [pair(theta) for theta in proof["vertices"]], proof["bounds"]

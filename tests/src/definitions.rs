@@ -128,7 +128,8 @@ pub fn in_unit(problem: &Problem, factor: &Rational) -> Problem {
     let rows = problem.measurements.kept().iter().map(scaled).collect();
     let condition = |condition: &Condition| {
         let Inequality { a: [a1, a2], b } = condition.inequality();
-        let text = format!("{a1}*theta1 + {a2}*theta2 <= {}", b * factor).replace("+ -", "- ");
+        let relation = if condition.is_equation() { "=" } else { "<=" };
+        let text = format!("{a1}*theta1 + {a2}*theta2 {relation} {}", b * factor).replace("+ -", "- ");
         parse_condition(&text)
     };
     let conditions = problem.conditions.iter().map(condition).collect();

@@ -11,14 +11,17 @@ pub struct ExchangeRows(Vec<ExchangeRow>);
 
 impl ExchangeRows {
     /// The rows in their order, named after data row and bound: `row14_upper`, `row14_lower` (written with ≥), `where_1`.
+    /// Both sides of an equation are one row, written with =.
     pub fn new(rows: &ProgramRows) -> Self {
-        let named = rows.rows().iter().zip(rows.names()).map(|(row, name)| {
+        let named = rows.rows().iter().zip(rows.names()).filter_map(|(row, name)| {
             let (name, sense) = match name {
                 BoundName::Upper(row) => (format!("row{row}_upper"), Sense::AtMost),
                 BoundName::Lower(row) => (format!("row{row}_lower"), Sense::AtLeast),
                 BoundName::Where(number) => (format!("where_{number}"), Sense::AtMost),
+                BoundName::WhereUpper(number) => (format!("where_{number}"), Sense::Equal),
+                BoundName::WhereLower(_) => return None,
             };
-            ExchangeRow::new(name, &row.row, sense)
+            Some(ExchangeRow::new(name, &row.row, sense))
         });
         ExchangeRows(named.collect())
     }

@@ -1,4 +1,4 @@
-//! Prior knowledge of the parameters as linear inequalities: `theta1 >= 0`, `2*theta1 - theta2 <= 1/3`.
+//! Prior knowledge of the parameters as linear inequalities and equations: `theta1 >= 0`, `2*theta1 - theta2 = 1/3`.
 
 use std::fmt;
 
@@ -6,11 +6,12 @@ use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading};
 use boundfit_geometry::Inequality;
 use thiserror::Error;
 
-/// A linear inequality in θ1 and θ2, as text and in ≤ form.
+/// A linear inequality in θ1 and θ2 as text and in ≤ form, or an equation, which is two of them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Condition {
     text: String,
     inequality: Inequality,
+    is_equation: bool,
 }
 
 /// Why a text is not a condition, and where.
@@ -32,13 +33,13 @@ pub enum ParseConditionErrorKind {
     /// A number that is not one.
     #[error("{verdict}: {0}", verdict = if .0.is_limit() { "refused" } else { "not a number" })]
     NotANumber(ParseNumberErrorKind),
-    /// No `<=` or `>=` where one belongs.
-    #[error("neither <= nor >= nor another term")]
+    /// No `<=`, `>=` or `=` where one belongs.
+    #[error("neither <=, >= nor = nor another term")]
     NoRelation,
-    /// A strict inequality or an equation.
-    #[error("only <= and >= are closed half-planes; two conditions make an equation")]
+    /// A strict inequality.
+    #[error("< and > leave out the boundary, which is part of every set here; <= and >= keep it")]
     WrongRelation,
-    /// A second `<=` or `>=`.
+    /// A second `<=`, `>=` or `=`.
     #[error("a second relation")]
     SecondRelation,
 }
@@ -50,28 +51,37 @@ impl fmt::Display for Expected<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0 {
             ParseConditionErrorKind::NotANumber(kind) if kind.is_limit() => Ok(()),
-            _ => f.write_str(" (expected a linear inequality such as \"2*theta1 - theta2 <= 1/3\")"),
+            _ => {
+                f.write_str(" (expected a condition such as \"2*theta1 - theta2 <= 1/3\" or \"theta2 = 0\")")
+            }
         }
     }
 }
 
 impl Condition {
-    /// Reads a condition: sums of numbers, `theta1`, `theta2` and `number*theta1`, with `<=` or `>=` between them.
-    /// `θ1`, `θ2`, `≤`, `≥` and a missing `*` are understood. Exact as `reading` says.
+    /// Reads a condition: sums of numbers, `theta1`, `theta2` and `number*theta1`, with `<=`, `>=` or `=` between them.
+    /// `θ1`, `θ2`, `≤`, `≥`, `==` and a missing `*` are understood. Exact as `reading` says.
     ///
     /// # Errors
     /// With the byte position where the text stops making sense.
     pub fn parse(text: &str, reading: Reading, limits: &Limits) -> Result<Self, ParseConditionError> {
         let mut parser = Parser { text, position: 0, reading, limits };
         let left = parser.sum()?;
-        let at_most = parser.relation()?;
+        let relation = parser.relation()?;
         let right = parser.sum()?;
         if !parser.rest().is_empty() {
             return Err(parser.error(ParseConditionErrorKind::SecondRelation));
         }
-        let sign = if at_most { Rational::one() } else { -Rational::one() };
+        let sign = if relation == Relation::AtLeast { -Rational::one() } else { Rational::one() };
         let [a1, a2, b] = [0, 1, 2].map(|i| (&left[i] - &right[i]) * &sign);
-        Ok(Condition { text: text.trim().to_owned(), inequality: Inequality::new(a1, a2, -b) })
+        let is_equation = relation == Relation::Equal;
+        Ok(Condition { text: text.trim().to_owned(), inequality: Inequality::new(a1, a2, -b), is_equation })
+    }
+
+    /// `theta2 = 0`, as if it had been written: the condition of a line through the origin.
+    pub(crate) fn no_intercept() -> Self {
+        let inequality = Inequality::new(Rational::zero(), Rational::one(), Rational::zero());
+        Condition { text: "theta2 = 0".to_owned(), inequality, is_equation: true }
     }
 
     /// The condition as it was written.
@@ -79,10 +89,32 @@ impl Condition {
         &self.text
     }
 
-    /// The condition in ≤ form.
+    /// The condition in ≤ form; of an equation a·θ = b the half-plane a·θ ≤ b.
     pub fn inequality(&self) -> &Inequality {
         &self.inequality
     }
+
+    /// Whether it is an equation: the opposite inequality holds, too.
+    pub fn is_equation(&self) -> bool {
+        self.is_equation
+    }
+
+    /// Every half-plane of the condition in ≤ form: one, or of an equation a·θ = b first a·θ ≤ b and then -a·θ ≤ -b.
+    pub fn inequalities(&self) -> impl Iterator<Item = Inequality> + '_ {
+        let opposite = || {
+            let Inequality { a: [a1, a2], b } = &self.inequality;
+            Inequality::new(-a1, -a2, -b)
+        };
+        [self.inequality.clone()].into_iter().chain(self.is_equation.then(opposite))
+    }
+}
+
+/// What stands between the two sides of a condition.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Relation {
+    AtMost,
+    AtLeast,
+    Equal,
 }
 
 struct Parser<'a> {
@@ -141,15 +173,17 @@ impl<'a> Parser<'a> {
         Ok(value)
     }
 
-    /// Whether the relation is `<=`.
-    fn relation(&mut self) -> Result<bool, ParseConditionError> {
-        if let Some(found) = self.take(&["<=", "=<", "≤", ">=", "=>", "≥"]) {
-            return Ok(["<=", "=<", "≤"].contains(&found));
+    fn relation(&mut self) -> Result<Relation, ParseConditionError> {
+        // Longer words first: `=` begins several of them.
+        match self.take(&["<=", "=<", "≤", ">=", "=>", "≥", "==", "="]) {
+            Some("<=" | "=<" | "≤") => Ok(Relation::AtMost),
+            Some(">=" | "=>" | "≥") => Ok(Relation::AtLeast),
+            Some(_) => Ok(Relation::Equal),
+            None if self.rest().starts_with(['<', '>']) => {
+                Err(self.error(ParseConditionErrorKind::WrongRelation))
+            }
+            None => Err(self.error(ParseConditionErrorKind::NoRelation)),
         }
-        let wrong = self.rest().starts_with(['<', '>', '=']);
-        let kind =
-            if wrong { ParseConditionErrorKind::WrongRelation } else { ParseConditionErrorKind::NoRelation };
-        Err(self.error(kind))
     }
 
     fn take(&mut self, words: &[&'static str]) -> Option<&'static str> {
@@ -215,12 +249,28 @@ mod tests {
     }
 
     #[test]
+    fn equations_become_two_inequalities() {
+        for text in ["2*theta1 - theta2 = 1/3", "2 theta1 == 1/3 + theta2", "2θ1-θ2=1/3"] {
+            let condition = Condition::parse(text, Reading::Decimal, &Limits::default()).unwrap();
+            assert!(condition.is_equation(), "{text}");
+            let [two, one, third] = [(2, 1), (1, 1), (1, 3)].map(|(p, q)| Rational::ratio(p, q));
+            let upper = Inequality::new(two.clone(), -&one, third.clone());
+            let lower = Inequality::new(-two, one, -third);
+            assert_eq!(condition.inequalities().collect::<Vec<_>>(), [upper, lower], "{text}");
+        }
+        let no_intercept = Condition::parse("theta2 = 0", Reading::Decimal, &Limits::default());
+        assert_eq!(no_intercept, Ok(Condition::no_intercept()));
+    }
+
+    #[test]
     fn what_is_not_a_condition_is_refused_with_its_place() {
         for (text, position, kind) in [
             ("", 0, Kind::NotATerm),
             ("theta1", 6, Kind::NoRelation),
             ("theta1 > 0", 7, Kind::WrongRelation),
-            ("theta1 = 0", 7, Kind::WrongRelation),
+            ("theta1 < 0", 7, Kind::WrongRelation),
+            ("theta1 === 0", 9, Kind::NotATerm),
+            ("theta1 = theta2 = 0", 16, Kind::SecondRelation),
             ("theta1 <= ", 10, Kind::NotATerm),
             ("theta3 >= 0", 0, Kind::NotATerm),
             ("2*3 >= 0", 2, Kind::NotATerm),

@@ -170,7 +170,7 @@ impl Fit {
     pub fn contradiction_of_conditions(&self) -> Option<Vec<(BoundName, Rational)>> {
         let named = self.fps.names().iter().zip(self.fps.polyhedron().system().inequalities());
         let (names, system): (Vec<BoundName>, Vec<Inequality>) = named
-            .filter(|(name, _)| matches!(name, BoundName::Where(_)))
+            .filter(|(name, _)| name.condition().is_some())
             .map(|(name, inequality)| (*name, inequality.clone()))
             .unzip();
         let conditions = Polyhedron::intersect(System::new(system));

@@ -20,8 +20,12 @@ pub enum BoundName {
     Upper(usize),
     /// φ·θ ≥ y - ε, or the lower bound, of this data row.
     Lower(usize),
-    /// The condition with this number, from 1.
+    /// The condition with this number, from 1: an inequality.
     Where(usize),
+    /// a·θ ≤ b of the condition with this number, an equation a·θ = b.
+    WhereUpper(usize),
+    /// a·θ ≥ b of the condition with this number, an equation a·θ = b.
+    WhereLower(usize),
 }
 
 impl BoundName {
@@ -30,7 +34,26 @@ impl BoundName {
         match self {
             BoundName::Upper(row) => (false, row, false),
             BoundName::Lower(row) => (false, row, true),
-            BoundName::Where(number) => (true, number, false),
+            BoundName::Where(number) | BoundName::WhereUpper(number) => (true, number, false),
+            BoundName::WhereLower(number) => (true, number, true),
+        }
+    }
+
+    /// The data row that it is a bound of; `None` for a condition.
+    pub fn row(self) -> Option<usize> {
+        match self {
+            BoundName::Upper(row) | BoundName::Lower(row) => Some(row),
+            BoundName::Where(_) | BoundName::WhereUpper(_) | BoundName::WhereLower(_) => None,
+        }
+    }
+
+    /// The number of the condition that it belongs to, from 1; `None` for a reading.
+    pub fn condition(self) -> Option<usize> {
+        match self {
+            BoundName::Upper(_) | BoundName::Lower(_) => None,
+            BoundName::Where(number) | BoundName::WhereUpper(number) | BoundName::WhereLower(number) => {
+                Some(number)
+            }
         }
     }
 }
@@ -53,6 +76,8 @@ impl fmt::Display for BoundName {
             BoundName::Upper(row) => write!(f, "{row} upper"),
             BoundName::Lower(row) => write!(f, "{row} lower"),
             BoundName::Where(number) => write!(f, "where:{number}"),
+            BoundName::WhereUpper(number) => write!(f, "where:{number} upper"),
+            BoundName::WhereLower(number) => write!(f, "where:{number} lower"),
         }
     }
 }
@@ -93,7 +118,7 @@ impl Fps {
     }
 
     fn of_extremes(measurements: &Measurements, conditions: &[Condition], extremes: &Extremes) -> Self {
-        let count = 2 * extremes.touching.len() + conditions.len();
+        let count = 2 * (extremes.touching.len() + conditions.len());
         let (mut names, mut inequalities) = (Vec::with_capacity(count), Vec::with_capacity(count));
         let mut add = |(name, inequality): (BoundName, Inequality)| {
             names.push(name);
@@ -104,7 +129,7 @@ impl Fps {
             let bounds = half_planes(measurement).filter(|(name, _)| match name {
                 BoundName::Upper(_) => touching.lower,
                 BoundName::Lower(_) => touching.upper,
-                BoundName::Where(_) => false,
+                BoundName::Where(_) | BoundName::WhereUpper(_) | BoundName::WhereLower(_) => false,
             });
             bounds.for_each(&mut add);
         }
@@ -193,9 +218,14 @@ fn lower(measurement: &Measurement, bound: Option<Rational>) -> Option<(BoundNam
     Some((BoundName::Lower(*row), Inequality::new(-phi1, -phi2, -bound?)))
 }
 
-/// The conditions as named inequalities, numbered from 1.
+/// The conditions as named inequalities, numbered from 1; of an equation both sides.
 pub fn conditions_by_name(conditions: &[Condition]) -> impl Iterator<Item = (BoundName, Inequality)> + '_ {
-    (1..)
-        .zip(conditions)
-        .map(|(number, condition)| (BoundName::Where(number), condition.inequality().clone()))
+    (1..).zip(conditions).flat_map(|(number, condition)| {
+        let names = if condition.is_equation() {
+            [BoundName::WhereUpper(number), BoundName::WhereLower(number)]
+        } else {
+            [BoundName::Where(number); 2]
+        };
+        names.into_iter().zip(condition.inequalities())
+    })
 }

@@ -21,8 +21,8 @@ impl Problem {
         Problem { measurements, conditions: Vec::new() }
     }
 
-    /// Adds a linear inequality that the parameters are known to satisfy, such as `2*theta1 - theta2 <= 1/3`, with its
-    /// numbers taken exactly as written. [`Condition::parse`] says what is understood.
+    /// Adds a linear inequality or equation that the parameters are known to satisfy, such as `2*theta1 - theta2 <= 1/3` or
+    /// `theta2 = 0`, with its numbers taken exactly as written. [`Condition::parse`] says what is understood.
     ///
     /// # Errors
     /// With the place where the text stops making sense.

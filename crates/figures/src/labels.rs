@@ -127,12 +127,11 @@ impl Conflict {
         let mut conflict = Conflict::default();
         for (bound, _) in contradiction {
             conflict.bounds.push(bound);
-            match bound {
-                BoundName::Upper(row) | BoundName::Lower(row) => conflict.rows.push(row),
-                BoundName::Where(number) => conflict.conditions.push(number),
-            }
+            conflict.rows.extend(bound.row());
+            conflict.conditions.extend(bound.condition());
         }
         conflict.rows.dedup();
+        conflict.conditions.dedup();
         conflict
     }
 

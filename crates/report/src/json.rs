@@ -37,7 +37,7 @@ impl From<BoundName> for ActiveJson {
         match name {
             BoundName::Upper(row) => ActiveJson { row: Some(row), bound: "upper".to_owned() },
             BoundName::Lower(row) => ActiveJson { row: Some(row), bound: "lower".to_owned() },
-            BoundName::Where(number) => ActiveJson { row: None, bound: format!("where:{number}") },
+            of_condition => ActiveJson { row: None, bound: of_condition.to_string() },
         }
     }
 }

@@ -17,7 +17,7 @@ struct ProofJson {
     rows: [usize; 2],
     reading: &'static str,
     model: [(usize, String); 4],
-    conditions: Vec<[String; 3]>,
+    conditions: Vec<Vec<String>>,
     vertices: Vec<[String; 2]>,
     active: Vec<(usize, String)>,
     sides: Vec<(String, Option<usize>)>,
@@ -50,7 +50,8 @@ pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<Stri
     };
     let condition = |condition: &Condition| {
         let inequality = condition.inequality();
-        [&inequality.a[0], &inequality.a[1], &inequality.b].map(Rational::to_string)
+        let numbers = [&inequality.a[0], &inequality.a[1], &inequality.b].map(Rational::to_string);
+        numbers.into_iter().chain(condition.is_equation().then(|| "=".to_owned())).collect()
     };
     let polyhedron = fit.fps.polyhedron();
     let name = |index: usize| fit.fps.name(index).to_string();

@@ -22,7 +22,7 @@ pub struct Proof {
     reading: Reading,
     /// φ1, φ2, y and ε: a column, from 1, and how many times it is taken. Column 0 holds 1 in every row.
     model: [(usize, Rational); 4],
-    conditions: Vec<HalfPlane>,
+    conditions: Vec<Condition>,
     pub(crate) vertices: Vec<Vector>,
     /// Which vertex, an index from 0, and which half-plane touches it.
     pub(crate) active: BTreeSet<(usize, String)>,
@@ -31,6 +31,20 @@ pub struct Proof {
     pub(crate) farkas: Multiples,
     /// Multipliers, point and ray of each end of the parameters' ranges.
     pub(crate) bounds: Vec<(Multiples, Vector, Vector)>,
+}
+
+/// A condition: `["a1", "a2", "b"]`, or with a fourth text `"="` an equation.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(untagged)]
+enum Condition {
+    Inequality(HalfPlane),
+    Equation(Rational, Rational, Rational, EqualsSign),
+}
+
+#[derive(Debug, Clone, Copy, Deserialize)]
+enum EqualsSign {
+    #[serde(rename = "=")]
+    Equals,
 }
 
 /// Which half-planes, and how many times each is taken.
@@ -93,7 +107,15 @@ impl Proof {
             take(format!("{row} upper"), upper)?;
         }
         for (number, condition) in (1..).zip(&self.conditions) {
-            take(format!("where:{number}"), condition.clone())?;
+            match condition {
+                Condition::Inequality(half_plane) => take(format!("where:{number}"), half_plane.clone())?,
+                Condition::Equation(a1, a2, b, EqualsSign::Equals) => {
+                    let upper = HalfPlane { a: [a1.clone(), a2.clone()], b: b.clone() };
+                    let lower = HalfPlane { a: [-a1, -a2], b: -b };
+                    take(format!("where:{number} upper"), upper)?;
+                    take(format!("where:{number} lower"), lower)?;
+                }
+            }
         }
         Ok(())
     }

@@ -68,7 +68,8 @@ fn question(proof: &Value, data: &[u8]) -> Option<Question> {
 fn condition(condition: &Value) -> String {
     let [a1, a2, b] = [0, 1, 2].map(|part| number(&condition[part]));
     let sign = if a2.is_negative() { "-" } else { "+" };
-    format!("{a1}*theta1 {sign} {}*theta2 <= {b}", a2.abs())
+    let relation = if condition[3] == "=" { "=" } else { "<=" };
+    format!("{a1}*theta1 {sign} {}*theta2 {relation} {b}", a2.abs())
 }
 
 fn number(value: &Value) -> Rational {

@@ -71,8 +71,18 @@ fn replacements(old: &Value) -> Vec<Value> {
                     .collect()
             }
             Err(_) => {
-                let other =
-                    ["upper", "lower", "where:1", "where:2", "theta1", "theta2", "decimal", "binary64"];
+                let other = [
+                    "upper",
+                    "lower",
+                    "where:1",
+                    "where:2",
+                    "where:1 lower",
+                    "=",
+                    "theta1",
+                    "theta2",
+                    "decimal",
+                    "binary64",
+                ];
                 let other = other
                     .into_iter()
                     .chain(["1 upper", "2 lower", ";", "point", "segment", "polygon", "empty", "0"]);

@@ -8,7 +8,7 @@ use boundfit_tests::cli::{FIT_TRANSDUCER, TRANSDUCER, boundfit, files_in};
 #[test]
 fn options_that_say_nothing_sensible() {
     let bound = "(expected a number that is at least 0, such as 0.5e-3 or 1/2000)";
-    let condition = "(expected a linear inequality such as \"2*theta1 - theta2 <= 1/3\")";
+    let condition = "(expected a condition such as \"2*theta1 - theta2 <= 1/3\" or \"theta2 = 0\")";
     let rows = |text: &str| {
         format!(
             "invalid value '{text}' for '--rows <A..B>': expected FIRST..LAST with 1 <= FIRST <= LAST, such as 14..36"
@@ -33,13 +33,13 @@ fn options_that_say_nothing_sensible() {
         ),
         (
             format!("{base} --where 'theta1 > 0'"),
-            when("theta1 > 0", "only <= and >= are closed half-planes; two conditions make an equation at byte 7"),
+            when("theta1 > 0", "< and > leave out the boundary, which is part of every set here; <= and >= keep it at byte 7"),
         ),
         (
             format!("{base} --where 'theta1 >= 0' --where slope"),
             when("slope", "neither a number nor theta1 nor theta2 at byte 0"),
         ),
-        (format!("{base} --where theta1"), when("theta1", "neither <= nor >= nor another term at byte 6")),
+        (format!("{base} --where theta1"), when("theta1", "neither <=, >= nor = nor another term at byte 6")),
         (format!("{base} --rows 40..20"), rows("40..20")),
         (format!("{base} --rows 0..3"), rows("0..3")),
         (format!("{base} --rows x"), rows("x")),

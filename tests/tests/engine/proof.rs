@@ -8,6 +8,7 @@ use boundfit_formats::{Header, RowRange, TableOptions};
 use boundfit_tests::generate::seeded;
 use boundfit_tests::program::root;
 use boundfit_tests::proofs::{Question, generated, is_true, questions, sha256, tampered, verdict};
+use boundfit_tests::readings::parse_condition;
 use rand::RngExt;
 use serde_json::Value;
 
@@ -23,13 +24,19 @@ fn kind(question: &Question) -> &'static str {
     fit(&question.problem().unwrap()).fps.polyhedron().region().kind().name()
 }
 
+/// An equation is two half-planes.
+fn half_planes_of(condition: &str) -> usize {
+    if parse_condition(condition).is_equation() { 2 } else { 1 }
+}
+
 fn accepts(question: &Question) -> Value {
     let text = question.proof();
     let proof: boundfit_verify::Proof = serde_json::from_str(&text).unwrap();
     let checked = proof.verify(&question.data, &sha256(&question.data), &question.options.limits);
     let value = value(&text);
     let rows = [0, 1].map(|end| value["rows"][end].as_u64().unwrap() as usize);
-    let half_planes = 2 * (rows[1] - rows[0] + 1) + question.conditions.len();
+    let half_planes = 2 * (rows[1] - rows[0] + 1)
+        + question.conditions.iter().map(|text| half_planes_of(text)).sum::<usize>();
     let checked = checked.map(|statement| statement.half_planes);
     assert_eq!(checked, Ok(half_planes), "{}: {text}", question.name);
     value

@@ -132,7 +132,7 @@ fn essence((problem, fit): &(Problem, Fit), row: &dyn Fn(usize) -> usize) -> Str
     let name = |name: BoundName| match name {
         BoundName::Upper(own) => BoundName::Upper(row(own)),
         BoundName::Lower(own) => BoundName::Lower(row(own)),
-        BoundName::Where(number) => BoundName::Where(number),
+        of_condition => of_condition,
     };
     let indices = |indices: &[usize]| -> Vec<BoundName> {
         indices.iter().map(|&index| name(fit.fps.name(index))).collect()

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use boundfit_check::ProgramRows;
-use boundfit_estimation::{EpsilonColumn, Problem};
+use boundfit_estimation::{Condition, EpsilonColumn, Problem};
 use boundfit_exact::Rational;
 use boundfit_geometry::{Inequality, Polyhedron};
 use boundfit_lp::{ExactOutcome, Program, exact_simplex, spread_objectives};
@@ -27,9 +27,15 @@ fn named(lesson: &Lesson, name: &str) -> usize {
     let is_named = |half_plane: &Value| {
         let (row, bound) = (&half_plane["name"]["row"], half_plane["name"]["bound"].as_str().unwrap());
         match bound.strip_prefix("where:") {
-            Some(number) => {
+            Some(name_of_condition) => {
+                let (number, side) = name_of_condition.split_once(' ').unwrap_or((name_of_condition, ""));
                 let number: usize = number.parse().unwrap();
-                name == format!("the condition {}", lesson.problem.conditions[number - 1].text())
+                let of = match side {
+                    "upper" => "the side ≤ of the",
+                    "lower" => "the side ≥ of the",
+                    _ => "the",
+                };
+                name == format!("{of} condition {}", lesson.problem.conditions[number - 1].text())
             }
             None => name == format!("the {bound} bound of reading {row}"),
         }
@@ -163,7 +169,7 @@ fn causes_of_emptiness_agree_with_the_parts_of_the_problem() {
             lesson
         };
         let Some(text) = answer(&lesson, "why-empty") else { continue };
-        let conditions = lesson.problem.conditions.iter().map(|condition| condition.inequality().clone());
+        let conditions = lesson.problem.conditions.iter().flat_map(Condition::inequalities);
         let of_conditions = Polyhedron::intersect(conditions.collect());
         let starts = text.starts_with("The conditions contradict") || text.starts_with("Condition ");
         assert_eq!(starts, of_conditions.region().is_empty(), "{}: {text}", lesson.name);

@@ -32,7 +32,7 @@ pub(super) const NOTES: Notes = Notes {
 ///
 /// The four programs are the minimum and the maximum of theta1 and of theta2 over the feasible parameter set; a maximum is
 /// written as the minimum of the opposite. Every reading gives two rows, whether they matter or not, named after its data
-/// row (row14_upper, row14_lower), every condition one (where_1). No number is rounded: it is a decimal where it has a finite
+/// row (row14_upper, row14_lower), every condition one (where_1; an equation with =). No number is rounded: it is a decimal where it has a finite
 /// one, and otherwise its row is multiplied to whole numbers, as a comment says.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]

@@ -62,7 +62,8 @@ pub(crate) struct DataArguments {
     /// Use data rows A to B only, counted from 1 without the header
     #[arg(long, value_name = "A..B", value_parser = parse_rows)]
     pub(super) rows: Option<AskedRows>,
-    /// A linear inequality that the parameters are known to satisfy, such as '2*theta1 - theta2 <= 1/3'
+    /// A linear inequality or equation that the parameters are known to satisfy, such as '2*theta1 - theta2 <= 1/3' or
+    /// 'theta2 = 0'; repeatable
     #[arg(long = "where", value_name = "CONDITION", allow_hyphen_values = true)]
     pub(super) conditions: Vec<String>,
     #[command(flatten)]

@@ -87,14 +87,15 @@ fn allowed(problem: &Problem, bound: BoundName) -> Option<Allowed> {
         Constraint::Always | Constraint::Never => None,
     };
     let (name, inequalities, own) = match bound {
-        BoundName::Where(number) => {
+        BoundName::Where(number) | BoundName::WhereUpper(number) | BoundName::WhereLower(number) => {
             let condition = problem.conditions.get(number - 1)?;
             let text = labels::condition(condition.text());
-            (format!("condition {number}: {text}"), vec![condition.inequality().clone()], 0)
+            let own = usize::from(matches!(bound, BoundName::WhereLower(_)));
+            (format!("condition {number}: {text}"), condition.inequalities().collect(), own)
         }
         BoundName::Upper(row) | BoundName::Lower(row) => {
             let reading = problem.measurements.kept().iter().find(|reading| reading.row == row)?;
-            let sides = half_planes(reading).map(|(_, side)| side).collect();
+            let sides: Vec<_> = half_planes(reading).map(|(_, side)| side).collect();
             let upper = matches!(bound, BoundName::Upper(_));
             let side = if upper { "upper" } else { "lower" };
             (format!("allowed by row {row} ({side} bound thick)"), sides, usize::from(!upper))

@@ -19,7 +19,8 @@ interface PolynomialData {
   quadratic?: Exact;
 }
 
-/** The name of a half-plane: "upper" or "lower" with the row of a reading, or "where:1" without one. */
+/** The name of a half-plane: "upper" or "lower" with the row of a reading, or "where:1" without one; of an
+ * equation "where:1 upper" (≤) and "where:1 lower" (≥). */
 interface BoundName {
   row: number | null;
   bound: string;

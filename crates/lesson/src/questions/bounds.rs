@@ -31,7 +31,7 @@ pub(super) fn contradiction(facts: &Facts<'_>) -> Option<Question> {
             combination(&terms, facts.problem)
         ),
     };
-    let row = terms.iter().find_map(|(name, _)| row_of(*name));
+    let row = terms.iter().find_map(|(name, _)| name.row());
     let noun = if facts.is_line() { "line" } else { "parameter pair" };
     Some(Question {
         id: "why-empty",
@@ -43,7 +43,7 @@ pub(super) fn contradiction(facts: &Facts<'_>) -> Option<Question> {
 
 /// `three bounds contradict each other`, of several half-planes.
 fn contradicting(terms: &[(BoundName, Rational)], facts: &Facts<'_>) -> String {
-    let bounds = terms.iter().filter(|(name, _)| row_of(*name).is_some()).count();
+    let bounds = terms.iter().filter(|(name, _)| name.row().is_some()).count();
     let conditions = terms.len() - bounds;
     let bounds_text = counted_in_words(bounds, "bound", "bounds");
     match (bounds, conditions) {
@@ -148,13 +148,13 @@ fn end(
             "{}. {proof_text}, so that no feasible {theta} is {beyond}{attained}.{only}",
             sentence(&owners)
         ),
-        show: show.or_else(|| terms.iter().find_map(|(name, _)| row_of(*name)).map(|row| Show::Row { row })),
+        show: show.or_else(|| terms.iter().find_map(|(name, _)| name.row()).map(|row| Show::Row { row })),
     }
 }
 
 /// The start of a question about who fixes something.
 fn who_fixes(terms: &[(BoundName, Rational)]) -> &'static str {
-    let readings = terms.iter().filter(|(name, _)| row_of(*name).is_some()).count();
+    let readings = terms.iter().filter(|(name, _)| name.row().is_some()).count();
     match (readings, terms.len() - readings) {
         (1, 0) => "Which reading fixes",
         (2, 0) => "Which two readings fix",
@@ -203,12 +203,4 @@ fn ways(region: &Region) -> String {
 
 fn direction(direction: &Direction) -> String {
     pair(&[direction.dx(), direction.dy()].map(Rational::from))
-}
-
-/// The reading behind a half-plane.
-pub(super) fn row_of(name: BoundName) -> Option<usize> {
-    match name {
-        BoundName::Upper(row) | BoundName::Lower(row) => Some(row),
-        BoundName::Where(_) => None,
-    }
 }

@@ -4,7 +4,6 @@ use boundfit_estimation::BoundName;
 use boundfit_exact::english::in_words;
 use boundfit_exact::{Rational, Rounding};
 
-use super::bounds::row_of;
 use super::wording::{THETA, all_bounds, bound, bounds, every_bound, size, value};
 use super::{Facts, Question, Show};
 use crate::number::DIGITS;
@@ -87,7 +86,7 @@ fn tight(facts: &Facts<'_>) -> String {
 
 fn infeasible(facts: &Facts<'_>, noun: &str, worst: &str, by: &Rational) -> String {
     let names = with_slack(facts, Rational::is_negative);
-    let conditions = names.iter().filter(|name| row_of(**name).is_none()).count();
+    let conditions = names.iter().filter(|name| name.row().is_none()).count();
     let broken = names.len();
     let total = facts.inequalities().len();
     let what = all_bounds(facts.problem);

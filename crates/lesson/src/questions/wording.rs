@@ -1,6 +1,6 @@
 //! Plain English for half-planes, sets and numbers.
 
-use boundfit_estimation::{BoundName, Problem};
+use boundfit_estimation::{BoundName, Condition, Problem};
 use boundfit_exact::english::{counted_in_words, listed};
 use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::{Region, RegionKind};
@@ -48,11 +48,22 @@ pub(super) fn bound(name: BoundName, problem: &Problem) -> String {
     match name {
         BoundName::Upper(row) => format!("the upper bound of reading {row}"),
         BoundName::Lower(row) => format!("the lower bound of reading {row}"),
-        BoundName::Where(number) => match number.checked_sub(1).and_then(|i| problem.conditions.get(i)) {
+        BoundName::Where(number) => match condition(number, problem) {
             Some(condition) => format!("the condition {}", condition.text()),
             None => format!("condition {number}"),
         },
+        BoundName::WhereUpper(number) | BoundName::WhereLower(number) => {
+            let side = if matches!(name, BoundName::WhereUpper(_)) { "≤" } else { "≥" };
+            match condition(number, problem) {
+                Some(condition) => format!("the side {side} of the condition {}", condition.text()),
+                None => format!("the side {side} of condition {number}"),
+            }
+        }
     }
+}
+
+fn condition(number: usize, problem: &Problem) -> Option<&Condition> {
+    problem.conditions.get(number.checked_sub(1)?)
 }
 
 /// Half-planes, listed.
@@ -72,7 +83,13 @@ pub(super) fn owners(names: impl Iterator<Item = BoundName>, problem: &Problem) 
                     rows.push(row.to_string());
                 }
             }
-            BoundName::Where(_) => parts.push(bound(name, problem)),
+            // Both sides of an equation are one thing.
+            BoundName::Where(number) | BoundName::WhereUpper(number) | BoundName::WhereLower(number) => {
+                let owner = bound(BoundName::Where(number), problem);
+                if !parts.contains(&owner) {
+                    parts.push(owner);
+                }
+            }
         }
     }
     let several = rows.len() + parts.len() > 1;
@@ -96,7 +113,7 @@ pub(super) fn combination(terms: &[(BoundName, Rational)], problem: &Problem) ->
 pub(super) fn clash(names: &[BoundName], problem: &Problem) -> String {
     match names {
         [only] => format!("{} can never hold", never(*only, problem)),
-        _ if names.iter().all(|name| matches!(name, BoundName::Where(_))) => {
+        _ if names.iter().all(|name| name.row().is_none()) => {
             "the conditions contradict each other".to_owned()
         }
         _ => format!("{} contradict each other", bounds(names.iter().copied(), problem)),
@@ -105,12 +122,12 @@ pub(super) fn clash(names: &[BoundName], problem: &Problem) -> String {
 
 /// A half-plane that no θ satisfies.
 pub(super) fn never(name: BoundName, problem: &Problem) -> String {
-    match name {
-        BoundName::Where(number) => match number.checked_sub(1).and_then(|i| problem.conditions.get(i)) {
+    match name.condition() {
+        Some(number) => match condition(number, problem) {
             Some(condition) => format!("condition {number} ({})", condition.text()),
             None => format!("condition {number}"),
         },
-        _ => bound(name, problem),
+        None => bound(name, problem),
     }
 }
 

@@ -18,6 +18,7 @@ pub(super) fn write(text: &mut String, program: &ExchangeProgram<'_>) -> std::fm
         let sense = match row.sense {
             Sense::AtMost => "<=",
             Sense::AtLeast => ">=",
+            Sense::Equal => "=",
         };
         let is_constant = row.numbers.a.iter().all(|a| a == "0");
         let [first, second] = terms(&row.numbers, is_constant);

@@ -42,13 +42,15 @@ impl ExchangeFormat {
     }
 }
 
-/// Which way a row `a·θ ≤ b` is written.
+/// How a row `a·θ ≤ b` is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sense {
     /// As `a·θ ≤ b`.
     AtMost,
     /// As `-a·θ ≥ -b`.
     AtLeast,
+    /// As `a·θ = b`, where the opposite row belongs to the program as well.
+    Equal,
 }
 
 /// A row as it stands in a file.
@@ -102,7 +104,7 @@ impl ExchangeRow {
     /// row is multiplied with the least number that makes them whole.
     pub fn new(name: String, row: &Row, sense: Sense) -> Self {
         let numbers = match sense {
-            Sense::AtMost => Numbers::new(&row.a, &row.b),
+            Sense::AtMost | Sense::Equal => Numbers::new(&row.a, &row.b),
             Sense::AtLeast => Numbers::new(&row.a.each_ref().map(|a| -a), &-&row.b),
         };
         ExchangeRow { name, sense, numbers }

@@ -17,6 +17,7 @@ pub(super) fn write(text: &mut String, program: &ExchangeProgram<'_>) -> std::fm
         let sense = match row.sense {
             Sense::AtMost => 'L',
             Sense::AtLeast => 'G',
+            Sense::Equal => 'E',
         };
         writeln!(text, " {sense} {}", row.name)?;
     }

@@ -97,7 +97,9 @@ fn name_in_file(name: BoundName) -> String {
     match name {
         BoundName::Upper(row) => format!("row{row}_upper"),
         BoundName::Lower(row) => format!("row{row}_lower"),
-        BoundName::Where(number) => format!("where_{number}"),
+        BoundName::Where(number) | BoundName::WhereUpper(number) | BoundName::WhereLower(number) => {
+            format!("where_{number}")
+        }
     }
 }
 

@@ -13,7 +13,7 @@ pub struct ReadProgram {
     pub name: Option<String>,
     /// The name and the form that is minimised.
     pub objective: (String, [Rational; 2]),
-    /// The rows by name in ≤ form, with the scale of their comment taken back.
+    /// The rows by name in ≤ form, with the scale of their comment taken back; an equation is two of them.
     pub rows: Vec<(String, Row)>,
 }
 
@@ -23,13 +23,22 @@ fn scales(text: &str, mark: &str) -> BTreeMap<String, Rational> {
     comments.map(|(name, rest)| (name.trim().to_owned(), number(rest.split(':').next().unwrap()))).collect()
 }
 
-fn row(a: [Rational; 2], sense: &str, b: Rational, scale: Option<&Rational>) -> Row {
-    let sign = match sense {
-        "L" | "<=" => Rational::one(),
-        "G" | ">=" => -Rational::one(),
+fn rows_of(
+    name: &str,
+    a: [Rational; 2],
+    sense: &str,
+    b: Rational,
+    scale: Option<&Rational>,
+) -> Vec<(String, Row)> {
+    let signs: &[i64] = match sense {
+        "L" | "<=" => &[1],
+        "G" | ">=" => &[-1],
+        "E" | "=" => &[1, -1],
         other => panic!("{other}"),
     };
-    times(&Row { a, b }, &sign.checked_div(scale.unwrap_or(&Rational::one())).unwrap())
+    let row = Row { a, b };
+    let factor = |&sign: &i64| Rational::from(sign).checked_div(scale.unwrap_or(&Rational::one())).unwrap();
+    signs.iter().map(|sign| (name.to_owned(), times(&row, &factor(sign)))).collect()
 }
 
 /// Reads free MPS.
@@ -70,7 +79,7 @@ pub fn read_mps(text: &str) -> ReadProgram {
     let mut read = Vec::new();
     for (name, sense) in rows {
         let b = right.remove(&name).unwrap_or_default();
-        read.push((name.clone(), row(form(&name), &sense, b, scales.get(&name))));
+        read.extend(rows_of(&name, form(&name), &sense, b, scales.get(&name)));
     }
     assert!(coefficients.is_empty() && right.is_empty());
     ReadProgram { name, objective, rows: read }
@@ -88,11 +97,10 @@ pub fn read_lp(text: &str) -> ReadProgram {
     assert!(plain.starts_with("Minimize"), "{plain}");
     let objective = statements(&between("Minimize", "Subject To")).remove(0);
     assert_eq!(between("Bounds", "End").join(" "), "theta1 free theta2 free");
-    let rows = statements(&between("Subject To", "Bounds")).into_iter().map(|(name, mut words)| {
+    let rows = statements(&between("Subject To", "Bounds")).into_iter().flat_map(|(name, mut words)| {
         let b = number(&words.pop().unwrap());
         let sense = words.pop().unwrap();
-        let scale = scales.get(&name);
-        (name, row(form(&words), &sense, b, scale))
+        rows_of(&name, form(&words), &sense, b, scales.get(&name))
     });
     let rows = rows.collect();
     ReadProgram { name: None, objective: (objective.0, form(&objective.1)), rows }

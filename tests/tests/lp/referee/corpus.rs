@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use boundfit_check::ProgramRows;
-use boundfit_estimation::Problem;
+use boundfit_estimation::{Condition, Problem};
 use boundfit_exact::Rational;
 use boundfit_lp::{BoundClaim, Claimed, End, Judgement, Referee, Verdict};
 use boundfit_tests::generate::seeded;
@@ -50,7 +50,8 @@ fn off_by(exact: &Rational, end: End, error: &Rational) -> Rational {
 
 /// By how much the error bounds must grow for a point, from the readings themselves; `None` beside a condition.
 fn needed(problem: &Problem, theta: &[Rational; 2]) -> Option<Rational> {
-    if problem.conditions.iter().any(|condition| condition.inequality().slack(theta).is_negative()) {
+    let mut conditions = problem.conditions.iter().flat_map(Condition::inequalities);
+    if conditions.any(|inequality| inequality.slack(theta).is_negative()) {
         return None;
     }
     let growth = problem.measurements.kept().iter().map(|row| {

@@ -109,11 +109,36 @@ export function shortFraction(text) {
 }
 
 /**
+ * The number of the condition that a half-plane belongs to, from 1.
+ * @param {BoundName} name
+ */
+export function conditionNumber(name) {
+  return Number.parseInt(name.bound.slice("where:".length), 10);
+}
+
+/**
+ * The class that gives a half-plane its colour.
+ * @param {BoundName} name
+ */
+export function boundClass(name) {
+  return name.row === null ? "condition" : name.bound;
+}
+
+/**
+ * Which side of an equation a half-plane is; nothing for an inequality.
+ * @param {BoundName} name
+ */
+function conditionSide(name) {
+  if (name.bound.endsWith(" upper")) return " (≤)";
+  return name.bound.endsWith(" lower") ? " (≥)" : "";
+}
+
+/**
  * "upper bound of reading 14" or "condition 1" for a half-plane's name.
  * @param {BoundName} name
  */
 export function boundText(name) {
-  if (name.row === null) return `condition ${name.bound.split(":")[1]}`;
+  if (name.row === null) return `condition ${conditionNumber(name)}${conditionSide(name)}`;
   return `${name.bound} bound of reading ${name.row}`;
 }
 
@@ -130,7 +155,7 @@ export function theBound(name) {
  * @param {BoundName} name
  */
 export function boundMark(name) {
-  if (name.row === null) return `condition ${name.bound.split(":")[1]}`;
+  if (name.row === null) return `condition ${conditionNumber(name)}${conditionSide(name)}`;
   return `${name.row}\u202f${name.bound === "upper" ? "▾" : "▴"}`;
 }
 

@@ -63,7 +63,8 @@ export function readingOfRow(lesson, row) {
  * @param {BoundName} name
  */
 export function halfPlaneIndex(lesson, name) {
-  if (name.row === null) return 2 * lesson.readings.length + Number(name.bound.split(":")[1]) - 1;
+  if (name.row === null)
+    return lesson.data.half_planes.findIndex((own) => own.name.row === null && own.name.bound === name.bound);
   return 2 * readingOfRow(lesson, name.row).index + (name.bound === "upper" ? 0 : 1);
 }
 

@@ -2,7 +2,7 @@
 // Stepping through the clipping: the controls, and what each step did.
 
 import { byId, element, patch, targetOf } from "../dom.js";
-import { boundText, counted, decimal, digitsFor, kindText, shortEnumeration, theBound, withMinus } from "../model/format.js";
+import { boundClass, boundText, counted, decimal, digitsFor, kindText, shortEnumeration, theBound, withMinus } from "../model/format.js";
 import { inequality } from "./inspector.js";
 import { numberWithFraction } from "./summary.js";
 import { ONE } from "../model/rational.js";
@@ -164,7 +164,7 @@ function story(lesson, state, scene) {
     element(
       "p",
       {},
-      element("strong", { class: `name ${halfPlane.name.bound}` }, boundText(halfPlane.name)),
+      element("strong", { class: `name ${boundClass(halfPlane.name)}` }, boundText(halfPlane.name)),
       ": ",
       element("span", { class: "formula" }, inequality(lesson, halfPlane, ONE)),
     ),

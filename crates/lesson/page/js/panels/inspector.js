@@ -3,7 +3,7 @@
 
 import { byId, element, patch } from "../dom.js";
 import { activeAt, conflict, demands, hopeless, readingOfRow, violations } from "../model/lesson.js";
-import { THETA, boundText, decimal, digitsFor, enumeration, plain, shortEnumeration, shortFraction, theBound, vertexName } from "../model/format.js";
+import { THETA, boundText, conditionNumber, decimal, digitsFor, enumeration, plain, shortEnumeration, shortFraction, theBound, vertexName } from "../model/format.js";
 import { numberWithFraction } from "./summary.js";
 import { ONE, dot } from "../model/rational.js";
 
@@ -45,7 +45,7 @@ function form(lesson, reading) {
  */
 export function inequality(lesson, halfPlane, s) {
   if (halfPlane.reading === null)
-    return lesson.data.conditions[halfPlane.index - 2 * lesson.readings.length].text;
+    return lesson.data.conditions[conditionNumber(halfPlane.name) - 1].text;
   const { reading } = halfPlane;
   const bound = reading.epsilon.times(s);
   const upper = halfPlane.name.bound === "upper";
@@ -158,7 +158,7 @@ function aboutConflict(lesson) {
   const named = ({ index }, text) => {
     const { name, reading } = lesson.halfPlanes[index];
     return reading === null
-      ? `${text(name)} (${conditions[index - 2 * lesson.readings.length].text})`
+      ? `${text(name)} (${conditions[conditionNumber(name) - 1].text})`
       : text(name);
   };
   const what = enumeration(terms.map((term) => named(term, theBound)));

@@ -3,7 +3,7 @@
 
 import { byId, element, patch } from "../dom.js";
 import { ONE, Rational, ZERO, evaluate } from "../model/rational.js";
-import { THETA, boundMark, decimal, digitsFor, kindText, shortFraction } from "../model/format.js";
+import { THETA, boundClass, boundMark, decimal, digitsFor, kindText, shortFraction } from "../model/format.js";
 import { activeAt, partOf } from "../model/lesson.js";
 
 const MOST_ACTIVE = 12;
@@ -211,6 +211,6 @@ export function drawSummary(lesson, state, scene) {
 function marks(names) {
   return names.map((name, k) => [
     k > 0 ? ", " : null,
-    element("span", { class: `name ${name.bound}` }, boundMark(name)),
+    element("span", { class: `name ${boundClass(name)}` }, boundMark(name)),
   ]);
 }

@@ -5,7 +5,7 @@ import { byId, element, patch } from "../dom.js";
 import { axes, mark, pathThrough, plotArea, round } from "./axes.js";
 import { clipped, cornersInView, cornersOf, lineInView } from "./region.js";
 import { activeAt, halfPlaneIndex } from "../model/lesson.js";
-import { EMPTY, decimal } from "../model/format.js";
+import { EMPTY, boundClass, decimal } from "../model/format.js";
 import { screenMap } from "./view.js";
 import { automaticView } from "./parameter-view.js";
 import { chosenPoint, vertexMarks, vertexNumbers } from "./vertex-marks.js";
@@ -197,7 +197,7 @@ function hatchedLine(line, map, attributes) {
 function halfPlaneLine({ halfPlane, line }, scene, chosen, map) {
   const active =
     chosen?.kind === "vertex" && chosen.index < scene.places.length && chosen.active?.has(halfPlane.index);
-  const classes = ["bound", halfPlane.name.row === null ? "condition" : halfPlane.name.bound];
+  const classes = ["bound", boundClass(halfPlane.name)];
   if (!scene.shaping.has(halfPlane.index)) classes.push("redundant");
   if (active || (chosen?.kind === "reading" && chosen.row === halfPlane.name.row)) classes.push("chosen");
   if (chosen?.kind === "point" && chosen.near === halfPlane.index) classes.push("chosen");
