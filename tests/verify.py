@@ -6,6 +6,8 @@ sys.set_int_max_str_digits(0), csv.field_size_limit(1 << 30)
 class Falsehood(Exception): pass
 TYPES = dict.fromkeys("schema sha256 delimiter reading".split(), str) | {"header": bool} | dict.fromkeys(
     "rows model conditions vertices active sides farkas bounds".split(), list)
+OPTIONAL = {"interval": list, "law": list}
+MISSING = "na n/a #n/a nan null none - -- . ?".split() + [""]
 def must(truth, statement, error=Falsehood):
     if not truth: raise error(statement)
 def number(text):  # section 1: all else is no text, or no number
@@ -34,10 +36,29 @@ def half_planes(proof, data):  # section 2: name -> (a1, a2, b): a1*theta1 + a2*
         must(column <= len(rows[row - 1]), f"row {row} has no column {column}")
         value = number(rows[row - 1][column - 1])
         return value if proof["reading"] == "decimal" else Fraction(float(value))
+    def side(row, column):  # a bound, or None where there is none
+        if column is None: return None
+        cells = rows[row - 1]
+        text = cells[column - 1] if 0 < column <= len(cells) else "0"
+        return None if text.strip(" \t\n\f\r").lower() in MISSING else read(row, column)
+    def quantity(row, kind, column):
+        if kind == "abs": return abs(read(row, column))
+        must(kind == "written", "law", ValueError)
+        must(0 < column <= len(rows[row - 1]), f"row {row} has no column {column}")
+        text = rows[row - 1][column - 1]
+        number(text), must("/" not in text, f"row {row}: {text!r} has no last digit")
+        mantissa, _, exponent = text.strip(" \t\n\f\r").lower().partition("e")
+        return Fraction(10) ** (int(exponent or 0) - len(mantissa.partition(".")[2])) / 2
+    def law(row, terms): return sum(quantity(row, kind, column) * number(times) for kind, column, times in terms)
     for row in range(first, last + 1):
         x1, x2, y, epsilon = (read(row, column) * factor for column, factor in model)
-        must(epsilon >= 0, f"row {row}: a negative error bound")
-        planes[f"{row} upper"], planes[f"{row} lower"] = (x1, x2, y + epsilon), (-x1, -x2, epsilon - y)
+        if "interval" in proof: lower, upper = (side(row, column) for column in proof["interval"])
+        else:
+            above, below = (epsilon + law(row, terms) for terms in proof.get("law", ([], [])))
+            must(above >= 0 and below >= 0, f"row {row}: a negative error bound")
+            lower, upper = y - below, y + above
+        if upper is not None: planes[f"{row} upper"] = (x1, x2, upper)
+        if lower is not None: planes[f"{row} lower"] = (-x1, -x2, -lower)
     for k, (a1, a2, b, *sign) in enumerate(proof["conditions"], 1):
         must(sign in ([], ["="]), "conditions", ValueError)
         upper, lower = (number(a1), number(a2), number(b)), (-number(a1), -number(a2), -number(b))
@@ -86,7 +107,8 @@ def status(text, data):
     try:
         proof = json.loads(text)
         types = {key: type(value) for key, value in proof.items()}
-        must(types == TYPES and proof["schema"] == "boundfit/proof/1", "another schema or other fields", ValueError)
+        optional = {key: value for key, value in OPTIONAL.items() if key in types}
+        must(types == TYPES | optional and proof["schema"] == "boundfit/proof/1", "another schema or other fields", ValueError)
         return verify(proof, data) or 0, "verified"
     except (Falsehood, OverflowError, csv.Error) as error: return 4, f"refuted: {error}"
     except (ValueError, TypeError, LookupError, AttributeError, RecursionError) as error:

@@ -144,7 +144,7 @@ pub fn hard_cases() -> Vec<HardCase> {
         let columns = Columns {
             first: column("x"),
             second: None,
-            response: column("y"),
+            response: Some(column("y")),
             epsilon: EpsilonColumn::Uniform(number(&epsilon)),
         };
         let source = Source::open(&folder.join(format!("{name}.csv")).to_string_lossy()).expect("readable");

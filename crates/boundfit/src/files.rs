@@ -12,7 +12,7 @@
 //! let columns = Columns {
 //!     first: ColumnSelector::name_or_number("x"),
 //!     second: None,
-//!     response: ColumnSelector::name_or_number("y"),
+//!     response: Some(ColumnSelector::name_or_number("y")),
 //!     epsilon: EpsilonColumn::Uniform(Rational::ratio(1, 2)),
 //! };
 //! let fit = Problem::new(Measurements::read(table, &columns, &TableOptions::default())?).fit();

@@ -29,7 +29,9 @@ impl Grid {
         };
         let epsilon = match measurements.error_bound() {
             ErrorBound::Uniform(_) => None,
-            ErrorBound::PerRow(_) | ErrorBound::Interval { .. } => Some(of(|row| row.y_and_epsilon().1)?),
+            ErrorBound::PerRow(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => {
+                Some(of(|row| row.y_and_epsilon().1)?)
+            }
         };
         let response = of(|row| row.y_and_epsilon().0)?;
         Some(Grid { phi1: of(|row| &row.regressor[0])?, phi2, response, epsilon })

@@ -107,7 +107,9 @@ impl LeastSquares {
         LeastSquares::of_moments(&sums.moments(), |_| match (spread, error_bound) {
             (Err(reason), _) => Err(*reason),
             // Bounds that differ from reading to reading have no spread.
-            (Ok(_), ErrorBound::PerRow(_) | ErrorBound::Interval { .. }) => Err(NoEui::Reduced),
+            (Ok(_), ErrorBound::PerRow(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_)) => {
+                Err(NoEui::Reduced)
+            }
             (Ok(spread), ErrorBound::Uniform(epsilon)) => {
                 Ok(spread.absolute_weights(sums).map(|weight| weight * epsilon))
             }
@@ -152,7 +154,7 @@ impl LeastSquares {
         let response_scale = per_one(Some(&grid.response))?;
         let (epsilon, epsilon_scale) = match error_bound {
             ErrorBound::Uniform(epsilon) => (epsilon.numerator(), epsilon.denominator()),
-            ErrorBound::PerRow(_) | ErrorBound::Interval { .. } => {
+            ErrorBound::PerRow(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => {
                 (Integer::one(), per_one(grid.epsilon.as_ref())?)
             }
         };

@@ -42,6 +42,7 @@ mod fps;
 mod grid;
 mod hulls;
 mod inverse;
+mod law;
 mod least_growth;
 mod least_squares;
 mod measurements;
@@ -67,6 +68,7 @@ pub use fps::{
     BoundName, Fps, bounds_of_reading, conditions_by_name, growing_half_planes, half_planes, reading_of_bound,
 };
 pub use inverse::{Inverse, InverseParameter};
+pub use law::{Law, ParseLawError, ParseLawErrorKind};
 pub use least_growth::{GrowingInequality, LeastGrowth, least_growth};
 pub use least_squares::{LeastSquares, NoLeastSquares};
 pub use measurements::{Bounds, ErrorBound, Measurement, Measurements, Model, Readings};

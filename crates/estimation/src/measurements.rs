@@ -6,6 +6,7 @@ use boundfit_exact::Rational;
 #[cfg(feature = "files")]
 use boundfit_formats::TextLayout;
 
+use crate::law::{Law, range_of_y};
 use crate::summary::{NoEui, Reduction};
 
 /// One reading.
@@ -155,6 +156,8 @@ pub enum ErrorBound {
         /// The column of upper bounds.
         upper: Option<String>,
     },
+    /// By a law that says of each reading another one.
+    Law(Law),
 }
 
 impl ErrorBound {
@@ -162,7 +165,7 @@ impl ErrorBound {
     pub fn uniform(&self) -> Option<&Rational> {
         match self {
             ErrorBound::Uniform(epsilon) => Some(epsilon),
-            ErrorBound::PerRow(_) | ErrorBound::Interval { .. } => None,
+            ErrorBound::PerRow(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => None,
         }
     }
 
@@ -177,7 +180,11 @@ impl ErrorBound {
 pub(crate) struct Meaning {
     pub(crate) model: Model,
     pub(crate) response: String,
+    /// Whether there is a column of the response.
+    pub(crate) has_response: bool,
     pub(crate) error_bound: ErrorBound,
+    /// The law by which the bound on all errors was stated.
+    pub(crate) uniform_law: Option<Law>,
 }
 
 impl Meaning {
@@ -189,9 +196,45 @@ impl Meaning {
             Model::Line { .. } => [next(), Rational::one()],
             Model::TwoRegressors { .. } => [next(), next()],
         };
-        let response = next();
-        let epsilon = self.error_bound.uniform().cloned().unwrap_or_else(next);
-        Measurement::around(row, regressor, response, epsilon)
+        let response = self.has_response.then(&mut next);
+        let mut side = |column: &Option<String>| {
+            column.as_ref()?;
+            let value = next();
+            // Behind each bound stands whether it is there.
+            (!next().is_zero()).then_some(value)
+        };
+        let bounds = match &self.error_bound {
+            ErrorBound::Interval { lower, upper } => {
+                Bounds::Between { lower: side(lower), upper: side(upper), response }
+            }
+            ErrorBound::Law(law) => {
+                let written = if law.needs_written() { next() } else { Rational::zero() };
+                law.bounds(&regressor[0], response.unwrap_or_default(), &written)
+            }
+            ErrorBound::PerRow(_) => {
+                Bounds::Around { response: response.unwrap_or_default(), epsilon: next() }
+            }
+            ErrorBound::Uniform(epsilon) => {
+                Bounds::Around { response: response.unwrap_or_default(), epsilon: epsilon.clone() }
+            }
+        };
+        Measurement { row, regressor, bounds }
+    }
+}
+
+impl Meaning {
+    /// Adds to the bounds of readings what a law takes from all of them, when they are known: all, or of a uniform law those
+    /// that support a hull.
+    pub(crate) fn settle(&mut self, rows: &mut Vec<Measurement>) {
+        if let ErrorBound::Law(law) = &self.error_bound {
+            let range = range_of_y(rows);
+            law.widen(rows, &range);
+        }
+        if let Some(law) = &self.uniform_law {
+            let epsilon = law.uniform_bound(&range_of_y(rows));
+            *rows = std::mem::take(rows).into_iter().map(|row| row.within(epsilon.clone())).collect();
+            self.error_bound = ErrorBound::Uniform(epsilon);
+        }
     }
 }
 
@@ -234,7 +277,7 @@ pub struct Measurements {
 impl Measurements {
     /// Readings that do not come from a file.
     pub fn new(model: Model, response: String, error_bound: ErrorBound, rows: Vec<Measurement>) -> Self {
-        let meaning = Meaning { model, response, error_bound };
+        let meaning = Meaning { model, response, has_response: true, error_bound, uniform_law: None };
         let origin = Origin { rows_total: rows.len(), ..Origin::default() };
         Measurements { meaning, readings: Readings::All(rows), others: Vec::new(), origin }
     }
@@ -247,6 +290,29 @@ impl Measurements {
     /// The name of the response.
     pub fn response(&self) -> &str {
         &self.meaning.response
+    }
+
+    /// Whether the response is a column, and not only a name for what lies between two bounds.
+    pub fn has_response(&self) -> bool {
+        self.meaning.has_response
+    }
+
+    /// The largest less the smallest y of the readings in memory. Exact.
+    pub fn range_of_response(&self) -> Rational {
+        range_of_y(self.kept())
+    }
+
+    /// Whether a reading in memory has two bounds, whose distance a factor may multiply.
+    pub fn has_widths(&self) -> bool {
+        self.kept().is_empty() || self.kept().iter().any(|row| row.half_width().is_some())
+    }
+
+    /// The law by which the error bounds were stated, if it was one.
+    pub fn law(&self) -> Option<&Law> {
+        match &self.meaning.error_bound {
+            ErrorBound::Law(law) => Some(law),
+            _ => self.meaning.uniform_law.as_ref(),
+        }
     }
 
     /// Where the error bounds come from.

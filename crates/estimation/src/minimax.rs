@@ -58,7 +58,8 @@ impl MinimaxProof {
 }
 
 impl Minimax {
-    /// The least error bound of readings under conditions; `None` when no bound, however large, leaves anything.
+    /// The least error bound of readings under conditions; `None` when no bound, however large, leaves anything, and where
+    /// every reading has one bound only, so that there is nothing to multiply.
     ///
     /// Exact. For a line under a uniform bound and no conditions from the two hulls, O(N log N); otherwise by
     /// [`least_growth`], which for a line under a uniform bound sees the readings on the hulls alone.
@@ -73,6 +74,9 @@ impl Minimax {
         extremes: Option<&Extremes>,
     ) -> Option<Self> {
         let rows = measurements.kept();
+        if !measurements.has_widths() {
+            return None;
+        }
         match extremes {
             Some(Extremes { widest: Some(widest), corners, .. }) if conditions.is_empty() => {
                 Some(Minimax::from_hulls(rows, widest, corners))
@@ -90,7 +94,9 @@ impl Minimax {
     /// the bound is 0 and too small. Exact.
     pub fn least_factor(&self, error_bound: &ErrorBound) -> Option<Rational> {
         match error_bound {
-            ErrorBound::PerRow(_) | ErrorBound::Interval { .. } => Some(self.least.clone()),
+            ErrorBound::PerRow(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => {
+                Some(self.least.clone())
+            }
             ErrorBound::Uniform(_) if self.least.is_zero() => Some(Rational::zero()),
             ErrorBound::Uniform(epsilon) => self.least.checked_div(epsilon),
         }

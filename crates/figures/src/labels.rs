@@ -70,6 +70,8 @@ pub(crate) fn subtitle(problem: &Problem, options: &PlotOptions) -> String {
             format!("|e| ≤ {}{unit}", number(epsilon, 12, Rounding::Up))
         }
         ErrorBound::PerRow(column) => format!("|e| ≤ {} of each row", one_line(column, LONGEST_NAME)),
+        ErrorBound::Law(law) if law.is_asymmetric() => format!("y {}", one_line(law.text(), LONGEST_NAME)),
+        ErrorBound::Law(law) => format!("|e| ≤ {}", one_line(law.text(), LONGEST_NAME)),
         ErrorBound::Interval { lower, upper } => {
             let [lower, upper] =
                 [lower, upper].map(|name| name.as_ref().map(|name| one_line(name, LONGEST_NAME)));

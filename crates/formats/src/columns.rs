@@ -1,6 +1,7 @@
 //! Which columns of a table are meant: names in a header, or numbers.
 
 use crate::error::{InputError, InputErrorKind, Place};
+use crate::roles::Role;
 
 /// How a column is asked for.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -8,14 +9,14 @@ pub struct ColumnSelector {
     text: String,
     /// Where the column is when there is no header, from 1.
     position: Option<usize>,
-    non_negative: bool,
+    role: Role,
 }
 
 impl ColumnSelector {
     /// A header name, or a number from 1.
     pub fn name_or_number(text: &str) -> Self {
         let mut selector =
-            ColumnSelector { text: text.trim().to_owned(), position: None, non_negative: false };
+            ColumnSelector { text: text.trim().to_owned(), position: None, role: Role::default() };
         if selector.is_number() {
             selector.position = Some(selector.text.parse().unwrap_or(usize::MAX));
         }
@@ -24,17 +25,37 @@ impl ColumnSelector {
 
     /// A header name, or a position from 1 in a table without a header.
     pub fn name_at(name: &str, position: usize) -> Self {
-        ColumnSelector { text: name.to_owned(), position: Some(position), non_negative: false }
+        ColumnSelector { text: name.to_owned(), position: Some(position), role: Role::default() }
     }
 
     /// This column, with the demand that every number in it is at least 0.
     pub fn non_negative(self) -> Self {
-        ColumnSelector { non_negative: true, ..self }
+        ColumnSelector { role: Role::NonNegative, ..self }
+    }
+
+    /// This column, with 0 for cells that have no number; see [`Role::Optional`].
+    pub fn optional(self) -> Self {
+        ColumnSelector { role: Role::Optional, ..self }
+    }
+
+    /// Where this column has numbers; see [`Role::Presence`].
+    pub fn presence(self) -> Self {
+        ColumnSelector { role: Role::Presence, ..self }
+    }
+
+    /// Half a unit of the last digit written in each cell of this column; see [`Role::HalfUnit`].
+    pub fn half_unit(self) -> Self {
+        ColumnSelector { role: Role::HalfUnit, ..self }
+    }
+
+    /// What is taken from the cells.
+    pub fn role(&self) -> Role {
+        self.role
     }
 
     /// Whether every number in the column must be at least 0.
     pub fn is_non_negative(&self) -> bool {
-        self.non_negative
+        self.role == Role::NonNegative
     }
 
     /// What was asked for.

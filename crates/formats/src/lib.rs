@@ -24,6 +24,7 @@ mod mat;
 mod open;
 mod records;
 mod reduction;
+mod roles;
 mod scan;
 mod source;
 mod start;
@@ -36,6 +37,7 @@ pub use half_planes::{GeneratorRows, HalfPlaneFile, HalfPlaneFormat, RowOrigin, 
 pub use limits::{LONGEST_LINE, SizeLimits};
 pub use open::{read_table, scan};
 pub use reduction::{REDUCTION_MARK, ReductionError, ReductionRecord, Reductions, open_reduction};
+pub use roles::Role;
 pub use scan::{Batch, Pieces, Progress, ScanOptions, Scanned};
 pub use source::Source;
 pub use table::{RowRange, Table, TableOptions, TableRow, TextLayout};

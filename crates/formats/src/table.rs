@@ -5,6 +5,7 @@ use boundfit_exact::{Limits, Rational, Reading};
 use crate::columns::{ColumnPlace, ColumnSelector, Header, decode};
 use crate::error::{InputError, InputErrorKind};
 use crate::limits::SizeLimits;
+use crate::roles::instead_of_number;
 
 /// Data rows from `first` to `last`, counted from 1, both included.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -124,6 +125,9 @@ pub(crate) fn read_number(
     column: &ColumnSelector,
     options: &TableOptions,
 ) -> Result<Rational, InputErrorKind> {
+    if let Some((mantissa, exponent)) = instead_of_number(cell, column)? {
+        return Ok(Rational::scientific(mantissa, exponent));
+    }
     let number = options.reading.read(decode(cell)?, &options.limits)?;
     if column.is_non_negative() && number.is_negative() {
         return Err(InputErrorKind::NegativeErrorBound);

@@ -52,6 +52,7 @@ pub(crate) fn epsilon(bound: &ErrorBound) -> EpsilonJson {
             EpsilonJson { uniform: Some(STYLE.given_number(epsilon)), column: None }
         }
         ErrorBound::PerRow(column) => EpsilonJson { uniform: None, column: Some(column.clone()) },
+        ErrorBound::Law(law) => EpsilonJson { uniform: None, column: Some(law.text().to_owned()) },
         ErrorBound::Interval { .. } => EpsilonJson { uniform: None, column: None },
     }
 }

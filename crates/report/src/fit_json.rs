@@ -48,10 +48,22 @@ struct InputJson {
     sha256: Option<String>,
     model: &'static str,
     x: Vec<String>,
-    y: String,
+    y: Option<String>,
     epsilon: Option<Number>,
     epsilon_column: Option<String>,
+    /// The law that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    epsilon_law: Option<String>,
+    /// The columns of bounds, of which one may be null.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    interval: Option<IntervalColumnsJson>,
     r#where: Vec<String>,
+}
+
+#[derive(Debug, Serialize)]
+struct IntervalColumnsJson {
+    lower: Option<String>,
+    upper: Option<String>,
 }
 
 #[derive(Debug, Serialize)]
@@ -144,7 +156,13 @@ fn input(problem: &Problem, reading: Reading, style: &Style) -> InputJson {
     let (epsilon, epsilon_column) = match measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => (Some(style.upper_number(epsilon)), None),
         ErrorBound::PerRow(column) => (None, Some(column.clone())),
-        ErrorBound::Interval { .. } => (None, None),
+        ErrorBound::Interval { .. } | ErrorBound::Law(_) => (None, None),
+    };
+    let interval = match measurements.error_bound() {
+        ErrorBound::Interval { lower, upper } => {
+            Some(IntervalColumnsJson { lower: lower.clone(), upper: upper.clone() })
+        }
+        _ => None,
     };
     InputJson {
         rows: measurements.fitted(),
@@ -153,9 +171,11 @@ fn input(problem: &Problem, reading: Reading, style: &Style) -> InputJson {
         sha256: measurements.sha256().map(ToOwned::to_owned),
         model,
         x,
-        y: measurements.response().to_owned(),
+        y: measurements.has_response().then(|| measurements.response().to_owned()),
         epsilon,
         epsilon_column,
+        epsilon_law: measurements.law().map(|law| law.text().to_owned()),
+        interval,
         r#where: problem.conditions.iter().map(|condition| condition.text().to_owned()).collect(),
     }
 }
@@ -248,6 +268,9 @@ fn inverse_parameter(parameter: &InverseParameter, style: &Style) -> InverseJson
     }
 }
 
+/// Why there is no least factor.
+pub(crate) const NO_WIDTHS: &str = "no row has both bounds, so there is no width that could grow";
+
 /// Why each part that is null is null.
 fn reasons(problem: &Problem, fit: &Fit) -> BTreeMap<&'static str, String> {
     let mut reasons = BTreeMap::new();
@@ -275,7 +298,12 @@ fn reasons(problem: &Problem, fit: &Fit) -> BTreeMap<&'static str, String> {
         reasons.insert("tightness", if flat { "the PUI box has no area".to_owned() } else { without_fps() });
     }
     if fit.minimax.is_none() {
-        reasons.insert("minimax", "no error bound, however large, leaves a feasible parameter".to_owned());
+        let reason = if problem.measurements.has_widths() {
+            "no error bound, however large, leaves a feasible parameter"
+        } else {
+            NO_WIDTHS
+        };
+        reasons.insert("minimax", reason.to_owned());
     }
     if uniform_minimum(problem, fit).is_none() {
         let per_row = !problem.measurements.error_bound().is_uniform();

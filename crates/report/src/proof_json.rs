@@ -1,6 +1,6 @@
 //! A fit as a proof that others can check, schema `boundfit/proof/1` (docs/proof.md).
 
-use boundfit_estimation::{BoundName, Condition, ErrorBound, Fit, Fps, ParameterBound, Problem};
+use boundfit_estimation::{BoundName, Condition, ErrorBound, Fit, Fps, Model, ParameterBound, Problem};
 use boundfit_exact::{Rational, Reading};
 use boundfit_geometry::predicates::{Turn, normal_turn};
 use boundfit_geometry::{Multiplier, Polyhedron, Vertex};
@@ -17,6 +17,10 @@ struct ProofJson {
     rows: [usize; 2],
     reading: &'static str,
     model: [(usize, String); 4],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    interval: Option<[Option<usize>; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    law: Option<[Vec<LawTermJson>; 2]>,
     conditions: Vec<Vec<String>>,
     vertices: Vec<[String; 2]>,
     active: Vec<(usize, String)>,
@@ -24,6 +28,9 @@ struct ProofJson {
     farkas: Vec<NamedMultiplier>,
     bounds: Vec<(Vec<NamedMultiplier>, [String; 2], [String; 2])>,
 }
+
+/// A quantity of a law, the column that it is taken from, and how many times.
+type LawTermJson = (&'static str, usize, String);
 
 /// The name of a half-plane and its multiplier.
 type NamedMultiplier = (String, String);
@@ -37,17 +44,38 @@ pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<Stri
     let measurements = &problem.measurements;
     let layout = measurements.layout()?;
     let column = |&column: &usize| (column, "1".to_owned());
+    let is_line = matches!(measurements.model(), Model::Line { .. });
+    let (regressors, others) = layout.columns.split_at_checked(if is_line { 1 } else { 2 })?;
     // Column 0 holds 1 in every row.
-    let (epsilon, columns) = match (measurements.error_bound(), layout.columns.split_last()?) {
-        (ErrorBound::Uniform(epsilon), _) => ((0, epsilon.to_string()), layout.columns.as_slice()),
-        (ErrorBound::PerRow(_), (own, others)) => (column(own), others),
-        (ErrorBound::Interval { .. }, _) => return None,
+    let [x1, x2] = [regressors.first()?, regressors.get(1).unwrap_or(&0)].map(column);
+    let (y, others) = match others.split_first() {
+        Some((y, others)) if measurements.has_response() => (column(y), others),
+        _ => ((0, "0".to_owned()), others),
     };
-    let [x1, x2, y] = match columns {
-        [x, y] => [x, &0, y].map(column),
-        [first, second, y] => [first, second, y].map(column),
-        _ => return None,
-    };
+    let mut epsilon = (0, "0".to_owned());
+    let (mut interval, mut law) = (None, None);
+    match measurements.error_bound() {
+        ErrorBound::Uniform(bound) => epsilon.1 = bound.to_string(),
+        ErrorBound::PerRow(_) => epsilon = column(others.first()?),
+        ErrorBound::Interval { lower, upper } => {
+            // Behind each bound stands, from the same column, whether it is there.
+            let mut columns = others.iter().step_by(2).copied();
+            let mut next = |side: &Option<String>| side.as_ref().and_then(|_| columns.next());
+            interval = Some([next(lower), next(upper)]);
+        }
+        ErrorBound::Law(bound) => {
+            let range = measurements.range_of_response();
+            let term = |(name, times): (&'static str, Rational)| {
+                let from = if name == "x" { x1.0 } else { y.0 };
+                (if name == "written" { name } else { "abs" }, from, times.to_string())
+            };
+            let side = |(constant, terms): (Rational, Vec<(&'static str, Rational)>)| {
+                let fixed = (!constant.is_zero()).then(|| ("abs", 0, constant.to_string()));
+                fixed.into_iter().chain(terms.into_iter().map(term)).collect()
+            };
+            law = Some(bound.terms(&range).map(side));
+        }
+    }
     let condition = |condition: &Condition| {
         let inequality = condition.inequality();
         let numbers = [&inequality.a[0], &inequality.a[1], &inequality.b].map(Rational::to_string);
@@ -73,6 +101,8 @@ pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<Stri
         rows: layout.rows,
         reading: reading.name(),
         model: [x1, x2, y, epsilon],
+        interval,
+        law,
         conditions: problem.conditions.iter().map(condition).collect(),
         vertices: vertices.iter().map(theta).collect(),
         active: active.map(|(index, own)| (index, name(own))).collect(),

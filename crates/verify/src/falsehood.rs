@@ -44,6 +44,13 @@ pub enum Falsehood {
     },
     /// The error bound of this row is negative.
     NegativeErrorBound(usize),
+    /// A cell without a last digit, of which a law takes half a unit.
+    NoLastDigit {
+        /// The row, from 1.
+        row: usize,
+        /// The column, from 1.
+        column: usize,
+    },
     /// The data and the conditions give no half-plane of this name.
     UnknownHalfPlane(String),
     /// A sum takes more half-planes than this.
@@ -85,6 +92,9 @@ impl fmt::Display for Falsehood {
             Falsehood::MissingCell { row, column } => write!(f, "row {row}, column {column}: is missing"),
             Falsehood::NotANumber { row, column, error } | Falsehood::BeyondLimit { row, column, error } => {
                 write!(f, "row {row}, column {column}: {error}")
+            }
+            Falsehood::NoLastDigit { row, column } => {
+                write!(f, "row {row}, column {column}: has no last digit, of which the law takes half a unit")
             }
             Falsehood::NegativeErrorBound(row) => write!(f, "row {row}: the error bound is negative"),
             Falsehood::UnknownHalfPlane(name) => write!(f, "{name}: is no half-plane of the data"),

@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 use crate::falsehood::Falsehood;
 use crate::plane::{HalfPlane, Vector};
-use crate::table::{Table, number_at};
+use crate::table::{Table, half_unit_at, number_at, side_at};
 
 /// A proof, whose statements may be true or false. The fields are those of the file, tuples included.
 #[derive(Debug, Clone, Deserialize)]
@@ -22,6 +22,12 @@ pub struct Proof {
     reading: Reading,
     /// φ1, φ2, y and ε: a column, from 1, and how many times it is taken. Column 0 holds 1 in every row.
     model: [(usize, Rational); 4],
+    /// The columns of lower and of upper bounds, in place of y and ε.
+    #[serde(default)]
+    interval: Option<[Option<usize>; 2]>,
+    /// How far φ·θ may be above and below y beside ε: the sum of these quantities of columns, each so many times.
+    #[serde(default)]
+    law: Option<[Vec<(Quantity, usize, Rational)>; 2]>,
     conditions: Vec<Condition>,
     pub(crate) vertices: Vec<Vector>,
     /// Which vertex, an index from 0, and which half-plane touches it.
@@ -45,6 +51,16 @@ enum Condition {
 enum EqualsSign {
     #[serde(rename = "=")]
     Equals,
+}
+
+/// What a law takes from a cell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Quantity {
+    /// The number without its sign.
+    Abs,
+    /// Half a unit of the last digit written.
+    Written,
 }
 
 /// Which half-planes, and how many times each is taken.
@@ -98,13 +114,33 @@ impl Proof {
             };
             let [phi1, phi2, y, epsilon] = &self.model;
             let (phi1, phi2, y, epsilon) = (number(phi1)?, number(phi2)?, number(y)?, number(epsilon)?);
-            if epsilon.is_negative() {
-                return Err(Falsehood::NegativeErrorBound(row));
+            let (lower, upper) = match &self.interval {
+                Some(sides) => {
+                    let side = |column: Option<usize>| {
+                        column.map_or(Ok(None), |column| side_at(row, column, &cells, self.reading, limits))
+                    };
+                    (side(sides[0])?, side(sides[1])?)
+                }
+                None => {
+                    let [above, below] = match &self.law {
+                        Some([above, below]) => {
+                            let sum = |terms| self.sum(row, terms, &cells, limits);
+                            [&epsilon + sum(above)?, &epsilon + sum(below)?]
+                        }
+                        None => [epsilon.clone(), epsilon],
+                    };
+                    if above.is_negative() || below.is_negative() {
+                        return Err(Falsehood::NegativeErrorBound(row));
+                    }
+                    (Some(&y - below), Some(y + above))
+                }
+            };
+            if let Some(lower) = lower {
+                take(format!("{row} lower"), HalfPlane { a: [-&phi1, -&phi2], b: -lower })?;
             }
-            let lower = HalfPlane { a: [-&phi1, -&phi2], b: &epsilon - &y };
-            let upper = HalfPlane { a: [phi1, phi2], b: y + epsilon };
-            take(format!("{row} lower"), lower)?;
-            take(format!("{row} upper"), upper)?;
+            if let Some(upper) = upper {
+                take(format!("{row} upper"), HalfPlane { a: [phi1, phi2], b: upper })?;
+            }
         }
         for (number, condition) in (1..).zip(&self.conditions) {
             match condition {
@@ -118,6 +154,25 @@ impl Proof {
             }
         }
         Ok(())
+    }
+
+    /// What a law adds up for a row.
+    fn sum(
+        &self,
+        row: usize,
+        terms: &[(Quantity, usize, Rational)],
+        cells: &[Vec<u8>],
+        limits: &Limits,
+    ) -> Result<Rational, Falsehood> {
+        let mut sum = Rational::zero();
+        for (quantity, column, times) in terms {
+            let value = match quantity {
+                Quantity::Abs => number_at(row, *column, cells, self.reading, limits)?.abs(),
+                Quantity::Written => half_unit_at(row, *column, cells, limits)?,
+            };
+            sum = sum + value * times;
+        }
+        Ok(sum)
     }
 
     /// The half-planes that sides and multipliers name, which are few, and how many there are in all.

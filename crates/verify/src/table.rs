@@ -93,3 +93,42 @@ pub(crate) fn number_at(
         _ => Falsehood::NotANumber { row, column, error },
     })
 }
+
+/// The number in a cell of a row, if it holds one and not nothing or a word for that.
+pub(crate) fn side_at(
+    row: usize,
+    column: usize,
+    cells: &[Vec<u8>],
+    reading: Reading,
+    limits: &Limits,
+) -> Result<Option<Rational>, Falsehood> {
+    const WORDS: [&str; 10] = ["NA", "N/A", "#N/A", "NaN", "null", "none", "-", "--", ".", "?"];
+    let text =
+        column.checked_sub(1).and_then(|index| cells.get(index)).map(|cell| String::from_utf8_lossy(cell));
+    let text = text.as_deref().unwrap_or("0").trim();
+    if text.is_empty() || WORDS.iter().any(|word| word.eq_ignore_ascii_case(text)) {
+        return Ok(None);
+    }
+    number_at(row, column, cells, reading, limits).map(Some)
+}
+
+/// Half a unit of the last digit written of the decimal in a cell of a row.
+pub(crate) fn half_unit_at(
+    row: usize,
+    column: usize,
+    cells: &[Vec<u8>],
+    limits: &Limits,
+) -> Result<Rational, Falsehood> {
+    // That it is a number within the limits.
+    number_at(row, column, cells, Reading::Decimal, limits)?;
+    let cell = column.checked_sub(1).and_then(|index| cells.get(index));
+    let text = String::from_utf8_lossy(cell.ok_or(Falsehood::NoLastDigit { row, column })?).into_owned();
+    if text.contains('/') {
+        return Err(Falsehood::NoLastDigit { row, column });
+    }
+    let (mantissa, exponent) = text.trim().split_once(['e', 'E']).unwrap_or((text.trim(), "0"));
+    let places = mantissa.rsplit_once('.').map_or(0, |(_, places)| places.len());
+    let places = i64::try_from(places).unwrap_or(i64::MAX);
+    let exponent: i64 = exponent.parse().map_err(|_| Falsehood::NoLastDigit { row, column })?;
+    Ok(Rational::scientific(5, exponent - places - 1))
+}

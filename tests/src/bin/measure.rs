@@ -239,7 +239,7 @@ fn read(file: &str, epsilon: &Rational) -> Result<Problem, String> {
     let columns = Columns {
         first: ColumnSelector::name_or_number("x"),
         second: None,
-        response: ColumnSelector::name_or_number("y"),
+        response: Some(ColumnSelector::name_or_number("y")),
         epsilon: EpsilonColumn::Uniform(epsilon.clone()),
     };
     let source = Source::open(file).map_err(|error| error.to_string())?;

@@ -90,7 +90,7 @@ impl Question {
         let columns = Columns {
             first: column(&self.x[0]),
             second: self.x.get(1).map(column),
-            response: column(&self.y),
+            response: Some(column(&self.y)),
             epsilon: match &self.epsilon {
                 Ok(epsilon) => EpsilonColumn::Uniform(epsilon.clone()),
                 Err(name) => EpsilonColumn::Column(column(name)),

@@ -180,6 +180,6 @@ pub fn generated(rng: &mut ChaCha8Rng) -> Question {
     match problem.measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => Question { epsilon: Ok(epsilon.clone()), ..question },
         ErrorBound::PerRow(column) => question.epsilon_column(column),
-        ErrorBound::Interval { .. } => question,
+        ErrorBound::Interval { .. } | ErrorBound::Law(_) => question,
     }
 }

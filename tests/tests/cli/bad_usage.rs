@@ -69,7 +69,10 @@ fn options_that_are_missing_unknown_or_too_many() {
     refuses_options(
         2,
         &[
-            ("--x Vz --y z", &format!("{missing}<--eps <NUM>|--eps-column <COL>>")),
+            (
+                "--x Vz --y z",
+                &format!("{missing}<--eps <NUM>|--eps-column <COL>|--lower <COL>|--upper <COL>>"),
+            ),
             ("--y z --eps 1", &format!("{missing}--x <COL[,COL2]>")),
             (
                 "--x Vz --y z --eps 1 --eps-column z",

@@ -111,7 +111,7 @@ fn the_examples_of_a_manual_page_can_be_copied() {
 fn the_synopsis_of_a_manual_page_names_values() {
     let page = printed(&root(), "man fit");
     let synopsis = "\n.SH SYNOPSIS\n\\fBboundfit fit\\fR [OPTIONS] \\-\\-x <COL[,COL2]> \\-\\-y <COL> \
-                    <\\-\\-eps <NUM>|\\-\\-eps\\-column <COL>> <DATA>\n";
+                    <\\-\\-eps <NUM>|\\-\\-eps\\-column <COL>|\\-\\-lower <COL>|\\-\\-upper <COL>> <DATA>\n";
     assert!(page.contains(synopsis), "{page}");
     let limit =
         ".TP\n\\fB\\-\\-max\\-columns\\fR \\fI<N>\\fR [default: 100000]\nColumns of a table of text\n";

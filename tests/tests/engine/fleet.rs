@@ -21,7 +21,7 @@ fn columns(model: &Model, error_bound: &ErrorBound) -> Columns {
     Columns {
         first: named("a"),
         second: matches!(model, Model::TwoRegressors { .. }).then(|| named("b")),
-        response: named("y"),
+        response: Some(named("y")),
         epsilon: match error_bound {
             ErrorBound::Uniform(epsilon) => EpsilonColumn::Uniform(epsilon.clone()),
             _ => EpsilonColumn::Column(named("eps")),

@@ -26,7 +26,7 @@ fn problem(path: &str, [x, y]: [&str; 2], epsilon: EpsilonColumn, rows: Option<R
     let path = root().join("fixtures").join(path);
     let source = Source::open(path.to_str().unwrap()).unwrap();
     let column = ColumnSelector::name_or_number;
-    let columns = Columns { first: column(x), second: None, response: column(y), epsilon };
+    let columns = Columns { first: column(x), second: None, response: Some(column(y)), epsilon };
     let options = TableOptions { rows, ..TableOptions::default() };
     let measurements = Measurements::read(source, &columns, &options).unwrap();
     Problem { measurements, conditions: Vec::new() }
@@ -205,7 +205,7 @@ fn the_golden_cases_come_out_exactly() {
         }
         let column = ColumnSelector::name_or_number;
         let epsilon = EpsilonColumn::Uniform(number(case["eps"].as_str().unwrap()));
-        let columns = Columns { first: column("x"), second: None, response: column("y"), epsilon };
+        let columns = Columns { first: column("x"), second: None, response: Some(column("y")), epsilon };
         let source = Source::new("golden", std::io::Cursor::new(table.into_bytes()));
         let measurements = Measurements::read(source, &columns, &TableOptions::default()).unwrap();
         let problem = Problem { measurements, conditions: Vec::new() };

@@ -23,7 +23,7 @@ fn columns(epsilon: &Rational) -> Columns {
     Columns {
         first: ColumnSelector::name_or_number("x"),
         second: None,
-        response: ColumnSelector::name_or_number("y"),
+        response: Some(ColumnSelector::name_or_number("y")),
         epsilon: EpsilonColumn::Uniform(epsilon.clone()),
     }
 }

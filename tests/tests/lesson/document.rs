@@ -103,7 +103,7 @@ pub fn kind(region: &Value) -> RegionKind {
 pub fn read(path: &str, [x, y]: [&str; 2], epsilon: EpsilonColumn, rows: Option<RowRange>) -> Problem {
     let source = Source::open(root().join("fixtures").join(path).to_str().unwrap()).unwrap();
     let column = ColumnSelector::name_or_number;
-    let columns = Columns { first: column(x), second: None, response: column(y), epsilon };
+    let columns = Columns { first: column(x), second: None, response: Some(column(y)), epsilon };
     let options = TableOptions { rows, keep_others: true, ..TableOptions::default() };
     let measurements = Measurements::read(source, &columns, &options).unwrap();
     Problem { measurements, conditions: Vec::new() }

@@ -1,8 +1,8 @@
 //! From options to what the libraries take.
 
 use boundfit_estimation::{
-    Columns, Condition, EpsilonColumn, Keep, Measurements, ParseConditionError, ParseConditionErrorKind,
-    Problem,
+    Columns, Condition, EpsilonColumn, Keep, Law, Measurements, ParseConditionError, ParseConditionErrorKind,
+    ParseLawError, ParseLawErrorKind, Problem,
 };
 use boundfit_exact::{Limit, Limits, Rational, Reading};
 use boundfit_formats::{Header, RowRange, ScanOptions, SizeLimits, Source, TableOptions};
@@ -97,10 +97,19 @@ impl<'a> Data<'a> {
     pub(crate) fn asked(&self) -> Result<(Columns, Vec<Condition>), Failure> {
         let (arguments, reading) = (self.arguments, self.origin.reading);
         let limits = arguments.table.limits.number();
-        let epsilon = match (&arguments.epsilon.eps, &arguments.epsilon.eps_column) {
+        let asked = &arguments.epsilon;
+        let epsilon = match (&asked.eps, &asked.eps_column) {
+            (Some(eps), _) if is_law(eps) => {
+                EpsilonColumn::Law(law(eps, reading, &limits, arguments.x.second.is_some())?)
+            }
             (Some(eps), _) => EpsilonColumn::Uniform(error_bound(eps, reading, &limits)?),
             (None, Some(column)) => EpsilonColumn::Column(column.clone()),
-            (None, None) => return Err(Failure::Usage("'--eps' or '--eps-column' is missing".to_owned())),
+            (None, None) if asked.lower.is_none() && asked.upper.is_none() => {
+                return Err(Failure::Usage("'--eps' or '--eps-column' is missing".to_owned()));
+            }
+            (None, None) => {
+                EpsilonColumn::Interval { lower: asked.lower.clone(), upper: asked.upper.clone() }
+            }
         };
         let condition = |text: &String| {
             Condition::parse(text, reading, &limits)
@@ -115,6 +124,39 @@ impl<'a> Data<'a> {
         };
         Ok((columns, conditions))
     }
+}
+
+/// Whether an error bound is more than a number.
+fn is_law(text: &str) -> bool {
+    let text = text.trim();
+    let is_sum = || {
+        let plus = |(index, _): &(usize, char)| text[..*index].trim_end();
+        let mut pluses = text.char_indices().filter(|(_, character)| *character == '+');
+        pluses.any(|place| !plus(&place).is_empty() && !plus(&place).ends_with(['e', 'E']))
+    };
+    let is_asymmetric = || text.starts_with('+') && text.replace(' ', "").contains("/-");
+    ["|", "%", "*", "written", "range", "abs", "digit"].iter().any(|word| text.contains(word))
+        || is_sum()
+        || is_asymmetric()
+}
+
+fn law(text: &str, reading: Reading, limits: &Limits, two_regressors: bool) -> Result<Law, Failure> {
+    let refuse = |problem: String| Failure::value("--eps <NUM>", text, problem);
+    let law = Law::parse(text, reading, limits).map_err(|error| refuse(law_problem(&error)))?;
+    if two_regressors && law.needs_x() {
+        return Err(refuse(
+            "two regressors have no |x| (expected a law of |y|, range(y) and written)".to_owned(),
+        ));
+    }
+    Ok(law)
+}
+
+fn law_problem(error: &ParseLawError) -> String {
+    let limit = match &error.kind {
+        ParseLawErrorKind::NotANumber(kind) => Limit::of_number(kind),
+        _ => None,
+    };
+    limit.map_or_else(|| error.to_string(), |limit| format!("{error}; {} raises it", limit.flag()))
 }
 
 fn error_bound(text: &str, reading: Reading, limits: &Limits) -> Result<Rational, Failure> {

@@ -54,9 +54,9 @@ pub(crate) struct DataArguments {
     /// y = theta1*COL + theta2*COL2 + e
     #[arg(long, value_name = "COL[,COL2]", value_parser = parse_regressors, required = true)]
     pub(super) x: Regressors,
-    /// Column of y
-    #[arg(long, value_name = "COL", value_parser = parse_column, required = true)]
-    pub(super) y: ColumnSelector,
+    /// Column of y; beside --lower or --upper it may be left out, and is what least squares takes
+    #[arg(long, value_name = "COL", value_parser = parse_column, required_unless_present_any = ["lower", "upper"])]
+    pub(super) y: Option<ColumnSelector>,
     #[command(flatten)]
     pub(super) epsilon: EpsilonArguments,
     /// Use data rows A to B only, counted from 1 without the header
@@ -72,14 +72,22 @@ pub(crate) struct DataArguments {
 
 /// The error bound.
 #[derive(Debug, Args)]
-#[group(required = true, multiple = false)]
+#[group(required = true, multiple = true)]
 pub(crate) struct EpsilonArguments {
-    /// Error bound of every reading: a decimal or a fraction
-    #[arg(long, value_name = "NUM", allow_hyphen_values = true)]
+    /// Error bound of every reading: a decimal or a fraction, or a law such as '0.05%*|y| + 2e-3', '1%*range(y)', 'written'
+    /// (half a unit of the last digit written) or '+0.2/-0.1' (the truth lies in [y - 0.1, y + 0.2])
+    #[arg(long, value_name = "NUM", allow_hyphen_values = true, conflicts_with_all = ["eps_column", "lower", "upper"])]
     pub(crate) eps: Option<String>,
     /// Column with the error bound of each reading
-    #[arg(long, value_name = "COL", value_parser = parse_column)]
+    #[arg(long, value_name = "COL", value_parser = parse_column, conflicts_with_all = ["lower", "upper"])]
     pub(crate) eps_column: Option<ColumnSelector>,
+    /// Column with the least value that the model may have at each reading, instead of an error bound; a missing cell is no
+    /// bound
+    #[arg(long, value_name = "COL", value_parser = parse_column)]
+    pub(crate) lower: Option<ColumnSelector>,
+    /// Column with the largest value that the model may have at each reading
+    #[arg(long, value_name = "COL", value_parser = parse_column)]
+    pub(crate) upper: Option<ColumnSelector>,
 }
 
 /// What pictures and pages say besides what follows from the data.

@@ -74,7 +74,7 @@ fn judged_case(folder: &Path, name: &str, table: &TableOptions) -> Result<Check,
     let columns = Columns {
         first: ColumnSelector::name_or_number("x"),
         second: None,
-        response: ColumnSelector::name_or_number("y"),
+        response: Some(ColumnSelector::name_or_number("y")),
         epsilon: EpsilonColumn::Uniform(epsilon),
     };
     let csv = folder.join(format!("{name}.csv"));

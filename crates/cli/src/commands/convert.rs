@@ -99,16 +99,18 @@ fn heading(end: PuiEnd) -> String {
 /// Where the rows come from.
 fn comments(arguments: &ConvertArguments, reading: Reading, problem: &Problem) -> Vec<String> {
     let measurements = &problem.measurements;
+    let y = measurements.response();
     let column = |name: &Option<String>, none: &str| name.clone().unwrap_or_else(|| none.to_owned());
     let bound = match measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => format!("|e| <= {epsilon}"),
         ErrorBound::PerRow(name) => format!("|e| <= {name}"),
+        ErrorBound::Law(law) if law.is_asymmetric() => format!("{y} {}", law.text()),
+        ErrorBound::Law(law) => format!("|e| <= {}", law.text()),
         ErrorBound::Interval { lower, upper } => {
             format!("between {} and {}", column(lower, "-inf"), column(upper, "inf"))
         }
     };
     let rows = arguments.data.rows_asked().map(|rows| format!(", rows {rows}")).unwrap_or_default();
-    let y = measurements.response();
     let line = match measurements.model() {
         Model::Line { x } => format!("theta1*{x} + theta2"),
         Model::TwoRegressors { regressors: [first, second] } => format!("theta1*{first} + theta2*{second}"),

@@ -1,8 +1,9 @@
 //! Which columns of a table are what.
 
-use boundfit_exact::Rational;
-use boundfit_formats::ColumnSelector;
+use boundfit_exact::{Column, Rational};
+use boundfit_formats::{Batch, ColumnSelector, InputError, InputErrorKind};
 
+use crate::law::Law;
 use crate::measurements::{ErrorBound, Meaning, Model};
 
 /// The error bound as it is asked for.
@@ -12,6 +13,15 @@ pub enum EpsilonColumn {
     Uniform(Rational),
     /// A column.
     Column(ColumnSelector),
+    /// The values between which φ·θ lies, instead of a distance from y; cells may be empty, but not both of a row.
+    Interval {
+        /// The column of lower bounds.
+        lower: Option<ColumnSelector>,
+        /// The column of upper bounds.
+        upper: Option<ColumnSelector>,
+    },
+    /// A law.
+    Law(Law),
 }
 
 /// Which columns of a table are what.
@@ -21,8 +31,8 @@ pub struct Columns {
     pub first: ColumnSelector,
     /// φ2; `None` for the line model.
     pub second: Option<ColumnSelector>,
-    /// y.
-    pub response: ColumnSelector,
+    /// y; may be left out beside [`EpsilonColumn::Interval`] only.
+    pub response: Option<ColumnSelector>,
     /// ε.
     pub epsilon: EpsilonColumn,
 }
@@ -32,11 +42,44 @@ impl Columns {
     pub(crate) fn selectors(&self) -> Vec<ColumnSelector> {
         let mut selectors = vec![self.first.clone()];
         selectors.extend(self.second.clone());
-        selectors.push(self.response.clone());
-        if let EpsilonColumn::Column(epsilon) = &self.epsilon {
-            selectors.push(epsilon.clone().non_negative());
+        selectors.extend(self.response.clone());
+        match &self.epsilon {
+            EpsilonColumn::Uniform(_) => {}
+            EpsilonColumn::Column(epsilon) => selectors.push(epsilon.clone().non_negative()),
+            EpsilonColumn::Interval { lower, upper } => {
+                let sides = [lower, upper].into_iter().flatten();
+                selectors.extend(sides.flat_map(|side| [side.clone().optional(), side.clone().presence()]));
+            }
+            EpsilonColumn::Law(law) if law.needs_written() => {
+                selectors.extend(self.response.clone().map(ColumnSelector::half_unit));
+            }
+            EpsilonColumn::Law(_) => {}
         }
         selectors
+    }
+
+    /// Whether all errors have one bound, which may be known when all readings are.
+    pub(crate) fn is_uniform(&self) -> bool {
+        match &self.epsilon {
+            EpsilonColumn::Uniform(_) => true,
+            EpsilonColumn::Law(law) => law.is_uniform(),
+            EpsilonColumn::Column(_) | EpsilonColumn::Interval { .. } => false,
+        }
+    }
+
+    /// The number of the first row of a batch that has neither a lower nor an upper bound.
+    pub(crate) fn first_unbounded(&self, batch: &Batch) -> Option<usize> {
+        let EpsilonColumn::Interval { lower, upper } = &self.epsilon else { return None };
+        let sides = usize::from(lower.is_some()) + usize::from(upper.is_some());
+        // Behind each bound stands whether it is there.
+        let presences: Vec<&Column> = batch.columns.iter().rev().step_by(2).take(sides).collect();
+        let is_unbounded = |&k: &usize| presences.iter().all(|presence| presence.get(k).is_zero());
+        (0..batch.rows).find(is_unbounded).map(|k| batch.first_row + k)
+    }
+
+    /// Refuses a row without bounds, if there is one.
+    pub(crate) fn refuse_unbounded(&self, file: &str, row: Option<usize>) -> Result<(), InputError> {
+        row.map_or(Ok(()), |row| Err(InputError::of_row(file, row, InputErrorKind::NoBound)))
     }
 
     /// What the numbers in those columns mean, whose names are given.
@@ -48,11 +91,31 @@ impl Columns {
             None => Model::Line { x: first },
             Some(_) => Model::TwoRegressors { regressors: [first, name()] },
         };
-        let response = name();
+        let response = self.response.as_ref().map(|_| name());
+        let mut side = |column: &Option<ColumnSelector>| {
+            column.as_ref()?;
+            let side = name();
+            // Of the column that tells where it is.
+            name();
+            Some(side)
+        };
         let error_bound = match &self.epsilon {
             EpsilonColumn::Uniform(epsilon) => ErrorBound::Uniform(epsilon.clone()),
             EpsilonColumn::Column(_) => ErrorBound::PerRow(name()),
+            EpsilonColumn::Interval { lower, upper } => {
+                ErrorBound::Interval { lower: side(lower), upper: side(upper) }
+            }
+            EpsilonColumn::Law(law) if law.is_uniform() => {
+                ErrorBound::Uniform(law.uniform_bound(&Rational::zero()))
+            }
+            EpsilonColumn::Law(law) => ErrorBound::Law(law.clone()),
         };
-        Meaning { model, response, error_bound }
+        let uniform_law = match &self.epsilon {
+            EpsilonColumn::Law(law) if law.is_uniform() => Some(law.clone()),
+            _ => None,
+        };
+        let has_response = response.is_some();
+        let response = response.unwrap_or_else(|| "y".to_owned());
+        Meaning { model, response, has_response, error_bound, uniform_law }
     }
 }

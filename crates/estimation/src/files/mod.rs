@@ -12,7 +12,7 @@ pub use columns::{Columns, EpsilonColumn};
 pub use fleet::Fleet;
 pub use reduce::{ReducedColumns, ReducedTable};
 
-use crate::measurements::{Measurements, Origin, Readings};
+use crate::measurements::{Measurement, Measurements, Origin, Readings};
 
 impl Measurements {
     /// Reads the columns of a table.
@@ -20,12 +20,19 @@ impl Measurements {
     /// # Errors
     /// The first thing wrong with the file, a negative error bound included.
     pub fn read(source: Source, columns: &Columns, options: &TableOptions) -> Result<Self, InputError> {
+        let file = source.name().to_owned();
         let table = read_table(source, &columns.selectors(), options)?;
-        let meaning = columns.meaning(&table.names);
+        let mut meaning = columns.meaning(&table.names);
         let measured = |rows: Vec<TableRow>| {
             rows.into_iter().map(|row| meaning.measurement(row.row, row.numbers.into_iter())).collect()
         };
-        let (rows, others) = (measured(table.rows), measured(table.others));
+        let is_bounded = |row: &Measurement| row.lower().or_else(|| row.upper()).is_some();
+        let (mut rows, mut others): (Vec<Measurement>, Vec<Measurement>) =
+            (measured(table.rows), measured(table.others));
+        let unbounded = rows.iter().find(|row| !is_bounded(row)).map(|row| row.row);
+        columns.refuse_unbounded(&file, unbounded)?;
+        others.retain(is_bounded);
+        meaning.settle(&mut rows);
         let (rows_total, layout, sha256) = (table.rows_total, table.layout, Some(table.sha256));
         let origin = Origin { rows_total, layout, sha256 };
         Ok(Measurements { meaning, readings: Readings::All(rows), others, origin })

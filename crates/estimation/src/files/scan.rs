@@ -6,7 +6,7 @@ use boundfit_formats::{
 };
 
 use super::abscissas::{Abscissas, StoredPart};
-use super::columns::{Columns, EpsilonColumn};
+use super::columns::Columns;
 use super::reduce::stated_sums;
 use crate::measurements::{Meaning, Measurement, Measurements, Origin, Readings};
 use crate::summary::{Keep, LineSummary, LineSums, NoEui, Reduction, SharedSieve, Spread, Thresholds};
@@ -19,6 +19,8 @@ const MOST_BYTES_OF_STREAM: usize = 512 << 20;
 /// One batch with what is made of it at once.
 struct Digest {
     batch: Batch,
+    /// The first row without bounds.
+    unbounded: Option<usize>,
     line: Option<(LineSummary, Option<StoredPart>)>,
 }
 
@@ -44,7 +46,7 @@ impl Measurements {
         options: &ScanOptions,
         keep: Keep,
     ) -> Result<Self, InputError> {
-        let of_line = columns.second.is_none() && matches!(columns.epsilon, EpsilonColumn::Uniform(_));
+        let of_line = columns.second.is_none() && columns.is_uniform();
         let name = source.name().to_owned();
         let path = source.path().map(str::to_owned);
         let usual = if path.is_some() { MOST_BYTES_OF_FILE } else { MOST_BYTES_OF_STREAM };
@@ -57,7 +59,7 @@ impl Measurements {
                 let summary = LineSummary::of_columns([x, y], None, batch.first_row, &sieve);
                 (summary, keep.eui.then(|| StoredPart::new(x)))
             });
-            Digest { batch, line }
+            Digest { unbounded: columns.first_unbounded(&batch), batch, line }
         };
         let most_rows = if of_line { keep.most_rows } else { usize::MAX };
         let (source, reductions) = open_reduction(source, &options.table.sizes)?;
@@ -65,24 +67,31 @@ impl Measurements {
         if let Some(reductions) = &reductions {
             options.table.header = reductions.header();
         }
+        let mut unbounded = None;
         let scanned = scan(source, &columns.selectors(), &options, digest, |digest| {
+            unbounded = unbounded.or(digest.unbounded);
             all.take(digest, most_rows, &sieve);
         })?;
-        let meaning = columns.meaning(&scanned.names);
+        columns.refuse_unbounded(&name, unbounded)?;
+        let mut meaning = columns.meaning(&scanned.names);
+        let uniform = meaning.error_bound.uniform().cloned();
         let Collected { batches, rows, summary, abscissas } = all;
         if let Some(reductions) = &reductions {
             let sums = stated_sums(reductions, &name, columns.second.is_none(), &scanned.names, &options)?;
-            let rows = match &columns.epsilon {
-                EpsilonColumn::Uniform(epsilon) => summary.into_parts(epsilon).1,
-                EpsilonColumn::Column(_) => rows_of(&batches, &meaning),
+            let mut rows = match &uniform {
+                Some(epsilon) => summary.into_parts(epsilon).1,
+                None => rows_of(&batches, &meaning),
             };
+            meaning.settle(&mut rows);
             let scanned = Scanned { rows_total: sums.count, layout: None, ..scanned };
             let reduction = Reduction { sums, spread: Err(NoEui::Reduced) };
             return Ok(measurements(meaning, scanned, Readings::Supporting { rows, reduction }));
         }
-        let readings = match &columns.epsilon {
-            EpsilonColumn::Uniform(epsilon) if rows > most_rows => {
-                let (sums, rows) = summary.into_parts(epsilon);
+        let readings = match &uniform {
+            Some(epsilon) if rows > most_rows => {
+                let (sums, mut rows) = summary.into_parts(epsilon);
+                // A reading with the largest or the smallest y of all is on a hull.
+                meaning.settle(&mut rows);
                 let thresholds = Thresholds::new(&sums);
                 let spread = match (abscissas.spread(&thresholds), &path) {
                     _ if !keep.eui => Err(NoEui::NotAsked),
@@ -94,7 +103,11 @@ impl Measurements {
                 };
                 Readings::Supporting { rows, reduction: Reduction { sums, spread } }
             }
-            _ => Readings::All(rows_of(&batches, &meaning)),
+            _ => {
+                let mut rows = rows_of(&batches, &meaning);
+                meaning.settle(&mut rows);
+                Readings::All(rows)
+            }
         };
         Ok(measurements(meaning, scanned, readings))
     }
@@ -115,7 +128,7 @@ fn rows_of(batches: &[Batch], meaning: &Meaning) -> Vec<Measurement> {
 }
 
 impl Collected {
-    fn take(&mut self, Digest { batch, line }: Digest, most_rows: usize, sieve: &SharedSieve) {
+    fn take(&mut self, Digest { batch, line, .. }: Digest, most_rows: usize, sieve: &SharedSieve) {
         self.rows += batch.rows;
         if self.rows <= most_rows {
             self.batches.push(batch);

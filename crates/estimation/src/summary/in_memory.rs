@@ -75,7 +75,7 @@ impl Measurements {
         columns: &[Column],
         keep: Keep,
     ) -> Result<Self, ColumnsError> {
-        let meaning = Meaning { model, response, error_bound };
+        let meaning = Meaning { model, response, has_response: true, error_bound, uniform_law: None };
         check(&meaning, columns)?;
         let rows_total = columns.first().map_or(0, Column::len);
         let readings = match (&meaning.model, &meaning.error_bound, columns) {
@@ -115,9 +115,11 @@ fn check(meaning: &Meaning, columns: &[Column]) -> Result<(), ColumnsError> {
     match &meaning.error_bound {
         ErrorBound::Uniform(epsilon) if epsilon.is_negative() => Err(ColumnsError::NegativeErrorBound),
         ErrorBound::Uniform(_) => Ok(()),
-        ErrorBound::PerRow(_) | ErrorBound::Interval { .. } => match columns[found - 1].first_negative() {
-            Some(index) => Err(ColumnsError::NegativeErrorBoundOf { row: index + 1 }),
-            None => Ok(()),
-        },
+        ErrorBound::PerRow(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => {
+            match columns[found - 1].first_negative() {
+                Some(index) => Err(ColumnsError::NegativeErrorBoundOf { row: index + 1 }),
+                None => Ok(()),
+            }
+        }
     }
 }

@@ -11,13 +11,85 @@ use arrow_array::{Array, ArrayRef, ArrowPrimitiveType};
 use arrow_schema::DataType;
 use boundfit_exact::{Column, PLAIN_DIGITS, PLAIN_EXPONENT, Rational, Reading, Unit, plain_decimal};
 
-use super::texts::{BadCell, refuse_nulls};
+use super::texts::{BadCell, refuse_nulls, text};
 use crate::columns::ColumnSelector;
 use crate::error::InputErrorKind;
+use crate::roles::{self, Role, instead_of_number};
 use crate::table::{TableOptions, read_number};
 
-/// The numbers of an array without a dictionary.
+/// What a column takes from an array without a dictionary.
 pub(super) fn numbers(
+    array: &ArrayRef,
+    selector: &ColumnSelector,
+    options: &TableOptions,
+) -> Result<Column, BadCell> {
+    match selector.role() {
+        Role::Number | Role::NonNegative => given_numbers(array, selector, options),
+        Role::Presence => {
+            let counts = (0..array.len()).map(|index| i128::from(!is_missing(array, index)));
+            Ok(Column::of_counts(counts, Unit::TenTo(0)))
+        }
+        Role::Optional => optional_numbers(array, selector, options),
+        Role::HalfUnit => half_units(array, selector),
+    }
+}
+
+/// Whether a cell has no number: null, not a number, or a word for that.
+fn is_missing(array: &ArrayRef, index: usize) -> bool {
+    array.is_null(index)
+        || match array.data_type() {
+            DataType::Float32 => array.as_primitive::<Float32Type>().value(index).is_nan(),
+            DataType::Float64 => array.as_primitive::<Float64Type>().value(index).is_nan(),
+            DataType::Utf8 | DataType::LargeUtf8 | DataType::Utf8View => {
+                text(array, index).is_none_or(|text| roles::is_missing(&text))
+            }
+            _ => false,
+        }
+}
+
+/// The numbers of an array, with 0 where there is none.
+fn optional_numbers(
+    array: &ArrayRef,
+    selector: &ColumnSelector,
+    options: &TableOptions,
+) -> Result<Column, BadCell> {
+    let is_there: Vec<bool> = (0..array.len()).map(|index| !is_missing(array, index)).collect();
+    if !is_there.contains(&false) {
+        return given_numbers(array, selector, options);
+    }
+    let mut column = Column::default();
+    for (index, is_there) in is_there.into_iter().enumerate() {
+        if is_there {
+            let own = given_numbers(&array.slice(index, 1), selector, options);
+            column.append(&own.map_err(|bad| BadCell { index: Some(index), ..bad })?, 0..1);
+        } else if options.reading == Reading::Binary64 {
+            column.push_double(0.0);
+        } else {
+            column.push_decimal(0, 0);
+        }
+    }
+    Ok(column)
+}
+
+/// Half a unit of the last digit of each cell, where the type keeps digits.
+fn half_units(array: &ArrayRef, selector: &ColumnSelector) -> Result<Column, BadCell> {
+    if matches!(array.data_type(), DataType::Float32 | DataType::Float64) {
+        return Err(BadCell::of_column(InputErrorKind::NoDigits { format: "a column of floats" }));
+    }
+    let mut column = Column::default();
+    for index in 0..array.len() {
+        let cell = text(array, index)
+            .ok_or_else(|| BadCell::of_type(array.data_type(), "a column of decimals or text"))?;
+        let value = instead_of_number(cell.as_bytes(), selector);
+        let value = value.map_err(|problem| BadCell::at(array, index, problem))?;
+        let (mantissa, exponent) = value.unwrap_or_default();
+        column.push(Rational::scientific(mantissa, exponent));
+    }
+    Ok(column)
+}
+
+/// The numbers of an array without a dictionary.
+fn given_numbers(
     array: &ArrayRef,
     selector: &ColumnSelector,
     options: &TableOptions,

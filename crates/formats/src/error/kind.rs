@@ -179,6 +179,20 @@ pub enum InputErrorKind {
     /// An error bound below zero.
     #[error("the error bound is negative")]
     NegativeErrorBound,
+    /// A row that bounds nothing.
+    #[error("the row has neither a lower nor an upper bound")]
+    NoBound,
+    /// A fraction where half a unit of the last digit is wanted.
+    #[error("a fraction has no last digit, of which 'written' is half a unit")]
+    NoLastDigit,
+    /// Numbers that were not written where half a unit of the last digit is wanted.
+    #[error(
+        "'written' is half a unit of the last digit written, and {format} stores numbers without their digits"
+    )]
+    NoDigits {
+        /// The format, with its article.
+        format: &'static str,
+    },
     /// An H- or V-representation without its `begin` line.
     #[error("there is no line \"begin\"")]
     NoBegin,
@@ -301,6 +315,11 @@ impl InputErrorKind {
                 "a decimal such as 1.30e-2 or a fraction such as 7/19".to_owned()
             }
             InputErrorKind::NegativeErrorBound => "a number that is at least 0".to_owned(),
+            InputErrorKind::NoBound => "a number in a column of bounds".to_owned(),
+            InputErrorKind::NoLastDigit => "a decimal such as 1.30e-2".to_owned(),
+            InputErrorKind::NoDigits { .. } => {
+                "a bound as a number, such as 0.005, or a law without 'written'".to_owned()
+            }
             InputErrorKind::NoBegin => "an H- or V-representation: begin, rows, end".to_owned(),
             InputErrorKind::BadSizeLine => {
                 "\"ROWS 3 integer\", \"ROWS 3 rational\" or \"ROWS 3 real\"".to_owned()

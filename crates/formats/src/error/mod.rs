@@ -50,6 +50,11 @@ impl InputError {
         InputError::new(file, Place { line: Some(line), ..Place::default() }, kind)
     }
 
+    /// The error for something wrong with a data row of a file, counted from 1.
+    pub fn of_row(file: &str, row: usize, kind: impl Into<InputErrorKind>) -> Self {
+        InputError::new(file, Place { row: Some(row), ..Place::default() }, kind)
+    }
+
     /// The error for something wrong at a place of a file.
     pub(crate) fn new(file: &str, place: Place, kind: impl Into<InputErrorKind>) -> Self {
         InputError { file: file.to_owned(), place: Box::new(place), kind: kind.into() }

@@ -90,7 +90,7 @@ impl Rows<'_> {
                     self.error(column, BadNumber { index, text, problem: InputErrorKind::NotBinary64 })
                 );
             }
-            let numbers = column.numbers.column(range, selector.is_non_negative());
+            let numbers = column.numbers.column(range, selector.role());
             columns.push(numbers.map_err(|bad| self.error(column, bad))?);
         }
         let text = |column: &MatColumn, row: usize| column.numbers.text(column.start + row - 1);

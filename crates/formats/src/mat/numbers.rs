@@ -8,6 +8,7 @@ use boundfit_exact::{Column, Unit};
 use super::elements::{Damage, Elements};
 use super::kind::ByteOrder;
 use crate::error::InputErrorKind;
+use crate::roles::Role;
 
 /// Numbers exactly as they are stored.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,8 +59,39 @@ impl Numbers {
         Ok(numbers)
     }
 
+    /// What a column takes from the numbers in a range; a NaN is none.
+    pub(super) fn column(&self, range: Range<usize>, role: Role) -> Result<Column, BadNumber> {
+        let is_missing = |index: usize| match self {
+            Numbers::Doubles(doubles) => doubles.get(index).is_some_and(|double| double.is_nan()),
+            Numbers::Integers(_) => false,
+        };
+        match role {
+            Role::Number | Role::NonNegative => self.numbers(range, role == Role::NonNegative),
+            Role::Presence => {
+                Ok(Column::of_counts(range.map(|index| i128::from(!is_missing(index))), Unit::TenTo(0)))
+            }
+            Role::Optional => match self {
+                Numbers::Doubles(doubles) => {
+                    let own = doubles.get(range.clone()).unwrap_or_default();
+                    if let Some(index) = own.iter().position(|double| double.is_infinite()) {
+                        let index = range.start + index;
+                        let problem = InputErrorKind::NotFinite;
+                        return Err(BadNumber { index, text: self.text(index), problem });
+                    }
+                    let filled = own.iter().map(|&double| if double.is_nan() { 0.0 } else { double + 0.0 });
+                    Ok(Column::Doubles(filled.collect()))
+                }
+                Numbers::Integers(_) => self.numbers(range, false),
+            },
+            Role::HalfUnit => {
+                let problem = InputErrorKind::NoDigits { format: "a MATLAB file" };
+                Err(BadNumber { index: range.start, text: self.text(range.start), problem })
+            }
+        }
+    }
+
     /// The numbers in a range as a column.
-    pub(super) fn column(&self, range: Range<usize>, non_negative: bool) -> Result<Column, BadNumber> {
+    fn numbers(&self, range: Range<usize>, non_negative: bool) -> Result<Column, BadNumber> {
         let bad = |index: usize, problem| {
             let index = range.start + index;
             BadNumber { index, text: self.text(index), problem }
@@ -195,7 +227,7 @@ mod tests {
     #[test]
     fn integers_stay_exact_where_no_double_has_them() {
         let numbers = Numbers::Integers(vec![1 << 53, (1 << 53) + 1, -1]);
-        let column = |range: Range<usize>, non_negative| numbers.column(range, non_negative).ok();
+        let column = |range: Range<usize>, non_negative| numbers.numbers(range, non_negative).ok();
         assert_eq!(column(0..1, true), Some(Column::Doubles(vec![9_007_199_254_740_992.0])));
         assert_eq!(column(1..2, true), Some(Column::of_counts([(1 << 53) + 1].into_iter(), Unit::TenTo(0))));
         assert_eq!(column(0..3, true), None);

@@ -5,6 +5,7 @@ use boundfit_exact::{Column, PLAIN_DIGITS, PLAIN_EXPONENT, Reading, plain_decima
 use crate::columns::{ColumnPlace, ColumnSelector, Heading, decode};
 use crate::error::{InputError, InputErrorKind};
 use crate::records::{Record, Records};
+use crate::roles::{self, instead_of_number};
 use crate::table::{TableRow, check_columns, read_number};
 
 use super::batch::{Pieces, ScanOptions};
@@ -103,6 +104,10 @@ impl<'a> Layout<'a> {
         column: &mut Column,
     ) -> Result<(), InputErrorKind> {
         let options = &self.options.table;
+        if let Some(value) = instead_of_number(cell, selector)? {
+            roles::add(column, value, options.reading, selector.role());
+            return Ok(());
+        }
         let plain = self.limits_allow_plain_decimals();
         match options.reading {
             Reading::Decimal => match plain_decimal(cell).filter(|_| plain) {

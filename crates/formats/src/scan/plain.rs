@@ -6,6 +6,7 @@ use memchr::{memchr, memchr_iter, memchr2, memchr3};
 use super::builder::BatchBuilder;
 use super::layout::Layout;
 use super::rows::Rows;
+use crate::roles::Role;
 
 /// Separators that are no part of a number.
 const SEPARATORS: &[u8] = b",;\t| :";
@@ -29,6 +30,8 @@ struct Step {
 enum What {
     /// As a number of a column, which may have to be at least 0.
     Number { column: usize, non_negative: bool },
+    /// For something else that a column takes from it.
+    Aside { column: usize },
     /// As the key.
     Key,
 }
@@ -46,7 +49,13 @@ impl Route {
         }
         let numbers = layout.places.iter().zip(layout.selectors).enumerate();
         let numbers = numbers.map(|(column, (place, selector))| {
-            (place.position, What::Number { column, non_negative: selector.is_non_negative() })
+            let what = match selector.role() {
+                Role::Number | Role::NonNegative | Role::Optional => {
+                    What::Number { column, non_negative: selector.is_non_negative() }
+                }
+                Role::Presence | Role::HalfUnit => What::Aside { column },
+            };
+            (place.position, what)
         });
         let key = layout.key.iter().map(|place| (place.position, What::Key));
         let mut cells: Vec<(usize, What)> = numbers.chain(key).collect();
@@ -160,6 +169,7 @@ impl Lane<'_> {
             }
             at = match step.what {
                 What::Number { column, non_negative } => self.number(at, column, non_negative)?,
+                What::Aside { column } => self.long_number(at, column)?,
                 What::Key => self.key(at)?,
             };
         }

@@ -38,7 +38,9 @@ pub(super) fn blocks(report: &Report) -> Vec<Block> {
 fn words(fit: &Fit, error_bound: &ErrorBound) -> Vec<(Text, Text)> {
     let largest = match error_bound {
         ErrorBound::Uniform(_) => "the estimate whose largest error is smallest",
-        ErrorBound::PerRow(_) => "the estimate whose largest error, in units of its bound, is smallest",
+        ErrorBound::PerRow(_) | ErrorBound::Law(_) => {
+            "the estimate whose largest error, in units of its bound, is smallest"
+        }
         ErrorBound::Interval { .. } => {
             "the estimate whose largest distance from the middle of an interval, in units of its half width, is smallest"
         }

@@ -63,9 +63,18 @@ impl Report<'_> {
         let measurements = &self.problem.measurements;
         let bounded = Text::new().mark("|").symbol(Symbol::Error).mark("|").operator(Operator::AtMost);
         let bound = match measurements.error_bound() {
-            ErrorBound::Uniform(epsilon) => bounded.then(self.style.given(epsilon)),
+            ErrorBound::Uniform(epsilon) => {
+                let law = measurements.law();
+                let bounded =
+                    law.map_or(bounded.clone(), |law| bounded.given(law.text()).operator(Operator::Equals));
+                bounded.then(self.style.given(epsilon))
+            }
             ErrorBound::PerRow(column) => bounded.given(column).words(", one bound per row"),
-            ErrorBound::Interval { lower, upper } => interval_columns(lower.as_deref(), upper.as_deref()),
+            ErrorBound::Law(law) if law.is_asymmetric() => {
+                Text::from("y ").given(law.text()).words(" of each row")
+            }
+            ErrorBound::Law(law) => bounded.given(law.text()).words(" of each row"),
+            ErrorBound::Interval { .. } => self.intervals(),
         };
         let (used, total) = (measurements.fitted(), measurements.rows_total());
         let rows = match rows {
@@ -100,9 +109,37 @@ impl Report<'_> {
             Model::Line { x } => (x, Symbol::Theta2.into()),
             Model::TwoRegressors { regressors: [first, second] } => (first, term(Symbol::Theta2, second)),
         };
-        let model = Text::new().given(measurements.response()).operator(Operator::Equals);
-        let model = model.then(term(Symbol::Theta1, first)).operator(Operator::Plus).then(second);
+        let value = term(Symbol::Theta1, first).operator(Operator::Plus).then(second);
+        if let ErrorBound::Interval { lower, upper } = measurements.error_bound() {
+            let between = lower
+                .as_ref()
+                .map_or_else(Text::new, |lower| Text::new().given(lower).operator(Operator::AtMost));
+            let between = between.then(value);
+            return match upper {
+                Some(upper) => between.operator(Operator::AtMost).given(upper),
+                None => between,
+            };
+        }
+        let model = Text::new().given(measurements.response()).operator(Operator::Equals).then(value);
         model.operator(Operator::Plus).symbol(Symbol::Error)
+    }
+
+    /// How many of the bounds that two columns may have are there, and what least squares takes.
+    fn intervals(&self) -> Text {
+        let measurements = &self.problem.measurements;
+        let rows = measurements.kept();
+        let lacking = rows.iter().filter(|row| row.half_width().is_none()).count();
+        let bounds = match lacking {
+            0 => "both bounds of every row".to_owned(),
+            _ if lacking == rows.len() => "one bound of every row".to_owned(),
+            _ => format!("both bounds of {}, one of {lacking}", counted(rows.len() - lacking, "row", "rows")),
+        };
+        let text = Text::from(bounds);
+        match (measurements.has_response(), lacking) {
+            (true, _) => text.words("; least squares takes ").given(measurements.response()),
+            (false, 0) => text.words("; least squares takes the middles"),
+            (false, _) => text,
+        }
     }
 
     fn name(&self, index: usize) -> String {
@@ -122,13 +159,16 @@ impl Report<'_> {
         let products = products(terms.iter().map(|(name, m)| (style.proof(m), name.to_string())));
         let proof = absurdity(Text::from("Proof: ").then(products), &self.sum_of(&terms), style);
         let help = match (&self.fit.minimax, error_bound) {
+            (None, _) if !self.problem.measurements.has_widths() => {
+                "No row has both bounds, so there is no width that could grow.".into()
+            }
             (None, _) => "A larger error bound would not help.".into(),
             (Some(minimax), ErrorBound::Uniform(epsilon)) => {
                 let growth = Text::from("The error bound would have to grow by ")
                     .number(style.upper(&(&minimax.least - epsilon)));
                 growth.words(", to at least ").then(style.upper_with_exact(&minimax.least)).words(".")
             }
-            (Some(minimax), ErrorBound::PerRow(_)) => {
+            (Some(minimax), ErrorBound::PerRow(_) | ErrorBound::Law(_)) => {
                 Text::from("All error bounds would have to grow by a factor of at least ")
                     .then(style.upper_with_exact(&minimax.least))
                     .words(".")
@@ -169,16 +209,5 @@ impl Report<'_> {
             }
         }
         rows
-    }
-}
-
-/// Between which columns the model lies.
-fn interval_columns(lower: Option<&str>, upper: Option<&str>) -> Text {
-    match (lower, upper) {
-        (Some(lower), Some(upper)) => {
-            Text::from("between ").given(lower).words(" and ").given(upper).words(" of each row")
-        }
-        (Some(lower), None) => Text::from("at least ").given(lower).words(" of each row"),
-        (None, upper) => Text::from("at most ").given(upper.unwrap_or_default()).words(" of each row"),
     }
 }

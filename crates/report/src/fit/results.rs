@@ -6,7 +6,7 @@ use boundfit_exact::english::list;
 
 use super::Report;
 use crate::document::{Symbol, Text};
-use crate::fit_json::NO_BINARY64;
+use crate::fit_json::{NO_BINARY64, NO_WIDTHS};
 use crate::region::point_text;
 
 /// A label, blank where the line goes on with the result above, and the result.
@@ -38,12 +38,17 @@ impl Report<'_> {
     fn least_error_bound(&self) -> Vec<(Text, Text)> {
         let label = Text::from(Symbol::LeastEpsilon);
         let Some(minimax) = &self.fit.minimax else {
-            return vec![(label, "none: no error bound, however large, is enough".into())];
+            let reason = if self.problem.measurements.has_widths() {
+                "no error bound, however large, is enough"
+            } else {
+                NO_WIDTHS
+            };
+            return vec![(label, format!("none: {reason}").into())];
         };
         let least = self.style.upper_with_exact(&minimax.least);
         let least = match self.problem.measurements.error_bound() {
             ErrorBound::Uniform(_) => least,
-            ErrorBound::PerRow(_) => least.words(" times each row's bound"),
+            ErrorBound::PerRow(_) | ErrorBound::Law(_) => least.words(" times each row's bound"),
             ErrorBound::Interval { .. } => least.words(" times the width of each interval, about its middle"),
         };
         let proof = list(minimax.proof.multipliers.iter().map(|(name, _)| name.to_string()));

@@ -47,7 +47,7 @@ fn case(
     let columns = Columns {
         first: regressors.next().unwrap(),
         second: regressors.next(),
-        response: ColumnSelector::name_or_number(y),
+        response: Some(ColumnSelector::name_or_number(y)),
         epsilon: match epsilon.strip_prefix("column ") {
             Some(name) => EpsilonColumn::Column(ColumnSelector::name_or_number(name)),
             None => EpsilonColumn::Uniform(reading.read(epsilon, &Limits::default()).unwrap()),

@@ -13,7 +13,7 @@ use std::ops::Range;
 use boundfit_formats::{Batch, ColumnSelector, InputError, ScanOptions, Source, scan, threads};
 
 use crate::files::Columns;
-use crate::measurements::{Meaning, Measurements};
+use crate::measurements::{Meaning, Measurement, Measurements, Origin, Readings};
 use groups::Groups;
 use keys::Keys;
 use series::Series;
@@ -52,7 +52,13 @@ impl Fleet {
         let options = ScanOptions { key: Some(by.clone()), ..options };
         let file = source.name().to_owned();
         let mut store = Store { columns: vec![Series::default(); selectors.len()], ..Store::default() };
-        let scanned = scan(source, &selectors, &options, Runs::new, |runs| store.push(&runs))?;
+        let mut unbounded = None;
+        let runs = |batch: Batch| (columns.first_unbounded(&batch), Runs::new(batch));
+        let scanned = scan(source, &selectors, &options, runs, |(row, runs)| {
+            unbounded = unbounded.or(row);
+            store.push(&runs);
+        })?;
+        columns.refuse_unbounded(&file, unbounded)?;
         if store.is_full {
             let error = io::Error::other(format!("more than {} rows", u32::MAX));
             return Err(InputError::of_file(&file, error));
@@ -94,9 +100,11 @@ impl Fleet {
             let numbers = self.columns.iter().map(|column| column.get(index));
             self.meaning.measurement(self.first_row + index, numbers)
         };
-        let rows = self.groups.rows(group).map(measurement).collect();
-        let Meaning { model, response, error_bound } = self.meaning.clone();
-        Measurements::new(model, response, error_bound, rows)
+        let mut rows: Vec<Measurement> = self.groups.rows(group).map(measurement).collect();
+        let mut meaning = self.meaning.clone();
+        meaning.settle(&mut rows);
+        let origin = Origin { rows_total: rows.len(), ..Origin::default() };
+        Measurements { meaning, readings: Readings::All(rows), others: Vec::new(), origin }
     }
 
     /// Calls `work` for consecutive groups, on the threads of the current rayon pool and in any order, and `take` with

@@ -1,0 +1,114 @@
+//! What a column takes from its cells when it is not their number.
+
+use boundfit_exact::{Column, Rational, Reading};
+
+use crate::columns::{ColumnSelector, decode};
+use crate::error::InputErrorKind;
+
+/// What a column takes from its cells.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Role {
+    /// Their numbers.
+    #[default]
+    Number,
+    /// Their numbers, which must be at least 0.
+    NonNegative,
+    /// Their numbers, and 0 where there is none: [`Role::Presence`] of the same column tells the two apart.
+    Optional,
+    /// 1 where there is a number, 0 where there is none.
+    Presence,
+    /// Half a unit of the last digit that is written: 0.005 for `12.30`, 500 for `1e3`.
+    HalfUnit,
+}
+
+/// What stands in a cell that has no number, beside nothing.
+const MISSING: [&str; 10] = ["NA", "N/A", "#N/A", "NaN", "null", "none", "-", "--", ".", "?"];
+
+/// Whether a cell has no number, but nothing or a word for that.
+pub(crate) fn is_missing(text: &str) -> bool {
+    let text = text.trim();
+    text.is_empty() || MISSING.iter().any(|word| word.eq_ignore_ascii_case(text))
+}
+
+/// What a column takes from a cell instead of its number, as a mantissa and an exponent of ten; `None` where it takes the
+/// number.
+pub(crate) fn instead_of_number(
+    cell: &[u8],
+    selector: &ColumnSelector,
+) -> Result<Option<(i64, i64)>, InputErrorKind> {
+    let is_missing = || Ok::<_, InputErrorKind>(is_missing(decode(cell)?));
+    Ok(match selector.role() {
+        Role::Number | Role::NonNegative => None,
+        Role::Optional => is_missing()?.then_some((0, 0)),
+        Role::Presence => Some((i64::from(!is_missing()?), 0)),
+        Role::HalfUnit => Some((5, place_of_last_digit(decode(cell)?)? - 1)),
+    })
+}
+
+/// Adds what a column takes from a cell instead of its number.
+pub(crate) fn add(column: &mut Column, (mantissa, exponent): (i64, i64), reading: Reading, role: Role) {
+    match (reading, i32::try_from(exponent)) {
+        // These stand among doubles.
+        (Reading::Binary64, _) if role == Role::Optional => column.push_double(mantissa as f64),
+        (_, Ok(exponent @ -300..=300)) => column.push_decimal(mantissa, exponent),
+        _ => column.push(Rational::scientific(mantissa, exponent)),
+    }
+}
+
+/// The power of ten that the last digit of a number stands for.
+fn place_of_last_digit(text: &str) -> Result<i64, InputErrorKind> {
+    let text = text.trim();
+    if text.contains('/') {
+        return Err(InputErrorKind::NoLastDigit);
+    }
+    let (mantissa, exponent) = text.split_once(['e', 'E', 'd', 'D']).unwrap_or((text, "0"));
+    let places = mantissa.split_once('.').map_or(0, |(_, places)| places.len());
+    // What is no number is refused where it is read as one.
+    let exponent: i64 = exponent.parse().unwrap_or(0);
+    Ok(exponent - i64::try_from(places).unwrap_or(i64::MAX))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn half_a_unit_of_the_last_digit_is_taken_as_it_is_written() {
+        let column = ColumnSelector::name_or_number("y").half_unit();
+        for (text, expected) in [
+            ("12.30", (5, -3)),
+            ("12", (5, -1)),
+            ("1e3", (5, 2)),
+            (" -1.50E-2 ", (5, -5)),
+            ("+.5", (5, -2)),
+            ("5.", (5, -1)),
+            ("0", (5, -1)),
+            ("0.000", (5, -4)),
+        ] {
+            let found = instead_of_number(text.as_bytes(), &column).unwrap();
+            assert_eq!(found, Some(expected), "{text}");
+        }
+        let fraction = instead_of_number(b"1/3", &column).unwrap_err();
+        assert!(matches!(fraction, InputErrorKind::NoLastDigit));
+    }
+
+    #[test]
+    fn a_missing_side_is_told_from_zero() {
+        let side = ColumnSelector::name_or_number("lower");
+        for (text, number, presence) in [
+            ("", Some((0, 0)), 0),
+            (" NA ", Some((0, 0)), 0),
+            ("nan", Some((0, 0)), 0),
+            ("0", None, 1),
+            ("x", None, 1),
+        ] {
+            assert_eq!(
+                instead_of_number(text.as_bytes(), &side.clone().optional()).unwrap(),
+                number,
+                "{text}"
+            );
+            let found = instead_of_number(text.as_bytes(), &side.clone().presence()).unwrap();
+            assert_eq!(found, Some((presence, 0)), "{text}");
+        }
+    }
+}
