@@ -8,7 +8,7 @@ use thiserror::Error;
 
 use crate::grid::Grid;
 use crate::measurements::{Bounds, ErrorBound, Measurement, Measurements, Readings};
-use crate::moments::{Moments, Solution};
+use crate::moments::{Moments, SUM_BITS, Solution, bits, widest};
 use crate::summary::{NoEui, Reduction};
 
 /// The least-squares estimate θ̂ = (ΦᵀΦ)⁻¹Φᵀy with its estimate uncertainty intervals.
@@ -192,17 +192,26 @@ fn reach_of(rows: &[Measurement], widths: &[Cow<'_, Rational>], p: &Rational, q:
     p * sums[0].total() + q * sums[1].total()
 }
 
-/// Σ |p·u + q·v|·ε over the readings (u, v) of a grid, in its units; ε counts as 1 when it is uniform.
+/// Σ |p·u + q·v|·ε over the readings (u, v) of a grid, in its units; ε counts as 1 when it is uniform. `None` when one of the
+/// sums might not fit.
 fn reach(grid: &Grid, (p, q): (i128, i128)) -> Option<Integer> {
-    let product = |left: i64, right: i64| i128::from(left) * i128::from(right);
+    let bits_of = |column: &Option<Scaled<i64>>| column.as_ref().map_or(1, |column| widest(column.counts()));
+    let (u_bits, v_bits) = (widest(grid.phi1.counts()), bits_of(&grid.phi2));
+    let cross_bits = 1 + (bits(p.unsigned_abs()) + u_bits).max(bits(q.unsigned_abs()) + v_bits);
+    let sum_bits = bits_of(&grid.epsilon) + u_bits.max(v_bits) + bits(grid.phi1.counts().len() as u128);
+    if cross_bits.max(sum_bits) > SUM_BITS {
+        return None;
+    }
+    // By the bits above none of these can overflow.
+    let product = |left: i128, right: i64| left.wrapping_mul(i128::from(right));
     let mut sums = [0_i128, 0];
     for (row, &u) in grid.phi1.counts().iter().enumerate() {
         let at = |column: &Option<Scaled<i64>>| column.as_ref().map_or(1, |column| column.counts()[row]);
         let (v, epsilon) = (at(&grid.phi2), at(&grid.epsilon));
-        let cross = p.checked_mul(i128::from(u))?.checked_add(q.checked_mul(i128::from(v))?)?;
-        let signed = if cross < 0 { -epsilon } else { epsilon };
-        sums[0] = sums[0].checked_add(product(signed, u))?;
-        sums[1] = sums[1].checked_add(product(signed, v))?;
+        let cross = product(p, u).wrapping_add(product(q, v));
+        let signed = if cross < 0 { epsilon.wrapping_neg() } else { epsilon };
+        sums[0] = sums[0].wrapping_add(product(signed.into(), u));
+        sums[1] = sums[1].wrapping_add(product(signed.into(), v));
     }
     Some(Integer::from(p) * Integer::from(sums[0]) + Integer::from(q) * Integer::from(sums[1]))
 }

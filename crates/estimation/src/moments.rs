@@ -6,7 +6,7 @@ use std::ops::{Mul, Sub};
 use boundfit_exact::{Rational, Sum};
 
 /// Bits of an `i128` without its sign.
-const SUM_BITS: u32 = 127;
+pub(crate) const SUM_BITS: u32 = 127;
 
 /// Of readings y ≈ u·θ1 + v·θ2: ΦᵀΦ = (Σu², Σuv; Σuv, Σv²) and Φᵀy = (Σuy, Σvy).
 #[derive(Debug, Clone, Copy)]
@@ -49,7 +49,7 @@ impl Moments<i128> {
     pub(crate) fn of_integers(u: &[i64], v: Option<&[i64]>, y: &[i64]) -> Option<Self> {
         let regressor_bits = widest(u).max(v.map_or(1, widest));
         let count = u.len().min(y.len());
-        if regressor_bits + regressor_bits.max(widest(y)) + usize::BITS - count.leading_zeros() > SUM_BITS {
+        if regressor_bits + regressor_bits.max(widest(y)) + bits(count as u128) > SUM_BITS {
             return None;
         }
         // By the bits above none of these can overflow.
@@ -82,10 +82,14 @@ impl Moments<i128> {
 }
 
 /// Bits of the largest magnitude.
-fn widest(counts: &[i64]) -> u32 {
+pub(crate) fn widest(counts: &[i64]) -> u32 {
     // The bits of all magnitudes together reach as far as those of the largest.
-    let all = counts.iter().fold(0, |all, count| all | count.unsigned_abs());
-    u64::BITS - all.leading_zeros()
+    bits(counts.iter().fold(0, |all, count| all | count.unsigned_abs()).into())
+}
+
+/// Bits of a magnitude.
+pub(crate) fn bits(magnitude: u128) -> u32 {
+    u128::BITS - magnitude.leading_zeros()
 }
 
 impl Moments<Rational> {

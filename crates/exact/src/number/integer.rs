@@ -189,10 +189,13 @@ impl Integer {
     }
 
     /// The non-negative least common multiple.
+    #[inline]
     pub fn lcm(&self, other: &Self) -> Self {
-        if self == other {
-            return self.abs();
-        }
+        if self == other || other.word() == Some(1) { self.abs() } else { self.long_lcm(other) }
+    }
+
+    #[inline(never)]
+    fn long_lcm(&self, other: &Self) -> Self {
         let divisor = self.gcd(other);
         if divisor.is_zero() { divisor } else { (self.quotient(&divisor) * other).abs() }
     }
