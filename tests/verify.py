@@ -25,12 +25,14 @@ def half_planes(proof, data):  # section 2: name -> (a1, a2, b): a1*theta1 + a2*
     text = io.StringIO(data.decode(errors="surrogateescape"), newline="")
     records = [record for record in csv.reader(text, delimiter=proof["delimiter"])
                if len(record) > 1 or record and record[0].strip(" \t\n\f\r")]
-    (first, last), rows, planes = proof["rows"], records[proof["header"]:], {}
+    ends, rows, planes = proof["rows"], records[proof["header"]:], {}
     is_known = proof["reading"] in ("decimal", "binary64") and len(proof["model"]) == 4
     model = [(column, number(factor)) for column, factor in proof["model"]]
     must(all(type(column) is int and column >= 0 for column, _ in model), "model", ValueError)
-    must(type(first) is type(last) is int and is_known, "rows, reading or model", ValueError)
-    must(1 <= first <= last <= len(rows), "rows: are not in the data")
+    must(all(type(end) is int for end in ends) and is_known, "rows, reading or model", ValueError)
+    ranges, before = list(zip(ends[::2], ends[1::2])), [0] + ends[1::2]
+    must(ends and len(ends) % 2 == 0 and ends[-1] <= len(rows) and all(
+        end < first <= last for end, (first, last) in zip(before, ranges)), "rows: are not in the data")
     def read(row, column):
         if column == 0: return Fraction(1)
         must(column <= len(rows[row - 1]), f"row {row} has no column {column}")
@@ -50,7 +52,7 @@ def half_planes(proof, data):  # section 2: name -> (a1, a2, b): a1*theta1 + a2*
         mantissa, _, exponent = text.strip(" \t\n\f\r").lower().partition("e")
         return Fraction(10) ** (int(exponent or 0) - len(mantissa.partition(".")[2])) / 2
     def law(row, terms): return sum(quantity(row, kind, column) * number(times) for kind, column, times in terms)
-    for row in range(first, last + 1):
+    for row in (row for first, last in ranges for row in range(first, last + 1)):
         x1, x2, y, epsilon = (read(row, column) * factor for column, factor in model)
         if "interval" in proof: lower, upper = (side(row, column) for column in proof["interval"])
         else:

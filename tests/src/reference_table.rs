@@ -5,7 +5,8 @@ use std::io::{self, Read};
 
 use boundfit_exact::Rational;
 use boundfit_formats::{
-    ColumnSelector, Header, InputError, InputErrorKind, Place, REDUCTION_MARK, ReductionError, TableOptions,
+    ColumnSelector, Header, InputError, InputErrorKind, Place, REDUCTION_MARK, ReductionError, RowRange,
+    TableOptions,
 };
 use csv::{ByteRecord, ReaderBuilder};
 use sha2::{Digest, Sha256};
@@ -122,6 +123,8 @@ impl Reader<'_> {
         let names = header.as_deref().unwrap_or_default();
         let find = |column| find(column, names, header.is_some(), width, records.line);
         let places = self.columns.iter().map(find).collect::<Result<Vec<usize>, _>>()?;
+        let looked_at = self.options.conditions.iter().map(|condition| find(condition.column()));
+        let looked_at = looked_at.collect::<Result<Vec<usize>, _>>()?;
         let title = |place: &usize| match names.get(place - 1) {
             Some(name) if !name.is_empty() => name.clone(),
             _ => format!("col{place}"),
@@ -136,7 +139,13 @@ impl Reader<'_> {
                 return Err(Some(wrong(Some(records.line), kind)));
             }
             found.rows_total += 1;
-            let is_wanted = self.options.rows.is_none_or(|rows| rows.contains(found.rows_total));
+            let mut is_wanted = self.options.rows.contains(found.rows_total);
+            if is_wanted {
+                for (condition, &place) in self.options.conditions.iter().zip(&looked_at) {
+                    let number = self.number(&record, place, condition.column(), &names, records.line);
+                    is_wanted &= condition.holds(&number.map_err(Some)?);
+                }
+            }
             if is_wanted || self.options.keep_others {
                 match self.numbers(&record, &places, &names, records.line) {
                     Ok(numbers) if is_wanted => found.rows.push((found.rows_total, numbers)),
@@ -147,13 +156,23 @@ impl Reader<'_> {
             }
             more = records.next(&mut record)?;
         }
-        let kind = match self.options.rows {
-            _ if found.rows_total == 0 => InputErrorKind::NoRows,
-            Some(rows) if rows.last() > found.rows_total => {
-                let (first, last, total) = (rows.first(), rows.last(), found.rows_total);
-                InputErrorKind::RowsBeyondEnd { first, last, total }
+        let total = found.rows_total;
+        let named = self.options.rows.named().iter().chain(self.options.rows.without());
+        // The last row that a range names, or its first where it has no end.
+        let last = |range: &RowRange| {
+            let text = range.to_string();
+            let (first, last) = text.split_once("..").unwrap_or((&text, &text));
+            if last.is_empty() { first } else { last }.parse::<usize>().expect("a row")
+        };
+        let beyond = named.copied().find(|range| last(range) > total);
+        let kind = match beyond {
+            _ if total == 0 => InputErrorKind::NoRows,
+            Some(rows) => InputErrorKind::RowsBeyondEnd { rows, total },
+            None if found.rows.is_empty() => {
+                let conditions = self.options.conditions.iter().map(|condition| condition.text().to_owned());
+                InputErrorKind::NoRowWanted { total, conditions: conditions.collect() }
             }
-            _ => return Ok(found),
+            None => return Ok(found),
         };
         Err(Some(wrong(None, kind)))
     }
@@ -164,10 +183,11 @@ impl Reader<'_> {
             Header::Present => true,
             Header::Absent => false,
             Header::Auto => {
+                let conditions = self.options.conditions.iter().map(|condition| condition.column().number());
                 let numbers = self.columns.iter().map(ColumnSelector::number);
                 let cells = numbers.clone().flatten().filter_map(|number| record.get(number.checked_sub(1)?));
                 let cells: Vec<&[u8]> = cells.collect();
-                numbers.clone().any(|number| number.is_none())
+                numbers.clone().chain(conditions).any(|number| number.is_none())
                     || (!cells.is_empty() && cells.into_iter().all(is_name))
             }
         };
@@ -189,18 +209,26 @@ impl Reader<'_> {
         names: &[String],
         line: u64,
     ) -> Result<Vec<Rational>, InputError> {
-        let number = |(&place, column): (&usize, &ColumnSelector)| {
-            let (cell, name) = (&record[place - 1], names.get(place - 1));
-            let text =
-                std::str::from_utf8(cell).map_err(|error| wrong_cell(line, place, name, cell, error))?;
-            let number = self.options.reading.read(text, &self.options.limits);
-            let number = number.map_err(|error| wrong_cell(line, place, name, cell, error))?;
-            if column.is_non_negative() && number.is_negative() {
-                return Err(wrong_cell(line, place, name, cell, InputErrorKind::NegativeErrorBound));
-            }
-            Ok(number)
-        };
-        places.iter().zip(self.columns).map(number).collect()
+        let columns = places.iter().zip(self.columns);
+        columns.map(|(&place, column)| self.number(record, place, column, names, line)).collect()
+    }
+
+    fn number(
+        &self,
+        record: &ByteRecord,
+        place: usize,
+        column: &ColumnSelector,
+        names: &[String],
+        line: u64,
+    ) -> Result<Rational, InputError> {
+        let (cell, name) = (&record[place - 1], names.get(place - 1));
+        let text = std::str::from_utf8(cell).map_err(|error| wrong_cell(line, place, name, cell, error))?;
+        let number = self.options.reading.read(text, &self.options.limits);
+        let number = number.map_err(|error| wrong_cell(line, place, name, cell, error))?;
+        if column.is_non_negative() && number.is_negative() {
+            return Err(wrong_cell(line, place, name, cell, InputErrorKind::NegativeErrorBound));
+        }
+        Ok(number)
     }
 }
 

@@ -49,6 +49,7 @@ mod measurements;
 mod minimax;
 mod moments;
 mod problem;
+mod selection;
 mod summary;
 
 pub use bounds::{Central, ParameterBound, ParameterInterval};
@@ -74,4 +75,5 @@ pub use least_squares::{LeastSquares, NoLeastSquares};
 pub use measurements::{Bounds, ErrorBound, Measurement, Measurements, Model, Readings};
 pub use minimax::{Minimax, MinimaxProof};
 pub use problem::Problem;
+pub use selection::Selection;
 pub use summary::{ColumnsError, Keep, LineSums, NoEui, Reduction, Spread};

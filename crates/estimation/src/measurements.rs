@@ -7,6 +7,7 @@ use boundfit_exact::Rational;
 use boundfit_formats::TextLayout;
 
 use crate::law::{Law, range_of_y};
+use crate::selection::Selection;
 use crate::summary::{NoEui, Reduction};
 
 /// One reading.
@@ -259,6 +260,9 @@ pub enum Readings {
 pub(crate) struct Origin {
     /// How many data rows there are, fitted or not.
     pub(crate) rows_total: usize,
+    pub(crate) selection: Selection,
+    /// First and last of the rows fitted that follow each other without a gap, where that was asked for.
+    pub(crate) ranges: Vec<[usize; 2]>,
     #[cfg(feature = "files")]
     pub(crate) layout: Option<TextLayout>,
     pub(crate) sha256: Option<String>,
@@ -376,6 +380,18 @@ impl Measurements {
     /// How many data rows the file has.
     pub fn rows_total(&self) -> usize {
         self.origin.rows_total
+    }
+
+    /// Which rows of the file were asked for.
+    pub fn selection(&self) -> &Selection {
+        &self.origin.selection
+    }
+
+    /// Which data rows of the file are fitted: first and last of those that follow each other without a gap. Empty where the
+    /// readings do not come from a file, or were read without
+    /// [`ScanOptions::list_rows`](boundfit_formats::ScanOptions::list_rows).
+    pub fn fitted_rows(&self) -> &[[usize; 2]] {
+        &self.origin.ranges
     }
 
     /// Where in the file the numbers stand: regressors, response and, with one per row, error bound; `None` unless the

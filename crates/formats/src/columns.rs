@@ -23,6 +23,11 @@ impl ColumnSelector {
         selector
     }
 
+    /// A header name, also where it looks like a number.
+    pub fn name(text: &str) -> Self {
+        ColumnSelector { text: text.trim().to_owned(), position: None, role: Role::Number }
+    }
+
     /// A header name, or a position from 1 in a table without a header.
     pub fn name_at(name: &str, position: usize) -> Self {
         ColumnSelector { text: name.to_owned(), position: Some(position), role: Role::default() }
@@ -118,20 +123,22 @@ pub(crate) struct ColumnPlace {
 }
 
 impl Heading {
-    /// Reads the cells of the first record, which starts on this line. Numbers are wanted from `columns`, text from `key`.
+    /// Reads the cells of the first record, which starts on this line. Numbers are wanted from `columns`, something else from
+    /// `others`.
     pub(crate) fn new(
         file: &str,
         cells: &[&[u8]],
         line: u64,
         header: Header,
         columns: &[ColumnSelector],
-        key: Option<&ColumnSelector>,
+        others: &[&ColumnSelector],
     ) -> Result<Self, InputError> {
         let is_header = match header {
             Header::Present => true,
             Header::Absent => false,
             Header::Auto => {
-                let by_name = columns.iter().chain(key).any(|column| column.position.is_none());
+                let by_name =
+                    columns.iter().chain(others.iter().copied()).any(|column| column.position.is_none());
                 let asked: Vec<&[u8]> = columns
                     .iter()
                     .filter_map(|column| cells.get(column.position?.checked_sub(1)?).copied())

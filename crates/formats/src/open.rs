@@ -1,9 +1,10 @@
 //! Which reader reads an input: the only place where formats are told apart.
 
 use crate::columns::ColumnSelector;
-use crate::error::InputError;
+use crate::error::{InputError, InputErrorKind};
 use crate::mat::scan_mat;
 use crate::scan::{Batch, ScanOptions, Scanned, scan_text};
+use crate::selection::RowNumbers;
 use crate::source::{Content, Source};
 use crate::table::{Table, TableOptions, TableRow};
 #[cfg(feature = "arrow")]
@@ -14,7 +15,7 @@ use crate::{arrow::scan_arrow, binary::BinaryFormat};
 /// are those that are stored; with the feature `arrow`, of Parquet and Arrow IPC files too. Only cells of wanted rows and
 /// columns need be numbers.
 ///
-/// `work` is called for each batch of consecutive wanted rows, on the threads of the current rayon pool, in any order; `take` with what it made of them, on the calling thread and
+/// `work` is called for each batch of wanted rows, on the threads of the current rayon pool, in any order; `take` with what it made of them, on the calling thread and
 /// in the order of the file. A file of one batch needs no pool.
 ///
 /// ```
@@ -23,7 +24,7 @@ use crate::{arrow::scan_arrow, binary::BinaryFormat};
 /// let table = Source::new("data.csv", "x,y\n1,2.5\n3,4.25\n".as_bytes());
 /// let columns = [ColumnSelector::name_or_number("y")];
 /// let mut largest = None;
-/// let largest_of = |batch: boundfit_formats::Batch| (0..batch.rows).map(|row| batch.columns[0].get(row)).max();
+/// let largest_of = |batch: boundfit_formats::Batch| (0..batch.rows.len()).map(|row| batch.columns[0].get(row)).max();
 /// let scanned =
 ///     scan(table, &columns, &ScanOptions::default(), largest_of, |found| largest = found.max(largest.take()))?;
 /// assert_eq!((scanned.rows_total, largest.unwrap().to_string()), (2, "17/4".to_owned()));
@@ -40,17 +41,49 @@ pub fn scan<T: Send>(
     columns: &[ColumnSelector],
     options: &ScanOptions,
     work: impl Fn(Batch) -> T + Sync,
-    take: impl FnMut(T),
+    mut take: impl FnMut(T),
 ) -> Result<Scanned, InputError> {
     let (name, content) = source.into_content();
-    match content {
+    let mut wanted = Wanted::default();
+    let work = |batch: Batch| (wanted_rows(&batch, options.list_rows), work(batch));
+    let take = |(rows, made): (Wanted, T)| {
+        wanted.append(rows);
+        take(made);
+    };
+    let scanned = match content {
         Content::Bytes(bytes) => scan_text(&name, bytes, columns, options, work, take),
         #[cfg(feature = "arrow")]
         Content::Binary(format, file) if format != BinaryFormat::Matlab => {
             scan_arrow(&name, format, file, columns, options, work, take)
         }
         Content::Binary(_, file) => scan_mat(&name, Box::new(file), columns, options, work, take),
+    }?;
+    if wanted.count == 0 {
+        let conditions =
+            options.table.conditions.iter().map(|condition| condition.text().to_owned()).collect();
+        let problem = InputErrorKind::NoRowWanted { total: scanned.rows_total, conditions };
+        return Err(InputError::of_file(&name, problem));
     }
+    Ok(Scanned { ranges: wanted.rows.ranges().collect(), ..scanned })
+}
+
+/// The wanted rows of a batch, or of all so far.
+#[derive(Default)]
+struct Wanted {
+    count: usize,
+    /// Which ones, if that is asked for.
+    rows: RowNumbers,
+}
+
+impl Wanted {
+    fn append(&mut self, later: Wanted) {
+        self.count += later.count;
+        self.rows.append(&later.rows);
+    }
+}
+
+fn wanted_rows(batch: &Batch, list: bool) -> Wanted {
+    Wanted { count: batch.rows.len(), rows: if list { batch.rows.clone() } else { RowNumbers::default() } }
 }
 
 /// Reads the columns asked for like [`scan`], and keeps all rows.
@@ -91,6 +124,7 @@ pub fn read_table(
         rows,
         others,
         rows_total: scanned.rows_total,
+        ranges: scanned.ranges,
         layout: scanned.layout,
         sha256: scanned.sha256.unwrap_or_default(),
     })

@@ -6,45 +6,7 @@ use crate::columns::{ColumnPlace, ColumnSelector, Header, decode};
 use crate::error::{InputError, InputErrorKind};
 use crate::limits::SizeLimits;
 use crate::roles::instead_of_number;
-
-/// Data rows from `first` to `last`, counted from 1, both included.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct RowRange {
-    first: usize,
-    last: usize,
-}
-
-impl RowRange {
-    /// The range, or `None` unless `1 ≤ first ≤ last`.
-    pub fn new(first: usize, last: usize) -> Option<Self> {
-        (1 <= first && first <= last).then_some(RowRange { first, last })
-    }
-
-    /// Those of the rows from `start` to before `end` that are in the range.
-    pub(crate) fn among(&self, start: usize, end: usize) -> std::ops::Range<usize> {
-        start.max(self.first)..end.min(self.last.saturating_add(1))
-    }
-
-    /// Those of the rows from `start` to before `end` that are not in the range: before it and behind it.
-    pub(crate) fn not_among(&self, start: usize, end: usize) -> [std::ops::Range<usize>; 2] {
-        [start..end.min(self.first), start.max(self.last.saturating_add(1))..end]
-    }
-
-    /// The first row.
-    pub fn first(&self) -> usize {
-        self.first
-    }
-
-    /// The last row.
-    pub fn last(&self) -> usize {
-        self.last
-    }
-
-    /// Whether a row is in the range.
-    pub fn contains(&self, row: usize) -> bool {
-        (self.first..=self.last).contains(&row)
-    }
-}
+use crate::selection::{RowCondition, RowSet};
 
 /// Where in delimited text the numbers asked for stand.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -55,22 +17,13 @@ pub struct TextLayout {
     pub has_header: bool,
     /// The numbers of the columns asked for, from 1, in the order asked.
     pub columns: Vec<usize>,
-    /// The first and the last row wanted, from 1.
-    pub rows: [usize; 2],
 }
 
 impl TextLayout {
-    /// The layout of a table with so many data rows, at least one.
-    pub(crate) fn new(
-        delimiter: u8,
-        has_header: bool,
-        places: &[ColumnPlace],
-        wanted: Option<RowRange>,
-        rows_total: usize,
-    ) -> Self {
+    /// The layout of a table whose columns asked for are at these places.
+    pub(crate) fn new(delimiter: u8, has_header: bool, places: &[ColumnPlace]) -> Self {
         let columns = places.iter().map(|place| place.position).collect();
-        let rows = wanted.map_or([1, rows_total], |RowRange { first, last }| [first, last]);
-        TextLayout { delimiter, has_header, columns, rows }
+        TextLayout { delimiter, has_header, columns }
     }
 }
 
@@ -81,8 +34,10 @@ pub struct TableOptions {
     pub header: Header,
     /// What separates cells; found out from the first line when `None`.
     pub delimiter: Option<u8>,
-    /// The rows wanted; all when `None`.
-    pub rows: Option<RowRange>,
+    /// The rows that may be wanted.
+    pub rows: RowSet,
+    /// What must hold for each of these to be wanted: every condition.
+    pub conditions: Vec<RowCondition>,
     /// Whether rows that are not wanted are kept too, where their cells are numbers.
     pub keep_others: bool,
     /// How numbers are read.
@@ -91,6 +46,13 @@ pub struct TableOptions {
     pub limits: Limits,
     /// What the file as a whole may ask for.
     pub sizes: SizeLimits,
+}
+
+impl TableOptions {
+    /// Whether rows may be passed over.
+    pub fn selects_rows(&self) -> bool {
+        !self.rows.is_all() || !self.conditions.is_empty()
+    }
 }
 
 /// One data row.
@@ -113,6 +75,8 @@ pub struct Table {
     pub others: Vec<TableRow>,
     /// How many data rows the file has.
     pub rows_total: usize,
+    /// First and last of the rows wanted that follow each other without a gap.
+    pub ranges: Vec<[usize; 2]>,
     /// Where the numbers stand; `None` unless the table is delimited text.
     pub layout: Option<TextLayout>,
     /// SHA-256 of the file's bytes, in hexadecimal.
@@ -156,14 +120,13 @@ pub(crate) fn check_width(file: &str, line: u64, found: usize, expected: usize) 
     Err(InputError::of_line(file, line, InputErrorKind::RaggedRow { found, expected }))
 }
 
-/// Refuses a table without rows, or without all the rows that are wanted.
-pub(crate) fn check_rows(file: &str, total: usize, wanted: Option<RowRange>) -> Result<(), InputError> {
-    let problem = match wanted {
-        _ if total == 0 => InputErrorKind::NoRows,
-        Some(RowRange { first, last }) if last > total => {
-            InputErrorKind::RowsBeyondEnd { first, last, total }
-        }
-        _ => return Ok(()),
-    };
-    Err(InputError::of_file(file, problem))
+/// Refuses a table without rows, or without all the rows that were named.
+pub(crate) fn check_rows(file: &str, total: usize, wanted: &RowSet) -> Result<(), InputError> {
+    if total == 0 {
+        return Err(InputError::of_file(file, InputErrorKind::NoRows));
+    }
+    match wanted.beyond(total) {
+        Some(rows) => Err(InputError::of_file(file, InputErrorKind::RowsBeyondEnd { rows, total })),
+        None => Ok(()),
+    }
 }

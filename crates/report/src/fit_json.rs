@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use boundfit_estimation::{
     ErrorBound, Family, Fit, FloatEstimate, InverseParameter, LeastSquares, Model, ParameterBound,
-    ParameterInterval, Problem,
+    ParameterInterval, Problem, Selection,
 };
 use boundfit_exact::{Endpoint, Interval, Rational, Reading};
 use boundfit_geometry::Multiplier;
@@ -44,6 +44,8 @@ pub struct FitJson {
 struct InputJson {
     rows: usize,
     rows_total: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    selection: Option<SelectionJson>,
     reading: &'static str,
     sha256: Option<String>,
     model: &'static str,
@@ -58,6 +60,14 @@ struct InputJson {
     #[serde(skip_serializing_if = "Option::is_none")]
     interval: Option<IntervalColumnsJson>,
     r#where: Vec<String>,
+}
+
+/// Which rows were asked for.
+#[derive(Debug, Serialize)]
+struct SelectionJson {
+    rows: Option<String>,
+    without: Option<String>,
+    where_row: Vec<String>,
 }
 
 #[derive(Debug, Serialize)]
@@ -147,6 +157,11 @@ impl FitJson {
     }
 }
 
+fn selection(selection: &Selection) -> Option<SelectionJson> {
+    let Selection { rows, without, conditions } = selection.clone();
+    (!selection.is_all()).then_some(SelectionJson { rows, without, where_row: conditions })
+}
+
 fn input(problem: &Problem, reading: Reading, style: &Style) -> InputJson {
     let measurements = &problem.measurements;
     let (model, x) = match measurements.model() {
@@ -167,6 +182,7 @@ fn input(problem: &Problem, reading: Reading, style: &Style) -> InputJson {
     InputJson {
         rows: measurements.fitted(),
         rows_total: measurements.rows_total(),
+        selection: selection(measurements.selection()),
         reading: reading.name(),
         sha256: measurements.sha256().map(ToOwned::to_owned),
         model,

@@ -14,7 +14,7 @@ struct ProofJson {
     sha256: String,
     delimiter: char,
     header: bool,
-    rows: [usize; 2],
+    rows: Vec<usize>,
     reading: &'static str,
     model: [(usize, String); 4],
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -37,12 +37,15 @@ type NamedMultiplier = (String, String);
 
 /// The proof of a fit as JSON, with a line end: what was read from which bytes, the feasible parameter set with the
 /// half-planes of its sides, and its bounds; for an empty set the readings that contradict each other. `None` when the
-/// readings do not come from delimited text that has a row for each of them.
+/// readings do not come from delimited text that has a row for each of them, or which rows were fitted was not kept.
 ///
 /// All numbers are exact fractions as text. Its size is linear in the vertices and the half-planes that touch them.
 pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<String> {
     let measurements = &problem.measurements;
     let layout = measurements.layout()?;
+    if measurements.fitted_rows().is_empty() {
+        return None;
+    }
     let column = |&column: &usize| (column, "1".to_owned());
     let is_line = matches!(measurements.model(), Model::Line { .. });
     let (regressors, others) = layout.columns.split_at_checked(if is_line { 1 } else { 2 })?;
@@ -98,7 +101,7 @@ pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<Stri
         sha256: measurements.sha256()?.to_owned(),
         delimiter: char::from(layout.delimiter),
         header: layout.has_header,
-        rows: layout.rows,
+        rows: measurements.fitted_rows().concat(),
         reading: reading.name(),
         model: [x1, x2, y, epsilon],
         interval,

@@ -1,6 +1,6 @@
 //! The verdict on a proof, as text and as JSON of schema `boundfit/verify/1`.
 
-use boundfit_exact::english::counted;
+use boundfit_exact::english::{counted, listed};
 use boundfit_exact::{Rational, Rounding};
 use boundfit_verify::{Extent, Falsehood, Statement};
 use serde::Serialize;
@@ -34,7 +34,7 @@ pub fn verify_text(verdict: &Verdict, proof: &str, data: &str) -> String {
         Ok(statement) => statement,
         Err(falsehood) => return format!("refuted: {proof} is not true of {data}\n  {falsehood}\n"),
     };
-    let Statement { extent, vertices, sides, half_planes, rows: [first, last], bounds } = statement;
+    let Statement { extent, vertices, sides, half_planes, rows, bounds } = statement;
     let parts =
         || format!("{} and {}", counted(*vertices, "vertex", "vertices"), counted(*sides, "side", "sides"));
     let set = match extent {
@@ -43,13 +43,27 @@ pub fn verify_text(verdict: &Verdict, proof: &str, data: &str) -> String {
         Extent::Unbounded => format!("unbounded, with {}", parts()),
     };
     let mut text = format!(
-        "verified: {proof} is true of {data}\n  set     {set}\n  from    {half_planes} half-planes, rows {first} to {last}\n"
+        "verified: {proof} is true of {data}\n  set     {set}\n  from    {half_planes} half-planes, {}\n",
+        rows_read(rows)
     );
     for (parameter, [lower, upper]) in (1..).zip(bounds.iter().flatten()) {
         let (lower, upper) = (end(lower, Rounding::Down, "-inf"), end(upper, Rounding::Up, "inf"));
         text.push_str(&format!("  theta{parameter}  [{lower}, {upper}]\n"));
     }
     text
+}
+
+/// `rows 14 to 36`, `rows 1 to 22 and 24`; of many ranges, how many there are.
+fn rows_read(rows: &[usize]) -> String {
+    let range = |range: &[usize]| match range {
+        [first, last] if first < last => format!("{first} to {last}"),
+        range => range.first().map_or_else(String::new, usize::to_string),
+    };
+    let ranges: Vec<String> = rows.chunks(2).map(range).collect();
+    match ranges.as_slice() {
+        [only] if !only.contains(' ') => format!("row {only}"),
+        ranges => format!("rows {}", listed(ranges)),
+    }
 }
 
 /// An end of a range as a decimal, rounded outward.

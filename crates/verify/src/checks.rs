@@ -20,8 +20,9 @@ pub struct Statement {
     pub sides: usize,
     /// How many half-planes the data and the conditions give.
     pub half_planes: usize,
-    /// The first and the last row of the data that they are made of, from 1.
-    pub rows: [usize; 2],
+    /// The first and the last of the rows of the data that they are made of and that follow each other, then those of the
+    /// next ones, from 1.
+    pub rows: Vec<usize>,
     /// The range of each parameter, lower and upper end; an end is `None` where nothing bounds the parameter. `None` for an
     /// empty set.
     pub bounds: Option<[[Option<Rational>; 2]; 2]>,
@@ -62,7 +63,7 @@ impl Proof {
             (Extent::Empty, None)
         };
         let (vertices, sides) = (self.vertices.len(), self.sides.len());
-        Ok(Statement { extent, vertices, sides, half_planes, rows: self.rows, bounds })
+        Ok(Statement { extent, vertices, sides, half_planes, rows: self.rows.clone(), bounds })
     }
 
     /// Section 3: half-planes add up to 0 ≤ b with b < 0, which no point satisfies.

@@ -13,7 +13,7 @@ pub enum Falsehood {
     OtherSchema,
     /// The data have another SHA-256.
     OtherData,
-    /// The first wanted row comes after the last, or before row 1.
+    /// The wanted rows are not pairs of a first and a last row that ascend from row 1 on.
     NoRows,
     /// The data end before this wanted row.
     MissingRow(usize),

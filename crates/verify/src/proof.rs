@@ -17,8 +17,8 @@ pub struct Proof {
     pub(crate) sha256: String,
     delimiter: char,
     header: bool,
-    /// The first and the last wanted row, from 1.
-    pub(crate) rows: [usize; 2],
+    /// The first and the last of wanted rows that follow each other, then those of the next ones, ascending, from 1.
+    pub(crate) rows: Vec<usize>,
     reading: Reading,
     /// φ1, φ2, y and ε: a column, from 1, and how many times it is taken. Column 0 holds 1 in every row.
     model: [(usize, Rational); 4],
@@ -94,6 +94,22 @@ impl Named {
 }
 
 impl Proof {
+    /// The wanted rows in order.
+    fn wanted_rows(&self) -> Result<impl Iterator<Item = usize> + '_, Falsehood> {
+        // An end that is left over makes a range without rows.
+        let ranges = || {
+            self.rows.chunks(2).map(|range| if let &[first, last] = range { [first, last] } else { [1, 0] })
+        };
+        let mut before = 0;
+        for [first, last] in ranges() {
+            if first <= before || last < first {
+                return Err(Falsehood::NoRows);
+            }
+            before = last;
+        }
+        if before == 0 { Err(Falsehood::NoRows) } else { Ok(ranges().flat_map(|[first, last]| first..=last)) }
+    }
+
     /// Hands over each half-plane of the wanted rows, then of the conditions, with its name (section 2).
     pub(crate) fn for_each_half_plane(
         &self,
@@ -101,14 +117,11 @@ impl Proof {
         limits: &Limits,
         mut take: impl FnMut(String, HalfPlane) -> Result<(), Falsehood>,
     ) -> Result<(), Falsehood> {
-        let [first, last] = self.rows;
-        if first < 1 || first > last {
-            return Err(Falsehood::NoRows);
-        }
-        let skipped = first - 1 + usize::from(self.header);
-        let mut table = Table::new(data, self.delimiter).skip(skipped);
-        for row in first..=last {
-            let cells = table.next().ok_or(Falsehood::MissingRow(row))?;
+        let mut table = Table::new(data, self.delimiter).skip(usize::from(self.header));
+        let mut passed = 0;
+        for row in self.wanted_rows()? {
+            let cells = table.nth(row - passed - 1).ok_or(Falsehood::MissingRow(row))?;
+            passed = row;
             let number = |(column, times): &(usize, Rational)| -> Result<Rational, Falsehood> {
                 Ok(number_at(row, *column, &cells, self.reading, limits)? * times)
             };

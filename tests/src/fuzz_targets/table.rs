@@ -6,7 +6,8 @@ use std::sync::LazyLock;
 
 use boundfit_exact::{Limits, Reading};
 use boundfit_formats::{
-    Batch, ColumnSelector, Header, RowRange, ScanOptions, SizeLimits, Source, TableOptions, TableRow, scan,
+    Batch, ColumnSelector, Header, RowCondition, RowRange, RowSet, ScanOptions, SizeLimits, Source,
+    TableOptions, TableRow, scan,
 };
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use tempfile::NamedTempFile;
@@ -54,7 +55,8 @@ pub fn mat_reader(data: &[u8]) {
     POOL.install(|| {
         all_options(data, &|columns, options| {
             let Ok(found) = by_scan(source(), columns, options) else { return };
-            let whole = TableOptions { rows: None, ..options.table.clone() };
+            let whole =
+                TableOptions { rows: RowSet::default(), conditions: Vec::new(), ..options.table.clone() };
             let Ok(whole) = by_scan(source(), columns, &ScanOptions { table: whole, ..options.clone() })
             else {
                 return;
@@ -71,6 +73,8 @@ fn all_options(data: &[u8], check: &(dyn Fn(&[ColumnSelector], &ScanOptions) + S
     let delimiter = [None, None, None, Some(b';'), Some(b',')][choice % 5];
     let header = [Header::Auto, Header::Auto, Header::Present, Header::Absent][choice % 4];
     let rows = [None, None, RowRange::new(2, 3)][choice % 3];
+    let condition = RowCondition::parse("2 >= 1", Reading::Decimal, &LIMITS).expect("a condition");
+    let conditions = if choice % 7 == 0 { vec![condition] } else { Vec::new() };
     let chunk_bytes = 1 + choice % 64;
     for columns in [["x", "y"], ["1", "2"]] {
         let columns = columns.map(ColumnSelector::name_or_number);
@@ -78,7 +82,8 @@ fn all_options(data: &[u8], check: &(dyn Fn(&[ColumnSelector], &ScanOptions) + S
             let table = TableOptions {
                 header,
                 delimiter,
-                rows,
+                rows: rows.into(),
+                conditions: conditions.clone(),
                 keep_others: choice % 2 == 0,
                 reading,
                 limits: LIMITS,

@@ -6,7 +6,7 @@ use std::io::Cursor;
 
 use boundfit_estimation::{Fit, fit};
 use boundfit_exact::{Limits, Rational, Reading};
-use boundfit_formats::{ColumnSelector, Header, RowRange, Source, TableOptions, read_table};
+use boundfit_formats::{ColumnSelector, Header, RowRange, RowSet, Source, TableOptions, read_table};
 use boundfit_geometry::{Inequality, Polyhedron, Region, System};
 use boundfit_report::proof_json;
 use serde_json::{Value, json};
@@ -29,12 +29,17 @@ pub fn is_true(proof: &Value, data: &[u8]) -> bool {
 
 /// What a proof is about, with its model computed: the columns φ1, φ2, y and ε as they are after the reading.
 fn question(proof: &Value, data: &[u8]) -> Option<Question> {
-    let end = |end: usize| proof["rows"][end].as_u64().and_then(|row| usize::try_from(row).ok());
-    let (first, last) = (end(0)?, end(1)?);
+    let ends = proof["rows"].as_array()?.iter().map(|end| usize::try_from(end.as_u64()?).ok());
+    let ends: Vec<usize> = ends.collect::<Option<_>>()?;
+    let ranges = ends.chunks(2).map(|range| RowRange::new(range[0], *range.get(1)?));
+    let ranges: Vec<RowRange> = ranges.collect::<Option<_>>()?;
+    // Every range ends before the next one begins.
+    let is_ascending = ends.get(1..)?.chunks_exact(2).all(|gap| gap[0] < gap[1]);
+    let rows = RowSet::new(&ranges, &[]).filter(|_| is_ascending)?;
     let options = TableOptions {
         header: if proof["header"] == json!(true) { Header::Present } else { Header::Absent },
         delimiter: proof["delimiter"].as_str().map(|text| text.as_bytes()[0]),
-        rows: Some(RowRange::new(first, last)?),
+        rows: rows.clone(),
         reading: if proof["reading"] == "binary64" { Reading::Binary64 } else { Reading::Decimal },
         ..TableOptions::default()
     };
@@ -48,9 +53,12 @@ fn question(proof: &Value, data: &[u8]) -> Option<Question> {
     let selectors: Vec<_> =
         columns.iter().map(|&column| ColumnSelector::name_or_number(&column.to_string())).collect();
     let table = read_table(Source::new("data", Cursor::new(data.to_vec())), &selectors, &options).ok()?;
-    // Rows keep their numbers: those before the first one wanted are there, and not read.
-    let mut text = "p,q,y,e\n".to_owned() + &"0,0,0,0\n".repeat(first.saturating_sub(1));
+    // Rows keep their numbers: those that are not wanted are there, and not read.
+    let mut text = "p,q,y,e\n".to_owned();
+    let mut before = 0;
     for row in &table.rows {
+        text.push_str(&"0,0,0,0\n".repeat(row.row - before - 1));
+        before = row.row;
         let cells = sources.iter().map(|(column, factor)| {
             match columns.binary_search(column) {
                 Ok(index) => &row.numbers[index] * factor,
@@ -62,7 +70,9 @@ fn question(proof: &Value, data: &[u8]) -> Option<Question> {
     }
     let question = Question::line("again", text.as_bytes(), ["p", "y"], "0").regressors(["p", "q"]);
     let conditions = proof["conditions"].as_array()?.iter().map(condition).collect();
-    Some(Question { conditions, ..question.epsilon_column("e").rows(first, last) })
+    let question = question.epsilon_column("e");
+    let options = TableOptions { rows, ..question.options };
+    Some(Question { conditions, options, ..question })
 }
 
 fn condition(condition: &Value) -> String {

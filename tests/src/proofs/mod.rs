@@ -72,7 +72,7 @@ impl Question {
 
     /// The same of some rows.
     pub fn rows(self, first: usize, last: usize) -> Self {
-        let options = TableOptions { rows: RowRange::new(first, last), ..self.options };
+        let options = TableOptions { rows: RowRange::new(first, last).into(), ..self.options };
         Question { options, ..self }
     }
 

@@ -11,7 +11,8 @@ fn options_that_say_nothing_sensible() {
     let condition = "(expected a condition such as \"2*theta1 - theta2 <= 1/3\" or \"theta2 = 0\")";
     let rows = |text: &str| {
         format!(
-            "invalid value '{text}' for '--rows <A..B>': expected FIRST..LAST with 1 <= FIRST <= LAST, such as 14..36"
+            "invalid value '{text}' for '--rows <ROWS>': expected rows from 1 such as 14..36, 5, ..10, 10.. or a list of \
+             these, 1..22,24..50"
         )
     };
     let eps = |text: &str, problem: &str| {
@@ -19,6 +20,12 @@ fn options_that_say_nothing_sensible() {
     };
     let when = |text: &str, problem: &str| {
         format!("invalid value '{text}' for '--where <CONDITION>': {problem} {condition}")
+    };
+    let compared = |text: &str, problem: &str| {
+        format!(
+            "invalid value '{text}' for '--where-row <COMPARISON>': {problem} (expected a column, one of < <= = != >= >, \
+             and a number, such as 'temperature >= 20')"
+        )
     };
     let base = "--x Vz --y z --eps 1";
     let cases = [
@@ -43,8 +50,30 @@ fn options_that_say_nothing_sensible() {
         (format!("{base} --rows 40..20"), rows("40..20")),
         (format!("{base} --rows 0..3"), rows("0..3")),
         (format!("{base} --rows x"), rows("x")),
-        (format!("{base} --rows 3"), rows("3")),
-        (format!("{base} --rows 1.."), rows("1..")),
+        (format!("{base} --rows 0"), rows("0")),
+        (format!("{base} --rows .."), rows("..")),
+        (format!("{base} --rows 1..22;24"), rows("1..22;24")),
+        (format!("{base} --without 23,"), rows("23,").replace("--rows", "--without")),
+        (
+            format!("{base} --rows 3..9 --without ..20"),
+            "invalid value '..20' for '--without <ROWS>': no row is left".to_owned(),
+        ),
+        (format!("{base} --where-row z"), compared("z", "there is no comparison")),
+        (format!("{base} --where-row '> 3'"), compared("> 3", "there is no column before the comparison")),
+        (
+            format!("{base} --where-row '\"z > 3'"),
+            compared("\"z > 3", "the quote before the column's name is not closed").replace("'\"z", "'\\\"z"),
+        ),
+        (
+            format!("{base} --where-row 'z > three'"),
+            compared("z > three", "\"three\": not a number: unexpected character 't' at byte 0"),
+        ),
+        (
+            format!("{base} --where-row 'z > 1e99999'"),
+            "invalid value 'z > 1e99999' for '--where-row <COMPARISON>': \"1e99999\": refused: exponent beyond 10000 \
+             (the limit) at byte 2; --max-exponent raises it"
+                .to_owned(),
+        ),
         (format!("{base} --digits 0"), "invalid value '0' for '--digits <N>': 0 is not in 1..=1000".to_owned()),
         (
             "--x Vz,z,Vz --y z --eps 1".to_owned(),
@@ -107,9 +136,24 @@ fn options_that_are_missing_unknown_or_too_many() {
 
 #[test]
 fn rows_that_are_not_there() {
-    for rows in ["40..50", "47..47", "1..99999999999"] {
-        let message = format!("{TRANSDUCER}: rows {rows} were asked for, but the file has 46 data rows");
-        refuses_options(1, &[(&format!("--x Vz --y z --eps 1 --rows {rows}"), &message)]);
+    for (rows, named) in [
+        ("--rows 40..50", "rows 40..50 were"),
+        ("--rows 47..47", "row 47 was"),
+        ("--rows 1..99999999999", "rows 1..99999999999 were"),
+        ("--rows 1..22,24..47,50", "rows 24..47 were"),
+        ("--rows 47..", "rows 47.. were"),
+        ("--rows 1..46 --without 3,47", "row 47 was"),
+        ("--where-row 'z > 0' --without 48,47", "row 48 was"),
+    ] {
+        let message = format!("{TRANSDUCER}: {named} asked for, but the file has 46 data rows");
+        refuses_options(1, &[(&format!("--x Vz --y z --eps 1 {rows}"), &message)]);
+    }
+    for (rows, none) in [
+        ("--without ..46", "is left"),
+        ("--where-row 'z > 1' --where-row '1 < 20'", "satisfies z > 1 and 1 < 20"),
+    ] {
+        let message = format!("{TRANSDUCER}: of the file's 46 data rows none {none}");
+        refuses_options(1, &[(&format!("--x Vz --y z --eps 1 {rows}"), &message)]);
     }
 }
 

@@ -186,7 +186,7 @@ fn doubles_are_taken_as_they_are() {
 fn rows_left_out_are_no_group() {
     let table = "key,a,y\nx,1,1\ny,2,2\nz,3,3\ny,4,4\nw,5,5\n";
     let columns = columns(&Model::Line { x: String::new() }, &ErrorBound::Uniform(Rational::one()));
-    let rows = RowRange::new(2, 4);
+    let rows = RowRange::new(2, 4).into();
     let options =
         ScanOptions { table: TableOptions { rows, ..TableOptions::default() }, ..ScanOptions::default() };
     let fleet = read(table, &columns, options);

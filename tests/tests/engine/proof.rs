@@ -141,7 +141,7 @@ fn both_readers_see_the_same_table() {
         if let Ok(problem) = question.problem() {
             accepts(&question);
             accepted += 1;
-            question.options.rows = RowRange::new(1, problem.measurements.rows_total());
+            question.options.rows = RowRange::new(1, problem.measurements.rows_total()).into();
             accepts(&question);
         }
     }

@@ -27,7 +27,7 @@ fn problem(path: &str, [x, y]: [&str; 2], epsilon: EpsilonColumn, rows: Option<R
     let source = Source::open(path.to_str().unwrap()).unwrap();
     let column = ColumnSelector::name_or_number;
     let columns = Columns { first: column(x), second: None, response: Some(column(y)), epsilon };
-    let options = TableOptions { rows, ..TableOptions::default() };
+    let options = TableOptions { rows: rows.into(), ..TableOptions::default() };
     let measurements = Measurements::read(source, &columns, &options).unwrap();
     Problem { measurements, conditions: Vec::new() }
 }

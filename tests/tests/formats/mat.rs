@@ -96,7 +96,7 @@ fn scanned(path: &Path, names: &[&str], options: &TableOptions) -> Result<Rows, 
     let options = ScanOptions { table: options.clone(), ..ScanOptions::default() };
     let rows = |batch: Batch| -> Rows {
         let row = |index| batch.columns.iter().map(|column| column.get(index)).collect();
-        (0..batch.rows).map(|index| (batch.first_row + index, row(index))).collect()
+        (0..batch.rows.len()).map(|index| (batch.rows.get(index), row(index))).collect()
     };
     let mut all = Rows::new();
     scan(Source::open(path.to_str().unwrap())?, &columns(names), &options, rows, |rows| all.extend(rows))?;
@@ -233,7 +233,7 @@ fn both_byte_orders_compressed_or_not() {
         assert_eq!(found("row"), exact(&[0.1, -2.5, 1e300]));
         assert_eq!(found("2"), exact(&[0.1, -2.5, 1e300]));
         assert_eq!(found("packed"), exact(&[7.0, 0.0, 255.0]));
-        let wanted = TableOptions { rows: RowRange::new(2, 3), ..TableOptions::default() };
+        let wanted = TableOptions { rows: RowRange::new(2, 3).into(), ..TableOptions::default() };
         assert_eq!(both(&bytes, &["row"], &wanted).unwrap(), exact(&[0.1, -2.5, 1e300])[1..]);
     }
 }
@@ -287,12 +287,13 @@ fn a_bad_cell_is_named_by_row_and_column() {
     assert_eq!(message(&bytes, &["x", "M(:,1)"]), nan);
     let infinite = "row 2, column 3 (M(:,2)): \"-Inf\": not a finite number (expected a finite number)";
     assert_eq!(message(&bytes, &["x", "M(:,2)"]), infinite);
-    let first = TableOptions { rows: RowRange::new(1, 3), keep_others: true, ..TableOptions::default() };
+    let first =
+        TableOptions { rows: RowRange::new(1, 3).into(), keep_others: true, ..TableOptions::default() };
     assert_eq!(both(&bytes, &["M(:,1)"], &first).unwrap(), exact(&[1.0, 2.0, 3.0]));
     let mut file = tempfile::NamedTempFile::new().unwrap();
     file.write_all(&bytes).unwrap();
     let epsilon = [ColumnSelector::name_or_number("M(:,2)").non_negative()];
-    let wanted = TableOptions { rows: RowRange::new(3, 4), ..TableOptions::default() };
+    let wanted = TableOptions { rows: RowRange::new(3, 4).into(), ..TableOptions::default() };
     let source = Source::open(file.path().to_str().unwrap()).unwrap();
     let negative = read_table(source, &epsilon, &wanted).unwrap_err().to_string();
     assert!(negative.contains("row 4, column 3 (M(:,2)): \"-8\": the error bound is negative"), "{negative}");
@@ -300,7 +301,7 @@ fn a_bad_cell_is_named_by_row_and_column() {
     let others = read_table(
         source,
         &columns(&["M(:,2)"]),
-        &TableOptions { rows: RowRange::new(1, 1), keep_others: true, ..TableOptions::default() },
+        &TableOptions { rows: RowRange::new(1, 1).into(), keep_others: true, ..TableOptions::default() },
     );
     let others: Vec<usize> = others.unwrap().others.iter().map(|row| row.row).collect();
     assert_eq!(others, [3, 4]);

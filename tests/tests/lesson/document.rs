@@ -104,7 +104,7 @@ pub fn read(path: &str, [x, y]: [&str; 2], epsilon: EpsilonColumn, rows: Option<
     let source = Source::open(root().join("fixtures").join(path).to_str().unwrap()).unwrap();
     let column = ColumnSelector::name_or_number;
     let columns = Columns { first: column(x), second: None, response: Some(column(y)), epsilon };
-    let options = TableOptions { rows, keep_others: true, ..TableOptions::default() };
+    let options = TableOptions { rows: rows.into(), keep_others: true, ..TableOptions::default() };
     let measurements = Measurements::read(source, &columns, &options).unwrap();
     Problem { measurements, conditions: Vec::new() }
 }

@@ -10,6 +10,7 @@ mod plot;
 mod polygon;
 mod reading;
 mod reduce;
+mod rows;
 mod shared;
 mod values;
 mod verify;
@@ -26,6 +27,7 @@ pub(crate) use notes::Notes;
 pub(crate) use plot::{Figures, PlotArguments};
 pub(crate) use polygon::PolygonArguments;
 pub(crate) use reduce::ReduceArguments;
+pub(crate) use rows::RowArguments;
 pub(crate) use shared::{
     DataArguments, FileArguments, Format, LabelArguments, LimitArguments, OutputArguments, ReplaceArguments,
     ReportFormat, TableArguments, ThreadArguments,

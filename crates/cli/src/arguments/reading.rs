@@ -5,12 +5,15 @@ use boundfit_estimation::{
     ParseLawError, ParseLawErrorKind, Problem,
 };
 use boundfit_exact::{Limit, Limits, Rational, Reading};
-use boundfit_formats::{Header, RowRange, ScanOptions, SizeLimits, Source, TableOptions};
+use boundfit_formats::{Header, ScanOptions, SizeLimits, Source, TableOptions};
 use boundfit_report::{Origin, Style};
 use clap::ValueEnum;
 
 use super::values::{number_problem, parse_factors};
-use super::{DataArguments, FitArguments, LimitArguments, OutputArguments, TableArguments, ThreadArguments};
+use super::{
+    DataArguments, FitArguments, LimitArguments, OutputArguments, RowArguments, TableArguments,
+    ThreadArguments,
+};
 use crate::exit::Failure;
 use crate::memory;
 use crate::progress::ReadingProgress;
@@ -26,17 +29,12 @@ impl DataArguments {
         &self.data
     }
 
-    /// The row range in the user's words.
-    pub(crate) fn rows_asked(&self) -> Option<&str> {
-        self.rows.as_ref().map(|rows| rows.text.as_str())
-    }
-
     /// Opens the file.
     pub(crate) fn open(&self) -> Data<'_> {
         let source = Source::open(&self.data).map_err(Failure::data);
         let is_stored = source.as_ref().is_ok_and(Source::is_stored);
         let reading = if is_stored { Reading::Binary64 } else { self.table.reading() };
-        let origin = Origin { file: self.file_name(), rows: self.rows_asked(), reading, is_stored };
+        let origin = Origin { file: self.file_name(), reading, is_stored };
         Data { arguments: self, origin, source }
     }
 }
@@ -66,11 +64,11 @@ impl<'a> Data<'a> {
     }
 
     /// Reads the problem in memory that does not grow with the file, where the model allows it; with the hash of the data
-    /// if it will be shown.
-    pub(crate) fn scanned_problem(self, eui: bool, hash: bool) -> Result<Problem, Failure> {
+    /// and the rows fitted if they will be shown.
+    pub(crate) fn scanned_problem(self, eui: bool, hash: bool, list_rows: bool) -> Result<Problem, Failure> {
         let (columns, conditions) = self.asked()?;
         let (source, options) = self.scan()?;
-        let options = ScanOptions { hash, ..options };
+        let options = ScanOptions { hash, list_rows, ..options };
         let keep = Keep { eui, ..Keep::default() };
         let measurements = Measurements::scan(source, &columns, &options, keep).map_err(Failure::data)?;
         Ok(Problem { measurements, conditions })
@@ -79,16 +77,14 @@ impl<'a> Data<'a> {
     /// The file, and how it is read in parts.
     pub(crate) fn scan(self) -> Result<(Source, ScanOptions), Failure> {
         let source = self.source?;
-        let rows = self.arguments.rows.as_ref().map(|rows| rows.range);
-        let options = self.arguments.table.scan_options(&source, rows);
+        let options = self.arguments.table.scan_options(&source, Some(&self.arguments.rows))?;
         Ok((source, options))
     }
 
     fn read(self, keep_others: bool) -> Result<Problem, Failure> {
         let (columns, conditions) = self.asked()?;
-        let rows = self.arguments.rows.as_ref().map(|rows| rows.range);
-        let reading = self.origin.reading;
-        let options = TableOptions { keep_others, reading, ..self.arguments.table.options(rows) };
+        let table = self.arguments.table.options(self.origin.reading, Some(&self.arguments.rows))?;
+        let options = TableOptions { keep_others, ..table };
         let measurements = Measurements::read(self.source?, &columns, &options).map_err(Failure::data)?;
         Ok(Problem { measurements, conditions })
     }
@@ -184,28 +180,38 @@ impl FitArguments {
 }
 
 impl TableArguments {
-    /// How a table is read.
-    pub(crate) fn options(&self, rows: Option<RowRange>) -> TableOptions {
-        TableOptions {
+    /// How a table is read, and which of its rows; all of them when that is left out.
+    pub(crate) fn options(
+        &self,
+        reading: Reading,
+        rows: Option<&RowArguments>,
+    ) -> Result<TableOptions, Failure> {
+        let limits = self.limits.number();
+        Ok(TableOptions {
             header: self.header(),
             delimiter: self.delimiter(),
-            rows,
+            rows: rows.map(RowArguments::set).transpose()?.unwrap_or_default(),
+            conditions: rows.map(|rows| rows.conditions(reading, &limits)).transpose()?.unwrap_or_default(),
             keep_others: false,
-            reading: self.reading(),
-            limits: self.limits.number(),
+            reading,
+            limits,
             sizes: self.limits.sizes(),
-        }
+        })
     }
 
     /// How a table is read in parts, which may be many.
-    pub(crate) fn scan_options(&self, source: &Source, rows: Option<RowRange>) -> ScanOptions {
+    pub(crate) fn scan_options(
+        &self,
+        source: &Source,
+        rows: Option<&RowArguments>,
+    ) -> Result<ScanOptions, Failure> {
         memory::keep_freed();
         let reading = if source.is_stored() { Reading::Binary64 } else { self.reading() };
-        ScanOptions {
-            table: TableOptions { reading, ..self.options(rows) },
+        Ok(ScanOptions {
+            table: self.options(reading, rows)?,
             progress: Some(ReadingProgress::new(source.length())),
             ..ScanOptions::default()
-        }
+        })
     }
 
     pub(crate) fn reading(&self) -> Reading {

@@ -5,7 +5,7 @@ use clap::Args;
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::values::parse_column;
-use super::{FileArguments, TableArguments, ThreadArguments};
+use super::{FileArguments, RowArguments, TableArguments, ThreadArguments};
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -42,6 +42,8 @@ pub(crate) struct ReduceArguments {
     /// Column with the error bound of each reading: keep the rows that touch the hull of those with the same bound
     #[arg(long, value_name = "COL", value_parser = parse_column)]
     pub(crate) eps_column: Option<ColumnSelector>,
+    #[command(flatten)]
+    pub(crate) rows: RowArguments,
     #[command(flatten)]
     pub(crate) table: TableArguments,
     #[command(flatten)]

@@ -9,8 +9,9 @@ use clap::{Args, ValueEnum, value_parser};
 use crate::exit::Failure;
 use crate::output::Guard;
 
+use super::RowArguments;
 use super::endings::{NamedFormat, told_by_name};
-use super::values::{AskedRows, Delimiter, Regressors, named, parse_column, parse_regressors, parse_rows};
+use super::values::{Delimiter, Regressors, named, parse_column, parse_regressors};
 
 /// Where a text goes.
 #[derive(Debug, Args)]
@@ -59,9 +60,8 @@ pub(crate) struct DataArguments {
     pub(super) y: Option<ColumnSelector>,
     #[command(flatten)]
     pub(super) epsilon: EpsilonArguments,
-    /// Use data rows A to B only, counted from 1 without the header
-    #[arg(long, value_name = "A..B", value_parser = parse_rows)]
-    pub(super) rows: Option<AskedRows>,
+    #[command(flatten)]
+    pub(super) rows: RowArguments,
     /// A linear inequality or equation that the parameters are known to satisfy, such as '2*theta1 - theta2 <= 1/3' or
     /// 'theta2 = 0'; repeatable
     #[arg(long = "where", value_name = "CONDITION", allow_hyphen_values = true)]

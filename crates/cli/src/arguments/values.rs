@@ -1,7 +1,7 @@
 //! The values of options that are more than a text or a number.
 
 use boundfit_exact::{Limit, Limits, ParseNumberError, Rational, Reading};
-use boundfit_formats::{ColumnSelector, RowRange};
+use boundfit_formats::ColumnSelector;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::exit::Failure;
@@ -18,13 +18,6 @@ pub(crate) struct Regressors {
 pub(crate) struct FactorRange {
     pub(crate) from: Rational,
     pub(crate) to: Rational,
-}
-
-/// A row range with the words it was asked for in.
-#[derive(Debug, Clone)]
-pub(crate) struct AskedRows {
-    pub(crate) text: String,
-    pub(crate) range: RowRange,
 }
 
 /// What separates the columns; nothing when the file tells.
@@ -113,21 +106,6 @@ pub(super) fn parse_factors(text: &str, limits: &Limits) -> Result<FactorRange, 
         return Err(refuse(EXPECTED.to_owned()));
     }
     Ok(range)
-}
-
-pub(super) fn parse_rows(text: &str) -> Result<AskedRows, String> {
-    // A row number too large to be counted is beyond the end of any file.
-    let number = |text: &str| {
-        let digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-        digits.then(|| text.parse().unwrap_or(usize::MAX))
-    };
-    let range = text
-        .split_once("..")
-        .and_then(|(first, last)| RowRange::new(number(first.trim())?, number(last.trim())?));
-    match range {
-        Some(range) => Ok(AskedRows { text: text.to_owned(), range }),
-        None => Err("expected FIRST..LAST with 1 <= FIRST <= LAST, such as 14..36".to_owned()),
-    }
 }
 
 #[cfg(test)]

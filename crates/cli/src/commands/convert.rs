@@ -110,7 +110,8 @@ fn comments(arguments: &ConvertArguments, reading: Reading, problem: &Problem) -
             format!("between {} and {}", column(lower, "-inf"), column(upper, "inf"))
         }
     };
-    let rows = arguments.data.rows_asked().map(|rows| format!(", rows {rows}")).unwrap_or_default();
+    let selection = measurements.selection();
+    let rows = if selection.is_all() { String::new() } else { format!(", {selection}") };
     let line = match measurements.model() {
         Model::Line { x } => format!("theta1*{x} + theta2"),
         Model::TwoRegressors { regressors: [first, second] } => format!("theta1*{first} + theta2*{second}"),

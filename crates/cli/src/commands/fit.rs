@@ -33,7 +33,7 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     let origin = data.origin();
     let reading = origin.reading;
     let is_hash_shown = format == ReportFormat::Json || arguments.proof.is_some();
-    let problem = data.scanned_problem(!arguments.no_eui, is_hash_shown)?;
+    let problem = data.scanned_problem(!arguments.no_eui, is_hash_shown, arguments.proof.is_some())?;
     let fit = while_working("fitting", || fit(&problem));
     let family = arguments.sweep.as_ref().map(|FactorRange { from, to }| {
         while_working("sweeping", || Family::new(&problem, from.clone(), to.clone()))

@@ -29,7 +29,7 @@ pub(crate) fn run(
     let data = arguments.data.open();
     let (columns, conditions) = data.asked()?;
     let (source, options) = data.scan()?;
-    let options = ScanOptions { hash: false, ..options };
+    let options = ScanOptions { hash: false, list_rows: false, ..options };
     let fleet = Fleet::read(source, &columns, by, options).map_err(Failure::data)?;
     let job = Job { fleet: &fleet, conditions: &conditions, style: arguments.output.style() };
     let mut output = Output::open(arguments.output.file.output.as_deref(), guard)?;

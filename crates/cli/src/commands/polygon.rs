@@ -19,7 +19,7 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     let output = arguments.output.file.output.as_deref();
     guard.check(output)?;
     let reading = arguments.table.reading();
-    let options = arguments.table.options(None);
+    let options = arguments.table.options(reading, None)?;
     let source = Source::open(&arguments.file).map_err(Failure::data)?;
     let name = source.name().to_owned();
     let file = read_half_planes(source, &options).map_err(Failure::data)?;

@@ -1,7 +1,7 @@
 //! `boundfit reduce`.
 
 use boundfit_estimation::{ReducedColumns, ReducedTable};
-use boundfit_formats::Source;
+use boundfit_formats::{ScanOptions, Source};
 
 use crate::CommandResult;
 use crate::arguments::{ReduceArguments, told_by_name};
@@ -21,7 +21,8 @@ pub(crate) fn run(arguments: &ReduceArguments) -> CommandResult {
         epsilon: arguments.eps_column.clone(),
     };
     let source = Source::open(&arguments.data).map_err(Failure::data)?;
-    let options = arguments.table.scan_options(&source, None);
+    let options = arguments.table.scan_options(&source, Some(&arguments.rows))?;
+    let options = ScanOptions { list_rows: false, ..options };
     let reduced = ReducedTable::scan(source, &columns, &options).map_err(Failure::data)?;
     let mut text = Vec::new();
     // Writing to memory cannot fail.

@@ -74,7 +74,7 @@ impl Columns {
         // Behind each bound stands whether it is there.
         let presences: Vec<&Column> = batch.columns.iter().rev().step_by(2).take(sides).collect();
         let is_unbounded = |&k: &usize| presences.iter().all(|presence| presence.get(k).is_zero());
-        (0..batch.rows).find(is_unbounded).map(|k| batch.first_row + k)
+        (0..batch.rows.len()).find(is_unbounded).map(|k| batch.rows.get(k))
     }
 
     /// Refuses a row without bounds, if there is one.

@@ -13,6 +13,7 @@ pub use fleet::Fleet;
 pub use reduce::{ReducedColumns, ReducedTable};
 
 use crate::measurements::{Measurement, Measurements, Origin, Readings};
+use crate::selection::Selection;
 
 impl Measurements {
     /// Reads the columns of a table.
@@ -33,8 +34,10 @@ impl Measurements {
         columns.refuse_unbounded(&file, unbounded)?;
         others.retain(is_bounded);
         meaning.settle(&mut rows);
-        let (rows_total, layout, sha256) = (table.rows_total, table.layout, Some(table.sha256));
-        let origin = Origin { rows_total, layout, sha256 };
+        let (rows_total, ranges) = (table.rows_total, table.ranges);
+        let selection = Selection::of(options);
+        let origin =
+            Origin { rows_total, selection, ranges, layout: table.layout, sha256: Some(table.sha256) };
         Ok(Measurements { meaning, readings: Readings::All(rows), others, origin })
     }
 }

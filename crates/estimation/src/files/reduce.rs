@@ -127,7 +127,7 @@ pub(super) fn stated_sums(
         let (has, asked) = ("a line".to_owned(), "two regressors".to_owned());
         return Err(fail(ReductionError::NotAsked { what: "the model", has, asked }));
     }
-    if options.table.rows.is_some() {
+    if options.table.selects_rows() {
         return Err(fail(ReductionError::NoRowNumbers));
     }
     let digits = options.table.limits.digits.saturating_mul(DIGITS_OF_SUMS);
@@ -147,10 +147,10 @@ pub(super) fn stated_sums(
 impl Digest {
     fn new(batch: &Batch, sieve: &SharedSieve) -> Self {
         let [x, y] = [&batch.columns[0], &batch.columns[1]];
-        let summary = LineSummary::of_columns([x, y], batch.columns.get(2), batch.first_row, sieve);
+        let summary = LineSummary::of_columns([x, y], batch.columns.get(2), &|k| batch.rows.get(k), sieve);
         let text = |row: usize| {
-            let line = batch.lines.as_ref().map(|lines| lines.get(row - batch.first_row).to_vec());
-            (row, line.unwrap_or_default())
+            let line = || Some(batch.lines.as_ref()?.get(batch.rows.position(row)?).to_vec());
+            (row, line().unwrap_or_default())
         };
         Digest { texts: summary.row_numbers().map(text).collect(), summary }
     }

@@ -2,13 +2,14 @@
 
 use boundfit_exact::Rational;
 use boundfit_formats::{
-    Batch, InputError, InputErrorKind, ScanOptions, Scanned, Source, open_reduction, scan,
+    Batch, InputError, InputErrorKind, ScanOptions, Scanned, Source, TableRow, open_reduction, scan,
 };
 
 use super::abscissas::{Abscissas, StoredPart};
 use super::columns::Columns;
 use super::reduce::stated_sums;
 use crate::measurements::{Meaning, Measurement, Measurements, Origin, Readings};
+use crate::selection::Selection;
 use crate::summary::{Keep, LineSummary, LineSums, NoEui, Reduction, SharedSieve, Spread, Thresholds};
 
 /// Bytes of x kept from a file before it is rather read a second time: twelve million readings at four bytes each.
@@ -56,7 +57,7 @@ impl Measurements {
         let digest = |batch: Batch| {
             let line = of_line.then(|| {
                 let [x, y] = [&batch.columns[0], &batch.columns[1]];
-                let summary = LineSummary::of_columns([x, y], None, batch.first_row, &sieve);
+                let summary = LineSummary::of_columns([x, y], None, &|k| batch.rows.get(k), &sieve);
                 (summary, keep.eui.then(|| StoredPart::new(x)))
             });
             Digest { unbounded: columns.first_unbounded(&batch), batch, line }
@@ -73,7 +74,7 @@ impl Measurements {
             all.take(digest, most_rows, &sieve);
         })?;
         columns.refuse_unbounded(&name, unbounded)?;
-        let mut meaning = columns.meaning(&scanned.names);
+        let (mut meaning, selection) = (columns.meaning(&scanned.names), Selection::of(&options.table));
         let uniform = meaning.error_bound.uniform().cloned();
         let Collected { batches, rows, summary, abscissas } = all;
         if let Some(reductions) = &reductions {
@@ -85,7 +86,7 @@ impl Measurements {
             meaning.settle(&mut rows);
             let scanned = Scanned { rows_total: sums.count, layout: None, ..scanned };
             let reduction = Reduction { sums, spread: Err(NoEui::Reduced) };
-            return Ok(measurements(meaning, scanned, Readings::Supporting { rows, reduction }));
+            return Ok(measurements(meaning, selection, scanned, Readings::Supporting { rows, reduction }));
         }
         let readings = match &uniform {
             Some(epsilon) if rows > most_rows => {
@@ -109,27 +110,31 @@ impl Measurements {
                 Readings::All(rows)
             }
         };
-        Ok(measurements(meaning, scanned, readings))
+        Ok(measurements(meaning, selection, scanned, readings))
     }
 }
 
 /// Readings of a table that was read in batches.
-fn measurements(meaning: Meaning, scanned: Scanned, readings: Readings) -> Measurements {
-    let Scanned { rows_total, layout, sha256, .. } = scanned;
-    Measurements { meaning, readings, others: Vec::new(), origin: Origin { rows_total, layout, sha256 } }
+fn measurements(
+    meaning: Meaning,
+    selection: Selection,
+    scanned: Scanned,
+    readings: Readings,
+) -> Measurements {
+    let Scanned { rows_total, ranges, layout, sha256, .. } = scanned;
+    let origin = Origin { rows_total, selection, ranges, layout, sha256 };
+    Measurements { meaning, readings, others: Vec::new(), origin }
 }
 
 /// All readings of batches.
 fn rows_of(batches: &[Batch], meaning: &Meaning) -> Vec<Measurement> {
-    let row = |batch: &Batch, k: usize| {
-        meaning.measurement(batch.first_row + k, batch.columns.iter().map(|column| column.get(k)))
-    };
-    batches.iter().flat_map(|batch| (0..batch.rows).map(move |k| row(batch, k))).collect()
+    let row = |row: TableRow| meaning.measurement(row.row, row.numbers.into_iter());
+    batches.iter().flat_map(Batch::table_rows).map(row).collect()
 }
 
 impl Collected {
     fn take(&mut self, Digest { batch, line, .. }: Digest, most_rows: usize, sieve: &SharedSieve) {
-        self.rows += batch.rows;
+        self.rows += batch.rows.len();
         if self.rows <= most_rows {
             self.batches.push(batch);
         } else {
@@ -153,7 +158,7 @@ fn second_look(
     sums: &LineSums,
     scanned: &Scanned,
 ) -> Result<Spread, InputError> {
-    let options = ScanOptions { hash: false, ..options.clone() };
+    let options = ScanOptions { hash: false, list_rows: false, ..options.clone() };
     let mut spread = Spread::default();
     let (mut count, mut total) = (0, Rational::zero());
     let look = |batch: Batch| {

@@ -84,7 +84,8 @@ impl Measurements {
                 for start in (0..rows_total).step_by(ROWS_PER_PART) {
                     let range = start..rows_total.min(start + ROWS_PER_PART);
                     let [x, y] = [x.part(range.clone()), y.part(range)];
-                    summary.merge(LineSummary::of_columns([&x, &y], None, start + 1, &sieve), &sieve);
+                    summary
+                        .merge(LineSummary::of_columns([&x, &y], None, &|k| start + 1 + k, &sieve), &sieve);
                 }
                 let (sums, rows) = summary.into_parts(epsilon);
                 let spread = || Thresholds::new(&sums).of_column(x);

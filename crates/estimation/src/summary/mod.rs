@@ -91,23 +91,23 @@ pub(crate) struct LineSummary {
 }
 
 impl LineSummary {
-    /// What is kept of columns of equal length whose rows are numbered from `first_row`, as far as the readings before
-    /// leave it open. Exact.
+    /// What is kept of columns of equal length, as far as the readings before leave it open; `row` tells the number of the
+    /// row at a position, and ascends. Exact.
     pub(crate) fn of_columns(
         [x, y]: [&Column; 2],
         epsilon: Option<&Column>,
-        first_row: usize,
+        row: &dyn Fn(usize) -> usize,
         sieve: &SharedSieve,
     ) -> Self {
         let support = match epsilon {
-            None => BTreeMap::from([(None, sieve.support(x, y, first_row))]),
+            None => BTreeMap::from([(None, sieve.support(x, y, row))]),
             Some(epsilon) => {
                 let mut rows: BTreeMap<Rational, Vec<usize>> = BTreeMap::new();
                 for k in 0..epsilon.len() {
                     rows.entry(epsilon.get(k)).or_default().push(k);
                 }
                 let support = |rows: Vec<usize>| {
-                    SupportRows::of_readings(rows.into_iter().map(|k| (first_row + k, x.get(k), y.get(k))))
+                    SupportRows::of_readings(rows.into_iter().map(|k| (row(k), x.get(k), y.get(k))))
                 };
                 rows.into_iter().map(|(bound, rows)| (Some(bound), support(rows))).collect()
             }

@@ -5,7 +5,7 @@ use std::sync::RwLock;
 use boundfit_exact::{Column, Unit};
 use boundfit_geometry::grid::Sieve;
 
-use super::support::SupportRows;
+use super::support::{SupportRows, numbered};
 
 /// A sieve that all threads use, and that becomes finer while readings are taken.
 #[derive(Default)]
@@ -23,16 +23,16 @@ struct Current {
 
 impl SharedSieve {
     /// Of two columns, those that may support a hull of all readings; see [`SupportRows::of_columns`].
-    pub(super) fn support(&self, x: &Column, y: &Column, first_row: usize) -> SupportRows {
+    pub(super) fn support(&self, x: &Column, y: &Column, row: &dyn Fn(usize) -> usize) -> SupportRows {
         if let (Column::Narrow(x), Column::Narrow(y)) = (x, y)
             && let Ok(current) = self.current.read()
             && let Some(Current { units, sieve, .. }) = current.as_ref()
             && *units == [x.unit(), y.unit()]
         {
-            let points = sieve.touching_of_columns(x.counts(), y.counts(), first_row as u64);
-            return SupportRows::of_grid(*units, points);
+            let points = sieve.touching_of_columns(x.counts(), y.counts(), 0);
+            return SupportRows::of_grid(*units, numbered(points, row));
         }
-        SupportRows::of_columns(x, y, first_row)
+        SupportRows::of_columns(x, y, row)
     }
 
     /// Learns from the support rows of so many readings, whenever these have doubled.

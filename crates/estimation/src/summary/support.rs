@@ -31,14 +31,14 @@ enum Rows {
 }
 
 impl SupportRows {
-    /// Those of two columns of equal length whose rows are numbered from `first_row`. Exact. Cost: linear in almost all
-    /// cases, O(n log n) in all.
-    pub(super) fn of_columns(x: &Column, y: &Column, first_row: usize) -> Self {
-        let read = |k: usize| reading(first_row + k, x.get(k), y.get(k));
+    /// Those of two columns of equal length; `row` tells the number of the row at a position, and ascends. Exact. Cost: linear
+    /// in almost all cases, O(n log n) in all.
+    pub(super) fn of_columns(x: &Column, y: &Column, row: &dyn Fn(usize) -> usize) -> Self {
+        let read = |k: usize| reading(row(k), x.get(k), y.get(k));
         let rows = match (x, y) {
             (Column::Narrow(x), Column::Narrow(y)) => Rows::Grid {
                 units: [x.unit(), y.unit()],
-                points: touching_of_columns(x.counts(), y.counts(), first_row as u64),
+                points: numbered(touching_of_columns(x.counts(), y.counts(), 0), row),
             },
             (Column::Doubles(doubles_x), Column::Doubles(doubles_y)) => {
                 Rows::General(touching_doubles(doubles_x, doubles_y).into_iter().map(read).collect())
@@ -103,6 +103,12 @@ impl SupportRows {
         self.pending_rows = 0;
         self.merged = vec![united(parts).reduced()];
     }
+}
+
+/// Points whose ids are positions, with the numbers of their rows in place of these.
+pub(super) fn numbered(mut points: Vec<GridPoint>, row: &dyn Fn(usize) -> usize) -> Vec<GridPoint> {
+    points.iter_mut().for_each(|point| point.id = row(point.id as usize) as u64);
+    points
 }
 
 /// All readings of all parts, on one grid if there is one.

@@ -8,7 +8,9 @@ use std::fs::File;
 use std::io::{self, Read, Seek};
 use std::ops::Range;
 
-use arrow_array::RecordBatch;
+use arrow_array::{ArrayRef, BooleanArray, RecordBatch};
+use arrow_select::filter::filter_record_batch;
+use boundfit_exact::Column;
 use sha2::{Digest, Sha256};
 
 use crate::binary::BinaryFormat;
@@ -16,11 +18,12 @@ use crate::columns::{ColumnPlace, ColumnSelector, Header, Heading};
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::hash::hexadecimal;
 use crate::scan::{Batch, ScanOptions, Scanned, readable_rows};
+use crate::selection::{RowCondition, RowNumbers, between};
 use crate::table::check_rows;
 use crate::threads;
 
 use numbers::numbers;
-use open::{BATCH_ROWS, batches, column_names, guarded, plain};
+use open::{BATCH_ROWS, batches, column_names, guarded, plain, unreadable};
 use texts::{BadCell, keys};
 
 /// Reads a Parquet file or an Arrow IPC file or stream like [`scan`](crate::scan) reads text: the same numbers, rows and
@@ -76,7 +79,7 @@ pub(crate) fn scan_arrow<T: Send>(
         progress.at(file.stream_position().unwrap_or_default()).map_err(fail)?;
     }
     progress.at(bytes).map_err(fail)?;
-    check_rows(name, rows_total, options.table.rows)?;
+    check_rows(name, rows_total, &options.table.rows)?;
     Ok(Scanned {
         names: layout.places.iter().map(ColumnPlace::title).collect(),
         key_name: layout.key.as_ref().map(ColumnPlace::title),
@@ -84,6 +87,7 @@ pub(crate) fn scan_arrow<T: Send>(
         delimiter: b',',
         layout: None,
         rows_total,
+        ranges: Vec::new(),
         bytes,
         sha256,
     })
@@ -93,7 +97,7 @@ pub(crate) fn scan_arrow<T: Send>(
 struct Part {
     first_row: usize,
     batch: RecordBatch,
-    /// Whether these rows are asked for; else they are kept where they hold numbers.
+    /// Whether these rows may be wanted; else they are kept where they hold numbers.
     is_wanted: bool,
 }
 
@@ -104,6 +108,8 @@ struct Layout<'a> {
     selectors: &'a [ColumnSelector],
     places: Vec<ColumnPlace>,
     key: Option<ColumnPlace>,
+    /// What must hold for rows to be wanted, and where the columns are that it is about.
+    conditions: Vec<(ColumnPlace, &'a RowCondition)>,
 }
 
 impl<'a> Layout<'a> {
@@ -114,8 +120,11 @@ impl<'a> Layout<'a> {
         options: &'a ScanOptions,
     ) -> Result<Self, InputError> {
         let key = options.key.as_ref();
+        let conditions = &options.table.conditions;
+        let others: Vec<&ColumnSelector> =
+            key.into_iter().chain(conditions.iter().map(RowCondition::column)).collect();
         let cells: Vec<&[u8]> = names.iter().map(|name| name.as_bytes()).collect();
-        let heading = Heading::new(file, &cells, 1, Header::Present, selectors, key)?;
+        let heading = Heading::new(file, &cells, 1, Header::Present, selectors, &others)?;
         let find = |selector| {
             heading.find(file, selector).map_err(|mut error| {
                 // There are no lines here.
@@ -129,13 +138,18 @@ impl<'a> Layout<'a> {
             selectors,
             places: selectors.iter().map(find).collect::<Result<_, _>>()?,
             key: key.map(find).transpose()?,
+            conditions: conditions
+                .iter()
+                .map(|condition| Ok((find(condition.column())?, condition)))
+                .collect::<Result<_, InputError>>()?,
         })
     }
 
     /// The indices of all columns that are read, ascending.
     fn positions(&self) -> Vec<usize> {
-        let mut positions: Vec<usize> =
-            self.places.iter().chain(&self.key).map(|place| place.position - 1).collect();
+        let looked_at = self.conditions.iter().map(|(place, _)| place);
+        let places = self.places.iter().chain(&self.key).chain(looked_at);
+        let mut positions: Vec<usize> = places.map(|place| place.position - 1).collect();
         positions.sort_unstable();
         positions.dedup();
         positions
@@ -144,55 +158,96 @@ impl<'a> Layout<'a> {
     /// A batch that starts with this row in parts that are not too large, without rows that are not kept.
     fn parts(&self, first_row: usize, batch: &RecordBatch) -> Vec<Part> {
         let end = first_row + batch.num_rows();
-        let parts = |rows: Range<usize>, is_wanted: bool| {
-            rows.clone().step_by(BATCH_ROWS).map(move |start| {
-                let length = BATCH_ROWS.min(rows.end - start);
-                Part { first_row: start, batch: batch.slice(start - first_row, length), is_wanted }
+        let parts = |ranges: Vec<Range<usize>>, is_wanted: bool| {
+            ranges.into_iter().flat_map(move |rows| {
+                rows.clone().step_by(BATCH_ROWS).map(move |start| {
+                    let length = BATCH_ROWS.min(rows.end - start);
+                    Part { first_row: start, batch: batch.slice(start - first_row, length), is_wanted }
+                })
             })
         };
-        let Some(rows) = self.options.table.rows else { return parts(first_row..end, true).collect() };
-        let unwanted = rows.not_among(first_row, end).into_iter().filter(|_| self.options.table.keep_others);
-        parts(rows.among(first_row, end), true).chain(unwanted.flat_map(|rows| parts(rows, false))).collect()
+        let wanted = self.options.table.rows.among(first_row, end);
+        let unwanted =
+            if self.options.table.keep_others { between(&wanted, first_row, end) } else { Vec::new() };
+        parts(wanted, true).chain(parts(unwanted, false)).collect()
     }
 
     /// The batch that is handed out for a part.
     fn decode(&self, part: &Part) -> Result<Batch, InputError> {
         let Part { first_row, batch, is_wanted } = part;
-        if *is_wanted {
-            return self.numbers(*first_row, batch);
+        let all = *first_row..first_row + batch.num_rows();
+        let wanted = match (is_wanted, self.conditions.as_slice()) {
+            (true, []) => return self.numbers([all].into_iter().collect(), batch),
+            (true, _) => self.satisfying(*first_row, batch)?,
+            (false, _) => RowNumbers::default(),
+        };
+        let is_wanted: BooleanArray = all.clone().map(|row| Some(wanted.position(row).is_some())).collect();
+        let filtered = filter_record_batch(batch, &is_wanted);
+        let unreadable = |error| unreadable(BinaryFormat::ArrowFile, error);
+        let filtered = filtered.map_err(|error| InputError::of_file(self.file, unreadable(error)))?;
+        let numbers = self.numbers(wanted.clone(), &filtered)?;
+        if !self.options.table.keep_others {
+            return Ok(numbers);
         }
-        let read =
-            |rows: Range<usize>| self.numbers(first_row + rows.start, &batch.slice(rows.start, rows.len()));
-        let others = readable_rows(0..batch.num_rows(), &read);
-        Ok(Batch { others, ..read(0..0)? })
+        let read = |rows: Range<usize>| {
+            let part = batch.slice(rows.start - first_row, rows.len());
+            self.numbers([rows].into_iter().collect(), &part)
+        };
+        let wanted: Vec<Range<usize>> = wanted.ranges().map(|[first, last]| first..last + 1).collect();
+        let unwanted = between(&wanted, all.start, all.end).into_iter();
+        Ok(Batch { others: unwanted.flat_map(|rows| readable_rows(rows, &read)).collect(), ..numbers })
     }
 
-    /// The numbers and keys of a batch that starts with this row.
-    fn numbers(&self, first_row: usize, batch: &RecordBatch) -> Result<Batch, InputError> {
+    /// The rows of a batch, which starts with this one, that satisfy all conditions.
+    fn satisfying(&self, first_row: usize, batch: &RecordBatch) -> Result<RowNumbers, InputError> {
+        let rows = first_row..first_row + batch.num_rows();
+        let numbers: RowNumbers = [rows.clone()].into_iter().collect();
+        let columns = self.conditions.iter().map(|(place, condition)| {
+            Ok((self.column(place, condition.column(), &numbers, batch)?, *condition))
+        });
+        let columns: Vec<(Column, &RowCondition)> = columns.collect::<Result<_, InputError>>()?;
+        let satisfies = |row: &usize| {
+            columns.iter().all(|(column, condition)| condition.holds(&column.get(row - first_row)))
+        };
+        let mut satisfying = RowNumbers::default();
+        rows.filter(satisfies).for_each(|row| satisfying.push(row));
+        Ok(satisfying)
+    }
+
+    /// The numbers and keys of a batch that has these rows.
+    fn numbers(&self, rows: RowNumbers, batch: &RecordBatch) -> Result<Batch, InputError> {
+        let columns = self.places.iter().zip(self.selectors);
+        let columns = columns.map(|(place, selector)| self.column(place, selector, &rows, batch));
+        let columns = columns.collect::<Result<_, _>>()?;
+        let key_column = |place: &ColumnPlace| {
+            keys(&self.array(place, batch)?).map_err(|bad| self.error(place, Some(&rows), bad))
+        };
+        let keys = self.key.as_ref().map(key_column).transpose()?;
+        Ok(Batch { rows, columns, keys, lines: None, others: Vec::new() })
+    }
+
+    /// The numbers of one column of a batch that has these rows.
+    fn column(
+        &self,
+        place: &ColumnPlace,
+        selector: &ColumnSelector,
+        rows: &RowNumbers,
+        batch: &RecordBatch,
+    ) -> Result<Column, InputError> {
+        numbers(&self.array(place, batch)?, selector, &self.options.table)
+            .map_err(|bad| self.error(place, Some(rows), bad))
+    }
+
+    /// One column of a batch as it is stored.
+    fn array(&self, place: &ColumnPlace, batch: &RecordBatch) -> Result<ArrayRef, InputError> {
         let positions = self.positions();
-        let array = |place: &ColumnPlace| {
-            let index = positions.partition_point(|&position| position < place.position - 1);
-            plain(batch.column(index)).map_err(|problem| self.error(place, None, BadCell::of_column(problem)))
-        };
-        let column = |(place, selector): (&ColumnPlace, &ColumnSelector)| {
-            numbers(&array(place)?, selector, &self.options.table)
-                .map_err(|bad| self.error(place, Some(first_row), bad))
-        };
-        let key_column =
-            |place: &ColumnPlace| keys(&array(place)?).map_err(|bad| self.error(place, Some(first_row), bad));
-        Ok(Batch {
-            first_row,
-            columns: self.places.iter().zip(self.selectors).map(column).collect::<Result<_, _>>()?,
-            keys: self.key.as_ref().map(key_column).transpose()?,
-            lines: None,
-            rows: batch.num_rows(),
-            others: Vec::new(),
-        })
+        let index = positions.partition_point(|&position| position < place.position - 1);
+        plain(batch.column(index)).map_err(|problem| self.error(place, None, BadCell::of_column(problem)))
     }
 
-    fn error(&self, place: &ColumnPlace, first_row: Option<usize>, bad: BadCell) -> InputError {
+    fn error(&self, place: &ColumnPlace, rows: Option<&RowNumbers>, bad: BadCell) -> InputError {
         let place = Place {
-            row: first_row.zip(bad.index).map(|(first, index)| first + index),
+            row: rows.zip(bad.index).map(|(rows, index)| rows.get(index)),
             column: Some((place.position, place.name.clone())),
             text: bad.text,
             ..Place::default()

@@ -88,6 +88,6 @@ fn buffered(file: &File) -> Result<BufReader<File>, InputErrorKind> {
     Ok(BufReader::new(file))
 }
 
-fn unreadable(format: BinaryFormat, error: ArrowError) -> InputErrorKind {
+pub(super) fn unreadable(format: BinaryFormat, error: ArrowError) -> InputErrorKind {
     InputErrorKind::Unreadable { format: format.name(), reason: error.to_string() }
 }

@@ -7,6 +7,7 @@ use boundfit_exact::{Limit, ParseNumberError};
 use thiserror::Error;
 
 use crate::reduction::record::ReductionError;
+use crate::selection::RowRange;
 
 use super::quote::quote;
 
@@ -163,15 +164,21 @@ pub enum InputErrorKind {
         /// The column asked for.
         wanted: String,
     },
-    /// A row range beyond the last row.
-    #[error("rows {first}..{last} were asked for, but the file has {total} data rows")]
+    /// Rows beyond the last one.
+    #[error("{} asked for, but the file has {total} data rows", named(*.rows))]
     RowsBeyondEnd {
-        /// First row asked for.
-        first: usize,
-        /// Last row asked for.
-        last: usize,
+        /// What was named.
+        rows: RowRange,
         /// Data rows in the file.
         total: usize,
+    },
+    /// Rows of which none is wanted.
+    #[error("of the file's {total} data rows none {}", wanted_by(.conditions))]
+    NoRowWanted {
+        /// Data rows in the file.
+        total: usize,
+        /// What must hold for a row to be wanted.
+        conditions: Vec<String>,
     },
     /// A cell that is not a number, or one beyond a limit.
     #[error("{verdict}: {0}", verdict = if .0.kind.is_limit() { "refused" } else { "not a number" })]
@@ -334,6 +341,20 @@ impl InputErrorKind {
             }
             _ => return None,
         })
+    }
+}
+
+/// `row 5 was`, `rows 14..36 were`.
+fn named(rows: RowRange) -> String {
+    let is_one = rows.to_string().bytes().all(|byte| byte.is_ascii_digit());
+    if is_one { format!("row {rows} was") } else { format!("rows {rows} were") }
+}
+
+/// What would make a row a wanted one.
+fn wanted_by(conditions: &[String]) -> String {
+    match conditions {
+        [] => "is left".to_owned(),
+        conditions => format!("satisfies {}", conditions.join(" and ")),
     }
 }
 

@@ -3,11 +3,15 @@
 use std::io::Read;
 use std::ops::Range;
 
+use boundfit_exact::Column;
+
 use super::columns::{MatColumn, MatColumns};
 use super::numbers::BadNumber;
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::{InputError, InputErrorKind, Place};
+use crate::roles::Role;
 use crate::scan::{Batch, Pieces, ScanOptions, Scanned, readable_rows};
+use crate::selection::{RowCondition, RowNumbers, between};
 use crate::table::check_rows;
 use crate::threads;
 
@@ -30,17 +34,22 @@ pub(crate) fn scan_mat<T: Send>(
     mut take: impl FnMut(T),
 ) -> Result<Scanned, InputError> {
     let fail = |problem: InputErrorKind| InputError::of_file(name, problem);
-    let selectors: Vec<&ColumnSelector> = columns.iter().chain(&options.key).collect();
+    let conditions = &options.table.conditions;
+    let looked_at = conditions.iter().map(RowCondition::column);
+    let selectors: Vec<&ColumnSelector> = columns.iter().chain(&options.key).chain(looked_at).collect();
     let progress = options.progress.as_deref();
     let found = MatColumns::read(file, &selectors, &options.table.sizes, options.hash, progress);
     let MatColumns { columns: found, rows, sha256, bytes } = found.map_err(fail)?;
-    check_rows(name, rows, options.table.rows)?;
-    let (numbers, key) = found.split_at_checked(columns.len()).unwrap_or_default();
+    check_rows(name, rows, &options.table.rows)?;
+    let (numbers, others) = found.split_at_checked(columns.len()).unwrap_or_default();
+    let (key, looked_at) = others.split_at_checked(options.key.iter().len()).unwrap_or_default();
     let rows_of = Rows { file: name, selectors: columns, columns: numbers, key: key.first(), options };
-    let wanted = options.table.rows.map_or(1..rows + 1, |wanted| wanted.among(1, rows + 1));
-    let starts: Vec<usize> = wanted.clone().step_by(BATCH_ROWS).collect();
-    for group in starts.chunks(threads::count()) {
-        let batch = |start: usize| rows_of.batch(start..wanted.end.min(start + BATCH_ROWS)).map(&work);
+    let mut wanted = options.table.rows.among(1, rows + 1);
+    if !conditions.is_empty() {
+        wanted = rows_of.satisfying(conditions, looked_at, &wanted)?;
+    }
+    for group in in_batches(&wanted).chunks(threads::count()) {
+        let batch = |rows: Vec<Range<usize>>| rows_of.batch(&rows).map(&work);
         let done: Vec<Result<T, InputError>> = threads::map(group.to_vec(), batch);
         for result in done {
             take(result?);
@@ -49,10 +58,10 @@ pub(crate) fn scan_mat<T: Send>(
             return Err(fail(InputErrorKind::Interrupted));
         }
     }
-    if let Some(wanted) = options.table.rows.filter(|_| options.table.keep_others) {
-        let unwanted = wanted.not_among(1, rows + 1).into_iter();
-        let others = unwanted.flat_map(|rows| readable_rows(rows, &|rows| rows_of.batch(rows))).collect();
-        take(work(Batch { others, ..rows_of.batch(1..1)? }));
+    if options.table.keep_others && options.table.selects_rows() {
+        let unwanted = between(&wanted, 1, rows + 1).into_iter();
+        let others = unwanted.flat_map(|rows| readable_rows(rows, &|rows| rows_of.batch(&[rows]))).collect();
+        take(work(Batch { others, ..rows_of.batch(&[])? }));
     }
     let names: Vec<String> = numbers.iter().map(|column| column.place.title()).collect();
     Ok(Scanned {
@@ -62,9 +71,29 @@ pub(crate) fn scan_mat<T: Send>(
         key_name: key.first().map(|column| column.place.title()),
         delimiter: b',',
         rows_total: rows,
+        ranges: Vec::new(),
         bytes,
         sha256,
     })
+}
+
+/// Rows in groups that are not too large.
+fn in_batches(wanted: &[Range<usize>]) -> Vec<Vec<Range<usize>>> {
+    let (mut batches, mut room) = (Vec::<Vec<Range<usize>>>::new(), 0);
+    for range in wanted {
+        let mut start = range.start;
+        while start < range.end {
+            if room == 0 {
+                batches.push(Vec::new());
+                room = BATCH_ROWS;
+            }
+            let end = range.end.min(start + room);
+            room -= end - start;
+            batches.last_mut().into_iter().for_each(|batch| batch.push(start..end));
+            start = end;
+        }
+    }
+    batches
 }
 
 /// Rows of columns of one length.
@@ -77,37 +106,66 @@ struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    /// The rows with these numbers, counted from 1.
-    fn batch(&self, rows: Range<usize>) -> Result<Batch, InputError> {
+    /// Of rows in these ranges, those whose numbers in some columns satisfy the conditions on them.
+    fn satisfying(
+        &self,
+        conditions: &[RowCondition],
+        columns: &[MatColumn],
+        rows: &[Range<usize>],
+    ) -> Result<Vec<Range<usize>>, InputError> {
+        let mut satisfying = RowNumbers::default();
+        for range in rows {
+            let numbers = columns.iter().map(|column| self.numbers(column, range, Role::Number));
+            let numbers: Vec<Column> = numbers.collect::<Result<_, _>>()?;
+            let is_wanted = |row: &usize| {
+                let mut pairs = conditions.iter().zip(&numbers);
+                pairs.all(|(condition, numbers)| condition.holds(&numbers.get(row - range.start)))
+            };
+            range.clone().filter(is_wanted).for_each(|row| satisfying.push(row));
+        }
+        Ok(satisfying.ranges().map(|[first, last]| first..last + 1).collect())
+    }
+
+    /// The numbers of a column in the rows of a range, counted from 1.
+    fn numbers(&self, column: &MatColumn, rows: &Range<usize>, role: Role) -> Result<Column, InputError> {
+        let range = column.start + rows.start - 1..column.start + rows.end - 1;
+        if self.options.keep_text
+            && let Some(index) = column.numbers.first_beyond_doubles(range.clone())
+        {
+            let text = column.numbers.text(index);
+            return Err(self.error(column, BadNumber { index, text, problem: InputErrorKind::NotBinary64 }));
+        }
+        column.numbers.column(range, role).map_err(|bad| self.error(column, bad))
+    }
+
+    /// The rows of these ranges, counted from 1.
+    fn batch(&self, ranges: &[Range<usize>]) -> Result<Batch, InputError> {
         let mut columns = Vec::new();
         for (column, selector) in self.columns.iter().zip(self.selectors) {
-            let range = indices(column, &rows);
-            if self.options.keep_text
-                && let Some(index) = column.numbers.first_beyond_doubles(range.clone())
-            {
-                let text = column.numbers.text(index);
-                return Err(
-                    self.error(column, BadNumber { index, text, problem: InputErrorKind::NotBinary64 })
-                );
+            let mut parts = ranges.iter().map(|range| self.numbers(column, range, selector.role()));
+            let mut numbers = parts.next().transpose()?.unwrap_or_default();
+            for part in parts {
+                let part = part?;
+                numbers.append(&part, 0..part.len());
             }
-            let numbers = column.numbers.column(range, selector.role());
-            columns.push(numbers.map_err(|bad| self.error(column, bad))?);
+            columns.push(numbers);
         }
+        let rows = || ranges.iter().cloned().flatten();
         let text = |column: &MatColumn, row: usize| column.numbers.text(column.start + row - 1);
         let keys = self.key.map(|key| {
             let mut keys = Pieces::<String>::default();
-            rows.clone().for_each(|row| keys.push(&text(key, row)));
+            rows().for_each(|row| keys.push(&text(key, row)));
             keys
         });
         let lines = self.options.keep_text.then(|| {
             let mut lines = Pieces::<Vec<u8>>::default();
-            for row in rows.clone() {
+            for row in rows() {
                 let cells: Vec<String> = self.columns.iter().map(|column| text(column, row)).collect();
                 lines.push(&csv_line(&cells));
             }
             lines
         });
-        Ok(Batch { first_row: rows.start, columns, keys, lines, rows: rows.len(), others: Vec::new() })
+        Ok(Batch { rows: ranges.iter().cloned().collect(), columns, keys, lines, others: Vec::new() })
     }
 
     fn error(&self, column: &MatColumn, bad: BadNumber) -> InputError {
@@ -120,11 +178,6 @@ impl Rows<'_> {
         };
         InputError::new(self.file, place, bad.problem)
     }
-}
-
-/// Where the numbers of rows, counted from 1, stand in a column's variable.
-fn indices(column: &MatColumn, rows: &Range<usize>) -> Range<usize> {
-    column.start + rows.start - 1..column.start + rows.end - 1
 }
 
 /// Cells, none of them empty, as a line of CSV, without its end.

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use boundfit_exact::Column;
 
 use crate::columns::ColumnSelector;
+use crate::selection::RowNumbers;
 use crate::table::{TableOptions, TableRow, TextLayout};
 
 /// One piece of text per row, in one buffer.
@@ -66,19 +67,17 @@ impl Pieces<Vec<u8>> {
     }
 }
 
-/// Consecutive wanted data rows, in columns; at least one row, unless others are kept.
+/// Wanted data rows, in columns; at least one row, unless others are kept.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Batch {
-    /// Number of the first of these rows among the data rows of the file, from 1; the next one has the next number.
-    pub first_row: usize,
+    /// Which data rows of the file these are.
+    pub rows: RowNumbers,
     /// The columns asked for, in the order asked, all of the same length.
     pub columns: Vec<Column>,
     /// The cells of [`ScanOptions::key`], without the spaces and tabs around them.
     pub keys: Option<Pieces<String>>,
     /// With [`ScanOptions::keep_text`], each row as it stands in the file, without its line end.
     pub lines: Option<Pieces<Vec<u8>>>,
-    /// How many rows there are.
-    pub rows: usize,
     /// With [`TableOptions::keep_others`], rows that are not wanted but hold numbers; then there may be no other rows.
     pub others: Vec<TableRow>,
 }
@@ -86,8 +85,9 @@ pub struct Batch {
 impl Batch {
     /// The wanted rows one by one.
     pub fn table_rows(&self) -> impl Iterator<Item = TableRow> {
-        (0..self.rows).map(|index| TableRow {
-            row: self.first_row + index,
+        let rows = self.rows.ranges().flat_map(|[first, last]| first..=last);
+        rows.enumerate().map(|(index, row)| TableRow {
+            row,
             numbers: self.columns.iter().map(|column| column.get(index)).collect(),
         })
     }
@@ -104,6 +104,8 @@ pub struct ScanOptions {
     pub keep_text: bool,
     /// Whether the bytes are hashed.
     pub hash: bool,
+    /// Whether it is told which rows were wanted: that may be as many ranges as half of the rows.
+    pub list_rows: bool,
     /// About how many bytes a batch stands for, at least 1.
     pub chunk_bytes: usize,
     /// Who is told how far it is, and may stop it.
@@ -120,6 +122,7 @@ impl Default for ScanOptions {
             key: None,
             keep_text: false,
             hash: true,
+            list_rows: true,
             chunk_bytes: CHUNK_BYTES,
             progress: None,
         }
@@ -150,6 +153,8 @@ pub struct Scanned {
     pub delimiter: u8,
     /// Where the numbers stand; `None` unless the table is delimited text.
     pub layout: Option<TextLayout>,
+    /// With [`ScanOptions::list_rows`], first and last of the wanted rows that follow each other without a gap.
+    pub ranges: Vec<[usize; 2]>,
     /// How many data rows the file has.
     pub rows_total: usize,
     /// How many bytes the file has.

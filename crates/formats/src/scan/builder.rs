@@ -3,6 +3,7 @@
 use boundfit_exact::Column;
 
 use super::batch::{Batch, Pieces};
+use crate::selection::RowNumbers;
 use crate::table::TableRow;
 
 /// A batch under construction.
@@ -11,8 +12,7 @@ pub(super) struct BatchBuilder {
     pub(super) columns: Vec<Column>,
     pub(super) keys: Option<Pieces<String>>,
     lines: Option<Pieces<Vec<u8>>>,
-    first_row: usize,
-    rows: usize,
+    rows: RowNumbers,
     pub(super) others: Vec<TableRow>,
 }
 
@@ -22,8 +22,7 @@ impl BatchBuilder {
             columns: vec![Column::default(); columns],
             keys: keys.then(Pieces::default),
             lines: lines.then(Pieces::default),
-            first_row: 0,
-            rows: 0,
+            rows: RowNumbers::default(),
             others: Vec::new(),
         }
     }
@@ -39,17 +38,15 @@ impl BatchBuilder {
         if let (Some(lines), Some(line)) = (&mut self.lines, line) {
             lines.push(line);
         }
-        if self.rows == 0 {
-            self.first_row = row;
-        }
-        self.rows += 1;
+        self.rows.push(row);
     }
 
     /// The batch, when it has rows, with so much added to their numbers.
     pub(super) fn finish(self, shift: usize) -> Option<Batch> {
-        let BatchBuilder { columns, keys, lines, first_row, rows, mut others } = self;
+        let BatchBuilder { columns, keys, lines, mut rows, mut others } = self;
         others.iter_mut().for_each(|other| other.row += shift);
-        let is_empty = rows == 0 && others.is_empty();
-        (!is_empty).then_some(Batch { first_row: first_row + shift, rows, columns, keys, lines, others })
+        rows.shift(shift);
+        let is_empty = rows.is_empty() && others.is_empty();
+        (!is_empty).then_some(Batch { rows, columns, keys, lines, others })
     }
 }

@@ -6,6 +6,7 @@ use crate::columns::{ColumnPlace, ColumnSelector, Heading, decode};
 use crate::error::{InputError, InputErrorKind};
 use crate::records::{Record, Records};
 use crate::roles::{self, instead_of_number};
+use crate::selection::RowCondition;
 use crate::table::{TableRow, check_columns, read_number};
 
 use super::batch::{Pieces, ScanOptions};
@@ -22,6 +23,8 @@ pub(super) struct Layout<'a> {
     /// Where the columns asked for are.
     pub(super) places: Vec<ColumnPlace>,
     pub(super) key: Option<ColumnPlace>,
+    /// What must hold for rows to be wanted, and where the columns are that it is about.
+    pub(super) conditions: Vec<(ColumnPlace, &'a RowCondition)>,
 }
 
 impl<'a> Layout<'a> {
@@ -36,9 +39,14 @@ impl<'a> Layout<'a> {
     ) -> Result<Self, InputError> {
         check_columns(file, first.len(), line, &options.table.sizes)?;
         let key = options.key.as_ref();
+        let conditions = &options.table.conditions;
+        let others: Vec<&ColumnSelector> =
+            key.into_iter().chain(conditions.iter().map(RowCondition::column)).collect();
         let cells: Vec<&[u8]> = first.cells().collect();
-        let heading = Heading::new(file, &cells, line, options.table.header, selectors, key)?;
+        let heading = Heading::new(file, &cells, line, options.table.header, selectors, &others)?;
         let places = selectors.iter().map(|selector| heading.find(file, selector));
+        let conditions =
+            conditions.iter().map(|condition| Ok((heading.find(file, condition.column())?, condition)));
         Ok(Layout {
             file,
             options,
@@ -48,6 +56,7 @@ impl<'a> Layout<'a> {
             has_header: heading.names.is_some(),
             places: places.collect::<Result<_, _>>()?,
             key: key.map(|selector| heading.find(file, selector)).transpose()?,
+            conditions: conditions.collect::<Result<_, InputError>>()?,
         })
     }
 
@@ -62,9 +71,26 @@ impl<'a> Layout<'a> {
         BatchBuilder::new(self.places.len(), self.key.is_some(), self.options.keep_text)
     }
 
-    /// Whether a data row, counted from 1, is wanted.
+    /// Whether a data row, counted from 1, may be wanted.
+    #[inline]
     pub(super) fn is_wanted(&self, row: usize) -> bool {
-        self.options.table.rows.is_none_or(|rows| rows.contains(row))
+        self.options.table.rows.contains(row)
+    }
+
+    /// Whether a row that may be wanted satisfies all conditions. Each must have its number.
+    pub(super) fn satisfies_conditions(&self, record: &Record, line: u64) -> Result<bool, InputError> {
+        let mut satisfies = true;
+        for (place, condition) in &self.conditions {
+            let cell = record.cell(place.position - 1);
+            satisfies &=
+                self.holds(condition, cell).map_err(|problem| place.error(self.file, line, cell, problem))?;
+        }
+        Ok(satisfies)
+    }
+
+    /// Whether the number in a cell satisfies a condition.
+    pub(super) fn holds(&self, condition: &RowCondition, cell: &[u8]) -> Result<bool, InputErrorKind> {
+        Ok(condition.holds(&read_number(cell, condition.column(), &self.options.table)?))
     }
 
     /// Whether every text that `plain_decimal` reads keeps to the limits.

@@ -45,15 +45,16 @@ pub(crate) fn scan_text<T: Send>(
         FirstRecord::read(file, delimiter, columns, options, &mut reader)?;
     let mut run = Run { file, options, work, take };
     let rows_total = run.read_chunks(&layout, &mut reader, position)?;
-    check_rows(file, rows_total, options.table.rows)?;
+    check_rows(file, rows_total, &options.table.rows)?;
     let (places, has_header) = (&layout.places, layout.has_header);
     Ok(Scanned {
         names: places.iter().map(ColumnPlace::title).collect(),
         key_name: layout.key.as_ref().map(ColumnPlace::title),
         header_line,
         delimiter,
-        layout: Some(TextLayout::new(delimiter, has_header, places, options.table.rows, rows_total)),
+        layout: Some(TextLayout::new(delimiter, has_header, places)),
         rows_total,
+        ranges: Vec::new(),
         bytes: reader.total(),
         sha256: reader.sha256(),
     })

@@ -38,11 +38,10 @@ mod tests {
             let read = |rows: Range<usize>| match bad.iter().any(|row| rows.contains(row)) {
                 true => Err(InputError::of_file("test", InputErrorKind::NotFinite)),
                 false => Ok(Batch {
-                    first_row: rows.start,
+                    rows: [rows].into_iter().collect(),
                     columns: Vec::new(),
                     keys: None,
                     lines: None,
-                    rows: rows.len(),
                     others: Vec::new(),
                 }),
             };

@@ -95,7 +95,7 @@ fn read_group<T: Send>(
     work: &(impl Fn(Batch) -> T + Sync),
 ) -> Result<Outcome<T>, InputError> {
     let mut rows_before = vec![position.rows; group.len()];
-    if layout.options.table.rows.is_some() {
+    if !layout.options.table.rows.is_all() {
         // Which rows are wanted depends on how many come before.
         let counts = threads::map(group.iter().collect(), |chunk: &Chunk| {
             route

@@ -13,8 +13,11 @@ const SEPARATORS: &[u8] = b",;\t| :";
 
 /// How to go through a row.
 pub(super) struct Route {
+    /// The way to the cells that conditions on rows are about.
+    conditions: Vec<Step>,
+    /// The way to those whose contents are wanted.
     steps: Vec<Step>,
-    /// How many cells come after the last that is wanted.
+    /// How many cells come after the last of these.
     behind: usize,
 }
 
@@ -34,6 +37,8 @@ enum What {
     Aside { column: usize },
     /// As the key.
     Key,
+    /// For the condition on rows with this number, from 0.
+    Condition(usize),
 }
 
 impl Route {
@@ -43,7 +48,7 @@ impl Route {
         let table = &layout.options.table;
         if !SEPARATORS.contains(&layout.delimiter)
             || !layout.limits_allow_plain_decimals()
-            || (table.keep_others && table.rows.is_some())
+            || (table.keep_others && table.selects_rows())
         {
             return None;
         }
@@ -58,19 +63,30 @@ impl Route {
             (place.position, what)
         });
         let key = layout.key.iter().map(|place| (place.position, What::Key));
-        let mut cells: Vec<(usize, What)> = numbers.chain(key).collect();
-        cells.sort_by_key(|(position, _)| *position);
-        let mut last = None;
-        let step = |(position, what): (usize, What)| {
-            let separators = match last.replace(position) {
-                None => Some(position - 1),
-                Some(last) => (position > last).then(|| position - last),
-            };
-            Step { separators, what }
-        };
-        let steps = cells.into_iter().map(step).collect();
-        Some(Route { steps, behind: layout.width - last.unwrap_or(1) })
+        let conditions = layout.conditions.iter().enumerate();
+        let conditions = conditions.map(|(index, (place, _))| (place.position, What::Condition(index)));
+        let cells: Vec<(usize, What)> = numbers.chain(key).collect();
+        let last = cells.iter().map(|(position, _)| *position).max();
+        Some(Route {
+            conditions: way(conditions.collect()),
+            steps: way(cells),
+            behind: layout.width - last.unwrap_or(1),
+        })
     }
+}
+
+/// The way through a row to these cells.
+fn way(mut cells: Vec<(usize, What)>) -> Vec<Step> {
+    cells.sort_by_key(|(position, _)| *position);
+    let mut last = None;
+    let step = |(position, what): (usize, What)| {
+        let separators = match last.replace(position) {
+            None => Some(position - 1),
+            Some(last) => (position > last).then(|| position - last),
+        };
+        Step { separators, what }
+    };
+    cells.into_iter().map(step).collect()
 }
 
 /// Reads the rows of a chunk that comes after so many rows; `None` when it is not for the fast lane.
@@ -89,7 +105,7 @@ pub(super) fn parse(chunk: &[u8], layout: &Layout, route: &Route, rows_before: u
         }
         total += 1;
         let start = at;
-        if layout.is_wanted(rows_before + total) {
+        if layout.is_wanted(rows_before + total) && lane.satisfies_conditions(start)? {
             at = lane.row(start)?;
             let text = layout.options.keep_text.then(|| chunk.get(start..at).map_or(chunk, without_line_end));
             lane.batch.end_row(rows_before + total, text);
@@ -141,23 +157,45 @@ struct Lane<'a> {
     route: &'a Route,
     /// Whether numbers are read as they are written.
     is_decimal: bool,
+    /// Whether the row looked at satisfies the conditions so far.
+    is_satisfied: bool,
     batch: BatchBuilder,
 }
 
 impl<'a> Lane<'a> {
     fn new(chunk: &'a [u8], layout: &'a Layout<'a>, route: &'a Route) -> Self {
         let is_decimal = layout.options.table.reading == Reading::Decimal;
-        Lane { chunk, layout, route, is_decimal, batch: layout.batch() }
+        Lane { chunk, layout, route, is_decimal, is_satisfied: true, batch: layout.batch() }
     }
 }
 
 impl Lane<'_> {
     /// Adds the cells wanted of the row that starts here; gives the start of the next line, or `None` when the row is
     /// not as it should be.
+    #[inline]
     fn row(&mut self, start: usize) -> Option<usize> {
+        let at = self.walk(start, &self.route.steps)?;
+        self.end_of_row(at, self.route.behind)
+    }
+
+    /// Whether the row that starts here satisfies all conditions; `None` when a cell is not as it should be.
+    #[inline]
+    fn satisfies_conditions(&mut self, start: usize) -> Option<bool> {
+        if self.route.conditions.is_empty() {
+            return Some(true);
+        }
+        self.is_satisfied = true;
+        self.walk(start, &self.route.conditions)?;
+        Some(self.is_satisfied)
+    }
+
+    /// Goes to cells of the row that starts here and does with each what it is wanted for; gives the end of the last one, or
+    /// `None` when one is not as it should be.
+    #[inline]
+    fn walk(&mut self, start: usize, steps: &[Step]) -> Option<usize> {
         let mut cell = start;
         let mut at = start;
-        for step in &self.route.steps {
+        for step in steps {
             match step.separators {
                 Some(separators) => {
                     for _ in 0..separators {
@@ -171,9 +209,18 @@ impl Lane<'_> {
                 What::Number { column, non_negative } => self.number(at, column, non_negative)?,
                 What::Aside { column } => self.long_number(at, column)?,
                 What::Key => self.key(at)?,
+                What::Condition(index) => self.condition(at, index)?,
             };
         }
-        self.end_of_row(at, self.route.behind)
+        Some(at)
+    }
+
+    /// Looks whether the cell that starts here satisfies a condition; gives the end of the cell.
+    fn condition(&mut self, at: usize, index: usize) -> Option<usize> {
+        let end = self.end_of_cell(at);
+        let (_, condition) = self.layout.conditions.get(index)?;
+        self.is_satisfied &= self.layout.holds(condition, self.chunk.get(at..end)?).ok()?;
+        Some(end)
     }
 
     /// Adds the number in the cell that starts here to a column; gives the end of the cell.

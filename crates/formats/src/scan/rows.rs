@@ -65,7 +65,7 @@ impl<'a> RowReader<'a> {
         let (record, line) = (self.records.record(), self.records.record_line());
         check_width(self.layout.file, line, record.len(), self.layout.width)?;
         self.total += 1;
-        if self.layout.is_wanted(self.total) {
+        if self.layout.is_wanted(self.total) && self.layout.satisfies_conditions(record, line)? {
             self.layout.add(record, line, batch)?;
             batch.end_row(self.total, self.records.text());
         } else if self.layout.options.table.keep_others {

@@ -18,8 +18,6 @@ use crate::style::Style;
 pub struct Origin<'a> {
     /// The file, in the words of the user.
     pub file: &'a str,
-    /// The range of rows, in the words of the user; `None` for all.
-    pub rows: Option<&'a str>,
     /// How numbers were read.
     pub reading: Reading,
     /// Whether the file stores them in binary, so that they were not read from text.
@@ -59,7 +57,7 @@ struct Report<'a> {
 
 impl Report<'_> {
     /// What was fitted, in which way.
-    fn facts(&self, &Origin { file, rows, reading, is_stored }: &Origin) -> Vec<(Text, Text)> {
+    fn facts(&self, &Origin { file, reading, is_stored }: &Origin) -> Vec<(Text, Text)> {
         let measurements = &self.problem.measurements;
         let bounded = Text::new().mark("|").symbol(Symbol::Error).mark("|").operator(Operator::AtMost);
         let bound = match measurements.error_bound() {
@@ -77,13 +75,14 @@ impl Report<'_> {
             ErrorBound::Interval { .. } => self.intervals(),
         };
         let (used, total) = (measurements.fitted(), measurements.rows_total());
-        let rows = match rows {
-            None if measurements.is_of_reductions() => {
+        let selection = measurements.selection();
+        let rows = match selection.is_all() {
+            true if measurements.is_of_reductions() => {
                 let kept = counted(measurements.kept().len(), "row", "rows");
                 format!("a reduction: {kept} for {}", counted(total, "reading", "readings"))
             }
-            None => counted(total, "row", "rows"),
-            Some(rows) => format!("rows {rows}: {used} of {total}"),
+            true => counted(total, "row", "rows"),
+            false => format!("{selection}: {used} of {total}"),
         };
         let reading = match reading {
             _ if is_stored => "binary64: the numbers of the file exactly as stored",

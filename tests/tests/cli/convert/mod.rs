@@ -54,7 +54,7 @@ fn case(
         },
     };
     let range = rows.and_then(|(first, last)| RowRange::new(first, last));
-    let options = TableOptions { rows: range, reading, ..TableOptions::default() };
+    let options = TableOptions { rows: range.into(), reading, ..TableOptions::default() };
     let source = Source::open(&root().join(file).to_string_lossy()).unwrap();
     let measurements = Measurements::read(source, &columns, &options).unwrap();
     let condition = |text: &&str| Condition::parse(text, reading, &Limits::default()).unwrap();

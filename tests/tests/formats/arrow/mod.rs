@@ -26,9 +26,9 @@ fn rows_of(batch: Batch) -> Rows {
     let row = |index: usize| {
         let numbers = batch.columns.iter().map(|column| column.get(index)).collect();
         let key = batch.keys.as_ref().map(|keys| keys.get(index).to_owned());
-        (batch.first_row + index, numbers, key)
+        (batch.rows.get(index), numbers, key)
     };
-    (0..batch.rows).map(row).collect()
+    (0..batch.rows.len()).map(row).collect()
 }
 
 fn columns(names: &[&str]) -> Vec<ColumnSelector> {
@@ -57,7 +57,7 @@ fn message(path: &Path, names: &[&str], options: &ScanOptions) -> String {
 }
 
 fn wanted_rows(first: usize, last: usize) -> ScanOptions {
-    let rows = RowRange::new(first, last);
+    let rows = RowRange::new(first, last).into();
     ScanOptions { table: TableOptions { rows, ..TableOptions::default() }, ..ScanOptions::default() }
 }
 

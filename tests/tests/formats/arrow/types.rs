@@ -171,7 +171,7 @@ fn a_batch_knows_how_its_numbers_are_kept() {
         let options = ScanOptions { table, ..ScanOptions::default() };
         let mut columns = Vec::new();
         let work = |batch: Batch| {
-            assert_eq!(rows_of(batch.clone()).len(), batch.rows);
+            assert_eq!(rows_of(batch.clone()).len(), batch.rows.len());
             batch.columns
         };
         let source = Source::open(path.to_str().expect("test files have plain names")).expect("a file");

@@ -1,7 +1,7 @@
 //! Generated tables, sound and unsound.
 
 use boundfit_exact::{Limits, Reading};
-use boundfit_formats::{ColumnSelector, Header, RowRange, ScanOptions, TableOptions};
+use boundfit_formats::{ColumnSelector, Header, RowCondition, RowRange, RowSet, ScanOptions, TableOptions};
 use rand::RngExt;
 use rand::seq::IndexedRandom;
 use rand_chacha::ChaCha8Rng;
@@ -166,15 +166,42 @@ fn any_columns(rng: &mut ChaCha8Rng) -> Vec<ColumnSelector> {
     (0..rng.random_range(1..=3)).map(|_| column(rng)).collect()
 }
 
+/// Some ranges, without others, or all rows where none would be left.
+fn row_set(rng: &mut ChaCha8Rng) -> RowSet {
+    let range = |rng: &mut ChaCha8Rng| {
+        let first = rng.random_range(1..6);
+        let last = first + rng.random_range(0..5);
+        let range = if rng.random_bool(0.2) { RowRange::from_row(first) } else { RowRange::new(first, last) };
+        range.unwrap()
+    };
+    let ranges = |rng: &mut ChaCha8Rng, most: usize| -> Vec<RowRange> {
+        (0..rng.random_range(0..=most)).map(|_| range(rng)).collect()
+    };
+    RowSet::new(&ranges(rng, 3), &ranges(rng, 2)).unwrap_or_default()
+}
+
+/// Comparisons of columns, asked for or not, with numbers that are among their cells.
+fn any_conditions(rng: &mut ChaCha8Rng) -> Vec<RowCondition> {
+    let condition = |rng: &mut ChaCha8Rng| {
+        let column = ["1", "2", "3", "a", "\"b\"", "c"].choose(rng).unwrap();
+        let comparison = ["<", "<=", "=", "!=", ">=", ">"].choose(rng).unwrap();
+        let number = ["0", "1", "1.5", "-2", "1/3"].choose(rng).unwrap();
+        let text = format!("{column} {comparison} {number}");
+        RowCondition::parse(&text, Reading::Decimal, &Limits::default()).unwrap()
+    };
+    (0..rng.random_range(1..=2)).map(|_| condition(rng)).collect()
+}
+
 fn options(rng: &mut ChaCha8Rng, plain: bool) -> ScanOptions {
-    let first = rng.random_range(1..6);
-    let rows = RowRange::new(first, first + rng.random_range(0..5)).filter(|_| rng.random_bool(0.25));
+    let rows = if rng.random_bool(0.3) { row_set(rng) } else { RowSet::default() };
+    let conditions = if rng.random_bool(0.3) { any_conditions(rng) } else { Vec::new() };
     let unusual = rng.random_bool(0.15);
     let limits = if unusual && !plain { Limits { digits: 5, exponent: 10 } } else { Limits::default() };
     let table = TableOptions {
         header: if unusual { *[Header::Present, Header::Absent].choose(rng).unwrap() } else { Header::Auto },
         delimiter: [b',', b';', b' ', b'0', b'\n', b'"'].choose(rng).copied().filter(|_| unusual),
         rows,
+        conditions,
         keep_others: rng.random_bool(0.5),
         reading: if rng.random_bool(0.25) { Reading::Binary64 } else { Reading::Decimal },
         limits,

@@ -10,7 +10,7 @@ mod series;
 use std::io;
 use std::ops::Range;
 
-use boundfit_formats::{Batch, ColumnSelector, InputError, ScanOptions, Source, scan, threads};
+use boundfit_formats::{Batch, ColumnSelector, InputError, RowNumbers, ScanOptions, Source, scan, threads};
 
 use crate::files::Columns;
 use crate::measurements::{Meaning, Measurement, Measurements, Origin, Readings};
@@ -32,7 +32,8 @@ pub struct Fleet {
     groups: Groups,
     /// x or φ1 and φ2, then y, then the error bounds that are a column.
     columns: Vec<Series>,
-    first_row: usize,
+    /// Which rows of the file these are.
+    rows: RowNumbers,
 }
 
 impl Fleet {
@@ -65,7 +66,7 @@ impl Fleet {
         }
         let meaning = columns.meaning(&scanned.names);
         let groups = Groups::new(&store.group_of, store.keys.len());
-        Ok(Fleet { meaning, keys: store.keys, groups, columns: store.columns, first_row: store.first_row })
+        Ok(Fleet { meaning, keys: store.keys, groups, columns: store.columns, rows: store.rows })
     }
 
     /// How many groups there are.
@@ -98,7 +99,7 @@ impl Fleet {
     pub fn measurements(&self, group: usize) -> Measurements {
         let measurement = |index: usize| {
             let numbers = self.columns.iter().map(|column| column.get(index));
-            self.meaning.measurement(self.first_row + index, numbers)
+            self.meaning.measurement(self.rows.get(index), numbers)
         };
         let mut rows: Vec<Measurement> = self.groups.rows(group).map(measurement).collect();
         let mut meaning = self.meaning.clone();
@@ -141,8 +142,7 @@ struct Store {
     columns: Vec<Series>,
     group_of: Vec<u32>,
     keys: Keys,
-    /// Number of the first row in the file.
-    first_row: usize,
+    rows: RowNumbers,
     /// Whether there are more rows than can be numbered.
     is_full: bool,
 }
@@ -150,17 +150,15 @@ struct Store {
 impl Store {
     fn push(&mut self, Runs { batch, starts }: &Runs) {
         let Some(keys) = &batch.keys else { return };
-        if self.group_of.is_empty() {
-            self.first_row = batch.first_row;
-        }
-        self.is_full |= u32::try_from(self.group_of.len() + batch.rows).is_err();
+        self.is_full |= u32::try_from(self.group_of.len() + batch.rows.len()).is_err();
         if self.is_full {
             return;
         }
+        self.rows.append(&batch.rows);
         for (series, column) in self.columns.iter_mut().zip(&batch.columns) {
             series.push(column);
         }
-        let ends = starts.iter().skip(1).copied().chain([batch.rows]);
+        let ends = starts.iter().skip(1).copied().chain([batch.rows.len()]);
         for (&start, end) in starts.iter().zip(ends) {
             // There are no more groups than rows.
             let Some(group) = self.keys.number_of(keys.get(start)) else { return };
@@ -180,7 +178,7 @@ impl Runs {
         let begins = |&row: &usize| {
             batch.keys.as_ref().is_some_and(|keys| row == 0 || keys.get(row) != keys.get(row - 1))
         };
-        let starts = (0..batch.rows).filter(begins).collect();
+        let starts = (0..batch.rows.len()).filter(begins).collect();
         Runs { batch, starts }
     }
 }

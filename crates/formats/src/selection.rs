@@ -1,0 +1,497 @@
+//! Which data rows are wanted: by number, and by what stands in them.
+
+use std::fmt;
+use std::ops::Range;
+
+use boundfit_exact::{Limits, ParseNumberError, Rational, Reading};
+use thiserror::Error;
+
+use crate::columns::ColumnSelector;
+
+/// Data rows from a first to a last one, counted from 1, both included; without a last one, to the end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RowRange {
+    first: usize,
+    last: Option<usize>,
+}
+
+impl RowRange {
+    /// The range, or `None` unless `1 ≤ first ≤ last`.
+    pub fn new(first: usize, last: usize) -> Option<Self> {
+        (1 <= first && first <= last).then_some(RowRange { first, last: Some(last) })
+    }
+
+    /// All rows from this one on, or `None` for row 0, which no table has.
+    pub fn from_row(first: usize) -> Option<Self> {
+        (1 <= first).then_some(RowRange { first, last: None })
+    }
+
+    /// Whether it names a row beyond the last of so many.
+    fn is_beyond(&self, total: usize) -> bool {
+        self.last.unwrap_or(self.first) > total
+    }
+
+    /// The rows, without the end.
+    fn rows(&self) -> Range<usize> {
+        self.first..self.last.map_or(usize::MAX, |last| last.saturating_add(1))
+    }
+}
+
+/// As on the command line: `5`, `14..36`, `10..`.
+impl fmt::Display for RowRange {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.last {
+            Some(last) if last == self.first => write!(f, "{last}"),
+            Some(last) => write!(f, "{}..{last}", self.first),
+            None => write!(f, "{}..", self.first),
+        }
+    }
+}
+
+/// Data rows by number.
+///
+/// ```
+/// use boundfit_formats::{RowRange, RowSet};
+///
+/// let [head, outlier] = [RowRange::new(1, 9).unwrap(), RowRange::new(4, 4).unwrap()];
+/// let rows = RowSet::new(&[head], &[outlier]).unwrap();
+/// assert!(rows.contains(3) && !rows.contains(4) && rows.contains(9) && !rows.contains(10));
+/// assert!(RowSet::default().contains(10));
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct RowSet {
+    /// What was named. None of it may reach beyond the last row.
+    named: Vec<RowRange>,
+    without: Vec<RowRange>,
+    /// Ascending, with a gap between any two; `None` for all rows.
+    wanted: Option<Vec<Range<usize>>>,
+}
+
+impl RowSet {
+    /// The rows of some ranges, of none all, without those of others; `None` when no row can be left.
+    pub fn new(wanted: &[RowRange], without: &[RowRange]) -> Option<Self> {
+        if wanted.is_empty() && without.is_empty() {
+            return Some(RowSet::default());
+        }
+        let all = Range { start: 1, end: usize::MAX };
+        let mut left = if wanted.is_empty() { vec![all] } else { united(wanted) };
+        for hole in united(without) {
+            let around = |range: Range<usize>| {
+                [range.start..range.end.min(hole.start), range.start.max(hole.end)..range.end]
+            };
+            left = left.into_iter().flat_map(around).filter(|range| !range.is_empty()).collect();
+        }
+        (!left.is_empty()).then(|| RowSet {
+            named: wanted.to_vec(),
+            without: without.to_vec(),
+            wanted: Some(left),
+        })
+    }
+
+    /// The ranges of wanted rows as they were named.
+    pub fn named(&self) -> &[RowRange] {
+        &self.named
+    }
+
+    /// The ranges of rows that are left out as they were named.
+    pub fn without(&self) -> &[RowRange] {
+        &self.without
+    }
+
+    /// Whether all rows are wanted.
+    pub fn is_all(&self) -> bool {
+        self.wanted.is_none()
+    }
+
+    /// Whether a row is wanted.
+    #[inline]
+    pub fn contains(&self, row: usize) -> bool {
+        self.wanted.as_ref().is_none_or(|wanted| {
+            let at = wanted.partition_point(|range| range.end <= row);
+            wanted.get(at).is_some_and(|range| range.start <= row)
+        })
+    }
+
+    /// Those of the rows from `start` to before `end` that are wanted.
+    pub(crate) fn among(&self, start: usize, end: usize) -> Vec<Range<usize>> {
+        let Some(wanted) = &self.wanted else { return ranges_of([start..end]) };
+        ranges_of(wanted.iter().map(|range| range.start.max(start)..range.end.min(end)))
+    }
+
+    /// What was named first and is not among so many rows.
+    pub(crate) fn beyond(&self, total: usize) -> Option<RowRange> {
+        self.named.iter().chain(&self.without).find(|range| range.is_beyond(total)).copied()
+    }
+}
+
+impl From<RowRange> for RowSet {
+    fn from(range: RowRange) -> Self {
+        RowSet { named: vec![range], without: Vec::new(), wanted: Some(vec![range.rows()]) }
+    }
+}
+
+/// All rows when there is no range.
+impl From<Option<RowRange>> for RowSet {
+    fn from(range: Option<RowRange>) -> Self {
+        range.map_or_else(RowSet::default, RowSet::from)
+    }
+}
+
+/// Those that have rows.
+fn ranges_of(ranges: impl IntoIterator<Item = Range<usize>>) -> Vec<Range<usize>> {
+    ranges.into_iter().filter(|range| !range.is_empty()).collect()
+}
+
+/// The rows of all ranges, ascending, with a gap between any two.
+fn united(ranges: &[RowRange]) -> Vec<Range<usize>> {
+    let mut sorted: Vec<Range<usize>> = ranges.iter().map(RowRange::rows).collect();
+    sorted.sort_by_key(|range| range.start);
+    let mut united: Vec<Range<usize>> = Vec::new();
+    for range in sorted {
+        match united.last_mut() {
+            Some(last) if range.start <= last.end => last.end = last.end.max(range.end),
+            _ => united.push(range),
+        }
+    }
+    united
+}
+
+/// Between ascending ranges with gaps, from `start` to before `end`.
+pub(crate) fn between(ranges: &[Range<usize>], start: usize, end: usize) -> Vec<Range<usize>> {
+    let starts = [start].into_iter().chain(ranges.iter().map(|range| range.end));
+    let ends = ranges.iter().map(|range| range.start).chain([end]);
+    ranges_of(starts.zip(ends).map(|(start, end)| start..end))
+}
+
+/// The numbers of some data rows, ascending, counted from 1. Rows one after the other take no more memory than one.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct RowNumbers {
+    runs: Vec<Run>,
+    count: usize,
+    /// One more than the last number.
+    next: usize,
+}
+
+/// Rows one after the other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Run {
+    /// The position of the first, from 0.
+    index: usize,
+    /// Its number.
+    row: usize,
+}
+
+impl FromIterator<Range<usize>> for RowNumbers {
+    fn from_iter<T: IntoIterator<Item = Range<usize>>>(ranges: T) -> Self {
+        let mut numbers = RowNumbers::default();
+        ranges.into_iter().for_each(|range| numbers.push_all(range));
+        numbers
+    }
+}
+
+impl RowNumbers {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.count
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// The number of the row at a position, counted from 0. Cost: logarithmic in the number of gaps.
+    ///
+    /// # Panics
+    /// When there are not that many.
+    #[allow(clippy::indexing_slicing, reason = "documented to panic")]
+    pub fn get(&self, index: usize) -> usize {
+        let run = self.runs[self.runs.partition_point(|run| run.index <= index) - 1];
+        run.row + (index - run.index)
+    }
+
+    /// The position of a row, if it is there.
+    pub fn position(&self, row: usize) -> Option<usize> {
+        let after = self.runs.partition_point(|run| run.row <= row);
+        let run = self.runs.get(after.checked_sub(1)?)?;
+        let end = self.runs.get(after).map_or(self.count, |run| run.index);
+        let position = run.index + (row - run.row);
+        (position < end).then_some(position)
+    }
+
+    /// First and last of the rows that follow each other without a gap.
+    pub fn ranges(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
+        let ends = self.runs.iter().skip(1).map(|run| run.index).chain([self.count]);
+        self.runs.iter().zip(ends).map(|(run, end)| [run.row, run.row + (end - run.index) - 1])
+    }
+
+    /// Adds the numbers of later rows.
+    pub fn append(&mut self, later: &RowNumbers) {
+        later.ranges().for_each(|[first, last]| self.push_all(first..last + 1));
+    }
+
+    /// Adds a later row.
+    #[inline]
+    pub(crate) fn push(&mut self, row: usize) {
+        if row != self.next || self.count == 0 {
+            self.runs.push(Run { index: self.count, row });
+        }
+        self.count += 1;
+        self.next = row + 1;
+    }
+
+    fn push_all(&mut self, rows: Range<usize>) {
+        if !rows.is_empty() {
+            self.push(rows.start);
+            self.count += rows.len() - 1;
+            self.next = rows.end;
+        }
+    }
+
+    /// Adds so much to every number.
+    pub(crate) fn shift(&mut self, by: usize) {
+        self.runs.iter_mut().for_each(|run| run.row += by);
+        self.next += by;
+    }
+}
+
+/// How a number is compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Comparison {
+    Less,
+    AtMost,
+    Equal,
+    NotEqual,
+    AtLeast,
+    Greater,
+}
+
+/// Longer ones before those that they begin with.
+const COMPARISONS: [(&str, Comparison); 7] = [
+    ("<=", Comparison::AtMost),
+    (">=", Comparison::AtLeast),
+    ("!=", Comparison::NotEqual),
+    ("==", Comparison::Equal),
+    ("<", Comparison::Less),
+    (">", Comparison::Greater),
+    ("=", Comparison::Equal),
+];
+
+/// What the number in a column must be for a row to be wanted.
+///
+/// ```
+/// use boundfit_exact::{Limits, Rational, Reading};
+/// use boundfit_formats::RowCondition;
+///
+/// let condition = RowCondition::parse("temperature >= 0.1", Reading::Decimal, &Limits::default())?;
+/// assert_eq!(condition.column().text(), "temperature");
+/// assert!(condition.holds(&Rational::ratio(1, 10)) && !condition.holds(&Rational::ratio(1, 11)));
+/// # Ok::<(), boundfit_formats::ParseRowConditionError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RowCondition {
+    column: ColumnSelector,
+    comparison: Comparison,
+    number: Rational,
+    text: String,
+}
+
+/// Why a text is no condition on rows.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum ParseRowConditionError {
+    /// Nothing is compared.
+    #[error("there is no comparison")]
+    NoComparison,
+    /// The comparison has no column.
+    #[error("there is no column before the comparison")]
+    NoColumn,
+    /// A name that begins with a quote does not end with one.
+    #[error("the quote before the column's name is not closed")]
+    OpenQuote,
+    /// What follows the comparison is no number.
+    #[error("{text:?}: {}: {error}", if .error.kind.is_limit() { "refused" } else { "not a number" })]
+    NotANumber {
+        /// What stands there.
+        text: String,
+        /// What is wrong with it.
+        error: ParseNumberError,
+    },
+}
+
+impl RowCondition {
+    /// Reads a condition such as `temperature >= 20` or `3 != 0`: a column by its name, in quotes if it has a comparison in
+    /// it, or by its number; one of `<`, `<=`, `=`, `!=`, `>=`, `>`; a number, which is read as those of the column.
+    ///
+    /// # Errors
+    /// When the text is not of this form.
+    pub fn parse(text: &str, reading: Reading, limits: &Limits) -> Result<Self, ParseRowConditionError> {
+        let (column, rest) = column_and_rest(text.trim())?;
+        let rest = rest.trim_start();
+        let (comparison, number) = COMPARISONS
+            .iter()
+            .find_map(|(sign, comparison)| Some((*comparison, rest.strip_prefix(sign)?.trim())))
+            .ok_or(ParseRowConditionError::NoComparison)?;
+        if column.text().is_empty() {
+            return Err(ParseRowConditionError::NoColumn);
+        }
+        let not_a_number = |error| ParseRowConditionError::NotANumber { text: number.to_owned(), error };
+        let number = reading.read(number, limits).map_err(not_a_number)?;
+        Ok(RowCondition { column, comparison, number, text: text.trim().to_owned() })
+    }
+
+    /// The column.
+    pub fn column(&self) -> &ColumnSelector {
+        &self.column
+    }
+
+    /// The condition as it was written.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Whether a number satisfies it. Exact.
+    pub fn holds(&self, number: &Rational) -> bool {
+        let order = number.cmp(&self.number);
+        match self.comparison {
+            Comparison::Less => order.is_lt(),
+            Comparison::AtMost => order.is_le(),
+            Comparison::Equal => order.is_eq(),
+            Comparison::NotEqual => order.is_ne(),
+            Comparison::AtLeast => order.is_ge(),
+            Comparison::Greater => order.is_gt(),
+        }
+    }
+}
+
+/// The column in front of a condition, and what follows it.
+fn column_and_rest(text: &str) -> Result<(ColumnSelector, &str), ParseRowConditionError> {
+    for quote in ['"', '\''] {
+        if let Some(quoted) = text.strip_prefix(quote) {
+            let (name, rest) = quoted.split_once(quote).ok_or(ParseRowConditionError::OpenQuote)?;
+            return Ok((ColumnSelector::name(name), rest));
+        }
+    }
+    let end = text.find(['<', '>', '=', '!']).unwrap_or(text.len());
+    let (name, rest) = text.split_at_checked(end).unwrap_or((text, ""));
+    Ok((ColumnSelector::name_or_number(name), rest))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_set_has_the_rows_that_were_named_and_no_others() {
+        let named =
+            [(2, Some(4)), (4, Some(6)), (9, Some(9)), (7, Some(7)), (12, None), (1, Some(1)), (3, None)]
+                .map(|(first, last)| RowRange { first, last });
+        let is_in = |ranges: &[&RowRange], row: usize| {
+            ranges.iter().any(|range| range.first <= row && range.last.is_none_or(|last| row <= last))
+        };
+        // Every subset of wanted ones, against every subset of others.
+        let subset = |mask: usize| -> Vec<RowRange> {
+            named.iter().enumerate().filter(|(k, _)| mask >> k & 1 == 1).map(|(_, range)| *range).collect()
+        };
+        for mask in 0..1 << named.len() {
+            for other in 0..1 << named.len() {
+                let (wanted, without) = (subset(mask), subset(other));
+                let expected = |row: usize| {
+                    (wanted.is_empty() || is_in(&wanted.iter().collect::<Vec<_>>(), row))
+                        && !is_in(&without.iter().collect::<Vec<_>>(), row)
+                };
+                let Some(set) = RowSet::new(&wanted, &without) else {
+                    assert!(!(1..100).any(expected), "{wanted:?} without {without:?}");
+                    continue;
+                };
+                let rows: Vec<usize> = (1..20).filter(|&row| expected(row)).collect();
+                assert_eq!((1..20).filter(|&row| set.contains(row)).collect::<Vec<_>>(), rows);
+                let among = set.among(1, 20);
+                assert_eq!(among.iter().cloned().flatten().collect::<Vec<_>>(), rows);
+                assert!(among.windows(2).all(|pair| pair[0].end < pair[1].start), "{among:?}");
+                let mut all: Vec<usize> =
+                    among.iter().cloned().chain(between(&among, 1, 20)).flatten().collect();
+                all.sort_unstable();
+                assert_eq!(all, (1..20).collect::<Vec<_>>());
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_named_beyond_the_end_is_told() {
+        let range = |first, last| RowRange::new(first, last).unwrap();
+        let set = RowSet::new(&[range(1, 5), RowRange::from_row(7).unwrap()], &[range(3, 9)]).unwrap();
+        assert_eq!(set.beyond(9), None);
+        assert_eq!(set.beyond(8).unwrap().to_string(), "3..9");
+        assert_eq!(set.beyond(6).unwrap().to_string(), "7..");
+        assert_eq!(set.beyond(4).unwrap().to_string(), "1..5");
+        assert_eq!(range(5, 5).to_string(), "5");
+        assert!(
+            RowRange::new(0, 3).is_none() && RowRange::new(3, 2).is_none() && RowRange::from_row(0).is_none()
+        );
+    }
+
+    #[test]
+    fn numbers_of_rows_are_found_both_ways() {
+        let rows = [3, 4, 5, 9, 11, 12, 40];
+        let mut numbers = RowNumbers::default();
+        rows.iter().for_each(|&row| numbers.push(row));
+        assert_eq!((0..numbers.len()).map(|index| numbers.get(index)).collect::<Vec<_>>(), rows);
+        for row in 0..50 {
+            assert_eq!(numbers.position(row), rows.iter().position(|&own| own == row));
+        }
+        let ranges = [[3, 5], [9, 9], [11, 12], [40, 40]];
+        assert_eq!(numbers.ranges().collect::<Vec<_>>(), ranges);
+        let mut appended: RowNumbers = [3..4, 4..6].into_iter().collect();
+        appended.append(&[9..10, 11..13, 40..41].into_iter().collect());
+        assert_eq!(appended, numbers);
+        numbers.shift(2);
+        assert_eq!(numbers.ranges().next(), Some([5, 7]));
+        numbers.push(43);
+        assert_eq!(numbers.ranges().last(), Some([42, 43]));
+        assert!(RowNumbers::default().is_empty() && RowNumbers::default().position(1).is_none());
+    }
+
+    #[test]
+    fn conditions_compare_exactly() {
+        let parse = |text: &str| RowCondition::parse(text, Reading::Decimal, &Limits::default());
+        let third = Rational::ratio(1, 3);
+        for (text, holds) in [
+            ("x<1/3", [true, false, false]),
+            ("x <= 1/3", [true, true, false]),
+            (" x = 1/3 ", [false, true, false]),
+            ("x == 1/3", [false, true, false]),
+            ("x!=1/3", [true, false, true]),
+            ("x >= 1/3", [false, true, true]),
+            ("x > 1/3", [false, false, true]),
+        ] {
+            let condition = parse(text).unwrap();
+            let tiny = Rational::scientific(1, -40);
+            let around = [&third - &tiny, third.clone(), &third + &tiny];
+            assert_eq!(around.map(|number| condition.holds(&number)), holds, "{text}");
+            assert_eq!((condition.column().text(), condition.text()), ("x", text.trim()));
+        }
+    }
+
+    #[test]
+    fn columns_of_conditions_are_names_or_numbers() {
+        let column = |text: &str| {
+            RowCondition::parse(text, Reading::Decimal, &Limits::default()).map(|condition| condition.column)
+        };
+        assert_eq!(column("r (Mpc) >= -2"), Ok(ColumnSelector::name("r (Mpc)")));
+        assert_eq!(column("3 > 0"), Ok(ColumnSelector::name_or_number("3")));
+        assert_eq!(column("\"a <= b\" > 0"), Ok(ColumnSelector::name("a <= b")));
+        assert_eq!(column("'3'>0"), Ok(ColumnSelector::name("3")));
+        for (text, message) in [
+            ("x", "there is no comparison"),
+            ("\"x\" y > 2", "there is no comparison"),
+            ("x ! 2", "there is no comparison"),
+            ("> 2", "there is no column before the comparison"),
+            ("\"x > 2", "the quote before the column's name is not closed"),
+            ("x > ", "\"\": not a number: nothing to read at byte 0"),
+            ("x > a", "\"a\": not a number: unexpected character 'a' at byte 0"),
+            ("1 < x < 2", "\"x < 2\": not a number: unexpected character 'x' at byte 0"),
+        ] {
+            assert_eq!(column(text).unwrap_err().to_string(), message, "{text}");
+        }
+    }
+}
