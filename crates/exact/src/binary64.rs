@@ -1,6 +1,6 @@
 //! The one door between exact numbers and IEEE 754 binary64.
 
-use crate::{Integer, Rational, plain_decimal};
+use crate::{Integer, Limits, Rational, Reading, plain_decimal};
 
 /// Binary exponent of the smallest positive binary64.
 const LEAST_EXPONENT: i64 = -1074;
@@ -42,6 +42,27 @@ impl Rational {
     pub fn to_f64(&self) -> f64 {
         let magnitude = nearest_magnitude(&self.numerator().abs(), &self.denominator());
         if self.is_negative() { -magnitude } else { magnitude }
+    }
+
+    /// The number that [`Rational::to_f64`] gives, if it is a finite one.
+    pub fn to_finite_f64(&self) -> Option<f64> {
+        Some(self.to_f64()).filter(|double| double.is_finite())
+    }
+
+    /// Of a number that is exactly a binary64, the shortest decimal that is read as this binary64: `0.1` for what is stored
+    /// when 0.1 is read; `None` for all other numbers.
+    ///
+    /// ```
+    /// # use boundfit_exact::Rational;
+    /// assert_eq!(Rational::from_f64(0.1).unwrap().shortest_of_f64().unwrap(), Rational::ratio(1, 10));
+    /// assert_eq!(Rational::ratio(1, 10).shortest_of_f64(), None);
+    /// ```
+    pub fn shortest_of_f64(&self) -> Option<Rational> {
+        let double = self.to_finite_f64()?;
+        let is_exact = Rational::from_f64(double).as_ref() == Some(self);
+        // The text that is shortest comes from the standard library, with a power of ten.
+        let shortest = || Reading::Decimal.read(&format!("{double:e}"), &Limits::default()).ok();
+        is_exact.then(shortest).flatten()
     }
 }
 

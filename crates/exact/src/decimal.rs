@@ -35,7 +35,12 @@ pub struct Decimal<'a> {
     value: &'a Rational,
     digits: usize,
     rounding: Rounding,
+    /// The least exponent that is written without a power of ten.
+    least_plain: i64,
 }
+
+/// People read 0.0005 more easily than 5e-4, as the `%g` of printf and R have it.
+const LEAST_PLAIN: i64 = -4;
 
 /// Rounded digits of a number's absolute value.
 struct Significand<T> {
@@ -51,14 +56,15 @@ impl Rational {
     /// The shortest decimal with at most `digits` significant digits (at least 1), rounded as asked.
     ///
     /// A value that `digits` digits hold is printed exactly, without trailing zeros; all other values get
-    /// all `digits` digits. Scientific notation is used below 0.1 and where positional notation would have to
-    /// pad with zeros. Rounded unless exact. Cost: one division of numbers of the value's size.
+    /// all `digits` digits. Scientific notation is used below 0.0001 and where positional notation would have to
+    /// pad with zeros on the right. Rounded unless exact. Cost: one division of numbers of the value's size.
     ///
     /// ```
     /// use boundfit_exact::{Rational, Rounding};
     /// let value = Rational::ratio(21, 11726);
-    /// assert_eq!(value.to_decimal(5, Rounding::Nearest), "1.7909e-3");
-    /// assert_eq!(value.to_decimal(5, Rounding::Down), "1.7908e-3");
+    /// assert_eq!(value.to_decimal(5, Rounding::Nearest), "0.0017909");
+    /// assert_eq!(value.to_decimal(5, Rounding::Down), "0.0017908");
+    /// assert_eq!(value.decimal(5, Rounding::Down).compact().to_string(), "1.7908e-3");
     /// assert_eq!(Rational::ratio(-3, 2).to_decimal(5, Rounding::Up), "-1.5");
     /// ```
     pub fn to_decimal(&self, digits: usize, rounding: Rounding) -> String {
@@ -68,13 +74,24 @@ impl Rational {
     /// The decimal of [`Rational::to_decimal`] for writing into something that exists already. Takes no memory of its
     /// own for numbers of up to 128 bits.
     pub fn decimal(&self, digits: usize, rounding: Rounding) -> Decimal<'_> {
-        Decimal { value: self, digits: digits.max(1), rounding }
+        Decimal { value: self, digits: digits.max(1), rounding, least_plain: LEAST_PLAIN }
     }
 
-    /// The decimal that so many significant digits hold exactly, if they do. Cost: two of [`Rational::to_decimal`].
-    pub fn exact_decimal(&self, digits: usize) -> Option<String> {
-        let decimal = self.to_decimal(digits, Rounding::Down);
-        (decimal == self.to_decimal(digits, Rounding::Up)).then_some(decimal)
+    /// The decimal that so many significant digits hold exactly, if they do. Cost: one of [`Rational::to_decimal`].
+    pub fn exact_decimal(&self, digits: usize) -> Option<Decimal<'_>> {
+        let is_exact = self.is_zero() || significand_of(self, digits.max(1), Rounding::Down).exact;
+        is_exact.then(|| self.decimal(digits, Rounding::Down))
+    }
+
+    /// The number that [`Rational::decimal`] says. Cost: one division of numbers of the value's size.
+    pub fn rounded(&self, digits: usize, rounding: Rounding) -> Rational {
+        if self.is_zero() {
+            return Rational::zero();
+        }
+        let digits = digits.max(1);
+        let Significand { digits: significand, exponent, .. } = significand_of(self, digits, rounding);
+        let size = Rational::scientific(significand, exponent + 1 - digits as i64);
+        if self.is_negative() { -size } else { size }
     }
 
     /// The power of ten that the first significant digit weighs, `floor(log10 |self|)`, or `None` for 0. Exact.
@@ -83,9 +100,17 @@ impl Rational {
     }
 }
 
+impl Decimal<'_> {
+    /// This decimal as files for programs have it: below 0.1 with a power of ten, so that no zeros stand before its digits.
+    #[must_use]
+    pub fn compact(self) -> Self {
+        Decimal { least_plain: -1, ..self }
+    }
+}
+
 impl fmt::Display for Decimal<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Decimal { value, digits, rounding } = *self;
+        let Decimal { value, digits, rounding, least_plain } = *self;
         if value.is_zero() {
             return f.write_str("0");
         }
@@ -93,7 +118,7 @@ impl fmt::Display for Decimal<'_> {
             Some(found) => {
                 let mut digits = itoa::Buffer::new();
                 let mut text = ShortText::new();
-                let parts = Parts::new(digits.format(found.digits), found.exponent, found.exact);
+                let parts = Parts::new(digits.format(found.digits), found.exponent, found.exact, least_plain);
                 parts.write(value.is_negative(), |part| text.push(part));
                 f.write_str(text.as_str()?)
             }
@@ -101,11 +126,21 @@ impl fmt::Display for Decimal<'_> {
                 let found = long_significand(value, digits, rounding);
                 let digits = found.digits.to_string();
                 let mut text = String::new();
-                let parts = Parts::new(&digits, found.exponent, found.exact);
+                let parts = Parts::new(&digits, found.exponent, found.exact, least_plain);
                 parts.write(value.is_negative(), |part| text.push_str(part));
                 f.write_str(&text)
             }
         }
+    }
+}
+
+/// The rounded significand of a number that is not 0.
+fn significand_of(value: &Rational, digits: usize, rounding: Rounding) -> Significand<Integer> {
+    match words::significand(value, digits, rounding) {
+        Some(Significand { digits, exponent, exact }) => {
+            Significand { digits: Integer::from(digits), exponent, exact }
+        }
+        None => long_significand(value, digits, rounding),
     }
 }
 
@@ -176,13 +211,16 @@ struct Parts<'a> {
 }
 
 impl<'a> Parts<'a> {
-    /// From significant digits whose first one weighs `10^exponent`.
-    fn new(digits: &'a str, exponent: i64, exact: bool) -> Self {
+    /// From significant digits whose first one weighs `10^exponent`. Down to `least_plain`, at least -4, there is no power
+    /// of ten below 1.
+    fn new(digits: &'a str, exponent: i64, exact: bool, least_plain: i64) -> Self {
         let digits = if exact { digits.trim_end_matches('0') } else { digits };
         let count = digits.len() as i64;
         let plain = Parts { before: "", whole: digits, fraction: "", zeros: "", power: None };
         match exponent {
-            -1 => Parts { before: "0.", ..plain },
+            ..=-1 if exponent >= least_plain => {
+                Parts { before: &"0.000"[..(1 - exponent) as usize], ..plain }
+            }
             0.. if exponent < count => {
                 let (whole, fraction) = digits.split_at(exponent as usize + 1);
                 Parts { whole, fraction, ..plain }
@@ -229,7 +267,9 @@ mod tests {
             ("1/3", 3, "0.333", "0.333", "0.334"),
             ("-1/3", 3, "-0.333", "-0.334", "-0.333"),
             ("2/3", 5, "0.66667", "0.66666", "0.66667"),
-            ("0.0018194243", 5, "1.8194e-3", "1.8194e-3", "1.8195e-3"),
+            ("0.0018194243", 5, "0.0018194", "0.0018194", "0.0018195"),
+            ("0.00099996", 4, "0.001000", "0.0009999", "0.001000"),
+            ("0.000099996", 4, "0.0001000", "9.999e-5", "0.0001000"),
             ("549.6238", 5, "549.62", "549.62", "549.63"),
             ("0.99999", 3, "1.00", "0.999", "1.00"),
             ("-0.99999", 3, "-1.00", "-1.00", "-0.999"),
@@ -251,12 +291,14 @@ mod tests {
         for (text, printed) in [
             ("0", "0"),
             ("1/2", "0.5"),
-            ("-1/2000", "-5e-4"),
+            ("-1/2000", "-0.0005"),
+            ("1/20000", "5e-5"),
             ("20", "20"),
             ("100000", "100000"),
             ("1e6", "1e6"),
             ("1200000", "1.2e6"),
-            ("0.05", "5e-2"),
+            ("0.05", "0.05"),
+            ("0.0725", "0.0725"),
             ("12.5", "12.5"),
             ("12345", "12345"),
         ] {
@@ -279,6 +321,30 @@ mod tests {
                     assert!(nearest == down || nearest == up);
                     let error = (&exact - &nearest).abs();
                     assert!(error <= (&exact - &down).abs() && error <= (&exact - &up).abs());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn programs_get_powers_of_ten_below_a_tenth() {
+        for (text, compact) in [("0.1", "0.1"), ("0.05", "5e-2"), ("-1/2000", "-5e-4"), ("1/30", "3.3333e-2")]
+        {
+            assert_eq!(value(text).decimal(5, Rounding::Nearest).compact().to_string(), compact);
+        }
+    }
+
+    #[test]
+    fn a_rounded_number_is_the_one_that_its_decimal_says() {
+        for text in
+            ["0", "1/3", "-1/3", "0.99999", "-99996", "1.5e-9999", "7/64", "123456789012345678901234567/7"]
+        {
+            for digits in [1, 2, 4, 17, 40] {
+                for rounding in [Rounding::Nearest, Rounding::Down, Rounding::Up] {
+                    let exact = value(text);
+                    let said = value(&exact.to_decimal(digits, rounding));
+                    assert_eq!(exact.rounded(digits, rounding), said, "{text} {digits} {rounding:?}");
+                    assert_eq!(exact.exact_decimal(digits).is_some(), said == exact, "{text} {digits}");
                 }
             }
         }

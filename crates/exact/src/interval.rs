@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::Rational;
+use crate::{Rational, Rounding};
 
 /// One end of an [`Interval`].
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -96,19 +96,19 @@ impl Interval {
         self.ends().map(|(lower, upper)| (lower + upper).half())
     }
 
-    /// How many significant digits the ends are to be shown with: `usual`, unless one unit of the last of these is wider
-    /// than the interval; then one digit beyond the first that differs. Beyond 40 digits a reader is better served by the
-    /// exact fractions, and it is `usual` again.
-    pub fn resolving_digits(&self, usual: usize) -> usize {
+    /// How many significant digits the ends are to be shown with: at least `least`, and so many that the interval between
+    /// the ends rounded outward is at most a twentieth wider than this one. The comparison is exact. Beyond 40 digits a
+    /// reader is better served by the exact fractions, and it is `least` again; also when there is no width. Cost: two
+    /// roundings for each number of digits that is tried.
+    pub fn resolving_digits(&self, least: usize) -> usize {
         const MOST: usize = 40;
-        let Some((lower, upper)) = self.ends() else { return usual };
-        let magnitude = upper.abs().max(lower.abs()).decimal_exponent();
-        let Some((magnitude, width)) = magnitude.zip((upper - lower).decimal_exponent()) else {
-            return usual;
+        const TWENTY: i64 = 20;
+        let Some((lower, upper)) = self.ends().filter(|(lower, upper)| lower != upper) else { return least };
+        let room = (upper - lower) * Rational::ratio(1, TWENTY);
+        let added = |digits: usize| {
+            (lower - lower.rounded(digits, Rounding::Down)) + (upper.rounded(digits, Rounding::Up) - upper)
         };
-        let first_that_differs = usize::try_from(magnitude - width + 1).unwrap_or(0);
-        let resolves = first_that_differs > usual && first_that_differs < MOST;
-        if resolves { first_that_differs + 1 } else { usual }
+        (least..=MOST.max(least)).find(|digits| added(*digits) <= room).unwrap_or(least)
     }
 }
 
@@ -144,20 +144,51 @@ mod tests {
     }
 
     #[test]
-    fn narrow_intervals_are_shown_to_one_digit_beyond_the_first_that_differs() {
-        let digits = |lower: i64, exponent: u32| {
-            let unit = Rational::scientific(1, -i64::from(exponent));
-            let start = Rational::from(lower);
-            Interval::new(Endpoint::Finite(start.clone()), Endpoint::Finite(start + unit))
-                .unwrap()
-                .resolving_digits(5)
+    fn narrow_intervals_are_shown_a_twentieth_wider_at_most() {
+        let digits = |lower: Rational, width: Rational| {
+            let upper = &lower + &width;
+            Interval::new(Endpoint::Finite(lower), Endpoint::Finite(upper)).unwrap().resolving_digits(5)
         };
-        // One unit of the fifth digit is as wide as the interval.
-        assert_eq!([0, 3, 4, 5, 6].map(|exponent| digits(1, exponent)), [5, 5, 5, 7, 8]);
-        assert_eq!([2, 3, 4].map(|exponent| digits(-70, exponent)), [5, 5, 7]);
-        assert_eq!([38, 39, 60].map(|exponent| digits(1, exponent)), [40, 5, 5]);
+        let third = || Rational::ratio(1, 3);
+        let unit = |exponent: i64| Rational::scientific(1, -exponent);
+        // 1/3 rounded down and 1/3 + w rounded up: of w = 10^-k the next digit but one is the first to add less than w/20.
+        assert_eq!([1, 2, 3, 4, 5, 6].map(|k| digits(third(), unit(k))), [5, 5, 5, 6, 7, 8]);
+        // What decimals hold is not widened at all.
+        assert_eq!([3, 4, 5, 6].map(|k| digits(Rational::one(), unit(k))), [5, 5, 6, 7]);
+        assert_eq!([38, 39, 60].map(|k| digits(third(), unit(k))), [40, 5, 5]);
+        // Between 1 and 1.00001 exactly a twentieth is enough, and anything more is too much.
+        let from = |lower: Rational| {
+            let width = Rational::scientific(100_001, -5) - &lower;
+            digits(lower, width)
+        };
+        let lower = Rational::one() + Rational::ratio(1, 2_100_000);
+        assert_eq!(from(lower.clone()), 6);
+        assert!(from(lower + Rational::scientific(1, -30)) > 6);
+        assert_eq!(digits(Rational::zero(), Rational::scientific(123_456_789, -8)), 5);
         let point = |at: i64| interval(Some(at), Some(at)).unwrap();
         assert_eq!([0, 1].map(|at| point(at).resolving_digits(5)), [5, 5]);
         assert_eq!(interval(Some(1), None).unwrap().resolving_digits(5), 5);
+    }
+
+    #[test]
+    fn printed_intervals_are_hardly_wider_and_digits_are_not_wasted() {
+        for numerator in [-1_234_567_i64, -7, 1, 22, 355, 99_999] {
+            for denominator in [1_i64, 3, 7, 113, 1024] {
+                for exponent in 0..20 {
+                    let lower = Rational::ratio(numerator, denominator);
+                    let width = Rational::scientific(denominator % 9 + 1, -exponent);
+                    let upper = &lower + &width;
+                    let ends =
+                        Interval::new(Endpoint::Finite(lower.clone()), Endpoint::Finite(upper.clone()));
+                    let digits = ends.unwrap().resolving_digits(5);
+                    let wider = |digits| {
+                        let printed =
+                            upper.rounded(digits, Rounding::Up) - lower.rounded(digits, Rounding::Down);
+                        printed * Rational::from(20) > &width * Rational::from(21)
+                    };
+                    assert!(!wider(digits) && (digits == 5 || wider(digits - 1)), "{lower} {width} {digits}");
+                }
+            }
+        }
     }
 }

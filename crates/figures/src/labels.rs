@@ -10,6 +10,8 @@ use crate::text::one_line;
 
 /// The longest name of a column or unit that fits an axis.
 const LONGEST_NAME: usize = 32;
+/// Significant digits of the error bound.
+const BOUND_DIGITS: usize = 12;
 
 /// A name with its unit: `Vz [V]`.
 fn with_unit(name: &str, unit: Option<&str>) -> String {
@@ -67,7 +69,12 @@ pub(crate) fn subtitle(problem: &Problem, options: &PlotOptions) -> String {
     let bound = match measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => {
             let unit = unit(&options.y_unit).map(|unit| format!(" {unit}")).unwrap_or_default();
-            format!("|e| ≤ {}{unit}", number(epsilon, 12, Rounding::Up))
+            match epsilon.shortest_of_f64().filter(|_| epsilon.exact_decimal(BOUND_DIGITS).is_none()) {
+                Some(read) => {
+                    format!("|e| ≤ {}{unit} (as a double)", number(&read, BOUND_DIGITS, Rounding::Up))
+                }
+                None => format!("|e| ≤ {}{unit}", number(epsilon, BOUND_DIGITS, Rounding::Up)),
+            }
         }
         ErrorBound::PerRow(column) => format!("|e| ≤ {} of each row", one_line(column, LONGEST_NAME)),
         ErrorBound::Law(law) if law.is_asymmetric() => format!("y {}", one_line(law.text(), LONGEST_NAME)),

@@ -1,10 +1,11 @@
 //! Numbers as the page shows them: as reports do, with the usual digits.
 
 use boundfit_exact::Rational;
-use boundfit_report::{EndRounding, Number, Style};
+use boundfit_report::{EndRounding, Number, Reader, Style};
 
 /// How numbers are shown.
-pub(crate) const STYLE: Style = Style { digits: DIGITS, ends: EndRounding::Outward, exact: false };
+pub(crate) const STYLE: Style =
+    Style { digits: None, ends: EndRounding::Outward, exact: false, reader: Reader::Person };
 
 /// Significant digits of decimals.
 pub(crate) const DIGITS: usize = 5;

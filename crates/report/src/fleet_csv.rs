@@ -51,7 +51,7 @@ impl FleetCsv {
     }
 
     /// Adds a group. What there is not is left out; an end that is not bounded is `-inf` or `inf`. Ends have the digits
-    /// that tell them apart.
+    /// that their interval takes.
     pub fn group(&mut self, group: &GroupReport<'_>, style: &Style) {
         let fit = group.fit;
         self.writer.write_field(group.key).expect(WRITTEN);
@@ -63,8 +63,8 @@ impl FleetCsv {
         for axis in 0..2 {
             match &pui {
                 Some(pui) => {
-                    self.end(pui[axis].lower(), "-inf", |value| styles[axis].lower(value));
-                    self.end(pui[axis].upper(), "inf", |value| styles[axis].upper(value));
+                    self.end(pui[axis].lower(), "-inf", |value| styles[axis].lower(value).compact());
+                    self.end(pui[axis].upper(), "inf", |value| styles[axis].upper(value).compact());
                 }
                 None => {
                     self.cell("");
@@ -74,14 +74,14 @@ impl FleetCsv {
         }
         let central = fit.central.as_ref();
         for (axis, own) in styles.iter().enumerate() {
-            self.optional(central.map(|central| own.nearest(&central.theta[axis])));
-            self.optional(central.map(|central| style.upper(&central.guaranteed_error[axis])));
+            self.optional(central.map(|central| own.nearest(&central.theta[axis]).compact()));
+            self.optional(central.map(|central| style.upper(&central.guaranteed_error[axis]).compact()));
         }
         for (axis, own) in styles.iter().enumerate() {
             let estimate = fit.least_squares.as_ref().ok();
-            self.optional(estimate.map(|estimate| own.nearest(&estimate.theta[axis])));
+            self.optional(estimate.map(|estimate| own.nearest(&estimate.theta[axis]).compact()));
         }
-        self.optional(group.least().map(|least| style.upper(least)));
+        self.optional(group.least().map(|least| style.upper(least).compact()));
         self.writer.write_record(None::<&[u8]>).expect(WRITTEN);
     }
 

@@ -44,6 +44,7 @@ mod polygon;
 #[cfg(feature = "files")]
 mod proof_json;
 mod region;
+mod scale;
 mod script;
 mod style;
 mod sweep;
@@ -56,7 +57,7 @@ pub use cdd::{h_representation, v_representation};
 pub use check::{check_document, conformance_table, verdict_line};
 pub use check_json::{check_json, conformance_json};
 pub use document::Document;
-pub use fit::{Origin, fit_document};
+pub use fit::{InverseLine, Origin, fit_document};
 pub use fit_json::{FitJson, fit_json};
 pub use fleet_csv::FleetCsv;
 pub use fleet_json::write_group_json;
@@ -69,7 +70,7 @@ pub use polygon::{polygon_document, polygon_json};
 #[cfg(feature = "files")]
 pub use proof_json::proof_json;
 pub use script::region_script;
-pub use style::{EndRounding, Style};
+pub use style::{EndRounding, Reader, Style};
 pub use sweep::sweep_document;
 pub use sweep_json::SweepJson;
 pub use verify::{verify_json, verify_text};

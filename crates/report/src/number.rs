@@ -5,26 +5,38 @@ use std::fmt;
 use boundfit_exact::{Rational, Rounding};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
-/// A number in JSON: `{"exact": "p/q", "decimal": "1.8194e-3"}`. It becomes text only where it is written.
+use crate::style::Reader;
+
+/// A number in JSON: `{"exact": "p/q", "decimal": "1.8194e-3", "value": 0.0018194243326268529}`, where the value is the
+/// nearest double and null beyond the largest one. A person gets the decimal without powers of ten and no value. It becomes
+/// text only where it is written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Number {
     exact: Rational,
     digits: usize,
     rounding: Rounding,
+    reader: Reader,
 }
 
 impl Number {
     /// A number with a decimal of so many significant digits, rounded in this way.
-    pub fn rounded(value: &Rational, digits: usize, rounding: Rounding) -> Self {
-        Number { exact: value.clone(), digits, rounding }
+    pub(crate) fn rounded(value: &Rational, digits: usize, rounding: Rounding, reader: Reader) -> Self {
+        Number { exact: value.clone(), digits, rounding, reader }
     }
 }
 
 impl Serialize for Number {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut fields = serializer.serialize_struct("Number", 2)?;
+        let decimal = self.exact.decimal(self.digits, self.rounding);
+        let mut fields = serializer.serialize_struct("Number", 3)?;
         fields.serialize_field("exact", &Written(&self.exact))?;
-        fields.serialize_field("decimal", &Written(self.exact.decimal(self.digits, self.rounding)))?;
+        match self.reader {
+            Reader::Person => fields.serialize_field("decimal", &Written(decimal))?,
+            Reader::Program => {
+                fields.serialize_field("decimal", &Written(decimal.compact()))?;
+                fields.serialize_field("value", &self.exact.to_finite_f64())?;
+            }
+        }
         fields.end()
     }
 }

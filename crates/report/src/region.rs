@@ -6,19 +6,19 @@ use boundfit_geometry::{Direction, Region, RegionKind, Vertex};
 
 use crate::document::{Block, THETA, Table, Text};
 use crate::formula::pair;
-use crate::style::Style;
+use crate::scale::Scale;
 
-/// The region: its kind behind a word or two, its vertices, and where it goes on for ever. `styles` are those of the two
+/// The region: its kind behind a word or two, its vertices, and where it goes on for ever. `scales` are those of the two
 /// coordinates; `name` gives the names of active half-planes.
 pub(crate) fn region_blocks(
     label: &str,
     region: &Region,
-    styles: &[Style; 2],
+    scales: &[Scale; 2],
     name: impl Fn(&[usize]) -> Vec<String>,
 ) -> Vec<Block> {
     let row = |(number, vertex): (usize, &Vertex)| {
         let theta = vertex.point().coordinates();
-        let [theta1, theta2] = [0, 1].map(|axis| Text::new().number(styles[axis].nearest(&theta[axis])));
+        let [theta1, theta2] = [0, 1].map(|axis| Text::new().number(scales[axis].value(&theta[axis])));
         vec![Text::new().number(number), theta1, theta2, list(name(vertex.active()).into_iter()).into()]
     };
     let vertices = vertex_table((1..).zip(region.vertices()).map(row).collect());
@@ -57,6 +57,6 @@ pub(crate) fn endless(rays: &[Direction], lines: &[Direction]) -> Vec<Text> {
 }
 
 /// A point.
-pub(crate) fn point_text(coordinates: &[Rational; 2], styles: &[Style; 2]) -> Text {
-    pair(styles[0].nearest(&coordinates[0]), styles[1].nearest(&coordinates[1]))
+pub(crate) fn point_text(coordinates: &[Rational; 2], scales: &[Scale; 2]) -> Text {
+    pair(scales[0].value(&coordinates[0]), scales[1].value(&coordinates[1]))
 }

@@ -13,6 +13,9 @@ const LONGEST_FRACTION: usize = 80;
 /// Significant digits up to which a given number is shown in full.
 const GIVEN_DIGITS: usize = 20;
 
+/// Significant digits where nothing asks for more.
+const USUAL_DIGITS: usize = 5;
+
 /// In which direction the ends of intervals and the error bounds are rounded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum EndRounding {
@@ -40,18 +43,31 @@ impl EndRounding {
 /// How numbers are shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Style {
-    /// Significant digits of decimals.
-    pub digits: usize,
+    /// Significant digits of decimals; `None` for five, and as many more as it takes for ranges to be hardly wider than they
+    /// are and for vertices to look different.
+    pub digits: Option<usize>,
     /// How ends of intervals and error bounds are rounded.
     pub ends: EndRounding,
     /// Whether text shows exact fractions in place of decimals.
     pub exact: bool,
+    /// Who reads the numbers of JSON.
+    pub reader: Reader,
+}
+
+/// Who reads the numbers of JSON.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Reader {
+    /// A program: decimals have powers of ten below 0.1, and the nearest double stands beside them.
+    #[default]
+    Program,
+    /// Somebody to whom a page shows the decimals as they are.
+    Person,
 }
 
 impl Default for Style {
-    /// Five digits, ends outward, decimals.
+    /// Digits that follow the numbers, ends outward, decimals.
     fn default() -> Self {
-        Style { digits: 5, ends: EndRounding::Outward, exact: false }
+        Style { digits: None, ends: EndRounding::Outward, exact: false, reader: Reader::Program }
     }
 }
 
@@ -59,6 +75,16 @@ impl Default for Style {
 pub(crate) enum Shown<'a> {
     Exact(&'a Rational),
     Rounded(Decimal<'a>),
+}
+
+impl Shown<'_> {
+    /// In the form of files for programs.
+    pub(crate) fn compact(self) -> Self {
+        match self {
+            Shown::Exact(_) => self,
+            Shown::Rounded(decimal) => Shown::Rounded(decimal.compact()),
+        }
+    }
 }
 
 impl fmt::Display for Shown<'_> {
@@ -71,38 +97,50 @@ impl fmt::Display for Shown<'_> {
 }
 
 impl Style {
+    /// How many significant digits decimals have where nothing asks for more.
+    pub fn significant(&self) -> usize {
+        self.digits.unwrap_or(USUAL_DIGITS)
+    }
+
     /// Both forms of a number that is neither an end of an interval nor an error bound.
     pub fn number(&self, value: &Rational) -> Number {
-        Number::rounded(value, self.digits, Rounding::Nearest)
+        self.json_number(value, self.significant(), Rounding::Nearest)
     }
 
     /// Both forms of a lower end.
     pub fn lower_number(&self, value: &Rational) -> Number {
-        Number::rounded(value, self.digits, self.directed(Rounding::Down))
+        self.json_number(value, self.significant(), self.directed(Rounding::Down))
     }
 
     /// Both forms of an upper end or an error bound.
     pub fn upper_number(&self, value: &Rational) -> Number {
-        Number::rounded(value, self.digits, self.directed(Rounding::Up))
+        self.json_number(value, self.significant(), self.directed(Rounding::Up))
     }
 
     /// Both forms of a given number: its decimal in full where that is exact.
     pub fn given_number(&self, value: &Rational) -> Number {
-        let digits = if value.exact_decimal(GIVEN_DIGITS).is_some() { GIVEN_DIGITS } else { self.digits };
-        Number::rounded(value, digits, Rounding::Nearest)
+        let is_exact = value.exact_decimal(GIVEN_DIGITS).is_some();
+        let digits = if is_exact { GIVEN_DIGITS } else { self.significant() };
+        self.json_number(value, digits, Rounding::Nearest)
     }
 
     pub(crate) fn numbers(&self, values: &[Rational; 2]) -> [Number; 2] {
         values.each_ref().map(|value| self.number(value))
     }
 
-    /// This style with as many more digits as it takes to tell the ends of an interval apart: when one unit of the last
-    /// digit is wider than the interval, one digit beyond the first that differs.
-    pub(crate) fn resolving(&self, interval: &Interval) -> Style {
-        Style { digits: interval.resolving_digits(self.digits), ..*self }
+    fn json_number(&self, value: &Rational, digits: usize, rounding: Rounding) -> Number {
+        Number::rounded(value, digits, rounding, self.reader)
     }
 
-    /// One style for each of two parameters, which tell the ends of their ranges apart when these are known.
+    /// This style with the digits that an interval takes.
+    pub(crate) fn resolving(&self, interval: &Interval) -> Style {
+        match self.digits {
+            Some(_) => *self,
+            None => Style { digits: Some(interval.resolving_digits(USUAL_DIGITS)), ..*self },
+        }
+    }
+
+    /// One style for each of two parameters, with the digits that their ranges take when these are known.
     pub fn resolving_both(&self, ranges: Option<&[Interval; 2]>) -> [Style; 2] {
         [0, 1].map(|axis| ranges.map_or(*self, |ranges| self.resolving(&ranges[axis])))
     }
@@ -122,10 +160,20 @@ impl Style {
         self.shown(value, self.directed(Rounding::Up))
     }
 
-    /// A given number in full: its decimal when that is exact, else its fraction.
+    /// A given number in full: its decimal when that is exact, the text that it stands for when it is a double, else its
+    /// fraction.
     pub(crate) fn given(&self, value: &Rational) -> Text {
-        let decimal = value.exact_decimal(GIVEN_DIGITS.max(self.digits)).filter(|_| !self.exact);
-        decimal.map_or_else(|| self.proof(value), |decimal| Text::new().number(decimal))
+        if self.exact {
+            return self.proof(value);
+        }
+        if let Some(decimal) = value.exact_decimal(GIVEN_DIGITS.max(self.significant())) {
+            return Text::new().number(decimal);
+        }
+        let read = value.shortest_of_f64();
+        match read.as_ref().and_then(|read| read.exact_decimal(GIVEN_DIGITS)) {
+            Some(decimal) => Text::new().number(decimal).words(" (as a double)"),
+            None => self.proof(value),
+        }
     }
 
     /// A number of a proof: exact, since rounded ones prove nothing, unless too long to read.
@@ -140,15 +188,19 @@ impl Style {
     /// An error bound with the exact value behind it when the decimal is rounded.
     pub(crate) fn upper_with_exact(&self, value: &Rational) -> Text {
         let upper = Text::new().number(self.upper(value));
-        if self.exact || value.exact_decimal(self.digits).is_some() || !is_readable(value) {
+        if self.is_shown_exactly(value) || !is_readable(value) {
             upper
         } else {
             upper.words(" (exactly ").number(value).words(")")
         }
     }
 
-    /// An interval: `[1.5, 2]`, `(-inf, 2]`.
+    /// An interval: `[1.5, 2]`, `(-inf, 2]`. One without width is the number that it is: `exactly 2`, `about 0.33333`.
     pub(crate) fn interval(&self, interval: &Interval) -> Text {
+        if let Some((value, _)) = interval.ends().filter(|(lower, upper)| lower == upper) {
+            let word = if self.is_shown_exactly(value) { "exactly " } else { "about " };
+            return Text::from(word).number(self.nearest(value));
+        }
         let lower = interval.lower().value().map(|value| Text::new().number(self.lower(value)));
         let upper = interval.upper().value().map(|value| Text::new().number(self.upper(value)));
         range(lower, upper)
@@ -165,6 +217,10 @@ impl Style {
         }
     }
 
+    pub(crate) fn is_shown_exactly(&self, value: &Rational) -> bool {
+        self.exact || value.exact_decimal(self.significant()).is_some()
+    }
+
     fn directed(&self, outward: Rounding) -> Rounding {
         match self.ends {
             EndRounding::Outward => outward,
@@ -173,7 +229,11 @@ impl Style {
     }
 
     fn shown<'a>(&self, value: &'a Rational, rounding: Rounding) -> Shown<'a> {
-        if self.exact { Shown::Exact(value) } else { Shown::Rounded(value.decimal(self.digits, rounding)) }
+        if self.exact {
+            Shown::Exact(value)
+        } else {
+            Shown::Rounded(value.decimal(self.significant(), rounding))
+        }
     }
 }
 
@@ -206,16 +266,28 @@ mod tests {
     }
 
     #[test]
-    fn narrow_intervals_get_the_digits_to_tell_their_ends_apart() {
+    fn narrow_intervals_get_the_digits_that_they_take() {
         let style = Style::default();
+        let shown = |interval: &Interval| style.resolving(interval).interval(interval).to_string();
         let wide = interval(Rational::ratio(21, 11726), Rational::ratio(70, 37871));
-        assert_eq!(style.resolving(&wide), style);
+        assert_eq!(shown(&wide), "[0.0017908, 0.0018484]");
         let base = Rational::ratio(17, 10);
         let narrow = interval(base.clone(), &base + Rational::ratio(3, 1_000_000_000));
-        assert_eq!(style.resolving(&narrow).interval(&narrow).to_string(), "[1.7, 1.700000003]");
-        assert_eq!(style.resolving(&interval(base.clone(), base.clone())), style);
+        assert_eq!(shown(&narrow), "[1.7, 1.700000003]");
+        let asked = Style { digits: Some(3), ..style };
+        assert_eq!(asked.resolving(&narrow).interval(&narrow).to_string(), "[1.7, 1.71]");
         let hopeless = Rational::new(1.into(), boundfit_exact::Integer::power_of_ten(9_999)).unwrap();
-        assert_eq!(style.resolving(&interval(base.clone(), &base + &hopeless)), style);
+        assert_eq!(shown(&interval(base.clone(), &base + &hopeless)), "[1.7, 1.7001]");
+    }
+
+    #[test]
+    fn an_interval_without_width_is_a_number() {
+        let style = Style::default();
+        let shown =
+            |value: Rational, style: &Style| style.interval(&interval(value.clone(), value)).to_string();
+        assert_eq!(shown(Rational::ratio(17, 10), &style), "exactly 1.7");
+        assert_eq!(shown(Rational::ratio(-2, 3), &style), "about -0.66667");
+        assert_eq!(shown(Rational::ratio(-2, 3), &Style { exact: true, ..style }), "exactly -2/3");
     }
 
     #[test]
@@ -223,6 +295,9 @@ mod tests {
         let style = Style::default();
         assert_eq!(style.given(&Rational::ratio(373_923_265, 1_000_000_000)).to_string(), "0.373923265");
         assert_eq!(style.given(&Rational::ratio(1, 3)).to_string(), "1/3");
+        for (double, text) in [(0.1, "0.1 (as a double)"), (-2e-7, "-2e-7 (as a double)"), (0.75, "0.75")] {
+            assert_eq!(style.given(&Rational::from_f64(double).unwrap()).to_string(), text);
+        }
         assert_eq!(style.upper_with_exact(&Rational::ratio(1, 3)).to_string(), "0.33334 (exactly 1/3)");
         assert_eq!(style.upper_with_exact(&Rational::ratio(1, 4)).to_string(), "0.25");
     }

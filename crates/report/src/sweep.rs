@@ -9,6 +9,7 @@ use boundfit_exact::english::list;
 use crate::document::{Block, Document, Facts, Operator, Symbol, THETA, Table, Text};
 use crate::formula::{form_text, sum_text};
 use crate::region::{endless, kind_text, vertex_table};
+use crate::scale::with_digits_that_differ;
 use crate::style::{Style, is_readable, range};
 
 /// The sets FPS(s·ε): where the set changes its shape, then every vertex and every end of the PUI between, as exact
@@ -47,6 +48,7 @@ fn birth(family: &Family, style: &Style) -> Text {
 
 fn breakpoint_table(problem: &Problem, breakpoints: &[Breakpoint], style: &Style) -> Table {
     let epsilon = problem.measurements.error_bound().uniform();
+    let style = &with_digits_that_differ(breakpoints.iter().map(|breakpoint| &breakpoint.s), style);
     let rows = breakpoints.iter().map(|breakpoint| {
         let section = &breakpoint.section;
         // Of factors as of error bounds: what is printed is never too small.

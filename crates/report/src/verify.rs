@@ -1,11 +1,12 @@
 //! The verdict on a proof, as text and as JSON of schema `boundfit/verify/1`.
 
 use boundfit_exact::english::{counted, listed};
-use boundfit_exact::{Rational, Rounding};
+use boundfit_exact::{Endpoint, Interval};
 use boundfit_verify::{Extent, Falsehood, Statement};
 use serde::Serialize;
 
 use crate::json::to_text;
+use crate::style::Style;
 
 /// What a checker found: what the proof states, all of it true, or the first statement that is false.
 type Verdict = Result<Statement, Falsehood>;
@@ -42,13 +43,17 @@ pub fn verify_text(verdict: &Verdict, proof: &str, data: &str) -> String {
         Extent::Bounded => format!("bounded, with {}", parts()),
         Extent::Unbounded => format!("unbounded, with {}", parts()),
     };
+    let style = Style::default();
     let mut text = format!(
         "verified: {proof} is true of {data}\n  set     {set}\n  from    {half_planes} half-planes, {}\n",
         rows_read(rows)
     );
     for (parameter, [lower, upper]) in (1..).zip(bounds.iter().flatten()) {
-        let (lower, upper) = (end(lower, Rounding::Down, "-inf"), end(upper, Rounding::Up, "inf"));
-        text.push_str(&format!("  theta{parameter}  [{lower}, {upper}]\n"));
+        let ends = [lower, upper].map(|end| Endpoint::from(end.clone()));
+        let [lower, upper] = ends;
+        // What is verified is in order.
+        let interval = Interval::new(lower, upper).map(|range| style.resolving(&range).interval(&range));
+        text.push_str(&format!("  theta{parameter}  {}\n", interval.unwrap_or_default()));
     }
     text
 }
@@ -64,10 +69,4 @@ fn rows_read(rows: &[usize]) -> String {
         [only] if !only.contains(' ') => format!("row {only}"),
         ranges => format!("rows {}", listed(ranges)),
     }
-}
-
-/// An end of a range as a decimal, rounded outward.
-fn end(end: &Option<Rational>, rounding: Rounding, unbounded: &str) -> String {
-    const DIGITS: usize = 5;
-    end.as_ref().map_or_else(|| unbounded.to_owned(), |end| end.to_decimal(DIGITS, rounding))
 }

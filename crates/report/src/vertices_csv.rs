@@ -13,8 +13,8 @@ use crate::style::Style;
 /// means that it is empty. `name` names the half-plane with an index; the names of those active at a point are separated
 /// by `; `.
 ///
-/// `theta1` and `theta2` are exact (`p/q` or `n`), the decimals rounded to nearest with the style's digits, and more where
-/// the ends of the region's range would look alike.
+/// `theta1` and `theta2` are exact (`p/q` or `n`), the decimals rounded to nearest with the style's digits, where it
+/// has none with those that the region's ranges take.
 pub fn vertices_csv(polyhedron: &Polyhedron, name: &dyn Fn(usize) -> String, style: &Style) -> String {
     let styles = style.resolving_both(polyhedron.bounding_box().as_ref());
     let mut writer = WriterBuilder::new().from_writer(Vec::new());
@@ -22,8 +22,9 @@ pub fn vertices_csv(polyhedron: &Polyhedron, name: &dyn Fn(usize) -> String, sty
     let mut rows = vec![header.map(str::to_owned)];
     for generator in generators(polyhedron.region()) {
         let [theta1, theta2] = &generator.coordinates;
-        let [decimal1, decimal2] = [(theta1, &styles[0]), (theta2, &styles[1])]
-            .map(|(value, style)| value.to_decimal(style.digits, Rounding::Nearest));
+        let [decimal1, decimal2] = [(theta1, &styles[0]), (theta2, &styles[1])].map(|(value, style)| {
+            value.decimal(style.significant(), Rounding::Nearest).compact().to_string()
+        });
         let active = generator.active_names(name);
         let kind = generator.kind.name().to_owned();
         rows.push([kind, theta1.to_string(), theta2.to_string(), decimal1, decimal2, active]);

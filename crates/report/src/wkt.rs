@@ -20,7 +20,7 @@ const MOST_DIGITS: usize = 10_000;
 /// The reason when the region is unbounded, which this format has no words for, or thinner than any decimals can say.
 pub fn region_wkt(polyhedron: &Polyhedron, style: &Style) -> Result<String, String> {
     let region = polyhedron.region();
-    let least = style.digits.max(LEAST_DIGITS);
+    let least = style.significant().max(LEAST_DIGITS);
     let text = match region {
         Region::Empty(_) => "POLYGON EMPTY".to_owned(),
         Region::Point(_) | Region::Segment(_) | Region::Polygon(_) => {
@@ -47,7 +47,10 @@ pub fn region_wkt(polyhedron: &Polyhedron, style: &Style) -> Result<String, Stri
 fn rounded(vertices: &[Vertex], digits: usize) -> (Vec<String>, Vec<[Rational; 2]>) {
     let limits = Limits { digits: usize::MAX, exponent: u32::MAX };
     let point = |vertex: &Vertex| {
-        let texts = vertex.point().coordinates().map(|value| value.to_decimal(digits, Rounding::Nearest));
+        let texts = vertex
+            .point()
+            .coordinates()
+            .map(|value| value.decimal(digits, Rounding::Nearest).compact().to_string());
         let numbers = texts.each_ref().map(|text| Reading::Decimal.read(text, &limits).unwrap_or_default());
         (texts.join(" "), numbers)
     };

@@ -37,6 +37,11 @@ pub fn directory_with(files: &[(&str, &[u8])]) -> TempDir {
     directory
 }
 
+/// A report with lines that were broken to fit put together again, and its tables with single blanks.
+pub fn unbroken(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// The words of a command line; what stands between single quotes is one word.
 pub fn words(line: &str) -> Vec<String> {
     let mut words = Vec::new();

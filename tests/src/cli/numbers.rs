@@ -1,6 +1,7 @@
 //! Numbers of a JSON report: exact forms, and decimals rounded as documented.
 
 use boundfit_exact::{Limits, Rational, Reading};
+use num_bigint::{BigInt, Sign};
 use serde_json::Value;
 
 /// In which direction a decimal is rounded.
@@ -46,9 +47,10 @@ pub fn check_numbers(report: &Value, digits: usize) -> usize {
 fn check_below(value: &Value, path: &mut Vec<String>, digits: usize) -> usize {
     match value {
         Value::Object(fields) if fields.contains_key("exact") => {
-            assert_eq!(fields.len(), 2, "{path:?}: {value}");
+            assert_eq!(fields.len(), 3, "{path:?}: {value}");
             let (number, decimal) = (value["exact"].as_str().unwrap(), value["decimal"].as_str().unwrap());
             assert_eq!(rational(number).to_string(), number, "{path:?}: not in lowest terms");
+            assert_eq!(value["value"], nearest_double(number), "{path:?}: {value}");
             let mut directions = directions(path).iter();
             assert!(
                 directions.any(|direction| is_rounded(number, decimal, digits, *direction)),
@@ -68,6 +70,19 @@ fn check_below(value: &Value, path: &mut Vec<String>, digits: usize) -> usize {
         Value::Array(items) => items.iter().map(|item| check_below(item, path, digits)).sum(),
         _ => 0,
     }
+}
+
+/// The double nearest to an exact number as JSON has it, from the digits of a long decimal; null beyond the largest one.
+fn nearest_double(exact: &str) -> Value {
+    let (numerator, denominator) = exact.split_once('/').unwrap_or((exact, "1"));
+    let [numerator, denominator] = [numerator, denominator].map(|part| part.parse::<BigInt>().unwrap());
+    // 800 digits and a 1 behind them where more are cut off decide how any number is rounded to 53 bits.
+    let scale = BigInt::from(10).pow(1200);
+    let scaled = numerator * scale;
+    let (quotient, rest) = (&scaled / &denominator, &scaled % &denominator);
+    let sticky = if rest.sign() == Sign::NoSign { "0" } else { "1" };
+    let double: f64 = format!("{quotient}{sticky}e-1201").parse().unwrap();
+    if double.is_finite() { double.into() } else { Value::Null }
 }
 
 /// The direction that the reports document for a number, by what it is. How they repeat the error bound that was

@@ -202,7 +202,7 @@ mod unix {
             "fit: {",
             "fit: ",
             "fit: Set-membership fit",
-            "fit: group              rows  kind     theta1              theta2                   eps_min",
+            "fit: group              rows  kind     theta1              theta2                 eps_min",
             "verify: Set-membership fit",
             "verify: verified: proof.json is true of transducer.csv",
             "polygon: Half-planes of square.ine, 4 rows",
@@ -274,7 +274,7 @@ fn digits_are_as_many_as_asked_for() {
         check_numbers(&report(&root(), &format!("{FIT_TRANSDUCER} --digits {digits}"), b""), digits);
     }
     let text = printed(&root(), &format!("{FIT_TRANSDUCER} --digits 8"));
-    assert!(text.contains("\n  PUI            [1.7908920e-3, 1.8483801e-3]"), "{text}");
+    assert!(text.contains("\n  PUI            [0.0017908920, 0.0018483801]"), "{text}");
 }
 
 /// Rounded to nearest the figures are those published with the data, digit for digit; outward they enclose the exact values.
@@ -297,11 +297,11 @@ fn rounding_to_nearest_gives_the_published_figures() {
         }
     }
     let text = printed(&root(), &format!("{FIT_TRANSDUCER} --rounding nearest"));
-    assert!(text.contains("\n  PUI            [1.7909e-3, 1.8484e-3]  [2.2596e-2, 2.2807e-2]"), "{text}");
+    assert!(text.contains("\n  PUI            [0.0017909, 0.0018484]  [0.022596, 0.022807]"), "{text}");
     let text = printed(&root(), FIT_TRANSDUCER);
-    assert!(text.contains("\n  PUI            [1.7908e-3, 1.8484e-3]  [2.2595e-2, 2.2808e-2]"), "{text}");
+    assert!(text.contains("\n  PUI            [0.0017908, 0.0018484]  [0.022595, 0.022808]"), "{text}");
     let lower = &outward["pui"][0]["lower"]["value"];
-    assert_eq!(lower, &json!({"exact": "21/11726", "decimal": "1.7908e-3"}));
+    assert_eq!(lower, &json!({"exact": "21/11726", "decimal": "1.7908e-3", "value": 21.0 / 11726.0}));
     assert!(rational("1.7908e-3") < rational("21/11726"));
 }
 
@@ -326,13 +326,16 @@ fn an_empty_set_is_an_answer_with_its_proof() {
     let line = "fit fixtures/norris/norris.csv --x x --y y --eps 1/2";
     let run = boundfit(&root(), line);
     assert_eq!((run.status, run.stderr.as_str()), (3, ""));
-    let expected = "Feasible parameter set (FPS): empty\n\
-        \x20 No theta meets every bound. These contradict each other: 4 lower, 29 upper, 34 upper.\n\
-        \x20 Proof: 1/2 * (4 lower) + 2155/6598 * (29 upper) + 572/3299 * (34 upper) gives 0 <= -1.4846.\n\
-        \x20 The error bound would have to grow by 1.4847, to at least 1.9847 (exactly 130949/65980).\n";
+    let expected = "numbers exactly as written\n\nFeasible parameter set (FPS): empty\n\
+        \x20 No theta meets every bound. These contradict each other: 4 lower, 29 upper,\n\
+        \x20 34 upper.\n\
+        \x20 Proof: 1/2 * (4 lower) + 2155/6598 * (29 upper) + 572/3299 * (34 upper) gives\n\
+        \x20 0 <= -1.4846.\n\
+        \x20 The error bound would have to grow by 1.4847, to at least 1.9847\n\
+        \x20 (exactly 130949/65980).\n";
     assert!(run.stdout.contains(expected), "{}", run.stdout);
     let report = report(&root(), line, b"");
-    let term = |row: usize, bound: &str, exact: &str, decimal: &str| json!({"row": row, "bound": bound, "multiplier": {"exact": exact, "decimal": decimal}});
+    let term = |row: usize, bound: &str, exact: &str, decimal: &str| json!({"row": row, "bound": bound, "multiplier": {"exact": exact, "decimal": decimal, "value": rational(exact).to_f64()}});
     let farkas = json!([
         term(4, "lower", "1/2", "0.5"),
         term(29, "upper", "2155/6598", "0.32661"),

@@ -201,7 +201,7 @@ fn an_equation_is_one_row_that_proves_both_ways() {
     assert_eq!(report["redundant"], json!([]));
     let [lower, upper] = ["lower", "upper"].map(|end| &report["bounds"][0][end]);
     assert_eq!((exact(&lower["value"]), exact(&upper["value"])), (rational("3/2"), rational("3/2")));
-    let half = json!({"exact": "1/2", "decimal": "0.5"});
+    let half = json!({"exact": "1/2", "decimal": "0.5", "value": 0.5});
     assert_eq!(lower["active"], json!([{"row": 1, "bound": "upper", "multiplier": half}]));
     assert_eq!(upper["active"], json!([{"row": 1, "bound": "lower", "multiplier": half}]));
     // The older word for the same thing.
@@ -252,7 +252,7 @@ fn an_empty_region_is_an_answer_of_its_own_status() {
         \x20 4    the region is empty without it\n";
     assert_eq!(region, expected);
     let report = report(&root(), "polygon fixtures/polygon/empty.csv", b"");
-    let one = json!({"exact": "1", "decimal": "1"});
+    let one = json!({"exact": "1", "decimal": "1", "value": 1.0});
     let term = |row: usize| json!({"row": row, "bound": "upper", "multiplier": one});
     assert_eq!(report["region"]["certificate"], json!({"farkas": [term(1), term(2), term(3)]}));
     assert_eq!(report["redundant"], json!([4]));
@@ -299,7 +299,7 @@ fn a_v_representation_is_the_set_that_its_rows_generate() {
         [["1", "0", "4"], ["1", "1", "6"], ["-1", "1", "2"], ["-1", "0", "0"], ["0", "-1", "0"]]
     );
     let upper = &report["bounds"][1]["upper"];
-    let half = json!({"exact": "1/2", "decimal": "0.5"});
+    let half = json!({"exact": "1/2", "decimal": "0.5", "value": 0.5});
     let term = |facet: usize| json!({"row": facet, "bound": "facet", "multiplier": half});
     assert_eq!((exact(&upper["value"]), &upper["active"]), (whole(4), &json!([term(2), term(3)])));
     // Half-planes have no facets beside their rows.

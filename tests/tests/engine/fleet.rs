@@ -36,7 +36,8 @@ fn read(text: &str, columns: &Columns, options: ScanOptions) -> Fleet {
 
 /// A number as a decimal with or without spare zeros, with an exponent, or as a fraction.
 fn text(rng: &mut ChaCha8Rng, number: &Rational) -> String {
-    match (number.exact_decimal(30), rng.random_range(0..40)) {
+    let decimal = number.exact_decimal(30).map(|decimal| decimal.compact().to_string());
+    match (decimal, rng.random_range(0..40)) {
         (None, _) | (_, 0) => number.to_string(),
         (Some(decimal), 1) => format!("{decimal}{}", if decimal.contains('e') { "" } else { "e0" }),
         (Some(decimal), 2) if decimal.contains('.') && !decimal.contains('e') => format!("{decimal}00"),

@@ -169,7 +169,7 @@ fn units_models_and_conditions_are_told() {
     assert_eq!(data["epsilon"], serde_json::json!({"uniform": null, "column": "eps"}));
     assert_eq!(data["conditions"], serde_json::json!([{"number": 1, "text": "theta1 >= 0"}]));
     let data = transducer().data;
-    assert_eq!(data["epsilon"]["uniform"], serde_json::json!({"exact": "1/2000", "decimal": "5e-4"}));
+    assert_eq!(data["epsilon"]["uniform"], serde_json::json!({"exact": "1/2000", "decimal": "0.0005"}));
     assert_eq!(items(&data["others"]).count(), 23);
     assert!(items(&data["others"]).all(|other| other.get("epsilon").is_none()));
     let two =

@@ -29,6 +29,18 @@ fn data(page: &str) -> Value {
     serde_json::from_str(json).unwrap()
 }
 
+/// A report without the decimals and doubles beside its exact numbers, which a page shows in its own way.
+fn exact_parts(report: &Value) -> Value {
+    match report {
+        Value::Object(fields) if fields.contains_key("exact") => fields["exact"].clone(),
+        Value::Object(fields) => {
+            fields.iter().map(|(key, value)| (key.clone(), exact_parts(value))).collect()
+        }
+        Value::Array(items) => items.iter().map(exact_parts).collect(),
+        other => other.clone(),
+    }
+}
+
 #[test]
 fn every_kind_of_set_has_a_page_with_the_fit_of_the_program() {
     let mut tally = Tally::default();
@@ -40,7 +52,7 @@ fn every_kind_of_set_has_a_page_with_the_fit_of_the_program() {
         let status = if fit["fps"]["kind"] == "empty" { 3 } else { 0 };
         assert_eq!((run.status, run.stderr.as_str()), (status, ""), "{line}");
         let data = data(&run.stdout);
-        assert_eq!(data["fit"], fit, "{line}");
+        assert_eq!(exact_parts(&data["fit"]), exact_parts(&fit), "{line}");
         assert_eq!(data["fit"]["fps"]["kind"], case.kind, "{line}");
         assert_eq!(data["reading"], case.reading.name());
         tally.count(

@@ -84,7 +84,7 @@ fn the_transducer_s_answers_are_the_published_facts() {
         ),
         (
             "upper-end-theta1",
-            "Readings 21 and 34. 5000/37871 times the lower bound of reading 21 plus 5000/37871 times the upper bound of reading 34 gives θ₁ ≤ 1.8484e−3 (exactly 70/37871), so that no feasible θ₁ is larger, and a vertex of the set attains it.",
+            "Readings 21 and 34. 5000/37871 times the lower bound of reading 21 plus 5000/37871 times the upper bound of reading 34 gives θ₁ ≤ 0.0018484 (exactly 70/37871), so that no feasible θ₁ is larger, and a vertex of the set attains it.",
         ),
         (
             "how-many-matter",
@@ -94,10 +94,10 @@ fn the_transducer_s_answers_are_the_published_facts() {
             "remove-a-reading-that-matters",
             "The set is then a polygon with seven vertices, and its area grows from 6.4820e−9",
         ),
-        ("smallest-error-bound", "ε = 3.9444e−4 (exactly 791/2005400). Readings 14, 24 and 34 fix it"),
+        ("smallest-error-bound", "ε = 0.00039444 (exactly 791/2005400). Readings 14, 24 and 34 fix it"),
         (
             "central-or-least-squares",
-            "The central estimate guarantees ±2.8744e−5 for θ₁ and ±1.0578e−4 for θ₂, least squares ±2.8956e−5 for θ₁ and ±1.9476e−4 for θ₂.",
+            "The central estimate guarantees ±2.8744e−5 for θ₁ and ±0.00010578 for θ₂, least squares ±2.8956e−5 for θ₁ and ±0.00019476 for θ₂.",
         ),
         ("box-full", "53.301 % of its area; the rest are parameter pairs that some reading rules out"),
         ("inner-or-outer", "An inner one."),

@@ -1,4 +1,5 @@
-//! Reports and figures, byte for byte.
+//! Reports and figures: byte for byte, and no wider than a page.
 
 mod figures;
 mod golden;
+mod width;

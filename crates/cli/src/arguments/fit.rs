@@ -79,6 +79,9 @@ pub(crate) struct FitArguments {
     /// are kept in memory (10000)
     #[arg(long)]
     pub(crate) no_eui: bool,
+    /// Also report gain and offset of the inverse line x = gain*y + offset where 0 is in the PUI of theta1
+    #[arg(long, conflicts_with = "by")]
+    pub(crate) inverse: bool,
     /// Also write a proof of the answer to this file, whole or not at all: JSON that 'boundfit verify', or anybody else,
     /// checks against the data by arithmetic alone; - for standard output when the report goes to a file
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]

@@ -261,6 +261,7 @@ impl ThreadArguments {
 
 impl<F: ValueEnum + Send + Sync + 'static> OutputArguments<F> {
     pub(crate) fn style(&self) -> Style {
-        Style { digits: usize::from(self.digits), ends: self.rounding, exact: self.exact }
+        let digits = self.digits.map(usize::from);
+        Style { digits, ends: self.rounding, exact: self.exact, ..Style::default() }
     }
 }

@@ -167,9 +167,9 @@ pub(crate) struct OutputArguments<F: ValueEnum + Send + Sync + 'static = Format>
     format: Option<F>,
     #[command(flatten)]
     pub(crate) file: FileArguments,
-    /// Significant digits of decimals
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = value_parser!(u16).range(1..=1000))]
-    pub(super) digits: u16,
+    /// Significant digits of decimals; when left out 5, in text more where an interval or vertices take more
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1000))]
+    pub(super) digits: Option<u16>,
     /// Round interval ends outward, or to nearest as papers print them
     #[arg(long, default_value = EndRounding::Outward.name(),
           value_parser = named(EndRounding::ALL.map(|rounding| (rounding.name(), rounding))))]

@@ -6,7 +6,7 @@ use boundfit_check::{CheckOptions, check, source_names};
 use boundfit_estimation::{Family, Fit, Keep, Problem, fit};
 use boundfit_exact::{Rational, Reading};
 use boundfit_report::{
-    Document, fit_document, fit_json, h_representation, proof_json, region_script, region_wkt,
+    Document, InverseLine, fit_document, fit_json, h_representation, proof_json, region_script, region_wkt,
     sweep_document, v_representation, verdict_line, vertices_csv,
 };
 
@@ -39,8 +39,9 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
         while_working("sweeping", || Family::new(&problem, from.clone(), to.clone()))
     });
     let style = arguments.output.style();
+    let inverse = if arguments.inverse { InverseLine::Always } else { InverseLine::default() };
     let document = |lp_verdict: Option<String>| {
-        let mut document = fit_document(&problem, &fit, &origin, &style);
+        let mut document = fit_document(&problem, &fit, &origin, inverse, &style);
         lp_verdict.into_iter().for_each(|verdict| document.add_result("LP solver", &verdict));
         document.append(
             family.as_ref().map_or_else(Document::default, |family| sweep_document(&problem, family, &style)),

@@ -1,7 +1,7 @@
 //! The feasible parameter set with its boxes and estimates.
 
 use boundfit_estimation::{Fit, Problem};
-use boundfit_exact::{Endpoint, Rational, Rounding};
+use boundfit_exact::{Endpoint, Interval, Rational, Rounding};
 use boundfit_geometry::{Region, RegionKind};
 
 use super::layout::{finished, main_frame, panel, side_frame};
@@ -177,18 +177,27 @@ fn pui_note(fit: &Fit, names: &[String; 2]) -> Option<String> {
         intervals.iter().flat_map(|interval| [interval.lower(), interval.upper()]).filter_map(Endpoint::value)
     };
     ends().next()?;
-    let rounded =
-        |end: &Rational| end.to_decimal(DIGITS, Rounding::Down) != end.to_decimal(DIGITS, Rounding::Up);
+    let rounded = |end: &Rational| end.exact_decimal(DIGITS).is_none();
     let text = |end: &Endpoint, digits, rounding, unbounded: &str| {
         end.value().map_or_else(|| unbounded.to_owned(), |value| labels::number(value, digits, rounding))
     };
     let each = [0, 1].map(|j| {
         let digits = intervals[j].resolving_digits(DIGITS);
+        let (symbol, unit) = names[j].split_once(' ').unwrap_or((&names[j], ""));
+        let unit = unit.trim_matches(['[', ']']);
+        if let Some((value, _)) = intervals[j].ends().filter(|(lower, upper)| lower == upper) {
+            let sign = if rounded(value) { "≈" } else { "=" };
+            let value = labels::number(value, DIGITS, Rounding::Nearest);
+            return format!("{symbol} {sign} {value} {unit}").trim_end().to_owned();
+        }
         let lower = text(intervals[j].lower(), digits, Rounding::Down, "−∞");
         let upper = text(intervals[j].upper(), digits, Rounding::Up, "∞");
-        let (symbol, unit) = names[j].split_once(' ').unwrap_or((&names[j], ""));
-        format!("{symbol} from {lower} to {upper} {}", unit.trim_matches(['[', ']'])).trim_end().to_owned()
+        format!("{symbol} from {lower} to {upper} {unit}").trim_end().to_owned()
     });
-    let remark = if ends().any(rounded) { " (ends rounded outward)" } else { "" };
+    let has_width = |interval: &&Interval| interval.ends().is_none_or(|(lower, upper)| lower != upper);
+    let outward =
+        intervals.iter().filter(has_width).flat_map(|interval| [interval.lower(), interval.upper()]);
+    let remark =
+        if outward.filter_map(Endpoint::value).any(rounded) { " (ends rounded outward)" } else { "" };
     Some(format!("PUI: {}; {}{remark}.", each[0], each[1]))
 }

@@ -121,7 +121,7 @@ fn end(
         End::Upper => ("largest", "≤", "larger", Rounding::Up),
     };
     let theta = THETA[axis];
-    let what = value(end_value, facts.styles[axis].digits, rounding);
+    let what = value(end_value, facts.styles[axis].significant(), rounding);
     let proof_text = match terms.as_slice() {
         [(_, times)] if *times == Rational::one() => format!("It says that {theta} {relation} {what}"),
         [_] => format!("{} is {theta} {relation} {what}", sentence(&combination(&terms, facts.problem))),

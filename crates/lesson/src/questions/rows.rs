@@ -46,7 +46,7 @@ fn moved_end(facts: &Facts<'_>, moved: &Moved) -> String {
     };
     match &moved.by_and_to {
         Some((by, to)) => {
-            let to = value(to, facts.styles[moved.axis].digits, rounding);
+            let to = value(to, facts.styles[moved.axis].significant(), rounding);
             format!("the {end} end of {theta} moves {way} by {} to {to}", size(by, Rounding::Up))
         }
         None => format!("the {end} end of {theta} goes {way} to {infinity}"),

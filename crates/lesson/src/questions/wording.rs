@@ -17,7 +17,7 @@ pub(super) const THETA: [&str; 2] = ["θ₁", "θ₂"];
 pub(super) fn value(value: &Rational, digits: usize, rounding: Rounding) -> String {
     let fraction = value.to_string();
     with_minus(&match value.exact_decimal(digits) {
-        Some(decimal) => decimal,
+        Some(decimal) => decimal.to_string(),
         None if fraction.len() > LONGEST_FRACTION => value.to_decimal(digits, rounding),
         None => format!("{} (exactly {fraction})", value.to_decimal(digits, rounding)),
     })

@@ -8,7 +8,8 @@ pub(super) fn finite_decimal(value: &Rational) -> Option<String> {
     // A denominator that divides a power of ten divides that of its length in bits; of a whole number, three bits take less
     // than a digit.
     let digits = value.numerator().bits() / 3 + 1 + value.denominator().bits();
-    value.exact_decimal(usize::try_from(digits).ok()?)
+    let decimal = value.exact_decimal(usize::try_from(digits).ok()?);
+    decimal.map(|decimal| decimal.compact().to_string())
 }
 
 #[cfg(test)]

@@ -19,8 +19,6 @@ pub(crate) enum Inline {
     Mark(&'static str),
     /// Sets a cell off from the one above, which it belongs to.
     Indent,
-    /// What is in the cell above.
-    Ditto,
 }
 
 /// A letter of formulas, or a sign that stands by itself.
@@ -64,7 +62,6 @@ impl fmt::Display for Inline {
             Inline::Words(text) | Inline::Given(text) | Inline::Number(text) => text,
             Inline::Mark(mark) => mark,
             Inline::Indent => "  ",
-            Inline::Ditto => "\"",
             Inline::Symbol(symbol) => symbol.forms().0,
             Inline::Operator(operator) => operator.forms().0,
         })

@@ -23,7 +23,7 @@ pub(super) fn written(blocks: &[Block]) -> String {
         Block::Facts(Facts { rows, .. }) => facts(rows),
         Block::Results(rows) => Some(title_of(&super::RESULTS.into()) + "\n" + &facts(rows)?),
         Block::Table(table) if table.rows.is_empty() => None,
-        Block::Table(table) => Some(parts(table).iter().map(tabular).collect::<Vec<_>>().join("\n")),
+        Block::Table(table) => Some(tabular(table)),
         Block::Space => None,
     });
     format!("% needs \\usepackage{{booktabs}}\n{}", blocks.collect::<Vec<_>>().join("\n"))
@@ -37,18 +37,6 @@ fn title_of(title: &Text) -> String {
 fn facts(rows: &[(Text, Text)]) -> Option<String> {
     let rows: Vec<Vec<Text>> = rows.iter().map(|(label, fact)| vec![label.clone(), fact.clone()]).collect();
     (!rows.is_empty()).then(|| tabular(&Table { rows, ..Table::default() }))
-}
-
-/// A table, or the two that it is folded into. Of a row with nothing in it but the label a part does without.
-fn parts(table: &Table) -> Vec<Table> {
-    let Some(fold) = table.fold else { return vec![table.clone()] };
-    let says = |cell: &Text| !cell.is_empty() && cell.0 != [Inline::Ditto];
-    let part = |from: usize, to: usize| {
-        let cut = |row: &Vec<Text>| row.iter().take(1).chain(&row[from..to]).cloned().collect::<Vec<_>>();
-        let rows = table.rows.iter().filter(|row| row[from..to].iter().any(says));
-        Table { header: cut(&table.header), rows: rows.map(cut).collect(), fold: None }
-    };
-    vec![part(1, fold), part(fold, table.header.len())]
 }
 
 fn tabular(table: &Table) -> String {
@@ -150,7 +138,7 @@ fn line(text: &Text, limit: Option<f64>) -> String {
 /// A part of a formula; `None` for words.
 fn formula(inline: &Inline, limit: Option<f64>) -> Option<String> {
     Some(match inline {
-        Inline::Words(_) | Inline::Given(_) | Inline::Indent | Inline::Ditto => return None,
+        Inline::Words(_) | Inline::Given(_) | Inline::Indent => return None,
         Inline::Number(number) => {
             let digits =
                 |digits| breakable(digits, limit, r"\allowbreak ", |digit, result| result.push(digit));
@@ -170,7 +158,6 @@ fn formula(inline: &Inline, limit: Option<f64>) -> Option<String> {
 fn words(inline: &Inline, limit: Option<f64>) -> String {
     match inline {
         Inline::Indent => r"\quad ".to_owned(),
-        Inline::Ditto => "''".to_owned(),
         Inline::Given(text) => {
             breakable(text, limit, r"\allowbreak{}", |character, result| match character {
                 // Two of these would be another character.

@@ -9,7 +9,7 @@ pub(super) fn written(blocks: &[Block]) -> String {
         Block::Lead(text) | Block::Paragraph(text) => Some(format!("{}\n", line(text))),
         Block::Facts(Facts { rows, .. }) => facts(rows),
         Block::Results(rows) => Some(title_of(&super::RESULTS.into()) + "\n" + &facts(rows)?),
-        Block::Table(Table { header, rows, .. }) => table(&cells(header), rows.iter().map(|row| cells(row))),
+        Block::Table(Table { header, rows }) => table(&cells(header), rows.iter().map(|row| cells(row))),
         Block::Space => None,
     });
     blocks.collect::<Vec<_>>().join("\n")

@@ -4,6 +4,7 @@ mod inline;
 mod latex;
 mod markdown;
 mod plain;
+mod wrap;
 
 pub(crate) use inline::{Inline, Operator, Symbol, THETA, Text};
 
@@ -43,13 +44,11 @@ pub(crate) struct Facts {
 pub(crate) struct Table {
     pub(crate) header: Vec<Text>,
     pub(crate) rows: Vec<Vec<Text>>,
-    /// The column from which on a narrow page sets a table of its own, with the first column before it.
-    pub(crate) fold: Option<usize>,
 }
 
 impl Table {
     pub(crate) fn new<T: Into<Text>>(header: impl IntoIterator<Item = T>, rows: Vec<Vec<Text>>) -> Self {
-        Table { header: header.into_iter().map(Into::into).collect(), rows, fold: None }
+        Table { header: header.into_iter().map(Into::into).collect(), rows }
     }
 }
 

@@ -1,12 +1,22 @@
 //! Documents as plain text.
 
+use unicode_width::UnicodeWidthStr;
+
+use super::wrap::{WIDTH, wrapped};
 use super::{Block, Facts, Table, Text};
 use crate::align::{widths, write_line};
 
 /// The room for labels of results.
 const RESULT_WIDTH: usize = 14;
+/// The blanks before a line.
+const INDENT: usize = 2;
+/// The blanks between two columns.
+const GAP: usize = 2;
+/// The blanks before the cells of a row that has a line for each.
+const PART: usize = 6;
 
-/// The blocks in order: titles flush left after a blank line, all else indented below them.
+/// The blocks in order: titles flush left after a blank line, all else indented below them. What is longer than a line goes
+/// on below where it begins.
 pub(super) fn written(blocks: &[Block]) -> String {
     let mut text = String::new();
     for block in blocks {
@@ -15,16 +25,18 @@ pub(super) fn written(blocks: &[Block]) -> String {
             text.push('\n');
         }
         match block {
-            Block::Title(line) | Block::Lead(line) => text.push_str(&format!("{line}\n")),
-            Block::Paragraph(line) => text.push_str(&format!("  {line}\n")),
+            Block::Title(line) | Block::Lead(line) => write_behind("", 0, line, &mut text),
+            Block::Paragraph(line) => write_behind("", INDENT, line, &mut text),
             Block::Facts(Facts { width, rows }) => {
                 for (label, fact) in rows {
-                    text.push_str(&format!("  {:<width$}  {fact}\n", label.to_string()));
+                    let label = format!("  {:<width$}  ", label.to_string());
+                    write_behind(&label, label.width(), fact, &mut text);
                 }
             }
             Block::Results(lines) => {
                 for (label, result) in lines {
-                    text.push_str(&format!("{:<RESULT_WIDTH$} {result}\n", label.to_string()));
+                    let label = format!("{:<RESULT_WIDTH$} ", label.to_string());
+                    write_behind(&label, label.width(), result, &mut text);
                 }
             }
             Block::Table(table) => write_table(table, &mut text),
@@ -34,15 +46,100 @@ pub(super) fn written(blocks: &[Block]) -> String {
     text
 }
 
-fn write_table(Table { header, rows, .. }: &Table, text: &mut String) {
+/// A label and what stands behind it, which begins in this column and goes on there.
+fn write_behind(label: &str, column: usize, what: &Text, text: &mut String) {
+    for (number, line) in wrapped(&what.to_string(), WIDTH.saturating_sub(column)).iter().enumerate() {
+        let before = if number == 0 { label } else { "" };
+        let line = format!("{before}{:blanks$}{line}", "", blanks = column - before.width().min(column));
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+}
+
+/// A table: as it is where that is not too wide, with lines of cells below each other where that helps, else with a line for
+/// each cell.
+fn write_table(Table { header, rows }: &Table, text: &mut String) {
     if rows.is_empty() {
         return;
     }
     let cells = |row: &Vec<Text>| row.iter().map(Text::to_string).collect::<Vec<_>>();
-    let lines: Vec<Vec<String>> = std::iter::once(header).chain(rows).map(cells).collect();
+    let rows: Vec<Vec<String>> = std::iter::once(header).chain(rows).map(cells).collect();
+    let limits = limits(&widths(&rows));
+    let lines: Vec<Vec<String>> = rows.iter().flat_map(|row| lines_of(row, &limits)).collect();
     let widths = widths(&lines);
-    for line in &lines {
-        text.push_str("  ");
-        write_line(line, &widths, text);
+    if widths.iter().sum::<usize>() + INDENT + GAP * (widths.len() - 1) <= WIDTH {
+        for line in &lines {
+            text.push_str("  ");
+            write_line(line, &widths, text);
+        }
+        return;
+    }
+    let [header, rows @ ..] = rows.as_slice() else { return };
+    for row in rows {
+        for (column, (name, cell)) in
+            header.iter().zip(row).enumerate().filter(|(_, (_, cell))| !cell.is_empty())
+        {
+            let label = if name.is_empty() { String::new() } else { format!("{name}  ") };
+            let before = if column == 0 { INDENT } else { PART };
+            write_behind("", before, &Text::from(format!("{label}{}", cell.trim_start())), text);
+        }
+    }
+}
+
+/// How wide each column may be: the narrow ones as they are, the others alike.
+fn limits(natural: &[usize]) -> Vec<usize> {
+    let mut room = WIDTH - INDENT - GAP * (natural.len() - 1).min(WIDTH / (2 * GAP));
+    let mut sorted = natural.to_vec();
+    sorted.sort_unstable();
+    for (narrower, width) in sorted.iter().enumerate() {
+        let share = room / (natural.len() - narrower);
+        if *width > share {
+            return natural.iter().map(|width| (*width).min(share)).collect();
+        }
+        room -= width;
+    }
+    natural.to_vec()
+}
+
+/// A row as lines of cells.
+fn lines_of(row: &[String], limits: &[usize]) -> Vec<Vec<String>> {
+    let cells: Vec<Vec<String>> = row.iter().zip(limits).map(|(cell, limit)| wrapped(cell, *limit)).collect();
+    let height = cells.iter().map(Vec::len).max().unwrap_or(0);
+    let line =
+        |number: usize| cells.iter().map(|lines| lines.get(number).cloned().unwrap_or_default()).collect();
+    (0..height).map(line).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn table(cells: &[&str]) -> String {
+        let row = |cells: &[&str]| cells.iter().map(|cell| Text::from(*cell)).collect::<Vec<_>>();
+        let header = row(&["", "a", "b"]);
+        written(&[Block::Table(Table { header, rows: vec![row(cells)] })])
+    }
+
+    #[test]
+    fn cells_are_broken_and_rows_taken_apart_to_fit() {
+        assert_eq!(table(&["x", "1", "2"]), "     a  b\n  x  1  2\n");
+        let (word, words) = ("seven77 ".repeat(3), "seven77 ".repeat(6));
+        let expected = format!(
+            "     a                        b\n  x  {0}  {1}\n  {2:28}seven77 seven77 seven77 seven77 seven77 seven77\n",
+            word.trim_end(),
+            words.trim_end(),
+            ""
+        );
+        let twice = words.repeat(2);
+        assert_eq!(table(&["x", word.trim_end(), twice.trim_end()]), expected);
+        let long = "1".repeat(50);
+        assert_eq!(table(&["x", &long, &long]), format!("  x\n      a  {long}\n      b  {long}\n"));
+    }
+
+    #[test]
+    fn long_facts_go_on_below_themselves() {
+        let facts = Facts { width: 3, rows: vec![("abc".into(), "word ".repeat(20).trim_end().into())] };
+        let expected = format!("  abc  {}\n       {}\n", ["word"; 14].join(" "), ["word"; 6].join(" "));
+        assert_eq!(written(&[Block::Facts(facts)]), expected);
     }
 }

@@ -1,37 +1,30 @@
-//! The table of estimates and intervals, and what its words and digits mean.
+//! The tables of estimates and intervals, and what their words and digits mean.
 
-use boundfit_estimation::{ErrorBound, Fit, InverseParameter};
+use boundfit_estimation::{ErrorBound, Fit, Inverse, InverseParameter};
 use boundfit_exact::{Interval, Rational};
 
 use super::Report;
 use crate::document::{Block, Facts, Inline, Symbol, THETA, Table, Text};
-use crate::style::{EndRounding, Style};
+use crate::scale::scales;
+use crate::style::EndRounding;
 
 /// The part; nothing when there is neither an estimate nor an interval.
 pub(super) fn blocks(report: &Report) -> Vec<Block> {
-    let inverse = report.fit.inverse.as_ref().map(|inverse| [&inverse.gain, &inverse.offset]);
-    let styles = [0, 1].map(|axis| match inverse.map(|inverse| inverse[axis].exact_range.as_slice()) {
-        Some([range]) => report.style.resolving(range),
-        _ => *report.style,
-    });
-    let estimates = Estimates { report, inverse, styles };
-    let rows = estimates.rows();
+    let rows = parameter_rows(report);
     if rows.is_empty() {
         return Vec::new();
     }
-    let theta = THETA.map(Text::from);
-    let gain = Text::from("gain ").number(1).mark("/").symbol(Symbol::Theta1);
-    let offset = Text::from("offset ").mark("-").symbol(Symbol::Theta2).mark("/").symbol(Symbol::Theta1);
-    let inverse = inverse.map(|_| [gain, offset]);
-    let fold = inverse.as_ref().map(|_| 3);
-    let header = [Text::new()].into_iter().chain(theta).chain(inverse.into_iter().flatten()).collect();
     let words = Facts { width: 7, rows: words(report.fit, report.problem.measurements.error_bound()) };
-    vec![
-        Block::Space,
-        Block::Table(Table { header, rows, fold }),
-        Block::Paragraph(estimates.note().into()),
-        Block::Facts(words),
-    ]
+    let header = [Text::new()].into_iter().chain(THETA.map(Text::from));
+    let mut blocks = vec![Block::Space, Block::Table(Table::new(header, rows))];
+    if let Some(inverse) = report.inverse() {
+        let gain = Text::from("gain ").number(1).mark("/").symbol(Symbol::Theta1);
+        let offset = Text::from("offset ").mark("-").symbol(Symbol::Theta2).mark("/").symbol(Symbol::Theta1);
+        blocks.push(Block::Space);
+        blocks.push(Block::Table(Table::new([Text::new(), gain, offset], inverse_rows(report, inverse))));
+    }
+    blocks.extend([Block::Paragraph(note(report).into()), Block::Facts(words)]);
+    blocks
 }
 
 /// What the words of the table mean.
@@ -46,115 +39,100 @@ fn words(fit: &Fit, error_bound: &ErrorBound) -> Vec<(Text, Text)> {
         }
     };
     let words = [
-        (
-            "EUI",
-            fit.eui().is_some(),
-            "estimate uncertainty interval: how far such errors can move least squares",
-        ),
-        (
-            "PUI",
-            fit.pui.is_some(),
-            "parameter uncertainty interval: the range over the feasible parameter set (FPS)",
-        ),
-        ("central", fit.central.is_some(), "the mid-point of the PUI, guaranteed to half its width"),
+        ("EUI", fit.eui().is_some(), "estimate uncertainty interval: what such errors do to least squares"),
+        ("PUI", fit.pui.is_some(), "parameter uncertainty interval: all values in the feasible set (FPS)"),
+        ("central", fit.central.is_some(), "the mid-point of the PUI; guaranteed: to half its width"),
         ("minimax", fit.minimax.is_some(), largest),
     ];
     let used = words.into_iter().filter(|(_, is_used, _)| *is_used);
     used.map(|(word, _, meaning)| (word.into(), meaning.into())).collect()
 }
 
-/// The rows of the table, with gain and offset when the model has an inverse.
-struct Estimates<'a> {
-    report: &'a Report<'a>,
-    inverse: Option<[&'a InverseParameter; 2]>,
-    /// With the digits that tell the ends of the ranges of gain and offset apart.
-    styles: [Style; 2],
+/// The rows of the table of both parameters.
+fn parameter_rows(report: &Report) -> Vec<Vec<Text>> {
+    let fit = report.fit;
+    let mut rows = Vec::new();
+    let estimate = |label: &str, theta: &[Rational; 2]| {
+        let number = |axis: usize| Text::new().number(report.theta[axis].value(&theta[axis]));
+        vec![label.into(), number(0), number(1)]
+    };
+    let intervals = |label: &str, intervals: &[Interval; 2]| {
+        let interval = |axis: usize| report.theta[axis].interval(&intervals[axis]);
+        vec![label.into(), interval(0), interval(1)]
+    };
+    rows.extend(fit.least_squares.as_ref().ok().map(|own| estimate("least squares", &own.theta)));
+    rows.extend(fit.eui().map(|eui| intervals("EUI", eui)));
+    rows.extend(fit.pui_intervals().map(|pui| intervals("PUI", &pui)));
+    if let Some(central) = &fit.central {
+        rows.push(estimate("central", &central.theta));
+        let mut row = vec![Text::new().with(Inline::Indent).words("guaranteed")];
+        row.extend(central.guaranteed_error.iter().map(|error| report.give_or_take(error)));
+        rows.push(row);
+    }
+    rows.extend(fit.minimax.as_ref().map(|minimax| estimate("minimax", &minimax.theta)));
+    rows
 }
 
-impl Estimates<'_> {
-    fn rows(&self) -> Vec<Vec<Text>> {
-        let fit = self.report.fit;
-        let mut rows = Vec::new();
-        if let Ok(least_squares) = &fit.least_squares {
-            let inverse = self.inverse.map(|both| both.map(|parameter| parameter.least_squares.clone()));
-            rows.push(self.estimate("least squares", &least_squares.theta, inverse));
-        }
-        if let Some(eui) = fit.eui() {
-            rows.push(self.intervals("EUI", self.theta(eui), |inverse| inverse.eui_range.as_deref()));
-        }
-        if let Some(pui) = fit.pui_intervals() {
-            rows.push(self.intervals("PUI", self.theta(&pui), |inverse| Some(&inverse.box_range)));
-            if self.inverse.is_some() {
-                let same = [0, 1].map(|_| Text::new().with(Inline::Ditto));
-                rows.push(self.intervals("over the FPS", same, |inverse| Some(&inverse.exact_range)));
-            }
-        }
-        if let Some(central) = &fit.central {
-            let inverse = self.inverse.map(|both| both.map(|parameter| parameter.central.clone()));
-            rows.push(self.estimate("central", &central.theta, inverse));
-            let mut row = vec![Text::new().with(Inline::Indent).words("guaranteed")];
-            row.extend(central.guaranteed_error.iter().map(|error| self.report.give_or_take(error)));
-            row.resize(rows[0].len(), Text::new());
-            rows.push(row);
-        }
-        if let Some(minimax) = &fit.minimax {
-            let [theta1, theta2] = &minimax.theta;
-            let inverse = self.inverse.map(|_| [theta1.recip(), (-theta2).checked_div(theta1)]);
-            rows.push(self.estimate("minimax", &minimax.theta, inverse));
-        }
-        rows
+/// The rows of the table of gain and offset.
+fn inverse_rows(report: &Report, inverse: &Inverse) -> Vec<Vec<Text>> {
+    let fit = report.fit;
+    let both = [&inverse.gain, &inverse.offset];
+    let single = |of: &dyn Fn(&InverseParameter) -> Vec<Interval>| match both.map(of) {
+        [gain, offset] => match (gain.as_slice(), offset.as_slice()) {
+            ([gain], [offset]) => Some([gain.clone(), offset.clone()]),
+            _ => None,
+        },
+    };
+    let exact = single(&|own| own.exact_range.clone());
+    let boxes =
+        [single(&|own| own.box_range.clone()), single(&|own| own.eui_range.clone().unwrap_or_default())];
+    let others: Vec<&[Interval; 2]> = boxes.iter().flatten().collect();
+    let scales = scales(report.style, exact.as_ref(), &others, &[], &[]);
+    let estimate = |label: &str, values: [Option<Rational>; 2]| {
+        let cell = |axis: usize| match &values[axis] {
+            Some(value) => Text::new().number(scales[axis].value(value)),
+            None => "-".into(),
+        };
+        vec![label.into(), cell(0), cell(1)]
+    };
+    let intervals = |label: &str, of: &dyn Fn(&InverseParameter) -> Vec<Interval>| {
+        let cell = |axis: usize| scales[axis].union(&of(both[axis]));
+        vec![label.into(), cell(0), cell(1)]
+    };
+    let mut rows = Vec::new();
+    if fit.least_squares.is_ok() {
+        rows.push(estimate("least squares", both.map(|own| own.least_squares.clone())));
     }
-
-    fn theta(&self, intervals: &[Interval; 2]) -> [Text; 2] {
-        [0, 1].map(|axis| self.report.theta[axis].interval(&intervals[axis]))
+    if both.iter().all(|own| own.eui_range.is_some()) {
+        rows.push(intervals("EUI", &|own| own.eui_range.clone().unwrap_or_default()));
     }
-
-    /// An estimate with its gain and offset.
-    fn estimate(
-        &self,
-        label: &str,
-        theta: &[Rational; 2],
-        inverse: Option<[Option<Rational>; 2]>,
-    ) -> Vec<Text> {
-        let number = |(style, value): (&Style, &Rational)| Text::new().number(style.nearest(value));
-        let mut row = vec![label.into()];
-        row.extend(self.report.theta.iter().zip(theta).map(number));
-        for (style, value) in self.styles.iter().zip(inverse.into_iter().flatten()) {
-            row.push(value.map_or("-".into(), |value| number((style, &value))));
-        }
-        row
+    if fit.pui.is_some() {
+        rows.push(intervals("PUI", &|own| own.box_range.clone()));
+        rows.push(intervals("over the FPS", &|own| own.exact_range.clone()));
     }
-
-    /// A box with its ranges of gain and offset.
-    fn intervals<'a>(
-        &'a self,
-        label: &str,
-        theta: [Text; 2],
-        ranges: impl Fn(&'a InverseParameter) -> Option<&'a [Interval]>,
-    ) -> Vec<Text> {
-        let mut row = vec![label.into()];
-        row.extend(theta);
-        for (style, parameter) in self.styles.iter().zip(self.inverse.into_iter().flatten()) {
-            row.push(ranges(parameter).map_or("-".into(), |intervals| style.union(intervals)));
-        }
-        row
+    if fit.central.is_some() {
+        rows.push(estimate("central", both.map(|own| own.central.clone())));
     }
+    if let Some(minimax) = &fit.minimax {
+        let [theta1, theta2] = &minimax.theta;
+        rows.push(estimate("minimax", [theta1.recip(), (-theta2).checked_div(theta1)]));
+    }
+    rows
+}
 
-    /// What the digits of the table are.
-    fn note(&self) -> String {
-        let Style { digits, ends, exact } = *self.report.style;
-        if exact {
-            return "All numbers are exact.".to_owned();
-        }
-        let more = self.report.theta.iter().chain(&self.styles).any(|style| style.digits > digits);
-        let more = if more { " (more where ends would look alike)" } else { "" };
-        match ends {
-            EndRounding::Outward => {
-                format!("Rounded to {digits} digits{more}; ends of intervals and errors outward.")
-            }
-            EndRounding::Nearest => format!(
-                "Rounded to {digits} digits{more}, to nearest: a printed interval may be too narrow by half a unit."
-            ),
+/// What the digits of the tables are.
+fn note(report: &Report) -> String {
+    if report.style.exact {
+        return "All numbers are exact.".to_owned();
+    }
+    let digits = match report.style.digits {
+        Some(digits) => format!("Rounded to {digits} digits"),
+        None => format!("Rounded to {} digits or more", report.style.significant()),
+    };
+    match report.style.ends {
+        EndRounding::Outward => format!("{digits}, ends and errors outward; shorter ones are exact."),
+        EndRounding::Nearest => {
+            format!("{digits}, to nearest: a printed interval may be too narrow by half a unit.")
         }
     }
 }

@@ -3,14 +3,17 @@
 mod estimates;
 mod results;
 
-use boundfit_estimation::{BoundName, ErrorBound, Fit, Model, ParameterBound, ParameterInterval, Problem};
+use boundfit_estimation::{
+    BoundName, ErrorBound, Fit, Inverse, Model, ParameterBound, ParameterInterval, Problem,
+};
 use boundfit_exact::english::counted;
-use boundfit_exact::{Rational, Reading};
+use boundfit_exact::{Interval, Rational, Reading};
 
 use crate::advice::bounding_reading;
 use crate::document::{Block, Document, Facts, Operator, Symbol, THETA, Table, Text};
 use crate::formula::{absurdity, products};
 use crate::region::region_blocks;
+use crate::scale::{Scale, scales};
 use crate::style::Style;
 
 /// Where the readings come from.
@@ -24,18 +27,44 @@ pub struct Origin<'a> {
     pub is_stored: bool,
 }
 
+/// What the set is called in titles.
+const SET: &str = "Feasible parameter set (FPS)";
+
+/// When the report has gain and offset of the inverse line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum InverseLine {
+    /// Where every feasible line has one: 0 is not in the PUI of θ1.
+    #[default]
+    WhereItExists,
+    /// Always.
+    Always,
+}
+
 /// The report of a fit. The last part of it are the remaining results, so that [`Document::add_result`] can add to them.
-pub fn fit_document(problem: &Problem, fit: &Fit, origin: &Origin, style: &Style) -> Document {
-    let theta = style.resolving_both(fit.pui_intervals().as_ref());
-    let report = Report { problem, fit, style, theta };
+pub fn fit_document(
+    problem: &Problem,
+    fit: &Fit,
+    origin: &Origin,
+    inverse_line: InverseLine,
+    style: &Style,
+) -> Document {
+    let pui = fit.pui_intervals();
+    let report = Report::new(problem, fit, pui.as_ref(), inverse_line, style);
     let mut blocks = vec![Block::Title("Set-membership fit".into())];
     blocks.push(Block::Facts(Facts { width: 7, rows: report.facts(origin) }));
-    blocks.extend(estimates::blocks(&report));
-    let names = |indices: &[usize]| indices.iter().map(|&index| report.name(index)).collect();
     let region = fit.fps.polyhedron().region();
-    blocks.extend(region_blocks("Feasible parameter set (FPS)", region, &report.theta, names));
+    if region.is_empty() {
+        // Nothing else matters as much.
+        blocks.push(Block::Title(format!("{SET}: {}", region.kind().name()).into()));
+        blocks.extend(report.emptiness().into_iter().map(Block::Paragraph));
+    }
+    blocks.extend(estimates::blocks(&report));
+    if !region.is_empty() {
+        let names = |indices: &[usize]| indices.iter().map(|&index| report.name(index)).collect();
+        blocks.extend(region_blocks(SET, region, &report.theta, names));
+    }
     let advice = bounding_reading(region, problem.measurements.model(), style);
-    blocks.extend(report.emptiness().into_iter().chain(advice).map(Block::Paragraph));
+    blocks.extend(advice.map(Block::Paragraph));
     let proofs = report.proofs();
     if !proofs.is_empty() {
         let header = Text::from("multiplier").operator(Operator::Times).words("(row and bound)");
@@ -51,11 +80,39 @@ struct Report<'a> {
     problem: &'a Problem,
     fit: &'a Fit,
     style: &'a Style,
-    /// With the digits that tell the ends of each PUI apart.
-    theta: [Style; 2],
+    /// How the values of the two parameters are shown.
+    theta: [Scale<'a>; 2],
+    inverse_line: InverseLine,
 }
 
-impl Report<'_> {
+impl<'a> Report<'a> {
+    fn new(
+        problem: &'a Problem,
+        fit: &'a Fit,
+        pui: Option<&'a [Interval; 2]>,
+        inverse_line: InverseLine,
+        style: &'a Style,
+    ) -> Self {
+        let others: Vec<&[Interval; 2]> = fit.eui().into_iter().collect();
+        let estimates = [
+            fit.least_squares.as_ref().ok().map(|estimate| &estimate.theta),
+            fit.central.as_ref().map(|central| &central.theta),
+            fit.minimax.as_ref().map(|minimax| &minimax.theta),
+        ];
+        let estimates: Vec<&[Rational; 2]> = estimates.into_iter().flatten().collect();
+        let theta = scales(style, pui, &others, &estimates, fit.fps.polyhedron().region().vertices());
+        Report { problem, fit, style, theta, inverse_line }
+    }
+
+    /// The inverse line, if it is to be shown.
+    fn inverse(&self) -> Option<&'a Inverse> {
+        let exists = || {
+            let pui = self.fit.pui_intervals();
+            pui.is_some_and(|[theta1, _]| !theta1.contains(&Rational::zero()))
+        };
+        self.fit.inverse.as_ref().filter(|_| self.inverse_line == InverseLine::Always || exists())
+    }
+
     /// What was fitted, in which way.
     fn facts(&self, &Origin { file, reading, is_stored }: &Origin) -> Vec<(Text, Text)> {
         let measurements = &self.problem.measurements;
@@ -145,11 +202,8 @@ impl Report<'_> {
         self.fit.fps.name(index).to_string()
     }
 
-    /// Which rows contradict each other, and what would help; nothing when the set is not empty.
+    /// Of an empty set which rows contradict each other, and what would help.
     fn emptiness(&self) -> Vec<Text> {
-        if !self.fit.fps.polyhedron().region().is_empty() {
-            return Vec::new();
-        }
         let (style, error_bound) = (self.style, self.problem.measurements.error_bound());
         let terms = self.fit.contradiction(error_bound).unwrap_or_default();
         let names: Vec<String> = terms.iter().map(|(name, _)| name.to_string()).collect();
@@ -199,12 +253,10 @@ impl Report<'_> {
             let own = &self.theta[axis];
             for (relation, end) in [(Symbol::AtLeast, lower), (Symbol::AtMost, upper)] {
                 let ParameterBound::Bounded { value, proof } = end else { continue };
-                let is_lower = relation == Symbol::AtLeast;
-                let value = if is_lower { own.lower(value) } else { own.upper(value) };
                 let terms =
                     proof.multipliers.iter().map(|m| (self.style.proof(&m.value), self.name(m.index)));
                 let label = Text::from(THETA[axis]).mark(" ").symbol(relation);
-                rows.push(vec![label, Text::new().number(value), products(terms)]);
+                rows.push(vec![label, own.end(relation, value), products(terms)]);
             }
         }
         rows

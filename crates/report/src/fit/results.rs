@@ -8,6 +8,7 @@ use super::Report;
 use crate::document::{Symbol, Text};
 use crate::fit_json::{NO_BINARY64, NO_WIDTHS};
 use crate::region::point_text;
+use crate::style::Style;
 
 /// A label, blank where the line goes on with the result above, and the result.
 pub(super) fn lines(report: &Report) -> Vec<(Text, Text)> {
@@ -60,6 +61,34 @@ impl Report<'_> {
         lines
     }
 
+    /// What arithmetic in doubles makes of least squares.
+    fn in_doubles(&self) -> Vec<(Text, Text)> {
+        // Of what is off in the sixteenth digit, two digits say enough.
+        let short = Style { digits: Some(2), ..*self.style };
+        let float = |method: &str, estimate: &Option<FloatEstimate>| match estimate {
+            Some(FloatEstimate { distance: [first, second], .. }) => {
+                Text::from(format!("{method} is off by "))
+                    .number(short.upper(first))
+                    .words(" in ")
+                    .symbol(Symbol::Theta1)
+                    .words(" and ")
+                    .number(short.upper(second))
+                    .words(" in ")
+                    .symbol(Symbol::Theta2)
+            }
+            None => format!("{method} fails").into(),
+        };
+        let label = Text::from("in doubles");
+        match self.fit.float_least_squares(&self.problem.measurements) {
+            Some(floats) => vec![
+                (label, float("QR", &floats.qr)),
+                (Text::new(), float("pseudo-inverse", &floats.pseudo_inverse)),
+            ],
+            None if self.fit.least_squares.is_ok() => vec![(label, NO_BINARY64.into())],
+            None => Vec::new(),
+        }
+    }
+
     fn least_squares(&self) -> Vec<(Text, Text)> {
         let (fit, style) = (self.fit, self.style);
         let state = match (&fit.least_squares, fit.least_squares_slack()) {
@@ -75,21 +104,7 @@ impl Report<'_> {
             let line = line.then(self.give_or_take(&first)).words(", ").symbol(Symbol::Theta2).mark(" ");
             lines.push((Text::new(), line.then(self.give_or_take(&second))));
         }
-        let float = |method: &str, estimate: &Option<FloatEstimate>| match estimate {
-            Some(FloatEstimate { distance: [first, second], .. }) => Text::from(format!("{method} off by "))
-                .number(style.upper(first))
-                .words(" and ")
-                .number(style.upper(second)),
-            None => format!("{method} fails").into(),
-        };
-        let binary64 = match fit.float_least_squares(&self.problem.measurements) {
-            Some(floats) => {
-                let qr = float("QR", &floats.qr).words("; ");
-                Some(qr.then(float("pseudo-inverse", &floats.pseudo_inverse)))
-            }
-            None => fit.least_squares.is_ok().then(|| NO_BINARY64.into()),
-        };
-        lines.extend(binary64.map(|line| (Text::new(), Text::from("in binary64: ").then(line))));
+        lines.extend(self.in_doubles());
         if let Ok(LeastSquares { eui: Err(reason), .. }) = &fit.least_squares {
             lines.push(("EUI".into(), format!("none: {reason}").into()));
         }

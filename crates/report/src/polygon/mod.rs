@@ -12,6 +12,7 @@ use boundfit_geometry::{Multiplier, Polyhedron};
 use crate::document::{Block, Document, Facts, THETA, Table, Text};
 use crate::formula::absurdity;
 use crate::region::{point_text, region_blocks};
+use crate::scale::{Scale, scales};
 use crate::style::Style;
 use rows::rows_of;
 use tables::{products_of, table_blocks};
@@ -25,19 +26,20 @@ pub fn polygon_document(
     name: &str,
     style: &Style,
 ) -> Document {
-    let styles = style.resolving_both(polyhedron.bounding_box().as_ref());
+    let ranges = polyhedron.bounding_box();
+    let scales = scales(style, ranges.as_ref(), &[], &[], polyhedron.region().vertices());
     let what = if file.generators.is_some() { "Generators of " } else { "Half-planes of " };
     let data = Text::from(what).given(name).words(format!(", {}", counted(file.rows, "row", "rows")));
     let names = |indices: &[usize]| rows_of(file, indices).iter().map(ToString::to_string).collect();
     let mut blocks = vec![Block::Lead(data)];
-    blocks.extend(region_blocks("Region", polyhedron.region(), &styles, names));
+    blocks.extend(region_blocks("Region", polyhedron.region(), &scales, names));
     blocks.extend(emptiness(file, polyhedron, style).map(Block::Paragraph));
-    if let Some(bounds) = polyhedron.bounding_box() {
-        let row = |axis: usize| vec![THETA[axis].into(), styles[axis].interval(&bounds[axis])];
+    if let Some(bounds) = &ranges {
+        let row = |axis: usize| vec![THETA[axis].into(), scales[axis].interval(&bounds[axis])];
         blocks.push(Block::Space);
         blocks.push(Block::Table(Table::new(["", "range"], [0, 1].map(row).into())));
     }
-    blocks.push(Block::Facts(Facts { width: 8, rows: measures(polyhedron, style, &styles) }));
+    blocks.push(Block::Facts(Facts { width: 8, rows: measures(polyhedron, style, &scales) }));
     blocks.extend(table_blocks(file, polyhedron, style));
     Document::new(blocks)
 }
@@ -52,12 +54,12 @@ fn emptiness(file: &HalfPlaneFile, polyhedron: &Polyhedron, style: &Style) -> Op
 }
 
 /// Area, centroid and diameter, where there are such.
-fn measures(polyhedron: &Polyhedron, style: &Style, styles: &[Style; 2]) -> Vec<(Text, Text)> {
+fn measures(polyhedron: &Polyhedron, style: &Style, scales: &[Scale; 2]) -> Vec<(Text, Text)> {
     let region = polyhedron.region();
     let number = |words: &str, value: &Rational| Text::from(words).number(style.nearest(value));
     let area = region.area().filter(|_| !region.is_empty()).map(|area| ("area", number("", &area)));
     let centroid = region.area_centroid();
-    let centroid = centroid.map(|point| ("centroid", point_text(&point.coordinates(), styles)));
+    let centroid = centroid.map(|point| ("centroid", point_text(&point.coordinates(), scales)));
     let diameter = region.squared_diameter();
     let diameter = diameter.map(|square| ("diameter", number("square root of ", &square)));
     let measures = area.into_iter().chain(centroid).chain(diameter);

@@ -7,6 +7,7 @@ const LONGEST_FRACTION = 44;
 const MOST_DIGITS = 40;
 const MOST_PLACES = 10;
 const LARGEST_PLAIN = 14;
+const LEAST_PLAIN = -4;
 const LONGEST_LIST = 12;
 const SHORTEST_RUN = 3;
 const MINUS = "\u2212";
@@ -27,10 +28,21 @@ export function withMinus(text) {
  */
 export function decimal(value, digits = 5, rounding = "nearest") {
   if (value.isZero()) return "0";
-  const negative = value.sign() < 0;
-  const magnitude = value.absolute();
-  let exponent = magnitude.decimalExponent();
-  const scaled = magnitude.times(decimalPower(digits - 1 - exponent));
+  const { significand, exponent, exact } = rounded(value, digits, rounding);
+  let text = `${significand}`;
+  if (exact) text = text.replace(/0+$/, "");
+  return withMinus((value.sign() < 0 ? "-" : "") + placePoint(text, exponent, exact));
+}
+
+/**
+ * The rounded digits of a number other than 0, what the first of them weighs as a power of ten, and whether nothing was cut off.
+ * @param {Rational} value
+ * @param {number} digits
+ * @param {"nearest"|"down"|"up"} rounding
+ */
+function rounded(value, digits, rounding) {
+  let exponent = value.decimalExponent();
+  const scaled = value.absolute().times(decimalPower(digits - 1 - exponent));
   let significand = scaled.floor();
   const rest = scaled.minus(new Rational(significand));
   const exact = rest.isZero();
@@ -40,16 +52,48 @@ export function decimal(value, digits = 5, rounding = "nearest") {
     const away =
       rounding === "nearest"
         ? half > 0 || (half === 0 && significand % 2n === 1n)
-        : (rounding === "down") === negative;
+        : (rounding === "down") === value.sign() < 0;
     if (away) significand += 1n;
   }
   if (significand === powerOfTen(digits)) {
     significand /= 10n;
     exponent += 1;
   }
-  let text = `${significand}`;
-  if (exact) text = text.replace(/0+$/, "");
-  return withMinus((negative ? "-" : "") + placePoint(text, exponent, exact));
+  return { significand, exponent, exact };
+}
+
+/**
+ * The engine's rule for the digits of an interval's ends: five, or as many more as leave the printed interval at most a
+ * twentieth wider than it is.
+ * @param {Rational} lower
+ * @param {Rational} upper
+ */
+export function digitsForInterval(lower, upper) {
+  const room = upper.minus(lower).times(new Rational(1n, 20n));
+  if (room.isZero()) return 5;
+  /** @type {(value: Rational, digits: number, rounding: "down" | "up") => Rational} */
+  const added = (value, digits, rounding) => {
+    if (value.isZero()) return value;
+    const { significand, exponent } = rounded(value, digits, rounding);
+    const size = new Rational(significand).times(decimalPower(exponent + 1 - digits));
+    return (value.sign() < 0 ? size.negated() : size).minus(value).absolute();
+  };
+  for (let digits = 5; digits <= MOST_DIGITS; digits += 1) {
+    if (added(lower, digits, "down").plus(added(upper, digits, "up")).compare(room) <= 0) return digits;
+  }
+  return 5;
+}
+
+/**
+ * An end of an interval, rounded outward; to nearest where the interval is a single number.
+ * @param {Rational} value
+ * @param {{ lower: Rational | null, upper: Rational | null }} interval
+ * @param {"lower" | "upper"} end
+ */
+export function endText(value, { lower, upper }, end) {
+  const outward = end === "lower" ? "down" : "up";
+  if (lower === null || upper === null) return decimal(value, 5, outward);
+  return decimal(value, digitsForInterval(lower, upper), lower.equals(upper) ? "nearest" : outward);
 }
 
 /**
@@ -60,7 +104,7 @@ export function decimal(value, digits = 5, rounding = "nearest") {
  */
 function placePoint(text, exponent, exact) {
   const count = text.length;
-  if (exponent === -1) return `0.${text}`;
+  if (exponent < 0 && exponent >= LEAST_PLAIN) return `0.${"0".repeat(-1 - exponent)}${text}`;
   if (exponent >= 0 && exponent < count - 1)
     return `${text.slice(0, exponent + 1)}.${text.slice(exponent + 1)}`;
   if (exponent >= 0 && (exponent === count - 1 || (exact && exponent <= 5)))

@@ -3,7 +3,7 @@
 
 import { byId, closest, element, patch, targetOf } from "../dom.js";
 import { boundsOf } from "../model/lesson.js";
-import { THETA, decimal, digitsFor, plain, withMinus } from "../model/format.js";
+import { THETA, endText, plain, withMinus } from "../model/format.js";
 
 const LONG_NAME = 14;
 /** @type {{ parameter: string, axis: number, end: "lower" | "upper" }[]} */
@@ -48,13 +48,14 @@ export function connectLeaveOneOut(lesson, store) {
 }
 
 /**
- * @param {Rational | null} value
- * @param {Rational | null} width
- * @param {"down" | "up"} rounding
+ * An end of an interval, infinite where there is none.
+ * @param {{ lower: Rational | null, upper: Rational | null }} interval
+ * @param {"lower" | "upper"} end
  */
-function endText(value, width, rounding) {
-  if (value === null) return rounding === "down" ? "−∞" : "∞";
-  return decimal(value, width === null ? 5 : digitsFor(value, width), rounding);
+function shownEnd(interval, end) {
+  const value = interval[end];
+  if (value === null) return end === "lower" ? "−∞" : "∞";
+  return endText(value, interval, end);
 }
 
 /**
@@ -89,9 +90,6 @@ function effect(lesson, state, scene) {
     ];
   }
   const rows = ENDS.map(({ parameter, axis, end }) => {
-    const rounding = end === "lower" ? "down" : "up";
-    const { lower, upper } = before[axis];
-    const width = lower === null || upper === null ? null : upper.minus(lower);
     const moved = entry.moved.find((move) => move.parameter === parameter && move.end === end);
     const by =
       moved === undefined ? "not at all" : moved.by === null ? "to infinity" : withMinus(moved.by.decimal);
@@ -102,8 +100,8 @@ function effect(lesson, state, scene) {
         "data-by": moved?.by?.exact ?? (moved === undefined ? "0" : ""),
       },
       element("th", { scope: "row" }, `${THETA[axis]} ${end}`),
-      element("td", { class: "number" }, endText(before[axis][end], width, rounding)),
-      element("td", { class: "number" }, after === null ? "–" : endText(after[axis][end], width, rounding)),
+      element("td", { class: "number" }, shownEnd(before[axis], end)),
+      element("td", { class: "number" }, after === null ? "–" : shownEnd(after[axis], end)),
       element("td", { class: "number", title: moved?.by?.exact ?? null }, by),
     );
   });

@@ -3,7 +3,7 @@
 
 import { byId, element, patch } from "../dom.js";
 import { ONE, Rational, ZERO, evaluate } from "../model/rational.js";
-import { THETA, boundClass, boundMark, decimal, digitsFor, kindText, shortFraction } from "../model/format.js";
+import { THETA, boundClass, boundMark, decimal, endText, kindText, shortFraction } from "../model/format.js";
 import { activeAt, partOf } from "../model/lesson.js";
 
 const MOST_ACTIVE = 12;
@@ -67,11 +67,7 @@ function widthOf({ lower, upper }) {
 function endOf(bounds, end, id) {
   const value = bounds[end];
   if (value === null) return element("span", { id, "data-exact": "" }, end === "lower" ? "−∞" : "∞");
-  const sizes = [bounds.lower, bounds.upper].filter((v) => v !== null).filter((v) => !v.isZero());
-  const largest = sizes.reduce((most, v) => (v.absolute().compare(most.absolute()) > 0 ? v : most), value);
-  const width = widthOf(bounds);
-  const digits = width === null ? 5 : digitsFor(largest, width);
-  return numberWithFraction(value, decimal(value, digits, end === "lower" ? "down" : "up"), id);
+  return numberWithFraction(value, endText(value, bounds, end), id);
 }
 
 /**

@@ -1,0 +1,137 @@
+//! The numbers of one parameter in a report: the same value looks the same wherever it stands.
+
+use std::collections::HashSet;
+
+use boundfit_exact::{Interval, Rational, Rounding};
+use boundfit_geometry::Vertex;
+
+use crate::document::{Symbol, Text};
+use crate::style::{Shown, Style};
+
+/// The most digits that are tried.
+const MOST_DIGITS: usize = 40;
+
+/// How the values of one parameter are shown: with digits in common, and its range's ends outward wherever they stand.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Scale<'a> {
+    style: Style,
+    range: Option<&'a Interval>,
+}
+
+/// One scale for each of two parameters: with the digits that their ranges take, where these are known, that other intervals
+/// and the estimates beside a range take, and that tell the vertices apart.
+pub(crate) fn scales<'a>(
+    style: &Style,
+    ranges: Option<&'a [Interval; 2]>,
+    others: &[&[Interval; 2]],
+    estimates: &[&[Rational; 2]],
+    vertices: &[Vertex],
+) -> [Scale<'a>; 2] {
+    let of = |axis: usize, own: Option<&Interval>| {
+        let others = others.iter().map(|others| &others[axis]);
+        let digits =
+            own.into_iter().chain(others).map(|interval| style.resolving(interval).significant()).max();
+        let estimates = estimates.iter().map(|estimate| &estimate[axis]);
+        digits.map(|digits| own.map_or(digits, |range| fine_enough(digits, range, estimates)))
+    };
+    let scales = [0, 1].map(|axis| {
+        let range = ranges.map(|ranges| &ranges[axis]);
+        let digits = if style.digits.is_some() { style.digits } else { of(axis, range) };
+        Scale { style: Style { digits, ..*style }, range }
+    });
+    if style.digits.is_some() || style.exact { scales } else { telling_apart(scales, vertices) }
+}
+
+/// So many digits, or as many more as it takes for no estimate to be rounded by more than a twentieth of the range's width.
+fn fine_enough<'a>(
+    digits: usize,
+    range: &Interval,
+    estimates: impl Iterator<Item = &'a Rational> + Clone,
+) -> usize {
+    const TWENTY: i64 = 20;
+    let Some(width) = range.width().filter(|width| !width.is_zero()) else { return digits };
+    let room = width * Rational::ratio(1, TWENTY);
+    let is_fine = |digits: &usize| {
+        let mut all = estimates.clone();
+        all.all(|value| (value - value.rounded(*digits, Rounding::Nearest)).abs() <= room)
+    };
+    (digits..=MOST_DIGITS).find(is_fine).unwrap_or(digits)
+}
+
+/// These scales with as many more digits as it takes for different vertices to look different; these where that takes too
+/// many. Cost: for each number of digits that of showing the vertices up to the first two that look alike.
+fn telling_apart<'a>(scales: [Scale<'a>; 2], vertices: &[Vertex]) -> [Scale<'a>; 2] {
+    let points: Vec<[Rational; 2]> = vertices.iter().map(|vertex| vertex.point().coordinates()).collect();
+    let with_more = |more: usize| {
+        scales.map(|scale| Scale {
+            style: Style { digits: Some(scale.style.significant() + more), ..scale.style },
+            ..scale
+        })
+    };
+    let differ = |scales: &[Scale; 2]| {
+        let mut seen = HashSet::with_capacity(points.len());
+        points.iter().all(|[x, y]| seen.insert(format!("{} {}", scales[0].value(x), scales[1].value(y))))
+    };
+    (0..MOST_DIGITS).map(with_more).find(differ).unwrap_or(scales)
+}
+
+/// This style with the digits that show different error bounds or factors on them differently, neighbours being next to each
+/// other; itself where that takes too many.
+pub(crate) fn with_digits_that_differ<'a>(
+    values: impl Iterator<Item = &'a Rational> + Clone,
+    style: &Style,
+) -> Style {
+    if style.digits.is_some() || style.exact {
+        return *style;
+    }
+    let differ = |style: &Style| {
+        let shown: Vec<String> = values.clone().map(|value| style.upper(value).to_string()).collect();
+        shown.windows(2).all(|pair| pair[0] != pair[1])
+    };
+    let with_more = |more: usize| Style { digits: Some(style.significant() + more), ..*style };
+    (0..MOST_DIGITS).map(with_more).find(differ).unwrap_or(*style)
+}
+
+impl Scale<'_> {
+    /// A value: one that is an end of the range like this end, any other to nearest.
+    pub(crate) fn value<'a>(&self, value: &'a Rational) -> Shown<'a> {
+        let is = |end: Option<&Rational>| end == Some(value);
+        match self.range {
+            Some(range) if is(range.lower().value()) => self.lower(value),
+            Some(range) if is(range.upper().value()) => self.upper(value),
+            _ => self.style.nearest(value),
+        }
+    }
+
+    /// A lower end.
+    pub(crate) fn lower<'a>(&self, value: &'a Rational) -> Shown<'a> {
+        if self.is_single() { self.style.nearest(value) } else { self.style.lower(value) }
+    }
+
+    /// An upper end.
+    pub(crate) fn upper<'a>(&self, value: &'a Rational) -> Shown<'a> {
+        if self.is_single() { self.style.nearest(value) } else { self.style.upper(value) }
+    }
+
+    /// An end of the range behind its relation: `>= 1.5`; `about` says where the range is a single number that is rounded.
+    pub(crate) fn end(&self, relation: Symbol, value: &Rational) -> Text {
+        let is_about = self.is_single() && !self.style.is_shown_exactly(value);
+        let text = if is_about { Text::from("about ") } else { Text::new() };
+        text.number(if relation == Symbol::AtLeast { self.lower(value) } else { self.upper(value) })
+    }
+
+    /// An interval of such values.
+    pub(crate) fn interval(&self, interval: &Interval) -> Text {
+        self.style.interval(interval)
+    }
+
+    /// A union of such intervals; a hyphen when there is none.
+    pub(crate) fn union(&self, intervals: &[Interval]) -> Text {
+        self.style.union(intervals)
+    }
+
+    /// Whether the range has no width.
+    fn is_single(&self) -> bool {
+        self.range.and_then(Interval::ends).is_some_and(|(lower, upper)| lower == upper)
+    }
+}
