@@ -6,7 +6,7 @@ sys.set_int_max_str_digits(0), csv.field_size_limit(1 << 30)
 class Falsehood(Exception): pass
 TYPES = dict.fromkeys("schema sha256 delimiter reading".split(), str) | {"header": bool} | dict.fromkeys(
     "rows model conditions vertices active sides farkas bounds".split(), list)
-OPTIONAL = {"interval": list, "law": list}
+OPTIONAL = {"interval": list, "law": list, "x_origin": str}
 MISSING = "na n/a #n/a nan null none - -- . ?".split() + [""]
 def must(truth, statement, error=Falsehood):
     if not truth: raise error(statement)
@@ -53,7 +53,8 @@ def half_planes(proof, data):  # section 2: name -> (a1, a2, b): a1*theta1 + a2*
         return Fraction(10) ** (int(exponent or 0) - len(mantissa.partition(".")[2])) / 2
     def law(row, terms): return sum(quantity(row, kind, column) * number(times) for kind, column, times in terms)
     for row in (row for first, last in ranges for row in range(first, last + 1)):
-        x1, x2, y, epsilon = (read(row, column) * factor for column, factor in model)
+        origins = (number(proof.get("x_origin", "0")), 0, 0, 0)
+        x1, x2, y, epsilon = ((read(row, c) - origin) * factor for (c, factor), origin in zip(model, origins))
         if "interval" in proof: lower, upper = (side(row, column) for column in proof["interval"])
         else:
             above, below = (epsilon + law(row, terms) for terms in proof.get("law", ([], [])))

@@ -3,7 +3,9 @@
 use std::fs;
 
 use boundfit_check::ProgramRows;
-use boundfit_estimation::{Columns, EpsilonColumn, ErrorBound, Measurement, Measurements, Model, Problem};
+use boundfit_estimation::{
+    Columns, EpsilonColumn, ErrorBound, LineForm, Measurement, Measurements, Model, Problem,
+};
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Source, TableOptions};
 use boundfit_geometry::{Inequality, System};
@@ -146,6 +148,7 @@ pub fn hard_cases() -> Vec<HardCase> {
             second: None,
             response: Some(column("y")),
             epsilon: EpsilonColumn::Uniform(number(&epsilon)),
+            form: LineForm::default(),
         };
         let source = Source::open(&folder.join(format!("{name}.csv")).to_string_lossy()).expect("readable");
         let measurements =

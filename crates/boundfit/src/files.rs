@@ -5,7 +5,7 @@
 //! every error names file, line, column and text.
 //!
 //! ```
-//! use boundfit::files::{ColumnSelector, Columns, EpsilonColumn, Measurements, Source, TableOptions};
+//! use boundfit::files::{LineForm, ColumnSelector, Columns, EpsilonColumn, Measurements, Source, TableOptions};
 //! use boundfit::{Problem, Rational};
 //!
 //! let table = Source::new("readings.csv", "x,y\n0,0\n1,1.5\n2,2\n".as_bytes());
@@ -14,6 +14,7 @@
 //!     second: None,
 //!     response: Some(ColumnSelector::name_or_number("y")),
 //!     epsilon: EpsilonColumn::Uniform(Rational::ratio(1, 2)),
+//!     form: LineForm::default(),
 //! };
 //! let fit = Problem::new(Measurements::read(table, &columns, &TableOptions::default())?).fit();
 //! assert_eq!(fit.vertices(), boundfit::fit(&[0, 1, 2], &["0", "1.5", "2"], "1/2").unwrap().vertices());
@@ -21,7 +22,7 @@
 //! ```
 
 pub use boundfit_estimation::{
-    Columns, EpsilonColumn, Fleet, Keep, Measurements, ReducedColumns, ReducedTable,
+    Columns, EpsilonColumn, Fleet, Keep, LineForm, Measurements, ReducedColumns, ReducedTable,
 };
 pub use boundfit_exact::{Limits, Reading};
 pub use boundfit_formats::{

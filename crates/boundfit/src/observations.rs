@@ -1,6 +1,8 @@
 //! Readings in memory: from slices of numbers to a problem.
 
-use boundfit_estimation::{ErrorBound, Measurement, Measurements, Model, ParseConditionError, Problem};
+use boundfit_estimation::{
+    ErrorBound, LineForm, Measurement, Measurements, Model, ParseConditionError, Problem,
+};
 use boundfit_exact::Rational;
 use thiserror::Error;
 
@@ -23,6 +25,9 @@ pub enum Error {
     /// The error bound of all readings has no exact value.
     #[error("the error bound: {0}")]
     ErrorBound(NumberError),
+    /// The origin of x has no exact value.
+    #[error("the origin of x: {0}")]
+    Origin(NumberError),
     /// A claimed end of an interval has no exact value.
     #[error("{end}: {problem}")]
     Claim {
@@ -68,6 +73,7 @@ pub struct Observations {
     model: Model,
     regressors: Vec<[Rational; 2]>,
     responses: Vec<Rational>,
+    form: LineForm,
 }
 
 impl Observations {
@@ -78,7 +84,12 @@ impl Observations {
     pub fn line<X: Number, Y: Number>(x: &[X], y: &[Y]) -> Result<Self, Error> {
         let regressors = column("x", x)?.into_iter().map(|x| [x, Rational::one()]).collect();
         same_length(["x", "y"], [x.len(), y.len()])?;
-        Ok(Observations { model: Model::Line { x: "x".to_owned() }, regressors, responses: column("y", y)? })
+        Ok(Observations {
+            model: Model::Line { x: "x".to_owned() },
+            regressors,
+            responses: column("y", y)?,
+            form: LineForm::default(),
+        })
     }
 
     /// Readings of a model with two regressors and no constant, y = theta1*phi1 + theta2*phi2 + e.
@@ -95,7 +106,43 @@ impl Observations {
         let regressors = column("phi1", phi1)?.into_iter().zip(column("phi2", phi2)?);
         let regressors = regressors.map(|(phi1, phi2)| [phi1, phi2]).collect();
         let model = Model::TwoRegressors { regressors: ["phi1".to_owned(), "phi2".to_owned()] };
-        Ok(Observations { model, regressors, responses: column("y", y)? })
+        Ok(Observations { model, regressors, responses: column("y", y)?, form: LineForm::default() })
+    }
+
+    /// These readings as those of lines through the origin, y = theta1*x + e: `theta2 = 0` is known, and least squares has one
+    /// parameter. A model with two regressors has no constant and stays as it is.
+    ///
+    /// ```
+    /// use boundfit::Observations;
+    ///
+    /// let fit = Observations::line(&[1, 2, 3], &["2.1", "3.9", "6.2"])?.through_origin().error_bound("0.5")?.fit();
+    /// let [slope, offset] = fit.pui_intervals().unwrap();
+    /// assert_eq!((slope.to_string(), offset.to_string()), ("[19/10, 11/5]".to_owned(), "[0, 0]".to_owned()));
+    /// assert_eq!(fit.least_squares.unwrap().theta[0].to_string(), "57/28");
+    /// # Ok::<(), boundfit::Error>(())
+    /// ```
+    pub fn through_origin(mut self) -> Self {
+        self.form.through_origin = true;
+        self
+    }
+
+    /// These readings as those of y = theta1*(x - origin) + theta2 + e: theta2 is the value at the origin. A model with two
+    /// regressors has no x and stays as it is.
+    ///
+    /// ```
+    /// use boundfit::Observations;
+    ///
+    /// let years = Observations::line(&[1979, 1980, 1981], &[4, 7, 8])?.x_origin(1980)?;
+    /// let [_, in_1980] = years.error_bound(1)?.fit().pui_intervals().unwrap();
+    /// assert_eq!(in_1980.to_string(), "[6, 7]");
+    /// # Ok::<(), boundfit::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When the number has no exact value.
+    pub fn x_origin(mut self, origin: impl Number) -> Result<Self, Error> {
+        self.form.x_origin = origin.exact().map_err(Error::Origin)?;
+        Ok(self)
     }
 
     /// The problem in which every reading has this error bound: |e| ≤ eps.
@@ -129,7 +176,10 @@ impl Observations {
         let measurement =
             |(row, ((regressor, response), epsilon))| Measurement::around(row, regressor, response, epsilon);
         let rows = (1..).zip(parts).map(measurement).collect();
-        Problem::new(Measurements::new(self.model, "y".to_owned(), error_bound, rows))
+        let LineForm { x_origin, through_origin } = self.form;
+        let measurements = Measurements::new(self.model, "y".to_owned(), error_bound, rows);
+        let problem = Problem::new(measurements.with_form(LineForm { x_origin, through_origin: false }));
+        if through_origin { problem.through_origin() } else { problem }
     }
 }
 

@@ -7,7 +7,7 @@
 //! programs ([`PuiEnd`](boundfit_lp::PuiEnd)) as files for solvers elsewhere.
 //!
 //! ```
-//! use boundfit_estimation::{Columns, EpsilonColumn, Measurements, Problem};
+//! use boundfit_estimation::{Columns, EpsilonColumn, LineForm, Measurements, Problem};
 //! use boundfit_exact::{Rational, Reading};
 //! use boundfit_formats::{ColumnSelector, Source, TableOptions};
 //! use boundfit_check::{CheckOptions, check, parse_claim_pui};
@@ -19,6 +19,7 @@
 //!     second: None,
 //!     response: Some(ColumnSelector::name_or_number("y")),
 //!     epsilon: EpsilonColumn::Uniform(Rational::ratio(1, 2)),
+//!     form: LineForm::default(),
 //! };
 //! let measurements = Measurements::read(table, &columns, &TableOptions::default())?;
 //! let problem = Problem { measurements, conditions: Vec::new() };

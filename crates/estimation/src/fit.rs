@@ -49,7 +49,7 @@ pub struct FitBounds {
 /// Computes everything. Exact. Cost: O(N log N).
 ///
 /// ```
-/// use boundfit_estimation::{Columns, EpsilonColumn, Measurements, Problem, fit};
+/// use boundfit_estimation::{Columns, EpsilonColumn, LineForm, Measurements, Problem, fit};
 /// use boundfit_exact::{Interval, Rational};
 /// use boundfit_formats::{ColumnSelector, Source, TableOptions};
 ///
@@ -59,6 +59,7 @@ pub struct FitBounds {
 ///     second: None,
 ///     response: Some(ColumnSelector::name_or_number("y")),
 ///     epsilon: EpsilonColumn::Uniform(Rational::ratio(1, 2)),
+///     form: LineForm::default(),
 /// };
 /// let measurements = Measurements::read(table, &columns, &TableOptions::default())?;
 /// let fit = fit(&Problem { measurements, conditions: Vec::new() });

@@ -31,21 +31,30 @@ impl Fit {
     /// Cost: linear in the number of readings.
     pub fn float_least_squares(&self, measurements: &Measurements) -> Option<FloatLeastSquares> {
         let exact = self.least_squares.as_ref().ok()?;
-        Some(FloatLeastSquares::new(measurements.all()?, &exact.theta))
+        let rows = measurements.all()?;
+        Some(match measurements.line_form().through_origin {
+            true => FloatLeastSquares::of_columns::<1>(rows, &exact.theta),
+            false => FloatLeastSquares::new(rows, &exact.theta),
+        })
     }
 }
 
 impl FloatLeastSquares {
     /// Computes both estimates. Rounded; the distances are exact. Cost: linear in the number of readings.
     pub fn new(rows: &[Measurement], exact: &[Rational; 2]) -> Self {
-        let phi = DMatrix::from_fn(rows.len(), 2, |row, column| rows[row].regressor[column].to_f64());
+        FloatLeastSquares::of_columns::<2>(rows, exact)
+    }
+
+    /// Computes both estimates of a model with the first so many regressors; the parameters of the others are 0.
+    fn of_columns<const COLUMNS: usize>(rows: &[Measurement], exact: &[Rational; 2]) -> Self {
+        let phi = DMatrix::from_fn(rows.len(), COLUMNS, |row, column| rows[row].regressor[column].to_f64());
         let y = DVector::from_fn(rows.len(), |row, _| rows[row].value().unwrap_or_default().to_f64());
         // An infinity would keep the iterative decomposition going for ever.
         if phi.iter().chain(y.iter()).any(|value| !value.is_finite()) {
             return FloatLeastSquares { qr: None, pseudo_inverse: None };
         }
         let beside_exact = |theta: DVector<f64>| {
-            let theta = [theta[0], theta[1]];
+            let theta = [0, 1].map(|axis| theta.get(axis).copied().unwrap_or(0.0));
             let distance = |j: usize| Some((Rational::from_f64(theta[j])? - &exact[j]).abs());
             Some(FloatEstimate { theta, distance: [distance(0)?, distance(1)?] })
         };

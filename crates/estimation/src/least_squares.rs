@@ -32,13 +32,16 @@ pub enum NoLeastSquares {
         "the regressors are all parallel (for a line: fewer than two distinct x), so the normal equations are singular"
     )]
     Singular,
+    /// Every x of a line through the origin is 0.
+    #[error("every x is 0, where all lines through the origin are alike")]
+    EveryXZero,
     /// A reading with neither y nor both bounds.
     #[error("no column of y was given, and a reading with one bound only has no middle to take instead")]
     NoResponse,
 }
 
 impl LeastSquares {
-    /// Solves the normal equations. Exact. Cost: linear in the number of readings.
+    /// Solves the normal equations; of a line through the origin the one for θ1. Exact. Cost: linear in the number of readings.
     ///
     /// # Errors
     /// When ΦᵀΦ is singular.
@@ -51,6 +54,9 @@ impl LeastSquares {
         measurements: &Measurements,
         grid: Option<&Grid>,
     ) -> Result<Self, NoLeastSquares> {
+        if measurements.line_form().through_origin {
+            return LeastSquares::through_origin(measurements);
+        }
         match measurements.readings() {
             Readings::Supporting { reduction, .. } => {
                 LeastSquares::of_reduction(reduction, measurements.error_bound())

@@ -7,6 +7,7 @@ use boundfit_exact::Rational;
 use boundfit_formats::TextLayout;
 
 use crate::law::{Law, range_of_y};
+use crate::line_form::LineForm;
 use crate::selection::Selection;
 use crate::summary::{NoEui, Reduction};
 
@@ -186,9 +187,33 @@ pub(crate) struct Meaning {
     pub(crate) error_bound: ErrorBound,
     /// The law by which the bound on all errors was stated.
     pub(crate) uniform_law: Option<Law>,
+    pub(crate) form: LineForm,
+    pub(crate) multiple_of_least: Option<MultipleOfLeast>,
+}
+
+/// An error bound that was not known but taken from the readings themselves: a multiple of the least one that leaves anything.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MultipleOfLeast {
+    /// How many times ε_min the bound is.
+    pub factor: Rational,
+    /// ε_min of the readings under the conditions.
+    pub least: Rational,
 }
 
 impl Meaning {
+    /// Of numbers taken as they are.
+    pub(crate) fn new(model: Model, response: String, error_bound: ErrorBound) -> Self {
+        Meaning {
+            model,
+            response,
+            has_response: true,
+            error_bound,
+            uniform_law: None,
+            form: LineForm::default(),
+            multiple_of_least: None,
+        }
+    }
+
     /// The reading with these numbers: the regressors that are columns, the response, and the error bound if it is a
     /// column.
     pub(crate) fn measurement(&self, row: usize, mut numbers: impl Iterator<Item = Rational>) -> Measurement {
@@ -219,11 +244,12 @@ impl Meaning {
                 Bounds::Around { response: response.unwrap_or_default(), epsilon: epsilon.clone() }
             }
         };
-        Measurement { row, regressor, bounds }
+        // A law is about x as it is.
+        let [first, second] = regressor;
+        let first = if matches!(self.model, Model::Line { .. }) { self.form.counted(first) } else { first };
+        Measurement { row, regressor: [first, second], bounds }
     }
-}
 
-impl Meaning {
     /// Adds to the bounds of readings what a law takes from all of them, when they are known: all, or of a uniform law those
     /// that support a hull.
     pub(crate) fn settle(&mut self, rows: &mut Vec<Measurement>) {
@@ -281,7 +307,11 @@ pub struct Measurements {
 impl Measurements {
     /// Readings that do not come from a file.
     pub fn new(model: Model, response: String, error_bound: ErrorBound, rows: Vec<Measurement>) -> Self {
-        let meaning = Meaning { model, response, has_response: true, error_bound, uniform_law: None };
+        Measurements::of_meaning(Meaning::new(model, response, error_bound), rows)
+    }
+
+    /// Readings that do not come from a file, with numbers of this meaning.
+    pub(crate) fn of_meaning(meaning: Meaning, rows: Vec<Measurement>) -> Self {
         let origin = Origin { rows_total: rows.len(), ..Origin::default() };
         Measurements { meaning, readings: Readings::All(rows), others: Vec::new(), origin }
     }
@@ -289,6 +319,51 @@ impl Measurements {
     /// The model.
     pub fn model(&self) -> &Model {
         &self.meaning.model
+    }
+
+    /// How lines are written down; of a model with two regressors it says nothing.
+    pub fn line_form(&self) -> &LineForm {
+        &self.meaning.form
+    }
+
+    /// These readings as readings of lines of this form: their x are counted from its origin, wherever they were counted from
+    /// before. Of a model with two regressors nothing changes. Exact.
+    ///
+    /// # Panics
+    /// When the origin is another one and not every reading is in memory; [`Columns::form`](crate::Columns::form) is for those.
+    pub fn with_form(mut self, form: LineForm) -> Self {
+        if matches!(self.meaning.model, Model::TwoRegressors { .. }) {
+            return self;
+        }
+        let by = LineForm { x_origin: &form.x_origin - &self.meaning.form.x_origin, ..form.clone() };
+        if !by.x_origin.is_zero() {
+            let Readings::All(rows) = &mut self.readings else {
+                panic!("another origin of readings that are not in memory");
+            };
+            by.count_rows(rows);
+            by.count_rows(&mut self.others);
+        }
+        self.meaning.form = form;
+        self
+    }
+
+    /// The multiple of ε_min that the error bound is, if it was taken from these readings.
+    pub fn multiple_of_least(&self) -> Option<&MultipleOfLeast> {
+        self.meaning.multiple_of_least.as_ref()
+    }
+
+    /// These readings under a multiple of the least error bound, in the place of theirs.
+    pub(crate) fn within_multiple(mut self, multiple: MultipleOfLeast) -> Self {
+        let epsilon = &multiple.factor * &multiple.least;
+        let rows = match &mut self.readings {
+            Readings::All(rows) | Readings::Supporting { rows, .. } => rows,
+        };
+        for row in rows.iter_mut().chain(&mut self.others) {
+            *row = row.clone().within(epsilon.clone());
+        }
+        self.meaning.error_bound = ErrorBound::Uniform(epsilon);
+        self.meaning.multiple_of_least = Some(multiple);
+        self
     }
 
     /// The name of the response.

@@ -1,10 +1,12 @@
 //! What is to be fitted.
 
-use boundfit_exact::{Limits, Reading};
+use boundfit_exact::{Limits, Rational, Reading};
 
 use crate::condition::{Condition, ParseConditionError};
 use crate::fit::{Fit, fit};
-use crate::measurements::Measurements;
+use crate::line_form::LineForm;
+use crate::measurements::{Measurements, Model, MultipleOfLeast};
+use crate::minimax::Minimax;
 
 /// What is to be fitted.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -29,6 +31,34 @@ impl Problem {
     pub fn condition(mut self, text: &str) -> Result<Self, ParseConditionError> {
         self.conditions.push(Condition::parse(text, Reading::Decimal, &Limits::default())?);
         Ok(self)
+    }
+
+    /// The problem of lines through the origin, y = θ1·x + e: `theta2 = 0` becomes its last condition, and least squares has
+    /// one parameter. Nothing changes where that is so already, or for a model with two regressors, which has no constant.
+    pub fn through_origin(mut self) -> Self {
+        let is_line = matches!(self.measurements.model(), Model::Line { .. });
+        let form = self.measurements.line_form().clone();
+        if is_line && !form.through_origin {
+            self.measurements = self.measurements.with_form(LineForm { through_origin: true, ..form });
+            self.conditions.push(Condition::no_intercept());
+        }
+        self
+    }
+
+    /// The problem with so many times its least error bound ε_min as the bound on every error, in the place of the bound that
+    /// it has. Nothing changes where no bound, however large, leaves anything, since the conditions contradict each other, or
+    /// where the readings have no uniform bound. Exact. Cost: that of ε_min, O(N log N).
+    ///
+    /// Nothing is guaranteed by such a bound unless errors truly are no larger: it comes from the readings themselves.
+    pub fn with_multiple_of_least(self, factor: &Rational) -> Self {
+        let Problem { measurements, conditions } = self;
+        let measurements = match Minimax::new(&measurements, &conditions) {
+            Some(Minimax { least, .. }) if measurements.error_bound().is_uniform() => {
+                measurements.within_multiple(MultipleOfLeast { factor: factor.clone(), least })
+            }
+            _ => measurements,
+        };
+        Problem { measurements, conditions }
     }
 
     /// Computes everything, as [`fit`](fn@fit) does.

@@ -26,8 +26,19 @@ fn unit(text: &Option<String>) -> Option<String> {
 /// The name of the abscissa of figures of the data plane: x, or the number of the row.
 pub(crate) fn abscissa(problem: &Problem, options: &PlotOptions) -> String {
     match problem.measurements.model() {
-        Model::Line { x } => with_unit(&one_line(x, LONGEST_NAME), unit(&options.x_unit).as_deref()),
+        Model::Line { x } => with_unit(&counted_x(problem, x), unit(&options.x_unit).as_deref()),
         Model::TwoRegressors { .. } => "data row".to_owned(),
+    }
+}
+
+/// The name of x as it is counted: `year − 1980`.
+fn counted_x(problem: &Problem, x: &str) -> String {
+    let form = problem.measurements.line_form();
+    let name = form.abscissa(&one_line(x, LONGEST_NAME));
+    // The sign before the origin only: a name may have hyphens of its own.
+    match name.rsplit_once(" - ").filter(|_| !form.x_origin.is_zero()) {
+        Some((x, origin)) if !form.x_origin.is_negative() => format!("{x} − {origin}"),
+        _ => name,
     }
 }
 
@@ -60,7 +71,13 @@ pub(crate) fn subtitle(problem: &Problem, options: &PlotOptions) -> String {
     let measurements = &problem.measurements;
     let y = one_line(measurements.response(), LONGEST_NAME);
     let model = match measurements.model() {
-        Model::Line { x } => format!("{y} = θ₁·{} + θ₂ + e", one_line(x, LONGEST_NAME)),
+        Model::Line { x } => {
+            let form = measurements.line_form();
+            let x = counted_x(problem, x);
+            let x = if form.x_origin.is_zero() { x } else { format!("({x})") };
+            let offset = if form.through_origin { "" } else { " + θ₂" };
+            format!("{y} = θ₁·{x}{offset} + e")
+        }
         Model::TwoRegressors { regressors: [first, second] } => {
             let [first, second] = [first, second].map(|name| one_line(name, LONGEST_NAME));
             format!("{y} = θ₁·{first} + θ₂·{second} + e")
@@ -69,11 +86,18 @@ pub(crate) fn subtitle(problem: &Problem, options: &PlotOptions) -> String {
     let bound = match measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => {
             let unit = unit(&options.y_unit).map(|unit| format!(" {unit}")).unwrap_or_default();
-            match epsilon.shortest_of_f64().filter(|_| epsilon.exact_decimal(BOUND_DIGITS).is_none()) {
-                Some(read) => {
+            let multiple = measurements.multiple_of_least().map(|multiple| {
+                let factor = number(&multiple.factor, BOUND_DIGITS, Rounding::Nearest);
+                if factor == "1" { " = ε_min".to_owned() } else { format!(" = {factor}·ε_min") }
+            });
+            let read = epsilon.shortest_of_f64().filter(|_| epsilon.exact_decimal(BOUND_DIGITS).is_none());
+            match (multiple, read) {
+                // A few digits are enough of what nobody wrote.
+                (Some(multiple), _) => format!("|e| ≤ {}{unit}{multiple}", number(epsilon, 5, Rounding::Up)),
+                (None, Some(read)) => {
                     format!("|e| ≤ {}{unit} (as a double)", number(&read, BOUND_DIGITS, Rounding::Up))
                 }
-                None => format!("|e| ≤ {}{unit}", number(epsilon, BOUND_DIGITS, Rounding::Up)),
+                (None, None) => format!("|e| ≤ {}{unit}", number(epsilon, BOUND_DIGITS, Rounding::Up)),
             }
         }
         ErrorBound::PerRow(column) => format!("|e| ≤ {} of each row", one_line(column, LONGEST_NAME)),

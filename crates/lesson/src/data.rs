@@ -103,7 +103,7 @@ fn file_name(file: &str) -> &str {
 fn default_title(file: &str, problem: &Problem) -> String {
     let y = problem.measurements.response();
     match problem.measurements.model() {
-        Model::Line { x } => format!("{file}: {y} against {x}"),
+        Model::Line { x } => format!("{file}: {y} against {}", problem.measurements.line_form().abscissa(x)),
         Model::TwoRegressors { regressors: [first, second] } => {
             format!("{file}: {y} against {first} and {second}")
         }

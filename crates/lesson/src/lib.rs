@@ -9,7 +9,7 @@
 //! are in the folder `page`.
 //!
 //! ```
-//! use boundfit_estimation::{Columns, EpsilonColumn, Measurements, Problem, fit};
+//! use boundfit_estimation::{Columns, EpsilonColumn, LineForm, Measurements, Problem, fit};
 //! use boundfit_exact::{Rational, Reading};
 //! use boundfit_formats::{ColumnSelector, Source, TableOptions};
 //! use boundfit_lesson::{LessonOptions, page};
@@ -20,6 +20,7 @@
 //!     second: None,
 //!     response: Some(ColumnSelector::name_or_number("y")),
 //!     epsilon: EpsilonColumn::Uniform(Rational::ratio(1, 2)),
+//!     form: LineForm::default(),
 //! };
 //! let measurements = Measurements::read(table, &columns, &TableOptions::default())?;
 //! let problem = Problem { measurements, conditions: Vec::new() };

@@ -41,7 +41,7 @@ pub(crate) struct ConditionJson {
 pub(crate) fn model(measurements: &Measurements) -> ModelJson {
     let y = measurements.response().to_owned();
     match measurements.model() {
-        Model::Line { x } => ModelJson::Line { x: x.clone(), y },
+        Model::Line { x } => ModelJson::Line { x: measurements.line_form().abscissa(x), y },
         Model::TwoRegressors { regressors } => ModelJson::TwoRegressors { regressors: regressors.clone(), y },
     }
 }

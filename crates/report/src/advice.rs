@@ -1,6 +1,6 @@
 //! What a further reading would have to be like to bound an unbounded FPS.
 
-use boundfit_estimation::Model;
+use boundfit_estimation::{Measurements, Model};
 use boundfit_exact::{Integer, Rational, Sign};
 use boundfit_geometry::{Direction, Region};
 
@@ -12,7 +12,10 @@ use crate::style::Style;
 ///
 /// A reading confines θ to a strip across its regressor φ, which stops every recession direction d with φ·d ≠ 0. One
 /// strip stops a whole pointed cone when φ·d has one sign on all of it.
-pub(crate) fn bounding_reading(region: &Region, model: &Model, style: &Style) -> Option<Text> {
+pub(crate) fn bounding_reading(region: &Region, measurements: &Measurements, style: &Style) -> Option<Text> {
+    let model = measurements.model();
+    // As x stands in the data.
+    let uncounted = |x: Rational| x + &measurements.line_form().x_origin;
     if region.is_bounded() {
         return None;
     }
@@ -20,7 +23,7 @@ pub(crate) fn bounding_reading(region: &Region, model: &Model, style: &Style) ->
         ([], [line]) => match (model, line_at_zero(line)) {
             (Model::Line { x }, Some(value)) => {
                 let at = Text::from("One further reading at any ").given(x).words(" other than ");
-                at.number(style.nearest(&value)).words(" would bound it.")
+                at.number(style.nearest(&uncounted(value))).words(" would bound it.")
             }
             _ => Text::from("One further reading whose regressors are not a multiple of ")
                 .then(pair(line.dy(), -line.dx()))
@@ -31,7 +34,7 @@ pub(crate) fn bounding_reading(region: &Region, model: &Model, style: &Style) ->
             let example = Text::from("One further reading would bound it, for example ");
             let example = match model {
                 Model::Line { x } => {
-                    let value = Rational::new(phi1, phi2)?;
+                    let value = uncounted(Rational::new(phi1, phi2)?);
                     let x = example.words("at ").given(x);
                     x.operator(Operator::Equals).number(style.nearest(&value))
                 }

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use boundfit_estimation::{
-    ErrorBound, Family, Fit, FloatEstimate, InverseParameter, LeastSquares, Model, ParameterBound,
-    ParameterInterval, Problem, Selection,
+    ErrorBound, Family, Fit, FloatEstimate, InverseParameter, LeastSquares, Model, MultipleOfLeast,
+    ParameterBound, ParameterInterval, Problem, Selection,
 };
 use boundfit_exact::{Endpoint, Interval, Rational, Reading};
 use boundfit_geometry::Multiplier;
@@ -59,6 +59,10 @@ struct InputJson {
     /// The columns of bounds, of which one may be null.
     #[serde(skip_serializing_if = "Option::is_none")]
     interval: Option<IntervalColumnsJson>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    epsilon_from_least: Option<FromLeastJson>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    x_origin: Option<Number>,
     r#where: Vec<String>,
 }
 
@@ -68,6 +72,14 @@ struct SelectionJson {
     rows: Option<String>,
     without: Option<String>,
     where_row: Vec<String>,
+}
+
+/// An error bound that was found from the readings themselves.
+#[derive(Debug, Serialize)]
+struct FromLeastJson {
+    factor: Number,
+    epsilon_min: Number,
+    assumes: &'static str,
 }
 
 #[derive(Debug, Serialize)]
@@ -164,7 +176,9 @@ fn selection(selection: &Selection) -> Option<SelectionJson> {
 
 fn input(problem: &Problem, reading: Reading, style: &Style) -> InputJson {
     let measurements = &problem.measurements;
+    let form = measurements.line_form();
     let (model, x) = match measurements.model() {
+        Model::Line { x } if form.through_origin => ("line-through-origin", vec![x.clone()]),
         Model::Line { x } => ("line", vec![x.clone()]),
         Model::TwoRegressors { regressors } => ("two-regressors", regressors.to_vec()),
     };
@@ -192,6 +206,14 @@ fn input(problem: &Problem, reading: Reading, style: &Style) -> InputJson {
         epsilon_column,
         epsilon_law: measurements.law().map(|law| law.text().to_owned()),
         interval,
+        epsilon_from_least: measurements.multiple_of_least().map(|MultipleOfLeast { factor, least }| {
+            FromLeastJson {
+                factor: style.number(factor),
+                epsilon_min: style.upper_number(least),
+                assumes: "that no error is larger: the bound was found from these very readings",
+            }
+        }),
+        x_origin: (!form.x_origin.is_zero()).then(|| style.number(&form.x_origin)),
         r#where: problem.conditions.iter().map(|condition| condition.text().to_owned()).collect(),
     }
 }

@@ -4,7 +4,7 @@
 //! bounds upward, all other numbers to nearest. JSON carries the exact value beside every decimal.
 //!
 //! ```
-//! use boundfit_estimation::{Columns, EpsilonColumn, Measurements, Problem, fit};
+//! use boundfit_estimation::{Columns, EpsilonColumn, LineForm, Measurements, Problem, fit};
 //! use boundfit_exact::{Rational, Reading};
 //! use boundfit_formats::{ColumnSelector, Source, TableOptions};
 //! use boundfit_report::proof_json;
@@ -15,6 +15,7 @@
 //!     second: None,
 //!     response: Some(ColumnSelector::name_or_number("y")),
 //!     epsilon: EpsilonColumn::Uniform(Rational::ratio(1, 2)),
+//!     form: LineForm::default(),
 //! };
 //! let measurements = Measurements::read(table, &columns, &TableOptions::default())?;
 //! let problem = Problem { measurements, conditions: Vec::new() };

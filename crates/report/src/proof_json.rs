@@ -21,6 +21,8 @@ struct ProofJson {
     interval: Option<[Option<usize>; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     law: Option<[Vec<LawTermJson>; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    x_origin: Option<String>,
     conditions: Vec<Vec<String>>,
     vertices: Vec<[String; 2]>,
     active: Vec<(usize, String)>,
@@ -42,6 +44,7 @@ type NamedMultiplier = (String, String);
 /// All numbers are exact fractions as text. Its size is linear in the vertices and the half-planes that touch them.
 pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<String> {
     let measurements = &problem.measurements;
+    let x_origin = &measurements.line_form().x_origin;
     let layout = measurements.layout()?;
     if measurements.fitted_rows().is_empty() {
         return None;
@@ -106,6 +109,7 @@ pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<Stri
         model: [x1, x2, y, epsilon],
         interval,
         law,
+        x_origin: (!x_origin.is_zero()).then(|| x_origin.to_string()),
         conditions: problem.conditions.iter().map(condition).collect(),
         vertices: vertices.iter().map(theta).collect(),
         active: active.map(|(index, own)| (index, name(own))).collect(),

@@ -28,6 +28,9 @@ pub struct Proof {
     /// How far φ·θ may be above and below y beside ε: the sum of these quantities of columns, each so many times.
     #[serde(default)]
     law: Option<[Vec<(Quantity, usize, Rational)>; 2]>,
+    /// Taken from each number of the column of φ1, before it is multiplied.
+    #[serde(default)]
+    x_origin: Rational,
     conditions: Vec<Condition>,
     pub(crate) vertices: Vec<Vector>,
     /// Which vertex, an index from 0, and which half-plane touches it.
@@ -122,11 +125,13 @@ impl Proof {
         for row in self.wanted_rows()? {
             let cells = table.nth(row - passed - 1).ok_or(Falsehood::MissingRow(row))?;
             passed = row;
+            let read = |column: usize| number_at(row, column, &cells, self.reading, limits);
             let number = |(column, times): &(usize, Rational)| -> Result<Rational, Falsehood> {
-                Ok(number_at(row, *column, &cells, self.reading, limits)? * times)
+                Ok(read(*column)? * times)
             };
-            let [phi1, phi2, y, epsilon] = &self.model;
-            let (phi1, phi2, y, epsilon) = (number(phi1)?, number(phi2)?, number(y)?, number(epsilon)?);
+            let [(x, times), phi2, y, epsilon] = &self.model;
+            let phi1 = (read(*x)? - &self.x_origin) * times;
+            let (phi2, y, epsilon) = (number(phi2)?, number(y)?, number(epsilon)?);
             let (lower, upper) = match &self.interval {
                 Some(sides) => {
                     let side = |column: Option<usize>| {

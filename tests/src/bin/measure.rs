@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use boundfit_check::ProgramRows;
 use boundfit_estimation::{
-    Columns, EpsilonColumn, ErrorBound, Fit, Fps, Measurement, Measurements, Model, Problem, fit,
+    Columns, EpsilonColumn, ErrorBound, Fit, Fps, LineForm, Measurement, Measurements, Model, Problem, fit,
 };
 use boundfit_exact::{Interval, Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Source, TableOptions, read_table};
@@ -241,6 +241,7 @@ fn read(file: &str, epsilon: &Rational) -> Result<Problem, String> {
         second: None,
         response: Some(ColumnSelector::name_or_number("y")),
         epsilon: EpsilonColumn::Uniform(epsilon.clone()),
+        form: LineForm::default(),
     };
     let source = Source::open(file).map_err(|error| error.to_string())?;
     let measurements = Measurements::read(source, &columns, &TableOptions::default());

@@ -6,7 +6,7 @@ mod tampering;
 
 use std::io::Cursor;
 
-use boundfit_estimation::{Columns, Condition, EpsilonColumn, Measurements, Problem, fit};
+use boundfit_estimation::{Columns, Condition, EpsilonColumn, LineForm, Measurements, Problem, fit};
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, InputError, RowRange, Source, TableOptions};
 use boundfit_report::proof_json;
@@ -95,6 +95,7 @@ impl Question {
                 Ok(epsilon) => EpsilonColumn::Uniform(epsilon.clone()),
                 Err(name) => EpsilonColumn::Column(column(name)),
             },
+            form: LineForm::default(),
         };
         let source = Source::new("data", Cursor::new(self.data.clone()));
         let measurements = Measurements::read(source, &columns, &self.options)?;

@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 use std::io::Cursor;
 
 use boundfit_estimation::{
-    Bounds, Columns, EpsilonColumn, ErrorBound, Fleet, Measurement, Measurements, Model, Problem, fit,
-    fit_group, least_squares_is_feasible,
+    Bounds, Columns, EpsilonColumn, ErrorBound, Fleet, LineForm, Measurement, Measurements, Model, Problem,
+    fit, fit_group, least_squares_is_feasible,
 };
 use boundfit_exact::{Rational, Reading};
 use boundfit_formats::{ColumnSelector, RowRange, ScanOptions, Source, TableOptions};
@@ -26,6 +26,7 @@ fn columns(model: &Model, error_bound: &ErrorBound) -> Columns {
             ErrorBound::Uniform(epsilon) => EpsilonColumn::Uniform(epsilon.clone()),
             _ => EpsilonColumn::Column(named("eps")),
         },
+        form: LineForm::default(),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use boundfit_estimation::{Columns, EpsilonColumn, Fit, Measurements, Problem, fit};
+use boundfit_estimation::{Columns, EpsilonColumn, Fit, LineForm, Measurements, Problem, fit};
 use boundfit_exact::{Interval, Limits, Rational, Reading, Rounding};
 use boundfit_formats::{ColumnSelector, RowRange, Source, TableOptions};
 use boundfit_geometry::Point;
@@ -26,7 +26,13 @@ fn problem(path: &str, [x, y]: [&str; 2], epsilon: EpsilonColumn, rows: Option<R
     let path = root().join("fixtures").join(path);
     let source = Source::open(path.to_str().unwrap()).unwrap();
     let column = ColumnSelector::name_or_number;
-    let columns = Columns { first: column(x), second: None, response: Some(column(y)), epsilon };
+    let columns = Columns {
+        first: column(x),
+        second: None,
+        response: Some(column(y)),
+        epsilon,
+        form: LineForm::default(),
+    };
     let options = TableOptions { rows: rows.into(), ..TableOptions::default() };
     let measurements = Measurements::read(source, &columns, &options).unwrap();
     Problem { measurements, conditions: Vec::new() }
@@ -205,7 +211,13 @@ fn the_golden_cases_come_out_exactly() {
         }
         let column = ColumnSelector::name_or_number;
         let epsilon = EpsilonColumn::Uniform(number(case["eps"].as_str().unwrap()));
-        let columns = Columns { first: column("x"), second: None, response: Some(column("y")), epsilon };
+        let columns = Columns {
+            first: column("x"),
+            second: None,
+            response: Some(column("y")),
+            epsilon,
+            form: LineForm::default(),
+        };
         let source = Source::new("golden", std::io::Cursor::new(table.into_bytes()));
         let measurements = Measurements::read(source, &columns, &TableOptions::default()).unwrap();
         let problem = Problem { measurements, conditions: Vec::new() };

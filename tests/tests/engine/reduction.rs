@@ -6,8 +6,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use boundfit_estimation::{
-    BoundName, Columns, Condition, EpsilonColumn, ErrorBound, Fit, Keep, Measurement, Measurements, Model,
-    ParameterBound, Problem, ReducedColumns, ReducedTable, fit,
+    BoundName, Columns, Condition, EpsilonColumn, ErrorBound, Fit, Keep, LineForm, Measurement, Measurements,
+    Model, ParameterBound, Problem, ReducedColumns, ReducedTable, fit,
 };
 use boundfit_exact::{Column, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Progress, ScanOptions, Source, TableOptions};
@@ -25,6 +25,7 @@ fn columns(epsilon: &Rational) -> Columns {
         second: None,
         response: Some(ColumnSelector::name_or_number("y")),
         epsilon: EpsilonColumn::Uniform(epsilon.clone()),
+        form: LineForm::default(),
     }
 }
 

@@ -1,6 +1,8 @@
 //! The data of a lesson, and the fits that lessons are made of.
 
-use boundfit_estimation::{Columns, EpsilonColumn, Fit, Measurement, Measurements, Model, Problem, fit};
+use boundfit_estimation::{
+    Columns, EpsilonColumn, Fit, LineForm, Measurement, Measurements, Model, Problem, fit,
+};
 use boundfit_exact::{Rational, Reading};
 use boundfit_formats::{ColumnSelector, RowRange, Source, TableOptions};
 use boundfit_geometry::{Direction, HalfPlane, Inequality, Point, RegionKind, System};
@@ -103,7 +105,13 @@ pub fn kind(region: &Value) -> RegionKind {
 pub fn read(path: &str, [x, y]: [&str; 2], epsilon: EpsilonColumn, rows: Option<RowRange>) -> Problem {
     let source = Source::open(root().join("fixtures").join(path).to_str().unwrap()).unwrap();
     let column = ColumnSelector::name_or_number;
-    let columns = Columns { first: column(x), second: None, response: Some(column(y)), epsilon };
+    let columns = Columns {
+        first: column(x),
+        second: None,
+        response: Some(column(y)),
+        epsilon,
+        form: LineForm::default(),
+    };
     let options = TableOptions { rows: rows.into(), keep_others: true, ..TableOptions::default() };
     let measurements = Measurements::read(source, &columns, &options).unwrap();
     Problem { measurements, conditions: Vec::new() }

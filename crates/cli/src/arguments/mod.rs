@@ -26,6 +26,7 @@ pub(crate) use lesson::LessonArguments;
 pub(crate) use notes::Notes;
 pub(crate) use plot::{Figures, PlotArguments};
 pub(crate) use polygon::PolygonArguments;
+pub(crate) use reading::Asked;
 pub(crate) use reduce::ReduceArguments;
 pub(crate) use rows::RowArguments;
 pub(crate) use shared::{

@@ -1,8 +1,8 @@
 //! From options to what the libraries take.
 
 use boundfit_estimation::{
-    Columns, Condition, EpsilonColumn, Keep, Law, Measurements, ParseConditionError, ParseConditionErrorKind,
-    ParseLawError, ParseLawErrorKind, Problem,
+    Columns, Condition, EpsilonColumn, Keep, Law, LineForm, Measurements, ParseConditionError,
+    ParseConditionErrorKind, ParseLawError, ParseLawErrorKind, Problem,
 };
 use boundfit_exact::{Limit, Limits, Rational, Reading};
 use boundfit_formats::{Header, ScanOptions, SizeLimits, Source, TableOptions};
@@ -66,12 +66,13 @@ impl<'a> Data<'a> {
     /// Reads the problem in memory that does not grow with the file, where the model allows it; with the hash of the data
     /// and the rows fitted if they will be shown.
     pub(crate) fn scanned_problem(self, eui: bool, hash: bool, list_rows: bool) -> Result<Problem, Failure> {
-        let (columns, conditions) = self.asked()?;
+        let asked = self.asked()?;
         let (source, options) = self.scan()?;
         let options = ScanOptions { hash, list_rows, ..options };
         let keep = Keep { eui, ..Keep::default() };
-        let measurements = Measurements::scan(source, &columns, &options, keep).map_err(Failure::data)?;
-        Ok(Problem { measurements, conditions })
+        let measurements =
+            Measurements::scan(source, &asked.columns, &options, keep).map_err(Failure::data)?;
+        Ok(asked.problem(measurements))
     }
 
     /// The file, and how it is read in parts.
@@ -82,19 +83,26 @@ impl<'a> Data<'a> {
     }
 
     fn read(self, keep_others: bool) -> Result<Problem, Failure> {
-        let (columns, conditions) = self.asked()?;
+        let asked = self.asked()?;
         let table = self.arguments.table.options(self.origin.reading, Some(&self.arguments.rows))?;
         let options = TableOptions { keep_others, ..table };
-        let measurements = Measurements::read(self.source?, &columns, &options).map_err(Failure::data)?;
-        Ok(Problem { measurements, conditions })
+        let measurements =
+            Measurements::read(self.source?, &asked.columns, &options).map_err(Failure::data)?;
+        Ok(asked.problem(measurements))
     }
 
-    /// The columns and conditions asked for.
-    pub(crate) fn asked(&self) -> Result<(Columns, Vec<Condition>), Failure> {
+    /// The columns, conditions and error bound asked for.
+    pub(crate) fn asked(&self) -> Result<Asked, Failure> {
         let (arguments, reading) = (self.arguments, self.origin.reading);
         let limits = arguments.table.limits.number();
         let asked = &arguments.epsilon;
+        let multiple_of_least = match &asked.eps {
+            Some(eps) => multiple_of_least(eps, &limits)?,
+            None => None,
+        };
         let epsilon = match (&asked.eps, &asked.eps_column) {
+            // Until it is known, as it has no say in what it follows from.
+            (Some(_), _) if multiple_of_least.is_some() => EpsilonColumn::Uniform(Rational::zero()),
             (Some(eps), _) if is_law(eps) => {
                 EpsilonColumn::Law(law(eps, reading, &limits, arguments.x.second.is_some())?)
             }
@@ -117,9 +125,92 @@ impl<'a> Data<'a> {
             second: arguments.x.second.clone(),
             response: arguments.y.clone(),
             epsilon,
+            form: self.line_form(reading, &limits)?,
         };
-        Ok((columns, conditions))
+        let through_origin = arguments.line.through_origin;
+        Ok(Asked { columns, conditions, through_origin, multiple_of_least })
     }
+
+    /// Where x is counted from.
+    fn line_form(&self, reading: Reading, limits: &Limits) -> Result<LineForm, Failure> {
+        const EXPECTED: &str = "expected a number such as 1980 or -2.5";
+        let arguments = &self.arguments.line;
+        if self.arguments.x.second.is_some() {
+            if arguments.through_origin {
+                return Err(Failure::Usage(
+                    "'--through-origin' is about a line: with two regressors there is no offset, and the model passes \
+                     through the origin as it is"
+                        .to_owned(),
+                ));
+            }
+            if arguments.x_origin.is_some() {
+                return Err(Failure::Usage(
+                    "'--x-origin' is about a line: with two regressors there is no x to count from an origin"
+                        .to_owned(),
+                ));
+            }
+        }
+        let number = |text: &String| {
+            reading
+                .read(text, limits)
+                .map_err(|error| Failure::value("--x-origin <NUM>", text, number_problem(&error, EXPECTED)))
+        };
+        let x_origin = arguments.x_origin.as_ref().map(number).transpose()?.unwrap_or_default();
+        Ok(LineForm { x_origin, through_origin: false })
+    }
+}
+
+/// What is to be read, and what is to be fitted to it.
+pub(crate) struct Asked {
+    pub(crate) columns: Columns,
+    conditions: Vec<Condition>,
+    through_origin: bool,
+    /// Of `--eps 1.2*min` the factor.
+    multiple_of_least: Option<Rational>,
+}
+
+impl Asked {
+    /// The problem of some readings.
+    pub(crate) fn problem(&self, measurements: Measurements) -> Problem {
+        let problem = Problem { measurements, conditions: self.conditions.clone() };
+        let problem = if self.through_origin { problem.through_origin() } else { problem };
+        match &self.multiple_of_least {
+            Some(factor) => problem.with_multiple_of_least(factor),
+            None => problem,
+        }
+    }
+}
+
+impl Asked {
+    /// What the answers about many groups stand and fall with, as a line; nothing where the error bound is given.
+    pub(crate) fn assumption(&self) -> String {
+        let times = |factor: &Rational| match *factor == Rational::one() {
+            true => String::new(),
+            false => format!("{factor} times "),
+        };
+        let factor = self.multiple_of_least.as_ref();
+        factor.map_or_else(String::new, |factor| {
+            format!(
+                "Assumed: no error is larger than {}eps_min of its own group, a bound found from these very readings\n",
+                times(factor)
+            )
+        })
+    }
+}
+
+/// The factor of `min` and `1.2*min`; `None` for any other text.
+fn multiple_of_least(text: &str, limits: &Limits) -> Result<Option<Rational>, Failure> {
+    const EXPECTED: &str = "expected min, or a positive factor before it, as in 1.2*min";
+    let Some(factor) = text.trim().strip_suffix("min") else { return Ok(None) };
+    let refuse = |problem: String| Failure::value("--eps <NUM>", text, problem);
+    let factor = factor.trim_end();
+    let factor = factor.strip_suffix('*').unwrap_or(factor).trim_end();
+    if factor.is_empty() && !text.contains('*') {
+        return Ok(Some(Rational::one()));
+    }
+    let factor =
+        Reading::Decimal.read(factor, limits).map_err(|error| refuse(number_problem(&error, EXPECTED)))?;
+    if factor.is_positive() { Ok(Some(factor)) } else { Err(refuse(EXPECTED.to_owned())) }
 }
 
 /// Whether an error bound is more than a number.

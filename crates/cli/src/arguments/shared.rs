@@ -67,15 +67,30 @@ pub(crate) struct DataArguments {
     #[arg(long = "where", value_name = "CONDITION", allow_hyphen_values = true)]
     pub(super) conditions: Vec<String>,
     #[command(flatten)]
+    pub(super) line: LineArguments,
+    #[command(flatten)]
     pub(crate) table: TableArguments,
+}
+
+/// Which lines are fitted.
+#[derive(Debug, Args)]
+pub(crate) struct LineArguments {
+    /// Fit y = theta1*x + e, a line without an offset: theta2 = 0 becomes the last condition, and least squares has one
+    /// parameter
+    #[arg(long)]
+    pub(super) through_origin: bool,
+    /// Fit y = theta1*(x - NUM) + theta2 + e: theta2 is the value at NUM, and the reports have x - NUM for x
+    #[arg(long, value_name = "NUM", allow_hyphen_values = true)]
+    pub(super) x_origin: Option<String>,
 }
 
 /// The error bound.
 #[derive(Debug, Args)]
 #[group(required = true, multiple = true)]
 pub(crate) struct EpsilonArguments {
-    /// Error bound of every reading: a decimal or a fraction, or a law such as '0.05%*|y| + 2e-3', '1%*range(y)', 'written'
-    /// (half a unit of the last digit written) or '+0.2/-0.1' (the truth lies in [y - 0.1, y + 0.2])
+    /// Error bound of every reading: a decimal or a fraction; or a law such as '0.05%*|y| + 2e-3', '1%*range(y)', 'written'
+    /// (half a unit of the last digit written) or '+0.2/-0.1' (the truth lies in [y - 0.1, y + 0.2]); or 'min' or '1.2*min',
+    /// so many times the least bound that leaves anything, found from these very readings
     #[arg(long, value_name = "NUM", allow_hyphen_values = true, conflicts_with_all = ["eps_column", "lower", "upper"])]
     pub(crate) eps: Option<String>,
     /// Column with the error bound of each reading

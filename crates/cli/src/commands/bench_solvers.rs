@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use boundfit_check::{Check, CheckOptions, check, source_names};
-use boundfit_estimation::{Columns, EpsilonColumn, Measurements, Problem};
+use boundfit_estimation::{Columns, EpsilonColumn, LineForm, Measurements, Problem};
 use boundfit_exact::{Rational, Reading};
 use boundfit_formats::{ColumnSelector, Source, TableOptions};
 use boundfit_report::{conformance_json, conformance_table};
@@ -76,6 +76,7 @@ fn judged_case(folder: &Path, name: &str, table: &TableOptions) -> Result<Check,
         second: None,
         response: Some(ColumnSelector::name_or_number("y")),
         epsilon: EpsilonColumn::Uniform(epsilon),
+        form: LineForm::default(),
     };
     let csv = folder.join(format!("{name}.csv"));
     let source = Source::open(&csv.to_string_lossy()).map_err(Failure::data)?;

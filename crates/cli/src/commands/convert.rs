@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use boundfit_check::{ExchangeRows, ProgramRows};
-use boundfit_estimation::{ErrorBound, Model, Problem};
+use boundfit_estimation::{ErrorBound, Model, MultipleOfLeast, Problem};
 use boundfit_exact::Reading;
 use boundfit_lp::{ExchangeFormat, PuiEnd};
 
@@ -113,7 +113,12 @@ fn comments(arguments: &ConvertArguments, reading: Reading, problem: &Problem) -
     let selection = measurements.selection();
     let rows = if selection.is_all() { String::new() } else { format!(", {selection}") };
     let line = match measurements.model() {
-        Model::Line { x } => format!("theta1*{x} + theta2"),
+        Model::Line { x } => {
+            let form = measurements.line_form();
+            let name = form.abscissa(x);
+            let shown = if form.x_origin.is_zero() { name } else { format!("({name})") };
+            format!("theta1*{shown}{}", if form.through_origin { "" } else { " + theta2" })
+        }
         Model::TwoRegressors { regressors: [first, second] } => format!("theta1*{first} + theta2*{second}"),
     };
     let mut comments = vec![
@@ -121,6 +126,9 @@ fn comments(arguments: &ConvertArguments, reading: Reading, problem: &Problem) -
         format!("data: {}{rows}, every row of them", arguments.data.file_name()),
         format!("reading: {}; no number is rounded", reading.name()),
     ];
+    comments.extend(measurements.multiple_of_least().map(|MultipleOfLeast { factor, least }| {
+        format!("assumed: the error bound is {factor} times {least}, the least one of these very readings that leaves anything")
+    }));
     let conditions = (1..).zip(&problem.conditions);
     comments.extend(conditions.map(|(number, condition)| format!("where_{number}: {}", condition.text())));
     comments

@@ -3,12 +3,12 @@
 use std::io::{self, IsTerminal, Write};
 use std::ops::Range;
 
-use boundfit_estimation::{Condition, Fleet, Problem, fit_group};
+use boundfit_estimation::{Fleet, fit_group};
 use boundfit_formats::{ColumnSelector, ScanOptions};
 use boundfit_report::{FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, Style, write_group_json};
 
 use crate::CommandResult;
-use crate::arguments::{FitArguments, ReportFormat};
+use crate::arguments::{Asked, FitArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
 use crate::output::{Guard, Output, Stop};
 use crate::progress::while_working;
@@ -27,11 +27,11 @@ pub(crate) fn run(
         _ => return Err(Failure::Usage("'--by' writes text, json or csv".to_owned())),
     };
     let data = arguments.data.open();
-    let (columns, conditions) = data.asked()?;
+    let asked = data.asked()?;
     let (source, options) = data.scan()?;
     let options = ScanOptions { hash: false, list_rows: false, ..options };
-    let fleet = Fleet::read(source, &columns, by, options).map_err(Failure::data)?;
-    let job = Job { fleet: &fleet, conditions: &conditions, style: arguments.output.style() };
+    let fleet = Fleet::read(source, &asked.columns, by, options).map_err(Failure::data)?;
+    let job = Job { fleet: &fleet, asked: &asked, style: arguments.output.style() };
     let mut output = Output::open(arguments.output.file.output.as_deref(), guard)?;
     let mut summary = FleetSummary::default();
     let mut write = || write_groups(&job, &mut output, &mut summary);
@@ -43,7 +43,7 @@ pub(crate) fn run(
             output.finish()?;
             if format != ReportFormat::Text {
                 // The answer is written, whether or not somebody reads the summary.
-                let _ = io::stderr().write_all(summary.to_text().as_bytes());
+                let _ = io::stderr().write_all((summary.to_text() + &asked.assumption()).as_bytes());
             }
         }
         Err(Stop::Closed) => {}
@@ -55,7 +55,7 @@ pub(crate) fn run(
 /// What is to be fitted and how it is shown.
 struct Job<'a> {
     fleet: &'a Fleet,
-    conditions: &'a [Condition],
+    asked: &'a Asked,
     style: Style,
 }
 
@@ -102,20 +102,19 @@ impl Job<'_> {
         })?;
         let mut text = String::new();
         table.finish(&mut text);
-        output.write(format!("{text}\n{}", whole.to_text()).as_bytes())
+        let summary = format!("{}{}", whole.to_text(), self.asked.assumption());
+        output.write(format!("{text}\n{summary}").as_bytes())
     }
 
     /// Fits groups and shows each.
     fn each(&self, groups: Range<usize>, mut show: impl FnMut(GroupReport<'_>)) -> FleetSummary {
         let mut summary = FleetSummary::default();
-        let mut conditions = self.conditions.to_vec();
         for group in groups {
-            let problem = Problem { measurements: self.fleet.measurements(group), conditions };
+            let problem = self.asked.problem(self.fleet.measurements(group));
             let fit = fit_group(&problem);
             let report = GroupReport { key: self.fleet.key(group), problem: &problem, fit: &fit };
             summary.add(&report);
             show(report);
-            conditions = problem.conditions;
         }
         summary
     }

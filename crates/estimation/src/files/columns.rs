@@ -4,6 +4,7 @@ use boundfit_exact::{Column, Rational};
 use boundfit_formats::{Batch, ColumnSelector, InputError, InputErrorKind};
 
 use crate::law::Law;
+use crate::line_form::LineForm;
 use crate::measurements::{ErrorBound, Meaning, Model};
 
 /// The error bound as it is asked for.
@@ -35,6 +36,8 @@ pub struct Columns {
     pub response: Option<ColumnSelector>,
     /// ε.
     pub epsilon: EpsilonColumn,
+    /// Which lines are fitted.
+    pub form: LineForm,
 }
 
 impl Columns {
@@ -116,6 +119,7 @@ impl Columns {
         };
         let has_response = response.is_some();
         let response = response.unwrap_or_else(|| "y".to_owned());
-        Meaning { model, response, has_response, error_bound, uniform_law }
+        let form = self.form.clone();
+        Meaning { has_response, uniform_law, form, ..Meaning::new(model, response, error_bound) }
     }
 }

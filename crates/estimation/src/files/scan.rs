@@ -80,28 +80,36 @@ impl Measurements {
         if let Some(reductions) = &reductions {
             let sums = stated_sums(reductions, &name, columns.second.is_none(), &scanned.names, &options)?;
             let mut rows = match &uniform {
-                Some(epsilon) => summary.into_parts(epsilon).1,
+                Some(epsilon) => {
+                    let mut rows = summary.into_parts(epsilon).1;
+                    columns.form.count_rows(&mut rows);
+                    rows
+                }
                 None => rows_of(&batches, &meaning),
             };
             meaning.settle(&mut rows);
+            let sums = columns.form.sums(sums);
             let scanned = Scanned { rows_total: sums.count, layout: None, ..scanned };
             let reduction = Reduction { sums, spread: Err(NoEui::Reduced) };
             return Ok(measurements(meaning, selection, scanned, Readings::Supporting { rows, reduction }));
         }
         let readings = match &uniform {
             Some(epsilon) if rows > most_rows => {
-                let (sums, mut rows) = summary.into_parts(epsilon);
+                let (raw_sums, mut rows) = summary.into_parts(epsilon);
+                columns.form.count_rows(&mut rows);
                 // A reading with the largest or the smallest y of all is on a hull.
                 meaning.settle(&mut rows);
-                let thresholds = Thresholds::new(&sums);
+                let sums = columns.form.sums(raw_sums.clone());
+                let thresholds = Thresholds::of_form(&columns.form, &sums);
                 let spread = match (abscissas.spread(&thresholds), &path) {
                     _ if !keep.eui => Err(NoEui::NotAsked),
                     (Some(spread), _) => Ok(spread),
                     (None, None) => Err(NoEui::TooManyOnce),
                     (None, Some(path)) => {
-                        Ok(second_look(path, columns, &options, &thresholds, &sums, &scanned)?)
+                        Ok(second_look(path, columns, &options, &thresholds, &raw_sums, &scanned)?)
                     }
                 };
+                let spread = spread.map(|spread| columns.form.spread(spread));
                 Readings::Supporting { rows, reduction: Reduction { sums, spread } }
             }
             _ => {

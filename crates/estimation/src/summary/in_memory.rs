@@ -75,7 +75,7 @@ impl Measurements {
         columns: &[Column],
         keep: Keep,
     ) -> Result<Self, ColumnsError> {
-        let meaning = Meaning { model, response, has_response: true, error_bound, uniform_law: None };
+        let meaning = Meaning::new(model, response, error_bound);
         check(&meaning, columns)?;
         let rows_total = columns.first().map_or(0, Column::len);
         let readings = match (&meaning.model, &meaning.error_bound, columns) {

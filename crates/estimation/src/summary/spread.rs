@@ -3,10 +3,11 @@
 use boundfit_exact::{Column, Count, Rational, Scaled, Sum, Unit};
 
 use super::sums::LineSums;
+use crate::line_form::LineForm;
 
 /// The two values of x at which a weight of least squares changes its sign: A_1k that of N·x_k − Σx, A_2k that of
 /// Σx² − x_k·Σx.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(crate) struct Thresholds {
     values: [Rational; 2],
 }
@@ -24,6 +25,13 @@ struct Above {
 }
 
 impl Thresholds {
+    /// The thresholds of readings of lines of a form, as values of x as it is, from the sums over x counted from the form's
+    /// origin. Through the origin the one weight has the sign of x.
+    pub(crate) fn of_form(form: &LineForm, sums: &LineSums) -> Self {
+        let counted = if form.through_origin { Thresholds::default() } else { Thresholds::new(sums) };
+        Thresholds { values: counted.values.map(|value| value + &form.x_origin) }
+    }
+
     /// The thresholds of readings with these sums. Where Σx = 0 no A_2k changes its sign, and any second one will do.
     pub(crate) fn new(sums: &LineSums) -> Self {
         let first = sums.x.checked_div(&Rational::from(sums.count)).unwrap_or_default();
@@ -81,6 +89,19 @@ impl Spread {
             Above { count: one.count + other.count, x: &one.x + &other.x }
         };
         Spread { above: [both(0), both(1)] }
+    }
+
+    /// What lies above the thresholds when x is counted from another origin. Exact.
+    pub(crate) fn counted_from(&self, origin: &Rational) -> Self {
+        let above =
+            |Above { count, x }: &Above| Above { count: *count, x: x - origin * Rational::from(*count) };
+        Spread { above: self.above.each_ref().map(above) }
+    }
+
+    /// Σ|x| of readings with these sums, from what lies above 0. Exact.
+    pub(crate) fn absolute_x(&self, sums: &LineSums) -> Rational {
+        let [Above { x, .. }, _] = &self.above;
+        x + x - &sums.x
     }
 
     /// Σ_k |A_1k| and Σ_k |A_2k| times the determinant N·Σx² − (Σx)², for readings with these sums. Exact.

@@ -4,7 +4,7 @@ mod estimates;
 mod results;
 
 use boundfit_estimation::{
-    BoundName, ErrorBound, Fit, Inverse, Model, ParameterBound, ParameterInterval, Problem,
+    BoundName, ErrorBound, Fit, Inverse, Model, MultipleOfLeast, ParameterBound, ParameterInterval, Problem,
 };
 use boundfit_exact::english::counted;
 use boundfit_exact::{Interval, Rational, Reading};
@@ -63,7 +63,7 @@ pub fn fit_document(
         let names = |indices: &[usize]| indices.iter().map(|&index| report.name(index)).collect();
         blocks.extend(region_blocks(SET, region, &report.theta, names));
     }
-    let advice = bounding_reading(region, problem.measurements.model(), style);
+    let advice = bounding_reading(region, &problem.measurements, style);
     blocks.extend(advice.map(Block::Paragraph));
     let proofs = report.proofs();
     if !proofs.is_empty() {
@@ -73,6 +73,29 @@ pub fn fit_document(
     }
     blocks.push(Block::Results(results::lines(&report)));
     Document::new(blocks)
+}
+
+/// What an error bound that was found from the readings themselves stands and falls with, on lines of their own.
+fn assumption(
+    MultipleOfLeast { factor, least }: &MultipleOfLeast,
+    style: &Style,
+) -> Vec<(&'static str, Text)> {
+    let times = match *factor == Rational::one() {
+        true => Text::from("that no error is larger than eps_min, "),
+        false => {
+            Text::from("that no error is larger than ").then(style.given(factor)).words(" times eps_min, ")
+        }
+    };
+    let mut lines = vec![
+        ("assumes", times.then(style.upper_with_exact(least)).words(":")),
+        ("", "the least bound under which any theta fits. It was found from these very".into()),
+        ("", "readings, which cannot show that errors are no larger; if one is, the".into()),
+        ("", "intervals below may miss the true theta.".into()),
+    ];
+    if least.is_zero() {
+        lines.push(("", "Here it is 0: the readings fit exactly, and say nothing of their errors.".into()));
+    }
+    lines
 }
 
 /// What the parts of a report are made of.
@@ -146,12 +169,14 @@ impl<'a> Report<'a> {
             Reading::Decimal => "decimal: numbers exactly as written",
             Reading::Binary64 => "binary64: the double nearest to each number, exactly",
         };
-        let facts = [
-            ("model", self.model()),
-            ("error", bound),
-            ("data", Text::new().given(file).words(format!(", {rows}"))),
-            ("reading", reading.into()),
-        ];
+        let multiple = measurements.multiple_of_least();
+        let facts = [("model", self.model()), ("error", bound)]
+            .into_iter()
+            .chain(multiple.into_iter().flat_map(|multiple| assumption(multiple, self.style)))
+            .chain([
+                ("data", Text::new().given(file).words(format!(", {rows}"))),
+                ("reading", reading.into()),
+            ]);
         let conditions = (1..).zip(&self.problem.conditions).map(|(number, condition)| {
             (format!("where:{number}").into(), Text::new().given(condition.text()))
         });
@@ -162,10 +187,21 @@ impl<'a> Report<'a> {
         let term = |theta, regressor: &str| Text::from(theta).operator(Operator::Dot).given(regressor);
         let measurements = &self.problem.measurements;
         let (first, second) = match measurements.model() {
-            Model::Line { x } => (x, Symbol::Theta2.into()),
-            Model::TwoRegressors { regressors: [first, second] } => (first, term(Symbol::Theta2, second)),
+            Model::Line { x } => {
+                let form = measurements.line_form();
+                let name = form.abscissa(x);
+                let shown = if form.x_origin.is_zero() { name } else { format!("({name})") };
+                (shown, (!form.through_origin).then(|| Text::from(Symbol::Theta2)))
+            }
+            Model::TwoRegressors { regressors: [first, second] } => {
+                (first.clone(), Some(term(Symbol::Theta2, second)))
+            }
         };
-        let value = term(Symbol::Theta1, first).operator(Operator::Plus).then(second);
+        let value = term(Symbol::Theta1, &first);
+        let value = match second {
+            Some(second) => value.operator(Operator::Plus).then(second),
+            None => value,
+        };
         if let ErrorBound::Interval { lower, upper } = measurements.error_bound() {
             let between = lower
                 .as_ref()

@@ -6,7 +6,9 @@ use std::fs;
 use std::path::Path;
 
 use boundfit_check::{ExchangeRows, ProgramRows};
-use boundfit_estimation::{BoundName, Columns, Condition, EpsilonColumn, Measurements, Problem, fit};
+use boundfit_estimation::{
+    BoundName, Columns, Condition, EpsilonColumn, LineForm, Measurements, Problem, fit,
+};
 use boundfit_exact::{Endpoint, Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, RowRange, Source, TableOptions};
 use boundfit_lp::{ExactOutcome, ExchangeFormat, Program, PuiEnd, Row, exact_simplex};
@@ -52,6 +54,7 @@ fn case(
             Some(name) => EpsilonColumn::Column(ColumnSelector::name_or_number(name)),
             None => EpsilonColumn::Uniform(reading.read(epsilon, &Limits::default()).unwrap()),
         },
+        form: LineForm::default(),
     };
     let range = rows.and_then(|(first, last)| RowRange::new(first, last));
     let options = TableOptions { rows: range.into(), reading, ..TableOptions::default() };

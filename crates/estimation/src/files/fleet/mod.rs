@@ -13,7 +13,7 @@ use std::ops::Range;
 use boundfit_formats::{Batch, ColumnSelector, InputError, RowNumbers, ScanOptions, Source, scan, threads};
 
 use crate::files::Columns;
-use crate::measurements::{Meaning, Measurement, Measurements, Origin, Readings};
+use crate::measurements::{Meaning, Measurement, Measurements};
 use groups::Groups;
 use keys::Keys;
 use series::Series;
@@ -104,8 +104,7 @@ impl Fleet {
         let mut rows: Vec<Measurement> = self.groups.rows(group).map(measurement).collect();
         let mut meaning = self.meaning.clone();
         meaning.settle(&mut rows);
-        let origin = Origin { rows_total: rows.len(), ..Origin::default() };
-        Measurements { meaning, readings: Readings::All(rows), others: Vec::new(), origin }
+        Measurements::of_meaning(meaning, rows)
     }
 
     /// Calls `work` for consecutive groups, on the threads of the current rayon pool and in any order, and `take` with

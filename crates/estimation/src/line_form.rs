@@ -1,0 +1,79 @@
+//! How a line is written down: from which x its offset is told, and whether it has one.
+
+use boundfit_exact::Rational;
+
+use crate::measurements::Measurement;
+use crate::summary::{LineSums, Spread};
+
+/// Which lines are fitted: y = θ1·(x - origin) + θ2, with θ2 = 0 for those through the point (origin, 0).
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct LineForm {
+    /// Where x is counted from: θ2 is the value there.
+    pub x_origin: Rational,
+    /// Whether θ2 is known to be 0, so that least squares has one parameter only. The condition `theta2 = 0` that belongs to
+    /// it is one of the [problem](crate::Problem)'s.
+    pub through_origin: bool,
+}
+
+impl LineForm {
+    /// What x is called when it is counted from the origin: `year`, `year - 1980`, `x + 1/3`.
+    pub fn abscissa(&self, x: &str) -> String {
+        /// Digits of a decimal that is still easier to read than a fraction.
+        const MOST_DIGITS: usize = 17;
+        let size = self.x_origin.abs();
+        let shown = || {
+            size.exact_decimal(MOST_DIGITS).map_or_else(|| size.to_string(), |decimal| decimal.to_string())
+        };
+        match self.x_origin.is_zero() {
+            true => x.to_owned(),
+            false => format!("{x} {} {}", if self.x_origin.is_negative() { "+" } else { "-" }, shown()),
+        }
+    }
+
+    /// An x counted from the origin. Exact.
+    pub(crate) fn counted(&self, x: Rational) -> Rational {
+        if self.x_origin.is_zero() { x } else { x - &self.x_origin }
+    }
+
+    /// Counts the x of readings from the origin. Exact.
+    pub(crate) fn count_rows(&self, rows: &mut [Measurement]) {
+        for row in rows {
+            row.regressor[0] = self.counted(std::mem::take(&mut row.regressor[0]));
+        }
+    }
+
+    /// The sums over readings whose x are counted from the origin, from those of x as it is. Exact.
+    pub(crate) fn sums(&self, sums: LineSums) -> LineSums {
+        let origin = &self.x_origin;
+        if origin.is_zero() {
+            return sums;
+        }
+        let LineSums { count, x, y, xx, xy } = sums;
+        let all = origin * Rational::from(count);
+        let twice = &x + &x;
+        LineSums { count, xx: xx + origin * (&all - twice), x: x - all, xy: xy - origin * &y, y }
+    }
+
+    /// Where x counted from the origin lie, from where x as it is lie. Exact.
+    pub(crate) fn spread(&self, spread: Spread) -> Spread {
+        if self.x_origin.is_zero() { spread } else { spread.counted_from(&self.x_origin) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_abscissa_has_a_name() {
+        let named = |numerator, denominator| {
+            let x_origin = Rational::ratio(numerator, denominator);
+            LineForm { x_origin, through_origin: false }.abscissa("x")
+        };
+        for (numerator, denominator, name) in
+            [(0, 1, "x"), (1980, 1, "x - 1980"), (-5, 2, "x + 2.5"), (-1, 3, "x + 1/3"), (1, 4, "x - 0.25")]
+        {
+            assert_eq!(named(numerator, denominator), name);
+        }
+    }
+}
