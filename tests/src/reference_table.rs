@@ -98,7 +98,13 @@ impl Reader<'_> {
         }
         let delimiter = self.options.delimiter.unwrap_or_else(|| detect(text));
         let mut records = Records::new(text, failure.is_some(), delimiter, limit);
-        let found = self.table(&mut records, sha256);
+        let found = self.table(&mut records, sha256).map_err(|error| match error {
+            Some(InputError { kind: InputErrorKind::RowTooLong { .. }, .. }) => error,
+            Some(error) if records.is_within_quotes && error.place.line == Some(records.line) => {
+                Some(wrong(error.place.line, InputErrorKind::OpenQuote))
+            }
+            error => error,
+        });
         match (found, failure) {
             (Err(None), Some(kind)) => Err(wrong(Some(fails_on), kind)),
             (Err(None), None) => Err(wrong(None, InputErrorKind::Io(io::Error::other("not said why")))),
@@ -240,6 +246,9 @@ struct Records<'a> {
     /// Up to here line ends are counted.
     counted: usize,
     line: u64,
+    /// Whether the text ends within the quotes of the last record.
+    is_within_quotes: bool,
+    delimiter: u8,
 }
 
 impl<'a> Records<'a> {
@@ -247,7 +256,7 @@ impl<'a> Records<'a> {
         let failing = Failing(fails.then(String::new));
         let mut builder = ReaderBuilder::new();
         let reader = builder.has_headers(false).flexible(true).delimiter(delimiter);
-        Records { text, reader: reader.from_reader(text.chain(failing)), limit, counted: 0, line: 1 }
+        Records { text, reader: reader.from_reader(text.chain(failing)), limit, counted: 0, line: 1, is_within_quotes: false, delimiter }
     }
 
     fn next(&mut self, record: &mut ByteRecord) -> Result<bool, Option<InputError>> {
@@ -265,12 +274,28 @@ impl<'a> Records<'a> {
                 return Err(Some(wrong(Some(self.line), InputErrorKind::RowTooLong { limit: self.limit })));
             }
             let more = read.map_err(|_| None)?;
+            self.is_within_quotes = end == self.text.len() && ends_within_quotes(&self.text[start..], self.delimiter);
             let is_blank = record.len() == 1 && record[0].trim_ascii().is_empty();
             if !(more && is_blank) {
                 return Ok(more);
             }
         }
     }
+}
+
+/// Whether a record stops before its quotes do.
+fn ends_within_quotes(record: &[u8], delimiter: u8) -> bool {
+    let (mut is_inside, mut is_start) = (false, true);
+    let mut bytes = record.iter().peekable();
+    while let Some(&byte) = bytes.next() {
+        if is_inside {
+            is_inside = byte != b'"' || bytes.next_if(|&&next| next == b'"').is_some();
+            is_start = false;
+        } else {
+            (is_inside, is_start) = (is_start && byte == b'"', byte == delimiter);
+        }
+    }
+    is_inside
 }
 
 /// How many lines end in a range: a carriage return and a line feed right after it are one end.

@@ -149,6 +149,14 @@ impl<'a> Records<'a> {
         was_open && !self.record.is_blank()
     }
 
+    /// Whether the record that goes on is within quotes, which no more bytes would close.
+    pub(crate) fn is_within_quotes(&self) -> bool {
+        // Elsewhere a line end ends a record.
+        let mut core = self.core.clone();
+        let (result, ..) = core.read_record(b"\n", &mut [0; 4], &mut [0; 4]);
+        self.is_open && result == ReadRecordResult::InputEmpty
+    }
+
     /// The last record.
     pub(crate) fn record(&self) -> &Record {
         &self.record

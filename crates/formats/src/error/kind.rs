@@ -9,6 +9,7 @@ use thiserror::Error;
 use crate::reduction::record::ReductionError;
 use crate::selection::RowRange;
 
+use super::names::{advice, are_no_names};
 use super::quote::quote;
 
 /// What is wrong with an input file.
@@ -140,6 +141,9 @@ pub enum InputErrorKind {
         /// The most columns that are read.
         limit: usize,
     },
+    /// What could not be read since quotes hold all that follows.
+    #[error("a quote that opens in this row is never closed")]
+    OpenQuote,
     /// A row with more or fewer cells than the first one.
     #[error("the row has {} where the first row has {expected}", counted(*.found, "cell", "cells"))]
     RaggedRow {
@@ -149,7 +153,7 @@ pub enum InputErrorKind {
         expected: usize,
     },
     /// A column that the table does not have.
-    #[error("there is no column {wanted:?}")]
+    #[error("there is no column {wanted:?}{}", advice(.wanted, .available, *.numbers))]
     UnknownColumn {
         /// The column asked for.
         wanted: String,
@@ -290,6 +294,7 @@ impl InputErrorKind {
             InputErrorKind::IsDirectory => "a file, or - for standard input".to_owned(),
             InputErrorKind::Empty | InputErrorKind::NoRows => "at least one row of numbers".to_owned(),
             InputErrorKind::Utf16 | InputErrorKind::NotUtf8 { .. } => "text in UTF-8".to_owned(),
+            InputErrorKind::UnknownColumn { available, .. } if are_no_names(available) => return None,
             InputErrorKind::UnknownColumn { available, numbers, .. } => {
                 const MOST: usize = 10;
                 let mut names: Vec<String> = available.iter().take(MOST).map(|name| quote(name)).collect();

@@ -1,6 +1,7 @@
 //! What can be wrong with an input file, and where.
 
 mod kind;
+mod names;
 mod quote;
 
 use std::fmt;

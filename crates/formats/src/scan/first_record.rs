@@ -41,6 +41,7 @@ impl<'a> FirstRecord<'a> {
     ) -> Result<Self, InputError> {
         let mut records = Records::new(file, delimiter, 1, options.table.sizes.line, options.keep_text);
         let mut end = 0;
+        let mut is_within_quotes = false;
         loop {
             let mut rest = reader.pending().get(end..).unwrap_or_default();
             let is_found = records.next(&mut rest)?;
@@ -54,12 +55,18 @@ impl<'a> FirstRecord<'a> {
             if let Some(problem) = reader.failure() {
                 return Err(InputError::of_line(file, 1 + line_feeds(reader.pending()), problem));
             }
+            is_within_quotes = records.is_within_quotes();
             if !records.finish() {
                 return Err(InputError::of_file(file, InputErrorKind::Empty));
             }
             break;
         }
-        let layout = Layout::new(file, records.record(), records.record_line(), delimiter, columns, options)?;
+        let line = records.record_line();
+        let layout = Layout::new(file, records.record(), line, delimiter, columns, options);
+        let layout = layout.map_err(|error| match is_within_quotes {
+            true => InputError::of_line(file, line, InputErrorKind::OpenQuote),
+            false => error,
+        })?;
         let mut position = Position { rows: 0, lines: 1, line_feeds: 1 };
         let mut header_line = None;
         if layout.has_header {

@@ -2,7 +2,7 @@
 
 use memchr::memchr_iter;
 
-use crate::error::InputError;
+use crate::error::{InputError, InputErrorKind};
 use crate::records::Records;
 use crate::table::check_width;
 
@@ -58,7 +58,16 @@ impl<'a> RowReader<'a> {
 
     /// Adds the row that no line end ends, if there is one.
     pub(super) fn finish(&mut self, batch: &mut BatchBuilder) -> Result<(), InputError> {
-        if self.records.finish() { self.add(batch) } else { Ok(()) }
+        let is_within_quotes = self.records.is_within_quotes();
+        if !self.records.finish() {
+            return Ok(());
+        }
+        let line = self.records.record_line();
+        self.add(batch).map_err(|error| match is_within_quotes {
+            // Whatever is wrong with it is so because it has swallowed the rows behind it.
+            true => InputError::of_line(self.layout.file, line, InputErrorKind::OpenQuote),
+            false => error,
+        })
     }
 
     fn add(&mut self, batch: &mut BatchBuilder) -> Result<(), InputError> {

@@ -1,0 +1,45 @@
+//! What is said about a command line that is not understood.
+
+use std::path::Path;
+
+use clap::Parser;
+use clap::builder::StyledStr;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+
+use crate::arguments::Arguments;
+
+/// What short options may be meant for. There are none for these, since a table may have columns of any name.
+const MEANT: [(&str, &str); 3] = [("-x", "--x"), ("-y", "--y"), ("-e", "--eps")];
+
+/// The program's arguments; ends the program where they are not understood.
+pub(crate) fn parse() -> Arguments {
+    Arguments::try_parse().unwrap_or_else(|error| with_tips(error).exit())
+}
+
+/// An error with tips that lead on, in place of those that do not.
+fn with_tips(mut error: clap::Error) -> clap::Error {
+    let asked = |kind: ContextKind| match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text.clone()),
+        _ => None,
+    };
+    match error.kind() {
+        ErrorKind::UnknownArgument => {
+            let asked = asked(ContextKind::InvalidArg).unwrap_or_default();
+            if let Some((_, meant)) = MEANT.iter().find(|(short, _)| *short == asked) {
+                // Nobody wants such a value.
+                error.remove(ContextKind::Suggested);
+                error.insert(ContextKind::SuggestedArg, ContextValue::String((*meant).to_owned()));
+            }
+        }
+        ErrorKind::InvalidSubcommand => {
+            let asked = asked(ContextKind::InvalidSubcommand).unwrap_or_default();
+            if asked.contains(['.', '/', '\\']) || Path::new(&asked).exists() {
+                error.remove(ContextKind::SuggestedSubcommand);
+                let tip = format!("a table is fitted by 'boundfit fit {asked} --x COL --y COL --eps NUM'");
+                error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![StyledStr::from(tip)]));
+            }
+        }
+        _ => {}
+    }
+    error
+}
