@@ -11,7 +11,7 @@ MISSING = "na n/a #n/a nan null none - -- . ?".split() + [""]
 def must(truth, statement, error=Falsehood):
     if not truth: raise error(statement)
 def number(text):  # section 1: all else is no text, or no number
-    form = r"[ \t\n\f\r]*[+-]?([0-9]+/0*[1-9][0-9]*|([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)[ \t\n\f\r]*"
+    form = r"[ \t\n\f\r]*[+-]?((0|[1-9][0-9]*)/[1-9][0-9]*|([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)[ \t\n\f\r]*"
     must(re.fullmatch(form, text, re.ASCII), f"{text!r} is not a number")
     return Fraction(text)
 def pair(texts): return (lambda x, y: (number(x), number(y)))(*texts)

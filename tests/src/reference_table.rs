@@ -201,8 +201,8 @@ impl Reader<'_> {
             return Ok(None);
         }
         let name = |(index, cell): (usize, &[u8])| {
-            let text =
-                std::str::from_utf8(cell).map_err(|error| wrong_cell(line, index + 1, None, cell, error))?;
+            let text = std::str::from_utf8(cell)
+                .map_err(|error| wrong_cell(line, index + 1, None, cell, not_utf8(cell, &error)))?;
             Ok(text.trim().to_owned())
         };
         record.iter().enumerate().map(name).collect::<Result<_, _>>().map(Some)
@@ -228,7 +228,8 @@ impl Reader<'_> {
         line: u64,
     ) -> Result<Rational, InputError> {
         let (cell, name) = (&record[place - 1], names.get(place - 1));
-        let text = std::str::from_utf8(cell).map_err(|error| wrong_cell(line, place, name, cell, error))?;
+        let text = std::str::from_utf8(cell)
+            .map_err(|error| wrong_cell(line, place, name, cell, not_utf8(cell, &error)))?;
         let number = self.options.reading.read(text, &self.options.limits);
         let number = number.map_err(|error| wrong_cell(line, place, name, cell, error))?;
         if column.is_non_negative() && number.is_negative() {
@@ -256,7 +257,15 @@ impl<'a> Records<'a> {
         let failing = Failing(fails.then(String::new));
         let mut builder = ReaderBuilder::new();
         let reader = builder.has_headers(false).flexible(true).delimiter(delimiter);
-        Records { text, reader: reader.from_reader(text.chain(failing)), limit, counted: 0, line: 1, is_within_quotes: false, delimiter }
+        Records {
+            text,
+            reader: reader.from_reader(text.chain(failing)),
+            limit,
+            counted: 0,
+            line: 1,
+            is_within_quotes: false,
+            delimiter,
+        }
     }
 
     fn next(&mut self, record: &mut ByteRecord) -> Result<bool, Option<InputError>> {
@@ -274,7 +283,8 @@ impl<'a> Records<'a> {
                 return Err(Some(wrong(Some(self.line), InputErrorKind::RowTooLong { limit: self.limit })));
             }
             let more = read.map_err(|_| None)?;
-            self.is_within_quotes = end == self.text.len() && ends_within_quotes(&self.text[start..], self.delimiter);
+            self.is_within_quotes =
+                end == self.text.len() && ends_within_quotes(&self.text[start..], self.delimiter);
             let is_blank = record.len() == 1 && record[0].trim_ascii().is_empty();
             if !(more && is_blank) {
                 return Ok(more);
@@ -371,10 +381,10 @@ impl From<InputErrorKind> for CellError {
     }
 }
 
-impl From<std::str::Utf8Error> for CellError {
-    fn from(error: std::str::Utf8Error) -> Self {
-        CellError(InputErrorKind::NotUtf8 { position: error.valid_up_to(), unit: "cell" })
-    }
+/// What is wrong with a cell that is no text.
+fn not_utf8(cell: &[u8], error: &std::str::Utf8Error) -> InputErrorKind {
+    let position = String::from_utf8_lossy(&cell[..error.valid_up_to()]).chars().count();
+    InputErrorKind::NotUtf8 { position, unit: "cell" }
 }
 
 impl From<boundfit_exact::ParseNumberError> for CellError {

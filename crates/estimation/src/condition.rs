@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading};
+use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading, characters_before};
 use boundfit_geometry::Inequality;
 use thiserror::Error;
 
@@ -16,9 +16,9 @@ pub struct Condition {
 
 /// Why a text is not a condition, and where.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("{kind} at byte {position}{}", Expected(.kind))]
+#[error("{kind} at character {}{}", position + 1, Expected(.kind))]
 pub struct ParseConditionError {
-    /// Offset in the text, from 0.
+    /// How many characters come before.
     pub position: usize,
     /// What is wrong there.
     pub kind: ParseConditionErrorKind,
@@ -63,19 +63,13 @@ impl Condition {
     /// `θ1`, `θ2`, `≤`, `≥`, `==` and a missing `*` are understood. Exact as `reading` says.
     ///
     /// # Errors
-    /// With the byte position where the text stops making sense.
+    /// With the position where the text stops making sense.
     pub fn parse(text: &str, reading: Reading, limits: &Limits) -> Result<Self, ParseConditionError> {
-        let mut parser = Parser { text, position: 0, reading, limits };
-        let left = parser.sum()?;
-        let relation = parser.relation()?;
-        let right = parser.sum()?;
-        if !parser.rest().is_empty() {
-            return Err(parser.error(ParseConditionErrorKind::SecondRelation));
-        }
-        let sign = if relation == Relation::AtLeast { -Rational::one() } else { Rational::one() };
-        let [a1, a2, b] = [0, 1, 2].map(|i| (&left[i] - &right[i]) * &sign);
-        let is_equation = relation == Relation::Equal;
-        Ok(Condition { text: text.trim().to_owned(), inequality: Inequality::new(a1, a2, -b), is_equation })
+        let condition = Parser { text, position: 0, reading, limits }.condition();
+        condition.map_err(|ParseConditionError { position, kind }| ParseConditionError {
+            position: characters_before(text, position),
+            kind,
+        })
     }
 
     /// `theta2 = 0`, as if it had been written: the condition of a line through the origin.
@@ -125,6 +119,24 @@ struct Parser<'a> {
 }
 
 impl<'a> Parser<'a> {
+    /// The whole text; errors count bytes.
+    fn condition(mut self) -> Result<Condition, ParseConditionError> {
+        let left = self.sum()?;
+        let relation = self.relation()?;
+        let right = self.sum()?;
+        if !self.rest().is_empty() {
+            return Err(self.error(ParseConditionErrorKind::SecondRelation));
+        }
+        let sign = if relation == Relation::AtLeast { -Rational::one() } else { Rational::one() };
+        let [a1, a2, b] = [0, 1, 2].map(|i| (&left[i] - &right[i]) * &sign);
+        let is_equation = relation == Relation::Equal;
+        Ok(Condition {
+            text: self.text.trim().to_owned(),
+            inequality: Inequality::new(a1, a2, -b),
+            is_equation,
+        })
+    }
+
     /// Coefficients of θ1, θ2 and 1.
     fn sum(&mut self) -> Result<[Rational; 3], ParseConditionError> {
         let mut total = [Rational::zero(), Rational::zero(), Rational::zero()];

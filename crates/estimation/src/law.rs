@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading};
+use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading, characters_before};
 use thiserror::Error;
 
 use crate::measurements::{Bounds, Measurement};
@@ -29,9 +29,9 @@ struct Terms {
 
 /// Why a text is not a law, and where.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("{kind} at byte {position}{}", Expected(.kind))]
+#[error("{kind} at character {}{}", position + 1, Expected(.kind))]
 pub struct ParseLawError {
-    /// Offset in the text, from 0.
+    /// How many characters come before.
     pub position: usize,
     /// What is wrong there.
     pub kind: ParseLawErrorKind,
@@ -85,8 +85,16 @@ impl Law {
     /// other bounds above y than below. Numbers are read as `reading` says, all else is exact.
     ///
     /// # Errors
-    /// With the byte position where the text stops making sense.
+    /// With the position where the text stops making sense.
     pub fn parse(text: &str, reading: Reading, limits: &Limits) -> Result<Self, ParseLawError> {
+        Law::read(text, reading, limits).map_err(|ParseLawError { position, kind }| ParseLawError {
+            position: characters_before(text, position),
+            kind,
+        })
+    }
+
+    /// As [`Law::parse`]; errors count bytes.
+    fn read(text: &str, reading: Reading, limits: &Limits) -> Result<Self, ParseLawError> {
         if let Some(position) = ["digit", "dgt"].into_iter().find_map(|word| text.find(word)) {
             return Err(ParseLawError { position, kind: ParseLawErrorKind::Digits });
         }
@@ -399,11 +407,11 @@ mod tests {
         let message = |text: &str| parse(text).unwrap_err().to_string();
         assert_eq!(
             message("2%"),
-            "per cent of what? Of each reading it is 2%*|y|, of the span of all readings 2%*range(y) at byte 0"
+            "per cent of what? Of each reading it is 2%*|y|, of the span of all readings 2%*range(y) at character 1"
         );
         assert_eq!(
             message("1%*|z|"),
-            "neither a number nor one of |y|, |x|, range(y), written at byte 3 (expected a law such as \
+            "neither a number nor one of |y|, |x|, range(y), written at character 4 (expected a law such as \
              \"0.05%*|y| + 2e-3\", \"written\" or \"+0.2/-0.1\")"
         );
     }

@@ -39,6 +39,6 @@ pub use double_sum::DoubleSum;
 pub use interval::{Endpoint, Interval};
 pub use limit::Limit;
 pub use number::{Fraction, Integer, Rational, Sign, TooWide};
-pub use parse::{Limits, ParseNumberError, ParseNumberErrorKind, Reading};
+pub use parse::{Limits, ParseNumberError, ParseNumberErrorKind, Reading, characters_before};
 pub use plain::{PLAIN_DIGITS, PLAIN_EXPONENT, PlainPrefix, plain_decimal, plain_prefix};
 pub use sum::Sum;

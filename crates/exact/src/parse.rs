@@ -66,7 +66,7 @@ impl Reading {
     /// ```
     ///
     /// # Errors
-    /// With the byte position in `text` where the number stops making sense or passes a limit; under
+    /// With the position in `text` where the number stops making sense or passes a limit; under
     /// [`Reading::Binary64`] also for a number that overflows binary64.
     pub fn read(self, text: &str, limits: &Limits) -> Result<Rational, ParseNumberError> {
         let exact = Scanner { bytes: text.as_bytes(), text, position: 0, limits }.number()?;
@@ -82,7 +82,7 @@ impl Reading {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{kind}{}", At(.kind, *.position))]
 pub struct ParseNumberError {
-    /// Offset of the offending byte in the text, from 0.
+    /// How many characters come before the offending one.
     pub position: usize,
     /// What is wrong there.
     pub kind: ParseNumberErrorKind,
@@ -115,6 +115,9 @@ pub enum ParseNumberErrorKind {
     /// An exponent beyond [`Limits::exponent`].
     #[error("exponent beyond {0} (the limit)")]
     ExponentTooLarge(u32),
+    /// A fraction with a zero in front, or several slashes.
+    #[error("this looks like a date")]
+    Date,
     /// A fraction with denominator 0.
     #[error("zero denominator")]
     ZeroDenominator,
@@ -137,8 +140,8 @@ struct At<'a>(&'a ParseNumberErrorKind, usize);
 impl fmt::Display for At<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            At(ParseNumberErrorKind::Binary64Overflow, _) => Ok(()),
-            At(_, position) => write!(f, " at byte {position}"),
+            At(ParseNumberErrorKind::Binary64Overflow | ParseNumberErrorKind::Date, _) => Ok(()),
+            At(_, position) => write!(f, " at character {}", position + 1),
         }
     }
 }
@@ -175,6 +178,14 @@ impl Scanner<'_> {
     fn fraction(&mut self, numerator: &[u8]) -> Result<Rational, ParseNumberError> {
         let start = self.position;
         let digits = self.digits(self.limits.digits)?;
+        // Nobody writes 03/04 for three quarters, but spreadsheets do for a day.
+        let has_zero_in_front = |digits: &[u8]| digits.len() > 1 && digits.starts_with(b"0");
+        if has_zero_in_front(numerator)
+            || has_zero_in_front(digits)
+            || self.next_is(b"/") && !digits.is_empty()
+        {
+            return Err(self.error_at(start - 1, ParseNumberErrorKind::Date));
+        }
         let zero = self.error_at(start, ParseNumberErrorKind::ZeroDenominator);
         match (Integer::from_ascii_digits(numerator), Integer::from_ascii_digits(digits)) {
             (Some(numerator), Some(denominator)) => Rational::new(numerator, denominator).ok_or(zero),
@@ -281,8 +292,13 @@ impl Scanner<'_> {
     }
 
     fn error_at(&self, position: usize, kind: ParseNumberErrorKind) -> ParseNumberError {
-        ParseNumberError { position, kind }
+        ParseNumberError { position: characters_before(self.text, position), kind }
     }
+}
+
+/// How many characters of a text come before this byte: messages count what people see.
+pub fn characters_before(text: &str, byte: usize) -> usize {
+    text.char_indices().take_while(|(start, _)| *start < byte).count()
 }
 
 fn is_not_finite(text: &str) -> bool {
@@ -307,6 +323,8 @@ mod tests {
             ("+3", 3, 1),
             ("7/19", 7, 19),
             ("-6/4", -3, 2),
+            ("0/5", 0, 1),
+            ("10/20", 1, 2),
             ("0.1", 1, 10),
             ("5e-4", 1, 2000),
             ("5.", 5, 1),
@@ -341,7 +359,14 @@ mod tests {
             ("1/", 2, Kind::MissingDigit),
             ("/2", 0, Kind::UnexpectedCharacter('/')),
             ("1/-2", 2, Kind::UnexpectedCharacter('-')),
-            ("1/2/3", 3, Kind::UnexpectedCharacter('/')),
+            ("1/2/3", 1, Kind::Date),
+            ("2012/01/01", 4, Kind::Date),
+            ("2012/01", 4, Kind::Date),
+            ("03/04", 2, Kind::Date),
+            (" 00/5", 3, Kind::Date),
+            ("0/05", 1, Kind::Date),
+            ("-1/2/", 2, Kind::Date),
+            ("1//2", 2, Kind::UnexpectedCharacter('/')),
             ("1.5/2", 3, Kind::UnexpectedCharacter('/')),
             ("--1", 1, Kind::UnexpectedCharacter('-')),
             ("1 2", 2, Kind::UnexpectedCharacter('2')),
@@ -365,7 +390,7 @@ mod tests {
         let fraction = format!("0.{digits}");
         let too_many = ParseNumberError { position: 2 + 9_999, kind: Kind::TooManyDigits(10_000) };
         assert_eq!(read(&fraction).unwrap_err(), too_many);
-        assert_eq!(too_many.to_string(), "more than 10000 digits (the limit) at byte 10001");
+        assert_eq!(too_many.to_string(), "more than 10000 digits (the limit) at character 10002");
         assert!(read(&"7".repeat(10_000)).is_ok());
         assert!(read("1e10000").is_ok());
     }

@@ -202,8 +202,12 @@ impl ColumnPlace {
 
 /// The text of a cell.
 pub(crate) fn decode(cell: &[u8]) -> Result<&str, InputErrorKind> {
-    std::str::from_utf8(cell)
-        .map_err(|error| InputErrorKind::NotUtf8 { position: error.valid_up_to(), unit: "cell" })
+    std::str::from_utf8(cell).map_err(|_| InputErrorKind::NotUtf8 { position: readable(cell), unit: "cell" })
+}
+
+/// How many characters come before the first byte that belongs to none.
+pub(crate) fn readable(bytes: &[u8]) -> usize {
+    bytes.utf8_chunks().next().map_or(0, |chunk| chunk.valid().chars().count())
 }
 
 /// Whether a cell of the first row is a name rather than a number, a failed number or a missing one.

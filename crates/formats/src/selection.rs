@@ -487,9 +487,9 @@ mod tests {
             ("x ! 2", "there is no comparison"),
             ("> 2", "there is no column before the comparison"),
             ("\"x > 2", "the quote before the column's name is not closed"),
-            ("x > ", "\"\": not a number: nothing to read at byte 0"),
-            ("x > a", "\"a\": not a number: unexpected character 'a' at byte 0"),
-            ("1 < x < 2", "\"x < 2\": not a number: unexpected character 'x' at byte 0"),
+            ("x > ", "\"\": not a number: nothing to read at character 1"),
+            ("x > a", "\"a\": not a number: unexpected character 'a' at character 1"),
+            ("1 < x < 2", "\"x < 2\": not a number: unexpected character 'x' at character 1"),
         ] {
             assert_eq!(column(text).unwrap_err().to_string(), message, "{text}");
         }

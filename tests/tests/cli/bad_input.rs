@@ -69,13 +69,13 @@ fn cells_that_are_not_numbers() {
         ("\u{1b}[31mred", "unexpected character '\\u{1b}'", 0),
         ("1e-999999999", "exponent beyond 10000 (the limit)", 3),
     ];
-    for (row, (cell, problem, byte)) in (1..).zip(cases) {
+    for (row, (cell, problem, before)) in (1..).zip(cases) {
         let options = format!("--x x --y y --eps 1 --rows {row}..{row}");
         let line = row + 1;
         let verdict = if problem.ends_with("(the limit)") {
-            format!("refused: {problem} at byte {byte}; --max-exponent raises it")
+            format!("refused: {problem} at character {}; --max-exponent raises it", before + 1)
         } else {
-            format!("not a number: {problem} at byte {byte} {A_NUMBER}")
+            format!("not a number: {problem} at character {} {A_NUMBER}", before + 1)
         };
         let message = format!(": line {line}, column 2 (y): {cell:?}: {verdict}");
         refuses_files("fit", &options, &[("numbers.csv", &message)]);
@@ -95,9 +95,10 @@ fn numbers_without_end() {
         ("fraction.csv", format!("x,y\n1,2\n3,0.{digits}\n").as_bytes()),
         ("matrix.ine", format!("begin\n1 3 integer\n1 {digits} 0\nend\n").as_bytes()),
     ]);
-    let message = |place: &str, byte: usize| {
+    let message = |place: &str, before: usize| {
         format!(
-            "{place}: {quoted}: refused: more than 10000 digits (the limit) at byte {byte}; --max-digits raises it"
+            "{place}: {quoted}: refused: more than 10000 digits (the limit) at character {}; --max-digits raises it",
+            before + 1
         )
     };
     let fit = "--x x --y y --eps 1";
@@ -146,17 +147,23 @@ fn text_in_other_encodings() {
         &[
             (
                 "latin1.csv",
-                &format!(": line 3, column 2 (y): \"\u{fffd}3\": invalid UTF-8 at byte 0 of the cell {utf8}"),
+                &format!(
+                    ": line 3, column 2 (y): \"\u{fffd}3\": invalid UTF-8 at character 1 of the cell {utf8}"
+                ),
             ),
             (
                 "latin1-header.csv",
-                &format!(": line 1, column 3: \"\u{fffd}C\": invalid UTF-8 at byte 0 of the cell {utf8}"),
+                &format!(
+                    ": line 1, column 3: \"\u{fffd}C\": invalid UTF-8 at character 1 of the cell {utf8}"
+                ),
             ),
             ("utf16-le.csv", &format!(": the text is UTF-16 {utf8}")),
             ("utf16-be.csv", &format!(": the text is UTF-16 {utf8}")),
             (
                 "picture.csv",
-                &format!(": line 1, column 1: \"\u{fffd}PNG\": invalid UTF-8 at byte 0 of the cell {utf8}"),
+                &format!(
+                    ": line 1, column 1: \"\u{fffd}PNG\": invalid UTF-8 at character 1 of the cell {utf8}"
+                ),
             ),
         ],
     );
@@ -230,7 +237,7 @@ fn h_representations_that_are_not_what_they_announce() {
             (
                 "bad-number.ine",
                 &format!(
-                    ": line 5, column 5: \"one\": not a number: unexpected character 'o' at byte 0 {A_NUMBER}"
+                    ": line 5, column 5: \"one\": not a number: unexpected character 'o' at character 1 {A_NUMBER}"
                 ),
             ),
             ("linearity-beyond-rows.ine", &format!(": line 2, column 1: \"linearity 1 3\": {linearity}")),
@@ -239,7 +246,7 @@ fn h_representations_that_are_not_what_they_announce() {
     );
     let run = boundfit(&root(), "polygon fixtures/bad-input/latin1.ine");
     assert_eq!((run.status, run.stdout.as_str()), (1, ""));
-    let start = "error: fixtures/bad-input/latin1.ine: line 3: invalid UTF-8 at byte 4";
+    let start = "error: fixtures/bad-input/latin1.ine: line 3: invalid UTF-8 at character 5";
     assert!(run.stderr.starts_with(start), "{}", run.stderr);
 }
 
@@ -290,7 +297,7 @@ fn lines_are_counted_as_editors_count_them() {
     ] {
         let directory = directory_with(&[("table.csv", table.as_bytes())]);
         let message = format!(
-            "table.csv: line {line}, column 2 (y): \"abc\": not a number: unexpected character 'a' at byte 0 {A_NUMBER}"
+            "table.csv: line {line}, column 2 (y): \"abc\": not a number: unexpected character 'a' at character 1 {A_NUMBER}"
         );
         refuses(directory.path(), "fit table.csv --x x --y y --eps 1", 1, &message);
     }

@@ -29,24 +29,24 @@ fn options_that_say_nothing_sensible() {
     };
     let base = "--x Vz --y z --eps 1";
     let cases = [
-        ("--x Vz --y z --eps abc".to_owned(), eps("abc", "unexpected character 'a' at byte 0")),
-        ("--x Vz --y z --eps nan".to_owned(), eps("nan", "not a finite number at byte 0")),
-        ("--x Vz --y z --eps ''".to_owned(), eps("", "nothing to read at byte 0")),
+        ("--x Vz --y z --eps abc".to_owned(), eps("abc", "unexpected character 'a' at character 1")),
+        ("--x Vz --y z --eps nan".to_owned(), eps("nan", "not a finite number at character 1")),
+        ("--x Vz --y z --eps ''".to_owned(), eps("", "nothing to read at character 1")),
         (
             "--x Vz --y z --eps 1e999999999".to_owned(),
-            "invalid value '1e999999999' for '--eps <NUM>': refused: exponent beyond 10000 (the limit) at byte 2; \
+            "invalid value '1e999999999' for '--eps <NUM>': refused: exponent beyond 10000 (the limit) at character 3; \
              --max-exponent raises it"
                 .to_owned(),
         ),
         (
             format!("{base} --where 'theta1 > 0'"),
-            when("theta1 > 0", "< and > leave out the boundary, which is part of every set here; <= and >= keep it at byte 7"),
+            when("theta1 > 0", "< and > leave out the boundary, which is part of every set here; <= and >= keep it at character 8"),
         ),
         (
             format!("{base} --where 'theta1 >= 0' --where slope"),
-            when("slope", "neither a number nor theta1 nor theta2 at byte 0"),
+            when("slope", "neither a number nor theta1 nor theta2 at character 1"),
         ),
-        (format!("{base} --where theta1"), when("theta1", "neither <=, >= nor = nor another term at byte 6")),
+        (format!("{base} --where theta1"), when("theta1", "neither <=, >= nor = nor another term at character 7")),
         (format!("{base} --rows 40..20"), rows("40..20")),
         (format!("{base} --rows 0..3"), rows("0..3")),
         (format!("{base} --rows x"), rows("x")),
@@ -66,12 +66,12 @@ fn options_that_say_nothing_sensible() {
         ),
         (
             format!("{base} --where-row 'z > three'"),
-            compared("z > three", "\"three\": not a number: unexpected character 't' at byte 0"),
+            compared("z > three", "\"three\": not a number: unexpected character 't' at character 1"),
         ),
         (
             format!("{base} --where-row 'z > 1e99999'"),
             "invalid value 'z > 1e99999' for '--where-row <COMPARISON>': \"1e99999\": refused: exponent beyond 10000 \
-             (the limit) at byte 2; --max-exponent raises it"
+             (the limit) at character 3; --max-exponent raises it"
                 .to_owned(),
         ),
         (format!("{base} --digits 0"), "invalid value '0' for '--digits <N>': 0 is not in 1..=1000".to_owned()),

@@ -322,7 +322,7 @@ fn bad_data_is_one_message_and_nothing_else() {
     ]);
     let fleet = |file: &str| format!("fit {file} --by key --x x --y y --eps 1");
     for (line, message) in [
-        (fleet("word.csv"), format!("word.csv: line 3, column 3 (y): \"x\": not a number: unexpected character 'x' at byte 0 {A_NUMBER}")),
+        (fleet("word.csv"), format!("word.csv: line 3, column 3 (y): \"x\": not a number: unexpected character 'x' at character 1 {A_NUMBER}")),
         (
             "fit bound.csv --by key --x x --y y --eps-column e".to_owned(),
             "bound.csv: line 3, column 4 (e): \"-1\": the error bound is negative (expected a number that is at least 0)".to_owned(),

@@ -153,7 +153,7 @@ fn a_header_is_found_or_told() {
     let told = report(directory.path(), "fit data.csv --x 2 --y 1 --eps 1 --header yes", b"");
     assert_eq!(told["input"]["rows_total"], 45, "the first row is taken for a header");
     let run = boundfit(&root(), &format!("fit {TRANSDUCER} --x 2 --y 1 --eps 1 --header no"));
-    let problem = "\"Vz\": not a number: unexpected character 'V' at byte 0";
+    let problem = "\"Vz\": not a number: unexpected character 'V' at character 1";
     let expected = format!(
         "error: {TRANSDUCER}: line 1, column 2: {problem} (expected a decimal such as 1.30e-2 or a fraction such as 7/19)\n"
     );

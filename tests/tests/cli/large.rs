@@ -82,7 +82,7 @@ fn a_bad_row_near_the_end_of_ten_million_is_named_and_nothing_is_written() {
     let answer = directory.path().join("answer");
     let run = fit(&file, &["-o", answer.to_str().unwrap()]);
     let expected = format!(
-        "error: {}: line 9999999, column 2 (y): \"2;3\": not a number: unexpected character ';' at byte 1 (expected a \
+        "error: {}: line 9999999, column 2 (y): \"2;3\": not a number: unexpected character ';' at character 2 (expected a \
          decimal such as 1.30e-2 or a fraction such as 7/19)\n",
         file.display()
     );
@@ -100,7 +100,7 @@ fn a_file_cut_within_a_row_is_refused_with_its_line() {
     let separator = last_line + text[last_line..].find(',').unwrap();
     for (end, problem) in [
         (separator, "the row has 1 cell where the first row has 2"),
-        (separator + 1, "column 2 (y): \"\": not a number: nothing to read at byte 0"),
+        (separator + 1, "column 2 (y): \"\": not a number: nothing to read at character 1"),
     ] {
         fs::write(&file, &text[..end]).unwrap();
         let run = fit(&file, &[]);

@@ -36,7 +36,7 @@ fn a_digit_too_many_is_accepted_when_the_limit_is_raised() {
         assert!([0, 4].contains(&run.status), "{command}: {run:?}");
         let quoted = format!("\"{}\"...", "7".repeat(40));
         let message = format!(
-            "data.csv: line 3, column 2 (y): {quoted}: refused: more than 50 digits (the limit) at byte 50; \
+            "data.csv: line 3, column 2 (y): {quoted}: refused: more than 50 digits (the limit) at character 51; \
              --max-digits raises it"
         );
         let line = format!("{command} --max-digits 50");
@@ -55,7 +55,7 @@ fn digits_up_to_the_usual_limit_and_beyond_it() {
     printed(directory.path(), "fit data.csv --x x --y y --eps 1 --no-lp");
     let over = format!("x,y\n1,1/1{}\n2,3\n", "0".repeat(10_000));
     let message = "data.csv: line 2, column 2 (y): \"1/10000000000000000000000000000000000000\"...: refused: more than \
-                   10000 digits (the limit) at byte 10002; --max-digits raises it";
+                   10000 digits (the limit) at character 10003; --max-digits raises it";
     refused_until("fit data.csv --x x --y y --eps 1 --no-lp", &over, message, "--max-digits 10001");
 }
 
@@ -66,11 +66,11 @@ fn an_exponent_is_accepted_when_the_limit_is_raised() {
         let run = boundfit(accepted.path(), &format!("{command} --max-exponent 6"));
         assert!([0, 4].contains(&run.status), "{command}: {run:?}");
         let line = format!("{command} --max-exponent 5");
-        let message = "data.csv: line 3, column 2 (y): \"1e-6\": refused: exponent beyond 5 (the limit) at byte 3; \
+        let message = "data.csv: line 3, column 2 (y): \"1e-6\": refused: exponent beyond 5 (the limit) at character 4; \
                        --max-exponent raises it";
         check_refusal(&boundfit(accepted.path(), &line), &line, 1, message);
     }
-    let message = "data.csv: line 2, column 2 (y): \"1e10001\": refused: exponent beyond 10000 (the limit) at byte 2; \
+    let message = "data.csv: line 2, column 2 (y): \"1e10001\": refused: exponent beyond 10000 (the limit) at character 3; \
                    --max-exponent raises it";
     let line = "fit data.csv --x x --y y --eps 1 --no-lp --no-eui";
     refused_until(line, "x,y\n1,1e10001\n2,3\n", message, "--max-exponent 10001");
@@ -84,31 +84,31 @@ fn numbers_on_the_command_line_have_the_same_limits() {
             "--eps 1e11",
             "1e11",
             "--eps <NUM>",
-            "refused: exponent beyond 10 (the limit) at byte 2; --max-exponent",
+            "refused: exponent beyond 10 (the limit) at character 3; --max-exponent",
         ),
         (
             "--eps 1 --where 'theta1 <= 1e11'",
             "theta1 <= 1e11",
             "--where <CONDITION>",
-            "refused: exponent beyond 10 (the limit) at byte 12; --max-exponent",
+            "refused: exponent beyond 10 (the limit) at character 13; --max-exponent",
         ),
         (
             "--eps 1 --sweep 1..1e11",
             "1..1e11",
             "--sweep <FROM..TO>",
-            "\"1e11\": refused: exponent beyond 10 (the limit) at byte 2; --max-exponent",
+            "\"1e11\": refused: exponent beyond 10 (the limit) at character 3; --max-exponent",
         ),
         (
             "--eps 123456",
             "123456",
             "--eps <NUM>",
-            "refused: more than 5 digits (the limit) at byte 5; --max-digits",
+            "refused: more than 5 digits (the limit) at character 6; --max-digits",
         ),
         (
             "--eps 1 --sweep 1..1.00001",
             "1..1.00001",
             "--sweep <FROM..TO>",
-            "\"1.00001\": refused: more than 5 digits (the limit) at byte 6; --max-digits",
+            "\"1.00001\": refused: more than 5 digits (the limit) at character 7; --max-digits",
         ),
     ];
     for (options, value, option, problem) in cases {
@@ -122,7 +122,7 @@ fn numbers_on_the_command_line_have_the_same_limits() {
     }
     // What is no number is told so.
     let line = "fit data.csv --x x --y y --eps 1 --sweep 1..x";
-    let message = "invalid value '1..x' for '--sweep <FROM..TO>': \"x\": not a number: unexpected character 'x' at byte 0 \
+    let message = "invalid value '1..x' for '--sweep <FROM..TO>': \"x\": not a number: unexpected character 'x' at character 1 \
                    (expected FROM..TO with numbers 0 <= FROM <= TO, such as 0.5..2)";
     check_refusal(&boundfit(directory.path(), line), line, 2, message);
 }
@@ -132,7 +132,7 @@ fn half_planes_and_cases_for_solvers_have_the_same_limits() {
     let table = b"a1,a2,b\n1,0,1e7\n-1,0,0\n0,1,1\n0,-1,0\n";
     let directory = directory_with(&[("square.csv", table)]);
     let line = "polygon square.csv --max-exponent 6";
-    let message = "square.csv: line 2, column 3 (b): \"1e7\": refused: exponent beyond 6 (the limit) at byte 2; \
+    let message = "square.csv: line 2, column 3 (b): \"1e7\": refused: exponent beyond 6 (the limit) at character 3; \
                    --max-exponent raises it";
     check_refusal(&boundfit(directory.path(), line), line, 1, message);
     printed(directory.path(), "polygon square.csv --max-exponent 7");
@@ -142,11 +142,11 @@ fn half_planes_and_cases_for_solvers_have_the_same_limits() {
     for (limit, problem) in [
         (
             7,
-            "./case.json: \"eps\": refused: exponent beyond 7 (the limit) at byte 2; --max-exponent raises it",
+            "./case.json: \"eps\": refused: exponent beyond 7 (the limit) at character 3; --max-exponent raises it",
         ),
         (
             6,
-            "./case.json: \"eps\": refused: exponent beyond 6 (the limit) at byte 2; --max-exponent raises it",
+            "./case.json: \"eps\": refused: exponent beyond 6 (the limit) at character 3; --max-exponent raises it",
         ),
     ] {
         let line = format!("bench-solvers . --max-exponent {limit}");
@@ -229,7 +229,7 @@ fn a_sum_in_a_reduction_may_have_ten_times_the_digits_of_a_reading() {
     for command in ["fit data.csv --x x --y y --eps 1", "reduce data.csv --x x --y y"] {
         printed(directory.path(), &format!("{command} --max-digits 3"));
         let line = format!("{command} --max-digits 2");
-        let message = "data.csv: a sum in the line in front of a reduction: more than 20 digits (the limit) at byte 20; \
+        let message = "data.csv: a sum in the line in front of a reduction: more than 20 digits (the limit) at character 21; \
                        --max-digits raises it";
         check_refusal(&boundfit(directory.path(), &line), &line, 1, message);
     }

@@ -90,7 +90,7 @@ fn what_does_not_belong_together_is_refused() {
         (one.replace("rows\":2", "rows\":-2"), "the line in front of a reduction is not understood"),
         (
             one.replace("\"1\"", "\"1e5\""),
-            "a sum in the line in front of a reduction: exponent beyond 0 (the limit) at byte 2\n",
+            "a sum in the line in front of a reduction: exponent beyond 0 (the limit) at character 3\n",
         ),
     ];
     for (input, message) in cases {

@@ -117,8 +117,11 @@ fn ranges_that_are_none_are_refused() {
     let cases = [
         refused("2..1", expected),
         refused("2", expected),
-        refused("a..2", &format!("\"a\": not a number: unexpected character 'a' at byte 0 ({expected})")),
-        refused("..2", &format!("\"\": not a number: nothing to read at byte 0 ({expected})")),
+        refused(
+            "a..2",
+            &format!("\"a\": not a number: unexpected character 'a' at character 1 ({expected})"),
+        ),
+        refused("..2", &format!("\"\": not a number: nothing to read at character 1 ({expected})")),
     ];
     for (options, message) in &cases {
         refuses_options(2, &[(options, message)]);

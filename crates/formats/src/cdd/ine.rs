@@ -9,6 +9,7 @@
 use boundfit_exact::Rational;
 use boundfit_geometry::{Inequality, System};
 
+use crate::columns::readable;
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::half_planes::file::{HalfPlaneFile, RowOrigin};
 use crate::table::TableOptions;
@@ -51,7 +52,8 @@ pub(crate) fn parse_cdd(
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count() as u64;
         let start = before.iter().rposition(|&byte| byte == b'\n').map_or(0, |position| position + 1);
         let place = Place { line: Some(line), ..Place::default() };
-        InputError::new(file, place, InputErrorKind::NotUtf8 { position: before.len() - start, unit: "line" })
+        let position = readable(before.get(start..).unwrap_or_default());
+        InputError::new(file, place, InputErrorKind::NotUtf8 { position, unit: "line" })
     })?;
     if text.trim().is_empty() {
         return Err(InputError::of_file(file, InputErrorKind::Empty));

@@ -113,9 +113,9 @@ pub enum InputErrorKind {
     #[error("the text is UTF-16")]
     Utf16,
     /// A cell or line is not valid UTF-8.
-    #[error("invalid UTF-8 at byte {position} of the {unit}")]
+    #[error("invalid UTF-8 at character {} of the {unit}", position + 1)]
     NotUtf8 {
-        /// Offset in the unit, from 0.
+        /// How many characters of the unit come before.
         position: usize,
         /// `cell` or `line`.
         unit: &'static str,

@@ -31,8 +31,13 @@ fn nearest<'a>(wanted: &str, available: &'a [String]) -> Option<&'a str> {
     };
     let distance = |name: &str| osa_distance(&lower, &name.to_lowercase());
     let names = || available.iter().map(String::as_str);
-    let near = || names().min_by_key(|name| distance(name)).filter(|name| 3 * distance(name) <= lower.chars().count());
-    names().find(|name| name.to_lowercase() == lower).or_else(|| names().find(|name| begins(name))).or_else(near)
+    let near = || {
+        names().min_by_key(|name| distance(name)).filter(|name| 3 * distance(name) <= lower.chars().count())
+    };
+    names()
+        .find(|name| name.to_lowercase() == lower)
+        .or_else(|| names().find(|name| begins(name)))
+        .or_else(near)
 }
 
 #[cfg(test)]
@@ -62,8 +67,13 @@ mod tests {
     #[test]
     fn numbers_are_no_names() {
         let names = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();
-        assert!(are_no_names(&names(&["1", "2.5e3"])) && !are_no_names(&names(&["1", "x"])) && !are_no_names(&[]));
-        assert_eq!(advice("x", &names(&["1", "2"]), Some(2)), "; the file has no header: ask for columns by number, 1 to 2");
+        assert!(
+            are_no_names(&names(&["1", "2.5e3"])) && !are_no_names(&names(&["1", "x"])) && !are_no_names(&[])
+        );
+        assert_eq!(
+            advice("x", &names(&["1", "2"]), Some(2)),
+            "; the file has no header: ask for columns by number, 1 to 2"
+        );
         assert_eq!(advice("Y", &names(&["x", "y"]), Some(2)), "; did you mean \"y\"?");
         assert_eq!(advice("z", &names(&["x", "y"]), Some(2)), "");
     }

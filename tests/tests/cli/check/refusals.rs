@@ -22,9 +22,9 @@ fn claims_files_that_are_none() {
         (br#"{"source": "me"}"#, &[no_value]),
         (
             br#"{"pui": [["one", 1], [2, 3]]}"#,
-            &["\"one\" is not a number: unexpected character 'o' at byte 0"],
+            &["\"one\" is not a number: unexpected character 'o' at character 1"],
         ),
-        (br#"{"pui": [["1/0", 1], [2, 3]]}"#, &["\"1/0\" is not a number: zero denominator at byte 2"]),
+        (br#"{"pui": [["1/0", 1], [2, 3]]}"#, &["\"1/0\" is not a number: zero denominator at character 3"]),
         (br#"{"pui": [[1e999, 1], [2, 3]]}"#, &["number out of range", form]),
         (b"{\"source\": \"\xff\"}", &["this is no text in UTF-8"]),
     ];
@@ -62,12 +62,12 @@ fn options_that_make_no_sense() {
         ("--claim-pui ''", value("", ends, &format!("1 values {count}"))),
         (
             "--claim-pui 1,2,3,x",
-            value("1,2,3,x", ends, "\"x\" is not a number: unexpected character 'x' at byte 0"),
+            value("1,2,3,x", ends, "\"x\" is not a number: unexpected character 'x' at character 1"),
         ),
-        ("--claim-pui 1,2,,4", value("1,2,,4", ends, "\"\" is not a number: nothing to read at byte 0")),
+        ("--claim-pui 1,2,,4", value("1,2,,4", ends, "\"\" is not a number: nothing to read at character 1")),
         (
             "--claim-pui 1,nan,2,4",
-            value("1,nan,2,4", ends, "\"nan\" is not a number: not a finite number at byte 0"),
+            value("1,nan,2,4", ends, "\"nan\" is not a number: not a finite number at character 1"),
         ),
         ("--tolerance -1", value("-1", "'--tolerance <NUM>'", "negative")),
         (
@@ -75,7 +75,7 @@ fn options_that_make_no_sense() {
             value(
                 "small",
                 "'--tolerance <NUM>'",
-                "not a number: unexpected character 's' at byte 0 (expected a number that is at least 0, such as 1e-6)",
+                "not a number: unexpected character 's' at character 1 (expected a number that is at least 0, such as 1e-6)",
             ),
         ),
     ];
@@ -119,7 +119,7 @@ fn folders_without_cases() {
         refused(&name, &format!("{name}/a.json: there is no text \"eps\""));
     }
     write("a.json", "{\"eps\": \"one\"}");
-    refused(&name, &format!("{name}/a.json: \"eps\": not a number: unexpected character 'o' at byte 0"));
+    refused(&name, &format!("{name}/a.json: \"eps\": not a number: unexpected character 'o' at character 1"));
     write("a.json", "{\"eps\": \"1\"}");
     write("a.csv", "x,z\n1,2\n");
     refused(&name, &format!("{name}/a.csv"));

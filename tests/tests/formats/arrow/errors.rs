@@ -49,13 +49,13 @@ fn a_bad_cell_is_named_by_row_and_column() {
             let options = ScanOptions { table, ..ScanOptions::default() };
             let message = |name: &str| message(&path, &["good", name], &options);
             assert_eq!(message("null"), ": row 3, column 2 (null): the cell is null (expected a value)");
-            let not_finite = ": not a number: not a finite number at byte";
-            assert_eq!(message("nan"), format!(": row 3, column 3 (nan): \"NaN\"{not_finite} 0{expected}"));
+            let not_finite = ": not a number: not a finite number at character";
+            assert_eq!(message("nan"), format!(": row 3, column 3 (nan): \"NaN\"{not_finite} 1{expected}"));
             assert_eq!(
                 message("infinite"),
-                format!(": row 3, column 4 (infinite): \"-inf\"{not_finite} 1{expected}")
+                format!(": row 3, column 4 (infinite): \"-inf\"{not_finite} 2{expected}")
             );
-            let comma = "not a number: unexpected ',' (the decimal mark is a point) at byte 1";
+            let comma = "not a number: unexpected ',' (the decimal mark is a point) at character 2";
             assert_eq!(message("word"), format!(": row 3, column 5 (word): \"1,5\": {comma}{expected}"));
             let of_type = "(expected a column of integers, decimals, floats or text)";
             assert_eq!(
