@@ -121,6 +121,7 @@ pub fn read_table(
     })?;
     Ok(Table {
         names: scanned.names,
+        header: scanned.header,
         rows,
         others,
         rows_total: scanned.rows_total,

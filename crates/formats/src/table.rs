@@ -69,6 +69,8 @@ pub struct TableRow {
 pub struct Table {
     /// The names of the columns asked for; `col1` and so on where there is none.
     pub names: Vec<String>,
+    /// The names of all columns, asked for or not; none without a header.
+    pub header: Vec<String>,
     /// The rows wanted.
     pub rows: Vec<TableRow>,
     /// With `keep_others`, the rows that are not wanted but hold numbers.

@@ -87,6 +87,78 @@ fn cells_that_are_not_numbers() {
 }
 
 #[test]
+fn names_that_are_nearly_there_headers_that_are_not_and_quotes_that_stay_open() {
+    let directory = directory_with(&[
+        ("hubble.csv", b"r (Mpc),v (km/s)\n1,2\n2,3\n"),
+        ("plain.csv", b"\n1,2\n2,3\n"),
+        ("open.csv", b"x,y\n1,2\n2,\"2\n2,3\n"),
+        ("first.csv", b"\"x,y\n1,2\n2,3\n"),
+        ("long.csv", b"x,y\n\"1\",2\n\"2,3\n4,5"),
+        ("closed.csv", b"x,y\n1,2\n2,\"a\"\n"),
+    ]);
+    for (line, message) in [
+        (
+            "fit hubble.csv --x R --y v --eps 1",
+            "hubble.csv: line 1: there is no column \"R\"; did you mean \"r (Mpc)\"? (expected one of \"r (Mpc)\", \
+             \"v (km/s)\" or a number from 1 to 2)",
+        ),
+        (
+            "fit plain.csv --x x --y y --eps 1",
+            "plain.csv: line 2: there is no column \"x\"; the file has no header: ask for columns by number, 1 to 2",
+        ),
+        (
+            "fit open.csv --x x --y y --eps 1",
+            "open.csv: line 3: a quote that opens in this row is never closed",
+        ),
+        (
+            "fit first.csv --x x --y y --eps 1",
+            "first.csv: line 1: a quote that opens in this row is never closed",
+        ),
+        (
+            "fit long.csv --x x --y y --eps 1",
+            "long.csv: line 3: a quote that opens in this row is never closed",
+        ),
+        (
+            "fit closed.csv --x x --y y --eps 1",
+            "closed.csv: line 3, column 2 (y): \"a\": not a number: unexpected character 'a' at character 1 \
+             (expected a decimal such as 1.30e-2 or a fraction such as 7/19)",
+        ),
+    ] {
+        refuses(directory.path(), line, 1, message);
+    }
+}
+
+#[test]
+fn dates_are_no_fractions() {
+    for date in ["03/04", "2012/01", "0/05", "2012/01/01", "1/2/3"] {
+        let directory = directory_with(&[("table.csv", format!("x,y\n1/3,2\n{date},3\n").as_bytes())]);
+        let message = format!(
+            "table.csv: line 3, column 1 (x): {date:?}: not a number: this looks like a date {A_NUMBER}"
+        );
+        refuses(directory.path(), "fit table.csv --x x --y y --eps 1", 1, &message);
+    }
+    let directory = directory_with(&[("table.csv", b"x,y\n1/3,2\n0/5,3\n10/4,2012\n")]);
+    printed(directory.path(), "fit table.csv --x x --y y --eps 1");
+}
+
+#[test]
+fn half_planes_of_more_than_the_plane() {
+    let directory = directory_with(&[
+        ("space.csv", b"a1,a2,a3,b\n1,0,4,4\n"),
+        ("more.csv", b"b,a2,a1,a12\n1,0,4,4\n"),
+        ("other.csv", b"a1,a2,b,a,area,a0\n1,0,4,4,5,6\n"),
+    ]);
+    for (file, column) in [("space.csv", "a3"), ("more.csv", "a12")] {
+        let message = format!(
+            "{file}: there is a column \"{column}\", so these are not half-planes of the plane (expected columns a1, a2 \
+             and b: a1*theta1 + a2*theta2 <= b)"
+        );
+        refuses(directory.path(), &format!("polygon {file}"), 1, &message);
+    }
+    printed(directory.path(), "polygon other.csv");
+}
+
+#[test]
 fn numbers_without_end() {
     let digits = "7".repeat(20_000);
     let quoted = format!("\"{}\"...", "7".repeat(40));

@@ -121,9 +121,21 @@ fn options_that_are_missing_unknown_or_too_many() {
             "completions tcsh",
             "invalid value 'tcsh' for '<SHELL>'\n  [possible values: bash, elvish, fish, powershell, zsh]",
         ),
+        ("fit -x x -y y -e 1", "unexpected argument '-x' found"),
+        ("readings.csv --x x", "unrecognized subcommand 'readings.csv'"),
         ("polygon", "the following required arguments were not provided:\n  <FILE>"),
     ] {
         check_refusal(&boundfit(&root(), line), line, 2, message);
+    }
+    for (line, tip) in [
+        ("fit -x x --y y --eps 1", "a similar argument exists: '--x'"),
+        ("fit --x x -y y --eps 1", "a similar argument exists: '--y'"),
+        ("check --x x --y y -e 1", "a similar argument exists: '--eps'"),
+        ("readings.csv --x x", "a table is fitted by 'boundfit fit readings.csv --x COL --y COL --eps NUM'"),
+    ] {
+        let said = boundfit(&root(), line).stderr;
+        assert!(said.contains(&format!("\n  tip: {tip}\n")), "{said}");
+        assert_eq!(said.matches("tip:").count(), 1, "{said}");
     }
     let topic = boundfit(&root(), "man frobnicate");
     let start = "error: invalid value 'frobnicate' for '[TOPIC]': expected one of fit, ";
@@ -168,7 +180,11 @@ fn columns_that_are_not_there() {
         1,
         &[
             ("--x volts --y z --eps 1", &message("volts")),
-            ("--x vz --y z --eps 1", &message("vz")),
+            (
+                "--x vz --y z --eps 1",
+                &message("vz").replace(" (expected", "; did you mean \"Vz\"? (expected"),
+            ),
+            ("--x Vz --y z --eps 1 --where-row 'volts > 1'", &message("volts")),
             ("--x 3 --y z --eps 1", &message("3")),
             ("--x 0 --y z --eps 1", &message("0")),
             ("--x Vz --y 99999999999999999999 --eps 1", &message("99999999999999999999")),

@@ -17,4 +17,5 @@ mod output;
 mod polygon;
 mod reduce;
 mod replacing;
+mod selection;
 mod sweep;

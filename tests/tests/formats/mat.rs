@@ -4,10 +4,10 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
-use boundfit_exact::{Rational, Reading};
+use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{
-    Batch, ColumnSelector, InputError, RowRange, ScanOptions, SizeLimits, Source, TableOptions, read_table,
-    scan,
+    Batch, ColumnSelector, InputError, RowCondition, RowRange, RowSet, ScanOptions, SizeLimits, Source,
+    TableOptions, read_table, scan,
 };
 use boundfit_tests::program::{root, run, run_with_input};
 use flate2::Compression;
@@ -276,6 +276,47 @@ fn other_variables_are_refused_by_name() {
     assert_eq!(message(&newer, &["z"]), expected);
     let twice = file(&[doubles("x", 1, 1, &[1.0]), doubles("x", 1, 1, &[2.0])], false, true);
     assert!(message(&twice, &["x"]).starts_with("there are several columns \"x\""));
+}
+
+#[test]
+fn rows_are_picked_by_lists_and_comparisons() {
+    let x: Vec<f64> = (0..60).map(|k| f64::from(k * 7 % 23)).collect();
+    // What is not picked need not be finite.
+    let y: Vec<f64> =
+        x.iter().enumerate().map(|(k, &x)| if x < 5.0 { f64::NAN } else { k as f64 / 8.0 }).collect();
+    let bytes = file(&[doubles("x", 60, 1, &x), doubles("y", 60, 1, &y)], false, true);
+    let range = |first, last| RowRange::new(first, last).unwrap();
+    for (wanted, without, bound) in [
+        (&[][..], &[][..], 5.0),
+        (&[range(3, 20), range(31, 31)][..], &[][..], 9.5),
+        (&[][..], &[range(1, 7), range(40, 50)][..], 20.0),
+    ] {
+        let condition = RowCondition::parse(&format!("x >= {bound}"), Reading::Binary64, &Limits::default());
+        let options = TableOptions {
+            rows: RowSet::new(wanted, without).unwrap(),
+            conditions: vec![condition.unwrap(), any_condition("1 != 21")],
+            keep_others: true,
+            ..TableOptions::default()
+        };
+        let is_in =
+            |ranges: &[RowRange], row: usize| ranges.iter().any(|range| RowSet::from(*range).contains(row));
+        let is_wanted = |(row, x): (usize, f64)| {
+            (wanted.is_empty() || is_in(wanted, row)) && !is_in(without, row) && x >= bound && x != 21.0
+        };
+        let rows = (1..).zip(&x).filter(|&(row, &x)| is_wanted((row, x))).map(|(row, _)| row);
+        let expected: Rows = rows.map(|row| (row, vec![Rational::from_f64(y[row - 1]).unwrap()])).collect();
+        assert!(expected.len() > 1);
+        assert_eq!(both(&bytes, &["y"], &options).unwrap(), expected);
+    }
+    let none = TableOptions { conditions: vec![any_condition("x > 22")], ..TableOptions::default() };
+    assert_eq!(both(&bytes, &["x"], &none).unwrap_err(), "of the file's 60 data rows none satisfies x > 22");
+    let bad = TableOptions { conditions: vec![any_condition("y > 0")], ..TableOptions::default() };
+    let message = both(&bytes, &["x"], &bad).unwrap_err();
+    assert_eq!(message, "row 1, column 2 (y): \"NaN\": not a finite number (expected a finite number)");
+}
+
+fn any_condition(text: &str) -> RowCondition {
+    RowCondition::parse(text, Reading::Binary64, &Limits::default()).unwrap()
 }
 
 #[test]

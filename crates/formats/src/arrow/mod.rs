@@ -82,6 +82,7 @@ pub(crate) fn scan_arrow<T: Send>(
     check_rows(name, rows_total, &options.table.rows)?;
     Ok(Scanned {
         names: layout.places.iter().map(ColumnPlace::title).collect(),
+        header: names,
         key_name: layout.key.as_ref().map(ColumnPlace::title),
         header_line: None,
         delimiter: b',',

@@ -213,6 +213,12 @@ pub enum InputErrorKind {
     /// A polyhedron that is not in the plane.
     #[error("the matrix has {0} columns, so it is not about the plane")]
     NotThePlane(usize),
+    /// A table of half-planes in more than two variables.
+    #[error("there is a column {column:?}, so these are not half-planes of the plane")]
+    MoreThanThePlane {
+        /// The coefficient of another variable.
+        column: String,
+    },
     /// More or fewer numbers than announced.
     #[error("{rows} rows of 3 numbers were announced, but there are {found} numbers before \"end\"")]
     CountMismatch {
@@ -335,6 +341,9 @@ impl InputErrorKind {
             InputErrorKind::NoBegin => "an H- or V-representation: begin, rows, end".to_owned(),
             InputErrorKind::BadSizeLine => {
                 "\"ROWS 3 integer\", \"ROWS 3 rational\" or \"ROWS 3 real\"".to_owned()
+            }
+            InputErrorKind::MoreThanThePlane { .. } => {
+                "columns a1, a2 and b: a1*theta1 + a2*theta2 <= b".to_owned()
             }
             InputErrorKind::NotThePlane(_) => "3 columns: b, -a1, -a2 or 1, x, y".to_owned(),
             InputErrorKind::OtherSet { instead } => (*instead).to_owned(),

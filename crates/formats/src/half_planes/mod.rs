@@ -9,7 +9,7 @@ use boundfit_geometry::Inequality;
 use crate::cdd::parse_cdd;
 use crate::chunks::ChunkReader;
 use crate::columns::ColumnSelector;
-use crate::error::InputError;
+use crate::error::{InputError, InputErrorKind};
 use crate::open::read_table;
 use crate::source::Source;
 use crate::table::TableOptions;
@@ -57,7 +57,11 @@ pub fn read_half_planes(source: Source, options: &TableOptions) -> Result<HalfPl
         return parse_cdd(&name, &content, reader.sha256().unwrap_or_default(), options);
     }
     let columns = [("a1", 1), ("a2", 2), ("b", 3)].map(|(name, at)| ColumnSelector::name_at(name, at));
-    let table = read_table(Source::new(name, Cursor::new(content)), &columns, options)?;
+    let table = read_table(Source::new(name.clone(), Cursor::new(content)), &columns, options)?;
+    if let Some(column) = table.header.iter().find(|column| is_coefficient_beyond_the_plane(column)) {
+        let column = column.clone();
+        return Err(InputError::of_file(&name, InputErrorKind::MoreThanThePlane { column }));
+    }
     let inequalities = table.rows.iter().map(|row| {
         let mut numbers = row.numbers.iter().cloned();
         let [a1, a2, b] = [0; 3].map(|_| numbers.next().unwrap_or_default());
@@ -70,4 +74,10 @@ pub fn read_half_planes(source: Source, options: &TableOptions) -> Result<HalfPl
         sha256: table.sha256,
         generators: None,
     })
+}
+
+/// Whether a column is a3, a4 and so on.
+fn is_coefficient_beyond_the_plane(column: &str) -> bool {
+    let number = column.strip_prefix(['a', 'A']).and_then(|number| number.parse::<u32>().ok());
+    number.is_some_and(|number| number > 2)
 }

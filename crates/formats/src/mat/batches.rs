@@ -68,6 +68,7 @@ pub(crate) fn scan_mat<T: Send>(
         layout: None,
         header_line: options.keep_text.then(|| csv_line(&names)),
         names,
+        header: Vec::new(),
         key_name: key.first().map(|column| column.place.title()),
         delimiter: b',',
         rows_total: rows,

@@ -145,6 +145,8 @@ pub trait Progress: Send + Sync {
 pub struct Scanned {
     /// The names of the columns asked for; `col1` and so on where there is none.
     pub names: Vec<String>,
+    /// The names of all columns, asked for or not; none without a header.
+    pub header: Vec<String>,
     /// The name of the key column.
     pub key_name: Option<String>,
     /// With [`ScanOptions::keep_text`], the header as it stands in the file, without its line end.

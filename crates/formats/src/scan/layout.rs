@@ -20,6 +20,8 @@ pub(super) struct Layout<'a> {
     pub(super) width: usize,
     pub(super) delimiter: u8,
     pub(super) has_header: bool,
+    /// The names of all columns; none without a header.
+    pub(super) header: Vec<String>,
     /// Where the columns asked for are.
     pub(super) places: Vec<ColumnPlace>,
     pub(super) key: Option<ColumnPlace>,
@@ -57,6 +59,7 @@ impl<'a> Layout<'a> {
             places: places.collect::<Result<_, _>>()?,
             key: key.map(|selector| heading.find(file, selector)).transpose()?,
             conditions: conditions.collect::<Result<_, InputError>>()?,
+            header: heading.names.unwrap_or_default(),
         })
     }
 

@@ -49,6 +49,7 @@ pub(crate) fn scan_text<T: Send>(
     let (places, has_header) = (&layout.places, layout.has_header);
     Ok(Scanned {
         names: places.iter().map(ColumnPlace::title).collect(),
+        header: layout.header.clone(),
         key_name: layout.key.as_ref().map(ColumnPlace::title),
         header_line,
         delimiter,

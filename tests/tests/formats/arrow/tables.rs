@@ -6,7 +6,10 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use arrow_array::{ArrayRef, Float64Array, Int64Array, RecordBatch, StringArray};
-use boundfit_formats::{ColumnSelector, Progress, ScanOptions, Source, TableOptions, read_table};
+use boundfit_exact::{Limits, Reading};
+use boundfit_formats::{
+    ColumnSelector, Progress, RowCondition, RowRange, RowSet, ScanOptions, Source, TableOptions, read_table,
+};
 
 use super::{FILES, message, scanned, scanned_text, wanted_rows, write_all};
 
@@ -87,6 +90,47 @@ fn every_range_of_rows() {
         }
         let beyond = ": rows 12..13 were asked for, but the file has 12 data rows";
         assert_eq!(message(path, &["x"], &wanted_rows(12, 13)), beyond);
+    });
+}
+
+/// Lists, rows left out and comparisons of a column that is not asked for pick the same rows as from text.
+#[test]
+fn rows_by_lists_and_comparisons() {
+    let (batches, csv) = table(40, 11);
+    let ranges = |ranges: &[(usize, usize)]| -> Vec<RowRange> {
+        ranges.iter().map(|&(first, last)| RowRange::new(first, last).expect("a range")).collect()
+    };
+    let condition =
+        |text: &str| RowCondition::parse(text, Reading::Decimal, &Limits::default()).expect("a condition");
+    for_each_file(&batches, 7, |path| {
+        for wanted in [&[][..], &[(3, 9), (30, 30), (8, 21)]] {
+            for without in [&[][..], &[(5, 5), (20, 33)]] {
+                for conditions in [&[][..], &["x >= 40"], &["x < 70", "y != 2.5", "2 > 10"]] {
+                    let rows = RowSet::new(&ranges(wanted), &ranges(without)).expect("some rows");
+                    let conditions = conditions.iter().map(|text| condition(text)).collect();
+                    let table =
+                        TableOptions { rows, conditions, keep_others: true, ..TableOptions::default() };
+                    let options = ScanOptions { table, ..ScanOptions::default() };
+                    let (found, scanned) = scanned(path, &["y"], &options).expect("a table");
+                    let (expected, in_text) = scanned_text(&csv, &["y"], &options);
+                    assert_eq!((&found, &scanned.ranges), (&expected, &in_text.ranges));
+                    let columns = [ColumnSelector::name_or_number("y")];
+                    let source = Source::open(&path.to_string_lossy()).expect("the file is there");
+                    let others = read_table(source, &columns, &options.table).expect("a table").others;
+                    let mut all: Vec<usize> = others.iter().map(|row| row.row).collect();
+                    all.extend(found.iter().map(|(row, ..)| row));
+                    all.sort_unstable();
+                    assert_eq!(all, (1..=40).collect::<Vec<_>>());
+                }
+            }
+        }
+        let none = TableOptions { conditions: vec![condition("x > 101")], ..TableOptions::default() };
+        let options = ScanOptions { table: none, ..ScanOptions::default() };
+        assert_eq!(message(path, &["y"], &options), ": of the file's 40 data rows none satisfies x > 101");
+        let text = TableOptions { conditions: vec![condition("sensor > 1")], ..TableOptions::default() };
+        let options = ScanOptions { table: text, ..ScanOptions::default() };
+        let refused = message(path, &["y"], &options);
+        assert!(refused.starts_with(": row 1, column 1 (sensor): \"s0\": not a number: "), "{refused}");
     });
 }
 
