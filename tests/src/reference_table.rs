@@ -3,10 +3,10 @@
 
 use std::io::{self, Read};
 
-use boundfit_exact::Rational;
+use boundfit_exact::{DecimalMark, Notation, ParseNumberError, Rational, is_missing};
 use boundfit_formats::{
-    ColumnSelector, Header, InputError, InputErrorKind, Place, REDUCTION_MARK, ReductionError, RowRange,
-    TableOptions,
+    ColumnSelector, Header, InputError, InputErrorKind, Missing, Place, REDUCTION_MARK, ReductionError,
+    RowRange, TableOptions,
 };
 use csv::{ByteRecord, ReaderBuilder};
 use sha2::{Digest, Sha256};
@@ -45,9 +45,10 @@ pub fn read(
     reader.read(bytes, failure).map_err(|error| error.to_string())
 }
 
-/// Whether bytes may be those of a binary table, which is refused in words of its own.
+/// Whether bytes may be those of a binary table, which is refused in words of its own, or UTF-16.
 pub fn may_be_binary(bytes: &[u8]) -> bool {
-    let starts: [&[u8]; 5] = [b"PAR1", b"ARROW1", b"\xff\xff\xff\xff", b"\x89HDF", b"MATLAB"];
+    let starts: [&[u8]; 7] =
+        [b"\xff\xfe", b"\xfe\xff", b"PAR1", b"ARROW1", b"\xff\xff\xff\xff", b"\x89HDF", b"MATLAB"];
     let start = &bytes[..bytes.len().min(128)];
     starts.iter().any(|format| bytes.starts_with(format)) || start.contains(&0)
 }
@@ -90,16 +91,19 @@ impl Reader<'_> {
             }
             failure => failure,
         };
-        if [[0xff, 0xfe], [0xfe, 0xff]].iter().any(|mark| bytes.starts_with(mark)) {
-            return Err(wrong(None, InputErrorKind::Utf16));
-        }
         if bytes.starts_with(REDUCTION_MARK.as_bytes()) {
             return Err(wrong(None, InputErrorKind::Reduction(ReductionError::NotHere)));
         }
-        let delimiter = self.options.delimiter.unwrap_or_else(|| detect(text));
+        let delimiter = self.options.dialect.delimiter.unwrap_or_else(|| detect(text).unwrap_or(b','));
         let mut records = Records::new(text, failure.is_some(), delimiter, limit);
         let found = self.table(&mut records, sha256).map_err(|error| match error {
-            Some(InputError { kind: InputErrorKind::RowTooLong { .. }, .. }) => error,
+            Some(InputError {
+                kind:
+                    InputErrorKind::RowTooLong { .. }
+                    | InputErrorKind::Missing { .. }
+                    | InputErrorKind::AllMissing { .. },
+                ..
+            }) => error,
             Some(error) if records.is_within_quotes && error.place.line == Some(records.line) => {
                 Some(wrong(error.place.line, InputErrorKind::OpenQuote))
             }
@@ -124,44 +128,64 @@ impl Reader<'_> {
             let kind = InputErrorKind::TooManyColumns { limit: sizes.columns };
             return Err(Some(wrong(Some(records.line), kind)));
         }
-        let width = record.len();
-        let header = self.header(&record, records.line)?;
-        let names = header.as_deref().unwrap_or_default();
-        let find = |column| find(column, names, header.is_some(), width, records.line);
-        let places = self.columns.iter().map(find).collect::<Result<Vec<usize>, _>>()?;
-        let looked_at = self.options.conditions.iter().map(|condition| find(condition.column()));
+        let is_blank = |cell: &[u8]| cell.trim_ascii().is_empty();
+        let filled = record.iter().filter(|cell| !is_blank(cell)).count();
+        let last_filled = record.iter().rposition(|cell| !is_blank(cell)).map_or(1, |last| last + 1);
+        let mut shape = [if filled == 0 { 1 } else { last_filled }, record.len()];
+        let mut header = self.header(&record, records.line)?;
+        let header_line = records.line;
+        let header_text = String::from_utf8_lossy(record.get(0).unwrap_or_default()).into_owned();
+        let mut more = Ok(true);
+        if let Some(names) = &mut header {
+            more = records.next(&mut record);
+            // A header of R names every column but that of the row names.
+            if matches!(more, Ok(true))
+                && record.len() == names.len() + 1
+                && !record.iter().next_back().is_some_and(is_blank)
+            {
+                names.insert(0, String::new());
+                shape = shape.map(|cells| cells + 1);
+            }
+        }
+        let names = header.clone().unwrap_or_default();
+        let find = |column| find(column, &names, header.is_some(), shape[1], header_line);
+        let is_undivided =
+            shape[1] == 1 && self.options.dialect.delimiter.is_none() && detect(records.text).is_none();
+        let first = header_text.clone();
+        let undivided = |error: InputError| match error.kind {
+            InputErrorKind::UnknownColumn { wanted, .. } if is_undivided => {
+                InputError { kind: InputErrorKind::NoDelimiter { wanted, line: first.clone() }, ..error }
+            }
+            kind => InputError { kind, ..error },
+        };
+        let places = self.columns.iter().map(|column| find(column).map_err(&undivided));
+        let places = places.collect::<Result<Vec<usize>, _>>()?;
+        let looked_at = self.options.conditions.iter();
+        let looked_at = looked_at.map(|condition| find(condition.column()).map_err(&undivided));
         let looked_at = looked_at.collect::<Result<Vec<usize>, _>>()?;
         let title = |place: &usize| match names.get(place - 1) {
             Some(name) if !name.is_empty() => name.clone(),
             _ => format!("col{place}"),
         };
-        let names = names.to_vec();
         let titles = places.iter().map(title).collect();
-        let mut found = Found { names: titles, rows_total: 0, sha256, rows: Vec::new(), others: Vec::new() };
-        let mut more = header.is_none() || records.next(&mut record)?;
-        while more {
-            if record.len() != width {
-                let kind = InputErrorKind::RaggedRow { found: record.len(), expected: width };
-                return Err(Some(wrong(Some(records.line), kind)));
+        let found = Found { names: titles, rows_total: 0, sha256, rows: Vec::new(), others: Vec::new() };
+        let columns = Columns { places, looked_at, names, has_header: header.is_some(), shape };
+        let mut lacking = Lacking::default();
+        let read = self.rows(records, record, more, &columns, found, &mut lacking);
+        let Lacking { rows, first, .. } = lacking;
+        let is_complete = read.is_ok();
+        let found = match (first, self.options.missing, read) {
+            (Some(place), Missing::Refuse, _) => {
+                return Err(Some(InputError {
+                    kind: InputErrorKind::Missing { rows, is_complete },
+                    ..place
+                }));
             }
-            found.rows_total += 1;
-            let mut is_wanted = self.options.rows.contains(found.rows_total);
-            if is_wanted {
-                for (condition, &place) in self.options.conditions.iter().zip(&looked_at) {
-                    let number = self.number(&record, place, condition.column(), &names, records.line);
-                    is_wanted &= condition.holds(&number.map_err(Some)?);
-                }
+            (Some(place), Missing::Skip, Ok(found)) if found.rows.is_empty() => {
+                return Err(Some(InputError { kind: InputErrorKind::AllMissing { rows }, ..place }));
             }
-            if is_wanted || self.options.keep_others {
-                match self.numbers(&record, &places, &names, records.line) {
-                    Ok(numbers) if is_wanted => found.rows.push((found.rows_total, numbers)),
-                    Ok(numbers) => found.others.push((found.rows_total, numbers)),
-                    Err(error) if is_wanted => return Err(Some(error)),
-                    Err(_) => {}
-                }
-            }
-            more = records.next(&mut record)?;
-        }
+            (_, _, read) => read?,
+        };
         let total = found.rows_total;
         let named = self.options.rows.named().iter().chain(self.options.rows.without());
         // The last row that a range names, or its first where it has no end.
@@ -181,6 +205,83 @@ impl Reader<'_> {
             None => return Ok(found),
         };
         Err(Some(wrong(None, kind)))
+    }
+
+    /// The rows from this record on, if there is one.
+    fn rows(
+        &self,
+        records: &mut Records,
+        mut record: ByteRecord,
+        more: Result<bool, Option<InputError>>,
+        columns: &Columns,
+        mut found: Found,
+        lacking: &mut Lacking,
+    ) -> Result<Found, Option<InputError>> {
+        let mut mark = self.options.dialect.decimal;
+        let is_open = matches!(records.delimiter, b';' | b'\t' | b'|') && mark.is_none();
+        if !is_open {
+            mark = mark.or(Some(DecimalMark::Point));
+        }
+        // Rows of empty cells after which nothing came yet, and those of them that are wanted.
+        let mut tail = (0, Vec::new());
+        let mut more = more?;
+        while more {
+            let (line, [least, width]) = (records.line, columns.shape);
+            let is_blank = |cell: &[u8]| cell.trim_ascii().is_empty();
+            if record.len() < least || !record.iter().skip(width).all(is_blank) {
+                let kind = InputErrorKind::RaggedRow { found: record.len(), expected: width };
+                return Err(Some(wrong(Some(line), kind)));
+            }
+            found.rows_total += 1;
+            let mut is_wanted = self.options.rows.contains(found.rows_total);
+            if record.iter().all(is_blank) {
+                let kind = InputErrorKind::Null;
+                let (place, name) = (columns.places[0], columns.names.get(columns.places[0] - 1));
+                let cell = record.get(place - 1).unwrap_or_default();
+                tail.0 += 1;
+                tail.1.extend(is_wanted.then(|| wrong_cell(line, place, name, cell, kind)));
+            } else {
+                tail.1.drain(..).for_each(|place| lacking.add(place));
+                tail.0 = 0;
+                let row = found.rows_total;
+                let mut is_lacking = false;
+                if is_wanted {
+                    let (mut holds, mut lacks) = (true, None);
+                    for (condition, &place) in self.options.conditions.iter().zip(&columns.looked_at) {
+                        let (cell, name) =
+                            (record.get(place - 1).unwrap_or_default(), columns.names.get(place - 1));
+                        let wrong = |kind: CellError| wrong_cell(line, place, name, cell, kind);
+                        let text = std::str::from_utf8(cell)
+                            .map_err(|error| Some(wrong(not_utf8(cell, &error).into())))?;
+                        match self.marked(text, &mut mark, is_open) {
+                            Ok(number) => holds &= condition.holds(&number),
+                            Err(error) if is_missing(text) => lacks = lacks.or(Some(wrong(error))),
+                            Err(error) => return Err(Some(wrong(error))),
+                        }
+                    }
+                    is_wanted = holds;
+                    is_lacking = holds && lacks.is_some();
+                    lacks.into_iter().filter(|_| holds).for_each(|place| lacking.add(place));
+                }
+                if !is_lacking && (is_wanted || self.options.keep_others) {
+                    match self.numbers(&record, columns, line, row, (&mut mark, is_open)) {
+                        Ok(Ok(numbers)) if is_wanted => found.rows.push((row, numbers)),
+                        Ok(Ok(numbers)) => found.others.push((row, numbers)),
+                        Ok(Err(place)) if is_wanted => lacking.add(place),
+                        Err(error)
+                            if is_wanted
+                                || matches!(error.kind, InputErrorKind::AnotherDecimalMark { .. }) =>
+                        {
+                            return Err(Some(error));
+                        }
+                        _ => {}
+                    }
+                }
+            }
+            more = records.next(&mut record)?;
+        }
+        found.rows_total -= tail.0;
+        Ok(found)
     }
 
     /// The names in the first record, if it is a header.
@@ -208,34 +309,104 @@ impl Reader<'_> {
         record.iter().enumerate().map(name).collect::<Result<_, _>>().map(Some)
     }
 
+    /// The numbers of a row, or the place of the first one that is missing.
     fn numbers(
         &self,
         record: &ByteRecord,
-        places: &[usize],
-        names: &[String],
+        columns: &Columns,
         line: u64,
-    ) -> Result<Vec<Rational>, InputError> {
-        let columns = places.iter().zip(self.columns);
-        columns.map(|(&place, column)| self.number(record, place, column, names, line)).collect()
+        row: usize,
+        (mark, is_open): (&mut Option<DecimalMark>, bool),
+    ) -> Result<Result<Vec<Rational>, InputError>, InputError> {
+        let (mut numbers, mut lacks) = (Vec::new(), None);
+        let cell_at = |place: usize| record.get(place - 1).unwrap_or_default();
+        let texts = columns.places.iter().map(|&place| std::str::from_utf8(cell_at(place)));
+        let is_text = |text: Result<&str, _>| match text {
+            Ok(text) => {
+                let marks = mark.map_or(DecimalMark::ALL.to_vec(), |mark| vec![mark]);
+                !is_missing(text) && marks.into_iter().all(|mark| self.number(text, mark).is_err())
+            }
+            Err(_) => true,
+        };
+        let is_units = columns.has_header && row == 1;
+        let is_units = is_units.then(|| texts.map(is_text).collect::<Vec<_>>());
+        for (&place, column) in columns.places.iter().zip(self.columns) {
+            let (cell, name) = (cell_at(place), columns.names.get(place - 1));
+            let text = std::str::from_utf8(cell)
+                .map_err(|error| wrong_cell(line, place, name, cell, not_utf8(cell, &error)))?;
+            let wrong = |kind: CellError| wrong_cell(line, place, name, cell, kind);
+            let read = self.marked(text, mark, is_open);
+            match read {
+                Ok(number) if column.is_non_negative() && number.is_negative() => {
+                    return Err(wrong(InputErrorKind::NegativeErrorBound.into()));
+                }
+                Ok(number) => numbers.push(number),
+                Err(error) if is_missing(text) => lacks = lacks.or(Some(wrong(error))),
+                Err(CellError(InputErrorKind::NotANumber(_)))
+                    if is_units.as_ref().is_some_and(|texts| texts.iter().all(|&is_text| is_text)) =>
+                {
+                    return Err(wrong(InputErrorKind::NoNumberInFirstRow.into()));
+                }
+                Err(error) => return Err(wrong(error)),
+            }
+        }
+        Ok(lacks.map_or(Ok(numbers), Err))
     }
 
-    fn number(
+    /// The number of a text, under the decimal mark that is known, or that it tells.
+    fn marked(
         &self,
-        record: &ByteRecord,
-        place: usize,
-        column: &ColumnSelector,
-        names: &[String],
-        line: u64,
-    ) -> Result<Rational, InputError> {
-        let (cell, name) = (&record[place - 1], names.get(place - 1));
-        let text = std::str::from_utf8(cell)
-            .map_err(|error| wrong_cell(line, place, name, cell, not_utf8(cell, &error)))?;
-        let number = self.options.reading.read(text, &self.options.limits);
-        let number = number.map_err(|error| wrong_cell(line, place, name, cell, error))?;
-        if column.is_non_negative() && number.is_negative() {
-            return Err(wrong_cell(line, place, name, cell, InputErrorKind::NegativeErrorBound));
+        text: &str,
+        mark: &mut Option<DecimalMark>,
+        is_open: bool,
+    ) -> Result<Rational, CellError> {
+        match *mark {
+            Some(own) => self.number(text, own).map_err(|error| {
+                let is_other = is_open && self.number(text, own.other()).is_ok();
+                let another = InputErrorKind::AnotherDecimalMark { before: own };
+                if is_other { another.into() } else { CellError::from(error) }
+            }),
+            None => match DecimalMark::ALL.map(|mark| self.number(text, mark)) {
+                [Ok(number), _] => {
+                    *mark = text.contains('.').then_some(DecimalMark::Point);
+                    Ok(number)
+                }
+                [_, Ok(number)] => {
+                    *mark = Some(DecimalMark::Comma);
+                    Ok(number)
+                }
+                [Err(error), _] => Err(error.into()),
+            },
         }
-        Ok(number)
+    }
+
+    fn number(&self, text: &str, decimal: DecimalMark) -> Result<Rational, ParseNumberError> {
+        let notation = Notation { decimal, thousands: self.options.dialect.thousands };
+        self.options.reading.read_written(text, notation, &self.options.limits)
+    }
+}
+
+/// Where columns are.
+struct Columns {
+    places: Vec<usize>,
+    looked_at: Vec<usize>,
+    names: Vec<String>,
+    has_header: bool,
+    /// The least and the most cells of a row, but for empty ones.
+    shape: [usize; 2],
+}
+
+/// Rows that lack a number.
+#[derive(Default)]
+struct Lacking {
+    rows: usize,
+    first: Option<InputError>,
+}
+
+impl Lacking {
+    fn add(&mut self, place: InputError) {
+        self.rows += 1;
+        self.first.get_or_insert(place);
     }
 }
 
@@ -317,11 +488,12 @@ fn line_ends(text: &[u8], start: usize, end: usize) -> u64 {
     (start..end).filter(ends).count() as u64
 }
 
-/// A semicolon or tab if there is one outside quotes in the first line that is not blank, else a comma.
-fn detect(text: &[u8]) -> u8 {
-    let line = text.trim_ascii_start().split(|&byte| byte == b'\n').next().unwrap_or_default();
+/// A semicolon, tab, comma or bar, if there is one outside quotes in the first line that is not blank.
+pub fn detect(text: &[u8]) -> Option<u8> {
+    let line =
+        text.trim_ascii_start().split(|&byte| matches!(byte, b'\r' | b'\n')).next().unwrap_or_default();
     let outside = line.split(|&byte| byte == b'"').step_by(2).collect::<Vec<_>>().concat();
-    [b';', b'\t'].into_iter().find(|delimiter| outside.contains(delimiter)).unwrap_or(b',')
+    [b';', b'\t', b',', b'|'].into_iter().find(|delimiter| outside.contains(delimiter))
 }
 
 fn is_name(cell: &[u8]) -> bool {
@@ -387,8 +559,8 @@ fn not_utf8(cell: &[u8], error: &std::str::Utf8Error) -> InputErrorKind {
     InputErrorKind::NotUtf8 { position, unit: "cell" }
 }
 
-impl From<boundfit_exact::ParseNumberError> for CellError {
-    fn from(error: boundfit_exact::ParseNumberError) -> Self {
+impl From<ParseNumberError> for CellError {
+    fn from(error: ParseNumberError) -> Self {
         CellError(InputErrorKind::NotANumber(error))
     }
 }

@@ -289,6 +289,12 @@ pub(crate) struct Origin {
     pub(crate) selection: Selection,
     /// First and last of the rows fitted that follow each other without a gap, where that was asked for.
     pub(crate) ranges: Vec<[usize; 2]>,
+    /// How many rows that were asked for were left out since they lack a number.
+    pub(crate) rows_missing: usize,
+    /// What is unusual about how the file is written, in words.
+    pub(crate) written: Option<String>,
+    /// The units of regressors, response and error bound, where the file states them.
+    pub(crate) units: Vec<Option<String>>,
     #[cfg(feature = "files")]
     pub(crate) layout: Option<TextLayout>,
     pub(crate) sha256: Option<String>,
@@ -467,6 +473,22 @@ impl Measurements {
     /// [`ScanOptions::list_rows`](boundfit_formats::ScanOptions::list_rows).
     pub fn fitted_rows(&self) -> &[[usize; 2]] {
         &self.origin.ranges
+    }
+
+    /// How many rows that were asked for were left out since they lack a number.
+    pub fn rows_missing(&self) -> usize {
+        self.origin.rows_missing
+    }
+
+    /// What is unusual about how the file is written, such as `decimal comma, separated by semicolons`; `None` of text that is
+    /// as usual, and of what is no text.
+    pub fn written(&self) -> Option<&str> {
+        self.origin.written.as_deref()
+    }
+
+    /// The unit that the file states for a column: regressors, response and, with one per row, error bound, from 0.
+    pub fn unit(&self, column: usize) -> Option<&str> {
+        self.origin.units.get(column)?.as_deref()
     }
 
     /// Where in the file the numbers stand: regressors, response and, with one per row, error bound; `None` unless the

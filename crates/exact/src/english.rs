@@ -20,6 +20,29 @@ pub fn in_words(count: usize) -> String {
     WORDS.get(count).map_or_else(|| count.to_string(), |word| (*word).to_owned())
 }
 
+/// A name and the unit behind it in parentheses or brackets: `U (mV)`, `U [mV]`.
+///
+/// ```
+/// use boundfit_exact::english::split_unit;
+///
+/// assert_eq!(split_unit("U (mV)"), ("U", Some("mV")));
+/// assert_eq!(split_unit("flow rate[m/s]"), ("flow rate", Some("m/s")));
+/// assert_eq!(split_unit("f(x)"), ("f(x)", None));
+/// ```
+pub fn split_unit(name: &str) -> (&str, Option<&str>) {
+    let parts = [('(', ')'), ('[', ']')].into_iter().find_map(|(open, close)| {
+        let (before, unit) = name.trim_end().strip_suffix(close)?.rsplit_once(open)?;
+        let unit = unit.trim();
+        // Without a blank, parentheses belong to a name such as f(x), and a number in brackets is an index.
+        let is_unit = (open == '[' || before.ends_with(char::is_whitespace))
+            && !unit.is_empty()
+            && !unit.bytes().all(|byte| byte.is_ascii_digit());
+        let before = before.trim();
+        (is_unit && !before.is_empty()).then_some((before, unit))
+    });
+    parts.map_or((name, None), |(name, unit)| (name, Some(unit)))
+}
+
 /// A list in a table or behind a colon: `a, b, c`; of more than eight items the first ones, `…, and 3 more`.
 pub fn list(items: impl ExactSizeIterator<Item = String>) -> String {
     let count = items.len();

@@ -1,11 +1,13 @@
 //! Numbers from text: decimals, scientific notation and fractions, each read as the exact rational it spells.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use serde::Deserialize;
 use thiserror::Error;
 
-use crate::{Integer, Rational};
+use crate::notation::SPACES;
+use crate::{DecimalMark, Integer, Notation, Rational};
 
 /// How much a number in a file may ask for. A number beyond a limit is refused before it is built.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,7 +48,8 @@ impl Reading {
         }
     }
 
-    /// Reads a number such as `1.30e-2`, `-.5`, `+3` or `7/19`. White space around it is ignored.
+    /// Reads a number such as `1.30e-2`, `-.5`, `+3` or `7/19`. White space around it is ignored, the spaces of
+    /// typesetters too; the minus may be U+2212, and the exponent Fortran's `1.0D+03`.
     ///
     /// Exact. Cost: quadratic in the number of digits, which `limits` bounds; what is beyond them is refused before any
     /// number is made of it.
@@ -69,7 +72,30 @@ impl Reading {
     /// With the position in `text` where the number stops making sense or passes a limit; under
     /// [`Reading::Binary64`] also for a number that overflows binary64.
     pub fn read(self, text: &str, limits: &Limits) -> Result<Rational, ParseNumberError> {
-        let exact = Scanner { bytes: text.as_bytes(), text, position: 0, limits }.number()?;
+        self.read_written(text, Notation::default(), limits)
+    }
+
+    /// Reads a number that is written like this: [`Self::read`] with another decimal mark or with grouped digits.
+    ///
+    /// ```
+    /// use boundfit_exact::{DecimalMark, Limits, Notation, Rational, Reading, Thousands};
+    ///
+    /// let german = Notation { decimal: DecimalMark::Comma, thousands: Some(Thousands::Point) };
+    /// let read = |text| Reading::Decimal.read_written(text, german, &Limits::default());
+    /// assert_eq!(read("1.234,5"), Ok(Rational::ratio(12345, 10)));
+    /// assert_eq!(read("1.23").unwrap_err().to_string(), "digits that are not in groups of three at character 3");
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`Self::read`]; also for groups of digits that are not groups of three after one to three digits, of
+    /// which the first is not 0.
+    pub fn read_written(
+        self,
+        text: &str,
+        notation: Notation,
+        limits: &Limits,
+    ) -> Result<Rational, ParseNumberError> {
+        let exact = Scanner { bytes: text.as_bytes(), text, position: 0, notation, limits }.number()?;
         match self {
             Reading::Decimal => Ok(exact),
             Reading::Binary64 => Rational::from_f64(exact.to_f64())
@@ -100,9 +126,15 @@ pub enum ParseNumberErrorKind {
     /// A character that no number contains.
     #[error("unexpected character {0:?}")]
     UnexpectedCharacter(char),
-    /// A comma.
+    /// A comma, where the decimal mark is a point.
     #[error("unexpected ',' (the decimal mark is a point)")]
     Comma,
+    /// A point, where the decimal mark is a comma.
+    #[error("unexpected '.' (the decimal mark is a comma)")]
+    Point,
+    /// Grouped digits that are not one to three and then groups of three.
+    #[error("digits that are not in groups of three")]
+    NotInThrees,
     /// A grouping mark.
     #[error("unexpected '_' (digits are not grouped)")]
     Underscore,
@@ -150,6 +182,7 @@ struct Scanner<'a> {
     bytes: &'a [u8],
     text: &'a str,
     position: usize,
+    notation: Notation,
     limits: &'a Limits,
 }
 
@@ -160,12 +193,12 @@ impl Scanner<'_> {
             return Err(self.error(ParseNumberErrorKind::Empty));
         }
         let negative = self.sign();
-        let whole = self.digits(self.limits.digits)?;
-        let magnitude = if self.next_is(b"/") && !whole.is_empty() {
-            self.position += 1;
-            self.fraction(whole)?
-        } else {
-            self.decimal(whole)?
+        let magnitude = match self.whole_digits()? {
+            Cow::Borrowed(whole) if self.next_is(b"/") && !whole.is_empty() => {
+                self.position += 1;
+                self.fraction(whole)?
+            }
+            whole => self.decimal(&whole)?,
         };
         self.skip_white_space();
         if self.position < self.bytes.len() {
@@ -195,7 +228,7 @@ impl Scanner<'_> {
 
     /// The rest of a decimal after the digits before the point.
     fn decimal(&mut self, whole: &[u8]) -> Result<Rational, ParseNumberError> {
-        let fraction = if self.next_is(b".") {
+        let fraction = if self.next_is(&[self.notation.decimal.byte()]) {
             self.position += 1;
             self.digits(self.limits.digits.saturating_sub(whole.len()))?
         } else {
@@ -221,9 +254,47 @@ impl Scanner<'_> {
         value.ok_or_else(|| self.error(ParseNumberErrorKind::ZeroDenominator))
     }
 
+    /// The digits before the decimal mark; a copy of them where they are in groups.
+    fn whole_digits<'b>(&mut self) -> Result<Cow<'b, [u8]>, ParseNumberError>
+    where
+        Self: 'b,
+    {
+        let start = self.position;
+        let first = self.digits(self.limits.digits)?;
+        let Some(length) = self.group_mark().filter(|_| !first.is_empty()) else {
+            return Ok(Cow::Borrowed(first));
+        };
+        if first.len() > 3 || first.starts_with(b"0") {
+            return Err(self.error_at(start, ParseNumberErrorKind::NotInThrees));
+        }
+        let mut all = first.to_vec();
+        let mut mark = Some(length);
+        while let Some(length) = mark {
+            self.position += length;
+            let start = self.position;
+            let group = self.digits(self.limits.digits.saturating_sub(all.len()))?;
+            if group.len() != 3 {
+                return Err(self.error_at(start, ParseNumberErrorKind::NotInThrees));
+            }
+            all.extend_from_slice(group);
+            mark = self.group_mark();
+        }
+        Ok(Cow::Owned(all))
+    }
+
+    /// How long the mark between groups is that comes next; a blank is one only before a digit.
+    fn group_mark(&self) -> Option<usize> {
+        let rest = self.text.get(self.position..)?;
+        let length = self.notation.thousands?.length_in(rest);
+        let is_mark = length > 0
+            && (!rest.starts_with(char::is_whitespace)
+                || rest.as_bytes().get(length).is_some_and(u8::is_ascii_digit));
+        is_mark.then_some(length)
+    }
+
     /// An optional `e±digits`.
     fn exponent(&mut self) -> Result<i64, ParseNumberError> {
-        if !self.next_is(b"eE") {
+        if !self.next_is(b"eEdD") {
             return Ok(0);
         }
         self.position += 1;
@@ -258,11 +329,10 @@ impl Scanner<'_> {
     }
 
     fn sign(&mut self) -> bool {
-        let negative = self.next_is(b"-");
-        if self.next_is(b"+-") {
-            self.position += 1;
-        }
-        negative
+        let rest = self.bytes.get(self.position..).unwrap_or_default();
+        let minus = ["-", "\u{2212}"].into_iter().find(|minus| rest.starts_with(minus.as_bytes()));
+        self.position += minus.map_or(usize::from(rest.starts_with(b"+")), str::len);
+        minus.is_some()
     }
 
     fn next_is(&self, any_of: &[u8]) -> bool {
@@ -270,8 +340,15 @@ impl Scanner<'_> {
     }
 
     fn skip_white_space(&mut self) {
-        while self.bytes.get(self.position).is_some_and(u8::is_ascii_whitespace) {
-            self.position += 1;
+        while let Some(&byte) = self.bytes.get(self.position) {
+            self.position += match byte {
+                byte if byte.is_ascii_whitespace() => 1,
+                128.. => match self.text.get(self.position..).and_then(|rest| rest.chars().next()) {
+                    Some(character) if SPACES.contains(&character) => character.len_utf8(),
+                    _ => return,
+                },
+                _ => return,
+            };
         }
     }
 
@@ -280,7 +357,8 @@ impl Scanner<'_> {
         let rest = self.text.get(self.position..).unwrap_or_default();
         self.error(match rest.chars().next() {
             None => ParseNumberErrorKind::MissingDigit,
-            Some(',') => ParseNumberErrorKind::Comma,
+            Some(',') if self.notation.decimal == DecimalMark::Point => ParseNumberErrorKind::Comma,
+            Some('.') if self.notation.decimal == DecimalMark::Comma => ParseNumberErrorKind::Point,
             Some('_') => ParseNumberErrorKind::Underscore,
             Some(_) if is_not_finite(rest) => ParseNumberErrorKind::NotFinite,
             Some(character) => ParseNumberErrorKind::UnexpectedCharacter(character),
@@ -310,6 +388,7 @@ fn is_not_finite(text: &str) -> bool {
 mod tests {
     use super::ParseNumberErrorKind as Kind;
     use super::*;
+    use crate::Thousands;
 
     fn read(text: &str) -> Result<Rational, ParseNumberError> {
         Reading::Decimal.read(text, &Limits::default())
@@ -332,6 +411,11 @@ mod tests {
             ("-0", 0, 1),
             ("000.00100", 1, 1000),
             (" 1.5\t", 3, 2),
+            ("\u{2212}1", -1, 1),
+            ("2e\u{2212}1", 1, 5),
+            ("\u{a0}1.5\u{202f} \u{2007}", 3, 2),
+            ("1.0D+03", 1000, 1),
+            ("-.25d1", -5, 2),
         ] {
             assert_eq!(read(text), Ok(Rational::ratio(numerator, denominator)), "{text}");
         }
@@ -370,11 +454,64 @@ mod tests {
             ("1.5/2", 3, Kind::UnexpectedCharacter('/')),
             ("--1", 1, Kind::UnexpectedCharacter('-')),
             ("1 2", 2, Kind::UnexpectedCharacter('2')),
-            ("\u{2212}1", 0, Kind::UnexpectedCharacter('\u{2212}')),
-            ("1\u{2009}000", 1, Kind::UnexpectedCharacter('\u{2009}')),
+            ("\u{2212}\u{2212}1", 1, Kind::UnexpectedCharacter('\u{2212}')),
+            ("1\u{2009}000", 2, Kind::UnexpectedCharacter('0')),
+            ("1\u{2003}", 1, Kind::UnexpectedCharacter('\u{2003}')),
+            ("1D", 2, Kind::MissingDigit),
         ] {
             assert_eq!(read(text), Err(ParseNumberError { position, kind }), "{text:?}");
         }
+    }
+
+    #[test]
+    fn other_marks_are_read_strictly() {
+        let read = |decimal, thousands, text: &str| {
+            let notation = Notation { decimal, thousands };
+            Reading::Decimal.read_written(text, notation, &Limits::default())
+        };
+        use DecimalMark::{Comma, Point};
+        for (decimal, thousands, text, numerator, denominator) in [
+            (Comma, None, "1,5", 3, 2),
+            (Comma, None, "-,5e1", -5, 1),
+            (Comma, None, "5,", 5, 1),
+            (Comma, None, "7/19", 7, 19),
+            (Comma, Some(Thousands::Point), "1.234.567,5", 2_469_135, 2),
+            (Comma, Some(Thousands::Point), "999,5", 1999, 2),
+            (Comma, Some(Thousands::Point), "0,5", 1, 2),
+            (Point, Some(Thousands::Comma), "60,323", 60_323, 1),
+            (Point, Some(Thousands::Comma), "60323.25", 241_293, 4),
+            (Point, Some(Thousands::Blank), " 12 345.5 ", 24_691, 2),
+            (Point, Some(Thousands::Blank), "1\u{202f}000\u{a0}000", 1_000_000, 1),
+            (Point, Some(Thousands::Apostrophe), "-1'000", -1000, 1),
+            (Comma, Some(Thousands::Apostrophe), "1\u{2019}000,5", 2001, 2),
+        ] {
+            assert_eq!(read(decimal, thousands, text), Ok(Rational::ratio(numerator, denominator)), "{text}");
+        }
+        for (decimal, thousands, text, position, kind) in [
+            (Comma, None, "1.5", 1, Kind::Point),
+            (Comma, None, "1,5,5", 3, Kind::UnexpectedCharacter(',')),
+            (Comma, None, "1,5.5", 3, Kind::Point),
+            (Comma, Some(Thousands::Point), "1.23", 2, Kind::NotInThrees),
+            (Comma, Some(Thousands::Point), "1.2345", 2, Kind::NotInThrees),
+            (Comma, Some(Thousands::Point), "1234.567", 0, Kind::NotInThrees),
+            (Comma, Some(Thousands::Point), "0.123", 0, Kind::NotInThrees),
+            (Comma, Some(Thousands::Point), ".123", 0, Kind::Point),
+            (Comma, Some(Thousands::Point), "1,234.567", 5, Kind::Point),
+            (Point, Some(Thousands::Comma), "1,,234", 2, Kind::NotInThrees),
+            (Point, Some(Thousands::Comma), "1,234,", 6, Kind::NotInThrees),
+            (Point, Some(Thousands::Comma), "1.234,567", 5, Kind::Comma),
+            (Point, Some(Thousands::Comma), "1,234/5", 5, Kind::UnexpectedCharacter('/')),
+            (Point, Some(Thousands::Blank), "1 2", 2, Kind::NotInThrees),
+        ] {
+            assert_eq!(
+                read(decimal, thousands, text),
+                Err(ParseNumberError { position, kind }),
+                "{text:?} {thousands:?}"
+            );
+        }
+        let digits = format!("1{}", ",000".repeat(3400));
+        let too_many = ParseNumberError { position: 13_332 + 2, kind: Kind::TooManyDigits(10_000) };
+        assert_eq!(read(Point, Some(Thousands::Comma), &digits).unwrap_err().kind, too_many.kind);
     }
 
     #[test]

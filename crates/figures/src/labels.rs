@@ -1,7 +1,7 @@
 //! What is written on figures: names with units, the model, numbers.
 
 use boundfit_estimation::{BoundName, ErrorBound, Fit, Model, Problem};
-use boundfit_exact::english::{counted, listed, sentence};
+use boundfit_exact::english::{counted, listed, sentence, split_unit};
 use boundfit_exact::{Rational, Rounding};
 
 use crate::axis::superscript;
@@ -15,7 +15,10 @@ const BOUND_DIGITS: usize = 12;
 
 /// A name with its unit: `Vz [V]`.
 fn with_unit(name: &str, unit: Option<&str>) -> String {
-    unit.filter(|unit| !unit.is_empty()).map_or_else(|| name.to_owned(), |unit| format!("{name} [{unit}]"))
+    // A name such as `U (mV)` has its unit already.
+    let has_own = |unit: &&str| split_unit(name).1 == Some(unit);
+    let unit = unit.filter(|unit| !unit.is_empty() && !has_own(unit));
+    unit.map_or_else(|| name.to_owned(), |unit| format!("{name} [{unit}]"))
 }
 
 /// The given unit, fit for an axis.

@@ -3,14 +3,16 @@
 use std::io::{self, Read};
 use std::ops::Deref;
 
-use memchr::{memchr, memchr_iter, memrchr};
+use memchr::{memchr, memchr_iter, memchr2, memrchr};
 use sha2::{Digest, Sha256};
 
 use crate::binary::refuse_binary;
+use crate::dialect::Encoding;
 use crate::error::{InputError, InputErrorKind};
 use crate::hash::hexadecimal;
 use crate::limits::LONGEST_LINE;
 use crate::start::{FirstLine, refuse_other, without_mark};
+use crate::utf16::{Utf16Reader, utf16_of};
 
 /// How much is read beyond the size of a chunk, to find the end of its last line without another call.
 const BEYOND: usize = 4096;
@@ -41,6 +43,46 @@ impl Chunk {
     }
 }
 
+/// The bytes of a file as they are, counted and hashed.
+struct RawBytes {
+    bytes: Box<dyn Read>,
+    hash: Option<Sha256>,
+    total: u64,
+}
+
+impl Read for RawBytes {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let count = self.bytes.read(buffer)?;
+        self.total += count as u64;
+        if let Some(hash) = &mut self.hash {
+            hash.update(buffer.get(..count).unwrap_or_default());
+        }
+        Ok(count)
+    }
+}
+
+/// The text of a file.
+enum Text {
+    Utf8(RawBytes),
+    Utf16(Utf16Reader<RawBytes>),
+}
+
+impl Text {
+    fn raw(&self) -> &RawBytes {
+        match self {
+            Text::Utf8(raw) => raw,
+            Text::Utf16(reader) => reader.inner(),
+        }
+    }
+
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        match self {
+            Text::Utf8(raw) => raw.read(buffer),
+            Text::Utf16(reader) => reader.read(buffer),
+        }
+    }
+}
+
 /// Whether more bytes come.
 enum State {
     More,
@@ -48,19 +90,18 @@ enum State {
     Failed(InputErrorKind),
 }
 
-/// Cuts a stream of bytes into chunks of whole lines, and hashes it.
+/// Cuts a stream of bytes into chunks of whole lines of UTF-8, and hashes it.
 ///
 /// A chunk ends with the first line end at or after its size, so that the cuts follow from the bytes alone.
 pub(crate) struct ChunkReader {
-    bytes: Box<dyn Read>,
-    hash: Option<Sha256>,
+    text: Text,
+    encoding: Encoding,
     chunk_bytes: usize,
     longest_line: usize,
     /// What was read but belongs to the next chunk.
     pending: Chunk,
     state: State,
     since_line_end: usize,
-    total: u64,
     spare: Vec<Chunk>,
 }
 
@@ -68,14 +109,13 @@ impl ChunkReader {
     /// Chunks of at least so many bytes, with lines of at most so many.
     pub(crate) fn new(bytes: Box<dyn Read>, chunk_bytes: usize, longest_line: usize, hash: bool) -> Self {
         ChunkReader {
-            bytes,
-            hash: hash.then(Sha256::new),
+            text: Text::Utf8(RawBytes { bytes, hash: hash.then(Sha256::new), total: 0 }),
+            encoding: Encoding::Utf8,
             chunk_bytes: chunk_bytes.clamp(1, LONGEST_LINE),
             longest_line,
             pending: Chunk::default(),
             state: State::More,
             since_line_end: 0,
-            total: 0,
             spare: Vec::new(),
         }
     }
@@ -84,6 +124,13 @@ impl ChunkReader {
     pub(crate) fn start(&mut self, file: &str) -> Result<(), InputError> {
         let mut search = FirstLine::default();
         let mut added = self.read_on();
+        while matches!(&*self.pending, [0xff | 0xfe]) && self.read_on() > 0 {
+            added = self.pending.len();
+        }
+        if let Some(encoding) = utf16_of(&self.pending) {
+            self.decode(encoding);
+            added = self.read_on();
+        }
         while added > 0 && !search.is_in(&self.pending, added) {
             added = self.read_on();
         }
@@ -98,6 +145,44 @@ impl ChunkReader {
         refuse_other(&self.pending).map_err(|problem| InputError::of_file(file, problem))?;
         self.pass_byte_order_mark();
         Ok(())
+    }
+
+    /// Reads what there is, and what follows, as UTF-16.
+    fn decode(&mut self, encoding: Encoding) {
+        let start = std::mem::take(&mut self.pending);
+        let nothing = RawBytes { bytes: Box::new(io::empty()), hash: None, total: 0 };
+        if let Text::Utf8(raw) = std::mem::replace(&mut self.text, Text::Utf8(nothing)) {
+            self.text = Text::Utf16(Utf16Reader::new(&start, raw, encoding));
+        }
+        self.encoding = encoding;
+        self.since_line_end = 0;
+        // What had ended has not been decoded.
+        self.state = State::More;
+    }
+
+    /// How the bytes of the text are encoded, once its start was read.
+    pub(crate) fn encoding(&self) -> Encoding {
+        self.encoding
+    }
+
+    /// Where the line ends that starts so many bytes into what was not handed out: before its line end, and behind it. Reads
+    /// on as far as needed; `None` when nothing is there.
+    pub(crate) fn line_at(&mut self, start: usize) -> Option<(usize, usize)> {
+        let mut searched = start;
+        loop {
+            let rest = self.pending.get(searched..).unwrap_or_default();
+            if let Some(end) = memchr2(b'\r', b'\n', rest).map(|length| searched + length) {
+                if self.pending.get(end) == Some(&b'\r') && self.pending.len() == end + 1 {
+                    self.read_on();
+                }
+                let is_pair = self.pending.get(end..).is_some_and(|rest| rest.starts_with(b"\r\n"));
+                return Some((end, end + 1 + usize::from(is_pair)));
+            }
+            searched = self.pending.len().max(start);
+            if self.read_on() == 0 {
+                return (start < searched).then_some((searched, searched));
+            }
+        }
     }
 
     /// Passes over a byte order mark in front of what was not handed out, if there is one.
@@ -205,12 +290,12 @@ impl ChunkReader {
 
     /// How many bytes were read.
     pub(crate) fn total(&self) -> u64 {
-        self.total
+        self.text.raw().total
     }
 
     /// SHA-256 of all bytes read, in hexadecimal.
     pub(crate) fn sha256(&self) -> Option<String> {
-        self.hash.as_ref().map(hexadecimal)
+        self.text.raw().hash.as_ref().map(hexadecimal)
     }
 
     /// Reads into the free part of a buffer once; returns how many bytes came.
@@ -226,7 +311,7 @@ impl ChunkReader {
             chunk.buffer.resize(size.max(before + before / 2), 0);
         }
         let count = loop {
-            match self.bytes.read(&mut chunk.buffer[before..]) {
+            match self.text.read(&mut chunk.buffer[before..]) {
                 Ok(0) => {
                     self.state = State::End;
                     return 0;
@@ -240,10 +325,6 @@ impl ChunkReader {
             }
         };
         let fresh = &chunk.buffer[before..before + count];
-        self.total += count as u64;
-        if let Some(hash) = &mut self.hash {
-            hash.update(fresh);
-        }
         if self.since_line_end + count > self.longest_line
             && let Some(end) = end_of_longest(fresh, self.since_line_end, self.longest_line)
         {

@@ -1,5 +1,7 @@
 //! Which columns of a table are meant: names in a header, or numbers.
 
+use boundfit_exact::english::split_unit;
+
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::roles::Role;
 
@@ -156,15 +158,42 @@ impl Heading {
         Ok(Heading { width: cells.len(), names, line })
     }
 
+    /// Columns with these names, which a comment before the first record gives.
+    pub(crate) fn of_comment(names: Vec<String>, line: u64) -> Self {
+        Heading { width: names.len(), names: Some(names), line }
+    }
+
+    /// This heading of a table whose first column is the names of rows, and has none.
+    pub(crate) fn after_row_names(mut self) -> Self {
+        self.width += 1;
+        self.names.iter_mut().for_each(|names| names.insert(0, String::new()));
+        self
+    }
+
+    /// The columns with the name that is asked for; else those whose name is that before a unit, or behind a comment mark.
+    fn named(names: &[String], wanted: &str) -> Vec<usize> {
+        let indices = |is_meant: &dyn Fn(&str) -> bool| -> Vec<usize> {
+            (0..).zip(names).filter(|(_, name)| is_meant(name)).map(|(index, _)| index).collect()
+        };
+        let exact = indices(&|name| name == wanted);
+        if !exact.is_empty() || wanted.is_empty() {
+            return exact;
+        }
+        let wanted = behind_mark(wanted);
+        indices(&|name| {
+            [split_unit(name).0, name, split_unit(behind_mark(name)).0].contains(&wanted)
+                && !wanted.is_empty()
+        })
+    }
+
     /// Where the column asked for is.
     pub(crate) fn find(&self, file: &str, column: &ColumnSelector) -> Result<ColumnPlace, InputError> {
         let fail = |problem| InputError::of_line(file, self.line, problem);
         let names = self.names.as_deref().unwrap_or_default();
-        let mut matches = names.iter().enumerate().filter(|(_, name)| **name == column.text);
-        let position = match (matches.next(), matches.next()) {
-            (Some(_), Some(_)) => Err(fail(InputErrorKind::AmbiguousColumn { wanted: column.text.clone() })),
-            (Some((index, _)), None) => Ok(index + 1),
-            (None, _) => column
+        let position = match Heading::named(names, &column.text).as_slice() {
+            [_, _, ..] => Err(fail(InputErrorKind::AmbiguousColumn { wanted: column.text.clone() })),
+            [index] => Ok(index + 1),
+            [] => column
                 .position
                 .filter(|position| (1..=self.width).contains(position))
                 .filter(|_| self.names.is_none() || column.is_number())
@@ -210,10 +239,16 @@ pub(crate) fn readable(bytes: &[u8]) -> usize {
     bytes.utf8_chunks().next().map_or(0, |chunk| chunk.valid().chars().count())
 }
 
+/// A name without a comment mark in front of it, as in the header `# speed,dist`.
+fn behind_mark(name: &str) -> &str {
+    name.trim_start_matches(['#', '%']).trim_start()
+}
+
 /// Whether a cell of the first row is a name rather than a number, a failed number or a missing one.
 fn looks_like_name(cell: &[u8]) -> bool {
     let text = String::from_utf8_lossy(cell);
     let text = text.trim();
+    let text = if text.starts_with("# ") || text.starts_with("% ") { behind_mark(text) } else { text };
     let missing = ["nan", "inf", "infinity", "na", "n/a", "null", "none"];
     text.starts_with(|first: char| first.is_alphabetic() || first == '_')
         && !missing.contains(&text.to_lowercase().as_str())

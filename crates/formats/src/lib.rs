@@ -1,7 +1,7 @@
 //! Files in.
 //!
 //! [`Source`] opens a file or standard input; [`read_table`] reads the numeric columns that are asked for from
-//! comma-, semicolon- or tab-separated text, and [`scan`] does so in batches, for files of any size;
+//! delimited text in many dialects ([`AskedDialect`]), and [`scan`] does so in batches, for files of any size;
 //! both read MATLAB's `.mat` files too. [`read_half_planes`] reads half-planes from such a table or from an H- or
 //! V-representation of cdd and lrs. Every number is read exactly
 //! as [`boundfit_exact::Reading`] says. Every error is an [`InputError`], which names the file, the line, the column, the
@@ -13,9 +13,11 @@
 #[cfg(feature = "arrow")]
 mod arrow;
 mod binary;
+mod blanks;
 mod cdd;
 mod chunks;
 mod columns;
+mod dialect;
 mod error;
 mod half_planes;
 mod hash;
@@ -31,8 +33,11 @@ mod source;
 mod start;
 mod table;
 pub mod threads;
+mod units;
+mod utf16;
 
 pub use columns::{ColumnSelector, Header};
+pub use dialect::{AskedDialect, BLANKS, CommentMark, Dialect, Encoding, Missing};
 pub use error::{InputError, InputErrorKind, Place};
 pub use half_planes::{GeneratorRows, HalfPlaneFile, HalfPlaneFormat, RowOrigin, read_half_planes};
 pub use limits::{LONGEST_LINE, SizeLimits};

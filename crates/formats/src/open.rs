@@ -126,6 +126,8 @@ pub fn read_table(
         others,
         rows_total: scanned.rows_total,
         ranges: scanned.ranges,
+        rows_missing: scanned.rows_missing,
+        units: scanned.units,
         layout: scanned.layout,
         sha256: scanned.sha256.unwrap_or_default(),
     })

@@ -4,9 +4,33 @@
 //! messages name the line on which a record starts, and no record may grow without bound.
 
 use csv_core::{ReadRecordResult, Reader, ReaderBuilder};
-use memchr::memchr2_iter;
+use memchr::{memchr2, memchr2_iter};
 
+use crate::blanks::{BlankReader, Cells};
+use crate::dialect::BLANKS;
 use crate::error::{InputError, InputErrorKind};
+
+/// What makes records of bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Syntax {
+    /// What separates cells; [`BLANKS`] for runs of blanks and tabs.
+    pub(crate) delimiter: u8,
+    /// With which bytes a line starts that is passed over where a record could start.
+    pub(crate) comment: Option<[u8; 2]>,
+}
+
+impl Syntax {
+    /// Whether a line that starts with this byte is a comment.
+    pub(crate) fn is_comment(&self, first: u8) -> bool {
+        self.comment.is_some_and(|marks| marks.contains(&first))
+    }
+}
+
+/// What takes records apart.
+enum Core {
+    Delimited(Box<Reader>),
+    Blanks(BlankReader),
+}
 
 /// The cells of a record, without their quotes.
 #[derive(Debug, Default)]
@@ -38,11 +62,36 @@ impl Record {
     }
 
     fn is_blank(&self) -> bool {
-        self.cells == 1 && self.cell(0).trim_ascii().is_empty()
+        self.cells == 0 || (self.cells == 1 && self.cell(0).trim_ascii().is_empty())
+    }
+
+    /// Whether there is nothing but white space in any cell.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.cells().all(|cell| cell.trim_ascii().is_empty())
     }
 
     fn clear(&mut self) {
         (self.bytes_used, self.cells) = (0, 0);
+    }
+
+    /// Goes on with this record; gives how many bytes that took, and whether it is complete.
+    fn go_on(&mut self, core: &mut Core, input: &[u8]) -> (usize, bool) {
+        match core {
+            Core::Blanks(core) => core.read(input, self),
+            Core::Delimited(core) => {
+                let (result, taken) = self.read(core, input);
+                (taken, result == ReadRecordResult::Record)
+            }
+        }
+    }
+
+    /// Ends this record, since nothing follows.
+    fn finish(&mut self, core: &mut Core) {
+        match core {
+            Core::Blanks(core) => core.finish(self),
+            // To the library, no bytes are the end of all bytes.
+            Core::Delimited(core) => while self.read(core, b"").0 == ReadRecordResult::OutputEndsFull {},
+        }
     }
 
     /// Has the library go on with this record; gives its verdict and how many bytes it took.
@@ -61,6 +110,29 @@ impl Record {
     }
 }
 
+impl Cells for Record {
+    fn extend(&mut self, bytes: &[u8]) {
+        let end = self.bytes_used + bytes.len();
+        if end > self.bytes.len() {
+            self.bytes.resize(grown(end), 0);
+        }
+        if let Some(room) = self.bytes.get_mut(self.bytes_used..end) {
+            room.copy_from_slice(bytes);
+        }
+        self.bytes_used = end;
+    }
+
+    fn end_cell(&mut self) {
+        if self.cells == self.ends.len() {
+            self.ends.resize(grown(self.ends.len()), 0);
+        }
+        if let Some(end) = self.ends.get_mut(self.cells) {
+            *end = self.bytes_used;
+        }
+        self.cells += 1;
+    }
+}
+
 /// The next size of a buffer that is full.
 fn grown(size: usize) -> usize {
     size.saturating_mul(2).max(64)
@@ -69,10 +141,13 @@ fn grown(size: usize) -> usize {
 /// Takes the records that are not blank out of bytes that come piece after piece.
 pub(crate) struct Records<'a> {
     file: &'a str,
-    core: Reader,
+    syntax: Syntax,
+    core: Core,
     record: Record,
     /// Whether the record goes on in the next piece.
     is_open: bool,
+    /// Whether a comment goes on in the next piece.
+    is_in_comment: bool,
     /// The line of the next byte, from 1.
     line: u64,
     /// Whether the last byte was a carriage return: a line feed right after it belongs to the same line end.
@@ -89,20 +164,27 @@ impl<'a> Records<'a> {
     /// Records with at most so many bytes, from this line of a file on. Their text is kept only if that is asked for.
     pub(crate) fn new(
         file: &'a str,
-        delimiter: u8,
+        syntax: Syntax,
         line: u64,
         longest_record: usize,
         keep_text: bool,
     ) -> Self {
-        let mut core = ReaderBuilder::new().delimiter(delimiter).build();
-        // The library passes over a byte order mark in front of the first bytes that it sees. Not every piece is the
-        // start of a file, where the mark has been passed over already; so let it see a line end first.
-        core.read_record(b"\n", &mut [0], &mut [0]);
+        let core = if syntax.delimiter == BLANKS {
+            Core::Blanks(BlankReader::default())
+        } else {
+            let mut core = ReaderBuilder::new().delimiter(syntax.delimiter).build();
+            // The library passes over a byte order mark in front of the first bytes that it sees. Not every piece is the
+            // start of a file, where the mark has been passed over already; so let it see a line end first.
+            core.read_record(b"\n", &mut [0], &mut [0]);
+            Core::Delimited(Box::new(core))
+        };
         Records {
             file,
+            syntax,
             core,
             record: Record::default(),
             is_open: false,
+            is_in_comment: false,
             line,
             is_after_return: false,
             record_line: line,
@@ -120,7 +202,7 @@ impl<'a> Records<'a> {
     pub(crate) fn next(&mut self, piece: &mut &[u8]) -> Result<bool, InputError> {
         loop {
             if !self.is_open {
-                self.pass_line_ends(piece);
+                self.pass_comments(piece);
                 if piece.is_empty() {
                     return Ok(false);
                 }
@@ -144,17 +226,23 @@ impl<'a> Records<'a> {
     /// Ends the record that the last piece left open, since nothing follows; `false` when there is none that is not blank.
     pub(crate) fn finish(&mut self) -> bool {
         let was_open = std::mem::take(&mut self.is_open);
-        // To the library, no bytes are the end of all bytes.
-        while was_open && self.record.read(&mut self.core, b"").0 == ReadRecordResult::OutputEndsFull {}
+        if was_open {
+            self.record.finish(&mut self.core);
+        }
         was_open && !self.record.is_blank()
     }
 
     /// Whether the record that goes on is within quotes, which no more bytes would close.
     pub(crate) fn is_within_quotes(&self) -> bool {
-        // Elsewhere a line end ends a record.
-        let mut core = self.core.clone();
-        let (result, ..) = core.read_record(b"\n", &mut [0; 4], &mut [0; 4]);
-        self.is_open && result == ReadRecordResult::InputEmpty
+        self.is_open
+            && match &self.core {
+                Core::Blanks(core) => core.is_within_quotes(),
+                // Elsewhere a line end ends a record.
+                Core::Delimited(core) => {
+                    let (result, ..) = core.clone().read_record(b"\n", &mut [0; 4], &mut [0; 4]);
+                    result == ReadRecordResult::InputEmpty
+                }
+            }
     }
 
     /// The last record.
@@ -195,9 +283,9 @@ impl<'a> Records<'a> {
         let mut left = *piece;
         let mut is_complete = false;
         while !is_complete && !left.is_empty() {
-            let (result, taken) = self.record.read(&mut self.core, left);
+            let taken;
+            (taken, is_complete) = self.record.go_on(&mut self.core, left);
             left = left.get(taken..).unwrap_or_default();
-            is_complete = result == ReadRecordResult::Record;
         }
         let (bytes, _) = piece.split_at_checked(piece.len() - left.len()).unwrap_or_default();
         self.count_lines(bytes);
@@ -205,6 +293,24 @@ impl<'a> Records<'a> {
         self.text.iter_mut().for_each(|text| text.extend_from_slice(bytes));
         *piece = left;
         is_complete
+    }
+
+    /// Takes line ends and comments off the front of a piece.
+    fn pass_comments(&mut self, piece: &mut &[u8]) {
+        loop {
+            if self.is_in_comment {
+                let end = memchr2(b'\r', b'\n', piece);
+                self.is_in_comment = end.is_none();
+                let (comment, rest) = piece.split_at_checked(end.unwrap_or(piece.len())).unwrap_or_default();
+                self.count_lines(comment);
+                *piece = rest;
+            }
+            self.pass_line_ends(piece);
+            match piece.first() {
+                Some(&first) if self.syntax.is_comment(first) => self.is_in_comment = true,
+                _ => return,
+            }
+        }
     }
 
     /// Takes line ends off the front of a piece.
@@ -236,8 +342,14 @@ mod tests {
     use super::*;
 
     /// The records of a text that comes in pieces of so many bytes, each with its line.
-    fn records(text: &[u8], size: usize, longest: usize) -> Result<Vec<(u64, Vec<String>)>, InputError> {
-        let mut records = Records::new("test", b',', 1, longest, false);
+    fn records(
+        text: &[u8],
+        delimiter: u8,
+        size: usize,
+        longest: usize,
+    ) -> Result<Vec<(u64, Vec<String>)>, InputError> {
+        let syntax = Syntax { delimiter, comment: Some([b'#'; 2]) };
+        let mut records = Records::new("test", syntax, 1, longest, false);
         let mut found = Vec::new();
         let mut add = |records: &Records| {
             let cells = records.record().cells().map(|cell| String::from_utf8_lossy(cell).into_owned());
@@ -256,12 +368,22 @@ mod tests {
 
     #[test]
     fn records_have_their_cells_and_lines_however_small_the_pieces_are() {
-        let text = b"a,b\n\"c\nd\"\r\n\"e\"\"\"\rf,\n\n \r\n\ng";
+        let text = b"a,b\n\"c\nd\"\r\n\"e\"\"\"\rf,\n\n \r\n#\"\n\ng\n#end";
         let expected =
-            [(1, vec!["a", "b"]), (2, vec!["c\nd"]), (4, vec!["e\""]), (5, vec!["f", ""]), (9, vec!["g"])];
+            [(1, vec!["a", "b"]), (2, vec!["c\nd"]), (4, vec!["e\""]), (5, vec!["f", ""]), (10, vec!["g"])];
         let expected = expected.map(|(line, cells)| (line, cells.into_iter().map(str::to_owned).collect()));
         for size in 1..=text.len() {
-            assert_eq!(records(text, size, 100).unwrap(), expected, "in pieces of {size} bytes");
+            assert_eq!(records(text, b',', size, 100).unwrap(), expected, "in pieces of {size} bytes");
+        }
+    }
+
+    #[test]
+    fn runs_of_blanks_separate_cells_but_not_within_quotes() {
+        let text = b"  a\t b \r\n \t\n\"c d\" \"e\"\"\nf\"\n#c\r\"\"  1\"2 \"g\"h";
+        let expected = [(1, vec!["a", "b"]), (3, vec!["c d", "e\"\nf"]), (6, vec!["", "1\"2", "gh"])];
+        let expected = expected.map(|(line, cells)| (line, cells.into_iter().map(str::to_owned).collect()));
+        for size in 1..=text.len() {
+            assert_eq!(records(text, b' ', size, 100).unwrap(), expected, "in pieces of {size} bytes");
         }
     }
 
@@ -269,10 +391,10 @@ mod tests {
     fn an_endless_record_stops() {
         let text = [&b"\n\na\n"[..], b"\"", &[b'x'; 1000], b"\n", &[b'x'; 1000]].concat();
         for size in [1, 7, 64] {
-            let error = records(&text, size, 1500).unwrap_err();
+            let error = records(&text, b',', size, 1500).unwrap_err();
             assert_eq!(error.place.line, Some(4));
             assert!(matches!(error.kind, InputErrorKind::RowTooLong { limit: 1500 }));
         }
-        assert_eq!(records(&text, 64, 2002).unwrap().len(), 2);
+        assert_eq!(records(&text, b',', 64, 2002).unwrap().len(), 2);
     }
 }

@@ -1,6 +1,6 @@
 //! What a column takes from its cells when it is not their number.
 
-use boundfit_exact::{Column, Rational, Reading};
+use boundfit_exact::{Column, DecimalMark, Rational, Reading, is_missing, trim_number};
 
 use crate::columns::{ColumnSelector, decode};
 use crate::error::InputErrorKind;
@@ -21,27 +21,19 @@ pub enum Role {
     HalfUnit,
 }
 
-/// What stands in a cell that has no number, beside nothing.
-const MISSING: [&str; 10] = ["NA", "N/A", "#N/A", "NaN", "null", "none", "-", "--", ".", "?"];
-
-/// Whether a cell has no number, but nothing or a word for that.
-pub(crate) fn is_missing(text: &str) -> bool {
-    let text = text.trim();
-    text.is_empty() || MISSING.iter().any(|word| word.eq_ignore_ascii_case(text))
-}
-
 /// What a column takes from a cell instead of its number, as a mantissa and an exponent of ten; `None` where it takes the
-/// number.
+/// number. The decimal mark is not known where no cell has told it.
 pub(crate) fn instead_of_number(
     cell: &[u8],
     selector: &ColumnSelector,
+    mark: Option<DecimalMark>,
 ) -> Result<Option<(i64, i64)>, InputErrorKind> {
     let is_missing = || Ok::<_, InputErrorKind>(is_missing(decode(cell)?));
     Ok(match selector.role() {
         Role::Number | Role::NonNegative => None,
         Role::Optional => is_missing()?.then_some((0, 0)),
         Role::Presence => Some((i64::from(!is_missing()?), 0)),
-        Role::HalfUnit => Some((5, place_of_last_digit(decode(cell)?)? - 1)),
+        Role::HalfUnit => Some((5, place_of_last_digit(decode(cell)?, mark)? - 1)),
     })
 }
 
@@ -56,13 +48,15 @@ pub(crate) fn add(column: &mut Column, (mantissa, exponent): (i64, i64), reading
 }
 
 /// The power of ten that the last digit of a number stands for.
-fn place_of_last_digit(text: &str) -> Result<i64, InputErrorKind> {
-    let text = text.trim();
+fn place_of_last_digit(text: &str, mark: Option<DecimalMark>) -> Result<i64, InputErrorKind> {
+    let text = trim_number(text).replace('\u{2212}', "-");
     if text.contains('/') {
         return Err(InputErrorKind::NoLastDigit);
     }
-    let (mantissa, exponent) = text.split_once(['e', 'E', 'd', 'D']).unwrap_or((text, "0"));
-    let places = mantissa.split_once('.').map_or(0, |(_, places)| places.len());
+    let (mantissa, exponent) = text.split_once(['e', 'E', 'd', 'D']).unwrap_or((&text, "0"));
+    let after =
+        |mark: DecimalMark| mantissa.split_once(char::from(mark.byte())).map(|(_, places)| places.len());
+    let places = mark.map_or_else(|| DecimalMark::ALL.into_iter().find_map(after), after).unwrap_or(0);
     // What is no number is refused where it is read as one.
     let exponent: i64 = exponent.parse().unwrap_or(0);
     Ok(exponent - i64::try_from(places).unwrap_or(i64::MAX))
@@ -85,10 +79,18 @@ mod tests {
             ("0", (5, -1)),
             ("0.000", (5, -4)),
         ] {
-            let found = instead_of_number(text.as_bytes(), &column).unwrap();
+            let found = instead_of_number(text.as_bytes(), &column, Some(DecimalMark::Point)).unwrap();
             assert_eq!(found, Some(expected), "{text}");
         }
-        let fraction = instead_of_number(b"1/3", &column).unwrap_err();
+        for (text, mark, expected) in [
+            ("12,30", Some(DecimalMark::Comma), (5, -3)),
+            ("1.234", Some(DecimalMark::Comma), (5, -1)),
+            ("12,30", None, (5, -3)),
+            ("1,5D\u{2212}03", None, (5, -5)),
+        ] {
+            assert_eq!(instead_of_number(text.as_bytes(), &column, mark).unwrap(), Some(expected), "{text}");
+        }
+        let fraction = instead_of_number(b"1/3", &column, None).unwrap_err();
         assert!(matches!(fraction, InputErrorKind::NoLastDigit));
     }
 
@@ -103,11 +105,11 @@ mod tests {
             ("x", None, 1),
         ] {
             assert_eq!(
-                instead_of_number(text.as_bytes(), &side.clone().optional()).unwrap(),
+                instead_of_number(text.as_bytes(), &side.clone().optional(), None).unwrap(),
                 number,
                 "{text}"
             );
-            let found = instead_of_number(text.as_bytes(), &side.clone().presence()).unwrap();
+            let found = instead_of_number(text.as_bytes(), &side.clone().presence(), None).unwrap();
             assert_eq!(found, Some((presence, 0)), "{text}");
         }
     }

@@ -1,5 +1,6 @@
 //! The start of a table: byte order mark and delimiter.
 
+use crate::blanks::{BlankReader, Cells};
 use crate::error::InputErrorKind;
 use crate::reduction::record::{REDUCTION_MARK, ReductionError};
 
@@ -30,33 +31,56 @@ pub(crate) fn without_mark(start: &[u8]) -> &[u8] {
     start.strip_prefix(BYTE_ORDER_MARK).unwrap_or(start)
 }
 
-/// Refuses what is no table: text in two bytes per character, and reductions where nothing is known of them.
+/// Refuses what is no table: reductions where nothing is known of them.
 pub(crate) fn refuse_other(start: &[u8]) -> Result<(), InputErrorKind> {
-    if [[0xff, 0xfe], [0xfe, 0xff]].iter().any(|mark| start.starts_with(mark)) {
-        return Err(InputErrorKind::Utf16);
-    }
     if start.starts_with(REDUCTION_MARK.as_bytes()) {
         return Err(ReductionError::NotHere.into());
     }
     Ok(())
 }
 
-/// The separator of the first line that is not blank: a semicolon or tab if there is one outside quotes, else a comma.
-pub(crate) fn detect_delimiter(start: &[u8]) -> u8 {
-    let line = start.trim_ascii_start().split(|&byte| byte == b'\n').next().unwrap_or_default();
+/// What separates the cells of a line, if anything but blanks does: a semicolon, tab, comma or bar outside quotes, in this order.
+pub(crate) fn delimiter_of(line: &[u8]) -> Option<u8> {
+    let outside = outside_quotes(line);
+    [b';', b'\t', b',', b'|'].into_iter().find(|delimiter| outside.contains(delimiter))
+}
+
+/// Whether blanks separate the cells of a table whose first two lines are these, which nothing else separates: then both have as
+/// many cells, or the second one a cell more (the names of rows, which need no name).
+pub(crate) fn are_blanks(first: &[u8], second: Option<&[u8]>) -> bool {
+    let cells = cells_between_blanks(first);
+    let is_next = |second: &[u8]| {
+        let next = cells_between_blanks(second);
+        (next == cells || next == cells + 1) && matches!(delimiter_of(second), None | Some(b','))
+    };
+    cells > 1 && second.is_none_or(is_next)
+}
+
+/// A line without what is in quotes.
+fn outside_quotes(line: &[u8]) -> Vec<u8> {
     let mut quoted = false;
-    let mut seen = [false; 2];
-    for &byte in line {
-        match byte {
-            b'"' => quoted = !quoted,
-            b';' if !quoted => seen[0] = true,
-            b'\t' if !quoted => seen[1] = true,
-            _ => {}
-        }
-    }
-    match seen {
-        [true, _] => b';',
-        [_, true] => b'\t',
-        _ => b',',
+    let is_outside = |byte: &&u8| {
+        quoted ^= **byte == b'"';
+        !quoted
+    };
+    line.iter().filter(is_outside).copied().collect()
+}
+
+/// How many cells a line has if blanks separate them.
+fn cells_between_blanks(line: &[u8]) -> usize {
+    let mut record = Count(0);
+    let mut reader = BlankReader::default();
+    reader.read(line, &mut record);
+    reader.finish(&mut record);
+    record.0
+}
+
+struct Count(usize);
+
+impl Cells for Count {
+    fn extend(&mut self, _: &[u8]) {}
+
+    fn end_cell(&mut self) {
+        self.0 += 1;
     }
 }

@@ -1,29 +1,33 @@
 //! Tables of numbers, and how they are to be read.
 
+#[cfg(feature = "arrow")]
+use boundfit_exact::DecimalMark;
 use boundfit_exact::{Limits, Rational, Reading};
 
-use crate::columns::{ColumnPlace, ColumnSelector, Header, decode};
+use crate::columns::{ColumnPlace, Header};
+#[cfg(feature = "arrow")]
+use crate::columns::{ColumnSelector, decode};
+use crate::dialect::{AskedDialect, Dialect, Missing};
 use crate::error::{InputError, InputErrorKind};
 use crate::limits::SizeLimits;
+#[cfg(feature = "arrow")]
 use crate::roles::instead_of_number;
 use crate::selection::{RowCondition, RowSet};
 
 /// Where in delimited text the numbers asked for stand.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TextLayout {
-    /// What separates cells.
-    pub delimiter: u8,
-    /// Whether the first record names the columns.
-    pub has_header: bool,
+    /// How the text is written.
+    pub dialect: Dialect,
     /// The numbers of the columns asked for, from 1, in the order asked.
     pub columns: Vec<usize>,
 }
 
 impl TextLayout {
     /// The layout of a table whose columns asked for are at these places.
-    pub(crate) fn new(delimiter: u8, has_header: bool, places: &[ColumnPlace]) -> Self {
+    pub(crate) fn new(dialect: Dialect, places: &[ColumnPlace]) -> Self {
         let columns = places.iter().map(|place| place.position).collect();
-        TextLayout { delimiter, has_header, columns }
+        TextLayout { dialect, columns }
     }
 }
 
@@ -32,8 +36,10 @@ impl TextLayout {
 pub struct TableOptions {
     /// Whether there is a header.
     pub header: Header,
-    /// What separates cells; found out from the first line when `None`.
-    pub delimiter: Option<u8>,
+    /// How a text is written.
+    pub dialect: AskedDialect,
+    /// What becomes of rows that lack a number.
+    pub missing: Missing,
     /// The rows that may be wanted.
     pub rows: RowSet,
     /// What must hold for each of these to be wanted: every condition.
@@ -77,6 +83,10 @@ pub struct Table {
     pub others: Vec<TableRow>,
     /// How many data rows the file has.
     pub rows_total: usize,
+    /// How many wanted rows were left out since they lack a number.
+    pub rows_missing: usize,
+    /// The units of the columns asked for, where the table states them.
+    pub units: Vec<Option<String>>,
     /// First and last of the rows wanted that follow each other without a gap.
     pub ranges: Vec<[usize; 2]>,
     /// Where the numbers stand; `None` unless the table is delimited text.
@@ -85,13 +95,14 @@ pub struct Table {
     pub sha256: String,
 }
 
-/// The number in a cell of a column.
+/// The number in a text of a column of a binary table.
+#[cfg(feature = "arrow")]
 pub(crate) fn read_number(
     cell: &[u8],
     column: &ColumnSelector,
     options: &TableOptions,
 ) -> Result<Rational, InputErrorKind> {
-    if let Some((mantissa, exponent)) = instead_of_number(cell, column)? {
+    if let Some((mantissa, exponent)) = instead_of_number(cell, column, Some(DecimalMark::Point))? {
         return Ok(Rational::scientific(mantissa, exponent));
     }
     let number = options.reading.read(decode(cell)?, &options.limits)?;
@@ -112,14 +123,6 @@ pub(crate) fn check_columns(
         return Ok(());
     }
     Err(InputError::of_line(file, line, InputErrorKind::TooManyColumns { limit: sizes.columns }))
-}
-
-/// Refuses a row that has not as many cells as the first one.
-pub(crate) fn check_width(file: &str, line: u64, found: usize, expected: usize) -> Result<(), InputError> {
-    if found == expected {
-        return Ok(());
-    }
-    Err(InputError::of_line(file, line, InputErrorKind::RaggedRow { found, expected }))
 }
 
 /// Refuses a table without rows, or without all the rows that were named.

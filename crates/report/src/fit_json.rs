@@ -46,6 +46,10 @@ struct InputJson {
     rows_total: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     selection: Option<SelectionJson>,
+    #[serde(skip_serializing_if = "is_zero")]
+    rows_missing: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    text: Option<String>,
     reading: &'static str,
     sha256: Option<String>,
     model: &'static str,
@@ -174,6 +178,11 @@ fn selection(selection: &Selection) -> Option<SelectionJson> {
     (!selection.is_all()).then_some(SelectionJson { rows, without, where_row: conditions })
 }
 
+/// Whether there is nothing to be said.
+fn is_zero(count: &usize) -> bool {
+    *count == 0
+}
+
 fn input(problem: &Problem, reading: Reading, style: &Style) -> InputJson {
     let measurements = &problem.measurements;
     let form = measurements.line_form();
@@ -197,6 +206,8 @@ fn input(problem: &Problem, reading: Reading, style: &Style) -> InputJson {
         rows: measurements.fitted(),
         rows_total: measurements.rows_total(),
         selection: selection(measurements.selection()),
+        rows_missing: measurements.rows_missing(),
+        text: measurements.written().map(ToOwned::to_owned),
         reading: reading.name(),
         sha256: measurements.sha256().map(ToOwned::to_owned),
         model,

@@ -102,8 +102,8 @@ pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<Stri
     let proof = ProofJson {
         schema: "boundfit/proof/1",
         sha256: measurements.sha256()?.to_owned(),
-        delimiter: char::from(layout.delimiter),
-        header: layout.has_header,
+        delimiter: char::from(layout.dialect.delimiter),
+        header: layout.dialect.records_before > 0,
         rows: measurements.fitted_rows().concat(),
         reading: reading.name(),
         model: [x1, x2, y, epsilon],

@@ -6,8 +6,8 @@ use std::sync::LazyLock;
 
 use boundfit_exact::{Limits, Reading};
 use boundfit_formats::{
-    Batch, ColumnSelector, Header, RowCondition, RowRange, RowSet, ScanOptions, SizeLimits, Source,
-    TableOptions, TableRow, scan,
+    AskedDialect, Batch, ColumnSelector, CommentMark, Header, Missing, RowCondition, RowRange, RowSet,
+    ScanOptions, SizeLimits, Source, TableOptions, TableRow, scan,
 };
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use tempfile::NamedTempFile;
@@ -71,6 +71,11 @@ pub fn mat_reader(data: &[u8]) {
 fn all_options(data: &[u8], check: &(dyn Fn(&[ColumnSelector], &ScanOptions) + Sync)) {
     let choice = data.iter().fold(0_usize, |sum, &byte| sum + usize::from(byte));
     let delimiter = [None, None, None, Some(b';'), Some(b',')][choice % 5];
+    // Comments, and what blanks separate, are read only by the program.
+    let text = data.strip_prefix(b"\xef\xbb\xbf").unwrap_or(data);
+    let delimiter = delimiter.or_else(|| reference_table::detect(text).is_none().then_some(b','));
+    let comment = CommentMark::None;
+    let missing = [Missing::Refuse, Missing::Skip][choice / 2 % 2];
     let header = [Header::Auto, Header::Auto, Header::Present, Header::Absent][choice % 4];
     let rows = [None, None, RowRange::new(2, 3)][choice % 3];
     let condition = RowCondition::parse("2 >= 1", Reading::Decimal, &LIMITS).expect("a condition");
@@ -81,7 +86,8 @@ fn all_options(data: &[u8], check: &(dyn Fn(&[ColumnSelector], &ScanOptions) + S
         for reading in [Reading::Decimal, Reading::Binary64] {
             let table = TableOptions {
                 header,
-                delimiter,
+                dialect: AskedDialect { delimiter, comment, ..AskedDialect::default() },
+                missing,
                 rows: rows.into(),
                 conditions: conditions.clone(),
                 keep_others: choice % 2 == 0,

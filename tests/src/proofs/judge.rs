@@ -6,7 +6,9 @@ use std::io::Cursor;
 
 use boundfit_estimation::{Fit, fit};
 use boundfit_exact::{Limits, Rational, Reading};
-use boundfit_formats::{ColumnSelector, Header, RowRange, RowSet, Source, TableOptions, read_table};
+use boundfit_formats::{
+    AskedDialect, ColumnSelector, CommentMark, Header, RowRange, RowSet, Source, TableOptions, read_table,
+};
 use boundfit_geometry::{Inequality, Polyhedron, Region, System};
 use boundfit_report::proof_json;
 use serde_json::{Value, json};
@@ -38,7 +40,11 @@ fn question(proof: &Value, data: &[u8]) -> Option<Question> {
     let rows = RowSet::new(&ranges, &[]).filter(|_| is_ascending)?;
     let options = TableOptions {
         header: if proof["header"] == json!(true) { Header::Present } else { Header::Absent },
-        delimiter: proof["delimiter"].as_str().map(|text| text.as_bytes()[0]),
+        dialect: AskedDialect {
+            delimiter: proof["delimiter"].as_str().map(|text| text.as_bytes()[0]),
+            comment: CommentMark::None,
+            ..AskedDialect::default()
+        },
         rows: rows.clone(),
         reading: if proof["reading"] == "binary64" { Reading::Binary64 } else { Reading::Decimal },
         ..TableOptions::default()

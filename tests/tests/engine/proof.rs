@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
 use boundfit_estimation::fit;
-use boundfit_formats::{Header, RowRange, TableOptions};
+use boundfit_formats::{AskedDialect, Header, RowRange, TableOptions};
 use boundfit_tests::generate::seeded;
 use boundfit_tests::program::root;
 use boundfit_tests::proofs::{Question, generated, is_true, questions, sha256, tampered, verdict};
@@ -136,8 +136,8 @@ fn both_readers_see_the_same_table() {
         let text: String = (0..count).map(|_| pieces[rng.random_range(0..pieces.len())]).collect();
         let response = if rng.random_bool(0.5) { "2" } else { "3" };
         let mut question = Question::line("pieces", text.as_bytes(), ["1", response], "100");
-        question.options =
-            TableOptions { header: Header::Absent, delimiter: Some(b','), ..TableOptions::default() };
+        let dialect = AskedDialect { delimiter: Some(b','), ..AskedDialect::default() };
+        question.options = TableOptions { header: Header::Absent, dialect, ..TableOptions::default() };
         if let Ok(problem) = question.problem() {
             accepts(&question);
             accepted += 1;

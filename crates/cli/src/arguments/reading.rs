@@ -1,18 +1,18 @@
 //! From options to what the libraries take.
 
 use boundfit_estimation::{
-    Columns, Condition, EpsilonColumn, Keep, Law, LineForm, Measurements, ParseConditionError,
+    Columns, Condition, EpsilonColumn, Keep, Law, LineForm, Measurements, Model, ParseConditionError,
     ParseConditionErrorKind, ParseLawError, ParseLawErrorKind, Problem,
 };
 use boundfit_exact::{Limit, Limits, Rational, Reading};
-use boundfit_formats::{Header, ScanOptions, SizeLimits, Source, TableOptions};
+use boundfit_formats::{AskedDialect, Header, ScanOptions, SizeLimits, Source, TableOptions};
 use boundfit_report::{Origin, Style};
 use clap::ValueEnum;
 
 use super::values::{number_problem, parse_factors};
 use super::{
-    DataArguments, FitArguments, LimitArguments, OutputArguments, RowArguments, TableArguments,
-    ThreadArguments,
+    DataArguments, FitArguments, LabelArguments, LimitArguments, OutputArguments, RowArguments,
+    TableArguments, ThreadArguments,
 };
 use crate::exit::Failure;
 use crate::memory;
@@ -280,7 +280,8 @@ impl TableArguments {
         let limits = self.limits.number();
         Ok(TableOptions {
             header: self.header(),
-            delimiter: self.delimiter(),
+            dialect: self.dialect(),
+            missing: self.missing,
             rows: rows.map(RowArguments::set).transpose()?.unwrap_or_default(),
             conditions: rows.map(|rows| rows.conditions(reading, &limits)).transpose()?.unwrap_or_default(),
             keep_others: false,
@@ -313,8 +314,27 @@ impl TableArguments {
         self.header
     }
 
-    pub(crate) fn delimiter(&self) -> Option<u8> {
-        self.delimiter.0
+    fn dialect(&self) -> AskedDialect {
+        AskedDialect {
+            delimiter: self.delimiter.0,
+            decimal: self.decimal.0,
+            thousands: self.thousands,
+            comment: self.comment,
+            skip_lines: self.skip_lines,
+            units_row: self.units_row,
+        }
+    }
+}
+
+impl LabelArguments {
+    /// The units of x, which two regressors share, and of y: those asked for, else those that the file states.
+    pub(crate) fn units(&self, measurements: &Measurements) -> [Option<String>; 2] {
+        let stated = |column| measurements.unit(column).map(str::to_owned);
+        let (x, y) = match measurements.model() {
+            Model::Line { .. } => (stated(0), stated(1)),
+            Model::TwoRegressors { .. } => (stated(0).filter(|_| stated(0) == stated(1)), stated(2)),
+        };
+        [self.x_unit.clone().or(x), self.y_unit.clone().or(y)]
     }
 }
 

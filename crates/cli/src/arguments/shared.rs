@@ -1,7 +1,7 @@
 //! The arguments of several commands.
 
-use boundfit_exact::Reading;
-use boundfit_formats::{ColumnSelector, Header};
+use boundfit_exact::{DecimalMark, Reading, Thousands};
+use boundfit_formats::{ColumnSelector, CommentMark, Header, Missing};
 use boundfit_report::EndRounding;
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ValueEnum, value_parser};
@@ -11,7 +11,10 @@ use crate::output::Guard;
 
 use super::RowArguments;
 use super::endings::{NamedFormat, told_by_name};
-use super::values::{Delimiter, Regressors, named, parse_column, parse_regressors};
+use super::values::{
+    DECIMAL_MARKS, DELIMITERS, IfAsked, Regressors, named, named_or_auto, parse_column, parse_comment,
+    parse_regressors, parse_thousands,
+};
 
 /// Where a text goes.
 #[derive(Debug, Args)]
@@ -49,7 +52,7 @@ pub(crate) struct ThreadArguments {
 /// Which readings are fitted, and how.
 #[derive(Debug, Args)]
 pub(crate) struct DataArguments {
-    /// A table of readings (separated by commas, semicolons or tabs, or a MATLAB .mat file), or - for standard input
+    /// A table of readings (delimited text or a MATLAB .mat file), or - for standard input
     pub(super) data: String,
     /// Column of x by header name or number from 1 (in a .mat file a vector's name, or 'M(:,2)'); two for the model
     /// y = theta1*COL + theta2*COL2 + e
@@ -130,12 +133,34 @@ pub(crate) struct TableArguments {
     #[arg(long, default_value = Header::Auto.name(),
           value_parser = named(Header::ALL.map(|header| (header.name(), header))))]
     pub(super) header: Header,
-    /// What separates the columns
-    #[arg(long, default_value = "auto", value_parser = named(Delimiter::ALL))]
-    pub(super) delimiter: Delimiter,
+    /// What separates the columns (space: runs of blanks and tabs)
+    #[arg(long, default_value = "auto", value_parser = named_or_auto(DELIMITERS), help_heading = TEXT)]
+    pub(super) delimiter: IfAsked<u8>,
+    /// Decimal mark; auto finds out, unless commas separate the columns
+    #[arg(long, default_value = "auto", value_parser = named_or_auto(DECIMAL_MARKS), help_heading = TEXT)]
+    pub(super) decimal: IfAsked<DecimalMark>,
+    /// What stands between groups of three digits: ',' '.' ' ' or "'"
+    #[arg(long, value_name = "MARK", value_parser = parse_thousands, help_heading = TEXT)]
+    pub(super) thousands: Option<Thousands>,
+    /// Pass over lines that start with this character; auto: # and % where they precede the table; none
+    #[arg(long, value_name = "MARK", default_value = "auto", value_parser = parse_comment, help_heading = TEXT)]
+    pub(super) comment: CommentMark,
+    /// Pass over the first N lines
+    #[arg(long, value_name = "N", default_value_t = 0, help_heading = TEXT)]
+    pub(super) skip_lines: u64,
+    /// The row after the header has units
+    #[arg(long, help_heading = TEXT)]
+    pub(super) units_row: bool,
+    /// What to do about rows without a number in a column that is used: empty, NA, N/A, #N/A, NaN, null, none, - -- . or ?
+    #[arg(long, default_value = Missing::Refuse.name(), help_heading = TEXT,
+          value_parser = named(Missing::ALL.map(|missing| (missing.name(), missing))))]
+    pub(super) missing: Missing,
     #[command(flatten)]
     pub(crate) limits: LimitArguments,
 }
+
+/// The heading of what tells how a table is written.
+const TEXT: &str = "Tables";
 
 /// The heading of limits in the help, below all other options.
 pub(super) const LIMITS: &str = "Limits";

@@ -1,7 +1,9 @@
 //! The values of options that are more than a text or a number.
 
-use boundfit_exact::{Limit, Limits, ParseNumberError, Rational, Reading};
-use boundfit_formats::ColumnSelector;
+use boundfit_exact::{
+    DecimalMark, Limit, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading, Thousands,
+};
+use boundfit_formats::{BLANKS, ColumnSelector, CommentMark};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::exit::Failure;
@@ -21,16 +23,49 @@ pub(crate) struct FactorRange {
 }
 
 /// What separates the columns; nothing when the file tells.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Delimiter(pub(super) Option<u8>);
+pub(super) const DELIMITERS: [(&str, Option<u8>); 6] = [
+    ("auto", None),
+    ("comma", Some(b',')),
+    ("semicolon", Some(b';')),
+    ("tab", Some(b'\t')),
+    ("space", Some(BLANKS)),
+    ("pipe", Some(b'|')),
+];
 
-impl Delimiter {
-    pub(super) const ALL: [(&'static str, Delimiter); 4] = [
-        ("auto", Delimiter(None)),
-        ("comma", Delimiter(Some(b','))),
-        ("semicolon", Delimiter(Some(b';'))),
-        ("tab", Delimiter(Some(b'\t'))),
-    ];
+/// The decimal mark; nothing when the file tells.
+pub(super) const DECIMAL_MARKS: [(&str, Option<DecimalMark>); 3] = [
+    ("auto", None),
+    (DecimalMark::Point.name(), Some(DecimalMark::Point)),
+    (DecimalMark::Comma.name(), Some(DecimalMark::Comma)),
+];
+
+/// A value that may be left to the file, as what clap takes for one that is there.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct IfAsked<T>(pub(super) Option<T>);
+
+/// The parser of an option that takes one of these names, one of which leaves the choice to the file.
+pub(super) fn named_or_auto<T: Clone + Send + Sync + 'static>(
+    values: impl IntoIterator<Item = (&'static str, Option<T>)>,
+) -> impl TypedValueParser<Value = IfAsked<T>> {
+    named(values.into_iter().map(|(name, value)| (name, IfAsked(value))))
+}
+
+pub(super) fn parse_comment(text: &str) -> Result<CommentMark, String> {
+    match text {
+        "auto" => Ok(CommentMark::Auto),
+        "none" => Ok(CommentMark::None),
+        _ => match text.as_bytes() {
+            [mark] if mark.is_ascii_punctuation() => Ok(CommentMark::Mark(*mark)),
+            _ => {
+                Err("expected auto, none or one character such as '#', no letter, digit or blank".to_owned())
+            }
+        },
+    }
+}
+
+pub(super) fn parse_thousands(text: &str) -> Result<Thousands, String> {
+    let mark = Thousands::ALL.into_iter().find(|thousands| thousands.mark() == text);
+    mark.ok_or_else(|| "expected ',' '.' ' ' or \"'\"".to_owned())
 }
 
 /// The parser of an option that takes one of these names. Help and completions list them.
@@ -88,6 +123,9 @@ fn split_at_commas(text: &str) -> Vec<&str> {
 pub(crate) fn number_problem(error: &ParseNumberError, expected: &str) -> String {
     match Limit::of_number(&error.kind) {
         Some(limit) => format!("refused: {error}; {} raises it", limit.flag()),
+        None if error.kind == ParseNumberErrorKind::Comma => {
+            format!("not a number: {error} (options take a point, whatever the data have: 1.5, not 1,5)")
+        }
         None => format!("not a number: {error} ({expected})"),
     }
 }

@@ -19,11 +19,12 @@ pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
     let reading = data.origin().reading;
     let problem = data.problem_with_others()?;
     let fit = fit(&problem);
+    let [x_unit, y_unit] = arguments.labels.units(&problem.measurements);
     let options = LessonOptions {
         file: arguments.data.file_name().to_owned(),
         title: arguments.labels.title.clone(),
-        x_unit: arguments.labels.x_unit.clone(),
-        y_unit: arguments.labels.y_unit.clone(),
+        x_unit,
+        y_unit,
         most_rows: usize::from(arguments.max_readings),
     };
     let page = while_working("writing the page", || page(&problem, &fit, reading, &options));

@@ -31,9 +31,10 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
     }
     let problem = arguments.data.open().problem_with_others()?;
     let fit = fit(&problem);
+    let [x_unit, y_unit] = arguments.labels.units(&problem.measurements);
     let options = PlotOptions {
-        x_unit: arguments.labels.x_unit.clone(),
-        y_unit: arguments.labels.y_unit.clone(),
+        x_unit,
+        y_unit,
         title: arguments.labels.title.clone(),
         flip: arguments.flip,
         directions: usize::from(arguments.directions),

@@ -34,10 +34,16 @@ impl Measurements {
         columns.refuse_unbounded(&file, unbounded)?;
         others.retain(is_bounded);
         meaning.settle(&mut rows);
-        let (rows_total, ranges) = (table.rows_total, table.ranges);
-        let selection = Selection::of(options);
-        let origin =
-            Origin { rows_total, selection, ranges, layout: table.layout, sha256: Some(table.sha256) };
+        let origin = Origin {
+            rows_total: table.rows_total,
+            rows_missing: table.rows_missing,
+            selection: Selection::of(options),
+            ranges: table.ranges,
+            written: table.layout.as_ref().and_then(|layout| layout.dialect.words()),
+            units: table.units,
+            layout: table.layout,
+            sha256: Some(table.sha256),
+        };
         Ok(Measurements { meaning, readings: Readings::All(rows), others, origin })
     }
 }

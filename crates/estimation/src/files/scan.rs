@@ -129,8 +129,9 @@ fn measurements(
     scanned: Scanned,
     readings: Readings,
 ) -> Measurements {
-    let Scanned { rows_total, ranges, layout, sha256, .. } = scanned;
-    let origin = Origin { rows_total, selection, ranges, layout, sha256 };
+    let Scanned { rows_total, rows_missing, ranges, units, layout, sha256, .. } = scanned;
+    let written = layout.as_ref().and_then(|layout| layout.dialect.words());
+    let origin = Origin { rows_total, rows_missing, selection, ranges, written, units, layout, sha256 };
     Measurements { meaning, readings, others: Vec::new(), origin }
 }
 
@@ -174,7 +175,9 @@ fn second_look(
         (x.len(), LineSums::of_columns(x, x).x, thresholds.of_column(x))
     };
     let again = Source::open(path)?.limited(scanned.bytes);
-    scan(again, &columns.selectors()[..1], &options, look, |(rows, x, part)| {
+    // Which rows lack a number is told by all columns.
+    let seen = if scanned.rows_missing > 0 { columns.selectors().len() } else { 1 };
+    scan(again, &columns.selectors()[..seen], &options, look, |(rows, x, part)| {
         count += rows;
         total = &total + x;
         spread = spread.merged(&part);

@@ -85,10 +85,11 @@ pub(crate) fn scan_arrow<T: Send>(
         header: names,
         key_name: layout.key.as_ref().map(ColumnPlace::title),
         header_line: None,
-        delimiter: b',',
         layout: None,
+        units: vec![None; columns.len()],
         rows_total,
         ranges: Vec::new(),
+        rows_missing: 0,
         bytes,
         sha256,
     })

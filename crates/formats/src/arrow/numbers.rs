@@ -9,12 +9,14 @@ use arrow_array::types::{
 };
 use arrow_array::{Array, ArrayRef, ArrowPrimitiveType};
 use arrow_schema::DataType;
-use boundfit_exact::{Column, PLAIN_DIGITS, PLAIN_EXPONENT, Rational, Reading, Unit, plain_decimal};
+use boundfit_exact::{
+    Column, DecimalMark, PLAIN_DIGITS, PLAIN_EXPONENT, Rational, Reading, Unit, plain_decimal,
+};
 
 use super::texts::{BadCell, refuse_nulls, text};
 use crate::columns::ColumnSelector;
 use crate::error::InputErrorKind;
-use crate::roles::{self, Role, instead_of_number};
+use crate::roles::{Role, instead_of_number};
 use crate::table::{TableOptions, read_number};
 
 /// What a column takes from an array without a dictionary.
@@ -41,7 +43,7 @@ fn is_missing(array: &ArrayRef, index: usize) -> bool {
             DataType::Float32 => array.as_primitive::<Float32Type>().value(index).is_nan(),
             DataType::Float64 => array.as_primitive::<Float64Type>().value(index).is_nan(),
             DataType::Utf8 | DataType::LargeUtf8 | DataType::Utf8View => {
-                text(array, index).is_none_or(|text| roles::is_missing(&text))
+                text(array, index).is_none_or(|text| boundfit_exact::is_missing(&text))
             }
             _ => false,
         }
@@ -80,7 +82,7 @@ fn half_units(array: &ArrayRef, selector: &ColumnSelector) -> Result<Column, Bad
     for index in 0..array.len() {
         let cell = text(array, index)
             .ok_or_else(|| BadCell::of_type(array.data_type(), "a column of decimals or text"))?;
-        let value = instead_of_number(cell.as_bytes(), selector);
+        let value = instead_of_number(cell.as_bytes(), selector, Some(DecimalMark::Point));
         let value = value.map_err(|problem| BadCell::at(array, index, problem))?;
         let (mantissa, exponent) = value.unwrap_or_default();
         column.push(Rational::scientific(mantissa, exponent));

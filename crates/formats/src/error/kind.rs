@@ -3,7 +3,7 @@
 use std::io;
 
 use boundfit_exact::english::counted;
-use boundfit_exact::{Limit, ParseNumberError};
+use boundfit_exact::{DecimalMark, Limit, ParseNumberError, ParseNumberErrorKind};
 use thiserror::Error;
 
 use crate::reduction::record::ReductionError;
@@ -162,6 +162,14 @@ pub enum InputErrorKind {
         /// How many columns there are, when a number may be given instead of a name.
         numbers: Option<usize>,
     },
+    /// A column that a table of one column does not have, when nothing was found that separates columns.
+    #[error("there is no column {wanted:?}, and nothing was found that separates columns in {line:?}")]
+    NoDelimiter {
+        /// The column asked for.
+        wanted: String,
+        /// The first line of the table.
+        line: String,
+    },
     /// A column name that occurs more than once.
     #[error("there are several columns {wanted:?}")]
     AmbiguousColumn {
@@ -187,6 +195,32 @@ pub enum InputErrorKind {
     /// A cell that is not a number, or one beyond a limit.
     #[error("{verdict}: {0}", verdict = if .0.kind.is_limit() { "refused" } else { "not a number" })]
     NotANumber(#[from] ParseNumberError),
+    /// A number with another decimal mark than the numbers before it.
+    #[error("a number with a decimal {}, where those before have a decimal {}", .before.other().name(), .before.name())]
+    AnotherDecimalMark {
+        /// The mark before.
+        before: DecimalMark,
+    },
+    /// The first row after the header has no number in any cell that is asked for.
+    #[error("not a number, nor is any other cell of this row that is asked for")]
+    NoNumberInFirstRow,
+    /// A row that lacks a number.
+    #[error("the value is missing{}", others_missing(*.rows, *.is_complete))]
+    Missing {
+        /// How many rows lack a number that is asked for.
+        rows: usize,
+        /// Whether the whole file was looked at.
+        is_complete: bool,
+    },
+    /// All wanted rows lack a number.
+    #[error("the value is missing, and no row that is asked for has all its values ({rows} without)")]
+    AllMissing {
+        /// How many rows lack a number.
+        rows: usize,
+    },
+    /// Blanks between groups of digits in a table whose columns blanks separate.
+    #[error("blanks separate the columns, so that they cannot group digits as well")]
+    BlanksTwice,
     /// An error bound below zero.
     #[error("the error bound is negative")]
     NegativeErrorBound,
@@ -329,6 +363,27 @@ impl InputErrorKind {
             InputErrorKind::ColumnType { expected, .. } => (*expected).to_owned(),
             InputErrorKind::NoText { .. } => "a text table; CSV can be made from it".to_owned(),
             InputErrorKind::NotANumber(error) if error.kind.is_limit() => return None,
+            InputErrorKind::NotANumber(ParseNumberError { kind: ParseNumberErrorKind::Comma, .. }) => {
+                "1.5; with --decimal comma 1,5 is read, with --thousands ',' 60,323 as 60323".to_owned()
+            }
+            InputErrorKind::NotANumber(ParseNumberError { kind: ParseNumberErrorKind::Point, .. }) => {
+                "1,5; with --decimal point 1.5 is read, with --thousands '.' 60.323 as 60323".to_owned()
+            }
+            InputErrorKind::NoDelimiter { .. } => {
+                "--delimiter comma, semicolon, tab, space or pipe, or a column's number".to_owned()
+            }
+            InputErrorKind::AnotherDecimalMark { .. } => {
+                "one decimal mark; --decimal comma or --decimal point says which, --thousands what groups digits"
+                    .to_owned()
+            }
+            InputErrorKind::NoNumberInFirstRow => {
+                "a row of numbers; --units-row passes over a row of units".to_owned()
+            }
+            InputErrorKind::Missing { .. } => {
+                "a number in every row; --missing skip leaves such rows out".to_owned()
+            }
+            InputErrorKind::AllMissing { .. } => "a row with all its numbers".to_owned(),
+            InputErrorKind::BlanksTwice => "--thousands without ' ', or another --delimiter".to_owned(),
             InputErrorKind::NotANumber(_) => {
                 "a decimal such as 1.30e-2 or a fraction such as 7/19".to_owned()
             }
@@ -369,6 +424,16 @@ fn wanted_by(conditions: &[String]) -> String {
     match conditions {
         [] => "is left".to_owned(),
         conditions => format!("satisfies {}", conditions.join(" and ")),
+    }
+}
+
+/// How many other rows lack a value.
+fn others_missing(rows: usize, is_complete: bool) -> String {
+    let up_to_there = if is_complete { "" } else { " at least" };
+    match rows.saturating_sub(1) {
+        0 if is_complete => ", in this row only".to_owned(),
+        0 => String::new(),
+        others => format!(", and in{up_to_there} {} more", counted(others, "row", "rows")),
     }
 }
 

@@ -56,6 +56,13 @@ impl InputError {
         InputError::new(file, Place { row: Some(row), ..Place::default() }, kind)
     }
 
+    /// This error, where so many more lines come before its own.
+    pub(crate) fn after_lines(&mut self, lines: u64) {
+        if let Some(line) = &mut self.place.line {
+            *line += lines;
+        }
+    }
+
     /// The error for something wrong at a place of a file.
     pub(crate) fn new(file: &str, place: Place, kind: impl Into<InputErrorKind>) -> Self {
         InputError { file: file.to_owned(), place: Box::new(place), kind: kind.into() }

@@ -70,9 +70,10 @@ pub(crate) fn scan_mat<T: Send>(
         names,
         header: Vec::new(),
         key_name: key.first().map(|column| column.place.title()),
-        delimiter: b',',
+        units: vec![None; columns.len()],
         rows_total: rows,
         ranges: Vec::new(),
+        rows_missing: 0,
         bytes,
         sha256,
     })

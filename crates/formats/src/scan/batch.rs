@@ -151,14 +151,16 @@ pub struct Scanned {
     pub key_name: Option<String>,
     /// With [`ScanOptions::keep_text`], the header as it stands in the file, without its line end.
     pub header_line: Option<Vec<u8>>,
-    /// What separates cells.
-    pub delimiter: u8,
+    /// The units of the columns asked for, where the table states them.
+    pub units: Vec<Option<String>>,
     /// Where the numbers stand; `None` unless the table is delimited text.
     pub layout: Option<TextLayout>,
     /// With [`ScanOptions::list_rows`], first and last of the wanted rows that follow each other without a gap.
     pub ranges: Vec<[usize; 2]>,
     /// How many data rows the file has.
     pub rows_total: usize,
+    /// How many wanted rows were left out since they lack a number.
+    pub rows_missing: usize,
     /// How many bytes the file has.
     pub bytes: u64,
     /// With [`ScanOptions::hash`], SHA-256 of the file's bytes, in hexadecimal.

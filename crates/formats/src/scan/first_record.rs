@@ -1,14 +1,18 @@
-//! The first record of a table: whether it is a header, and where the columns are.
+//! The first records of a table: which of them name columns and units, and where the columns are.
 
 use memchr::memchr_iter;
 
 use crate::chunks::ChunkReader;
-use crate::columns::ColumnSelector;
+use crate::columns::{ColumnSelector, Header, Heading, decode};
 use crate::error::{InputError, InputErrorKind};
-use crate::records::Records;
+use crate::records::{Records, Syntax};
+use crate::selection::RowCondition;
+use crate::table::check_columns;
 
 use super::batch::ScanOptions;
-use super::layout::Layout;
+use super::layout::{Layout, Shape};
+use super::preamble::Preamble;
+use super::values::{Mark, Numbers};
 
 /// How far the rows have been read.
 #[derive(Debug, Clone, Copy)]
@@ -21,7 +25,7 @@ pub(super) struct Position {
     pub(super) line_feeds: u64,
 }
 
-/// What the first record tells.
+/// What the first records tell.
 pub(super) struct FirstRecord<'a> {
     pub(super) layout: Layout<'a>,
     /// The header as it stands in the file, where text is kept.
@@ -30,17 +34,114 @@ pub(super) struct FirstRecord<'a> {
     pub(super) position: Position,
 }
 
+/// A record at the start of a table.
+struct Found {
+    cells: Vec<Vec<u8>>,
+    text: Option<Vec<u8>>,
+    line: u64,
+    /// Whether the file ends within its quotes.
+    is_within_quotes: bool,
+}
+
+/// A place in what a reader has not handed out.
+#[derive(Clone, Copy)]
+struct Cursor {
+    at: usize,
+    lines: u64,
+}
+
 impl<'a> FirstRecord<'a> {
-    /// Reads the first record, and has the reader pass over it if it is a header.
+    /// Reads what comes before the first data row, and has the reader pass over it.
     pub(super) fn read(
         file: &'a str,
-        delimiter: u8,
         columns: &'a [ColumnSelector],
         options: &'a ScanOptions,
         reader: &mut ChunkReader,
     ) -> Result<Self, InputError> {
-        let mut records = Records::new(file, delimiter, 1, options.table.sizes.line, options.keep_text);
-        let mut end = 0;
+        let preamble = Preamble::read(reader, &options.table.dialect);
+        let start = Start { file, options, syntax: preamble.syntax };
+        let mut cursor = Cursor { at: 0, lines: preamble.lines };
+        let mut behind = cursor;
+        let Some(first) = start.record(reader, &mut behind)? else {
+            return Err(match reader.failure() {
+                Some(problem) => {
+                    let line = preamble.line_feeds + line_feeds(reader.pending());
+                    InputError::of_line(file, line, problem)
+                }
+                None => InputError::of_file(file, InputErrorKind::Empty),
+            });
+        };
+        // Whatever is wrong with it is so because it has swallowed the rows behind it.
+        let explained = |error: InputError| match first.is_within_quotes {
+            true => InputError::of_line(file, first.line, InputErrorKind::OpenQuote),
+            false => error,
+        };
+        check_columns(file, first.cells.len(), first.line, &options.table.sizes).map_err(explained)?;
+        let commented = start.commented(&preamble, &first);
+        let is_commented = commented.is_some();
+        let mut heading = match commented {
+            Some(names) => Heading::of_comment(names, first.line),
+            None => start.heading(&first, columns).map_err(explained)?,
+        };
+        let has_header = heading.names.is_some() && !is_commented;
+        let mut records_before = 0;
+        let mut units = None;
+        if has_header || options.table.dialect.units_row && !is_commented {
+            (cursor, records_before) = (behind, 1);
+            units = Some(&first).filter(|_| !has_header).map(|first| first.cells.clone());
+        }
+        if has_header && options.table.dialect.units_row {
+            units = start.peek(reader, &mut cursor).map(|found| found.cells);
+            records_before += usize::from(units.is_some());
+        }
+        let mut shape = Shape::of_first(&first.cells);
+        if has_header {
+            let row = start.peek(reader, &mut cursor.clone());
+            let is_named = |row: &Found| {
+                row.cells.len() == first.cells.len() + 1
+                    && row.cells.last().is_some_and(|last| !last.trim_ascii().is_empty())
+            };
+            if row.is_some_and(|row| is_named(&row)) {
+                heading = heading.after_row_names();
+                shape = shape.with_row_names();
+            }
+        }
+        let mut position = Position { rows: 0, lines: cursor.lines, line_feeds: preamble.line_feeds };
+        position.line_feeds += line_feeds(reader.pending().get(..cursor.at).unwrap_or_default());
+        reader.skip(cursor.at);
+        let header_line =
+            if is_commented { preamble.comment.clone() } else { first.text.clone().filter(|_| has_header) };
+        let layout = Layout::new(file, &heading, shape, &preamble, columns, options);
+        let layout = layout.map_err(|error| explained(no_delimiter(error, &preamble, &first.cells)))?;
+        let layout = layout.with(reader.encoding(), records_before, units.as_deref());
+        Ok(FirstRecord { layout, header_line: header_line.filter(|_| options.keep_text), position })
+    }
+}
+
+/// The error, that says rather that there is no delimiter, if that is why a column is not there.
+fn no_delimiter(error: InputError, preamble: &Preamble, cells: &[Vec<u8>]) -> InputError {
+    match (error.kind, cells) {
+        (InputErrorKind::UnknownColumn { wanted, .. }, [only]) if !preamble.has_delimiter => {
+            let line = String::from_utf8_lossy(only).into_owned();
+            InputError { kind: InputErrorKind::NoDelimiter { wanted, line }, ..error }
+        }
+        (kind, _) => InputError { kind, ..error },
+    }
+}
+
+/// How the first records are read.
+struct Start<'a> {
+    file: &'a str,
+    options: &'a ScanOptions,
+    syntax: Syntax,
+}
+
+impl Start<'_> {
+    /// The record at a place, which moves behind it; none at the end and where the bytes stop.
+    fn record(&self, reader: &mut ChunkReader, cursor: &mut Cursor) -> Result<Option<Found>, InputError> {
+        let longest = self.options.table.sizes.line;
+        let mut records = Records::new(self.file, self.syntax, cursor.lines, longest, self.options.keep_text);
+        let mut end = cursor.at;
         let mut is_within_quotes = false;
         loop {
             let mut rest = reader.pending().get(end..).unwrap_or_default();
@@ -52,37 +153,55 @@ impl<'a> FirstRecord<'a> {
             if reader.read_on() > 0 {
                 continue;
             }
-            if let Some(problem) = reader.failure() {
-                return Err(InputError::of_line(file, 1 + line_feeds(reader.pending()), problem));
-            }
             is_within_quotes = records.is_within_quotes();
-            if !records.finish() {
-                return Err(InputError::of_file(file, InputErrorKind::Empty));
+            if reader.has_failed() || !records.finish() {
+                return Ok(None);
             }
             break;
         }
-        let line = records.record_line();
-        let layout = Layout::new(file, records.record(), line, delimiter, columns, options);
-        let layout = layout.map_err(|error| match is_within_quotes {
-            true => InputError::of_line(file, line, InputErrorKind::OpenQuote),
-            false => error,
-        })?;
-        let mut position = Position { rows: 0, lines: 1, line_feeds: 1 };
-        let mut header_line = None;
-        if layout.has_header {
-            header_line = records.text().map(<[u8]>::to_vec);
-            // A record ends with the first half of its line end.
-            if reader.pending().get(..end).is_some_and(|record| record.ends_with(b"\r")) {
-                if reader.pending().len() == end {
-                    reader.read_on();
-                }
-                end += usize::from(reader.pending().get(end) == Some(&b'\n'));
+        // A record ends with the first half of its line end.
+        if reader.pending().get(..end).is_some_and(|record| record.ends_with(b"\r")) {
+            if reader.pending().len() == end {
+                reader.read_on();
             }
-            position.lines = records.line();
-            position.line_feeds += line_feeds(reader.pending().get(..end).unwrap_or_default());
-            reader.skip(end);
+            end += usize::from(reader.pending().get(end) == Some(&b'\n'));
         }
-        Ok(FirstRecord { layout, header_line, position })
+        *cursor = Cursor { at: end, lines: records.line() };
+        Ok(Some(Found {
+            cells: records.record().cells().map(<[u8]>::to_vec).collect(),
+            text: records.text().map(<[u8]>::to_vec),
+            line: records.record_line(),
+            is_within_quotes,
+        }))
+    }
+
+    /// The record at a place, if it can be read; what is wrong with it is said when its turn comes.
+    fn peek(&self, reader: &mut ChunkReader, cursor: &mut Cursor) -> Option<Found> {
+        self.record(reader, cursor).unwrap_or_default()
+    }
+
+    /// The names in the comment right before the first record, if that is a row: it has as many cells, and a number.
+    fn commented(&self, preamble: &Preamble, first: &Found) -> Option<Vec<String>> {
+        if self.options.table.header == Header::Absent {
+            return None;
+        }
+        let cells = preamble.commented_cells().filter(|cells| cells.len() == first.cells.len())?;
+        let numbers = Numbers::new(&self.options.table);
+        let is_number = |cell: &Vec<u8>| numbers.is_number(cell, Mark::Open);
+        if !first.cells.iter().any(is_number) {
+            return None;
+        }
+        let name = |cell: &Vec<u8>| decode(cell).ok().map(|name| name.trim().to_owned());
+        cells.iter().map(name).collect()
+    }
+
+    /// What the first record says.
+    fn heading(&self, first: &Found, columns: &[ColumnSelector]) -> Result<Heading, InputError> {
+        let cells: Vec<&[u8]> = first.cells.iter().map(Vec::as_slice).collect();
+        let table = &self.options.table;
+        let conditions = table.conditions.iter().map(RowCondition::column);
+        let others: Vec<&ColumnSelector> = self.options.key.iter().chain(conditions).collect();
+        Heading::new(self.file, &cells, first.line, table.header, columns, &others)
     }
 }
 

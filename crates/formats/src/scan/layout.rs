@@ -1,25 +1,56 @@
 //! What is taken from every row of a table.
 
-use boundfit_exact::{Column, PLAIN_DIGITS, PLAIN_EXPONENT, Reading, plain_decimal, plain_double};
+use boundfit_exact::english::split_unit;
+use boundfit_exact::{DecimalMark, Notation, Thousands, is_missing};
 
 use crate::columns::{ColumnPlace, ColumnSelector, Heading, decode};
+use crate::dialect::{BLANKS, CommentMark, Dialect, Encoding};
 use crate::error::{InputError, InputErrorKind};
-use crate::records::{Record, Records};
-use crate::roles::{self, instead_of_number};
+use crate::records::{Record, Records, Syntax};
 use crate::selection::RowCondition;
-use crate::table::{TableRow, check_columns, read_number};
+use crate::table::TableRow;
+use crate::units::unit_of_cell;
 
 use super::batch::{Pieces, ScanOptions};
 use super::builder::BatchBuilder;
+use super::notes::Notes;
+use super::preamble::Preamble;
+use super::values::{Mark, Numbers, Value};
+
+/// How many cells rows have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Shape {
+    /// So many at least.
+    least: usize,
+    /// So many at most, but for empty ones at the end.
+    pub(super) width: usize,
+}
+
+impl Shape {
+    /// That of a table with this first record: empty cells at its end may be left out below.
+    pub(super) fn of_first(cells: &[Vec<u8>]) -> Self {
+        let is_filled = |cell: &Vec<u8>| !cell.trim_ascii().is_empty();
+        let least = cells.iter().rposition(is_filled).map_or(1, |last| last + 1);
+        Shape { least, width: cells.len() }
+    }
+
+    /// That of a table whose rows have a name more than the header.
+    pub(super) fn with_row_names(self) -> Self {
+        Shape { least: self.least + 1, width: self.width + 1 }
+    }
+}
 
 /// A table's columns, once its first record is known.
 pub(super) struct Layout<'a> {
     pub(super) file: &'a str,
     pub(super) options: &'a ScanOptions,
     pub(super) selectors: &'a [ColumnSelector],
-    pub(super) width: usize,
-    pub(super) delimiter: u8,
-    pub(super) has_header: bool,
+    pub(super) shape: Shape,
+    pub(super) syntax: Syntax,
+    has_header: bool,
+    /// What is known of decimal marks so far.
+    pub(super) mark: Mark,
+    pub(super) numbers: Numbers<'a>,
     /// The names of all columns; none without a header.
     pub(super) header: Vec<String>,
     /// Where the columns asked for are.
@@ -27,46 +58,90 @@ pub(super) struct Layout<'a> {
     pub(super) key: Option<ColumnPlace>,
     /// What must hold for rows to be wanted, and where the columns are that it is about.
     pub(super) conditions: Vec<(ColumnPlace, &'a RowCondition)>,
+    pub(super) units: Vec<Option<String>>,
+    encoding: Encoding,
+    records_before: usize,
+}
+
+/// A row that can be added to a batch, or why it is none.
+pub(super) enum Row {
+    Values(Vec<Value>),
+    /// A condition on rows does not hold.
+    Unwanted,
+    /// The first cell that has no number, but nothing or a word for that.
+    Lacks(InputError),
 }
 
 impl<'a> Layout<'a> {
-    /// The layout that follows from the first record, which starts on this line.
+    /// The layout that follows from what the first records say.
     pub(super) fn new(
         file: &'a str,
-        first: &Record,
-        line: u64,
-        delimiter: u8,
+        heading: &Heading,
+        shape: Shape,
+        preamble: &Preamble,
         selectors: &'a [ColumnSelector],
         options: &'a ScanOptions,
     ) -> Result<Self, InputError> {
-        check_columns(file, first.len(), line, &options.table.sizes)?;
-        let key = options.key.as_ref();
-        let conditions = &options.table.conditions;
-        let others: Vec<&ColumnSelector> =
-            key.into_iter().chain(conditions.iter().map(RowCondition::column)).collect();
-        let cells: Vec<&[u8]> = first.cells().collect();
-        let heading = Heading::new(file, &cells, line, options.table.header, selectors, &others)?;
+        let dialect = &options.table.dialect;
+        let syntax = preamble.syntax;
+        if syntax.delimiter == BLANKS && dialect.thousands == Some(Thousands::Blank) {
+            return Err(InputError::of_file(file, InputErrorKind::BlanksTwice));
+        }
         let places = selectors.iter().map(|selector| heading.find(file, selector));
-        let conditions =
-            conditions.iter().map(|condition| Ok((heading.find(file, condition.column())?, condition)));
+        let key = options.key.as_ref();
+        let conditions = options.table.conditions.iter();
+        let conditions = conditions.map(|condition| Ok((heading.find(file, condition.column())?, condition)));
         Ok(Layout {
             file,
             options,
             selectors,
-            width: heading.width,
-            delimiter,
+            shape,
+            syntax,
             has_header: heading.names.is_some(),
+            mark: Mark::of(dialect, syntax.delimiter),
+            numbers: Numbers::new(&options.table),
             places: places.collect::<Result<_, _>>()?,
             key: key.map(|selector| heading.find(file, selector)).transpose()?,
             conditions: conditions.collect::<Result<_, InputError>>()?,
-            header: heading.names.unwrap_or_default(),
+            header: heading.names.clone().unwrap_or_default(),
+            units: Vec::new(),
+            encoding: Encoding::default(),
+            records_before: 0,
         })
+    }
+
+    /// This layout of a text in this encoding, after so many records that are no rows, with a row of units or not.
+    pub(super) fn with(self, encoding: Encoding, records_before: usize, units: Option<&[Vec<u8>]>) -> Self {
+        let in_row = |place: &ColumnPlace| {
+            let cell = units?.get(place.position - 1)?;
+            unit_of_cell(&String::from_utf8_lossy(cell))
+        };
+        let in_name = |place: &ColumnPlace| split_unit(place.name.as_deref()?).1.map(str::to_owned);
+        let units = self.places.iter().map(|place| in_row(place).or_else(|| in_name(place))).collect();
+        Layout { encoding, records_before, units, ..self }
+    }
+
+    /// How the table is written, as far as is known by now.
+    pub(super) fn dialect(&self) -> Dialect {
+        let table = &self.options.table;
+        Dialect {
+            delimiter: self.syntax.delimiter,
+            notation: Notation {
+                decimal: self.mark.known().unwrap_or_default(),
+                thousands: table.dialect.thousands,
+            },
+            comment: self.syntax.comment,
+            skip_lines: table.dialect.skip_lines,
+            records_before: self.records_before,
+            encoding: self.encoding,
+            missing: table.missing,
+        }
     }
 
     /// Records of bytes that start on this line.
     pub(super) fn records(&self, line: u64) -> Records<'a> {
         let longest = self.options.table.sizes.line;
-        Records::new(self.file, self.delimiter, line, longest, self.options.keep_text)
+        Records::new(self.file, self.syntax, line, longest, self.options.keep_text)
     }
 
     /// An empty batch.
@@ -80,79 +155,131 @@ impl<'a> Layout<'a> {
         self.options.table.rows.contains(row)
     }
 
-    /// Whether a row that may be wanted satisfies all conditions. Each must have its number.
-    pub(super) fn satisfies_conditions(&self, record: &Record, line: u64) -> Result<bool, InputError> {
+    /// Whether the number in a cell satisfies a condition, and the decimal mark that it tells if none was known.
+    pub(super) fn holds(
+        &self,
+        condition: &RowCondition,
+        cell: &[u8],
+        mark: Mark,
+    ) -> Result<(bool, Option<DecimalMark>), InputErrorKind> {
+        let (value, told) = self.numbers.read(cell, mark)?;
+        Ok((condition.holds(&value.exact()), told))
+    }
+
+    /// Whether a line that starts with this byte may turn out to be a comment, by its number of cells.
+    pub(super) fn may_be_comment(&self, first: u8) -> bool {
+        self.options.table.dialect.comment == CommentMark::Auto && matches!(first, b'#' | b'%')
+    }
+
+    /// Whether a record is a comment rather than a row.
+    pub(super) fn is_comment(&self, record: &Record) -> bool {
+        let starts_like_one = record.cell(0).first().is_some_and(|&first| self.may_be_comment(first));
+        starts_like_one && !self.fits(record)
+    }
+
+    fn fits(&self, record: &Record) -> bool {
+        let Shape { least, width } = self.shape;
+        let is_empty = |index: usize| record.cell(index).trim_ascii().is_empty();
+        record.len() >= least && (width..record.len()).all(is_empty)
+    }
+
+    /// Refuses a row that has not as many cells as the first one.
+    pub(super) fn check_width(&self, record: &Record, line: u64) -> Result<(), InputError> {
+        if self.fits(record) {
+            return Ok(());
+        }
+        let (found, expected) = (record.len(), self.shape.width);
+        Err(InputError::of_line(self.file, line, InputErrorKind::RaggedRow { found, expected }))
+    }
+
+    /// The numbers of a record. Where the decimal mark was open, the first one tells it: that is noted, with the error that its
+    /// cell is if another mark came before.
+    pub(super) fn row(
+        &self,
+        record: &Record,
+        line: u64,
+        row: usize,
+        looks_at_conditions: bool,
+        mark: &mut Mark,
+        notes: &mut Notes,
+    ) -> Result<Row, InputError> {
+        let mut values = Vec::with_capacity(self.places.len());
+        let mut lacks = None;
+        let mut tell =
+            |mark: &mut Mark, found: Option<DecimalMark>, error: &dyn Fn(InputErrorKind) -> InputError| {
+                if let Some(found) = found {
+                    *mark = Mark::Found(found);
+                    let before = found.other();
+                    notes.mark = Some((found, error(InputErrorKind::AnotherDecimalMark { before })));
+                }
+            };
         let mut satisfies = true;
-        for (place, condition) in &self.conditions {
+        for (place, condition) in self.conditions.iter().filter(|_| looks_at_conditions) {
             let cell = record.cell(place.position - 1);
-            satisfies &=
-                self.holds(condition, cell).map_err(|problem| place.error(self.file, line, cell, problem))?;
+            let error = |problem| place.error(self.file, line, cell, problem);
+            match self.holds(condition, cell, *mark) {
+                Ok((holds, found)) => {
+                    tell(mark, found, &error);
+                    satisfies &= holds;
+                }
+                Err(problem) if decode(cell).is_ok_and(is_missing) => {
+                    lacks.get_or_insert(error(problem));
+                }
+                Err(problem) => return Err(error(problem)),
+            }
         }
-        Ok(satisfies)
-    }
-
-    /// Whether the number in a cell satisfies a condition.
-    pub(super) fn holds(&self, condition: &RowCondition, cell: &[u8]) -> Result<bool, InputErrorKind> {
-        Ok(condition.holds(&read_number(cell, condition.column(), &self.options.table)?))
-    }
-
-    /// Whether every text that `plain_decimal` reads keeps to the limits.
-    pub(super) fn limits_allow_plain_decimals(&self) -> bool {
-        let limits = &self.options.table.limits;
-        limits.digits >= PLAIN_DIGITS && limits.exponent >= PLAIN_EXPONENT
-    }
-
-    /// Adds the numbers and the key of a record to a batch.
-    pub(super) fn add(&self, record: &Record, line: u64, batch: &mut BatchBuilder) -> Result<(), InputError> {
-        for ((place, selector), column) in self.places.iter().zip(self.selectors).zip(&mut batch.columns) {
+        if !satisfies || lacks.is_some() {
+            return Ok(if satisfies { lacks.map_or(Row::Unwanted, Row::Lacks) } else { Row::Unwanted });
+        }
+        for (place, selector) in self.places.iter().zip(self.selectors) {
             let cell = record.cell(place.position - 1);
-            self.add_number(cell, selector, column)
-                .map_err(|problem| place.error(self.file, line, cell, problem))?;
+            let error = |problem| place.error(self.file, line, cell, problem);
+            match self.numbers.value(cell, selector, *mark) {
+                Ok((value, found)) => {
+                    tell(mark, found, &error);
+                    value.check(selector).map_err(error)?;
+                    values.push(value);
+                }
+                Err(problem) if decode(cell).is_ok_and(is_missing) => {
+                    lacks.get_or_insert(error(problem));
+                }
+                Err(InputErrorKind::NotANumber(_)) if row == 1 && self.has_no_number(record, *mark) => {
+                    return Err(error(InputErrorKind::NoNumberInFirstRow));
+                }
+                Err(problem) => return Err(error(problem)),
+            }
         }
+        Ok(lacks.map_or(Row::Values(values), Row::Lacks))
+    }
+
+    /// Whether a record after the header looks like units: no cell that is asked for has a number, or lacks one.
+    fn has_no_number(&self, record: &Record, mark: Mark) -> bool {
+        let is_text = |place: &ColumnPlace| {
+            let cell = record.cell(place.position - 1);
+            !self.numbers.is_number(cell, mark) && !decode(cell).is_ok_and(is_missing)
+        };
+        self.has_header && !self.options.table.dialect.units_row && self.places.iter().all(is_text)
+    }
+
+    /// The place of the first cell asked for.
+    pub(super) fn first_place(&self, record: &Record, line: u64) -> InputError {
+        let problem = InputErrorKind::AllMissing { rows: 0 };
+        match self.places.first() {
+            Some(place) => place.error(self.file, line, record.cell(place.position - 1), problem),
+            None => InputError::of_line(self.file, line, problem),
+        }
+    }
+
+    /// Adds the key of a record to a batch.
+    pub(super) fn add_key_of(
+        &self,
+        record: &Record,
+        line: u64,
+        batch: &mut BatchBuilder,
+    ) -> Result<(), InputError> {
         if let (Some(place), Some(keys)) = (&self.key, &mut batch.keys) {
             let cell = record.cell(place.position - 1);
             Layout::add_key(cell, keys).map_err(|problem| place.error(self.file, line, cell, problem))?;
-        }
-        Ok(())
-    }
-
-    /// Adds a row that is not wanted to a batch, if its cells are numbers.
-    pub(super) fn add_other(&self, record: &Record, row: usize, batch: &mut BatchBuilder) {
-        let number = |(place, selector): (&ColumnPlace, &ColumnSelector)| {
-            read_number(record.cell(place.position - 1), selector, &self.options.table)
-        };
-        let numbers = self.places.iter().zip(self.selectors).map(number).collect();
-        batch.others.extend(Result::ok(numbers).map(|numbers| TableRow { row, numbers }));
-    }
-
-    /// Adds the number in a cell to a column.
-    pub(super) fn add_number(
-        &self,
-        cell: &[u8],
-        selector: &ColumnSelector,
-        column: &mut Column,
-    ) -> Result<(), InputErrorKind> {
-        let options = &self.options.table;
-        if let Some(value) = instead_of_number(cell, selector)? {
-            roles::add(column, value, options.reading, selector.role());
-            return Ok(());
-        }
-        let plain = self.limits_allow_plain_decimals();
-        match options.reading {
-            Reading::Decimal => match plain_decimal(cell).filter(|_| plain) {
-                Some((mantissa, _)) if mantissa < 0 && selector.is_non_negative() => {
-                    return Err(InputErrorKind::NegativeErrorBound);
-                }
-                Some((mantissa, exponent)) => column.push_decimal(mantissa, exponent),
-                None => column.push(read_number(cell, selector, options)?),
-            },
-            Reading::Binary64 => match plain_double(cell).filter(|_| plain) {
-                Some(double) if double < 0.0 && selector.is_non_negative() => {
-                    return Err(InputErrorKind::NegativeErrorBound);
-                }
-                Some(double) => column.push_double(double),
-                None => column.push_double(read_number(cell, selector, options)?.to_f64()),
-            },
         }
         Ok(())
     }
@@ -161,5 +288,10 @@ impl<'a> Layout<'a> {
     pub(super) fn add_key(cell: &[u8], keys: &mut Pieces<String>) -> Result<(), InputErrorKind> {
         keys.push(decode(cell)?.trim_matches([' ', '\t']));
         Ok(())
+    }
+
+    /// The row of a record that is not wanted, if its cells are numbers.
+    pub(super) fn other(&self, values: Vec<Value>, row: usize) -> TableRow {
+        TableRow { row, numbers: values.into_iter().map(Value::exact).collect() }
     }
 }

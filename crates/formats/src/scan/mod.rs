@@ -9,22 +9,25 @@ mod batch;
 mod builder;
 mod first_record;
 mod layout;
+mod notes;
 mod others;
 mod parallel;
 mod plain;
+mod preamble;
 mod rows;
 mod sequential;
+mod values;
 
 use std::io::Read;
 
 use crate::chunks::ChunkReader;
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::{InputError, InputErrorKind};
-use crate::start::detect_delimiter;
 use crate::table::{TextLayout, check_rows};
 
 pub use batch::{Batch, Pieces, Progress, ScanOptions, Scanned};
 use first_record::FirstRecord;
+use notes::Notes;
 pub(crate) use others::readable_rows;
 
 /// Reads columns of delimited text as [`scan`](crate::scan) says.
@@ -38,23 +41,26 @@ pub(crate) fn scan_text<T: Send>(
 ) -> Result<Scanned, InputError> {
     let mut reader = ChunkReader::new(bytes, options.chunk_bytes, options.table.sizes.line, options.hash);
     reader.start(file)?;
-    let delimiter = options.table.delimiter.unwrap_or_else(|| detect_delimiter(reader.pending()));
     // A second mark is passed over too, as CSV readers do that are handed the text behind the first one.
     reader.pass_byte_order_mark();
-    let FirstRecord { layout, header_line, position } =
-        FirstRecord::read(file, delimiter, columns, options, &mut reader)?;
+    let FirstRecord { mut layout, header_line, position } =
+        FirstRecord::read(file, columns, options, &mut reader)?;
     let mut run = Run { file, options, work, take };
-    let rows_total = run.read_chunks(&layout, &mut reader, position)?;
+    let mut notes = Notes::default();
+    let read = run.read_chunks(&mut layout, &mut reader, position, &mut notes);
+    layout.mark = notes.mark_after(layout.mark);
+    let (rows_total, rows_missing) = notes.settle(read, options.table.missing)?;
     check_rows(file, rows_total, &options.table.rows)?;
-    let (places, has_header) = (&layout.places, layout.has_header);
+    let places = &layout.places;
     Ok(Scanned {
         names: places.iter().map(ColumnPlace::title).collect(),
         header: layout.header.clone(),
         key_name: layout.key.as_ref().map(ColumnPlace::title),
         header_line,
-        delimiter,
-        layout: Some(TextLayout::new(delimiter, has_header, places)),
+        layout: Some(TextLayout::new(layout.dialect(), places)),
+        units: layout.units,
         rows_total,
+        rows_missing,
         ranges: Vec::new(),
         bytes: reader.total(),
         sha256: reader.sha256(),

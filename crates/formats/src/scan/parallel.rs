@@ -8,6 +8,7 @@ use super::Run;
 use super::batch::Batch;
 use super::first_record::Position;
 use super::layout::Layout;
+use super::notes::Notes;
 use super::plain::{self, Route};
 use super::rows::{self, Parsed};
 
@@ -27,33 +28,35 @@ impl<T: Send, W: Fn(Batch) -> T + Sync, K: FnMut(T)> Run<'_, W, K> {
     /// Reads all rows from a position on; returns how many there are with those before.
     pub(super) fn read_chunks(
         &mut self,
-        layout: &Layout,
+        layout: &mut Layout,
         reader: &mut ChunkReader,
         position: Position,
+        notes: &mut Notes,
     ) -> Result<usize, InputError> {
         let route = Route::new(layout);
         let mut position = position;
         let mut group = self.next_group(reader);
         while !group.is_empty() {
             let (outcome, mut next) = if reader.is_at_end() {
-                (read_group(&group, layout, route.as_ref(), position, &self.work), Vec::new())
+                (read_group(&group, layout, route.as_ref(), position, notes, &self.work), Vec::new())
             } else {
-                self.read_group_and_next(&group, layout, route.as_ref(), position, reader)
+                self.read_group_and_next(&group, layout, route.as_ref(), position, notes, reader)
             };
             let Outcome { made, position: end, open } = outcome?;
+            layout.mark = notes.mark_after(layout.mark);
             made.into_iter().for_each(&mut self.take);
             position = end;
             let rest = group.split_off(open.unwrap_or(group.len()));
             self.advance(group.iter().map(|chunk| chunk.len() as u64).sum())?;
             if open.is_some() {
                 let rest = rest.into_iter().chain(next).collect();
-                return self.read_in_sequence(layout, reader, position, rest);
+                return self.read_in_sequence(layout, reader, position, notes, rest);
             }
             reader.recycle(group);
             group = std::mem::take(&mut next);
         }
         if reader.has_failed() {
-            return self.read_in_sequence(layout, reader, position, Vec::new());
+            return self.read_in_sequence(layout, reader, position, notes, Vec::new());
         }
         Ok(position.rows)
     }
@@ -65,10 +68,14 @@ impl<T: Send, W: Fn(Batch) -> T + Sync, K: FnMut(T)> Run<'_, W, K> {
         layout: &Layout,
         route: Option<&Route>,
         position: Position,
+        notes: &mut Notes,
         reader: &mut ChunkReader,
     ) -> (Result<Outcome<T>, InputError>, Vec<Chunk>) {
         let work = &self.work;
-        threads::beside(move || read_group(group, layout, route, position, work), || self.next_group(reader))
+        threads::beside(
+            move || read_group(group, layout, route, position, notes, work),
+            || self.next_group(reader),
+        )
     }
 
     /// Reads the next chunks, as many as are needed to keep all threads at work.
@@ -92,6 +99,7 @@ fn read_group<T: Send>(
     layout: &Layout,
     route: Option<&Route>,
     position: Position,
+    notes: &mut Notes,
     work: &(impl Fn(Batch) -> T + Sync),
 ) -> Result<Outcome<T>, InputError> {
     let mut rows_before = vec![position.rows; group.len()];
@@ -118,7 +126,9 @@ fn read_group<T: Send>(
     for (index, (parsed, rows_before)) in parsed.into_iter().enumerate() {
         match parsed {
             Parsed::Rows(rows) => {
-                batches.extend(rows.batch.finish(position.rows - rows_before));
+                notes.add(rows.notes, position.lines - 1)?;
+                let shift = position.rows - rows_before;
+                batches.extend(rows.batch.finish(shift));
                 position.rows += rows.total;
                 position.lines += rows.lines;
                 position.line_feeds += rows.line_feeds;
@@ -127,10 +137,9 @@ fn read_group<T: Send>(
                 open = Some(index);
                 break;
             }
-            Parsed::Wrong(mut error) => {
-                if let Some(line) = &mut error.place.line {
-                    *line += position.lines - 1;
-                }
+            Parsed::Wrong(mut error, noticed) => {
+                notes.add(noticed, position.lines - 1)?;
+                error.after_lines(position.lines - 1);
                 return Err(error);
             }
         }

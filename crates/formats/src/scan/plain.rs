@@ -1,15 +1,18 @@
 //! The fast lane: chunks without quotes, in which line feeds end lines.
 
-use boundfit_exact::{Reading, nearest_double, plain_prefix};
+use std::borrow::Cow;
+
+use boundfit_exact::{DecimalMark, Reading, nearest_double, plain_prefix};
 use memchr::{memchr, memchr_iter, memchr2, memchr3};
 
 use super::builder::BatchBuilder;
 use super::layout::Layout;
+use super::notes::Notes;
 use super::rows::Rows;
 use crate::roles::Role;
 
 /// Separators that are no part of a number.
-const SEPARATORS: &[u8] = b",;\t| :";
+const SEPARATORS: &[u8] = b",;\t|:";
 
 /// How to go through a row.
 pub(super) struct Route {
@@ -46,8 +49,8 @@ impl Route {
     /// numbers beyond the limits, or would pass over rows that are kept.
     pub(super) fn new(layout: &Layout) -> Option<Self> {
         let table = &layout.options.table;
-        if !SEPARATORS.contains(&layout.delimiter)
-            || !layout.limits_allow_plain_decimals()
+        if !SEPARATORS.contains(&layout.syntax.delimiter)
+            || !layout.numbers.plain
             || (table.keep_others && table.selects_rows())
         {
             return None;
@@ -70,7 +73,7 @@ impl Route {
         Some(Route {
             conditions: way(conditions.collect()),
             steps: way(cells),
-            behind: layout.width - last.unwrap_or(1),
+            behind: layout.shape.width - last.unwrap_or(1),
         })
     }
 }
@@ -91,10 +94,12 @@ fn way(mut cells: Vec<(usize, What)>) -> Vec<Step> {
 
 /// Reads the rows of a chunk that comes after so many rows; `None` when it is not for the fast lane.
 pub(super) fn parse(chunk: &[u8], layout: &Layout, route: &Route, rows_before: usize) -> Option<Rows> {
-    if !is_plain(chunk) {
+    if !is_plain(chunk, layout) {
         return None;
     }
-    let mut lane = Lane::new(chunk, layout, route);
+    let numbers = with_points(chunk, layout)?;
+    let mut lane = Lane::new(chunk, &numbers, layout, route);
+    let mut used = 0;
     lane.batch.reserve(likely_rows(chunk));
     let (mut total, mut lines, mut at) = (0, 0, 0);
     while at < chunk.len() {
@@ -109,11 +114,28 @@ pub(super) fn parse(chunk: &[u8], layout: &Layout, route: &Route, rows_before: u
             at = lane.row(start)?;
             let text = layout.options.keep_text.then(|| chunk.get(start..at).map_or(chunk, without_line_end));
             lane.batch.end_row(rows_before + total, text);
+            used += 1;
         } else {
-            at = lane.end_of_row(start, layout.width - 1)?;
+            if lane.may_be_empty(start) {
+                return None;
+            }
+            at = lane.end_of_row(start, layout.shape.width - 1)?;
         }
     }
-    Some(Rows { batch: lane.batch, total, lines, line_feeds: lines })
+    Some(Rows { batch: lane.batch, notes: Notes::of_rows(total, used), total, lines, line_feeds: lines })
+}
+
+/// The chunk in which decimals have points: a copy where they have commas. `None` where it may hold both, or where the first
+/// mark is still to be found.
+fn with_points<'c>(chunk: &'c [u8], layout: &Layout) -> Option<Cow<'c, [u8]>> {
+    match layout.mark.known() {
+        Some(DecimalMark::Point) => Some(Cow::Borrowed(chunk)),
+        Some(DecimalMark::Comma) if layout.syntax.delimiter == b',' || memchr(b'.', chunk).is_some() => None,
+        Some(DecimalMark::Comma) => {
+            Some(chunk.iter().map(|&byte| if byte == b',' { b'.' } else { byte }).collect())
+        }
+        None => memchr2(b'.', b',', chunk).is_none().then_some(Cow::Borrowed(chunk)),
+    }
 }
 
 /// About how many rows a chunk has, rather too many, by its first lines; in steps, so that freed memory fits again.
@@ -126,22 +148,26 @@ fn likely_rows(chunk: &[u8]) -> usize {
 
 /// How many rows a chunk has; `None` when it is not for the fast lane.
 pub(super) fn count(chunk: &[u8], layout: &Layout, route: &Route) -> Option<usize> {
-    if !is_plain(chunk) {
+    if !is_plain(chunk, layout) {
         return None;
     }
-    let lane = Lane::new(chunk, layout, route);
+    let lane = Lane::new(chunk, chunk, layout, route);
     let mut start = 0;
     let mut total = 0;
     while start < chunk.len() {
+        if chunk.get(start).is_some_and(|&first| layout.may_be_comment(first)) {
+            return None;
+        }
         total += usize::from(lane.after_blank_line(start).is_none());
         start = lane.next_line(start);
     }
     Some(total)
 }
 
-/// Whether line feeds end lines, nothing else does, and there are no quotes.
-fn is_plain(chunk: &[u8]) -> bool {
+/// Whether line feeds end lines, nothing else does, and there are no quotes or comments.
+fn is_plain(chunk: &[u8], layout: &Layout) -> bool {
     memchr(b'"', chunk).is_none()
+        && layout.syntax.comment.is_none_or(|[one, other]| memchr2(one, other, chunk).is_none())
         && memchr_iter(b'\r', chunk).all(|position| chunk.get(position + 1) == Some(&b'\n'))
 }
 
@@ -153,6 +179,8 @@ fn without_line_end(line: &[u8]) -> &[u8] {
 /// A plain chunk on the way into a batch. Positions are offsets in the chunk.
 struct Lane<'a> {
     chunk: &'a [u8],
+    /// The chunk with decimal points.
+    numbers: &'a [u8],
     layout: &'a Layout<'a>,
     route: &'a Route,
     /// Whether numbers are read as they are written.
@@ -163,9 +191,9 @@ struct Lane<'a> {
 }
 
 impl<'a> Lane<'a> {
-    fn new(chunk: &'a [u8], layout: &'a Layout<'a>, route: &'a Route) -> Self {
+    fn new(chunk: &'a [u8], numbers: &'a [u8], layout: &'a Layout<'a>, route: &'a Route) -> Self {
         let is_decimal = layout.options.table.reading == Reading::Decimal;
-        Lane { chunk, layout, route, is_decimal, is_satisfied: true, batch: layout.batch() }
+        Lane { chunk, numbers, layout, route, is_decimal, is_satisfied: true, batch: layout.batch() }
     }
 }
 
@@ -219,14 +247,15 @@ impl Lane<'_> {
     fn condition(&mut self, at: usize, index: usize) -> Option<usize> {
         let end = self.end_of_cell(at);
         let (_, condition) = self.layout.conditions.get(index)?;
-        self.is_satisfied &= self.layout.holds(condition, self.chunk.get(at..end)?).ok()?;
+        let (holds, _) = self.layout.holds(condition, self.chunk.get(at..end)?, self.layout.mark).ok()?;
+        self.is_satisfied &= holds;
         Some(end)
     }
 
     /// Adds the number in the cell that starts here to a column; gives the end of the cell.
     #[inline]
     fn number(&mut self, at: usize, column: usize, non_negative: bool) -> Option<usize> {
-        if let Some(prefix) = plain_prefix(self.chunk.get(at..)?)
+        if let Some(prefix) = plain_prefix(self.numbers.get(at..)?)
             && self.is_end_of_cell(at + prefix.length)
             && !(non_negative && prefix.mantissa < 0)
         {
@@ -249,9 +278,10 @@ impl Lane<'_> {
     fn long_number(&mut self, at: usize, column: usize) -> Option<usize> {
         let end = self.end_of_cell(at);
         let selector = self.layout.selectors.get(column)?;
-        self.layout
-            .add_number(self.chunk.get(at..end)?, selector, self.batch.columns.get_mut(column)?)
-            .ok()?;
+        let (layout, cell) = (self.layout, self.chunk.get(at..end)?);
+        let (value, _) = layout.numbers.value(cell, selector, layout.mark).ok()?;
+        value.check(selector).ok()?;
+        value.push_to(self.batch.columns.get_mut(column)?);
         Some(end)
     }
 
@@ -265,25 +295,28 @@ impl Lane<'_> {
     /// Whether a cell ends here.
     #[inline]
     fn is_end_of_cell(&self, at: usize) -> bool {
-        self.chunk.get(at).is_none_or(|&byte| byte == self.layout.delimiter || byte == b'\n' || byte == b'\r')
+        self.chunk
+            .get(at)
+            .is_none_or(|&byte| byte == self.layout.syntax.delimiter || byte == b'\n' || byte == b'\r')
     }
 
     /// The end of the cell in which this position is.
     fn end_of_cell(&self, at: usize) -> usize {
         let rest = self.chunk.get(at..).unwrap_or_default();
-        memchr3(self.layout.delimiter, b'\n', b'\r', rest).map_or(self.chunk.len(), |length| at + length)
+        memchr3(self.layout.syntax.delimiter, b'\n', b'\r', rest)
+            .map_or(self.chunk.len(), |length| at + length)
     }
 
     /// The start of the next cell of the same row.
     #[inline]
     fn after_separator(&self, at: usize) -> Option<usize> {
         let rest = self.chunk.get(at..)?;
-        let length = if rest.first() == Some(&self.layout.delimiter) {
+        let length = if rest.first() == Some(&self.layout.syntax.delimiter) {
             0
         } else {
-            memchr2(self.layout.delimiter, b'\n', rest)?
+            memchr2(self.layout.syntax.delimiter, b'\n', rest)?
         };
-        (rest.get(length) == Some(&self.layout.delimiter)).then_some(at + length + 1)
+        (rest.get(length) == Some(&self.layout.syntax.delimiter)).then_some(at + length + 1)
     }
 
     /// The start of the next line, when exactly so many separators come before it.
@@ -301,7 +334,7 @@ impl Lane<'_> {
             at = self.after_separator(at)?;
         }
         let rest = self.chunk.get(at..)?;
-        match memchr2(self.layout.delimiter, b'\n', rest) {
+        match memchr2(self.layout.syntax.delimiter, b'\n', rest) {
             Some(length) if rest.get(length) == Some(&b'\n') => Some(at + length + 1),
             Some(_) => None,
             None => Some(self.chunk.len()),
@@ -314,6 +347,11 @@ impl Lane<'_> {
         memchr(b'\n', rest).map_or(self.chunk.len(), |length| at + length + 1)
     }
 
+    /// Whether a row that starts here may have nothing but empty cells.
+    fn may_be_empty(&self, at: usize) -> bool {
+        self.chunk.get(at).is_some_and(|&first| first == self.layout.syntax.delimiter || first <= b' ')
+    }
+
     /// The start of the line after this one, when this one is white space in one cell.
     #[inline]
     fn after_blank_line(&self, at: usize) -> Option<usize> {
@@ -323,6 +361,6 @@ impl Lane<'_> {
         }
         let next = self.next_line(at);
         let line = self.chunk.get(at..next)?;
-        (line.trim_ascii().is_empty() && memchr(self.layout.delimiter, line).is_none()).then_some(next)
+        (line.trim_ascii().is_empty() && memchr(self.layout.syntax.delimiter, line).is_none()).then_some(next)
     }
 }

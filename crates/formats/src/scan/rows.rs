@@ -4,10 +4,11 @@ use memchr::memchr_iter;
 
 use crate::error::{InputError, InputErrorKind};
 use crate::records::Records;
-use crate::table::check_width;
 
 use super::builder::BatchBuilder;
-use super::layout::Layout;
+use super::layout::{Layout, Row};
+use super::notes::Notes;
+use super::values::Mark;
 
 /// What a chunk holds.
 pub(super) enum Parsed {
@@ -15,13 +16,14 @@ pub(super) enum Parsed {
     Rows(Rows),
     /// A row that ends in another chunk, unless another chunk before this one did.
     Open,
-    /// Something wrong, with lines counted from the start of the chunk.
-    Wrong(InputError),
+    /// Something wrong, with lines counted from the start of the chunk, and what was noticed before.
+    Wrong(InputError, Notes),
 }
 
 /// The rows of a chunk.
 pub(super) struct Rows {
     pub(super) batch: BatchBuilder,
+    pub(super) notes: Notes,
     /// How many rows there are, wanted or not.
     pub(super) total: usize,
     /// How many lines there are.
@@ -34,13 +36,16 @@ pub(super) struct Rows {
 pub(super) struct RowReader<'a> {
     layout: &'a Layout<'a>,
     records: Records<'a>,
+    mark: Mark,
+    notes: Notes,
     total: usize,
 }
 
 impl<'a> RowReader<'a> {
-    /// Rows from this line on, after so many rows.
-    pub(super) fn new(layout: &'a Layout<'a>, line: u64, rows_before: usize) -> Self {
-        RowReader { layout, records: layout.records(line), total: rows_before }
+    /// Rows from this line on, after so many rows and with this known of their decimal marks.
+    pub(super) fn new(layout: &'a Layout<'a>, mark: Mark, line: u64, rows_before: usize) -> Self {
+        let notes = Notes::default();
+        RowReader { layout, records: layout.records(line), mark, notes, total: rows_before }
     }
 
     /// How many rows there are so far, with those before.
@@ -48,7 +53,12 @@ impl<'a> RowReader<'a> {
         self.total
     }
 
-    /// Adds the rows that end in a piece to a batch, if they are wanted.
+    /// What was noticed since this was asked last.
+    pub(super) fn take_notes(&mut self) -> Notes {
+        std::mem::take(&mut self.notes)
+    }
+
+    /// Adds the rows that end in a piece to batches, if they are wanted.
     pub(super) fn read(&mut self, mut piece: &[u8], batch: &mut BatchBuilder) -> Result<(), InputError> {
         while self.records.next(&mut piece)? {
             self.add(batch)?;
@@ -71,14 +81,48 @@ impl<'a> RowReader<'a> {
     }
 
     fn add(&mut self, batch: &mut BatchBuilder) -> Result<(), InputError> {
-        let (record, line) = (self.records.record(), self.records.record_line());
-        check_width(self.layout.file, line, record.len(), self.layout.width)?;
+        let (layout, record, line) = (self.layout, self.records.record(), self.records.record_line());
+        if layout.is_comment(record) {
+            return Ok(());
+        }
+        layout.check_width(record, line)?;
         self.total += 1;
-        if self.layout.is_wanted(self.total) && self.layout.satisfies_conditions(record, line)? {
-            self.layout.add(record, line, batch)?;
-            batch.end_row(self.total, self.records.text());
-        } else if self.layout.options.table.keep_others {
-            self.layout.add_other(record, self.total, batch);
+        let is_wanted = layout.is_wanted(self.total);
+        if record.is_empty() {
+            self.notes.empty_row(is_wanted.then(|| layout.first_place(record, line)));
+            return Ok(());
+        }
+        self.notes.row();
+        let keeps_others = layout.options.table.keep_others;
+        if !is_wanted && !keeps_others {
+            return Ok(());
+        }
+        if is_wanted {
+            match layout.row(record, line, self.total, true, &mut self.mark, &mut self.notes)? {
+                Row::Values(values) => {
+                    layout.add_key_of(record, line, batch)?;
+                    let columns = values.into_iter().zip(&mut batch.columns);
+                    columns.for_each(|(value, column)| value.push_to(column));
+                    batch.end_row(self.total, self.records.text());
+                    self.notes.used();
+                    return Ok(());
+                }
+                Row::Lacks(place) => {
+                    self.notes.lacks(place);
+                    return Ok(());
+                }
+                Row::Unwanted if !keeps_others => return Ok(()),
+                Row::Unwanted => {}
+            }
+        }
+        // Rows that are not wanted are kept where they are numbers; but a mix of decimal marks is found out there too, or which
+        // ones are kept would depend on where chunks end.
+        match layout.row(record, line, self.total, false, &mut self.mark, &mut self.notes) {
+            Ok(Row::Values(values)) => batch.others.push(layout.other(values, self.total)),
+            Err(error) if matches!(error.kind, InputErrorKind::AnotherDecimalMark { .. }) => {
+                return Err(error);
+            }
+            _ => {}
         }
         Ok(())
     }
@@ -86,7 +130,7 @@ impl<'a> RowReader<'a> {
 
 /// Reads the rows of a chunk that comes after so many rows.
 pub(super) fn parse(chunk: &[u8], layout: &Layout, rows_before: usize) -> Parsed {
-    let mut reader = RowReader::new(layout, 1, rows_before);
+    let mut reader = RowReader::new(layout, layout.mark, 1, rows_before);
     let mut batch = layout.batch();
     let mut read = reader.read(chunk, &mut batch);
     // Nothing follows a chunk whose last line has no end.
@@ -94,10 +138,11 @@ pub(super) fn parse(chunk: &[u8], layout: &Layout, rows_before: usize) -> Parsed
         read = reader.finish(&mut batch);
     }
     match read {
-        Err(error) => Parsed::Wrong(error),
+        Err(error) => Parsed::Wrong(error, reader.take_notes()),
         Ok(()) if reader.records.is_open() => Parsed::Open,
         Ok(()) => Parsed::Rows(Rows {
             batch,
+            notes: reader.take_notes(),
             total: reader.total - rows_before,
             lines: reader.records.line() - 1,
             line_feeds: memchr_iter(b'\n', chunk).count() as u64,
@@ -111,7 +156,7 @@ pub(super) fn count(chunk: &[u8], layout: &Layout) -> usize {
     let mut rest = chunk;
     let mut total = 0;
     while let Ok(true) = records.next(&mut rest) {
-        total += 1;
+        total += usize::from(!layout.is_comment(records.record()));
     }
     total
 }

@@ -10,6 +10,7 @@ use super::batch::Batch;
 use super::builder::BatchBuilder;
 use super::first_record::Position;
 use super::layout::Layout;
+use super::notes::Notes;
 use super::rows::RowReader;
 
 impl<T, W: Fn(Batch) -> T, K: FnMut(T)> Run<'_, W, K> {
@@ -20,26 +21,33 @@ impl<T, W: Fn(Batch) -> T, K: FnMut(T)> Run<'_, W, K> {
         layout: &Layout,
         reader: &mut ChunkReader,
         position: Position,
+        notes: &mut Notes,
         at_hand: Vec<Chunk>,
     ) -> Result<usize, InputError> {
-        let mut rows = RowReader::new(layout, position.lines, position.rows);
+        let mut rows = RowReader::new(layout, notes.mark_after(layout.mark), position.lines, position.rows);
         let mut line = position.line_feeds;
         let mut at_hand = at_hand.into_iter();
         while let Some(chunk) = at_hand.next().or_else(|| reader.next_chunk()) {
             let mut batch = layout.batch();
-            rows.read(&chunk, &mut batch)?;
+            let read = rows.read(&chunk, &mut batch);
+            notes.add(rows.take_notes(), 0)?;
+            read?;
             self.hand_out(batch, chunk.len() as u64)?;
             line += memchr_iter(b'\n', &chunk).count() as u64;
             reader.recycle(vec![chunk]);
         }
         // What came before a failure, if there was one; its rows are handed out no more.
         let mut batch = layout.batch();
-        rows.read(reader.pending(), &mut batch)?;
+        let read = rows.read(reader.pending(), &mut batch);
+        notes.add(rows.take_notes(), 0)?;
+        read?;
         line += memchr_iter(b'\n', reader.pending()).count() as u64;
         if let Some(problem) = reader.failure() {
             return Err(InputError::of_line(self.file, line, problem));
         }
-        rows.finish(&mut batch)?;
+        let read = rows.finish(&mut batch);
+        notes.add(rows.take_notes(), 0)?;
+        read?;
         self.hand_out(batch, 0)?;
         Ok(rows.total())
     }

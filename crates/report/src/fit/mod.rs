@@ -164,6 +164,10 @@ impl<'a> Report<'a> {
             true => counted(total, "row", "rows"),
             false => format!("{selection}: {used} of {total}"),
         };
+        let missing = match measurements.rows_missing() {
+            0 => String::new(),
+            missing => format!(", {} with missing values left out", counted(missing, "row", "rows")),
+        };
         let reading = match reading {
             _ if is_stored => "binary64: the numbers of the file exactly as stored",
             Reading::Decimal => "decimal: numbers exactly as written",
@@ -174,13 +178,14 @@ impl<'a> Report<'a> {
             .into_iter()
             .chain(multiple.into_iter().flat_map(|multiple| assumption(multiple, self.style)))
             .chain([
-                ("data", Text::new().given(file).words(format!(", {rows}"))),
+                ("data", Text::new().given(file).words(format!(", {rows}{missing}"))),
                 ("reading", reading.into()),
             ]);
+        let text = measurements.written().map(|words| ("text".into(), words.into()));
         let conditions = (1..).zip(&self.problem.conditions).map(|(number, condition)| {
             (format!("where:{number}").into(), Text::new().given(condition.text()))
         });
-        facts.into_iter().map(|(label, text)| (label.into(), text)).chain(conditions).collect()
+        facts.into_iter().map(|(label, text)| (label.into(), text)).chain(text).chain(conditions).collect()
     }
 
     fn model(&self) -> Text {

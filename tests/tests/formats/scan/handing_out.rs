@@ -51,7 +51,8 @@ fn keys_and_lines_are_those_of_the_rows() {
             assert_eq!(found_lines, lines, "{table:?} in chunks of {chunk_bytes}");
             assert_eq!(scanned.key_name.as_deref(), Some("s"));
             assert_eq!(scanned.header_line.as_deref(), table.lines().next().map(str::as_bytes));
-            assert_eq!((scanned.bytes, scanned.delimiter), (table.len() as u64, b','));
+            let delimiter = scanned.layout.map(|layout| layout.dialect.delimiter);
+            assert_eq!((scanned.bytes, delimiter), (table.len() as u64, Some(b',')));
         }
     }
 }

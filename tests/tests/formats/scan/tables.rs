@@ -1,7 +1,10 @@
 //! Generated tables, sound and unsound.
 
-use boundfit_exact::{Limits, Reading};
-use boundfit_formats::{ColumnSelector, Header, RowCondition, RowRange, RowSet, ScanOptions, TableOptions};
+use boundfit_exact::{DecimalMark, Limits, Reading};
+use boundfit_formats::{
+    AskedDialect, ColumnSelector, Header, Missing, RowCondition, RowRange, RowSet, ScanOptions, TableOptions,
+};
+use boundfit_tests::reference_table::detect;
 use rand::RngExt;
 use rand::seq::IndexedRandom;
 use rand_chacha::ChaCha8Rng;
@@ -63,6 +66,7 @@ const BAD: &[&str] = &[
     "nan",
     "-inf",
     "1,5",
+    "-2,25",
     "1_000",
     "1..2",
     "--1",
@@ -145,7 +149,13 @@ pub fn case(rng: &mut ChaCha8Rng) -> Case {
         bytes[at] = *[0xff, b'"', b'\n', b'\r', 0, b','].choose(rng).unwrap();
     }
     let columns = if rng.random_bool(0.2) { any_columns(rng) } else { columns_of(rng, width, text_column) };
-    Case { bytes, columns, options: options(rng, plain) }
+    let mut options = options(rng, plain);
+    let dialect = &mut options.table.dialect;
+    // What blanks separate is another matter.
+    if detect(bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(&bytes)).is_none() {
+        dialect.delimiter = dialect.delimiter.or(Some(b','));
+    }
+    Case { bytes, columns, options }
 }
 
 /// Columns by number, none of them text.
@@ -199,7 +209,12 @@ fn options(rng: &mut ChaCha8Rng, plain: bool) -> ScanOptions {
     let limits = if unusual && !plain { Limits { digits: 5, exponent: 10 } } else { Limits::default() };
     let table = TableOptions {
         header: if unusual { *[Header::Present, Header::Absent].choose(rng).unwrap() } else { Header::Auto },
-        delimiter: [b',', b';', b' ', b'0', b'\n', b'"'].choose(rng).copied().filter(|_| unusual),
+        dialect: AskedDialect {
+            delimiter: [b',', b';', b':', b'0', b'\n', b'"'].choose(rng).copied().filter(|_| unusual),
+            decimal: DecimalMark::ALL.choose(rng).copied().filter(|_| unusual),
+            ..AskedDialect::default()
+        },
+        missing: if rng.random_bool(0.3) { Missing::Skip } else { Missing::Refuse },
         rows,
         conditions,
         keep_others: rng.random_bool(0.5),

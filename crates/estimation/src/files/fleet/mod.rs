@@ -34,6 +34,7 @@ pub struct Fleet {
     columns: Vec<Series>,
     /// Which rows of the file these are.
     rows: RowNumbers,
+    rows_missing: usize,
 }
 
 impl Fleet {
@@ -66,7 +67,15 @@ impl Fleet {
         }
         let meaning = columns.meaning(&scanned.names);
         let groups = Groups::new(&store.group_of, store.keys.len());
-        Ok(Fleet { meaning, keys: store.keys, groups, columns: store.columns, rows: store.rows })
+        let rows_missing = scanned.rows_missing;
+        Ok(Fleet {
+            meaning,
+            keys: store.keys,
+            groups,
+            columns: store.columns,
+            rows: store.rows,
+            rows_missing,
+        })
     }
 
     /// How many groups there are.
@@ -77,6 +86,11 @@ impl Fleet {
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// How many rows that were asked for were left out since they lack a number.
+    pub fn rows_missing(&self) -> usize {
+        self.rows_missing
     }
 
     /// Whether every reading has its own error bound.

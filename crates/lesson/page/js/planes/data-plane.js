@@ -68,10 +68,12 @@ export function drawDataPlane(lesson, state, scene, layers, size, focused) {
 function columnNames(lesson) {
   const { model, units } = lesson.data;
   /**
+   * A name such as "U (mV)" has its unit already.
    * @param {string} name
    * @param {string | null} unit
    */
-  const named = (name, unit) => (unit ? `${name} (${unit})` : name);
+  const named = (name, unit) =>
+    !unit || [`(${unit})`, `[${unit}]`].some((end) => name.endsWith(end)) ? name : `${name} (${unit})`;
   return { x: model.kind === "line" ? named(model.x, units.x) : "row", y: named(model.y, units.y) };
 }
 

@@ -1,0 +1,115 @@
+//! How numbers are written in tables: decimal marks, grouped digits, and the words for what is missing.
+
+/// What stands between the whole part of a decimal and the digits after it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
+pub enum DecimalMark {
+    /// A point: `1.5`.
+    #[default]
+    Point,
+    /// A comma: `1,5`.
+    Comma,
+}
+
+impl DecimalMark {
+    /// Both of them.
+    pub const ALL: [DecimalMark; 2] = [DecimalMark::Point, DecimalMark::Comma];
+
+    /// The name used on the command line and in reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            DecimalMark::Point => "point",
+            DecimalMark::Comma => "comma",
+        }
+    }
+
+    /// The mark itself.
+    pub fn byte(self) -> u8 {
+        match self {
+            DecimalMark::Point => b'.',
+            DecimalMark::Comma => b',',
+        }
+    }
+
+    /// The other one.
+    pub fn other(self) -> Self {
+        match self {
+            DecimalMark::Point => DecimalMark::Comma,
+            DecimalMark::Comma => DecimalMark::Point,
+        }
+    }
+}
+
+/// How the numbers of a text are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Notation {
+    /// The decimal mark.
+    pub decimal: DecimalMark,
+    /// What may stand between groups of three digits; digits are not grouped when `None`.
+    pub thousands: Option<Thousands>,
+}
+
+/// What stands between groups of three digits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Thousands {
+    /// `1,234,567`.
+    Comma,
+    /// `1.234.567`.
+    Point,
+    /// `1 234 567`, with a blank or a space that does not break.
+    Blank,
+    /// `1'234'567`, with a straight or a curved apostrophe.
+    Apostrophe,
+}
+
+impl Thousands {
+    /// All four.
+    pub const ALL: [Thousands; 4] =
+        [Thousands::Comma, Thousands::Point, Thousands::Blank, Thousands::Apostrophe];
+
+    /// The mark as it is asked for on the command line.
+    pub fn mark(self) -> &'static str {
+        match self {
+            Thousands::Comma => ",",
+            Thousands::Point => ".",
+            Thousands::Blank => " ",
+            Thousands::Apostrophe => "'",
+        }
+    }
+
+    /// How many bytes the mark takes at the start of a text; 0 where it does not stand.
+    pub(crate) fn length_in(self, text: &str) -> usize {
+        let is_mark = |character: &char| match self {
+            Thousands::Comma => *character == ',',
+            Thousands::Point => *character == '.',
+            Thousands::Blank => *character == ' ' || SPACES.contains(character),
+            Thousands::Apostrophe => matches!(character, '\'' | '\u{2019}'),
+        };
+        text.chars().next().filter(is_mark).map_or(0, char::len_utf8)
+    }
+}
+
+/// White space beyond ASCII that spreadsheets and typesetters put around numbers and between their digits: the space that does
+/// not break, as wide as a digit, thin, and thin without a break.
+pub(crate) const SPACES: [char; 4] = ['\u{a0}', '\u{2007}', '\u{2009}', '\u{202f}'];
+
+/// A text without the white space around it that numbers may have.
+pub fn trim_number(text: &str) -> &str {
+    text.trim_matches(|character: char| character.is_ascii_whitespace() || SPACES.contains(&character))
+}
+
+/// What stands in a cell whose value is missing, beside nothing: in any letters, small or large.
+pub const MISSING_WORDS: [&str; 10] = ["NA", "N/A", "#N/A", "NaN", "null", "none", "-", "--", ".", "?"];
+
+/// Whether a text says that a value is missing: nothing but white space, or one of [`MISSING_WORDS`]. No number is written
+/// so.
+///
+/// ```
+/// use boundfit_exact::is_missing;
+///
+/// assert!(["", "  ", "NA", " nan", "#N/A", "-"].into_iter().all(is_missing));
+/// assert!(!["0", "-1", "inf", "#DIV/0!", "error"].into_iter().any(is_missing));
+/// ```
+pub fn is_missing(text: &str) -> bool {
+    let text = trim_number(text);
+    text.is_empty() || MISSING_WORDS.iter().any(|word| word.eq_ignore_ascii_case(text))
+}
