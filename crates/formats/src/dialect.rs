@@ -101,6 +101,16 @@ pub struct Dialect {
 }
 
 impl Dialect {
+    /// Whether a reader that knows quotes, one delimiter and a header, and numbers with points, reads the table alike.
+    pub fn is_plain(&self) -> bool {
+        self.delimiter != BLANKS
+            && self.notation == Notation::default()
+            && self.comment.is_none()
+            && self.skip_lines == 0
+            && self.records_before <= 1
+            && self.encoding == Encoding::Utf8
+    }
+
     /// What is unusual about the table, in words: nothing where commas, semicolons or tabs separate numbers with points.
     pub fn words(&self) -> Option<String> {
         let mut words = Vec::new();

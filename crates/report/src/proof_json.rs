@@ -39,13 +39,14 @@ type NamedMultiplier = (String, String);
 
 /// The proof of a fit as JSON, with a line end: what was read from which bytes, the feasible parameter set with the
 /// half-planes of its sides, and its bounds; for an empty set the readings that contradict each other. `None` when the
-/// readings do not come from delimited text that has a row for each of them, or which rows were fitted was not kept.
+/// readings do not come from delimited text that has a row for each of them, or which rows were fitted was not kept, or the text
+/// is not written as the checkers read it.
 ///
 /// All numbers are exact fractions as text. Its size is linear in the vertices and the half-planes that touch them.
 pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<String> {
     let measurements = &problem.measurements;
     let x_origin = &measurements.line_form().x_origin;
-    let layout = measurements.layout()?;
+    let layout = measurements.layout().filter(|layout| layout.dialect.is_plain())?;
     if measurements.fitted_rows().is_empty() {
         return None;
     }

@@ -96,7 +96,7 @@ fn proof(problem: &Problem, fit: &Fit, reading: Reading, file: &str) -> Result<S
         let (what, instead) = if problem.measurements.is_of_reductions() {
             ("is a reduction", "prove the fit of the table that it was made from")
         } else {
-            ("is not delimited text", "prove the fit of the same table as CSV")
+            ("is not plain delimited text (docs/proof.md)", "prove the fit of the same table as CSV")
         };
         Failure::Usage(format!("'--proof' is about the rows of delimited text, and {file} {what}: {instead}"))
     })

@@ -14,7 +14,7 @@ use crate::units::unit_of_cell;
 use super::batch::{Pieces, ScanOptions};
 use super::builder::BatchBuilder;
 use super::notes::Notes;
-use super::preamble::Preamble;
+use super::preamble::{Preamble, USUAL_MARKS};
 use super::values::{Mark, Numbers, Value};
 
 /// How many cells rows have.
@@ -61,6 +61,8 @@ pub(super) struct Layout<'a> {
     pub(super) units: Vec<Option<String>>,
     encoding: Encoding,
     records_before: usize,
+    /// Whether comments turned up between rows or after them.
+    pub(super) has_comments: bool,
 }
 
 /// A row that can be added to a batch, or why it is none.
@@ -107,6 +109,7 @@ impl<'a> Layout<'a> {
             units: Vec::new(),
             encoding: Encoding::default(),
             records_before: 0,
+            has_comments: false,
         })
     }
 
@@ -130,7 +133,7 @@ impl<'a> Layout<'a> {
                 decimal: self.mark.known().unwrap_or_default(),
                 thousands: table.dialect.thousands,
             },
-            comment: self.syntax.comment,
+            comment: self.syntax.comment.or(self.has_comments.then_some(USUAL_MARKS)),
             skip_lines: table.dialect.skip_lines,
             records_before: self.records_before,
             encoding: self.encoding,
@@ -168,7 +171,7 @@ impl<'a> Layout<'a> {
 
     /// Whether a line that starts with this byte may turn out to be a comment, by its number of cells.
     pub(super) fn may_be_comment(&self, first: u8) -> bool {
-        self.options.table.dialect.comment == CommentMark::Auto && matches!(first, b'#' | b'%')
+        self.options.table.dialect.comment == CommentMark::Auto && USUAL_MARKS.contains(&first)
     }
 
     /// Whether a record is a comment rather than a row.

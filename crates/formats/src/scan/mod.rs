@@ -49,6 +49,7 @@ pub(crate) fn scan_text<T: Send>(
     let mut notes = Notes::default();
     let read = run.read_chunks(&mut layout, &mut reader, position, &mut notes);
     layout.mark = notes.mark_after(layout.mark);
+    layout.has_comments = notes.has_comments;
     let (rows_total, rows_missing) = notes.settle(read, options.table.missing)?;
     check_rows(file, rows_total, &options.table.rows)?;
     let places = &layout.places;

@@ -21,6 +21,8 @@ pub(super) struct Notes {
     has_rows: bool,
     /// How many rows were handed out.
     used: usize,
+    /// Whether comments were passed over between rows or after them.
+    pub(super) has_comments: bool,
 }
 
 /// Rows that lack a number.
@@ -65,6 +67,11 @@ impl Notes {
         self.missing.add(wanted);
     }
 
+    /// Notices a comment.
+    pub(super) fn comment(&mut self) {
+        self.has_comments = true;
+    }
+
     /// Notices that a row is handed out.
     pub(super) fn used(&mut self) {
         self.used += 1;
@@ -104,6 +111,7 @@ impl Notes {
         self.tail.rows += next.tail.rows;
         self.tail.wanted.add(next.tail.wanted);
         self.used += next.used;
+        self.has_comments |= next.has_comments;
         Ok(())
     }
 

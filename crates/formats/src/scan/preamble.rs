@@ -11,7 +11,7 @@ use crate::start::{are_blanks, delimiter_of};
 const PASSED_AT_ONCE: usize = 1 << 16;
 
 /// Bytes that start comments unless another one is asked for.
-const USUAL_MARKS: [u8; 2] = *b"#%";
+pub(super) const USUAL_MARKS: [u8; 2] = *b"#%";
 
 /// What comes before the first record.
 pub(super) struct Preamble {

@@ -83,6 +83,7 @@ impl<'a> RowReader<'a> {
     fn add(&mut self, batch: &mut BatchBuilder) -> Result<(), InputError> {
         let (layout, record, line) = (self.layout, self.records.record(), self.records.record_line());
         if layout.is_comment(record) {
+            self.notes.comment();
             return Ok(());
         }
         layout.check_width(record, line)?;
