@@ -1,7 +1,7 @@
 //! Readings in memory: from slices of numbers to a problem.
 
 use boundfit_estimation::{
-    ErrorBound, LineForm, Measurement, Measurements, Model, ParseConditionError, Problem,
+    Bounds, ErrorBound, LineForm, Measurement, Measurements, Model, ParseConditionError, Problem,
 };
 use boundfit_exact::Rational;
 use thiserror::Error;
@@ -49,6 +49,12 @@ pub enum Error {
     NegativeBound {
         /// The row, from 1; `None` when the bound is that of all readings.
         row: Option<usize>,
+    },
+    /// A reading has neither a lower nor an upper bound.
+    #[error("row {row} has neither a lower nor an upper bound")]
+    NoBound {
+        /// The row, from 1.
+        row: usize,
     },
     /// A text is not a condition.
     #[error(transparent)]
@@ -171,10 +177,50 @@ impl Observations {
         Ok(self.problem(ErrorBound::PerRow("eps".to_owned()), epsilons))
     }
 
+    /// The problem in which theta1*x + theta2 (or theta1*phi1 + theta2*phi2) lies between two values at each reading, of
+    /// which one may be missing. What y is bounds nothing then; least squares takes it.
+    ///
+    /// ```
+    /// use boundfit::Observations;
+    ///
+    /// let (lower, upper) = ([Some(0), Some(1), None], [None, Some(2), Some(3)]);
+    /// let fit = Observations::line(&[0, 1, 2], &[0, 1, 3])?.bounds(&lower, &upper)?.fit();
+    /// let [slope, _] = fit.pui_intervals().expect("the set is not empty");
+    /// assert_eq!(slope.to_string(), "[-1, 2]");
+    /// # Ok::<(), boundfit::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When a number has no exact value, a reading has no bound, or there are not as many bounds as readings.
+    pub fn bounds<B: Number>(self, lower: &[Option<B>], upper: &[Option<B>]) -> Result<Problem, Error> {
+        same_length(["y", "lower"], [self.responses.len(), lower.len()])?;
+        same_length(["y", "upper"], [self.responses.len(), upper.len()])?;
+        let sides: Vec<_> = sides("lower", lower)?.into_iter().zip(sides("upper", upper)?).collect();
+        if let Some(index) = sides.iter().position(|(lower, upper)| lower.is_none() && upper.is_none()) {
+            return Err(Error::NoBound { row: index + 1 });
+        }
+        let bound = ErrorBound::Interval { lower: Some("lower".to_owned()), upper: Some("upper".to_owned()) };
+        let between = |response, (lower, upper)| Bounds::Between { lower, upper, response: Some(response) };
+        Ok(self.with_bounds(bound, sides, between))
+    }
+
     fn problem(self, error_bound: ErrorBound, epsilons: Vec<Rational>) -> Problem {
-        let parts = self.regressors.into_iter().zip(self.responses).zip(epsilons);
-        let measurement =
-            |(row, ((regressor, response), epsilon))| Measurement::around(row, regressor, response, epsilon);
+        self.with_bounds(error_bound, epsilons, |response, epsilon| Bounds::Around { response, epsilon })
+    }
+
+    /// The problem with what is known of each reading, and what that makes of its y.
+    fn with_bounds<K>(
+        self,
+        error_bound: ErrorBound,
+        known: Vec<K>,
+        bounds: impl Fn(Rational, K) -> Bounds,
+    ) -> Problem {
+        let parts = self.regressors.into_iter().zip(self.responses).zip(known);
+        let measurement = |(row, ((regressor, response), known))| Measurement {
+            row,
+            regressor,
+            bounds: bounds(response, known),
+        };
         let rows = (1..).zip(parts).map(measurement).collect();
         let LineForm { x_origin, through_origin } = self.form;
         let measurements = Measurements::new(self.model, "y".to_owned(), error_bound, rows);
@@ -187,6 +233,15 @@ impl Observations {
 pub(crate) fn column<N: Number>(name: &'static str, numbers: &[N]) -> Result<Vec<Rational>, Error> {
     let exact = |(row, number): (usize, &N)| {
         number.exact().map_err(|problem| Error::Number { column: name, row, problem })
+    };
+    (1..).zip(numbers).map(exact).collect()
+}
+
+/// The exact values of a column with gaps.
+fn sides<N: Number>(name: &'static str, numbers: &[Option<N>]) -> Result<Vec<Option<Rational>>, Error> {
+    let exact = |(row, number): (usize, &Option<N>)| {
+        let exact = number.as_ref().map(N::exact).transpose();
+        exact.map_err(|problem| Error::Number { column: name, row, problem })
     };
     (1..).zip(numbers).map(exact).collect()
 }

@@ -1,6 +1,9 @@
 //! What was measured, and under which model.
 
+use std::borrow::Cow;
+
 use boundfit_estimation::{Condition, ErrorBound, Measurement, Measurements, Model};
+use boundfit_exact::Rational;
 use boundfit_report::Number;
 use serde::Serialize;
 
@@ -30,6 +33,14 @@ pub(crate) struct ReadingJson {
     /// Absent for readings that are not fitted.
     #[serde(skip_serializing_if = "Option::is_none")]
     epsilon: Option<Number>,
+    /// Between the bounds, if that is not y.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    middle: Option<Number>,
+    /// The bounds that do not grow.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lower: Option<Number>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    upper: Option<Number>,
 }
 
 #[derive(Debug, Serialize)]
@@ -59,16 +70,14 @@ pub(crate) fn epsilon(bound: &ErrorBound) -> EpsilonJson {
 
 /// The readings that are fitted.
 pub(crate) fn fitted(measurements: &Measurements) -> Vec<ReadingJson> {
-    let with_epsilon =
-        |row: &Measurement| reading(row, row.half_width().map(|epsilon| STYLE.given_number(&epsilon)));
-    measurements.kept().iter().map(with_epsilon).collect()
+    measurements.kept().iter().map(with_bounds).collect()
 }
 
 /// Other readings of the file.
 pub(crate) fn others(measurements: &Measurements) -> Vec<ReadingJson> {
     let others = measurements.others();
     let spaced = others.iter().step_by(others.len().div_ceil(MOST_OTHERS).max(1));
-    spaced.map(|row| reading(row, None)).collect()
+    spaced.map(reading).collect()
 }
 
 pub(crate) fn conditions(conditions: &[Condition]) -> Vec<ConditionJson> {
@@ -76,11 +85,32 @@ pub(crate) fn conditions(conditions: &[Condition]) -> Vec<ConditionJson> {
     numbered.map(|(number, condition)| ConditionJson { number, text: condition.text().to_owned() }).collect()
 }
 
-fn reading(row: &Measurement, epsilon: Option<Number>) -> ReadingJson {
+/// A reading with its bounds: as a distance from their middle where a factor on it moves them.
+fn with_bounds(row: &Measurement) -> ReadingJson {
+    let growing = row.half_width().filter(|width| !width.is_negative());
+    let given = |value: &Rational| STYLE.given_number(value);
+    let fixed = |side: Option<Rational>| side.filter(|_| growing.is_none()).map(|side| given(&side));
+    let (value, middle) = (row.value(), row.middle());
+    ReadingJson {
+        epsilon: growing.as_deref().map(given),
+        middle: middle.filter(|_| growing.is_some() && value != row.middle()).as_deref().map(given),
+        lower: fixed(row.lower()),
+        upper: fixed(row.upper()),
+        ..reading(row)
+    }
+}
+
+/// A reading without its bounds. Where there is neither y nor the middle of two bounds, the one bound stands for them.
+fn reading(row: &Measurement) -> ReadingJson {
+    let level = row.value().map(Cow::into_owned);
+    let level = level.or_else(|| row.lower()).or_else(|| row.upper()).unwrap_or_default();
     ReadingJson {
         row: row.row,
         phi: row.regressor.each_ref().map(|value| STYLE.given_number(value)),
-        y: STYLE.given_number(&row.value().unwrap_or_default()),
-        epsilon,
+        y: STYLE.given_number(&level),
+        epsilon: None,
+        middle: None,
+        lower: None,
+        upper: None,
     }
 }

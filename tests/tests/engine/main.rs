@@ -7,6 +7,7 @@ mod family;
 mod fleet;
 mod generators;
 mod grid;
+mod intervals;
 mod library;
 mod oracle;
 mod paths;

@@ -14,7 +14,7 @@ fn small(value: &Integer) -> i128 {
 }
 
 /// The region in the oracle's terms.
-fn in_oracle_terms(region: &Region) -> Answer {
+pub fn in_oracle_terms(region: &Region) -> Answer {
     let vertex = |v: &boundfit_geometry::Vertex| {
         let (x, y, w) = v.point().homogeneous();
         ([small(x), small(y), small(w)], v.active().to_vec())

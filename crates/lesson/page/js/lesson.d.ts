@@ -1,7 +1,7 @@
 // The document that the engine hands to the page, schema `boundfit/lesson/1`, made by `crates/lesson/src/data.rs`.
 // Half-planes a·θ ≤ b, readings and points of the parameter plane are referred to by their index in the lists
-// `half_planes`, `readings` and `points`. Half-planes 2k and 2k + 1 are the upper and the lower bound of reading k; those of
-// the conditions follow.
+// `half_planes`, `readings` and `points`. Half-planes come reading by reading, the upper bound before the lower one where there
+// are both; those of the conditions follow.
 
 /** An exact number: "p/q" in lowest terms, or "n". */
 type Exact = string;
@@ -94,6 +94,14 @@ interface ReadingData {
   row: number;
   phi: NumberData[];
   y: NumberData;
+}
+
+/** A reading with bounds about their middle (y, if that is left out) that grow with the factor, or with fixed ones. */
+interface FittedReadingData extends ReadingData {
+  epsilon?: NumberData;
+  middle?: NumberData;
+  lower?: NumberData;
+  upper?: NumberData;
 }
 
 interface HalfPlaneData {
@@ -192,8 +200,9 @@ interface LessonData {
     | { kind: "line"; x: string; y: string }
     | { kind: "two-regressors"; regressors: string[]; y: string };
   /** One error bound for all readings, or the column that has one for each. */
-  epsilon: { uniform: NumberData; column: null } | { uniform: null; column: string };
-  readings: (ReadingData & { epsilon: NumberData })[];
+  /** Both are null where readings have bounds of their own. */
+  epsilon: { uniform: NumberData; column: null } | { uniform: null; column: string | null };
+  readings: FittedReadingData[];
   /** Readings of the file that are not fitted. */
   others: ReadingData[];
   conditions: { number: number; text: string }[];

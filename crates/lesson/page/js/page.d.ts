@@ -14,11 +14,18 @@ interface Reading {
   row: number;
   phi: Pair;
   y: Rational;
+  /** Between the bounds; y where these come from it. */
+  middle: Rational;
+  /** Half the distance of the bounds; 0 for bounds that do not grow with the others. */
   epsilon: Rational;
+  /** The bounds that do not grow; null for those that do. */
+  fixed: { upper: Rational | null; lower: Rational | null } | null;
+  /** Indices of the half-planes. */
+  halfPlanes: { upper: number | null; lower: number | null };
 }
 
 /** A reading that is not fitted. */
-type OtherReading = Omit<Reading, "index" | "epsilon">;
+type OtherReading = Pick<Reading, "row" | "phi" | "y">;
 
 /** a·θ ≤ b; `reading` is null for a condition. */
 interface HalfPlane {

@@ -20,7 +20,14 @@ export function readLesson(data) {
     row: reading.row,
     phi: pairOf(reading.phi),
     y: exactOf(reading.y),
-    epsilon: exactOf(reading.epsilon),
+    middle: exactOf(reading.middle ?? reading.y),
+    // Bounds that do not grow with the others are what they are at every factor.
+    epsilon: reading.epsilon ? exactOf(reading.epsilon) : ZERO,
+    fixed: reading.epsilon
+      ? null
+      : { upper: reading.upper ? exactOf(reading.upper) : null, lower: reading.lower ? exactOf(reading.lower) : null },
+    /** @type {{ upper: number | null, lower: number | null }} */
+    halfPlanes: { upper: null, lower: null },
   }));
   const lesson = /** @type {Lesson} */ ({
     data,
@@ -33,11 +40,17 @@ export function readLesson(data) {
       irredundant: halfPlane.irredundant,
       a: pairOf(halfPlane.a),
       b: exactOf(halfPlane.b),
-      reading: index < 2 * readings.length ? readings[index >> 1] : null,
+      reading: /** @type {Reading | null} */ (null),
     })),
     points: data.points.map(pairOf),
     rowIndex: new Map(readings.map((reading) => [reading.row, reading.index])),
   });
+  for (const halfPlane of lesson.halfPlanes) {
+    const { row, bound } = halfPlane.name;
+    if (row === null) continue;
+    halfPlane.reading = readingOfRow(lesson, row);
+    halfPlane.reading.halfPlanes[bound === "upper" ? "upper" : "lower"] = halfPlane.index;
+  }
   lesson.fps = regionOf(lesson, data.fit.fps);
   lesson.matters = new Map(data.leave_one_out.map((entry) => [entry.row, entry.matters]));
   lesson.leastSquares = data.fit.least_squares === null ? null : pairOf(data.fit.least_squares.theta);
@@ -65,7 +78,19 @@ export function readingOfRow(lesson, row) {
 export function halfPlaneIndex(lesson, name) {
   if (name.row === null)
     return lesson.data.half_planes.findIndex((own) => own.name.row === null && own.name.bound === name.bound);
-  return 2 * readingOfRow(lesson, name.row).index + (name.bound === "upper" ? 0 : 1);
+  return readingOfRow(lesson, name.row).halfPlanes[name.bound === "upper" ? "upper" : "lower"] ?? -1;
+}
+
+/**
+ * The bound of a reading on one side when every error bound is multiplied by s; null where there is none.
+ * @param {Reading} reading
+ * @param {"upper" | "lower"} bound
+ * @param {Rational} s
+ */
+export function boundAt(reading, bound, s) {
+  if (reading.fixed !== null) return reading.fixed[bound];
+  const half = reading.epsilon.times(s);
+  return bound === "upper" ? reading.middle.plus(half) : reading.middle.minus(half);
 }
 
 /**
@@ -232,7 +257,7 @@ export function hopeless(lesson) {
   if (fit.minimax !== null)
     return `Any multiple of ε = 0 is 0; the smallest error bound that leaves a feasible parameter is ${withMinus(fit.minimax.epsilon?.decimal ?? "greater")}.`;
   const fixed = lesson.readings.some((reading) => reading.epsilon.isZero());
-  if (fixed) return "Readings with error bound 0 or conditions contradict each other: larger error bounds for the others do not help.";
+  if (fixed) return "Readings with an error bound of 0 or with one bound, or conditions, contradict each other: larger error bounds for the others do not help.";
   return `${conditions.length === 1 ? "The condition contradicts itself" : "The conditions contradict each other"}, whatever the readings are: no error bound, however large, helps.`;
 }
 
@@ -281,9 +306,13 @@ export function shapingHalfPlanes(lesson, region) {
  */
 export function violations(lesson, theta, s) {
   return lesson.readings.flatMap((reading) => {
-    const residual = reading.y.minus(dot(reading.phi, theta));
-    const excess = residual.absolute().minus(reading.epsilon.times(s));
-    return excess.sign() > 0 ? [{ reading, excess, above: residual.sign() > 0 }] : [];
+    const value = dot(reading.phi, theta);
+    const [upper, lower] = [boundAt(reading, "upper", s), boundAt(reading, "lower", s)];
+    const over = upper === null ? ZERO : value.minus(upper);
+    const under = lower === null ? ZERO : lower.minus(value);
+    const above = under.compare(over) > 0;
+    const excess = above ? under : over;
+    return excess.sign() > 0 ? [{ reading, excess, above }] : [];
   });
 }
 

@@ -2,7 +2,7 @@
 // What is under the pointer, the focus or the last click, explained.
 
 import { byId, element, patch } from "../dom.js";
-import { activeAt, conflict, demands, hopeless, readingOfRow, violations } from "../model/lesson.js";
+import { activeAt, boundAt, conflict, demands, hopeless, readingOfRow, violations } from "../model/lesson.js";
 import { THETA, boundText, conditionNumber, decimal, digitsFor, enumeration, plain, shortEnumeration, shortFraction, theBound, vertexName } from "../model/format.js";
 import { numberWithFraction } from "./summary.js";
 import { ONE, dot } from "../model/rational.js";
@@ -47,9 +47,8 @@ export function inequality(lesson, halfPlane, s) {
   if (halfPlane.reading === null)
     return lesson.data.conditions[conditionNumber(halfPlane.name) - 1].text;
   const { reading } = halfPlane;
-  const bound = reading.epsilon.times(s);
   const upper = halfPlane.name.bound === "upper";
-  const end = upper ? reading.y.plus(bound) : reading.y.minus(bound);
+  const end = boundAt(reading, upper ? "upper" : "lower", s) ?? halfPlane.b;
   return `${form(lesson, reading)} ${upper ? "≤" : "≥"} ${plain(end)}`;
 }
 
@@ -63,9 +62,10 @@ function aboutVertex(lesson, scene, index) {
   const ends = names.map((name) => {
     if (name.row === null) return boundText(name);
     const reading = readingOfRow(lesson, name.row);
-    const bound = reading.epsilon.times(scene.s);
-    const end = name.bound === "upper" ? reading.y.plus(bound) : reading.y.minus(bound);
-    return `the ${name.bound} end of reading ${name.row} (${lesson.data.model.y} ${name.bound === "upper" ? "+" : "−"} ε = ${plain(end)})`;
+    const end = plain(boundAt(reading, name.bound === "upper" ? "upper" : "lower", scene.s) ?? reading.y);
+    const isAroundY = reading.fixed === null && reading.middle.equals(reading.y);
+    const sum = isAroundY ? `${lesson.data.model.y} ${name.bound === "upper" ? "+" : "−"} ε = ` : "";
+    return `the ${name.bound} end of reading ${name.row} (${sum}${end})`;
   });
   const what = lesson.isLine ? "Its line passes exactly through " : "Its prediction meets exactly ";
   return [
@@ -91,15 +91,16 @@ function aboutVertex(lesson, scene, index) {
  */
 function aboutReading(lesson, scene, row) {
   const reading = readingOfRow(lesson, row);
-  const [upper, lower] = [2 * reading.index, 2 * reading.index + 1].map((index) => lesson.halfPlanes[index]);
+  const bounds = [reading.halfPlanes.upper, reading.halfPlanes.lower].filter((index) => index !== null);
   const where = scene.region.vertices.flatMap((_, index) =>
     activeAt(lesson, scene.region, index).some((name) => name.row === row) ? [vertexName(index)] : [],
   );
   return [
     element("h3", {}, `Reading ${row}`),
-    element("p", {}, "The reading allows the strip of parameters with"),
-    element("p", { class: "formula" }, inequality(lesson, upper, scene.s)),
-    element("p", { class: "formula" }, inequality(lesson, lower, scene.s)),
+    element("p", {}, `The reading allows the ${bounds.length === 2 ? "strip" : "half-plane"} of parameters with`),
+    ...bounds.map((index) =>
+      element("p", { class: "formula" }, inequality(lesson, lesson.halfPlanes[index], scene.s)),
+    ),
     element(
       "p",
       {},

@@ -23,7 +23,11 @@ export function fillIntroduction(lesson) {
   const others = data.others.length === 0 ? "" : ` of ${lesson.readings.length + data.others.length}`;
   const uniform = lesson.readings.length === 0 ? "" : plain(lesson.readings[0].epsilon);
   const bound =
-    epsilon.uniform === null ? `error bounds from column ${epsilon.column}` : `error bound ε = ${uniform}`;
+    epsilon.uniform !== null
+      ? `error bound ε = ${uniform}`
+      : epsilon.column === null
+        ? "bounds of each reading"
+        : `error bounds from column ${epsilon.column}`;
   const unit = epsilon.uniform !== null && data.units.y ? ` ${data.units.y}` : "";
   byId("provenance").textContent = `${data.file} · ${rows}${others} · ${bound}${unit}`;
   byId("epsilon-here").textContent =
@@ -60,7 +64,7 @@ export function fillIntroduction(lesson) {
   const least = lesson.leastSquares === null ? "" : " Dashed: least squares.";
   const faint = data.others.length > 0 && lesson.isLine ? " Faint dots: rows that are not used." : "";
   byId("data-legend").textContent =
-    `Bars: readings ± ε, strong where one of their ends, marked ▾ or ▴, shapes the set shown. ${shaded}${least}${faint}`;
+    `Bars: readings ${epsilon.uniform === null && epsilon.column === null ? "between their bounds" : "± ε"}, strong where one of their ends, marked ▾ or ▴, shapes the set shown. ${shaded}${least}${faint}`;
   byId("residual-label").textContent =
     lesson.reference === null ? "residuals" : `relative to ${lesson.reference.noun}`;
 }

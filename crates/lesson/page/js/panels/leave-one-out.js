@@ -172,7 +172,7 @@ export function drawReadings(lesson, state) {
       ),
       columns.map((_, k) => element("td", { class: "number" }, plain(reading.phi[k]))),
       element("td", { class: "number" }, plain(reading.y)),
-      element("td", { class: "number" }, plain(reading.epsilon)),
+      element("td", { class: "number" }, reading.fixed === null ? plain(reading.epsilon) : "one bound"),
       element("td", {}, matters ? element("b", {}, "◆ yes") : "no"),
       element(
         "td",

@@ -2,6 +2,7 @@
 // The frame of the data plane: heights as measured or relative to the reference line, ready for drawing.
 
 import { boundingView } from "./view.js";
+import { boundAt } from "../model/lesson.js";
 import { ONE, Rational, ZERO, coordinate, decimalPower, dot, extremes, proportions } from "../model/rational.js";
 
 /**
@@ -70,11 +71,9 @@ export function automaticDataView(lesson, frame, s) {
   const points = lesson.readings.flatMap((reading) => {
     const u = frame.across(reading);
     const v = frame.height(reading.phi, reading.y);
-    const half = frame.length(reading.epsilon.times(s.compare(ONE) > 0 ? s : ONE));
-    return [
-      [u, v - half],
-      [u, v + half],
-    ];
+    const factor = s.compare(ONE) > 0 ? s : ONE;
+    const ends = [boundAt(reading, "lower", factor), boundAt(reading, "upper", factor)];
+    return [[u, v], ...ends.flatMap((end) => (end === null ? [] : [[u, frame.height(reading.phi, end)]]))];
   });
   return points.length === 0 ? { x: [0, 1], y: [0, 1] } : boundingView(points, 0.07);
 }

@@ -8,8 +8,12 @@ import { lineInView } from "./region.js";
 import { screenMap } from "./view.js";
 import { automaticDataView, dataFrame } from "./data-frame.js";
 import { bounded, boxEnvelopes, corridorPath } from "./corridor.js";
-import { activeAt, readingOfRow } from "../model/lesson.js";
+import { activeAt, boundAt, readingOfRow } from "../model/lesson.js";
 import { plain } from "../model/format.js";
+import { ONE } from "../model/rational.js";
+
+/** How far a bar goes on where nothing bounds it, in pixels. */
+const OPEN_END = 28;
 
 /**
  * Draws the data plane. @returns {ScreenMap}
@@ -166,8 +170,8 @@ function chosenLine(lesson, state, scene, frame, map) {
     .flatMap(({ row, bound }) => (row === null ? [] : [{ row, bound }]))
     .map((name) => {
       const reading = readingOfRow(lesson, name.row);
-      const half = frame.length(reading.epsilon.times(scene.s)) * (name.bound === "upper" ? 1 : -1);
-      const [x, y] = map.to([frame.across(reading), frame.height(reading.phi, reading.y) + half]);
+      const end = boundAt(reading, name.bound === "upper" ? "upper" : "lower", scene.s) ?? reading.y;
+      const [x, y] = map.to([frame.across(reading), frame.height(reading.phi, end)]);
       // Labels of readings at the same place would cover each other.
       const free = labelled.every(([px, py]) => Math.hypot(px - x, py - y) > 12);
       if (free) labelled.push([x, y]);
@@ -205,10 +209,13 @@ function drawnReading(lesson, state, scene, reading, frame, map, focused) {
   const chosen = state.hover ?? state.selection;
   const u = frame.across(reading);
   const v = frame.height(reading.phi, reading.y);
-  const half = frame.length(reading.epsilon.times(scene.s));
   const [x, y] = map.to([u, v]);
-  const [, top] = map.to([u, v + half]);
-  const [, bottom] = map.to([u, v - half]);
+  const ends = { upper: boundAt(reading, "upper", scene.s), lower: boundAt(reading, "lower", scene.s) };
+  const place = (/** @type {Rational | null} */ end, /** @type {number} */ open) =>
+    end === null ? open : map.to([u, frame.height(reading.phi, end)])[1];
+  // A bar goes on a little where nothing bounds it, and ends in an arrow there.
+  const top = place(ends.upper, place(ends.lower, y) - OPEN_END);
+  const bottom = place(ends.lower, place(ends.upper, y) + OPEN_END);
   const used = readingUse(scene, reading);
   const classes = ["reading"];
   if (!used.shaping) classes.push("idle");
@@ -217,7 +224,7 @@ function drawnReading(lesson, state, scene, reading, frame, map, focused) {
   if (chosen?.kind === "reading" && chosen.row === reading.row) classes.push("chosen");
   if (chosen?.kind === "point") {
     if (chosen.violated?.has(reading.row)) classes.push("violated");
-    if (chosen.near !== undefined && chosen.near >> 1 === reading.index) classes.push("chosen");
+    if (chosen.near !== undefined && lesson.halfPlanes[chosen.near].reading === reading) classes.push("chosen");
   }
   const { model } = lesson.data;
   const name = model.kind === "line" ? model.x : "row";
@@ -230,7 +237,7 @@ function drawnReading(lesson, state, scene, reading, frame, map, focused) {
       role: "button",
       tabindex: reading.index === focused ? 0 : -1,
       "aria-pressed": `${state.selection?.kind === "reading" && state.selection.row === reading.row}`,
-      "aria-label": `Reading ${reading.row}: ${name} = ${abscissa}, ${lesson.data.model.y} = ${plain(reading.y)} ± ${plain(reading.epsilon)}`,
+      "aria-label": `Reading ${reading.row}: ${name} = ${abscissa}, ${spokenBounds(lesson, reading)}`,
     },
     element("rect", {
       class: "hit",
@@ -241,12 +248,44 @@ function drawnReading(lesson, state, scene, reading, frame, map, focused) {
     }),
     element("path", {
       class: "bar",
-      d: `M${round(x)} ${round(top)}V${round(bottom)}M${round(x - 4)} ${round(top)}h8M${round(x - 4)} ${round(bottom)}h8`,
+      d: `M${round(x)} ${round(top)}V${round(bottom)}${cap(x, top, ends.upper === null ? 5 : 0)}${cap(x, bottom, ends.lower === null ? -5 : 0)}`,
     }),
     end(lesson, scene, reading, "upper", [x, top]),
     end(lesson, scene, reading, "lower", [x, bottom]),
-    element("circle", { class: "dot", cx: round(x), cy: round(y), r: 3.2 }),
+    hasDot(reading) ? element("circle", { class: "dot", cx: round(x), cy: round(y), r: 3.2 }) : element("path"),
   );
+}
+
+/**
+ * The end of a bar: a stroke across, or an arrow head that comes back by so much.
+ * @param {number} x
+ * @param {number} y
+ * @param {number} back
+ */
+function cap(x, y, back) {
+  return `M${round(x - 4)} ${round(y + back)}L${round(x)} ${round(y)}L${round(x + 4)} ${round(y + back)}`;
+}
+
+/**
+ * Bounds without a y have nothing between them to be marked.
+ * @param {Reading} reading
+ */
+function hasDot(reading) {
+  if (reading.fixed === null) return true;
+  return ![reading.fixed.upper, reading.fixed.lower].some((end) => end?.equals(reading.y));
+}
+
+/**
+ * @param {Lesson} lesson
+ * @param {Reading} reading
+ */
+function spokenBounds(lesson, reading) {
+  const { y } = lesson.data.model;
+  if (reading.fixed === null && reading.middle.equals(reading.y))
+    return `${y} = ${plain(reading.y)} ± ${plain(reading.epsilon)}`;
+  const [upper, lower] = [boundAt(reading, "upper", ONE), boundAt(reading, "lower", ONE)];
+  const words = [lower === null ? [] : [`at least ${plain(lower)}`], upper === null ? [] : [`at most ${plain(upper)}`]];
+  return words.flat().join(" and ");
 }
 
 /**
@@ -255,13 +294,11 @@ function drawnReading(lesson, state, scene, reading, frame, map, focused) {
  */
 function readingUse(scene, reading) {
   const { among } = scene;
-  const upper = 2 * reading.index;
+  const bounds = [reading.halfPlanes.upper, reading.halfPlanes.lower].filter((index) => index !== null);
   return {
-    off:
-      scene.region.without === reading.row ||
-      (among !== null && !among.has(upper) && !among.has(upper + 1)),
-    shaping: scene.shaping.has(upper) || scene.shaping.has(upper + 1),
-    current: scene.current !== null && scene.current.half_plane >> 1 === reading.index,
+    off: scene.region.without === reading.row || (among !== null && !bounds.some((index) => among.has(index))),
+    shaping: bounds.some((index) => scene.shaping.has(index)),
+    current: scene.current !== null && bounds.includes(scene.current.half_plane),
   };
 }
 
@@ -274,7 +311,7 @@ function readingUse(scene, reading) {
  * @param {Place} place
  */
 function end(lesson, scene, reading, bound, place) {
-  const index = 2 * reading.index + (bound === "upper" ? 0 : 1);
-  if (!scene.shaping.has(index)) return element("path");
+  const index = reading.halfPlanes[bound];
+  if (index === null || !scene.shaping.has(index)) return element("path");
   return mark(`${bound}-end`, place, { class: `end ${bound}` });
 }
