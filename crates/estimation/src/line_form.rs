@@ -11,7 +11,7 @@ pub struct LineForm {
     /// Where x is counted from: θ2 is the value there.
     pub x_origin: Rational,
     /// Whether θ2 is known to be 0, so that least squares has one parameter only. The condition `theta2 = 0` that belongs to
-    /// it is one of the [problem](crate::Problem)'s.
+    /// it is one of the problem's: [`Problem::through_origin`](crate::Problem::through_origin) sees to both.
     pub through_origin: bool,
 }
 

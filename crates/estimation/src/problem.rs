@@ -33,14 +33,17 @@ impl Problem {
         Ok(self)
     }
 
-    /// The problem of lines through the origin, y = θ1·x + e: `theta2 = 0` becomes its last condition, and least squares has
-    /// one parameter. Nothing changes where that is so already, or for a model with two regressors, which has no constant.
+    /// The problem of lines through the origin, y = θ1·x + e: `theta2 = 0` becomes its last condition, unless it is one already,
+    /// and least squares has one parameter. Nothing changes for a model with two regressors, which has no constant.
     pub fn through_origin(mut self) -> Self {
-        let is_line = matches!(self.measurements.model(), Model::Line { .. });
+        if matches!(self.measurements.model(), Model::TwoRegressors { .. }) {
+            return self;
+        }
         let form = self.measurements.line_form().clone();
-        if is_line && !form.through_origin {
-            self.measurements = self.measurements.with_form(LineForm { through_origin: true, ..form });
-            self.conditions.push(Condition::no_intercept());
+        self.measurements = self.measurements.with_form(LineForm { through_origin: true, ..form });
+        let no_intercept = Condition::no_intercept();
+        if !self.conditions.contains(&no_intercept) {
+            self.conditions.push(no_intercept);
         }
         self
     }

@@ -13,6 +13,7 @@ mod input_formats;
 mod json;
 mod large;
 mod limits;
+mod line_forms;
 mod names;
 mod output;
 mod polygon;

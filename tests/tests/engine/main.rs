@@ -9,6 +9,7 @@ mod generators;
 mod grid;
 mod intervals;
 mod library;
+mod line_forms;
 mod oracle;
 mod paths;
 mod polyhedron;

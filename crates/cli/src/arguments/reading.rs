@@ -127,8 +127,7 @@ impl<'a> Data<'a> {
             epsilon,
             form: self.line_form(reading, &limits)?,
         };
-        let through_origin = arguments.line.through_origin;
-        Ok(Asked { columns, conditions, through_origin, multiple_of_least })
+        Ok(Asked { columns, conditions, multiple_of_least })
     }
 
     /// Where x is counted from.
@@ -156,7 +155,7 @@ impl<'a> Data<'a> {
                 .map_err(|error| Failure::value("--x-origin <NUM>", text, number_problem(&error, EXPECTED)))
         };
         let x_origin = arguments.x_origin.as_ref().map(number).transpose()?.unwrap_or_default();
-        Ok(LineForm { x_origin, through_origin: false })
+        Ok(LineForm { x_origin, through_origin: arguments.through_origin })
     }
 }
 
@@ -164,7 +163,6 @@ impl<'a> Data<'a> {
 pub(crate) struct Asked {
     pub(crate) columns: Columns,
     conditions: Vec<Condition>,
-    through_origin: bool,
     /// Of `--eps 1.2*min` the factor.
     multiple_of_least: Option<Rational>,
 }
@@ -173,15 +171,13 @@ impl Asked {
     /// The problem of some readings.
     pub(crate) fn problem(&self, measurements: Measurements) -> Problem {
         let problem = Problem { measurements, conditions: self.conditions.clone() };
-        let problem = if self.through_origin { problem.through_origin() } else { problem };
+        let problem = if self.columns.form.through_origin { problem.through_origin() } else { problem };
         match &self.multiple_of_least {
             Some(factor) => problem.with_multiple_of_least(factor),
             None => problem,
         }
     }
-}
 
-impl Asked {
     /// What the answers about many groups stand and fall with, as a line; nothing where the error bound is given.
     pub(crate) fn assumption(&self) -> String {
         let times = |factor: &Rational| match *factor == Rational::one() {
