@@ -16,6 +16,7 @@ pub mod reference_table;
 pub mod representations;
 pub mod shape;
 pub mod tables;
+pub mod workbooks;
 
 /// The README, whose example in Rust is compiled and run.
 #[cfg(doctest)]

@@ -17,6 +17,10 @@ pub enum Limit {
     Rows,
     /// Elements of one array of a `.mat` file.
     Elements,
+    /// Bytes that a compressed file unpacks to.
+    Unpacked,
+    /// Bytes of a workbook, packed or unpacked.
+    Workbook,
     /// How deep arrays and objects of JSON may be nested.
     Nesting,
 }
@@ -48,6 +52,8 @@ impl Limit {
             Limit::Columns => "--max-columns",
             Limit::Rows => "--max-rows",
             Limit::Elements => "--max-elements",
+            Limit::Unpacked => "--max-unpacked",
+            Limit::Workbook => "--max-workbook",
             Limit::Nesting => "--max-nesting",
         }
     }

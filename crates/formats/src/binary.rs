@@ -1,4 +1,4 @@
-//! Tables that are not text, told by their first bytes.
+//! What is not text, told by its first bytes: tables that are read, and all else with what can be done about it.
 
 use crate::error::{InputError, InputErrorKind, STANDARD_INPUT};
 use crate::mat::kind;
@@ -6,7 +6,7 @@ use crate::mat::kind;
 /// How many bytes at the start of a file tell its format.
 pub(crate) const START: u64 = kind::START as u64;
 
-/// A format of columns in binary.
+/// A format of tables in binary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum BinaryFormat {
     /// Apache Parquet.
@@ -17,24 +17,40 @@ pub(crate) enum BinaryFormat {
     ArrowStream,
     /// MATLAB's `.mat`, of any version.
     Matlab,
+    /// A zip archive, which workbooks are.
+    Archive,
 }
 
 impl BinaryFormat {
     /// The format of a file that starts like this.
     pub(crate) fn of(start: &[u8]) -> Option<Self> {
-        let magic: [(&[u8], BinaryFormat); 3] = [
+        let magic: [(&[u8], BinaryFormat); 4] = [
             (b"PAR1", BinaryFormat::Parquet),
             (b"ARROW1", BinaryFormat::ArrowFile),
             // A continuation marker; no text in UTF-8 starts so.
             (b"\xff\xff\xff\xff", BinaryFormat::ArrowStream),
+            (b"PK\x03\x04", BinaryFormat::Archive),
         ];
-        let arrow = magic.iter().find(|(magic, _)| start.starts_with(magic)).map(|&(_, format)| format);
-        arrow.or_else(|| kind::kind_of(start).map(|_| BinaryFormat::Matlab))
+        let known = magic.iter().find(|(magic, _)| start.starts_with(magic)).map(|&(_, format)| format);
+        known.or_else(|| kind::kind_of(start).map(|_| BinaryFormat::Matlab))
     }
 
-    /// Whether this build can read it.
-    pub(crate) fn is_readable(self) -> bool {
-        cfg!(feature = "arrow") || self == BinaryFormat::Matlab
+    /// Whether its columns stand one after the other, so that it is not read from front to back.
+    pub(crate) fn is_columns(self) -> bool {
+        matches!(self, BinaryFormat::Parquet | BinaryFormat::ArrowFile | BinaryFormat::ArrowStream)
+    }
+
+    /// The feature without which this build cannot read it.
+    fn missing_feature(self) -> Option<&'static str> {
+        match self {
+            BinaryFormat::Archive if cfg!(not(feature = "spreadsheets")) => {
+                Some("this build reads no workbooks (build with --features spreadsheets)")
+            }
+            format if format.is_columns() && cfg!(not(feature = "arrow")) => {
+                Some("this build reads text tables only (build with --features arrow)")
+            }
+            _ => None,
+        }
     }
 
     /// The name with its article.
@@ -44,19 +60,80 @@ impl BinaryFormat {
             BinaryFormat::ArrowFile => "an Arrow IPC file",
             BinaryFormat::ArrowStream => "an Arrow IPC stream",
             BinaryFormat::Matlab => "a MATLAB file",
+            BinaryFormat::Archive => "a workbook or another zip archive",
         }
     }
 }
 
-/// Refuses a binary table where text is read.
+/// How to save a sheet.
+const AS_SHEET: &str = "save it as .xlsx or CSV";
+/// How to save a data frame of R.
+const FROM_R: &str = "in R, save the data frame in it as CSV: write.csv(DATA, 'FILE.csv', row.names = FALSE)";
+/// What can be done about a picture.
+const NO_NUMBERS: &str = "a picture has no table; give the numbers behind it as CSV";
+
+/// What files begin with that are not read, what they are, and how their numbers can be had.
+const FOREIGN: [(&[u8], &str, &str); 24] = [
+    (b"%PDF-", "a PDF document", "copy its table into a spreadsheet and save that as .xlsx or CSV"),
+    (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", "a file of Microsoft Office before 2007, such as .xls", AS_SHEET),
+    (b"$FL2", "an SPSS file (.sav)", "save it as CSV"),
+    (b"$FL3", "an SPSS file (.zsav)", "save it as CSV"),
+    (b"<stata_dta>", "a Stata file (.dta)", "save it as CSV: export delimited using FILE.csv"),
+    (b"RDX2\n", "an R workspace (.RData)", FROM_R),
+    (b"RDX3\n", "an R workspace (.RData)", FROM_R),
+    (b"X\n\0\0\0", "a file of R's saveRDS (.rds)", FROM_R),
+    (
+        b"\x93NUMPY",
+        "a NumPy array (.npy)",
+        "save it as text: numpy.savetxt('FILE.csv', array, delimiter=',')",
+    ),
+    (
+        b"SQLite format 3\0",
+        "an SQLite database",
+        "save a table of it as CSV: sqlite3 -header -csv FILE 'SELECT ...'",
+    ),
+    (b"BZh", "a bzip2 file", "unpack it with bunzip2, or pack it with gzip or zstd"),
+    (b"\xfd7zXZ\0", "an xz file", "unpack it with unxz, or pack it with gzip or zstd"),
+    (b"\x04\x22\x4d\x18", "an LZ4 file", "unpack it with unlz4, or pack it with gzip or zstd"),
+    (b"7z\xbc\xaf\x27\x1c", "a 7z archive", "unpack it and name the file that is in it"),
+    (b"Rar!\x1a\x07", "a RAR archive", "unpack it and name the file that is in it"),
+    (b"\x89PNG\r\n\x1a\n", "a PNG picture", NO_NUMBERS),
+    (b"\xff\xd8\xff", "a JPEG picture", NO_NUMBERS),
+    (b"GIF8", "a GIF picture", NO_NUMBERS),
+    (b"II*\0", "a TIFF picture", NO_NUMBERS),
+    (b"MM\0*", "a TIFF picture", NO_NUMBERS),
+    (b"{\\rtf", "a document in RTF", "copy its table into a spreadsheet and save that as .xlsx or CSV"),
+    (b"Obj\x01", "an Avro file", "save it as CSV or Parquet"),
+    (b"ORC", "an ORC file", "save it as CSV or Parquet"),
+    (b"\x80\x04\x95", "a Python pickle", "save the table as CSV: table.to_csv('FILE.csv', index=False)"),
+];
+
+/// Refuses what is not text where text is read.
 pub(crate) fn refuse_binary(file: &str, start: &[u8]) -> Result<(), InputError> {
-    let Some(format) = BinaryFormat::of(start) else { return Ok(()) };
-    let instead = match file {
-        _ if !format.is_readable() => "this build reads text tables only (build with --features arrow)",
-        STANDARD_INPUT => "it is read from a named file, not from standard input",
-        _ => "only text is read here",
-    };
-    Err(InputError::of_file(file, InputErrorKind::BinaryTable { format: format.name(), instead }))
+    let refused =
+        |format, instead| Err(InputError::of_file(file, InputErrorKind::BinaryTable { format, instead }));
+    if let Some(format) = BinaryFormat::of(start) {
+        let instead = match (format.missing_feature(), file) {
+            (Some(missing), _) => missing,
+            (None, STANDARD_INPUT) if format.is_columns() => {
+                "it is read from a named file, not from standard input"
+            }
+            _ if format.is_columns() => {
+                "it is read from a file of its own, not out of a compressed one or another stream"
+            }
+            _ => "only text is read here",
+        };
+        return refused(format.name(), instead);
+    }
+    // What is a word of text too must go on as no text does.
+    let has_control =
+        start.iter().take(START as usize).any(|byte| *byte < b' ' && !b"\t\n\r\x0b\x0c".contains(byte));
+    let is_word = |magic: &[u8]| magic.is_ascii() && magic.iter().all(|byte| byte.is_ascii_alphanumeric());
+    let is_it = |magic: &[u8]| start.starts_with(magic) && (has_control || !is_word(magic));
+    match FOREIGN.iter().find(|(magic, ..)| is_it(magic)) {
+        Some((_, format, instead)) => refused(format, instead),
+        None => Ok(()),
+    }
 }
 
 #[cfg(test)]
@@ -65,17 +142,18 @@ mod tests {
 
     use crate::{ColumnSelector, ScanOptions, Source, TableOptions, read_table, scan};
 
+    fn messages(start: &[u8]) -> [String; 2] {
+        let columns = [ColumnSelector::name_or_number("x")];
+        let source = || Source::new("table.csv", io::Cursor::new(start.to_vec()));
+        let read = read_table(source(), &columns, &TableOptions::default()).map(|_| ());
+        let scanned = scan(source(), &columns, &ScanOptions::default(), |_| (), |()| ()).map(|_| ());
+        [read, scanned].map(|result| result.unwrap_err().to_string())
+    }
+
     #[test]
     fn binary_tables_are_refused_by_name_where_text_is_read() {
-        let columns = [ColumnSelector::name_or_number("x")];
-        let messages = |start: &[u8]| {
-            let source = || Source::new("table.csv", io::Cursor::new(start.to_vec()));
-            let read = read_table(source(), &columns, &TableOptions::default()).map(|_| ());
-            let scanned = scan(source(), &columns, &ScanOptions::default(), |_| (), |()| ()).map(|_| ());
-            [read, scanned].map(|result| result.unwrap_err().to_string())
-        };
         let instead = if cfg!(feature = "arrow") {
-            "only text is read here"
+            "it is read from a file of its own, not out of a compressed one or another stream"
         } else {
             "this build reads text tables only (build with --features arrow)"
         };
@@ -88,5 +166,21 @@ mod tests {
             assert_eq!(messages(start), [message.clone(), message]);
         }
         assert!(messages(b"PAR,x\n1,y\n").iter().all(|message| message.contains("not a number")));
+    }
+
+    #[test]
+    fn every_other_binary_is_named_with_what_can_be_done() {
+        for (magic, format, instead) in super::FOREIGN {
+            let content = [magic, b"\x01\x00\x02\xff rest"].concat();
+            let message = format!("table.csv: this is {format}; {instead}");
+            assert_eq!(messages(&content), [message.clone(), message]);
+        }
+        // A table whose first column is called like that is a table.
+        for text in ["BZh,x\n1,y\n", "ORC,x\n1,y\n", "GIF8,x\n1,y\n"] {
+            assert!(
+                messages(text.as_bytes()).iter().all(|message| message.contains("not a number")),
+                "{text}"
+            );
+        }
     }
 }

@@ -221,9 +221,9 @@ impl ColumnPlace {
     pub(crate) fn error(&self, file: &str, line: u64, cell: &[u8], problem: InputErrorKind) -> InputError {
         let place = Place {
             line: Some(line),
-            row: None,
             column: Some((self.position, self.name.clone())),
             text: Some(String::from_utf8_lossy(cell).into_owned()),
+            ..Place::default()
         };
         InputError::new(file, place, problem)
     }

@@ -34,7 +34,10 @@ mod start;
 mod table;
 pub mod threads;
 mod units;
+mod unpack;
 mod utf16;
+#[cfg(feature = "spreadsheets")]
+mod workbook;
 
 pub use columns::{ColumnSelector, Header};
 pub use dialect::{AskedDialect, BLANKS, CommentMark, Dialect, Encoding, Missing};

@@ -12,18 +12,24 @@ pub struct SizeLimits {
     pub rows: usize,
     /// Elements that one array of a `.mat` file may have.
     pub elements: usize,
+    /// Bytes that a compressed file may unpack to.
+    pub unpacked: u64,
+    /// Bytes that a workbook may have, unpack to, and have as the text of one sheet.
+    pub workbook: u64,
     /// How deep arrays and objects of a JSON file may be nested.
     pub nesting: usize,
 }
 
 impl Default for SizeLimits {
-    /// 16,777,216 bytes, 100,000 columns, 10,000,000 rows, 100,000,000 elements, 64 levels.
+    /// 16,777,216 bytes, 100,000 columns, 10,000,000 rows, 100,000,000 elements, 68,719,476,736 and 1,073,741,824 bytes, 64 levels.
     fn default() -> Self {
         SizeLimits {
             line: LONGEST_LINE,
             columns: 100_000,
             rows: 10_000_000,
             elements: 100_000_000,
+            unpacked: 1 << 36,
+            workbook: 1 << 30,
             nesting: 64,
         }
     }

@@ -1,5 +1,7 @@
 //! Which reader reads an input: the only place where formats are told apart.
 
+#[cfg(feature = "arrow")]
+use crate::arrow::scan_arrow;
 use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
 use crate::mat::scan_mat;
@@ -7,8 +9,8 @@ use crate::scan::{Batch, ScanOptions, Scanned, scan_text};
 use crate::selection::RowNumbers;
 use crate::source::{Content, Source};
 use crate::table::{Table, TableOptions, TableRow};
-#[cfg(feature = "arrow")]
-use crate::{arrow::scan_arrow, binary::BinaryFormat};
+#[cfg(feature = "spreadsheets")]
+use crate::workbook::scan_workbook;
 
 /// Reads the columns asked for and hands their rows out in batches: of comma-, semicolon- or tab-separated text, with or
 /// without a header, quotes, a byte order mark, CRLF or blank lines, which are not rows; of MATLAB files, whose numbers
@@ -43,28 +45,58 @@ pub fn scan<T: Send>(
     work: impl Fn(Batch) -> T + Sync,
     mut take: impl FnMut(T),
 ) -> Result<Scanned, InputError> {
-    let (name, content) = source.into_content();
+    let (name, content, packed) = source.into_parts();
+    if let Some(packed) = &packed {
+        packed.set_limit(options.table.sizes.unpacked);
+    }
+    let hash = options.hash && packed.is_none();
+    let inner = ScanOptions { hash, ..options.clone() };
     let mut wanted = Wanted::default();
     let work = |batch: Batch| (wanted_rows(&batch, options.list_rows), work(batch));
     let take = |(rows, made): (Wanted, T)| {
         wanted.append(rows);
         take(made);
     };
-    let scanned = match content {
-        Content::Bytes(bytes) => scan_text(&name, bytes, columns, options, work, take),
-        #[cfg(feature = "arrow")]
-        Content::Binary(format, file) if format != BinaryFormat::Matlab => {
-            scan_arrow(&name, format, file, columns, options, work, take)
-        }
-        Content::Binary(_, file) => scan_mat(&name, Box::new(file), columns, options, work, take),
-    }?;
+    let scanned = scan_content(&name, content, columns, &inner, work, take)?;
     if wanted.count == 0 {
         let conditions =
             options.table.conditions.iter().map(|condition| condition.text().to_owned()).collect();
         let problem = InputErrorKind::NoRowWanted { total: scanned.rows_total, conditions };
         return Err(InputError::of_file(&name, problem));
     }
-    Ok(Scanned { ranges: wanted.rows.ranges().collect(), ..scanned })
+    let scanned = Scanned { ranges: wanted.rows.ranges().collect(), ..scanned };
+    Ok(match packed {
+        Some(packed) => {
+            Scanned { layout: None, sha256: options.hash.then(|| packed.sha256()), ..scanned }
+        }
+        None => scanned,
+    })
+}
+
+/// Hands the rows out by the reader of the format.
+fn scan_content<T: Send>(
+    name: &str,
+    content: Content,
+    columns: &[ColumnSelector],
+    options: &ScanOptions,
+    work: impl Fn(Batch) -> T + Sync,
+    take: impl FnMut(T),
+) -> Result<Scanned, InputError> {
+    #[cfg(feature = "spreadsheets")]
+    let has_sheets = matches!(content, Content::Archive(_));
+    #[cfg(not(feature = "spreadsheets"))]
+    let has_sheets = false;
+    if options.table.sheet.is_some() && !has_sheets {
+        return Err(InputError::of_file(name, InputErrorKind::NoSheets));
+    }
+    match content {
+        Content::Matlab(file) => scan_mat(name, file, columns, options, work, take),
+        #[cfg(feature = "arrow")]
+        Content::Columns(format, file) => scan_arrow(name, format, file, columns, options, work, take),
+        #[cfg(feature = "spreadsheets")]
+        Content::Archive(bytes) => scan_workbook(name, bytes, columns, options, work, take),
+        Content::Bytes(bytes) => scan_text(name, bytes, columns, options, work, take),
+    }
 }
 
 /// The wanted rows of a batch, or of all so far.

@@ -1,31 +1,67 @@
 //! Files and standard input, opened once and looked into: the only place that opens anything.
 
 use std::fs::File;
-use std::io::{self, Read, Seek};
+#[cfg(feature = "arrow")]
+use std::io::Seek;
+use std::io::{self, Cursor, Read};
 
 use crate::binary::{self, BinaryFormat};
 use crate::error::{InputError, InputErrorKind, STANDARD_INPUT};
+use crate::reduction::record::REDUCTION_MARK;
+use crate::unpack::Packed;
 
 /// An input that has been opened.
 pub struct Source {
     name: String,
     content: Content,
+    /// Of a compressed input, whose content is what it unpacks to.
+    packed: Option<Packed>,
     /// How many bytes there are, where that is known.
     length: Option<u64>,
     is_file: bool,
+    is_reduction: bool,
 }
 
 /// What an input holds, as its first bytes tell.
 pub(crate) enum Content {
     /// Text, or what will be refused as such.
     Bytes(Box<dyn Read>),
-    /// A binary table that this build can read.
-    Binary(BinaryFormat, File),
+    /// A MATLAB file.
+    Matlab(Box<dyn Read>),
+    /// A zip archive, which may be a workbook.
+    #[cfg(feature = "spreadsheets")]
+    Archive(Box<dyn Read>),
+    /// Parquet or Arrow.
+    #[cfg(feature = "arrow")]
+    Columns(BinaryFormat, File),
+}
+
+impl Content {
+    /// What begins like this and goes on with these bytes, its beginning among them.
+    fn of(start: &[u8], bytes: Box<dyn Read>) -> Self {
+        match BinaryFormat::of(start) {
+            Some(BinaryFormat::Matlab) => Content::Matlab(bytes),
+            #[cfg(feature = "spreadsheets")]
+            Some(BinaryFormat::Archive) => Content::Archive(bytes),
+            _ => Content::Bytes(bytes),
+        }
+    }
+
+    /// The bytes, whatever they are.
+    fn into_bytes(self) -> Box<dyn Read> {
+        match self {
+            Content::Bytes(bytes) | Content::Matlab(bytes) => bytes,
+            #[cfg(feature = "spreadsheets")]
+            Content::Archive(bytes) => bytes,
+            #[cfg(feature = "arrow")]
+            Content::Columns(_, file) => Box::new(file),
+        }
+    }
 }
 
 impl Source {
     /// Opens a file, or standard input for `-`. Of a file that grows while it is read, what was there when it was opened
-    /// is seen.
+    /// is seen. What is compressed by gzip or Zstandard is unpacked as it is read.
     ///
     /// # Errors
     /// When the file cannot be opened or is a directory.
@@ -34,31 +70,59 @@ impl Source {
             return Ok(Source::new(STANDARD_INPUT, io::stdin()));
         }
         let fail = |error: io::Error| InputError::of_file(path, error);
-        let mut file = File::open(path).map_err(fail)?;
+        let file = File::open(path).map_err(fail)?;
         let metadata = file.metadata().map_err(fail)?;
         if metadata.is_dir() {
             return Err(InputError::of_file(path, InputErrorKind::IsDirectory));
         }
-        let format = if metadata.is_file() { format_of(&mut file).map_err(fail)? } else { None };
+        let is_file = metadata.is_file();
         // Pipes, devices and the files of /proc state no length.
-        let length = (metadata.is_file() && metadata.len() > 0).then_some(metadata.len());
-        let content = match format {
-            Some(format) => Content::Binary(format, file),
-            None => Content::Bytes(match length {
-                Some(length) => Box::new(file.take(length)),
-                None => Box::new(file),
-            }),
+        let length = (is_file && metadata.len() > 0).then_some(metadata.len());
+        #[cfg(feature = "arrow")]
+        if is_file {
+            let mut file = file.try_clone().map_err(fail)?;
+            if let Some(format) = columns_of(&mut file).map_err(fail)? {
+                let content = Content::Columns(format, file);
+                let name = path.to_owned();
+                return Ok(Source { name, content, packed: None, length, is_file, is_reduction: false });
+            }
+        }
+        let source = match length {
+            Some(length) => Source::new(path, file.take(length)),
+            None => Source::new(path, file),
         };
-        Ok(Source { name: path.to_owned(), content, length, is_file: metadata.is_file() })
+        // How much a compressed file unpacks to is not known.
+        let length = length.filter(|_| source.packed.is_none());
+        Ok(Source { length, is_file, ..source })
     }
 
-    /// A stream of bytes with a name for messages.
+    /// A stream of bytes with a name for messages. What is compressed by gzip or Zstandard is unpacked as it is read.
     pub fn new(name: impl Into<String>, bytes: impl Read + 'static) -> Self {
-        Source::with_content(name.into(), Content::Bytes(Box::new(bytes)))
+        let (start, bytes) = peeked(Box::new(bytes));
+        let (packed, start, bytes) = match Packed::unpacked(&start, bytes) {
+            Err(bytes) => (None, start, bytes),
+            Ok((packed, unpacked)) => {
+                let (start, unpacked) = peeked(unpacked);
+                (Some(packed), start, unpacked)
+            }
+        };
+        let is_reduction = start.starts_with(REDUCTION_MARK.as_bytes());
+        let content = Content::of(&start, bytes);
+        Source { name: name.into(), content, packed, length: None, is_file: false, is_reduction }
     }
 
-    pub(crate) fn with_content(name: String, content: Content) -> Self {
-        Source { name, content, length: None, is_file: false }
+    /// This source with something done to its bytes if they are text.
+    pub(crate) fn with_text<T: Default>(
+        self,
+        change: impl FnOnce(&str, Box<dyn Read>) -> Result<(Box<dyn Read>, T), InputError>,
+    ) -> Result<(Self, T), InputError> {
+        match self.content {
+            Content::Bytes(bytes) => {
+                let (bytes, found) = change(&self.name, bytes)?;
+                Ok((Source { content: Content::Bytes(bytes), ..self }, found))
+            }
+            content => Ok((Source { content, ..self }, T::default())),
+        }
     }
 
     /// This source, cut off after so many bytes of text.
@@ -85,30 +149,50 @@ impl Source {
         self.is_file.then_some(&self.name)
     }
 
+    /// Whether this is a reduction, or several of them: see [`open_reduction`](crate::open_reduction).
+    pub fn is_reduction(&self) -> bool {
+        self.is_reduction
+    }
+
     /// Whether the numbers in this file are stored in binary, exactly, so that no reading of text applies: in a MATLAB
     /// file. What is reported of them is the binary64 reading.
     pub fn is_stored(&self) -> bool {
-        matches!(self.content, Content::Binary(BinaryFormat::Matlab, _))
+        matches!(self.content, Content::Matlab(_))
     }
 
-    pub(crate) fn into_content(self) -> (String, Content) {
-        (self.name, self.content)
+    /// The name, what is in it, and what is known of it if it is compressed.
+    pub(crate) fn into_parts(self) -> (String, Content, Option<Packed>) {
+        (self.name, self.content, self.packed)
     }
 
-    /// The name and the bytes, whatever they are.
-    pub(crate) fn into_bytes(self) -> (String, Box<dyn Read>) {
-        let bytes = match self.content {
-            Content::Bytes(bytes) => bytes,
-            Content::Binary(_, file) => Box::new(file),
-        };
-        (self.name, bytes)
+    /// The name and the bytes, whatever they are, and what is known of them if they were compressed.
+    pub(crate) fn into_bytes(self) -> (String, Box<dyn Read>, Option<Packed>) {
+        (self.name, self.content.into_bytes(), self.packed)
     }
 }
 
-/// The format of a binary table that this build can read. The file is left at its start.
-fn format_of(file: &mut File) -> io::Result<Option<BinaryFormat>> {
+/// The first bytes of a stream, and the whole stream. An error that comes before them is kept for who reads on.
+fn peeked(mut bytes: Box<dyn Read>) -> (Vec<u8>, Box<dyn Read>) {
+    let mut start = Vec::new();
+    let failure = bytes.by_ref().take(binary::START).read_to_end(&mut start).err();
+    let rest = Failing(failure).chain(bytes);
+    (start.clone(), Box::new(Cursor::new(start).chain(rest)))
+}
+
+/// A reader that fails once, if at all, and then is at its end.
+struct Failing(Option<io::Error>);
+
+impl Read for Failing {
+    fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
+        self.0.take().map_or(Ok(0), Err)
+    }
+}
+
+/// The format of a table in columns that is read out of its order. The file is left at its start.
+#[cfg(feature = "arrow")]
+fn columns_of(file: &mut File) -> io::Result<Option<BinaryFormat>> {
     let mut start = Vec::new();
     file.by_ref().take(binary::START).read_to_end(&mut start)?;
     file.rewind()?;
-    Ok(BinaryFormat::of(&start).filter(|format| format.is_readable()))
+    Ok(BinaryFormat::of(&start).filter(|format| format.is_columns()))
 }

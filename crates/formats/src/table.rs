@@ -36,6 +36,8 @@ impl TextLayout {
 pub struct TableOptions {
     /// Whether there is a header.
     pub header: Header,
+    /// The sheet of a workbook, by its name or its number from 1; the first one when `None`.
+    pub sheet: Option<String>,
     /// How a text is written.
     pub dialect: AskedDialect,
     /// What becomes of rows that lack a number.

@@ -425,14 +425,98 @@ fn damaged_files_are_errors() {
 }
 
 #[test]
-fn standard_input_asks_for_a_file() {
+fn standard_input_is_read_like_a_file() {
     let bytes = fs::read(root().join("fixtures/mat/transducer-v6.mat")).unwrap();
-    for command in ["fit", "check"] {
-        let run = run_with_input(&[command, "-", "--x", "Vz", "--y", "z", "--eps", "1"], &bytes);
-        assert_eq!((run.status, run.stdout.as_str()), (1, ""));
-        let words = "this is a MATLAB file; it is read from a named file, not from standard input";
-        assert!(run.stderr.contains(words), "{}", run.stderr);
+    let fit = |file| run_with_input(&["fit", file, "--x", "Vz", "--y", "z", "--eps", "1"], &bytes);
+    let of_file = fit("fixtures/mat/transducer-v6.mat").stdout;
+    let run = fit("-");
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+    assert_eq!(run.stdout.replace("standard input", "fixtures/mat/transducer-v6.mat"), of_file);
+}
+
+/// One struct with these fields; a field without bytes is empty.
+fn structure(name: &str, fields: &[(&str, Vec<u8>)], is_big: bool) -> Vec<u8> {
+    let words = |words: &[u32]| words.iter().flat_map(|&word| number(word, is_big)).collect::<Vec<u8>>();
+    let mut names = Vec::new();
+    for (field, _) in fields {
+        names.extend(field.as_bytes());
+        names.resize(names.len().next_multiple_of(8), 0);
     }
+    let mut parts = [
+        element(6, &words(&[2, 0]), is_big),
+        element(5, &words(&[1, 1]), is_big),
+        element(1, name.as_bytes(), is_big),
+        element(5, &words(&[8]), is_big),
+        element(1, &names, is_big),
+    ]
+    .concat();
+    for (_, content) in fields {
+        parts.extend(if content.is_empty() { element(14, &[], is_big) } else { content.clone() });
+    }
+    element(14, &parts, is_big)
+}
+
+#[test]
+fn fields_of_structs_are_columns() {
+    let options = TableOptions::default();
+    for is_big in [false, true] {
+        let field = |rows, columns, numbers: &[f64]| matrix(&doubles("", rows, columns, numbers), is_big);
+        let inner = structure("", &[("deep", field(1, 2, &[7.0, 8.0]))], is_big);
+        let measured = structure(
+            "meas",
+            &[
+                ("speed", field(2, 1, &[1.5, -2.0])),
+                ("none", Vec::new()),
+                ("inner", inner),
+                ("M", field(2, 2, &[1.0, 2.0, 3.0, 4.0])),
+                ("dist", field(2, 1, &[0.1, 0.2])),
+            ],
+            is_big,
+        );
+        let other = matrix(&doubles("x", 2, 1, &[5.0, 6.0]), is_big);
+        for packed in [false, true] {
+            let pack = |bytes: &[u8]| {
+                let content = deflated(bytes);
+                [number(15, is_big), number(content.len() as u32, is_big), content].concat()
+            };
+            let parts = [&measured, &other].map(|bytes| if packed { pack(bytes) } else { bytes.clone() });
+            let bytes = [header(is_big), parts.concat()].concat();
+            for (name, numbers) in [
+                ("meas.speed", [1.5, -2.0]),
+                ("meas.dist", [0.1, 0.2]),
+                ("meas.inner.deep", [7.0, 8.0]),
+                ("meas.M(:,2)", [3.0, 4.0]),
+                ("x", [5.0, 6.0]),
+            ] {
+                assert_eq!(both(&bytes, &[name], &options), Ok(exact(&numbers)), "{name}");
+            }
+            let all =
+                "\"meas.speed\", \"meas.inner.deep\", \"meas.M(:,1) to meas.M(:,2)\", \"meas.dist\", \"x\"";
+            assert_eq!(
+                message(&bytes, &["speed"]),
+                format!("there is no column \"speed\" (expected one of {all})")
+            );
+            let fields = "the variable \"meas\" is a struct with the fields speed, none, inner, M, dist";
+            assert!(message(&bytes, &["meas"]).starts_with(fields), "{}", message(&bytes, &["meas"]));
+            for cut in [200, 300, bytes.len() - 1] {
+                let cut = message(&bytes[..cut.min(bytes.len() - 1)], &["meas.dist"]);
+                assert!(cut.starts_with("cannot read a MATLAB file: "), "{cut}");
+            }
+        }
+    }
+    // Nothing but what has no columns is named as what it is.
+    let only = [header(false), structure("s", &[("none", Vec::new())], false)].concat();
+    assert!(message(&only, &["speed"]).starts_with("the variable \"s\" is a struct with the field none"));
+    let mut deep = matrix(&doubles("", 1, 1, &[1.0]), false);
+    for _ in 0..100 {
+        deep = structure("", &[("a", deep)], false);
+    }
+    let deep = [header(false), structure("s", &[("a", deep)], false)].concat();
+    assert!(
+        message(&deep, &["x"]).contains("is a struct in a struct in a struct"),
+        "{}",
+        message(&deep, &["x"])
+    );
 }
 
 #[cfg(unix)]

@@ -278,6 +278,7 @@ impl TableArguments {
             header: self.header(),
             dialect: self.dialect(),
             missing: self.missing,
+            sheet: self.sheet.clone(),
             rows: rows.map(RowArguments::set).transpose()?.unwrap_or_default(),
             conditions: rows.map(|rows| rows.conditions(reading, &limits)).transpose()?.unwrap_or_default(),
             keep_others: false,
@@ -347,6 +348,8 @@ impl LimitArguments {
             columns: size(self.max_columns),
             rows: size(self.max_rows),
             elements: size(self.max_elements),
+            unpacked: self.max_unpacked,
+            workbook: self.max_workbook,
             nesting: usize::from(self.max_nesting),
         }
     }

@@ -155,6 +155,9 @@ pub(crate) struct TableArguments {
     #[arg(long, default_value = Missing::Refuse.name(), help_heading = TEXT,
           value_parser = named(Missing::ALL.map(|missing| (missing.name(), missing))))]
     pub(super) missing: Missing,
+    /// Sheet of an .xlsx or .ods workbook, by name or number; the first one when left out
+    #[arg(long, value_name = "NAME|N", value_parser = NonEmptyStringValueParser::new())]
+    pub(super) sheet: Option<String>,
     #[command(flatten)]
     pub(crate) limits: LimitArguments,
 }
@@ -193,6 +196,14 @@ pub(crate) struct LimitArguments {
     #[arg(long, value_name = "N", default_value_t = 100_000_000, value_parser = value_parser!(u64).range(1..=1 << 32),
           help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_elements: u64,
+    /// Bytes that a .gz or .zst file may unpack to
+    #[arg(long, value_name = "BYTES", default_value_t = 1 << 36, value_parser = value_parser!(u64).range(1..),
+          help_heading = LIMITS, hide_short_help = true)]
+    pub(super) max_unpacked: u64,
+    /// Bytes that an .xlsx or .ods workbook may have, packed or unpacked
+    #[arg(long, value_name = "BYTES", default_value_t = 1 << 30, value_parser = value_parser!(u64).range(1..=1 << 40),
+          help_heading = LIMITS, hide_short_help = true)]
+    pub(super) max_workbook: u64,
     /// Depth of arrays and objects in a JSON file
     #[arg(long, value_name = "N", default_value_t = 64, value_parser = value_parser!(u8).range(1..=120),
           help_heading = LIMITS, hide_short_help = true)]

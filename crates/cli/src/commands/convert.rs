@@ -121,9 +121,11 @@ fn comments(arguments: &ConvertArguments, reading: Reading, problem: &Problem) -
         }
         Model::TwoRegressors { regressors: [first, second] } => format!("theta1*{first} + theta2*{second}"),
     };
+    let is_reduction = problem.measurements.is_of_reductions();
+    let which = if is_reduction { "the rows that a reduction keeps" } else { "every row of them" };
     let mut comments = vec![
         format!("model: {y} = {line} + e, {bound}"),
-        format!("data: {}{rows}, every row of them", arguments.data.file_name()),
+        format!("data: {}{rows}, {which}", arguments.data.file_name()),
         format!("reading: {}; no number is rounded", reading.name()),
     ];
     comments.extend(measurements.multiple_of_least().map(|MultipleOfLeast { factor, least }| {

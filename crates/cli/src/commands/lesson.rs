@@ -1,6 +1,7 @@
 //! `boundfit lesson`.
 
 use boundfit_estimation::fit;
+use boundfit_formats::{InputError, ReductionError};
 use boundfit_lesson::{LessonError, LessonOptions, page};
 
 use crate::CommandResult;
@@ -18,6 +19,9 @@ pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
     let data = arguments.data.open();
     let reading = data.origin().reading;
     let problem = data.problem_with_others()?;
+    if problem.measurements.is_of_reductions() {
+        return Err(Failure::data(InputError::of_file(arguments.data.file_name(), ReductionError::NotHere)));
+    }
     let fit = fit(&problem);
     let [x_unit, y_unit] = arguments.labels.units(&problem.measurements);
     let options = LessonOptions {

@@ -6,7 +6,7 @@ mod fleet;
 mod reduce;
 mod scan;
 
-use boundfit_formats::{InputError, Source, TableOptions, TableRow, read_table};
+use boundfit_formats::{InputError, ScanOptions, Source, TableOptions, TableRow, read_table};
 
 pub use columns::{Columns, EpsilonColumn};
 pub use fleet::Fleet;
@@ -14,13 +14,18 @@ pub use reduce::{ReducedColumns, ReducedTable};
 
 use crate::measurements::{Measurement, Measurements, Origin, Readings};
 use crate::selection::Selection;
+use crate::summary::Keep;
 
 impl Measurements {
-    /// Reads the columns of a table.
+    /// Reads the columns of a table. Of a reduction they are the readings that were kept, with what is known of all.
     ///
     /// # Errors
     /// The first thing wrong with the file, a negative error bound included.
     pub fn read(source: Source, columns: &Columns, options: &TableOptions) -> Result<Self, InputError> {
+        if source.is_reduction() {
+            let options = ScanOptions { table: options.clone(), ..ScanOptions::default() };
+            return Measurements::scan(source, columns, &options, Keep::default());
+        }
         let file = source.name().to_owned();
         let table = read_table(source, &columns.selectors(), options)?;
         let mut meaning = columns.meaning(&table.names);

@@ -17,21 +17,22 @@ use crate::binary::BinaryFormat;
 use crate::columns::{ColumnPlace, ColumnSelector, Header, Heading};
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::hash::hexadecimal;
-use crate::scan::{Batch, ScanOptions, Scanned, readable_rows};
+use crate::scan::{Batch, ScanOptions, Scanned, csv_line, readable_rows};
 use crate::selection::{RowCondition, RowNumbers, between};
 use crate::table::check_rows;
 use crate::threads;
 
 use numbers::numbers;
 use open::{BATCH_ROWS, batches, column_names, guarded, plain, unreadable};
-use texts::{BadCell, keys};
+use texts::{BadCell, keys, lines};
 
 /// Reads a Parquet file or an Arrow IPC file or stream like [`scan`](crate::scan) reads text: the same numbers, rows and
 /// batches in order as from a CSV of the same table. The names of the columns are those of the schema.
 ///
 /// Integers and decimals are exact. A float stands, under [`Reading::Decimal`](boundfit_exact::Reading::Decimal), for the
 /// shortest decimal that reads back as the same float of its width, which is what a CSV of it shows (0.1 is 1/10); under
-/// [`Reading::Binary64`](boundfit_exact::Reading::Binary64) for itself. Text is read as numbers, dictionaries as their
+/// [`Reading::Binary64`](boundfit_exact::Reading::Binary64) for itself. With [`ScanOptions::keep_text`], the rows are written
+/// as CSV of the columns asked for, which reads back as the same numbers. Text is read as numbers, dictionaries as their
 /// values. Only cells of wanted rows and columns need be numbers.
 ///
 /// Cost: one pass over the wanted columns, and one over the bytes where they are hashed; memory for some batches per
@@ -49,9 +50,6 @@ pub(crate) fn scan_arrow<T: Send>(
     mut take: impl FnMut(T),
 ) -> Result<Scanned, InputError> {
     let fail = |problem: InputErrorKind| InputError::of_file(name, problem);
-    if options.keep_text {
-        return Err(fail(InputErrorKind::NoText { format: format.name() }));
-    }
     let bytes = file.metadata().map_err(|error| fail(error.into()))?.len();
     let sha256 = options.hash.then(|| sha256(&file)).transpose().map_err(|error| fail(error.into()))?;
     let names = guarded(format, || column_names(format, &file)).map_err(fail)?;
@@ -80,11 +78,12 @@ pub(crate) fn scan_arrow<T: Send>(
     }
     progress.at(bytes).map_err(fail)?;
     check_rows(name, rows_total, &options.table.rows)?;
+    let titles: Vec<String> = layout.places.iter().map(ColumnPlace::title).collect();
     Ok(Scanned {
-        names: layout.places.iter().map(ColumnPlace::title).collect(),
         header: names,
         key_name: layout.key.as_ref().map(ColumnPlace::title),
-        header_line: None,
+        header_line: options.keep_text.then(|| csv_line(&titles)),
+        names: titles,
         layout: None,
         units: vec![None; columns.len()],
         rows_total,
@@ -225,7 +224,13 @@ impl<'a> Layout<'a> {
             keys(&self.array(place, batch)?).map_err(|bad| self.error(place, Some(&rows), bad))
         };
         let keys = self.key.as_ref().map(key_column).transpose()?;
-        Ok(Batch { rows, columns, keys, lines: None, others: Vec::new() })
+        let lines = if self.options.keep_text {
+            let arrays = self.places.iter().map(|place| self.array(place, batch));
+            Some(lines(&arrays.collect::<Result<Vec<_>, _>>()?, self.options.table.reading))
+        } else {
+            None
+        };
+        Ok(Batch { rows, columns, keys, lines, others: Vec::new() })
     }
 
     /// The numbers of one column of a batch that has these rows.

@@ -29,7 +29,7 @@ pub(super) fn column_names(format: BinaryFormat, file: &File) -> Result<Vec<Stri
         }
         BinaryFormat::ArrowFile => FileReader::try_new(buffered(file)?, None).map_err(fail)?.schema(),
         BinaryFormat::ArrowStream => StreamReader::try_new(buffered(file)?, None).map_err(fail)?.schema(),
-        BinaryFormat::Matlab => return Ok(Vec::new()),
+        BinaryFormat::Matlab | BinaryFormat::Archive => return Ok(Vec::new()),
     };
     Ok(schema.fields().iter().map(|field| field.name().clone()).collect())
 }
@@ -69,7 +69,7 @@ pub(super) fn batches(
             let reader = StreamReader::try_new(buffered(file)?, Some(columns)).map_err(fail)?;
             Box::new(reader.map(move |batch| batch.map_err(fail)))
         }
-        BinaryFormat::Matlab => Box::new(std::iter::empty()),
+        BinaryFormat::Matlab | BinaryFormat::Archive => Box::new(std::iter::empty()),
     })
 }
 

@@ -7,9 +7,10 @@ use arrow_array::types::{
 };
 use arrow_array::{Array, ArrayRef};
 use arrow_schema::DataType;
+use boundfit_exact::Reading;
 
 use crate::error::InputErrorKind;
-use crate::scan::Pieces;
+use crate::scan::{Pieces, csv_line};
 
 /// What is wrong with a column, and with which of its cells.
 pub(super) struct BadCell {
@@ -54,6 +55,23 @@ pub(super) fn keys(array: &ArrayRef) -> Result<Pieces<String>, BadCell> {
         keys.push(key.trim_matches([' ', '\t']));
     }
     Ok(keys)
+}
+
+/// The rows of some columns of numbers as CSV that reads back as the same numbers in this reading.
+pub(super) fn lines(columns: &[ArrayRef], reading: Reading) -> Pieces<Vec<u8>> {
+    let cell = |array: &ArrayRef, row: usize| match array.data_type() {
+        // Its own shortest text may be nearer to another double.
+        DataType::Float32 if reading == Reading::Binary64 => {
+            f64::from(array.as_primitive::<Float32Type>().value(row)).to_string()
+        }
+        _ => text(array, row).unwrap_or_default(),
+    };
+    let mut lines = Pieces::<Vec<u8>>::default();
+    for row in 0..columns.first().map_or(0, |column| column.len()) {
+        let cells: Vec<String> = columns.iter().map(|column| cell(column, row)).collect();
+        lines.push(&csv_line(&cells));
+    }
+    lines
 }
 
 /// A cell that is not null as a CSV would show it; `None` for types that are neither text nor numbers.

@@ -30,9 +30,9 @@ impl Token<'_> {
     pub(super) fn error(&self, file: &str, problem: InputErrorKind) -> InputError {
         let place = Place {
             line: Some(self.line),
-            row: None,
             column: Some((self.column, None)),
             text: Some(self.text.to_owned()),
+            ..Place::default()
         };
         InputError::new(file, place, problem)
     }

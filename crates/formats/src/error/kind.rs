@@ -8,9 +8,13 @@ use thiserror::Error;
 
 use crate::reduction::record::ReductionError;
 use crate::selection::RowRange;
+use crate::unpack::UnpackError;
 
 use super::names::{advice, are_no_names};
 use super::quote::quote;
+
+/// As many names as a message lists.
+const MOST_NAMES: usize = 10;
 
 /// What is wrong with an input file.
 #[derive(Debug, Error)]
@@ -51,12 +55,6 @@ pub enum InputErrorKind {
         data_type: String,
         /// What the column is wanted for.
         expected: &'static str,
-    },
-    /// A binary table whose rows are wanted as text.
-    #[error("the rows of {format} have no text of their own")]
-    NoText {
-        /// The format, with its article.
-        format: &'static str,
     },
     /// A number of a binary table that is not finite.
     #[error("not a finite number")]
@@ -100,6 +98,32 @@ pub enum InputErrorKind {
         /// The most that are read.
         limit: usize,
     },
+    /// A compressed file that unpacks to more than the limit.
+    #[error("refused: it unpacks to more than {limit} bytes (the limit)")]
+    TooMuchUnpacked {
+        /// The most bytes.
+        limit: u64,
+    },
+    /// A workbook beyond the limit.
+    #[error("refused: the workbook has or unpacks to more than {limit} bytes (the limit)")]
+    WorkbookTooLarge {
+        /// The most bytes.
+        limit: u64,
+    },
+    /// A sheet that a workbook does not have.
+    #[error("there is no sheet {wanted:?}")]
+    UnknownSheet {
+        /// The sheet asked for.
+        wanted: String,
+        /// The sheets in their order.
+        available: Vec<String>,
+    },
+    /// A sheet of what has none.
+    #[error("'--sheet' is about workbooks (.xlsx, .ods), and this is none")]
+    NoSheets,
+    /// A date or a time where a number belongs.
+    #[error("a date or a time, not a number")]
+    Time,
     /// A directory was named.
     #[error("is a directory")]
     IsDirectory,
@@ -306,7 +330,11 @@ impl From<io::Error> for InputErrorKind {
         // A reduction is shown as a stream of bytes, whose errors are those of a stream.
         match error.downcast::<ReductionError>() {
             Ok(error) => InputErrorKind::Reduction(error),
-            Err(error) => InputErrorKind::Io(error),
+            Err(error) => match error.downcast::<UnpackError>() {
+                Ok(UnpackError::TooLong { limit }) => InputErrorKind::TooMuchUnpacked { limit },
+                Ok(UnpackError::Damaged { format, reason }) => InputErrorKind::Unreadable { format, reason },
+                Err(error) => InputErrorKind::Io(error),
+            },
         }
     }
 }
@@ -324,6 +352,8 @@ impl InputErrorKind {
             InputErrorKind::TooManyColumns { .. } => Some(Limit::Columns),
             InputErrorKind::TooManyRows { .. } => Some(Limit::Rows),
             InputErrorKind::TooManyElements { .. } => Some(Limit::Elements),
+            InputErrorKind::TooMuchUnpacked { .. } => Some(Limit::Unpacked),
+            InputErrorKind::WorkbookTooLarge { .. } => Some(Limit::Workbook),
             _ => None,
         }
     }
@@ -336,14 +366,24 @@ impl InputErrorKind {
             InputErrorKind::Utf16 | InputErrorKind::NotUtf8 { .. } => "text in UTF-8".to_owned(),
             InputErrorKind::UnknownColumn { available, .. } if are_no_names(available) => return None,
             InputErrorKind::UnknownColumn { available, numbers, .. } => {
-                const MOST: usize = 10;
-                let mut names: Vec<String> = available.iter().take(MOST).map(|name| quote(name)).collect();
-                if available.len() > MOST {
-                    names.push(format!("{} more", available.len() - MOST));
+                let mut names: Vec<String> =
+                    available.iter().take(MOST_NAMES).map(|name| quote(name)).collect();
+                if available.len() > MOST_NAMES {
+                    names.push(format!("{} more", available.len() - MOST_NAMES));
                 }
                 let names = (!names.is_empty()).then(|| format!("one of {}", names.join(", ")));
                 let number = numbers.map(|numbers| format!("a number from 1 to {numbers}"));
                 names.into_iter().chain(number).collect::<Vec<_>>().join(" or ")
+            }
+            InputErrorKind::UnknownSheet { available, .. } if available.is_empty() => {
+                "a workbook with sheets".to_owned()
+            }
+            InputErrorKind::UnknownSheet { available, .. } => {
+                let names: Vec<String> = available.iter().take(MOST_NAMES).map(|name| quote(name)).collect();
+                format!("one of {} or a number from 1 to {}", names.join(", "), available.len())
+            }
+            InputErrorKind::Time => {
+                "a number: give the cells the format of one, or add a column of seconds or days".to_owned()
             }
             InputErrorKind::AmbiguousColumn { .. } => {
                 "a name that occurs once, or the column's number".to_owned()
@@ -361,7 +401,6 @@ impl InputErrorKind {
             }
             InputErrorKind::DifferentLengths { .. } => "columns of one length".to_owned(),
             InputErrorKind::ColumnType { expected, .. } => (*expected).to_owned(),
-            InputErrorKind::NoText { .. } => "a text table; CSV can be made from it".to_owned(),
             InputErrorKind::NotANumber(error) if error.kind.is_limit() => return None,
             InputErrorKind::NotANumber(ParseNumberError { kind: ParseNumberErrorKind::Comma, .. }) => {
                 "1.5; with --decimal comma 1,5 is read, with --thousands ',' 60,323 as 60323".to_owned()

@@ -17,6 +17,8 @@ pub(crate) const STANDARD_INPUT: &str = "standard input";
 /// Where in a file something is wrong. The parts that make no sense for a problem are `None`.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Place {
+    /// The sheet of a workbook, whose rows are then the lines.
+    pub sheet: Option<String>,
     /// Line of the file, from 1.
     pub line: Option<u64>,
     /// Number of the data row, from 1, in a file without lines.
@@ -63,6 +65,22 @@ impl InputError {
         }
     }
 
+    /// This error about the text of a sheet, as one about the sheet.
+    #[cfg(feature = "spreadsheets")]
+    pub(crate) fn in_sheet(mut self, sheet: &str) -> Self {
+        self.place.sheet = Some(sheet.to_owned());
+        let is_time = |text: &String| {
+            let digits = text.bytes().take_while(u8::is_ascii_digit).count();
+            let rest = text.get(digits..).unwrap_or_default();
+            (digits == 4 && rest.starts_with('-')) || (digits > 0 && rest.starts_with(':'))
+        };
+        if matches!(self.kind, InputErrorKind::NotANumber(_)) && self.place.text.as_ref().is_some_and(is_time)
+        {
+            self.kind = InputErrorKind::Time;
+        }
+        self
+    }
+
     /// The error for something wrong at a place of a file.
     pub(crate) fn new(file: &str, place: Place, kind: impl Into<InputErrorKind>) -> Self {
         InputError { file: file.to_owned(), place: Box::new(place), kind: kind.into() }
@@ -95,6 +113,9 @@ impl fmt::Display for RaisedBy<'_> {
 
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(sheet) = &self.sheet {
+            return self.write_in_sheet(sheet, f);
+        }
         if let Some(line) = self.line {
             write!(f, ": line {line}")?;
         }
@@ -112,5 +133,51 @@ impl fmt::Display for Place {
             write!(f, ": {}", quote(text))?;
         }
         Ok(())
+    }
+}
+
+impl Place {
+    /// The place as spreadsheets name it: `Sheet1!B7 (x)`.
+    fn write_in_sheet(&self, sheet: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (&self.column, self.line) {
+            (Some((column, name)), line) => {
+                let row = line.map(|line| line.to_string()).unwrap_or_default();
+                write!(f, ": {sheet}!{}{row}", letters(*column))?;
+                if let Some(name) = name {
+                    write!(f, " ({name})")?;
+                }
+            }
+            (None, Some(line)) => write!(f, ": {sheet}, row {line}")?,
+            (None, None) => write!(f, ": {sheet}")?,
+        }
+        match &self.text {
+            Some(text) => write!(f, ": {}", quote(text)),
+            None => Ok(()),
+        }
+    }
+}
+
+/// The letters of a column, counted from 1: A to Z, AA, AB and so on.
+fn letters(column: usize) -> String {
+    let mut letters = Vec::new();
+    let mut rest = column;
+    while rest > 0 {
+        letters.push(char::from(b'A' + ((rest - 1) % 26) as u8));
+        rest = (rest - 1) / 26;
+    }
+    letters.iter().rev().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::letters;
+
+    #[test]
+    fn columns_have_the_letters_of_spreadsheets() {
+        for (column, expected) in
+            [(1, "A"), (26, "Z"), (27, "AA"), (52, "AZ"), (702, "ZZ"), (703, "AAA"), (16_384, "XFD")]
+        {
+            assert_eq!(letters(column), expected);
+        }
     }
 }

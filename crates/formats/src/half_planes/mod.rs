@@ -13,6 +13,7 @@ use crate::error::{InputError, InputErrorKind};
 use crate::open::read_table;
 use crate::source::Source;
 use crate::table::TableOptions;
+use crate::unpack::Packed;
 
 pub use file::{GeneratorRows, HalfPlaneFile, RowOrigin};
 
@@ -47,14 +48,19 @@ impl HalfPlaneFormat {
 /// The first thing wrong, with its place.
 pub fn read_half_planes(source: Source, options: &TableOptions) -> Result<HalfPlaneFile, InputError> {
     let format = HalfPlaneFormat::of_name(source.name());
-    let (name, bytes) = source.into_bytes();
+    let (name, bytes, packed) = source.into_bytes();
+    if let Some(packed) = &packed {
+        packed.set_limit(options.sizes.unpacked);
+    }
     let mut reader = ChunkReader::new(bytes, CHUNK_BYTES, options.sizes.line, true);
     let content = reader.read_to_end(&name)?;
     let has_begin =
         || content.split(|&byte| byte == b'\n').any(|line| line.trim_ascii().starts_with(b"begin"));
     let is_ine = format.map_or_else(has_begin, |format| format == HalfPlaneFormat::Ine);
+    let of_text = || reader.sha256().unwrap_or_default();
+    let sha256 = packed.as_ref().map_or_else(of_text, Packed::sha256);
     if is_ine {
-        return parse_cdd(&name, &content, reader.sha256().unwrap_or_default(), options);
+        return parse_cdd(&name, &content, sha256, options);
     }
     let columns = [("a1", 1), ("a2", 2), ("b", 3)].map(|(name, at)| ColumnSelector::name_at(name, at));
     let table = read_table(Source::new(name.clone(), Cursor::new(content)), &columns, options)?;
@@ -71,7 +77,7 @@ pub fn read_half_planes(source: Source, options: &TableOptions) -> Result<HalfPl
         system: inequalities.collect(),
         origins: table.rows.iter().map(|row| RowOrigin { row: row.row, reversed: false }).collect(),
         rows: table.rows_total,
-        sha256: table.sha256,
+        sha256,
         generators: None,
     })
 }

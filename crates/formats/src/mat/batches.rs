@@ -10,7 +10,7 @@ use super::numbers::BadNumber;
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::roles::Role;
-use crate::scan::{Batch, Pieces, ScanOptions, Scanned, readable_rows};
+use crate::scan::{Batch, Pieces, ScanOptions, Scanned, csv_line, readable_rows};
 use crate::selection::{RowCondition, RowNumbers, between};
 use crate::table::check_rows;
 use crate::threads;
@@ -182,11 +182,4 @@ impl Rows<'_> {
     }
 }
 
-/// Cells, none of them empty, as a line of CSV, without its end.
-fn csv_line(cells: &[String]) -> Vec<u8> {
-    let quoted = |cell: &String| match cell.contains([',', '"', '\r', '\n']) {
-        true => format!("\"{}\"", cell.replace('"', "\"\"")),
-        false => cell.clone(),
-    };
-    cells.iter().map(quoted).collect::<Vec<_>>().join(",").into_bytes()
 }

@@ -9,7 +9,7 @@ use super::elements::{COMPRESSED, Damage, Elements, MATRIX};
 use super::file::MatFile;
 use super::kind::{ByteOrder, MatKind, START, byte_order, kind_of};
 use super::numbers::Numbers;
-use super::variable::{Content, Variable};
+use super::variable::{Content, Variable, fields};
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::InputErrorKind;
 use crate::limits::SizeLimits;
@@ -45,6 +45,8 @@ struct Found {
     numbers: Option<Arc<Numbers>>,
     /// How many columns there are before it.
     before: u64,
+    /// The names of the fields of a struct.
+    fields: Vec<String>,
 }
 
 impl Found {
@@ -52,13 +54,23 @@ impl Found {
         (self.before + 1..=self.before + self.variable.content.columns()).contains(&number)
     }
 
+    /// What is no matrix of numbers, with its article.
+    fn what(&self) -> String {
+        match &self.variable.content {
+            Content::Other(what) => what.clone(),
+            _ => match &self.fields[..] {
+                [] => "a struct without fields".to_owned(),
+                [field] => format!("a struct with the field {field}"),
+                fields => format!("a struct with the fields {}", fields.join(", ")),
+            },
+        }
+    }
+
     /// Rows and columns of a matrix of numbers.
     fn size(&self) -> Result<(u64, u64), InputErrorKind> {
         match &self.variable.content {
             &Content::Numbers { rows, columns } => Ok((rows, columns)),
-            Content::Other(what) => {
-                Err(InputErrorKind::NoNumbers { variable: self.variable.name.clone(), what: what.clone() })
-            }
+            _ => Err(InputErrorKind::NoNumbers { variable: self.variable.name.clone(), what: self.what() }),
         }
     }
 }
@@ -104,25 +116,16 @@ impl MatColumns {
         let mut file = MatFile::new(file, hash, progress);
         let order = header(&mut file)?;
         let wanted: Vec<Wanted> = selectors.iter().map(|selector| Wanted::new(selector)).collect();
-        let mut all: Vec<Found> = Vec::new();
-        let mut before = 0;
+        let mut search = Search { wanted: &wanted, sizes, all: Vec::new(), before: 0 };
         loop {
             file.go_on()?;
             let start = file.position();
-            let found = next(&mut file, order, &wanted, before, sizes);
-            let Some(found) = found.map_err(|damage| unreadable(start, damage))? else { break };
-            // Only one of several variables of a name is held.
-            let is_other =
-                |other: &Found| other.numbers.is_some() && other.variable.name == found.variable.name;
-            if found.numbers.is_some()
-                && wanted.iter().any(|wanted| wanted.is_named(&found.variable))
-                && all.iter().any(is_other)
-            {
-                return Err(InputErrorKind::AmbiguousColumn { wanted: found.variable.name });
+            let found = search.next(&mut file, order);
+            if !found.map_err(|damage| unreadable(start, damage))? {
+                break;
             }
-            before = before.saturating_add(found.variable.content.columns());
-            all.push(found);
         }
+        let all = search.all;
         let columns = wanted.iter().map(|wanted| resolve(wanted, &all)).collect::<Result<Vec<_>, _>>()?;
         let rows = common_length(&columns)?;
         Ok(MatColumns { columns, rows, sha256: file.sha256(), bytes: file.position() })
@@ -150,71 +153,140 @@ fn header(file: &mut MatFile) -> Result<ByteOrder, InputErrorKind> {
     }
 }
 
-/// Reads the next variable; `None` at the end of the file.
-fn next(
-    file: &mut MatFile,
-    order: ByteOrder,
-    wanted: &[Wanted],
+/// A file on its way: what is looked for, and what was found.
+struct Search<'a> {
+    wanted: &'a [Wanted<'a>],
+    sizes: &'a SizeLimits,
+    all: Vec<Found>,
+    /// How many columns there are so far.
     before: u64,
-    sizes: &SizeLimits,
-) -> Result<Option<Found>, Damage> {
-    let Some(tag) = Elements::new(file.by_ref(), order).tag()? else { return Ok(None) };
-    let mut body = file.by_ref().take(tag.bytes);
-    let found = match tag.kind {
-        MATRIX => matrix(&mut body, order, wanted, before, sizes)?,
-        COMPRESSED => {
-            let mut inflated = ZlibDecoder::new(&mut body);
-            let inner = Elements::new(inflated.by_ref(), order).some_tag()?;
-            if inner.kind != MATRIX {
-                return Err(Damage::format(format!("the element type {} is inflated", inner.kind)));
-            }
-            let found = matrix(inflated.by_ref().take(inner.bytes), order, wanted, before, sizes)?;
-            // The end of what is inflated has a checksum.
-            if found.numbers.is_some() && inflated.read(&mut [0])? > 0 {
-                return Err(Damage::format("more is inflated than announced"));
-            }
-            found
-        }
-        other => return Err(Damage::format(format!("the element type {other} is not that of a variable"))),
-    };
-    io::copy(&mut body, &mut io::sink())?;
-    if body.limit() > 0 {
-        return Err(Damage::Io(io::ErrorKind::UnexpectedEof.into()));
-    }
-    Ok(Some(found))
 }
 
-/// Reads a variable, and its numbers if they may be wanted.
-fn matrix(
-    body: impl Read,
-    order: ByteOrder,
-    wanted: &[Wanted],
-    before: u64,
-    sizes: &SizeLimits,
-) -> Result<Found, Damage> {
-    let mut elements = Elements::new(body, order);
-    let variable = Variable::read(&mut elements)?;
-    let mut found = Found { variable, numbers: None, before };
-    let Content::Numbers { rows, columns } = found.variable.content else { return Ok(found) };
-    if found.variable.name.is_empty() {
-        found.variable.content = Content::Other("MATLAB's own".to_owned());
-        return Ok(found);
+impl Search<'_> {
+    /// Reads the next variable; `false` at the end of the file.
+    fn next(&mut self, file: &mut MatFile, order: ByteOrder) -> Result<bool, Damage> {
+        let Some(tag) = Elements::new(file.by_ref(), order).tag()? else { return Ok(false) };
+        let mut body = file.by_ref().take(tag.bytes);
+        match tag.kind {
+            MATRIX => {
+                self.matrix(&mut Elements::new(&mut body, order), "", self.sizes.nesting)?;
+            }
+            COMPRESSED => {
+                let mut inflated = ZlibDecoder::new(&mut body);
+                let inner = Elements::new(inflated.by_ref(), order).some_tag()?;
+                if inner.kind != MATRIX {
+                    return Err(Damage::format(format!("the element type {} is inflated", inner.kind)));
+                }
+                let content = &mut Elements::new(inflated.by_ref().take(inner.bytes), order);
+                let is_read = self.matrix(content, "", self.sizes.nesting)?;
+                // The end of what is inflated has a checksum.
+                if is_read && inflated.read(&mut [0])? > 0 {
+                    return Err(Damage::format("more is inflated than announced"));
+                }
+            }
+            other => {
+                return Err(Damage::format(format!("the element type {other} is not that of a variable")));
+            }
+        }
+        io::copy(&mut body, &mut io::sink())?;
+        if body.limit() > 0 {
+            return Err(Damage::Io(io::ErrorKind::UnexpectedEof.into()));
+        }
+        Ok(true)
     }
-    if !wanted.iter().any(|wanted| wanted.is_in(&found)) {
-        return Ok(found);
+
+    /// Reads a variable or a field of one, whose name begins like this, and its numbers if they may be wanted; gives
+    /// whether it was read to its end.
+    fn matrix<R: Read>(
+        &mut self,
+        elements: &mut Elements<R>,
+        prefix: &str,
+        nesting: usize,
+    ) -> Result<bool, Damage> {
+        let mut variable = Variable::read(elements)?;
+        variable.name.insert_str(0, prefix);
+        let mut found = Found { variable, numbers: None, before: self.before, fields: Vec::new() };
+        if found.variable.name.is_empty() {
+            found.variable.content = Content::Other("MATLAB's own".to_owned());
+        }
+        let (rows, columns) = match found.variable.content {
+            Content::Numbers { rows, columns } => (rows, columns),
+            Content::Struct => return self.fields(elements, found, nesting),
+            Content::Other(_) => {
+                self.all.push(found);
+                return Ok(false);
+            }
+        };
+        let is_wanted = self.wanted.iter().any(|wanted| wanted.is_in(&found));
+        if is_wanted {
+            self.refuse_second(&found)?;
+            // Both are below 2³¹.
+            let count = rows * columns;
+            let limit = self.sizes.elements;
+            if usize::try_from(count).map_or(true, |count| count > limit) {
+                let variable = found.variable.name;
+                return Err(Damage::Refused(InputErrorKind::TooManyElements {
+                    variable,
+                    elements: count,
+                    limit,
+                }));
+            }
+            found.numbers = Some(Arc::new(Numbers::read(elements, count)?));
+            // What is left of the variable is inflated for its checksum, and is at most padding.
+            if elements.tag()?.is_some() {
+                return Err(Damage::format(format!("{:?} goes on behind its numbers", found.variable.name)));
+            }
+        }
+        self.before = self.before.saturating_add(found.variable.content.columns());
+        self.all.push(found);
+        Ok(is_wanted)
     }
-    // Both are below 2³¹.
-    let count = rows * columns;
-    if usize::try_from(count).map_or(true, |count| count > sizes.elements) {
-        let (variable, limit) = (found.variable.name, sizes.elements);
-        return Err(Damage::Refused(InputErrorKind::TooManyElements { variable, elements: count, limit }));
+
+    /// Reads the fields of a struct as variables with its name, a point and theirs.
+    fn fields<R: Read>(
+        &mut self,
+        elements: &mut Elements<R>,
+        mut found: Found,
+        nesting: usize,
+    ) -> Result<bool, Damage> {
+        let Some(nesting) = nesting.checked_sub(1) else {
+            return Err(Damage::format(format!(
+                "{:?} is a struct in a struct in a struct ...",
+                found.variable.name
+            )));
+        };
+        found.fields = fields(elements)?;
+        let (name, names) = (found.variable.name.clone(), found.fields.clone());
+        self.all.push(found);
+        for field in names {
+            let tag = elements.some_tag()?;
+            if tag.kind != MATRIX {
+                return Err(Damage::format(format!(
+                    "the field {name}.{field} has the element type {}",
+                    tag.kind
+                )));
+            }
+            // MATLAB writes nothing for what is empty.
+            if tag.bytes == 0 {
+                continue;
+            }
+            let mut content = elements.within(tag);
+            self.matrix(&mut content, &format!("{name}.{field}"), nesting)?;
+            content.leave()?;
+        }
+        Ok(false)
     }
-    found.numbers = Some(Arc::new(Numbers::read(&mut elements, count)?));
-    // What is left of the variable is inflated for its checksum, and is at most padding.
-    if elements.tag()?.is_some() {
-        return Err(Damage::format(format!("{:?} goes on behind its numbers", found.variable.name)));
+
+    /// Refuses one more variable of a name that is wanted: only one of them is held.
+    fn refuse_second(&self, found: &Found) -> Result<(), Damage> {
+        let name = &found.variable.name;
+        let is_other = |other: &Found| other.numbers.is_some() && other.variable.name == *name;
+        if self.wanted.iter().any(|wanted| wanted.is_named(&found.variable)) && self.all.iter().any(is_other)
+        {
+            return Err(Damage::Refused(InputErrorKind::AmbiguousColumn { wanted: name.clone() }));
+        }
+        Ok(())
     }
-    Ok(found)
 }
 
 /// The column that is meant.
@@ -257,6 +329,10 @@ fn unknown(wanted: &Wanted, all: &[Found]) -> InputErrorKind {
         (variable, last) => Some(format!("{} to {}", variable.column_name(1), variable.column_name(last))),
     };
     let total = all.last().map_or(0, |last| last.before.saturating_add(last.variable.content.columns()));
+    // A file without any column has something else instead.
+    if let Some(found) = all.iter().find(|found| !found.variable.name.is_empty()).filter(|_| total == 0) {
+        return InputErrorKind::NoNumbers { variable: found.variable.name.clone(), what: found.what() };
+    }
     InputErrorKind::UnknownColumn {
         wanted: wanted.text.to_owned(),
         available: all.iter().filter_map(names).collect(),
@@ -302,7 +378,7 @@ fn unreadable(start: u64, damage: Damage) -> InputErrorKind {
             io::ErrorKind::InvalidData | io::ErrorKind::InvalidInput => {
                 format!("the variable at byte {start} cannot be inflated: {error}")
             }
-            _ => return InputErrorKind::Io(error),
+            _ => return error.into(),
         },
     };
     InputErrorKind::Unreadable { format: FORMAT, reason }

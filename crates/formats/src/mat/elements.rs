@@ -1,6 +1,6 @@
 //! Tagged elements: type, number of bytes, bytes.
 
-use std::io::{self, Read};
+use std::io::{self, Read, Take};
 
 use super::kind::ByteOrder;
 use crate::error::InputErrorKind;
@@ -83,6 +83,16 @@ impl<R: Read> Elements<R> {
         self.tag()?.ok_or_else(|| Damage::Io(io::ErrorKind::UnexpectedEof.into()))
     }
 
+    /// The elements within an element. Whoever reads them passes over them all with [`Self::leave`].
+    pub(super) fn within(&mut self, tag: Tag) -> Elements<Take<&mut dyn Read>>
+    where
+        R: Sized,
+    {
+        self.position += tag.bytes;
+        let inner: &mut dyn Read = &mut self.inner;
+        Elements::new(inner.take(tag.bytes), self.order)
+    }
+
     /// The bytes of an element that has few of them.
     pub(super) fn short(&mut self, tag: Tag, most: u64, what: &str) -> Result<Vec<u8>, Damage> {
         if tag.bytes > most {
@@ -142,6 +152,14 @@ impl<R: Read> Elements<R> {
             None if first.is_empty() => Ok(None),
             None => Err(Damage::Io(io::ErrorKind::UnexpectedEof.into())),
         }
+    }
+}
+
+impl Elements<Take<&mut dyn Read>> {
+    /// Passes over what has not been read of an element.
+    pub(super) fn leave(mut self) -> Result<(), Damage> {
+        io::copy(&mut self.inner, &mut io::sink())?;
+        if self.inner.limit() > 0 { Err(Damage::Io(io::ErrorKind::UnexpectedEof.into())) } else { Ok(()) }
     }
 }
 

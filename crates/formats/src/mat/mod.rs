@@ -18,3 +18,5 @@ mod numbers;
 mod variable;
 
 pub(crate) use batches::scan_mat;
+#[cfg(feature = "spreadsheets")]
+pub(crate) use numbers::double_text;

@@ -168,7 +168,7 @@ fn as_double(integer: i128) -> Option<f64> {
 }
 
 /// The shortest text that reads back as the same double, as MATLAB spells what is not finite.
-fn double_text(double: f64) -> String {
+pub(crate) fn double_text(double: f64) -> String {
     let usual = 1e-5..1e16;
     match double.abs() {
         size if size.is_nan() => "NaN".to_owned(),

@@ -12,6 +12,10 @@ const MOST_DIMENSIONS: u64 = 64;
 const INT8: u32 = 1;
 const INT32: u32 = 5;
 const UINT32: u32 = 6;
+/// The class of structs.
+const STRUCT: u32 = 2;
+/// More bytes than the names of all fields of a struct have.
+const LONGEST_FIELDS: u64 = 1 << 20;
 
 /// A variable of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -25,6 +29,8 @@ pub(super) struct Variable {
 pub(super) enum Content {
     /// A full matrix of real numbers, at least one, column after column.
     Numbers { rows: u64, columns: u64 },
+    /// One struct, whose fields follow.
+    Struct,
     /// Something else, with its article.
     Other(String),
 }
@@ -35,7 +41,7 @@ impl Content {
         match self {
             Content::Numbers { rows: 1, .. } => 1,
             Content::Numbers { columns, .. } => *columns,
-            Content::Other(_) => 0,
+            Content::Struct | Content::Other(_) => 0,
         }
     }
 
@@ -44,7 +50,7 @@ impl Content {
         match self {
             Content::Numbers { rows: 1, columns } => *columns,
             Content::Numbers { rows, .. } => *rows,
-            Content::Other(_) => 0,
+            Content::Struct | Content::Other(_) => 0,
         }
     }
 }
@@ -74,6 +80,13 @@ impl Variable {
         let name = part(elements, INT8, LONGEST_NAME, "the name of a variable")?;
         let name = String::from_utf8_lossy(&name).trim_end_matches('\0').to_owned();
         let content = match (name_of(class), &dimensions[..]) {
+            (Some(_), dimensions) if class == STRUCT => {
+                match dimensions.iter().map(|&size| u64::from(size)).product() {
+                    1 => Content::Struct,
+                    0 => Content::Other("an empty struct".to_owned()),
+                    elements => Content::Other(format!("an array of {elements} structs")),
+                }
+            }
             (Some(other), _) => Content::Other(other.to_owned()),
             (None, _) if flags & 0x800 != 0 => Content::Other("complex".to_owned()),
             (None, []) | (None, [_]) => return Err(Damage::format("a variable has no dimensions")),
@@ -83,6 +96,20 @@ impl Variable {
         };
         Ok(Variable { name, content })
     }
+}
+
+/// The names of the fields of a struct, which stand behind its own name.
+pub(super) fn fields<R: Read>(elements: &mut Elements<R>) -> Result<Vec<String>, Damage> {
+    let length = part(elements, INT32, 4, "the length of the names of fields")?;
+    let length = length.as_chunks().0.first().map(|&word| elements.number(word));
+    let length = length.and_then(|length| usize::try_from(length).ok()).filter(|length| *length > 0);
+    let length = length.ok_or_else(|| Damage::format("the names of fields have no length"))?;
+    let names = part(elements, INT8, LONGEST_FIELDS, "the names of fields")?;
+    let name = |name: &[u8]| {
+        let end = name.iter().position(|&byte| byte == 0).unwrap_or(name.len());
+        String::from_utf8_lossy(name.get(..end).unwrap_or_default()).into_owned()
+    };
+    Ok(names.chunks(length).map(name).collect())
 }
 
 /// A part of a known type.

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex};
 use crate::columns::Header;
 use crate::error::InputError;
 use crate::limits::SizeLimits;
-use crate::source::{Content, Source};
+use crate::source::Source;
 
 use super::record::{REDUCTION_MARK, ReductionError, ReductionRecord};
 
@@ -36,23 +36,21 @@ pub fn open_reduction(
     source: Source,
     sizes: &SizeLimits,
 ) -> Result<(Source, Option<Reductions>), InputError> {
-    let (name, mut bytes) = match source.into_content() {
-        (name, Content::Bytes(bytes)) => (name, bytes),
-        (name, binary) => return Ok((Source::with_content(name, binary), None)),
-    };
-    let mut start = Vec::new();
-    let mark = REDUCTION_MARK.len() as u64;
-    let fail = |error: io::Error| InputError::of_file(&name, error);
-    bytes.by_ref().take(mark).read_to_end(&mut start).map_err(fail)?;
-    let is_reduction = start == REDUCTION_MARK.as_bytes();
-    let bytes = Cursor::new(start).chain(bytes);
-    if !is_reduction {
-        return Ok((Source::new(name, bytes), None));
-    }
-    let mut reader = ReductionReader::new(bytes, sizes.line);
-    reader.next_line().map_err(fail)?;
-    let reductions = reader.reductions.clone();
-    Ok((Source::new(name, reader), Some(reductions)))
+    source.with_text(|name, mut bytes| {
+        let fail = |error: io::Error| InputError::of_file(name, error);
+        let mut start = Vec::new();
+        let mark = REDUCTION_MARK.len() as u64;
+        bytes.by_ref().take(mark).read_to_end(&mut start).map_err(fail)?;
+        let is_reduction = start == REDUCTION_MARK.as_bytes();
+        let bytes: Box<dyn Read> = Box::new(Cursor::new(start).chain(bytes));
+        if !is_reduction {
+            return Ok((bytes, None));
+        }
+        let mut reader = ReductionReader::new(bytes, sizes.line);
+        reader.next_line().map_err(fail)?;
+        let reductions = reader.reductions.clone();
+        Ok((Box::new(reader) as Box<dyn Read>, Some(reductions)))
+    })
 }
 
 /// Shows one or more reductions as one table: lines in front and repeated headers become blank lines.

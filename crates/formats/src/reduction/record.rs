@@ -52,7 +52,7 @@ pub enum ReductionError {
         found: usize,
     },
     /// A reduction where a table belongs.
-    #[error("this is a reduction, which only 'boundfit fit' (without --by) and 'boundfit reduce' read")]
+    #[error("this is a reduction, and here every reading is wanted: name the table that it was made from")]
     NotHere,
     /// A range of rows of a reduction.
     #[error("no rows of a reduction can be picked: it does not have the numbers that they had")]

@@ -7,6 +7,7 @@
 
 mod batch;
 mod builder;
+mod csv_line;
 mod first_record;
 mod layout;
 mod notes;
@@ -26,6 +27,7 @@ use crate::error::{InputError, InputErrorKind};
 use crate::table::{TextLayout, check_rows};
 
 pub use batch::{Batch, Pieces, Progress, ScanOptions, Scanned};
+pub(crate) use csv_line::csv_line;
 use first_record::FirstRecord;
 use notes::Notes;
 pub(crate) use others::readable_rows;

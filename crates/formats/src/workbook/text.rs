@@ -1,0 +1,131 @@
+//! Cells as lines of text.
+
+use super::unreadable;
+use crate::error::InputErrorKind;
+
+/// What separates the cells of a line.
+pub(super) const DELIMITER: u8 = b'\t';
+
+/// As many rows and columns as a sheet can have.
+const MOST_ROWS: u32 = 1 << 20;
+const MOST_COLUMNS: u32 = 1 << 14;
+
+/// The lines of a sheet, filled cell after cell, row after row.
+pub(super) struct Lines {
+    text: Vec<u8>,
+    /// Where each row that is complete ends, and how many cells it has.
+    rows: Vec<(usize, u32)>,
+    /// How many cells the row has that is being filled.
+    width: u32,
+    limit: u64,
+}
+
+impl Lines {
+    /// No lines, with room for at most so many bytes.
+    pub(super) fn new(limit: u64) -> Self {
+        Lines { text: Vec::new(), rows: Vec::new(), width: 0, limit }
+    }
+
+    /// Adds the text of a cell; rows and columns are counted from 0 and ascend.
+    pub(super) fn push(&mut self, row: u32, column: u32, text: &str) -> Result<(), InputErrorKind> {
+        if row >= MOST_ROWS || column >= MOST_COLUMNS {
+            return Err(unreadable(format!("it has a cell in row {} and column {}", row + 1, column + 1)));
+        }
+        let is_earlier =
+            (row as usize) < self.rows.len() || (row as usize == self.rows.len() && column < self.width);
+        if is_earlier {
+            return Err(unreadable(format!("the cells of row {} are not in their order", row + 1)));
+        }
+        while self.rows.len() < row as usize {
+            self.end_row();
+        }
+        let tabs = column - self.width + u32::from(self.width > 0);
+        // The first cell of a row that is not empty has as many tabs in front as there are columns before it.
+        self.text.extend(std::iter::repeat_n(DELIMITER, tabs as usize));
+        self.width = column + 1;
+        self.add_cell(text);
+        self.check()
+    }
+
+    fn end_row(&mut self) {
+        self.rows.push((self.text.len(), self.width));
+        self.width = 0;
+    }
+
+    /// A cell in quotes where it needs them. Line ends become spaces, so that a line is a row.
+    fn add_cell(&mut self, text: &str) {
+        let is_plain = !text.contains(['\t', '"', '\n', '\r']);
+        if is_plain {
+            self.text.extend_from_slice(text.as_bytes());
+            return;
+        }
+        let quoted = text.replace('"', "\"\"").replace(['\n', '\r'], " ");
+        self.text.push(b'"');
+        self.text.extend_from_slice(quoted.as_bytes());
+        self.text.push(b'"');
+    }
+
+    fn check(&self) -> Result<(), InputErrorKind> {
+        let bytes = self.text.len() as u64;
+        if bytes > self.limit { Err(InputErrorKind::WorkbookTooLarge { limit: self.limit }) } else { Ok(()) }
+    }
+
+    /// The text: every row with as many cells as the longest one has, an empty row as an empty line.
+    pub(super) fn finish(mut self) -> Result<Vec<u8>, InputErrorKind> {
+        if self.width > 0 {
+            self.end_row();
+        }
+        let longest = self.rows.iter().map(|(_, width)| *width).max().unwrap_or_default();
+        let padding: u64 =
+            self.rows.iter().map(|(_, width)| if *width > 0 { u64::from(longest - width) } else { 0 }).sum();
+        if self.text.len() as u64 + padding > self.limit {
+            return Err(InputErrorKind::WorkbookTooLarge { limit: self.limit });
+        }
+        let mut text = Vec::with_capacity(self.text.len() + padding as usize + self.rows.len());
+        let mut start = 0;
+        for (end, width) in self.rows {
+            text.extend_from_slice(self.text.get(start..end).unwrap_or_default());
+            if width > 0 {
+                text.extend(std::iter::repeat_n(DELIMITER, (longest - width) as usize));
+            }
+            text.push(b'\n');
+            start = end;
+        }
+        Ok(text)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lines(cells: &[(u32, u32, &str)], limit: u64) -> Result<String, String> {
+        let mut lines = Lines::new(limit);
+        for (row, column, text) in cells {
+            lines.push(*row, *column, text).map_err(|error| error.to_string())?;
+        }
+        lines.finish().map(|text| String::from_utf8(text).unwrap()).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn every_row_is_a_line_and_every_column_a_cell() {
+        let cells = [(1, 1, "x"), (1, 3, "y"), (3, 0, "1"), (3, 2, "a\tb\n\"c\""), (4, 2, "2")];
+        assert_eq!(lines(&cells, 100).unwrap(), "\n\tx\t\ty\n\n1\t\t\"a\tb \"\"c\"\"\"\t\n\t\t2\t\n");
+        assert_eq!(lines(&[], 100).unwrap(), "");
+    }
+
+    #[test]
+    fn what_is_out_of_order_or_out_of_bounds_is_refused() {
+        let order = "cannot read a workbook: the cells of row 1 are not in their order";
+        assert_eq!(lines(&[(0, 1, "a"), (0, 0, "b")], 100), Err(order.to_owned()));
+        assert_eq!(lines(&[(0, 1, "a"), (0, 1, "b")], 100), Err(order.to_owned()));
+        assert_eq!(lines(&[(1, 1, "a"), (0, 2, "b")], 100), Err(order.to_owned()));
+        for (row, column) in [(1 << 20, 0), (0, 1 << 14), (u32::MAX - 1, u32::MAX - 1)] {
+            assert!(lines(&[(row, column, "a")], 100).unwrap_err().contains("it has a cell in row"));
+        }
+        let limit = InputErrorKind::WorkbookTooLarge { limit: 10 }.to_string();
+        assert_eq!(lines(&[(0, 12, "a")], 10), Err(limit.clone()));
+        // Two rows of one cell each beside one of nine: eight tabs behind each of them.
+        assert_eq!(lines(&[(0, 0, "a"), (1, 0, "b"), (2, 8, "")], 10), Err(limit));
+    }
+}

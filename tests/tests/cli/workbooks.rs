@@ -1,0 +1,245 @@
+//! Sheets of .xlsx and .ods workbooks give the answers of the same tables as text.
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::Value;
+
+use boundfit_tests::cli::{boundfit, boundfit_with_input, directory_with, fixture, printed, report};
+use boundfit_tests::workbooks::{archive, ods, ods_rows, ods_with, xlsx, xlsx_rows};
+
+const FIT: &str = "--x Vz --y z --rows 14..36 --eps 0.5e-3";
+
+/// A report without what says which bytes were read.
+fn answer(directory: &Path, line: &str) -> Value {
+    let mut report = report(directory, line, b"");
+    for key in ["sha256", "file", "name"] {
+        report["input"].as_object_mut().unwrap().remove(key);
+    }
+    report
+}
+
+#[test]
+fn a_sheet_is_the_table_that_it_shows() {
+    let csv = fixture("transducer/transducer.csv");
+    let directory = directory_with(&[
+        ("data.csv", csv.as_bytes()),
+        ("data.xlsx", &xlsx(&[("Data", &xlsx_rows(&csv, b'A', 1))])),
+        ("moved.xlsx", &xlsx(&[("Data", &xlsx_rows(&csv, b'C', 7))])),
+        (
+            "second.xlsx",
+            &xlsx(&[("Notes", &xlsx_rows("a\nb", b'A', 1)), ("Data", &xlsx_rows(&csv, b'A', 1))]),
+        ),
+        ("data.ods", &ods(&[("Data", &ods_rows(&csv))])),
+        ("second.ods", &ods(&[("Notes", &ods_rows("a\nb")), ("Data", &ods_rows(&csv))])),
+    ]);
+    for reading in ["decimal", "binary64"] {
+        let expected = answer(directory.path(), &format!("fit data.csv {FIT} --reading {reading}"));
+        for file in [
+            "data.xlsx",
+            "moved.xlsx",
+            "data.xlsx --sheet Data",
+            "data.xlsx --sheet 1",
+            "second.xlsx --sheet Data",
+            "second.xlsx --sheet 2",
+            "data.ods",
+            "second.ods --sheet 2",
+            "second.ods --sheet Data",
+        ] {
+            assert_eq!(
+                answer(directory.path(), &format!("fit {file} {FIT} --reading {reading}")),
+                expected,
+                "{file}"
+            );
+        }
+    }
+    let bytes = fs::read(directory.path().join("data.xlsx")).unwrap();
+    let by_name = printed(directory.path(), &format!("fit data.xlsx {FIT}"));
+    let run = boundfit_with_input(directory.path(), &format!("fit - {FIT}"), &bytes);
+    assert_eq!(run.stdout.replace("standard input", "data.xlsx"), by_name);
+}
+
+#[test]
+fn numbers_are_doubles_and_their_shortest_text() {
+    let rows = "<row r=\"1\"><c r=\"A1\" t=\"inlineStr\"><is><t>x</t></is></c><c r=\"B1\" t=\"inlineStr\"><is><t>y</t></is></c></row>\
+        <row r=\"2\"><c r=\"A2\"><v>0.10000000000000001</v></c><c r=\"B2\"><v>1E-10</v></c></row>\
+        <row r=\"3\"><c r=\"A3\"><v>2.2999999999999998</v></c><c r=\"B3\" t=\"inlineStr\"><is><t>7/19</t></is></c></row>";
+    let directory = directory_with(&[
+        ("data.xlsx", &xlsx(&[("Sheet1", rows)])),
+        ("data.csv", b"x,y\n0.1,0.0000000001\n2.3,7/19\n"),
+    ]);
+    for reading in ["decimal", "binary64"] {
+        let fit = |file: &str| {
+            answer(directory.path(), &format!("fit {file} --x x --y y --eps 1 --reading {reading}"))
+        };
+        assert_eq!(fit("data.xlsx"), fit("data.csv"), "{reading}");
+    }
+}
+
+/// Checks the message on a workbook.
+fn refused(bytes: &[u8], options: &str, message: &str) {
+    let directory = directory_with(&[("b.xlsx", bytes)]);
+    let run = boundfit(directory.path(), &format!("fit b.xlsx {options}"));
+    assert_eq!((run.status, run.stdout.as_str(), run.stderr), (1, "", format!("error: b.xlsx{message}\n")));
+}
+
+const XY: &str = "--x x --y y --eps 1";
+
+#[test]
+fn errors_name_sheet_and_cell() {
+    let number = "not a number: unexpected character 'a' at byte 0 (expected a decimal such as 1.30e-2 or a fraction such as 7/19)";
+    let csv = "x,y\n1,2\n3,abc";
+    for book in [xlsx(&[("Run 1", &xlsx_rows(csv, b'A', 1))]), ods(&[("Run 1", &ods_rows(csv))])] {
+        refused(&book, XY, &format!(": Run 1!B3 (y): \"abc\": {number}"));
+        let unknown = ": Run 1, row 1: there is no column \"t\" (expected one of \"x\", \"y\")";
+        refused(&book, "--x t --y y --eps 1", unknown);
+    }
+    let moved = xlsx(&[("S", &xlsx_rows(csv, b'Y', 5))]);
+    refused(&moved, XY, &format!(": S!Z7 (y): \"abc\": {number}"));
+}
+
+#[test]
+fn dates_are_refused_by_a_sentence() {
+    let time = "a date or a time, not a number (expected a number: give the cells the format of one, or add a column of seconds or days)";
+    let rows = xlsx_rows("x,y\n1,2", b'A', 1)
+        + "<row r=\"3\"><c r=\"A3\" s=\"1\"><v>45000</v></c><c r=\"B3\"><v>3</v></c></row>";
+    refused(&xlsx(&[("S", &rows)]), XY, &format!(": S!A3 (x): \"2023-03-15\": {time}"));
+    let rows = ods_rows("x,y\n1,2")
+        + "<table:table-row><table:table-cell office:value-type=\"date\" office:date-value=\"2023-03-15\"/><table:table-cell office:value-type=\"float\" office:value=\"3\"/></table:table-row>";
+    refused(&ods(&[("S", &rows)]), XY, &format!(": S!A3 (x): \"2023-03-15\": {time}"));
+}
+
+#[test]
+fn sheets_that_are_not_there() {
+    let book = xlsx(&[("First", ""), ("Second", "")]);
+    let expected = "(expected one of \"First\", \"Second\" or a number from 1 to 2)";
+    for wanted in ["first", "0", "3", "Third"] {
+        refused(
+            &book,
+            &format!("{XY} --sheet {wanted}"),
+            &format!(": there is no sheet \"{wanted}\" {expected}"),
+        );
+    }
+    refused(&book, XY, ": First: the file is empty (expected at least one row of numbers)");
+    refused(
+        b"x,y\n1,2\n",
+        &format!("{XY} --sheet 1"),
+        ": '--sheet' is about workbooks (.xlsx, .ods), and this is none",
+    );
+}
+
+#[test]
+fn other_archives_are_named() {
+    for (files, message) in [
+        (&["word/document.xml"][..], "a Word document; copy its table into a spreadsheet and save that"),
+        (&["xl/workbook.bin"], "a binary Excel workbook (.xlsb); save it as .xlsx"),
+        (
+            &["a.npy"],
+            "a NumPy archive (.npz); save an array of it as text: numpy.savetxt('FILE.csv', array, delimiter=',')",
+        ),
+        (&["mimetype", "content.xml"], "an OpenDocument file without sheets; save its table as .ods or CSV"),
+        (&["data.csv"], "a zip archive; unpack it and name the file that is in it"),
+    ] {
+        let files: Vec<(&str, &[u8])> = files.iter().map(|name| (*name, &b"x,y\n1,2\n"[..])).collect();
+        refused(&archive(&files), XY, &format!(": this is {message}"));
+    }
+    let directory = directory_with(&[("b.xlsx", b"PK\x03\x04 and nothing more")]);
+    let run = boundfit(directory.path(), &format!("fit b.xlsx {XY}"));
+    assert!(
+        run.status == 1 && run.stderr.starts_with("error: b.xlsx: cannot read a workbook: "),
+        "{}",
+        run.stderr
+    );
+}
+
+#[test]
+fn bombs_are_refused_before_memory_is_taken() {
+    let too_large = |limit: u64| {
+        format!(
+            ": refused: the workbook has or unpacks to more than {limit} bytes (the limit); --max-workbook raises it"
+        )
+    };
+    // A part that nobody reads counts too.
+    let csv = "x,y\n1,2\n2,3";
+    let padding = vec![b' '; 1 << 20];
+    let zeros = archive(&[("xl/workbook.xml", &padding)]);
+    assert!(zeros.len() < 10_000);
+    refused(&zeros, &format!("{XY} --max-workbook 100000"), &too_large(100_000));
+    let book = xlsx(&[("S", &xlsx_rows(csv, b'A', 1))]);
+    refused(&book, &format!("{XY} --max-workbook 500"), &too_large(500));
+    // Cells far apart: the text of the sheet has a tab for each that is between.
+    let far: String =
+        (1..200_000).map(|row| format!("<row r=\"{row}\"><c r=\"A{row}\"><v>1</v></c></row>")).collect();
+    let far = far + "<row r=\"200000\"><c r=\"XFD200000\"><v>1</v></c></row>";
+    refused(&xlsx(&[("S", &far)]), XY, &too_large(1 << 30));
+    // Repetitions that a library would write out.
+    let cell = "<table:table-cell office:value-type=\"float\" office:value=\"1\" table:number-columns-repeated=\"16384\"/>";
+    let rows = format!("<table:table-row table:number-rows-repeated=\"1048576\">{cell}</table:table-row>");
+    refused(&ods(&[("S", &rows)]), XY, &too_large(1 << 30));
+    let spaces = "<table:table-row><table:table-cell office:value-type=\"string\"><text:p><text:s text:c=\"99999999999\"/></text:p></table:table-cell></table:table-row>";
+    refused(&ods(&[("S", spaces)]), XY, &too_large(1 << 30));
+}
+
+#[test]
+fn damaged_workbooks_are_refused() {
+    let start = "<office:document-content><table:table table:name=\"S\"><table:table-row>";
+    refused(&ods_with(start), XY, ": cannot read a workbook: it stops too soon");
+    let book = xlsx(&[("S", &xlsx_rows("x,y\n1,2\n2,3", b'A', 1))]);
+    for cut in [10, 100, book.len() / 2, book.len() - 1] {
+        let directory = directory_with(&[("b.xlsx", &book[..cut])]);
+        let run = boundfit(directory.path(), &format!("fit b.xlsx {XY}"));
+        assert!(
+            run.status == 1 && run.stderr.starts_with("error: b.xlsx: cannot read a workbook: "),
+            "{}",
+            run.stderr
+        );
+    }
+    let order = "<row r=\"2\"><c r=\"A2\"><v>1</v></c></row><row r=\"1\"><c r=\"A1\"><v>1</v></c></row>";
+    refused(
+        &xlsx(&[("S", order)]),
+        XY,
+        ": cannot read a workbook: the cells of row 1 are not in their order",
+    );
+}
+
+#[test]
+fn every_command_reads_sheets() {
+    let csv = "x,y,g\n1,2,a\n2,3,a\n3,5,b\n4,6,b";
+    let directory = directory_with(&[
+        ("data.csv", csv.as_bytes()),
+        ("data.xlsx", &xlsx(&[("S", &xlsx_rows(csv, b'A', 1))])),
+        ("data.ods", &ods(&[("S", &ods_rows(csv))])),
+    ]);
+    for command in [
+        "fit DATA --x x --y y --eps 1 --by g",
+        "check DATA --x x --y y --eps 1 --claim-pui 0,1,0,1 --format json",
+        "plot DATA --x x --y y --eps 1 --figure data",
+        "lesson DATA --x x --y y --eps 1",
+        "convert DATA --x x --y y --eps 1 --to lp --objective theta1-min",
+    ] {
+        let expected = boundfit(directory.path(), &command.replace("DATA", "data.csv"));
+        for file in ["data.xlsx", "data.ods"] {
+            let run = boundfit(directory.path(), &command.replace("DATA", file));
+            assert_eq!(
+                (run.status, run.stderr.as_str()),
+                (expected.status, expected.stderr.as_str()),
+                "{command}"
+            );
+            let hash = |text: &str| text.replace(file, "data.csv");
+            assert!(
+                command.starts_with("lesson") || hash(&run.stdout) == expected.stdout,
+                "{command} {}",
+                run.stdout
+            );
+        }
+    }
+    let fit = |file: &str| answer(directory.path(), &format!("fit {file} --x x --y y --eps 1"));
+    for file in ["data.csv", "data.xlsx", "data.ods"] {
+        assert_eq!(
+            boundfit(directory.path(), &format!("reduce {file} --x x --y y -o {file}.reduced")).status,
+            0
+        );
+    }
+    assert_eq!(fit("data.xlsx.reduced")["pui"], fit("data.csv.reduced")["pui"]);
+    assert_eq!(fit("data.ods.reduced"), fit("data.xlsx.reduced"));
+}
