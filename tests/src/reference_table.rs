@@ -537,9 +537,9 @@ fn wrong_cell(
 ) -> InputError {
     let place = Place {
         line: Some(line),
-        row: None,
         column: Some((place, name.cloned())),
         text: Some(String::from_utf8_lossy(cell).into_owned()),
+        ..Place::default()
     };
     InputError { file: NAME.to_owned(), place: Box::new(place), kind: kind.into().0 }
 }

@@ -18,8 +18,15 @@ use crate::reference_table::{self, Found, NAME, may_be_binary};
 const LIMITS: Limits = Limits { digits: 60, exponent: 400 };
 
 /// What a small machine would set.
-const SIZES: SizeLimits =
-    SizeLimits { rows: 1_000, elements: 10_000, nesting: 16, line: 1 << 16, columns: 1_000 };
+const SIZES: SizeLimits = SizeLimits {
+    rows: 1_000,
+    elements: 10_000,
+    nesting: 16,
+    line: 1 << 16,
+    columns: 1_000,
+    unpacked: 1 << 20,
+    workbook: 1 << 20,
+};
 
 /// One thread for everything: handing work from one to another would take most of the time.
 static POOL: LazyLock<ThreadPool> =
@@ -85,6 +92,7 @@ fn all_options(data: &[u8], check: &(dyn Fn(&[ColumnSelector], &ScanOptions) + S
         let columns = columns.map(ColumnSelector::name_or_number);
         for reading in [Reading::Decimal, Reading::Binary64] {
             let table = TableOptions {
+                sheet: None,
                 header,
                 dialect: AskedDialect { delimiter, comment, ..AskedDialect::default() },
                 missing,

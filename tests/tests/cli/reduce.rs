@@ -103,12 +103,32 @@ fn what_does_not_belong_together_is_refused() {
         ("fit - --x x --y y --eps-column x", "error bounds from one bound for all readings, not x"),
         ("fit - --x x --y y --eps 1 --rows 1..2", "no rows of a reduction can be picked"),
         ("fit - --x x,y --y y --eps 1", "the reduction is about the model a line, not two regressors"),
-        ("check - --x x --y y --eps 1", "this is a reduction"),
-        ("plot - --x x --y y --eps 1", "this is a reduction"),
+        ("lesson - --x x --y y --eps 1", "this is a reduction, and here every reading is wanted"),
+        ("fit - --x x --y y --eps 1 --by x", "this is a reduction, and here every reading is wanted"),
     ];
     for (line, message) in fits {
         let run = run_with_input(&line.split(' ').collect::<Vec<_>>(), one.as_bytes());
         assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{line}");
         assert!(run.stderr.contains(message), "{line}\n{}", run.stderr);
+    }
+}
+
+#[test]
+fn what_needs_the_set_alone_reads_reductions_too() {
+    let row = |k: i64| format!("{k},{}\n", 3 * k + k * k % 17);
+    let table = format!("x,y\n{}", (0..300).map(row).collect::<String>());
+    let directory = boundfit_tests::cli::directory_with(&[("data.csv", table.as_bytes())]);
+    let run = |line: &str| boundfit_tests::cli::boundfit(directory.path(), line);
+    assert_eq!(run("reduce data.csv --x x --y y -o reduced.csv").status, 0);
+    let judged =
+        |file: &str| run(&format!("check {file} --x x --y y --eps 20 --solver microlp --format json")).stdout;
+    assert_eq!(judged("reduced.csv"), judged("data.csv"));
+    let picture = run("plot reduced.csv --x x --y y --eps 20 --figure fps");
+    assert_eq!((picture.status, picture.stderr.as_str()), (0, ""));
+    let program = run("convert reduced.csv --x x --y y --eps 20 --to lp --objective theta1-min").stdout;
+    assert!(program.contains("data: reduced.csv, the rows that a reduction keeps"), "{program}");
+    for figure in ["data", "eui", "pui", "corridor", "directions"] {
+        let run = run(&format!("plot reduced.csv --x x --y y --eps 20 --figure {figure}"));
+        assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{figure}");
     }
 }

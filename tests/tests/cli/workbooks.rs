@@ -91,8 +91,10 @@ fn errors_name_sheet_and_cell() {
     let csv = "x,y\n1,2\n3,abc";
     for book in [xlsx(&[("Run 1", &xlsx_rows(csv, b'A', 1))]), ods(&[("Run 1", &ods_rows(csv))])] {
         refused(&book, XY, &format!(": Run 1!B3 (y): \"abc\": {number}"));
-        let unknown = ": Run 1, row 1: there is no column \"t\" (expected one of \"x\", \"y\")";
-        refused(&book, "--x t --y y --eps 1", unknown);
+        let directory = directory_with(&[("b.xlsx", &book)]);
+        let run = boundfit(directory.path(), "fit b.xlsx --x t --y y --eps 1");
+        let unknown = "error: b.xlsx: Run 1, row 1: there is no column \"t\" (expected one of \"x\", \"y\"";
+        assert!(run.status == 1 && run.stderr.starts_with(unknown), "{}", run.stderr);
     }
     let moved = xlsx(&[("S", &xlsx_rows(csv, b'Y', 5))]);
     refused(&moved, XY, &format!(": S!Z7 (y): \"abc\": {number}"));

@@ -251,7 +251,7 @@ fn other_variables_are_refused_by_name() {
         ("scipy.mat", "c", "complex"),
         ("scipy.mat", "z3", "an array of 3 dimensions"),
         ("scipy.mat", "e", "empty"),
-        ("transducer-v7.mat", "s", "a struct"),
+        ("transducer-v7.mat", "s", "a struct with the field a"),
         ("transducer-v7.mat", "note", "text"),
         ("others.mat", "sparse_x", "sparse"),
         ("others.mat", "cells", "a cell array"),
