@@ -66,9 +66,7 @@ pub fn scan<T: Send>(
     }
     let scanned = Scanned { ranges: wanted.rows.ranges().collect(), ..scanned };
     Ok(match packed {
-        Some(packed) => {
-            Scanned { layout: None, sha256: options.hash.then(|| packed.sha256()), ..scanned }
-        }
+        Some(packed) => Scanned { layout: None, sha256: options.hash.then(|| packed.sha256()), ..scanned },
         None => scanned,
     })
 }

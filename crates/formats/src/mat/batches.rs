@@ -181,5 +181,3 @@ impl Rows<'_> {
         InputError::new(self.file, place, bad.problem)
     }
 }
-
-}
