@@ -26,16 +26,16 @@ fn what_is_no_bound_is_refused_with_advice() {
     for (text, problem) in [
         (
             "2%",
-            "per cent of what? Of each reading it is 2%*|y|, of the span of all readings 2%*range(y) at byte 0",
+            "per cent of what? Of each reading it is 2%*|y|, of the span of all readings 2%*range(y) at character 1",
         ),
         (
             "1% + 3 digits",
             "digits are units of the last digit written, of which 'written' is a half: 3 digits are 6*written, and \
-             \"1% + 3 digits\" is 1%*|y| + 6*written at byte 7",
+             \"1% + 3 digits\" is 1%*|y| + 6*written at character 8",
         ),
         (
             "|y| - 1",
-            "a term that is subtracted; for other bounds above than below write +ABOVE/-BELOW at byte 4 (expected a law \
+            "a term that is subtracted; for other bounds above than below write +ABOVE/-BELOW at character 5 (expected a law \
              such as \"0.05%*|y| + 2e-3\", \"written\" or \"+0.2/-0.1\")",
         ),
     ] {

@@ -37,6 +37,15 @@ fn norris_is_empty_at_one_unit() {
 }
 
 #[test]
+fn intervals_and_laws() {
+    let clock = ["fit", "fixtures/clock/offset.csv", "--x", "t", "--lower", "at_least", "--upper", "at_most"];
+    check("clock/fit.txt", &clock, 0);
+    check("clock/fit.json", &[&clock[..], &["--format", "json"]].concat(), 0);
+    let law = ["fit", "fixtures/transducer/transducer.csv", "--x", "Vz", "--y", "z", "--rows", "14..36"];
+    check("transducer/fit-law.txt", &[&law[..], &["--eps", "1%*|y| + 3e-4"]].concat(), 0);
+}
+
+#[test]
 fn documents() {
     let transducer =
         ["fit", "fixtures/transducer/transducer.csv", "--x", "Vz", "--y", "z", "--rows", "14..36"];

@@ -140,6 +140,7 @@ fn legend(scene: &Scene, bands: &Bands) -> Vec<LegendEntry> {
     let mut entries = Vec::new();
     let bound = match scene.problem.measurements.error_bound() {
         ErrorBound::Uniform(epsilon) if epsilon.is_zero() => "reading (ε = 0)",
+        ErrorBound::Interval { .. } => "bounds of a reading",
         _ => "reading ± ε",
     };
     let dense = scene.is_dense();

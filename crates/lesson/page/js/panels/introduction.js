@@ -30,8 +30,11 @@ export function fillIntroduction(lesson) {
         : `error bounds from column ${epsilon.column}`;
   const unit = epsilon.uniform !== null && data.units.y ? ` ${data.units.y}` : "";
   byId("provenance").textContent = `${data.file} · ${rows}${others} · ${bound}${unit}`;
-  byId("epsilon-here").textContent =
-    epsilon.uniform === null ? ", here one for each reading" : ` = ${uniform}${unit}`;
+  const own =
+    epsilon.column === null
+      ? ", here half the distance between the two bounds that a reading states, about their middle; a reading that states one bound is one half-plane"
+      : ", here one for each reading";
+  byId("epsilon-here").textContent = epsilon.uniform === null ? own : ` = ${uniform}${unit}`;
   byId("epsilon-label").textContent = lesson.epsilon === null ? "All error bounds times" : "Error bound";
   for (const place of all("[data-name]")) {
     const name = names[place.dataset.name ?? ""] ?? "";
