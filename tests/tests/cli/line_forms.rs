@@ -107,7 +107,9 @@ fn a_bound_of_the_readings_own_says_what_it_assumes() {
     let line = "fit data.csv --x year --y level";
     let text = unbroken(&printed(directory.path(), &format!("{line} --eps 1.2*min --no-lp")));
     assert!(
-        text.contains("error |e| <= 0.18 assumes that no error is larger than 1.2 times eps_min, 0.15:"),
+        text.contains(
+            "error |e| <= 0.18 assumes that no error is larger than 1.2 times eps_min, 0.15, the least bound"
+        ),
         "{text}"
     );
     assert!(text.contains("if one is, the intervals below may miss the true theta."), "{text}");

@@ -75,27 +75,22 @@ pub fn fit_document(
     Document::new(blocks)
 }
 
-/// What an error bound that was found from the readings themselves stands and falls with, on lines of their own.
-fn assumption(
-    MultipleOfLeast { factor, least }: &MultipleOfLeast,
-    style: &Style,
-) -> Vec<(&'static str, Text)> {
-    let times = match *factor == Rational::one() {
+/// What an error bound that was found from the readings themselves stands and falls with.
+fn assumption(MultipleOfLeast { factor, least }: &MultipleOfLeast, style: &Style) -> Text {
+    let text = match *factor == Rational::one() {
         true => Text::from("that no error is larger than eps_min, "),
         false => {
             Text::from("that no error is larger than ").then(style.given(factor)).words(" times eps_min, ")
         }
     };
-    let mut lines = vec![
-        ("assumes", times.then(style.upper_with_exact(least)).words(":")),
-        ("", "the least bound under which any theta fits. It was found from these very".into()),
-        ("", "readings, which cannot show that errors are no larger; if one is, the".into()),
-        ("", "intervals below may miss the true theta.".into()),
-    ];
-    if least.is_zero() {
-        lines.push(("", "Here it is 0: the readings fit exactly, and say nothing of their errors.".into()));
+    let text = text.number(style.upper(least)).words(
+        ", the least bound under which any theta fits. It was found from these very readings, which cannot show that \
+         errors are no larger; if one is, the intervals below may miss the true theta.",
+    );
+    match least.is_zero() {
+        true => text.words(" Here it is 0: the readings fit exactly, and say nothing of their errors."),
+        false => text,
     }
-    lines
 }
 
 /// What the parts of a report are made of.
@@ -145,7 +140,11 @@ impl<'a> Report<'a> {
                 let law = measurements.law();
                 let bounded =
                     law.map_or(bounded.clone(), |law| bounded.given(law.text()).operator(Operator::Equals));
-                bounded.then(self.style.given(epsilon))
+                // Nobody wrote a multiple of eps_min down: its digits are those of a result.
+                match measurements.multiple_of_least() {
+                    Some(_) => bounded.number(self.style.upper(epsilon)),
+                    None => bounded.then(self.style.given(epsilon)),
+                }
             }
             ErrorBound::PerRow(column) => bounded.given(column).words(", one bound per row"),
             ErrorBound::Law(law) if law.is_asymmetric() => {
@@ -176,7 +175,7 @@ impl<'a> Report<'a> {
         let multiple = measurements.multiple_of_least();
         let facts = [("model", self.model()), ("error", bound)]
             .into_iter()
-            .chain(multiple.into_iter().flat_map(|multiple| assumption(multiple, self.style)))
+            .chain(multiple.map(|multiple| ("assumes", assumption(multiple, self.style))))
             .chain([
                 ("data", Text::new().given(file).words(format!(", {rows}{missing}"))),
                 ("reading", reading.into()),
