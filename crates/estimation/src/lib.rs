@@ -78,5 +78,5 @@ pub use line_form::LineForm;
 pub use measurements::{Bounds, ErrorBound, Measurement, Measurements, Model, MultipleOfLeast, Readings};
 pub use minimax::{Minimax, MinimaxProof};
 pub use problem::Problem;
-pub use selection::Selection;
+pub use selection::{FractionCells, Selection};
 pub use summary::{ColumnsError, Keep, LineSums, NoEui, Reduction, Spread};

@@ -8,7 +8,7 @@ use boundfit_formats::TextLayout;
 
 use crate::law::{Law, range_of_y};
 use crate::line_form::LineForm;
-use crate::selection::Selection;
+use crate::selection::{FractionCells, Selection};
 use crate::summary::{NoEui, Reduction};
 
 /// One reading.
@@ -287,6 +287,7 @@ pub(crate) struct Origin {
     /// How many data rows there are, fitted or not.
     pub(crate) rows_total: usize,
     pub(crate) selection: Selection,
+    pub(crate) fractions: Vec<FractionCells>,
     /// First and last of the rows fitted that follow each other without a gap, where that was asked for.
     pub(crate) ranges: Vec<[usize; 2]>,
     /// How many rows that were asked for were left out since they lack a number.
@@ -466,6 +467,11 @@ impl Measurements {
     /// Which rows of the file were asked for.
     pub fn selection(&self) -> &Selection {
         &self.origin.selection
+    }
+
+    /// The columns in which cells are fractions such as `3/4`.
+    pub fn fractions(&self) -> &[FractionCells] {
+        &self.origin.fractions
     }
 
     /// Which data rows of the file are fitted: first and last of those that follow each other without a gap. Empty where the

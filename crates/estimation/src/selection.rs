@@ -3,7 +3,7 @@
 use std::fmt;
 
 #[cfg(feature = "files")]
-use boundfit_formats::{RowCondition, RowRange, TableOptions};
+use boundfit_formats::{Fractions, RowCondition, RowRange, TableOptions};
 
 /// Which rows of a file were asked for; by default all of them.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -33,6 +33,33 @@ impl Selection {
             without: ranges(options.rows.without()),
             conditions: options.conditions.iter().map(RowCondition::text).map(ToOwned::to_owned).collect(),
         }
+    }
+}
+
+/// A column in which cells are fractions such as `3/4`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FractionCells {
+    /// Its name.
+    pub column: String,
+    /// How many cells.
+    pub cells: usize,
+    /// The first of them.
+    pub first: String,
+}
+
+#[cfg(feature = "files")]
+impl FractionCells {
+    /// Of columns with these names; of those that are read in several ways only once.
+    pub(crate) fn of(names: &[String], fractions: &[Fractions]) -> Vec<Self> {
+        let mut found: Vec<FractionCells> = Vec::new();
+        for (column, Fractions { cells, first }) in names.iter().zip(fractions) {
+            if let Some(first) = first
+                && !found.iter().any(|other| other.column == *column)
+            {
+                found.push(FractionCells { column: column.clone(), cells: *cells, first: first.clone() });
+            }
+        }
+        found
     }
 }
 

@@ -4,6 +4,7 @@
 use crate::arrow::scan_arrow;
 use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
+use crate::fractions::Fractions;
 use crate::mat::scan_mat;
 use crate::scan::{Batch, ScanOptions, Scanned, scan_text};
 use crate::selection::RowNumbers;
@@ -52,7 +53,7 @@ pub fn scan<T: Send>(
     let hash = options.hash && packed.is_none();
     let inner = ScanOptions { hash, ..options.clone() };
     let mut wanted = Wanted::default();
-    let work = |batch: Batch| (wanted_rows(&batch, options.list_rows), work(batch));
+    let work = |mut batch: Batch| (Wanted::of(&mut batch, options.list_rows), work(batch));
     let take = |(rows, made): (Wanted, T)| {
         wanted.append(rows);
         take(made);
@@ -64,7 +65,8 @@ pub fn scan<T: Send>(
         let problem = InputErrorKind::NoRowWanted { total: scanned.rows_total, conditions };
         return Err(InputError::of_file(&name, problem));
     }
-    let scanned = Scanned { ranges: wanted.rows.ranges().collect(), ..scanned };
+    let ranges = wanted.rows.ranges().collect();
+    let scanned = Scanned { ranges, fractions: wanted.fractions, ..scanned };
     Ok(match packed {
         Some(packed) => Scanned { layout: None, sha256: options.hash.then(|| packed.sha256()), ..scanned },
         None => scanned,
@@ -103,17 +105,21 @@ struct Wanted {
     count: usize,
     /// Which ones, if that is asked for.
     rows: RowNumbers,
+    fractions: Vec<Fractions>,
 }
 
 impl Wanted {
+    fn of(batch: &mut Batch, list: bool) -> Self {
+        let rows = if list { batch.rows.clone() } else { RowNumbers::default() };
+        Wanted { count: batch.rows.len(), rows, fractions: std::mem::take(&mut batch.fractions) }
+    }
+
     fn append(&mut self, later: Wanted) {
         self.count += later.count;
         self.rows.append(&later.rows);
+        self.fractions.resize(self.fractions.len().max(later.fractions.len()), Fractions::default());
+        self.fractions.iter_mut().zip(later.fractions).for_each(|(own, later)| own.append(later));
     }
-}
-
-fn wanted_rows(batch: &Batch, list: bool) -> Wanted {
-    Wanted { count: batch.rows.len(), rows: if list { batch.rows.clone() } else { RowNumbers::default() } }
 }
 
 /// Reads the columns asked for like [`scan`], and keeps all rows.
@@ -152,6 +158,7 @@ pub fn read_table(
     Ok(Table {
         names: scanned.names,
         header: scanned.header,
+        fractions: scanned.fractions,
         rows,
         others,
         rows_total: scanned.rows_total,

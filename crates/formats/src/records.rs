@@ -85,12 +85,30 @@ impl Record {
         }
     }
 
-    /// Ends this record, since nothing follows.
-    fn finish(&mut self, core: &mut Core) {
+    /// Ends this record, since nothing follows; gives whether it is within quotes, which nothing closes.
+    fn finish(&mut self, core: &mut Core) -> bool {
         match core {
-            Core::Blanks(core) => core.finish(self),
-            // To the library, no bytes are the end of all bytes.
-            Core::Delimited(core) => while self.read(core, b"").0 == ReadRecordResult::OutputEndsFull {},
+            Core::Blanks(core) => {
+                let is_within_quotes = core.is_within_quotes();
+                core.finish(self);
+                is_within_quotes
+            }
+            Core::Delimited(core) => {
+                // A line end ends a record, but within quotes it is a byte of the cell.
+                let mut taken = 0;
+                while taken == 0 {
+                    let (result, count) = self.read(core, b"\r");
+                    if result == ReadRecordResult::Record {
+                        return false;
+                    }
+                    taken = count;
+                }
+                // To the library, no bytes are the end of all bytes.
+                while self.read(core, b"").0 == ReadRecordResult::OutputEndsFull {}
+                let last = self.cells.checked_sub(1).and_then(|last| self.ends.get_mut(last));
+                last.into_iter().for_each(|end| *end -= 1);
+                true
+            }
         }
     }
 
@@ -146,6 +164,8 @@ pub(crate) struct Records<'a> {
     record: Record,
     /// Whether the record goes on in the next piece.
     is_open: bool,
+    /// Whether the last record is within quotes that nothing closes.
+    is_within_quotes: bool,
     /// Whether a comment goes on in the next piece.
     is_in_comment: bool,
     /// The line of the next byte, from 1.
@@ -184,6 +204,7 @@ impl<'a> Records<'a> {
             core,
             record: Record::default(),
             is_open: false,
+            is_within_quotes: false,
             is_in_comment: false,
             line,
             is_after_return: false,
@@ -226,23 +247,13 @@ impl<'a> Records<'a> {
     /// Ends the record that the last piece left open, since nothing follows; `false` when there is none that is not blank.
     pub(crate) fn finish(&mut self) -> bool {
         let was_open = std::mem::take(&mut self.is_open);
-        if was_open {
-            self.record.finish(&mut self.core);
-        }
+        self.is_within_quotes = was_open && self.record.finish(&mut self.core);
         was_open && !self.record.is_blank()
     }
 
-    /// Whether the record that goes on is within quotes, which no more bytes would close.
+    /// Whether the last record is within quotes that nothing closes.
     pub(crate) fn is_within_quotes(&self) -> bool {
-        self.is_open
-            && match &self.core {
-                Core::Blanks(core) => core.is_within_quotes(),
-                // Elsewhere a line end ends a record.
-                Core::Delimited(core) => {
-                    let (result, ..) = core.clone().read_record(b"\n", &mut [0; 4], &mut [0; 4]);
-                    result == ReadRecordResult::InputEmpty
-                }
-            }
+        self.is_within_quotes
     }
 
     /// The last record.

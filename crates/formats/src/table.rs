@@ -9,6 +9,7 @@ use crate::columns::{ColumnPlace, Header};
 use crate::columns::{ColumnSelector, decode};
 use crate::dialect::{AskedDialect, Dialect, Missing};
 use crate::error::{InputError, InputErrorKind};
+use crate::fractions::Fractions;
 use crate::limits::SizeLimits;
 #[cfg(feature = "arrow")]
 use crate::roles::instead_of_number;
@@ -77,6 +78,8 @@ pub struct TableRow {
 pub struct Table {
     /// The names of the columns asked for; `col1` and so on where there is none.
     pub names: Vec<String>,
+    /// How many cells of each column asked for are fractions; empty where numbers are stored.
+    pub fractions: Vec<Fractions>,
     /// The names of all columns, asked for or not; none without a header.
     pub header: Vec<String>,
     /// The rows wanted.

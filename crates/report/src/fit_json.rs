@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use boundfit_estimation::{
-    ErrorBound, Family, Fit, FloatEstimate, InverseParameter, LeastSquares, Model, MultipleOfLeast,
-    ParameterBound, ParameterInterval, Problem, Selection,
+    ErrorBound, Family, Fit, FloatEstimate, FractionCells, InverseParameter, LeastSquares, Model,
+    MultipleOfLeast, ParameterBound, ParameterInterval, Problem, Selection,
 };
 use boundfit_exact::{Endpoint, Interval, Rational, Reading};
 use boundfit_geometry::Multiplier;
@@ -50,6 +50,8 @@ struct InputJson {
     rows_missing: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     text: Option<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    fractions: Vec<FractionsJson>,
     reading: &'static str,
     sha256: Option<String>,
     model: &'static str,
@@ -68,6 +70,14 @@ struct InputJson {
     #[serde(skip_serializing_if = "Option::is_none")]
     x_origin: Option<Number>,
     r#where: Vec<String>,
+}
+
+/// A column with cells that are fractions.
+#[derive(Debug, Serialize)]
+struct FractionsJson {
+    column: String,
+    cells: usize,
+    first: String,
 }
 
 /// Which rows were asked for.
@@ -173,6 +183,10 @@ impl FitJson {
     }
 }
 
+fn fractions(FractionCells { column, cells, first }: FractionCells) -> FractionsJson {
+    FractionsJson { column, cells, first }
+}
+
 fn selection(selection: &Selection) -> Option<SelectionJson> {
     let Selection { rows, without, conditions } = selection.clone();
     (!selection.is_all()).then_some(SelectionJson { rows, without, where_row: conditions })
@@ -208,6 +222,7 @@ fn input(problem: &Problem, reading: Reading, style: &Style) -> InputJson {
         selection: selection(measurements.selection()),
         rows_missing: measurements.rows_missing(),
         text: measurements.written().map(ToOwned::to_owned),
+        fractions: measurements.fractions().iter().cloned().map(fractions).collect(),
         reading: reading.name(),
         sha256: measurements.sha256().map(ToOwned::to_owned),
         model,

@@ -138,7 +138,15 @@ fn dates_are_no_fractions() {
         refuses(directory.path(), "fit table.csv --x x --y y --eps 1", 1, &message);
     }
     let directory = directory_with(&[("table.csv", b"x,y\n1/3,2\n0/5,3\n10/4,2012\n")]);
-    printed(directory.path(), "fit table.csv --x x --y y --eps 1");
+    let report = printed(directory.path(), "fit table.csv --x x --y y --eps 3000 --no-lp");
+    assert!(report.contains("\n  note     x: 3 cells are fractions such as 1/3\n"), "{report}");
+    assert!(!report.contains("y: "), "{report}");
+    let json = printed(directory.path(), "fit table.csv --x y --y x --eps 3000 --format json");
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let fractions = serde_json::json!([{"column": "x", "cells": 3, "first": "1/3"}]);
+    assert_eq!(json["input"]["fractions"], fractions);
+    let one = printed(directory.path(), "fit table.csv --x x --y y --eps 3000 --no-lp --rows 2 --header yes");
+    assert!(one.contains("\n  note     x: 1 cell is a fraction, 0/5\n"), "{one}");
 }
 
 #[test]

@@ -111,7 +111,12 @@ fn quotes_spaces_and_notations() {
     same_answer("signs and zeros", &signs, "--x Vz --y z");
     let scientific = table(|number, z, voltage| match number {
         0 => format!("{z},{voltage}\n"),
-        _ => format!("{}e-3,{}/10000\n", number - 1, voltage.replacen("0.", "", 1).replace('.', "")),
+        _ => {
+            // A whole number with a zero in front would make it a date.
+            let (sign, digits) = voltage.strip_prefix('-').map_or(("", voltage), |digits| ("-", digits));
+            let digits = digits.replace('.', "");
+            format!("{}e-3,{sign}{}/10000\n", number - 1, digits.trim_start_matches('0'))
+        }
     });
     same_answer("scientific notation and fractions", &scientific, "--x Vz --y z");
 }

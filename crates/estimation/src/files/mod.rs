@@ -13,7 +13,7 @@ pub use fleet::Fleet;
 pub use reduce::{ReducedColumns, ReducedTable};
 
 use crate::measurements::{Measurement, Measurements, Origin, Readings};
-use crate::selection::Selection;
+use crate::selection::{FractionCells, Selection};
 use crate::summary::Keep;
 
 impl Measurements {
@@ -43,6 +43,7 @@ impl Measurements {
             rows_total: table.rows_total,
             rows_missing: table.rows_missing,
             selection: Selection::of(options),
+            fractions: FractionCells::of(&table.names, &table.fractions),
             ranges: table.ranges,
             written: table.layout.as_ref().and_then(|layout| layout.dialect.words()),
             units: table.units,

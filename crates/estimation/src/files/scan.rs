@@ -9,7 +9,7 @@ use super::abscissas::{Abscissas, StoredPart};
 use super::columns::Columns;
 use super::reduce::stated_sums;
 use crate::measurements::{Meaning, Measurement, Measurements, Origin, Readings};
-use crate::selection::Selection;
+use crate::selection::{FractionCells, Selection};
 use crate::summary::{Keep, LineSummary, LineSums, NoEui, Reduction, SharedSieve, Spread, Thresholds};
 
 /// Bytes of x kept from a file before it is rather read a second time: twelve million readings at four bytes each.
@@ -129,9 +129,11 @@ fn measurements(
     scanned: Scanned,
     readings: Readings,
 ) -> Measurements {
-    let Scanned { rows_total, rows_missing, ranges, units, layout, sha256, .. } = scanned;
+    let Scanned { names, fractions, rows_total, rows_missing, ranges, units, layout, sha256, .. } = scanned;
     let written = layout.as_ref().and_then(|layout| layout.dialect.words());
-    let origin = Origin { rows_total, rows_missing, selection, ranges, written, units, layout, sha256 };
+    let fractions = FractionCells::of(&names, &fractions);
+    let origin =
+        Origin { rows_total, rows_missing, selection, fractions, ranges, written, units, layout, sha256 };
     Measurements { meaning, readings, others: Vec::new(), origin }
 }
 

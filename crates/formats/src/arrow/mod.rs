@@ -81,6 +81,7 @@ pub(crate) fn scan_arrow<T: Send>(
     let titles: Vec<String> = layout.places.iter().map(ColumnPlace::title).collect();
     Ok(Scanned {
         header: names,
+        fractions: Vec::new(),
         key_name: layout.key.as_ref().map(ColumnPlace::title),
         header_line: options.keep_text.then(|| csv_line(&titles)),
         names: titles,
@@ -230,7 +231,7 @@ impl<'a> Layout<'a> {
         } else {
             None
         };
-        Ok(Batch { rows, columns, keys, lines, others: Vec::new() })
+        Ok(Batch { rows, columns, keys, lines, fractions: Vec::new(), others: Vec::new() })
     }
 
     /// The numbers of one column of a batch that has these rows.

@@ -69,6 +69,7 @@ pub(crate) fn scan_mat<T: Send>(
         header_line: options.keep_text.then(|| csv_line(&names)),
         names,
         header: Vec::new(),
+        fractions: Vec::new(),
         key_name: key.first().map(|column| column.place.title()),
         units: vec![None; columns.len()],
         rows_total: rows,
@@ -167,7 +168,14 @@ impl Rows<'_> {
             }
             lines
         });
-        Ok(Batch { rows: ranges.iter().cloned().collect(), columns, keys, lines, others: Vec::new() })
+        Ok(Batch {
+            rows: ranges.iter().cloned().collect(),
+            columns,
+            keys,
+            lines,
+            fractions: Vec::new(),
+            others: Vec::new(),
+        })
     }
 
     fn error(&self, column: &MatColumn, bad: BadNumber) -> InputError {

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use boundfit_exact::Column;
 
 use crate::columns::ColumnSelector;
+use crate::fractions::Fractions;
 use crate::selection::RowNumbers;
 use crate::table::{TableOptions, TableRow, TextLayout};
 
@@ -78,6 +79,8 @@ pub struct Batch {
     pub keys: Option<Pieces<String>>,
     /// With [`ScanOptions::keep_text`], each row as it stands in the file, without its line end.
     pub lines: Option<Pieces<Vec<u8>>>,
+    /// How many cells of each column asked for are fractions; none are counted where numbers are stored.
+    pub fractions: Vec<Fractions>,
     /// With [`TableOptions::keep_others`], rows that are not wanted but hold numbers; then there may be no other rows.
     pub others: Vec<TableRow>,
 }
@@ -145,6 +148,8 @@ pub trait Progress: Send + Sync {
 pub struct Scanned {
     /// The names of the columns asked for; `col1` and so on where there is none.
     pub names: Vec<String>,
+    /// How many cells of each column asked for are fractions; empty where numbers are stored.
+    pub fractions: Vec<Fractions>,
     /// The names of all columns, asked for or not; none without a header.
     pub header: Vec<String>,
     /// The name of the key column.

@@ -3,6 +3,7 @@
 use boundfit_exact::Column;
 
 use super::batch::{Batch, Pieces};
+use crate::fractions::Fractions;
 use crate::selection::RowNumbers;
 use crate::table::TableRow;
 
@@ -10,6 +11,7 @@ use crate::table::TableRow;
 #[derive(Debug)]
 pub(super) struct BatchBuilder {
     pub(super) columns: Vec<Column>,
+    pub(super) fractions: Vec<Fractions>,
     pub(super) keys: Option<Pieces<String>>,
     lines: Option<Pieces<Vec<u8>>>,
     rows: RowNumbers,
@@ -20,6 +22,7 @@ impl BatchBuilder {
     pub(super) fn new(columns: usize, keys: bool, lines: bool) -> Self {
         BatchBuilder {
             columns: vec![Column::default(); columns],
+            fractions: vec![Fractions::default(); columns],
             keys: keys.then(Pieces::default),
             lines: lines.then(Pieces::default),
             rows: RowNumbers::default(),
@@ -43,10 +46,10 @@ impl BatchBuilder {
 
     /// The batch, when it has rows, with so much added to their numbers.
     pub(super) fn finish(self, shift: usize) -> Option<Batch> {
-        let BatchBuilder { columns, keys, lines, mut rows, mut others } = self;
+        let BatchBuilder { columns, fractions, keys, lines, mut rows, mut others } = self;
         others.iter_mut().for_each(|other| other.row += shift);
         rows.shift(shift);
         let is_empty = rows.is_empty() && others.is_empty();
-        (!is_empty).then_some(Batch { rows, columns, keys, lines, others })
+        (!is_empty).then_some(Batch { rows, columns, fractions, keys, lines, others })
     }
 }

@@ -142,7 +142,6 @@ impl Start<'_> {
         let longest = self.options.table.sizes.line;
         let mut records = Records::new(self.file, self.syntax, cursor.lines, longest, self.options.keep_text);
         let mut end = cursor.at;
-        let mut is_within_quotes = false;
         loop {
             let mut rest = reader.pending().get(end..).unwrap_or_default();
             let is_found = records.next(&mut rest)?;
@@ -153,7 +152,6 @@ impl Start<'_> {
             if reader.read_on() > 0 {
                 continue;
             }
-            is_within_quotes = records.is_within_quotes();
             if reader.has_failed() || !records.finish() {
                 return Ok(None);
             }
@@ -171,7 +169,7 @@ impl Start<'_> {
             cells: records.record().cells().map(<[u8]>::to_vec).collect(),
             text: records.text().map(<[u8]>::to_vec),
             line: records.record_line(),
-            is_within_quotes,
+            is_within_quotes: records.is_within_quotes(),
         }))
     }
 

@@ -58,6 +58,7 @@ pub(crate) fn scan_text<T: Send>(
     Ok(Scanned {
         names: places.iter().map(ColumnPlace::title).collect(),
         header: layout.header.clone(),
+        fractions: Vec::new(),
         key_name: layout.key.as_ref().map(ColumnPlace::title),
         header_line,
         layout: Some(TextLayout::new(layout.dialect(), places)),

@@ -42,6 +42,7 @@ mod tests {
                     columns: Vec::new(),
                     keys: None,
                     lines: None,
+                    fractions: Vec::new(),
                     others: Vec::new(),
                 }),
             };

@@ -282,6 +282,7 @@ impl Lane<'_> {
         let (value, _) = layout.numbers.value(cell, selector, layout.mark).ok()?;
         value.check(selector).ok()?;
         value.push_to(self.batch.columns.get_mut(column)?);
+        self.batch.fractions.get_mut(column)?.count(cell);
         Some(end)
     }
 

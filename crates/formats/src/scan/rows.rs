@@ -68,10 +68,10 @@ impl<'a> RowReader<'a> {
 
     /// Adds the row that no line end ends, if there is one.
     pub(super) fn finish(&mut self, batch: &mut BatchBuilder) -> Result<(), InputError> {
-        let is_within_quotes = self.records.is_within_quotes();
         if !self.records.finish() {
             return Ok(());
         }
+        let is_within_quotes = self.records.is_within_quotes();
         let line = self.records.record_line();
         self.add(batch).map_err(|error| match is_within_quotes {
             // Whatever is wrong with it is so because it has swallowed the rows behind it.
@@ -104,6 +104,8 @@ impl<'a> RowReader<'a> {
                     layout.add_key_of(record, line, batch)?;
                     let columns = values.into_iter().zip(&mut batch.columns);
                     columns.for_each(|(value, column)| value.push_to(column));
+                    let cells = layout.places.iter().map(|place| record.cell(place.position - 1));
+                    cells.zip(&mut batch.fractions).for_each(|(cell, fractions)| fractions.count(cell));
                     batch.end_row(self.total, self.records.text());
                     self.notes.used();
                     return Ok(());

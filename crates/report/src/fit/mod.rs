@@ -4,7 +4,8 @@ mod estimates;
 mod results;
 
 use boundfit_estimation::{
-    BoundName, ErrorBound, Fit, Inverse, Model, MultipleOfLeast, ParameterBound, ParameterInterval, Problem,
+    BoundName, ErrorBound, Fit, FractionCells, Inverse, Model, MultipleOfLeast, ParameterBound,
+    ParameterInterval, Problem,
 };
 use boundfit_exact::english::counted;
 use boundfit_exact::{Interval, Rational, Reading};
@@ -91,6 +92,15 @@ fn assumption(MultipleOfLeast { factor, least }: &MultipleOfLeast, style: &Style
         true => text.words(" Here it is 0: the readings fit exactly, and say nothing of their errors."),
         false => text,
     }
+}
+
+/// `x: 12 cells are fractions such as 3/4`.
+fn fractions(FractionCells { column, cells, first }: &FractionCells) -> Text {
+    let said = match cells {
+        1 => ": 1 cell is a fraction, ".to_owned(),
+        cells => format!(": {cells} cells are fractions such as "),
+    };
+    Text::new().given(column).words(said).given(first)
 }
 
 /// What the parts of a report are made of.
@@ -184,7 +194,9 @@ impl<'a> Report<'a> {
         let conditions = (1..).zip(&self.problem.conditions).map(|(number, condition)| {
             (format!("where:{number}").into(), Text::new().given(condition.text()))
         });
-        facts.into_iter().map(|(label, text)| (label.into(), text)).chain(text).chain(conditions).collect()
+        let fractions = measurements.fractions().iter().map(|found| ("note".into(), fractions(found)));
+        let facts = facts.into_iter().map(|(label, text)| (label.into(), text));
+        facts.chain(text).chain(fractions).chain(conditions).collect()
     }
 
     fn model(&self) -> Text {

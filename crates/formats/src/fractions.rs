@@ -1,0 +1,28 @@
+//! Cells that are written as fractions. They are numbers, but people are told of them: a spreadsheet may have meant something else.
+
+use memchr::memchr;
+
+/// How many cells of a column are fractions such as `3/4`.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Fractions {
+    /// How many.
+    pub cells: usize,
+    /// The first of them.
+    pub first: Option<String>,
+}
+
+impl Fractions {
+    /// Counts a cell that has been read as a number.
+    pub(crate) fn count(&mut self, cell: &[u8]) {
+        if memchr(b'/', cell).is_some() {
+            self.cells += 1;
+            self.first.get_or_insert_with(|| String::from_utf8_lossy(cell).trim().to_owned());
+        }
+    }
+
+    /// Adds those of later cells.
+    pub(crate) fn append(&mut self, later: Fractions) {
+        self.cells += later.cells;
+        self.first = self.first.take().or(later.first);
+    }
+}
