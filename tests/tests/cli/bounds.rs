@@ -50,17 +50,11 @@ fn what_is_no_bound_is_refused_with_advice() {
         "data.csv: line 2, column 2 (y): \"1/3\": a fraction has no last digit, of which 'written' is half a unit \
          (expected a decimal such as 1.30e-2)"
     );
-    let stored = boundfit(
-        &boundfit_tests::program::root(),
-        "fit fixtures/mat/transducer-v7.mat --x Vz --y z --eps written",
-    );
-    assert!(
-        stored.stderr.contains(
-            "'written' is half a unit of the last digit written, and a MATLAB file stores numbers without their digits \
-             (expected a bound as a number, such as 0.005, or a law without 'written')"
-        ),
-        "{stored:?}"
-    );
+    let root = boundfit_tests::program::root();
+    let stored = boundfit(&root, "fit fixtures/mat/transducer-v7.mat --x Vz --y z --eps written");
+    let message = "'written' is half a unit of the last digit written, and a MATLAB file stores numbers without their \
+                   digits (expected a bound as a number, such as 0.005, or a law without 'written')";
+    assert!(stored.stderr.contains(message), "{stored:?}");
     assert!(refused(TABLE, "--x t --lower lo --eps 1").contains("cannot be used with"));
     assert!(refused(TABLE, "--x t --eps 1").contains("required arguments were not provided"));
 }

@@ -16,6 +16,7 @@ use sha2::{Digest, Sha256};
 use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
 use crate::hash::hexadecimal;
+use crate::roles::Role;
 use crate::scan::{Batch, ScanOptions, Scanned, scan_text};
 
 use cells::sheet_text;
@@ -55,6 +56,10 @@ pub(crate) fn scan_workbook<T: Send>(
     take: impl FnMut(T),
 ) -> Result<Scanned, InputError> {
     let fail = |problem: InputErrorKind| InputError::of_file(file, problem);
+    // The digits that a cell shows are not those that it stores.
+    if columns.iter().any(|column| column.role() == Role::HalfUnit) {
+        return Err(fail(InputErrorKind::NoDigits { format: FORMAT }));
+    }
     let limit = options.table.sizes.workbook;
     let mut content = Vec::new();
     bytes.take(limit.saturating_add(1)).read_to_end(&mut content).map_err(|error| fail(error.into()))?;
