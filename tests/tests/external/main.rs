@@ -5,3 +5,4 @@ mod octave;
 mod polytopes;
 mod python;
 mod solvers;
+mod tables;
