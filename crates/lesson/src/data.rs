@@ -2,7 +2,7 @@
 
 use boundfit_estimation::{Fit, Model, Problem};
 use boundfit_exact::Reading;
-use boundfit_report::{FitJson, Number, SweepJson};
+use boundfit_report::{FitJson, Number, Origin, SweepJson};
 use serde::Serialize;
 
 use crate::corridor::{CorridorJson, corridor};
@@ -71,6 +71,7 @@ pub(crate) fn build(
     let programs = programs(problem);
     let without = leave_one_out(problem, fit);
     let file = file_name(&options.file);
+    let origin = Origin { file: Some(file), reading, is_stored: false };
     let facts = Facts { problem, fit, styles, programs: &programs, without: &without };
     Ok(LessonJson {
         schema: "boundfit/lesson/1",
@@ -84,7 +85,7 @@ pub(crate) fn build(
         others: readings::others(measurements),
         conditions: readings::conditions(&problem.conditions),
         half_planes: half_planes(problem, fit),
-        fit: FitJson::new(problem, fit, None, reading, &STYLE),
+        fit: FitJson::new(problem, fit, None, &origin, &STYLE),
         corridor: corridor(problem, fit, &mut points),
         orders: orders(problem, fit, &mut points),
         sweep: sweep(problem, fit),

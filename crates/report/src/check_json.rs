@@ -10,11 +10,18 @@ use crate::number::Number;
 use crate::style::Style;
 
 #[derive(Serialize)]
-struct CheckJson {
+struct CheckJson<'a> {
     schema: &'static str,
+    input: InputJson<'a>,
     claims: Vec<ClaimJson>,
     worst: Option<&'static str>,
     directions: Option<DirectionsJson>,
+}
+
+/// What the answers are about.
+#[derive(Serialize)]
+struct InputJson<'a> {
+    file: Option<&'a str>,
 }
 
 #[derive(Serialize)]
@@ -69,10 +76,11 @@ struct ApproximationJson {
     area: Option<Number>,
 }
 
-/// The report as JSON, with a line end. `reading` is that of the data; `worst` is against it.
-pub fn check_json(check: &Check, reading: Reading, style: &Style) -> String {
+/// The report as JSON, with a line end, about the data of this file; `None` for standard input. `reading` is that of the data; `worst` is against it.
+pub fn check_json(check: &Check, file: Option<&str>, reading: Reading, style: &Style) -> String {
     let report = CheckJson {
         schema: "boundfit/check/1",
+        input: InputJson { file },
         claims: check.answers.iter().map(|answer| claim(answer, &check.rows, style)).collect(),
         worst: check.worst(reading).map(Verdict::name),
         directions: check.directions.as_ref().map(|found| directions(found, style)),

@@ -4,14 +4,15 @@ use std::collections::BTreeMap;
 
 use boundfit_estimation::{
     ErrorBound, Family, Fit, FloatEstimate, FractionCells, InverseParameter, LeastSquares, Model,
-    MultipleOfLeast, ParameterBound, ParameterInterval, Problem, Selection,
+    MultipleOfLeast, ParameterBound, ParameterInterval, Problem, Selection, mending_rows,
 };
-use boundfit_exact::{Endpoint, Interval, Rational, Reading};
+use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::Multiplier;
 use serde::Serialize;
 
 use crate::json::{ActiveJson, BoundJson, IntervalJson, RangeJson, RegionJson, TermJson, to_text};
 use crate::number::Number;
+use crate::origin::Origin;
 use crate::style::Style;
 use crate::sweep_json::SweepJson;
 
@@ -35,13 +36,18 @@ pub struct FitJson {
     minimax: Option<MinimaxJson>,
     tightness: Option<Number>,
     area_centroid: Option<[Number; 2]>,
+    mended_without: Option<Vec<usize>>,
     reasons: BTreeMap<&'static str, String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     sweep: Option<SweepJson>,
 }
 
+/// Why it is not known which row would mend an empty set.
+pub(crate) const NO_MENDING: &str = "since not every reading is kept in memory";
+
 #[derive(Debug, Serialize)]
 struct InputJson {
+    file: Option<String>,
     rows: usize,
     rows_total: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -145,10 +151,10 @@ pub fn fit_json(
     problem: &Problem,
     fit: &Fit,
     family: Option<&Family>,
-    reading: Reading,
+    origin: &Origin,
     style: &Style,
 ) -> String {
-    to_text(&FitJson::new(problem, fit, family, reading, style))
+    to_text(&FitJson::new(problem, fit, family, origin, style))
 }
 
 impl FitJson {
@@ -157,13 +163,13 @@ impl FitJson {
         problem: &Problem,
         fit: &Fit,
         family: Option<&Family>,
-        reading: Reading,
+        origin: &Origin,
         style: &Style,
     ) -> Self {
         let region = fit.fps.polyhedron().region();
         FitJson {
             schema: "boundfit/fit/1",
-            input: input(problem, reading, style),
+            input: input(problem, origin, style),
             least_squares: least_squares(problem, fit, style),
             eui: fit.eui().map(|eui| eui.each_ref().map(|eui| RangeJson::new(eui, style))),
             fps: fps(problem, fit, style),
@@ -177,6 +183,7 @@ impl FitJson {
             minimax: minimax(problem, fit, style),
             tightness: fit.tightness().map(|tightness| style.number(&tightness)),
             area_centroid: region.area_centroid().map(|point| style.numbers(&point.coordinates())),
+            mended_without: mending_rows(problem, fit),
             reasons: reasons(problem, fit),
             sweep: family.map(|family| SweepJson::new(problem, family, style)),
         }
@@ -197,7 +204,7 @@ fn is_zero(count: &usize) -> bool {
     *count == 0
 }
 
-fn input(problem: &Problem, reading: Reading, style: &Style) -> InputJson {
+fn input(problem: &Problem, origin: &Origin, style: &Style) -> InputJson {
     let measurements = &problem.measurements;
     let form = measurements.line_form();
     let (model, x) = match measurements.model() {
@@ -217,13 +224,14 @@ fn input(problem: &Problem, reading: Reading, style: &Style) -> InputJson {
         _ => None,
     };
     InputJson {
+        file: origin.file.map(ToOwned::to_owned),
         rows: measurements.fitted(),
         rows_total: measurements.rows_total(),
         selection: selection(measurements.selection()),
         rows_missing: measurements.rows_missing(),
         text: measurements.written().map(ToOwned::to_owned),
         fractions: measurements.fractions().iter().cloned().map(fractions).collect(),
-        reading: reading.name(),
+        reading: origin.reading.name(),
         sha256: measurements.sha256().map(ToOwned::to_owned),
         model,
         x,
@@ -373,6 +381,9 @@ fn reasons(problem: &Problem, fit: &Fit) -> BTreeMap<&'static str, String> {
         let per_row = !problem.measurements.error_bound().is_uniform();
         let reason = if per_row { "every reading has its own error bound" } else { "see minimax" };
         reasons.insert("epsilon_min", reason.to_owned());
+    }
+    if region.is_empty() && problem.measurements.all().is_none() {
+        reasons.insert("mended_without", NO_MENDING.to_owned());
     }
     if fit.inverse.is_none() {
         reasons.insert("inverse", "the model is not a line".to_owned());

@@ -31,6 +31,7 @@ mod check;
 mod check_json;
 mod document;
 mod fit;
+mod fit_csv;
 mod fit_json;
 mod fleet_csv;
 mod fleet_json;
@@ -40,6 +41,7 @@ mod formula;
 mod generators;
 mod json;
 mod number;
+mod origin;
 #[cfg(feature = "files")]
 mod polygon;
 #[cfg(feature = "files")]
@@ -58,7 +60,8 @@ pub use cdd::{h_representation, v_representation};
 pub use check::{check_document, conformance_table, verdict_line};
 pub use check_json::{check_json, conformance_json};
 pub use document::Document;
-pub use fit::{InverseLine, Origin, fit_document};
+pub use fit::{InverseLine, brief_document, fit_document};
+pub use fit_csv::fit_csv;
 pub use fit_json::{FitJson, fit_json};
 pub use fleet_csv::FleetCsv;
 pub use fleet_json::write_group_json;
@@ -66,6 +69,7 @@ pub use fleet_summary::{FleetSummary, GroupReport};
 pub use fleet_text::{FleetTable, GroupCells};
 pub use json::{ActiveJson, RangeJson};
 pub use number::Number;
+pub use origin::Origin;
 #[cfg(feature = "files")]
 pub use polygon::{polygon_document, polygon_json};
 #[cfg(feature = "files")]

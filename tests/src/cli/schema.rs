@@ -6,7 +6,7 @@ use serde_json::Value;
 /// may be null, a list of one stands for any number of such items, a list of two for exactly two.
 pub const FIT: &str = r#"{
   "schema": "text",
-  "input": {"rows": "count", "rows_total": "count", "reading": "text", "sha256": "text"},
+  "input": {"file?": "text", "rows": "count", "rows_total": "count", "reading": "text", "sha256": "text"},
   "least_squares?": {"theta": ["number", "number"], "in_fps": "flag"},
   "eui?": [{"lower": "number", "upper": "number"}, {"lower": "number", "upper": "number"}],
   "fps": {
@@ -26,6 +26,7 @@ pub const FIT: &str = r#"{
   ],
   "central?": {"theta": ["number", "number"], "guaranteed_error": ["number", "number"]},
   "epsilon_min?": "number",
+  "mended_without?": ["count"],
   "inverse?": {
     "gain": {
       "exact_range": [{"lower?": "number", "upper?": "number"}],
@@ -41,6 +42,7 @@ pub const FIT: &str = r#"{
 /// What `boundfit polygon --format json` promises.
 pub const POLYGON: &str = r#"{
   "schema": "text",
+  "input": {"file?": "text", "rows": "count", "reading": "text", "sha256": "text"},
   "region": {
     "kind": "text",
     "vertices": [{"theta": ["number", "number"], "active": ["count"]}],

@@ -58,7 +58,7 @@ fn csv_has_generators_of_every_kind() {
 #[test]
 fn csv_of_a_fit_has_the_vertices_of_the_json() {
     let json = report(&root(), FIT_TRANSDUCER, b"");
-    let csv = printed(&root(), &format!("{FIT_TRANSDUCER} --format csv"));
+    let csv = printed(&root(), &format!("{FIT_TRANSDUCER} --format csv --vertices"));
     let vertices = json["fps"]["vertices"].as_array().unwrap();
     assert_eq!(csv.lines().count(), vertices.len() + 1);
     for (line, vertex) in csv.lines().skip(1).zip(vertices) {

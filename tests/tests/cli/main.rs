@@ -4,6 +4,7 @@ mod atomic_output;
 mod bad_input;
 mod bad_usage;
 mod bounds;
+mod brief;
 mod check;
 mod convert;
 mod exchange;

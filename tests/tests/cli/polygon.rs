@@ -108,6 +108,7 @@ fn the_redundant_rows_are_those_that_can_be_left_out_together() {
 
 fn without_hash(mut report: Value) -> Value {
     report["input"]["sha256"].take();
+    report["input"]["file"].take();
     report
 }
 
@@ -144,7 +145,9 @@ fn the_format_follows_from_the_name_or_else_from_the_contents() {
             let file = format!("{name}{suffix}");
             if directory.path().join(&file).exists() {
                 let line = format!("polygon {file} --format json");
-                assert_eq!(printed(directory.path(), &line), expected, "{file}");
+                let named = format!("\"file\": {file:?}");
+                let unnamed = printed(directory.path(), &line).replacen(&named, "\"file\": null", 1);
+                assert_eq!(unnamed, expected, "{file}");
             }
         }
     }

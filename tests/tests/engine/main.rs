@@ -10,6 +10,7 @@ mod grid;
 mod intervals;
 mod library;
 mod line_forms;
+mod mending;
 mod oracle;
 mod paths;
 mod polyhedron;

@@ -79,6 +79,12 @@ pub(crate) struct FitArguments {
     /// are kept in memory (10000)
     #[arg(long)]
     pub(crate) no_eui: bool,
+    /// Report ten lines only: what was fitted, the set, PUI and central estimate, the least error bound
+    #[arg(long, conflicts_with_all = ["by", "sweep", "inverse"])]
+    pub(crate) brief: bool,
+    /// With --format csv the vertices, rays and lines of the set in place of intervals and estimates
+    #[arg(long, conflicts_with = "by")]
+    pub(crate) vertices: bool,
     /// Also report gain and offset of the inverse line x = gain*y + offset where 0 is in the PUI of theta1
     #[arg(long, conflicts_with = "by")]
     pub(crate) inverse: bool,

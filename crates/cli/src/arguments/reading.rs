@@ -34,7 +34,7 @@ impl DataArguments {
         let source = Source::open(&self.data).map_err(Failure::data);
         let is_stored = source.as_ref().is_ok_and(Source::is_stored);
         let reading = if is_stored { Reading::Binary64 } else { self.table.reading() };
-        let origin = Origin { file: self.file_name(), reading, is_stored };
+        let origin = Origin { file: (self.data != "-").then_some(self.data.as_str()), reading, is_stored };
         Data { arguments: self, origin, source }
     }
 }

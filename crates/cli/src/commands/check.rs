@@ -27,14 +27,14 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
     let output = arguments.output.file.output.as_deref();
     guard.check(output)?;
     let data = arguments.data.open();
-    let reading = data.origin().reading;
+    let boundfit_report::Origin { file, reading, .. } = data.origin();
     let options = options(arguments, claims)?;
     let problem = data.problem()?;
     let check = while_working("solving", || check(&problem, reading, &options));
     let check = check.map_err(|error| Failure::Usage(error.to_string()))?;
     let style = arguments.output.style();
     let report = match format {
-        Format::Json => check_json(&check, reading, &style),
+        Format::Json => check_json(&check, file, reading, &style),
         Format::Text => check_document(&check, arguments.data.file_name(), reading, &style).to_text(),
     };
     output::write(&report, output, &guard)?;

@@ -6,8 +6,8 @@ use boundfit_check::{CheckOptions, check, source_names};
 use boundfit_estimation::{Family, Fit, Keep, Problem, fit};
 use boundfit_exact::{Rational, Reading};
 use boundfit_report::{
-    Document, InverseLine, fit_document, fit_json, h_representation, proof_json, region_script, region_wkt,
-    sweep_document, v_representation, verdict_line, vertices_csv,
+    Document, InverseLine, brief_document, fit_csv, fit_document, fit_json, h_representation, proof_json,
+    region_script, region_wkt, sweep_document, v_representation, verdict_line, vertices_csv,
 };
 
 use crate::CommandResult;
@@ -22,6 +22,7 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     arguments.threads.set()?;
     check_usage_of_proof(arguments)?;
     let format = arguments.output.format()?;
+    check_usage_of_parts(arguments, format)?;
     let output = arguments.output.file.output.as_deref();
     let mut guard = arguments.output.file.replace.guard([arguments.data.path()]);
     guard.check(output)?;
@@ -41,6 +42,9 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     let style = arguments.output.style();
     let inverse = if arguments.inverse { InverseLine::Always } else { InverseLine::default() };
     let document = |lp_verdict: Option<String>| {
+        if arguments.brief {
+            return brief_document(&problem, &fit, &origin, &style);
+        }
         let mut document = fit_document(&problem, &fit, &origin, inverse, &style);
         lp_verdict.into_iter().for_each(|verdict| document.add_result("LP solver", &verdict));
         document.append(
@@ -49,9 +53,10 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
         document
     };
     let report = match format {
-        ReportFormat::Json => fit_json(&problem, &fit, family.as_ref(), reading, &style),
+        ReportFormat::Json => fit_json(&problem, &fit, family.as_ref(), &origin, &style),
         ReportFormat::Latex => document(None).to_latex(),
         ReportFormat::Markdown => document(None).to_markdown(),
+        ReportFormat::Csv if !arguments.vertices => fit_csv(&fit),
         ReportFormat::Csv => {
             vertices_csv(fit.fps.polyhedron(), &|index| fit.fps.name(index).to_string(), &style)
         }
@@ -60,7 +65,8 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
         ReportFormat::Ine => h_representation(fit.fps.polyhedron()),
         ReportFormat::Ext => v_representation(fit.fps.polyhedron()),
         ReportFormat::Text => {
-            let verdict = if arguments.no_lp { None } else { lp_verdict(&problem, reading)? };
+            let verdict =
+                if arguments.no_lp || arguments.brief { None } else { lp_verdict(&problem, reading)? };
             document(verdict).to_text()
         }
     };
@@ -70,6 +76,19 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     }
     output::write(&report, output, &guard)?;
     Ok(if fit.fps.polyhedron().region().is_empty() { Exit::Empty } else { Exit::Answer })
+}
+
+/// Refuses what only some formats have.
+fn check_usage_of_parts(arguments: &FitArguments, format: ReportFormat) -> Result<(), Failure> {
+    let is_document = matches!(format, ReportFormat::Text | ReportFormat::Latex | ReportFormat::Markdown);
+    let problem = if arguments.vertices && format != ReportFormat::Csv {
+        "'--vertices' is about '--format csv'; other formats have the vertices anyway"
+    } else if (arguments.brief || arguments.inverse) && !is_document {
+        "'--brief' and '--inverse' are about text, latex and markdown; other formats have all there is"
+    } else {
+        return Ok(());
+    };
+    Err(Failure::Usage(problem.to_owned()))
 }
 
 /// Refuses a proof that would have no file of its own, or be about many sets.

@@ -32,7 +32,13 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     let document = || polygon_document(&file, &polyhedron, &name, &style);
     let report = match format {
         ReportFormat::Text => document().to_text(),
-        ReportFormat::Json => polygon_json(&file, &polyhedron, reading, &style),
+        ReportFormat::Json => polygon_json(
+            &file,
+            &polyhedron,
+            Some(arguments.file.as_str()).filter(|file| *file != "-"),
+            reading,
+            &style,
+        ),
         ReportFormat::Latex => document().to_latex(),
         ReportFormat::Markdown => document().to_markdown(),
         ReportFormat::Csv => vertices_csv(&polyhedron, &active, &style),

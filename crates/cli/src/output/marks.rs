@@ -4,7 +4,7 @@
 pub(super) const START: u64 = 4096;
 
 /// What a format begins with, and what else is found in its first bytes.
-const MARKS: [(&str, &str); 26] = [
+const MARKS: [(&str, &str); 27] = [
     // Reports as text, Markdown and LaTeX.
     ("Set-membership fit\n", ""),
     ("Half-planes of ", "\nRegion: "),
@@ -20,6 +20,7 @@ const MARKS: [(&str, &str); 26] = [
     ("% needs \\usepackage{booktabs}\n{\\raggedright", ""),
     // Tables and scripts.
     ("kind,theta1,theta2,theta1_decimal,theta2_decimal,active\n", ""),
+    ("quantity,parameter,lower,upper,value,lower_exact,upper_exact,value_exact\n", ""),
     ("group,rows,first_row,kind,theta1_lower,", ""),
     ("# boundfit/reduced/1 ", ""),
     ("% A set of parameters (theta1, theta2), written by boundfit.\n", ""),

@@ -1,32 +1,26 @@
 //! The report of a fit.
 
+mod brief;
 mod estimates;
 mod results;
 
+pub use brief::brief_document;
+
 use boundfit_estimation::{
     BoundName, ErrorBound, Fit, FractionCells, Inverse, Model, MultipleOfLeast, ParameterBound,
-    ParameterInterval, Problem,
+    ParameterInterval, Problem, mending_rows,
 };
-use boundfit_exact::english::counted;
+use boundfit_exact::english::{counted, listed};
 use boundfit_exact::{Interval, Rational, Reading};
 
 use crate::advice::bounding_reading;
 use crate::document::{Block, Document, Facts, Operator, Symbol, THETA, Table, Text};
+use crate::fit_json::NO_MENDING;
 use crate::formula::{absurdity, products};
+use crate::origin::Origin;
 use crate::region::region_blocks;
 use crate::scale::{Scale, scales};
 use crate::style::Style;
-
-/// Where the readings come from.
-#[derive(Debug, Clone, Copy)]
-pub struct Origin<'a> {
-    /// The file, in the words of the user.
-    pub file: &'a str,
-    /// How numbers were read.
-    pub reading: Reading,
-    /// Whether the file stores them in binary, so that they were not read from text.
-    pub is_stored: bool,
-}
 
 /// What the set is called in titles.
 const SET: &str = "Feasible parameter set (FPS)";
@@ -187,7 +181,10 @@ impl<'a> Report<'a> {
             .into_iter()
             .chain(multiple.map(|multiple| ("assumes", assumption(multiple, self.style))))
             .chain([
-                ("data", Text::new().given(file).words(format!(", {rows}{missing}"))),
+                (
+                    "data",
+                    Text::new().given(file.unwrap_or("standard input")).words(format!(", {rows}{missing}")),
+                ),
                 ("reading", reading.into()),
             ]);
         let text = measurements.written().map(|words| ("text".into(), words.into()));
@@ -284,7 +281,20 @@ impl<'a> Report<'a> {
                     .words(".")
             }
         };
-        vec![contradiction.into(), proof.words("."), help]
+        vec![contradiction.into(), proof.words("."), help, self.mending().into()]
+    }
+
+    /// Which single row an empty set would have to lose.
+    fn mending(&self) -> String {
+        match mending_rows(self.problem, self.fit).as_deref() {
+            None => format!("Which row alone would mend it is not told, {NO_MENDING}."),
+            Some([]) => "To leave out a single row would not mend it.".to_owned(),
+            Some([row]) => format!("To leave out row {row} would mend it; no other single row would."),
+            Some(rows) => {
+                let rows: Vec<String> = rows.iter().map(ToString::to_string).collect();
+                format!("To leave out one of the rows {} would mend it; no other would.", listed(&rows))
+            }
+        }
     }
 
     /// The right-hand side of a combination of half-planes.

@@ -25,6 +25,7 @@ struct PolygonJson {
 
 #[derive(Serialize)]
 struct InputJson {
+    file: Option<String>,
     rows: usize,
     reading: &'static str,
     sha256: String,
@@ -37,7 +38,7 @@ struct HalfPlaneJson {
     b: Number,
 }
 
-/// The report as JSON, with a line end. Half-planes are named by their row in the file, from 1; the bound is `upper`
+/// The report as JSON, with a line end, about the file of this name; `None` for standard input. Half-planes are named by their row in the file, from 1; the bound is `upper`
 /// for a row as given and `lower` for the other direction of an equation.
 ///
 /// Of a V-representation the rows are generators: active at a vertex are the points that equal it, at a boundary those on
@@ -46,6 +47,7 @@ struct HalfPlaneJson {
 pub fn polygon_json(
     file: &HalfPlaneFile,
     polyhedron: &Polyhedron,
+    name: Option<&str>,
     reading: Reading,
     style: &Style,
 ) -> String {
@@ -55,7 +57,12 @@ pub fn polygon_json(
         .map(|certificate| certificate.multipliers().iter().map(|m| term(file, m, style)).collect());
     let report = PolygonJson {
         schema: "boundfit/polygon/1",
-        input: InputJson { rows: file.rows, reading: reading.name(), sha256: file.sha256.clone() },
+        input: InputJson {
+            file: name.map(ToOwned::to_owned),
+            rows: file.rows,
+            reading: reading.name(),
+            sha256: file.sha256.clone(),
+        },
         region: RegionJson::new(region, style, |indices| rows_of(file, indices), farkas),
         facets: file.generators.is_some().then(|| facets(polyhedron, style)),
         redundant: redundant_rows(file, polyhedron),

@@ -28,7 +28,7 @@ fn is_pair(value: &Value) -> bool {
 
 /// Checks every key of `boundfit/check/1`.
 fn check_schema(found: &Value) {
-    assert_eq!(keys(found), ["schema", "claims", "worst", "directions"]);
+    assert_eq!(keys(found), ["schema", "input", "claims", "worst", "directions"]);
     assert_eq!(found["schema"], "boundfit/check/1");
     assert!(or_null(&found["worst"], Value::is_string));
     for claim in found["claims"].as_array().unwrap() {

@@ -1,0 +1,31 @@
+//! Which single row an empty set would have to lose.
+
+use crate::{BoundName, Fit, Fps, Measurements, Problem};
+
+/// Of an empty FPS every row without which alone, with both of its bounds, some parameter is feasible, in ascending order.
+/// `None` when the set is not empty, or when not every reading is in memory, since those that are not could take the place
+/// of the one that is left out. Exact.
+///
+/// Whoever takes one inequality out of a contradictory system and makes it consistent has taken it out of every
+/// contradiction, so that only the rows of one need be tried. Cost: that of at most three feasible sets.
+pub fn mending_rows(problem: &Problem, fit: &Fit) -> Option<Vec<usize>> {
+    let Problem { measurements, conditions } = problem;
+    let contradiction = fit.contradiction(measurements.error_bound())?;
+    let all = measurements.all()?;
+    let mut rows: Vec<usize> = contradiction
+        .iter()
+        .filter_map(|(name, _)| match name {
+            BoundName::Upper(row) | BoundName::Lower(row) => Some(*row),
+            BoundName::Where(_) | BoundName::WhereUpper(_) | BoundName::WhereLower(_) => None,
+        })
+        .collect();
+    rows.sort_unstable();
+    rows.dedup();
+    rows.retain(|row| {
+        let rest = all.iter().filter(|measurement| measurement.row != *row).cloned().collect();
+        let (model, bound) = (measurements.model().clone(), measurements.error_bound().clone());
+        let rest = Measurements::new(model, measurements.response().to_owned(), bound, rest);
+        !Fps::new(&rest, conditions).polyhedron().region().is_empty()
+    });
+    Some(rows)
+}

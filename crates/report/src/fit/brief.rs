@@ -1,0 +1,52 @@
+//! The report of a fit in ten lines.
+
+use boundfit_estimation::{Fit, Problem};
+use boundfit_exact::english::list;
+
+use super::{InverseLine, Report};
+use crate::document::{Block, Document, Facts, Symbol, THETA, Text};
+use crate::origin::Origin;
+use crate::region::kind_text;
+use crate::style::Style;
+
+/// The report of a fit in ten lines: model, error, data, the kind of set, of each parameter the PUI and the central estimate
+/// with its guaranteed error, ε_min and least squares; of an empty set what is contradictory and what would mend it.
+pub fn brief_document(problem: &Problem, fit: &Fit, origin: &Origin, style: &Style) -> Document {
+    let pui = fit.pui_intervals();
+    let report = Report::new(problem, fit, pui.as_ref(), InverseLine::default(), style);
+    let region = fit.fps.polyhedron().region();
+    let mut rows = report.facts(origin);
+    rows.push(("set".into(), kind_text(region.kind(), region.vertices().len()).into()));
+    for (axis, interval) in pui.iter().flatten().enumerate() {
+        let range = Text::from("in ").then(report.theta[axis].interval(interval));
+        let line = match &fit.central {
+            Some(central) => {
+                let value = range.words("; central ").number(report.theta[axis].value(&central.theta[axis]));
+                value.words(" ").then(report.give_or_take(&central.guaranteed_error[axis]))
+            }
+            None => range,
+        };
+        rows.push((THETA[axis].into(), line));
+    }
+    rows.extend(fit.minimax.as_ref().map(|minimax| {
+        let least = Text::new().number(style.upper(&minimax.least));
+        let names = list(minimax.proof.multipliers.iter().map(|(name, _)| name.to_string()));
+        let is_uniform = problem.measurements.error_bound().is_uniform();
+        let least = if is_uniform { least } else { least.words(" times the bounds") };
+        (Text::from(Symbol::LeastEpsilon), least.words(format!(", fixed by {names}")))
+    }));
+    if let Ok(least_squares) = &fit.least_squares {
+        let [theta1, theta2] = [0, 1].map(|axis| report.theta[axis].value(&least_squares.theta[axis]));
+        let is_feasible = fit.least_squares_slack().is_none_or(|(slack, _)| !slack.is_negative());
+        let line = Text::from("least squares ").number(theta1).words(" and ").number(theta2);
+        let line = line.words(if is_feasible { ", feasible" } else { ", not feasible" });
+        rows.push((Text::new(), line));
+    }
+    let mut blocks = vec![Block::Title("Set-membership fit".into()), Block::Facts(Facts { width: 7, rows })];
+    if region.is_empty() {
+        // The proof is in the whole report.
+        let lines = report.emptiness().into_iter().enumerate().filter(|(number, _)| *number != 1);
+        blocks.extend(lines.map(|(_, line)| Block::Paragraph(line)));
+    }
+    Document::new(blocks)
+}

@@ -1,0 +1,142 @@
+//! The estimates and intervals of a fit as CSV.
+
+use boundfit_estimation::{Fit, InverseParameter};
+use boundfit_exact::{Endpoint, Interval, Rational};
+use csv::Writer;
+
+const COLUMNS: [&str; 8] =
+    ["quantity", "parameter", "lower", "upper", "value", "lower_exact", "upper_exact", "value_exact"];
+
+/// Estimates and intervals as a table, one row for each quantity of each parameter.
+///
+/// The quantities are `least_squares`, `eui`, `pui`, `central`, `guaranteed_error` and `minimax`, each as far as it is there;
+/// the parameters `theta1` and `theta2`, and of a line with an inverse `gain` and `offset`, whose `pui` is their range over the
+/// feasible set, in several rows where it has several parts. The last row is `least_error_bound`, which is a factor where the
+/// readings have bounds of their own. `lower`, `upper` and `value` are doubles: ends rounded outward, `-inf` and `inf` where
+/// there are none, errors and the least error bound up, values to nearest. The last columns are exact.
+pub fn fit_csv(fit: &Fit) -> String {
+    let mut table = Table { writer: Writer::from_writer(Vec::new()) };
+    table.row(COLUMNS.map(str::to_owned));
+    if let Ok(estimate) = &fit.least_squares {
+        table.values("least_squares", &estimate.theta);
+    }
+    if let Some(eui) = fit.eui() {
+        table.intervals("eui", eui);
+    }
+    if let Some(pui) = fit.pui_intervals() {
+        table.intervals("pui", &pui);
+    }
+    if let Some(central) = &fit.central {
+        table.values("central", &central.theta);
+        for (name, error) in PARAMETERS.iter().zip(&central.guaranteed_error) {
+            table.value("guaranteed_error", name, up(error), error);
+        }
+    }
+    if let Some(minimax) = &fit.minimax {
+        table.values("minimax", &minimax.theta);
+    }
+    if let Some(inverse) = &fit.inverse {
+        table.inverse("gain", &inverse.gain);
+        table.inverse("offset", &inverse.offset);
+    }
+    if let Some(minimax) = &fit.minimax {
+        table.value("least_error_bound", "", up(&minimax.least), &minimax.least);
+    }
+    String::from_utf8(table.writer.into_inner().unwrap_or_default()).unwrap_or_default()
+}
+
+const PARAMETERS: [&str; 2] = ["theta1", "theta2"];
+
+struct Table {
+    writer: Writer<Vec<u8>>,
+}
+
+impl Table {
+    fn row(&mut self, cells: [String; 8]) {
+        // Writing to memory does not fail.
+        let written = self.writer.write_record(&cells);
+        debug_assert!(written.is_ok());
+    }
+
+    fn value(&mut self, quantity: &str, parameter: &str, double: f64, exact: &Rational) {
+        let [none, no_lower, no_upper, no_end] = [const { String::new() }; 4];
+        let (quantity, parameter) = (quantity.to_owned(), parameter.to_owned());
+        self.row([quantity, parameter, none, no_lower, shown(double), no_upper, no_end, exact.to_string()]);
+    }
+
+    fn values(&mut self, quantity: &str, values: &[Rational; 2]) {
+        for (parameter, value) in PARAMETERS.iter().zip(values) {
+            self.value(quantity, parameter, value.to_f64(), value);
+        }
+    }
+
+    fn interval(&mut self, quantity: &str, parameter: &str, interval: &Interval) {
+        let end = |end: &Endpoint, double: &dyn Fn(&Rational) -> f64, none: &str| {
+            end.value()
+                .map_or((none.to_owned(), String::new()), |value| (shown(double(value)), value.to_string()))
+        };
+        let (lower, lower_exact) = end(interval.lower(), &down, "-inf");
+        let (upper, upper_exact) = end(interval.upper(), &up, "inf");
+        let names = [quantity, parameter].map(str::to_owned);
+        let [quantity, parameter] = names;
+        self.row([quantity, parameter, lower, upper, String::new(), lower_exact, upper_exact, String::new()]);
+    }
+
+    fn intervals(&mut self, quantity: &str, intervals: &[Interval; 2]) {
+        for (parameter, interval) in PARAMETERS.iter().zip(intervals) {
+            self.interval(quantity, parameter, interval);
+        }
+    }
+
+    fn inverse(&mut self, parameter: &str, inverse: &InverseParameter) {
+        if let Some(value) = &inverse.least_squares {
+            self.value("least_squares", parameter, value.to_f64(), value);
+        }
+        for interval in inverse.eui_range.iter().flatten() {
+            self.interval("eui", parameter, interval);
+        }
+        for interval in &inverse.exact_range {
+            self.interval("pui", parameter, interval);
+        }
+        if let Some(value) = &inverse.central {
+            self.value("central", parameter, value.to_f64(), value);
+        }
+    }
+}
+
+/// The shortest text that is read as this double.
+fn shown(double: f64) -> String {
+    format!("{double:?}")
+}
+
+/// The largest double that is not greater.
+fn down(value: &Rational) -> f64 {
+    let nearest = value.to_f64();
+    let is_greater = Rational::from_f64(nearest).map_or(nearest > 0.0, |double| double > *value);
+    if is_greater { nearest.next_down() } else { nearest }
+}
+
+/// The least double that is not smaller.
+fn up(value: &Rational) -> f64 {
+    -down(&-value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn doubles_enclose_the_number() {
+        let huge = Rational::scientific(1, 400);
+        for value in
+            [Rational::ratio(1, 3), Rational::ratio(-1, 3), Rational::ratio(1, 10), huge.clone(), -&huge]
+        {
+            let (below, above) = (down(&value), up(&value));
+            assert!(Rational::from_f64(below).is_none_or(|double| double <= value), "{value}");
+            assert!(Rational::from_f64(above).is_none_or(|double| double >= value), "{value}");
+            assert!(above == below.next_up(), "{value}: {below} {above}");
+        }
+        assert_eq!((down(&Rational::ratio(3, 4)), up(&Rational::ratio(3, 4))), (0.75, 0.75));
+        assert_eq!((down(&huge), up(&huge)), (f64::MAX, f64::INFINITY));
+    }
+}
