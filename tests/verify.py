@@ -10,10 +10,12 @@ OPTIONAL = {"interval": list, "law": list, "x_origin": str}
 MISSING = "na n/a #n/a nan null none - -- . ?".split() + [""]
 def must(truth, statement, error=Falsehood):
     if not truth: raise error(statement)
+SPACES = " \t\n\f\r\u00a0\u2007\u2009\u202f"
+def plain(text): return re.sub("[dD]", "e", text.replace("\u2212", "-").strip(SPACES))
 def number(text):  # section 1: all else is no text, or no number
-    form = r"[ \t\n\f\r]*[+-]?((0|[1-9][0-9]*)/[1-9][0-9]*|([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)[ \t\n\f\r]*"
-    must(re.fullmatch(form, text, re.ASCII), f"{text!r} is not a number")
-    return Fraction(text)
+    form = r"[+-]?((0|[1-9][0-9]*)/[1-9][0-9]*|([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)"
+    must(re.fullmatch(form, plain(text), re.ASCII), f"{text!r} is not a number")
+    return Fraction(plain(text))
 def pair(texts): return (lambda x, y: (number(x), number(y)))(*texts)
 def dot(u, v): return u[0] * v[0] + u[1] * v[1]
 def cross(u, v): return u[0] * v[1] - u[1] * v[0]
@@ -42,14 +44,14 @@ def half_planes(proof, data):  # section 2: name -> (a1, a2, b): a1*theta1 + a2*
         if column is None: return None
         cells = rows[row - 1]
         text = cells[column - 1] if 0 < column <= len(cells) else "0"
-        return None if text.strip(" \t\n\f\r").lower() in MISSING else read(row, column)
+        return None if text.strip(SPACES).lower() in MISSING else read(row, column)
     def quantity(row, kind, column):
         if kind == "abs": return abs(read(row, column))
         must(kind == "written", "law", ValueError)
         must(0 < column <= len(rows[row - 1]), f"row {row} has no column {column}")
         text = rows[row - 1][column - 1]
         number(text), must("/" not in text, f"row {row}: {text!r} has no last digit")
-        mantissa, _, exponent = text.strip(" \t\n\f\r").lower().partition("e")
+        mantissa, _, exponent = plain(text).lower().partition("e")
         return Fraction(10) ** (int(exponent or 0) - len(mantissa.partition(".")[2])) / 2
     def law(row, terms): return sum(quantity(row, kind, column) * number(times) for kind, column, times in terms)
     for row in (row for first, last in ranges for row in range(first, last + 1)):

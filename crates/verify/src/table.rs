@@ -2,7 +2,7 @@
 
 use std::mem;
 
-use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading};
+use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading, trim_number};
 
 use crate::falsehood::Falsehood;
 
@@ -122,11 +122,13 @@ pub(crate) fn half_unit_at(
     // That it is a number within the limits.
     number_at(row, column, cells, Reading::Decimal, limits)?;
     let cell = column.checked_sub(1).and_then(|index| cells.get(index));
-    let text = String::from_utf8_lossy(cell.ok_or(Falsehood::NoLastDigit { row, column })?).into_owned();
+    let text =
+        String::from_utf8_lossy(cell.ok_or(Falsehood::NoLastDigit { row, column })?).replace('\u{2212}', "-");
     if text.contains('/') {
         return Err(Falsehood::NoLastDigit { row, column });
     }
-    let (mantissa, exponent) = text.trim().split_once(['e', 'E']).unwrap_or((text.trim(), "0"));
+    let (mantissa, exponent) =
+        trim_number(&text).split_once(['e', 'E', 'd', 'D']).unwrap_or((trim_number(&text), "0"));
     let places = mantissa.rsplit_once('.').map_or(0, |(_, places)| places.len());
     let places = i64::try_from(places).unwrap_or(i64::MAX);
     let exponent: i64 = exponent.parse().map_err(|_| Falsehood::NoLastDigit { row, column })?;

@@ -49,27 +49,29 @@ fn tables_of_the_wrong_shape() {
 fn cells_that_are_not_numbers() {
     let cases: &[(&str, &str, usize)] = &[
         ("abc", "unexpected character 'a'", 0),
-        ("nan", "not a finite number", 0),
+        ("nan", "", 0),
         ("inf", "not a finite number", 0),
         ("-Infinity", "not a finite number", 1),
         ("1e999999999", "exponent beyond 10000 (the limit)", 2),
         ("1_000", "unexpected '_' (digits are not grouped)", 1),
-        ("1,5", "unexpected ',' (the decimal mark is a point)", 1),
+        ("1,5", "", 0),
         ("0x10", "unexpected character 'x'", 1),
-        ("", "nothing to read", 0),
-        ("   ", "nothing to read", 3),
+        ("", "", 0),
+        ("   ", "", 0),
         ("1e", "a digit is missing", 2),
         ("1/0", "zero denominator", 2),
         ("1/-2", "unexpected character '-'", 2),
         ("1 000", "unexpected character '0'", 2),
-        ("\u{2212}1", "unexpected character '\u{2212}'", 0),
+        ("\u{2212}1", "", 0),
         ("1.2.3", "unexpected character '.'", 3),
         ("--1", "unexpected character '-'", 1),
-        ("#N/A", "unexpected character '#'", 0),
+        ("#N/A", "", 0),
         ("\u{1b}[31mred", "unexpected character '\\u{1b}'", 0),
         ("1e-999999999", "exponent beyond 10000 (the limit)", 3),
     ];
-    for (row, (cell, problem, before)) in (1..).zip(cases) {
+    // The others are numbers, missing values or decimal commas by now: see `dialects`.
+    for (row, &(cell, problem, before)) in (1..).zip(cases).filter(|(_, (_, problem, _))| !problem.is_empty())
+    {
         let options = format!("--x x --y y --eps 1 --rows {row}..{row}");
         let line = row + 1;
         let verdict = if problem.ends_with("(the limit)") {
@@ -237,8 +239,6 @@ fn text_in_other_encodings() {
                     ": line 1, column 3: \"\u{fffd}C\": invalid UTF-8 at character 1 of the cell {utf8}"
                 ),
             ),
-            ("utf16-le.csv", &format!(": the text is UTF-16 {utf8}")),
-            ("utf16-be.csv", &format!(": the text is UTF-16 {utf8}")),
             (
                 "picture.csv",
                 &format!(
@@ -336,7 +336,8 @@ fn every_bad_file_is_refused() {
     let reading = "--reading binary64";
     for file in files_in(&folder) {
         let line = match file.as_str() {
-            "README.md" => continue,
+            // What is UTF-16 is read.
+            "README.md" | "utf16-be.csv" | "utf16-le.csv" => continue,
             "other-names.csv" => format!("polygon {file}"),
             "negative-bound.csv" => format!("fit {file} --x x --y y --eps-column eps"),
             file if file.ends_with(".ine") || file.ends_with(".ext") => format!("polygon {file}"),

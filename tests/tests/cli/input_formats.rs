@@ -165,10 +165,11 @@ fn a_header_is_found_or_told() {
     );
     assert_eq!((run.status, run.stderr), (1, expected));
     // A first row of failed numbers is data, not a header.
-    for cell in ["nan", "NaN", "inf", "NA", "n/a", "null", "None", "1,5"] {
+    for cell in ["nan", "NaN", "inf", "NA", "n/a", "null", "None"] {
         let directory = in_directory(&format!("{cell};{cell}\n1;2\n"));
         let run = boundfit(directory.path(), "fit data.csv --x 1 --y 2 --eps 1");
-        let start = format!("error: data.csv: line 1, column 1: {cell:?}: not a number: ");
+        let problem = if cell == "inf" { "not a number: " } else { "the value is missing" };
+        let start = format!("error: data.csv: line 1, column 1: {cell:?}: {problem}");
         assert!(run.stderr.starts_with(&start), "{}", run.stderr);
     }
 }

@@ -102,7 +102,7 @@ fn a_file_cut_within_a_row_is_refused_with_its_line() {
     let separator = last_line + text[last_line..].find(',').unwrap();
     for (end, problem) in [
         (separator, "the row has 1 cell where the first row has 2"),
-        (separator + 1, "column 2 (y): \"\": not a number: nothing to read at character 1"),
+        (separator + 1, "column 2 (y): \"\": the value is missing, in this row only"),
     ] {
         fs::write(&file, &text[..end]).unwrap();
         let run = fit(&file, &[]);

@@ -7,6 +7,7 @@ mod bounds;
 mod brief;
 mod check;
 mod convert;
+mod dialects;
 mod exchange;
 mod fleet;
 mod help;

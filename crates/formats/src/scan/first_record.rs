@@ -76,7 +76,6 @@ impl<'a> FirstRecord<'a> {
             true => InputError::of_line(file, first.line, InputErrorKind::OpenQuote),
             false => error,
         };
-        check_columns(file, first.cells.len(), first.line, &options.table.sizes).map_err(explained)?;
         let commented = start.commented(&preamble, &first);
         let is_commented = commented.is_some();
         let mut heading = match commented {
@@ -157,6 +156,17 @@ impl Start<'_> {
             }
             break;
         }
+        let line = records.record_line();
+        // Cells are not copied where there are too many.
+        check_columns(self.file, records.record().len(), line, &self.options.table.sizes).map_err(
+            |error| {
+                if is_within_quotes {
+                    InputError::of_line(self.file, line, InputErrorKind::OpenQuote)
+                } else {
+                    error
+                }
+            },
+        )?;
         // A record ends with the first half of its line end.
         if reader.pending().get(..end).is_some_and(|record| record.ends_with(b"\r")) {
             if reader.pending().len() == end {

@@ -10,6 +10,9 @@ use crate::start::{are_blanks, delimiter_of};
 /// How many bytes are passed over at a time, so that many short lines cost no more than a few long ones.
 const PASSED_AT_ONCE: usize = 1 << 16;
 
+/// How many cells of a comment are looked at: names are few.
+const MOST_CELLS: usize = 100_000;
+
 /// Bytes that start comments unless another one is asked for.
 pub(super) const USUAL_MARKS: [u8; 2] = *b"#%";
 
@@ -159,5 +162,5 @@ fn cells_of(line: &[u8], delimiter: u8) -> Vec<Vec<u8>> {
     if !matches!(records.next(&mut rest), Ok(true)) && !records.finish() {
         return Vec::new();
     }
-    records.record().cells().map(<[u8]>::to_vec).collect()
+    records.record().cells().take(MOST_CELLS).map(<[u8]>::to_vec).collect()
 }

@@ -3,6 +3,7 @@
 mod agreement;
 mod both;
 mod bytes;
+mod dialects;
 mod handing_out;
 mod numbers;
 mod tables;

@@ -1,0 +1,129 @@
+//! Text tables as spreadsheets, R, numpy and loggers write them: what is said of them, and what is refused.
+
+use boundfit_tests::cli::refusals::refuses;
+use boundfit_tests::cli::{boundfit, directory_with, printed};
+
+#[test]
+fn what_is_found_out_is_said() {
+    let directory = directory_with(&[
+        ("de.csv", "Umfang;Höhe\n8;70\n8,6;65,5\n10,7;72\n".as_bytes()),
+        ("savetxt.txt", b"# made by numpy\n# speed dist\n4.0 2\n7.0 4.5\n8 16\n"),
+        ("R.txt", b"\"speed\" \"dist\"\n\"1\" 4 2\n\"2\" 7 4\n\"3\" 8 16\n"),
+        ("trail.csv", b"U (mV),I [mA]\n1,2,\n2,3,\n4,5,\n,,\n# source: me\n"),
+        ("missing.csv", b"x,y\n1,NA\n2,3\n,4\n5,6\n7,8\n"),
+        ("units.csv", b"U\tI\nmV\tmA\n1\t2\n2\t3,5\n"),
+        ("thousands.csv", b"x,y\n\"60,323\",1\n83000,2\n"),
+    ]);
+    for (line, facts) in [
+        ("fit de.csv --x Umfang --y Höhe --eps 10", "decimal comma, separated by semicolons"),
+        ("fit savetxt.txt --x speed --y dist --eps 10", "separated by blanks"),
+        ("fit R.txt --x speed --y dist --eps 10", "separated by blanks"),
+        ("fit trail.csv --x U --y I --eps 1", "trail.csv, 3 rows"),
+        (
+            "fit missing.csv --x x --y y --eps 1 --missing skip",
+            "missing.csv, 5 rows, 2 rows with missing values left out",
+        ),
+        ("fit units.csv --x U --y I --eps 1 --units-row", "decimal comma, separated by tabs"),
+        (
+            "fit thousands.csv --x x --y y --eps 1 --thousands ,",
+            "digits grouped by \",\", separated by commas",
+        ),
+    ] {
+        let report = printed(directory.path(), line);
+        assert!(report.contains(&format!("{facts}\n")), "{line}\n{report}");
+    }
+    let json = printed(directory.path(), "fit missing.csv --x x --y y --eps 1 --missing skip --format json");
+    assert!(json.contains("\"rows_missing\": 2,"), "{json}");
+    let json = printed(directory.path(), "fit de.csv --x 1 --y 2 --eps 10 --format json");
+    assert!(json.contains("\"text\": \"decimal comma, separated by semicolons\","), "{json}");
+    let picture = printed(directory.path(), "plot units.csv --x U --y I --eps 1 --units-row");
+    assert!(picture.contains("<svg"), "{picture}");
+}
+
+#[test]
+fn what_cannot_be_found_out_is_refused_with_the_option_that_tells() {
+    let directory = directory_with(&[
+        ("missing.csv", b"x,y,z\n1,NA,1\n2,3,1\n,4,1\n5,6,?\n"),
+        ("all.csv", b"x,y\n1,NA\nnan,2\n"),
+        ("units.csv", b"U,I\nmV,mA\n1,2\n"),
+        ("mixed.csv", b"1;2\n2;3\n3,5;4\n4.5;5\n"),
+        ("asked.csv", b"x;y\n1.5;2\n"),
+        ("thousands.csv", b"x,y\n\"60,323\",1\n"),
+        ("groups.csv", b"x;y\n60,32;1\n"),
+        ("undivided.csv", b"Device: X\n\nx;y\n1;2\n"),
+        ("blanks.txt", b"x y\n1 2\n"),
+        ("date.csv", b"x;y\n1,5;2\n"),
+    ]);
+    for (line, message) in [
+        (
+            "fit missing.csv --x x --y y --eps 1",
+            "missing.csv: line 2, column 2 (y): \"NA\": the value is missing, and in 1 row more (expected a number in \
+             every row; --missing skip leaves such rows out)",
+        ),
+        (
+            "fit missing.csv --x z --y z --eps 1",
+            "missing.csv: line 5, column 3 (z): \"?\": the value is missing, in this row only (expected a number in every \
+             row; --missing skip leaves such rows out)",
+        ),
+        (
+            "fit all.csv --x x --y y --eps 1 --missing skip",
+            "all.csv: line 2, column 2 (y): \"NA\": the value is missing, and no row that is asked for has all its values \
+             (2 without) (expected a row with all its numbers)",
+        ),
+        (
+            "fit units.csv --x U --y I --eps 1",
+            "units.csv: line 2, column 1 (U): \"mV\": not a number, nor is any other cell of this row that is asked for \
+             (expected a row of numbers; --units-row passes over a row of units)",
+        ),
+        (
+            "fit mixed.csv --x 1 --y 2 --eps 1",
+            "mixed.csv: line 4, column 1: \"4.5\": a number with a decimal point, where those before have a decimal comma \
+             (expected one decimal mark; --decimal comma or --decimal point says which, --thousands what groups digits)",
+        ),
+        (
+            "fit asked.csv --x x --y y --eps 1 --decimal comma",
+            "asked.csv: line 2, column 1 (x): \"1.5\": not a number: unexpected '.' (the decimal mark is a comma) at \
+             character 2 (expected 1,5; with --decimal point 1.5 is read, with --thousands '.' 60.323 as 60323)",
+        ),
+        (
+            "fit thousands.csv --x x --y y --eps 1",
+            "thousands.csv: line 2, column 1 (x): \"60,323\": not a number: unexpected ',' (the decimal mark is a point) at \
+             character 3 (expected 1.5; with --decimal comma 1,5 is read, with --thousands ',' 60,323 as 60323)",
+        ),
+        (
+            "fit groups.csv --x x --y y --eps 1 --thousands ,",
+            "groups.csv: line 2, column 1 (x): \"60,32\": not a number: digits that are not in groups of three at \
+             character 4 (expected a decimal such as 1.30e-2 or a fraction such as 7/19)",
+        ),
+        (
+            "fit undivided.csv --x x --y y --eps 1",
+            "undivided.csv: line 1: there is no column \"x\", and nothing was found that separates columns in \"Device: X\" \
+             (expected --delimiter comma, semicolon, tab, space or pipe, or a column's number)",
+        ),
+    ] {
+        refuses(directory.path(), line, 1, message);
+    }
+    for (line, said) in [
+        ("fit date.csv --x x --y y --eps 1,5", "invalid value '1,5' for '--eps"),
+        ("fit date.csv --x x --y y --eps 1 --comment ab", "expected auto, none or one character such as '#'"),
+        ("fit date.csv --x x --y y --eps 1 --thousands ;", "expected ',' '.' ' ' or \"'\""),
+    ] {
+        let run = boundfit(directory.path(), line);
+        assert!(run.status == 2 && run.stderr.contains(said), "{}", run.stderr);
+    }
+}
+
+#[test]
+fn what_stands_before_the_table_is_passed_over_on_request() {
+    let directory = directory_with(&[
+        ("preamble.csv", b"Device: X\nmade, in haste\n\nx;y\n1;2\n2;3\n4;5\n"),
+        ("bang.csv", b"! a note\nx,y\n1,2\n! another, one\n2,3\n4,5\n"),
+    ]);
+    for line in [
+        "fit preamble.csv --x x --y y --eps 1 --skip-lines 3",
+        "fit bang.csv --x x --y y --eps 1 --comment !",
+    ] {
+        let report = printed(directory.path(), line);
+        assert!(report.contains(", 3 rows\n"), "{line}\n{report}");
+    }
+}
