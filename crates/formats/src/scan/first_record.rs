@@ -160,7 +160,7 @@ impl Start<'_> {
         // Cells are not copied where there are too many.
         check_columns(self.file, records.record().len(), line, &self.options.table.sizes).map_err(
             |error| {
-                if is_within_quotes {
+                if records.is_within_quotes() {
                     InputError::of_line(self.file, line, InputErrorKind::OpenQuote)
                 } else {
                     error
