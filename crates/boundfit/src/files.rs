@@ -1,6 +1,6 @@
 //! Readings from files: delimited text, MATLAB's `.mat`, and with the feature `arrow` Parquet and Arrow IPC.
 //!
-//! [`Measurements::scan`] reads a file in parts, in memory that does not grow with it for a line under a uniform error bound;
+//! [`Measurements::scan`] reads a file in parts, in memory that does not grow with it;
 //! [`Measurements::read`] reads a [`Source`], which need not be a file. A column is named by its header or its number, and
 //! every error names file, line, column and text.
 //!

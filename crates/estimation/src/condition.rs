@@ -73,7 +73,7 @@ impl Condition {
     }
 
     /// `theta2 = 0`, as if it had been written: the condition of a line through the origin.
-    pub(crate) fn no_intercept() -> Self {
+    pub fn no_intercept() -> Self {
         let inequality = Inequality::new(Rational::zero(), Rational::one(), Rational::zero());
         Condition { text: "theta2 = 0".to_owned(), inequality, is_equation: true }
     }

@@ -128,8 +128,12 @@ impl Fit {
     }
 
     /// How far the least-squares estimate keeps inside the FPS: the smallest slack over all half-planes and the
-    /// half-plane with it. A negative slack means that the estimate is not feasible. Exact.
+    /// half-plane with it. A negative slack means that the estimate is not feasible. `None` also where the reading that it
+    /// misses most is not known; [`least_squares_is_feasible`](crate::least_squares_is_feasible) does without. Exact.
     pub fn least_squares_slack(&self) -> Option<(Rational, BoundName)> {
+        if !self.fps.has_tightest() {
+            return None;
+        }
         let estimate = self.least_squares.as_ref().ok()?;
         let membership = self.fps.polyhedron().membership(&estimate.theta);
         Some((membership.slack?, self.fps.name(membership.tightest?)))
@@ -150,17 +154,21 @@ impl Fit {
         self.fps.polyhedron().region().area()?.checked_div(&box_area)
     }
 
-    /// For an empty FPS, at most three half-planes with positive multipliers whose sum is `0 ≤ negative`. Where a
-    /// larger error bound would leave something, these are the readings that ask for the largest one; where none would
-    /// under a uniform bound, the conditions that contradict each other. So it does not depend on which half-planes that
-    /// are never active the FPS has. Exact.
+    /// For an empty FPS, at most three half-planes with positive multipliers whose sum is `0 ≤ negative`. Of a line under a
+    /// uniform bound these are the readings that ask for the largest one; of anything else the first half-plane that contradicts
+    /// those before it, of those that can be active at all, with these. Under a uniform bound conditions that contradict each
+    /// other come first. So it does not depend on which half-planes that are never active the FPS has, nor on whether all
+    /// readings are in memory. Exact.
     pub fn contradiction(&self, error_bound: &ErrorBound) -> Option<Vec<(BoundName, Rational)>> {
         let certificate = self.fps.polyhedron().region().certificate()?;
-        let in_use = error_bound.uniform().cloned().unwrap_or_else(Rational::one);
+        let Some(epsilon) = error_bound.uniform() else { return self.fps.first_contradiction() };
+        if !self.fps.has_hulls() {
+            return self.contradiction_of_conditions().or_else(|| self.fps.first_contradiction());
+        }
         match &self.minimax {
-            Some(minimax) if minimax.least > in_use => Some(minimax.proof.multipliers.clone()),
-            None if error_bound.is_uniform() => self.contradiction_of_conditions(),
-            _ => Some(
+            Some(minimax) if minimax.least > *epsilon => Some(minimax.proof.multipliers.clone()),
+            None => self.contradiction_of_conditions(),
+            Some(_) => Some(
                 certificate.multipliers().iter().map(|m| (self.fps.name(m.index), m.value.clone())).collect(),
             ),
         }

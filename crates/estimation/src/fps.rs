@@ -6,7 +6,7 @@ use std::fmt;
 use std::ops::Range;
 
 use boundfit_exact::Rational;
-use boundfit_geometry::{Inequality, Polyhedron, System};
+use boundfit_geometry::{Inequality, Polyhedron, System, envelope, touching_an_envelope};
 
 use crate::condition::Condition;
 use crate::hulls::Extremes;
@@ -87,6 +87,10 @@ impl fmt::Display for BoundName {
 pub struct Fps {
     polyhedron: Polyhedron,
     names: Vec<BoundName>,
+    /// Whether the readings are of a line under a uniform error bound.
+    has_hulls: bool,
+    /// Whether the half-plane with the least slack at the least-squares estimate is one of these.
+    has_tightest: bool,
 }
 
 impl Fps {
@@ -102,7 +106,12 @@ impl Fps {
     /// The FPS with all half-planes of the readings, also those that cannot be active. Exact. Cost: O(N log N).
     pub fn of_every_half_plane(measurements: &Measurements, conditions: &[Condition]) -> Self {
         let (names, system) = every_half_plane(measurements, conditions);
-        Fps { polyhedron: Polyhedron::intersect(system), names }
+        Fps {
+            polyhedron: Polyhedron::intersect(system),
+            names,
+            has_hulls: measurements.has_hulls(),
+            has_tightest: measurements.have_tightest(),
+        }
     }
 
     /// [`Fps::new`] with the extremes of a line under a uniform bound.
@@ -134,7 +143,38 @@ impl Fps {
             bounds.for_each(&mut add);
         }
         conditions_by_name(conditions).for_each(add);
-        Fps { polyhedron: Polyhedron::intersect(System::new(inequalities)), names }
+        Fps {
+            polyhedron: Polyhedron::intersect(System::new(inequalities)),
+            names,
+            has_hulls: true,
+            has_tightest: true,
+        }
+    }
+
+    /// Whether the readings are of a line under a uniform error bound.
+    pub(crate) fn has_hulls(&self) -> bool {
+        self.has_hulls
+    }
+
+    /// Whether the half-plane with the least slack at the least-squares estimate is one of these.
+    pub(crate) fn has_tightest(&self) -> bool {
+        self.has_tightest
+    }
+
+    /// Of an empty FPS the first half-plane, in the order of rows and then of conditions, that contradicts those before it, with
+    /// these and their multipliers; of the readings only those half-planes are looked at that touch an envelope, so that it
+    /// does not depend on which others there are. Exact. Cost: O(N log N).
+    pub(crate) fn first_contradiction(&self) -> Option<Vec<(BoundName, Rational)>> {
+        self.polyhedron.region().certificate()?;
+        let is_condition = |name: &&BoundName| !matches!(name, BoundName::Upper(_) | BoundName::Lower(_));
+        let readings = self.names.len() - self.names.iter().filter(is_condition).count();
+        let system = self.polyhedron.system();
+        let touching = touching_an_envelope(&system.constraints()[..readings]);
+        let kept: Vec<usize> = touching.into_iter().chain(readings..self.names.len()).collect();
+        let own: System = kept.iter().map(|&index| system.inequalities()[index].clone()).collect();
+        let region = envelope::intersect(&own);
+        let multipliers = region.certificate()?.multipliers().iter();
+        Some(multipliers.map(|m| (self.names[kept[m.index]], m.value.clone())).collect())
     }
 
     /// The half-planes and their intersection.

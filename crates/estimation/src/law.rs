@@ -125,6 +125,12 @@ impl Law {
         self.parts().any(|terms| !terms.written.is_zero())
     }
 
+    /// Whether the range of y is asked for, which is known when all readings are.
+    #[cfg(feature = "files")]
+    pub(crate) fn needs_range(&self) -> bool {
+        self.parts().any(|terms| !terms.of_range.is_zero())
+    }
+
     /// Whether |x| is asked for, which two regressors do not have.
     pub fn needs_x(&self) -> bool {
         self.parts().any(|terms| !terms.of_x.is_zero())
@@ -146,6 +152,7 @@ impl Law {
         &self.above.constant + &self.above.of_range * range
     }
 
+    #[cfg(feature = "files")]
     /// How many times the range of y is taken above and below.
     fn of_range(&self) -> [&Rational; 2] {
         [&self.above.of_range, &self.below.as_ref().unwrap_or(&self.above).of_range]

@@ -9,7 +9,9 @@ use thiserror::Error;
 use crate::grid::Grid;
 use crate::measurements::{Bounds, ErrorBound, Measurement, Measurements, Readings};
 use crate::moments::{Moments, SUM_BITS, Solution, bits, widest};
-use crate::summary::{NoEui, Reduction};
+#[cfg(feature = "files")]
+use crate::summary::Sums;
+use crate::summary::{NoEui, Reach, Reduction};
 
 /// The least-squares estimate θ̂ = (ΦᵀΦ)⁻¹Φᵀy with its estimate uncertainty intervals.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -92,34 +94,48 @@ impl LeastSquares {
         if rows.iter().all(|row| matches!(row.bounds, Bounds::Around { .. })) || estimate.eui.is_err() {
             return Ok(estimate);
         }
-        // The EUI is about the middles of the bounds; the estimate itself takes y.
         let middles = values(Measurement::middle).ok_or(NoLeastSquares::NoResponse)?;
-        let about_middles = LeastSquares::of_moments(&moments_of(&middles), |_| Err(NoEui::NotAsked))?.theta;
+        let Moments { uy, vy, .. } = moments_of(&middles);
+        estimate.about_middles(&moments, [uy, vy])
+    }
+
+    /// With the EUI about the estimate from the middles of the bounds, given by Φᵀm. The estimate itself takes y.
+    fn about_middles(
+        self,
+        moments: &Moments<Rational>,
+        [uy, vy]: [Rational; 2],
+    ) -> Result<Self, NoLeastSquares> {
+        let middles = Moments { uy, vy, ..moments.clone() };
+        let about_middles = LeastSquares::of_moments(&middles, |_| Err(NoEui::NotAsked))?.theta;
         let shifted = |j: usize, eui: &Interval| {
-            let shift = &about_middles[j] - &estimate.theta[j];
+            let shift = &about_middles[j] - &self.theta[j];
             let moved = |end: &Endpoint| Endpoint::from(end.value().map(|value| value + &shift));
             Interval::new(moved(eui.lower()), moved(eui.upper())).ok_or(NoLeastSquares::Singular)
         };
-        let eui = match &estimate.eui {
+        let eui = match &self.eui {
             Ok([first, second]) => Ok([shifted(0, first)?, shifted(1, second)?]),
             Err(reason) => Err(*reason),
         };
-        Ok(LeastSquares { eui, ..estimate })
+        Ok(LeastSquares { eui, ..self })
     }
 
-    /// From the sums over the readings of a line, most of which are no longer there. Cost: constant.
+    /// The estimate alone, from the sums over all readings. Exact. Cost: constant.
+    #[cfg(feature = "files")]
+    pub(crate) fn theta_of(sums: &Sums) -> Option<[Rational; 2]> {
+        let estimate = LeastSquares::of_moments(&sums.moments(), |_| Err(NoEui::NotAsked));
+        estimate.ok().map(|estimate| estimate.theta)
+    }
+
+    /// From the sums over readings most of which are no longer there. Cost: constant.
     fn of_reduction(reduction: &Reduction, error_bound: &ErrorBound) -> Result<Self, NoLeastSquares> {
-        let Reduction { sums, spread } = reduction;
-        LeastSquares::of_moments(&sums.moments(), |_| match (spread, error_bound) {
-            (Err(reason), _) => Err(*reason),
-            // Bounds that differ from reading to reading have no spread.
-            (Ok(_), ErrorBound::PerRow(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_)) => {
-                Err(NoEui::Reduced)
-            }
-            (Ok(spread), ErrorBound::Uniform(epsilon)) => {
-                Ok(spread.absolute_weights(sums).map(|weight| weight * epsilon))
-            }
-        })
+        let moments = reduction.sums.as_ref().map_err(|reason| *reason)?.moments();
+        let reach = reduction.reach_within(error_bound);
+        let radii = |_: &_| reach.clone().map(|reach| reach.radii);
+        let estimate = LeastSquares::of_moments(&moments, radii)?;
+        match reach {
+            Ok(Reach { middles: Some(middles), .. }) => estimate.about_middles(&moments, middles),
+            _ => Ok(estimate),
+        }
     }
 
     /// From moments, and what gives Σ_k |A_jk|·ε_k times the determinant for them. A_jk times the determinant is

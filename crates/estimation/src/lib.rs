@@ -81,4 +81,4 @@ pub use mending::mending_rows;
 pub use minimax::{Minimax, MinimaxProof};
 pub use problem::Problem;
 pub use selection::{FractionCells, Selection};
-pub use summary::{ColumnsError, Keep, LineSums, NoEui, Reduction, Spread};
+pub use summary::{ColumnsError, DecidingMinimax, Keep, NoEui, NoMinimax, Reach, Reduction, Sums};

@@ -3,7 +3,9 @@
 use boundfit_exact::Rational;
 
 use crate::measurements::Measurement;
-use crate::summary::{LineSums, Spread};
+#[cfg(feature = "files")]
+use crate::summary::Spread;
+use crate::summary::Sums;
 
 /// Which lines are fitted: y = θ1·(x - origin) + θ2, with θ2 = 0 for those through the point (origin, 0).
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -42,18 +44,20 @@ impl LineForm {
         }
     }
 
+    #[cfg(feature = "files")]
     /// The sums over readings whose x are counted from the origin, from those of x as it is. Exact.
-    pub(crate) fn sums(&self, sums: LineSums) -> LineSums {
+    pub(crate) fn sums(&self, sums: Sums) -> Sums {
         let origin = &self.x_origin;
         if origin.is_zero() {
             return sums;
         }
-        let LineSums { count, x, y, xx, xy } = sums;
+        let Sums { count, uu: xx, uv: x, vv, uy: xy, vy: y } = sums;
         let all = origin * Rational::from(count);
         let twice = &x + &x;
-        LineSums { count, xx: xx + origin * (&all - twice), x: x - all, xy: xy - origin * &y, y }
+        Sums { count, uu: xx + origin * (&all - twice), uv: x - all, vv, uy: xy - origin * &y, vy: y }
     }
 
+    #[cfg(feature = "files")]
     /// Where x counted from the origin lie, from where x as it is lie. Exact.
     pub(crate) fn spread(&self, spread: Spread) -> Spread {
         if self.x_origin.is_zero() { spread } else { spread.counted_from(&self.x_origin) }

@@ -2,14 +2,20 @@
 
 use std::borrow::Cow;
 
+#[cfg(feature = "files")]
+use boundfit_exact::Column;
 use boundfit_exact::Rational;
 #[cfg(feature = "files")]
 use boundfit_formats::TextLayout;
 
 use crate::law::{Law, range_of_y};
+#[cfg(feature = "files")]
+use crate::least_squares::NoLeastSquares;
 use crate::line_form::LineForm;
 use crate::selection::{FractionCells, Selection};
-use crate::summary::{NoEui, Reduction};
+#[cfg(feature = "files")]
+use crate::summary::Sums;
+use crate::summary::{DecidingMinimax, NoEui, NoMinimax, Reduction};
 
 /// One reading.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -214,6 +220,74 @@ impl Meaning {
         }
     }
 
+    /// How many regressors are columns.
+    pub(crate) fn regressors(&self) -> usize {
+        if matches!(self.model, Model::Line { .. }) { 1 } else { 2 }
+    }
+
+    /// Whether every reading is given by y and an ε that is a number or a column.
+    #[cfg(feature = "files")]
+    pub(crate) fn is_around_y(&self) -> bool {
+        match self.error_bound {
+            ErrorBound::Uniform(_) | ErrorBound::PerRow(_) => true,
+            ErrorBound::Interval { .. } | ErrorBound::Law(_) => false,
+        }
+    }
+
+    /// Whether a summary of a line serves every error bound, since all have the same one.
+    #[cfg(feature = "files")]
+    pub(crate) fn is_open(&self) -> bool {
+        self.regressors() == 1 && self.error_bound.is_uniform()
+    }
+
+    /// Whether the bounds of each reading are known before all readings are.
+    #[cfg(feature = "files")]
+    pub(crate) fn are_bounds_known(&self) -> bool {
+        let law = match &self.error_bound {
+            ErrorBound::Law(law) => Some(law),
+            _ => self.uniform_law.as_ref(),
+        };
+        law.is_none_or(|law| !law.needs_range())
+    }
+
+    /// The reading in a row of columns, counted from 0, with this number in the file.
+    #[cfg(feature = "files")]
+    pub(crate) fn of_columns(&self, columns: &[Column], position: usize, row: usize) -> Measurement {
+        self.measurement(row, columns.iter().map(|column| column.get(position)))
+    }
+
+    /// Whether a reading in columns has two bounds, whose distance a factor may multiply.
+    #[cfg(feature = "files")]
+    pub(crate) fn have_widths(&self, columns: &[Column]) -> bool {
+        let count = columns.first().map_or(0, Column::len);
+        match &self.error_bound {
+            ErrorBound::Interval { lower: Some(_), upper: Some(_) } => {
+                let [.., lower, _, upper] = columns else { return false };
+                (0..count).any(|row| !lower.get(row).is_zero() && !upper.get(row).is_zero())
+            }
+            ErrorBound::Interval { .. } => false,
+            _ => count > 0,
+        }
+    }
+
+    /// The sums over all rows of columns. Exact. Cost: linear.
+    ///
+    /// # Errors
+    /// When a reading has nothing that least squares could take.
+    #[cfg(feature = "files")]
+    pub(crate) fn sums(&self, columns: &[Column]) -> Result<Sums, NoLeastSquares> {
+        let regressors = self.regressors();
+        let second = (regressors == 2).then(|| &columns[1]);
+        let form = |sums: Sums| if regressors == 1 { self.form.sums(sums) } else { sums };
+        if self.has_response {
+            return Ok(form(Sums::of_columns(&columns[0], second, &columns[regressors])));
+        }
+        let value = |row: usize| self.of_columns(columns, row, 0).value().map(Cow::into_owned);
+        let values: Option<Column> = (0..columns[0].len()).map(value).collect();
+        let values = values.ok_or(NoLeastSquares::NoResponse)?;
+        Ok(form(Sums::of_columns(&columns[0], second, &values)))
+    }
+
     /// The reading with these numbers: the regressors that are columns, the response, and the error bound if it is a
     /// column.
     pub(crate) fn measurement(&self, row: usize, mut numbers: impl Iterator<Item = Rational>) -> Measurement {
@@ -250,6 +324,7 @@ impl Meaning {
         Measurement { row, regressor: [first, second], bounds }
     }
 
+    #[cfg(feature = "files")]
     /// Adds to the bounds of readings what a law takes from all of them, when they are known: all, or of a uniform law those
     /// that support a hull.
     pub(crate) fn settle(&mut self, rows: &mut Vec<Measurement>) {
@@ -271,12 +346,13 @@ impl Meaning {
 pub enum Readings {
     /// Every one of them.
     All(Vec<Measurement>),
-    /// Those of a line that support a hull: they decide everything but least squares.
+    /// Those that decide the feasible set.
     Supporting {
-        /// The readings on the lower or the upper hull of (x, y), ascending by row; where each has its own error bound,
-        /// those on a hull of the readings with the same one.
+        /// Ascending by row: of a line under a uniform error bound the readings on the lower or the upper hull of (x, y), which
+        /// decide for every bound; otherwise those with a bound that touches an envelope, and the one that the least-squares
+        /// estimate misses most.
         rows: Vec<Measurement>,
-        /// What least squares needs to know about all readings.
+        /// What else is known about all readings.
         reduction: Reduction,
     },
 }
@@ -390,7 +466,10 @@ impl Measurements {
 
     /// Whether a reading in memory has two bounds, whose distance a factor may multiply.
     pub fn has_widths(&self) -> bool {
-        self.kept().is_empty() || self.kept().iter().any(|row| row.half_width().is_some())
+        match &self.readings {
+            Readings::All(rows) => rows.is_empty() || rows.iter().any(|row| row.half_width().is_some()),
+            Readings::Supporting { reduction, .. } => reduction.has_widths,
+        }
     }
 
     /// The law by which the error bounds were stated, if it was one.
@@ -429,8 +508,40 @@ impl Measurements {
         }
     }
 
-    /// The readings in memory: all of them, or those that support a hull. Both decide the feasible set and everything
-    /// else but least squares.
+    /// The readings that decide ε_min.
+    ///
+    /// # Errors
+    /// Why they are not known.
+    pub fn deciding_minimax(&self) -> Result<&[Measurement], NoMinimax> {
+        match &self.readings {
+            Readings::All(rows) => Ok(rows),
+            Readings::Supporting { rows, reduction } => match &reduction.minimax {
+                DecidingMinimax::Kept => Ok(rows),
+                DecidingMinimax::Own(rows) => Ok(rows),
+                DecidingMinimax::Unknown(reason) => Err(*reason),
+            },
+        }
+    }
+
+    /// Whether the reading that any θ, or the least-squares estimate at least, misses most is among those in memory.
+    pub(crate) fn have_tightest(&self) -> bool {
+        match &self.readings {
+            Readings::All(_) => true,
+            Readings::Supporting { reduction, .. } => {
+                self.meaning.regressors() == 1 || !matches!(reduction.minimax, DecidingMinimax::Unknown(_))
+            }
+        }
+    }
+
+    /// Whether the readings in memory decide for every multiple of their error bounds.
+    pub fn are_open(&self) -> bool {
+        match &self.readings {
+            Readings::All(_) => true,
+            Readings::Supporting { reduction, .. } => reduction.minimax == DecidingMinimax::Kept,
+        }
+    }
+
+    /// The readings in memory: all of them, or those that decide the feasible set.
     pub fn kept(&self) -> &[Measurement] {
         match &self.readings {
             Readings::All(rows) | Readings::Supporting { rows, .. } => rows,
@@ -441,7 +552,7 @@ impl Measurements {
     pub fn is_of_reductions(&self) -> bool {
         matches!(
             self.readings,
-            Readings::Supporting { reduction: Reduction { spread: Err(NoEui::Reduced), .. }, .. }
+            Readings::Supporting { reduction: Reduction { reach: Err(NoEui::Reduced), .. }, .. }
         )
     }
 
@@ -449,7 +560,7 @@ impl Measurements {
     pub fn fitted(&self) -> usize {
         match &self.readings {
             Readings::All(rows) => rows.len(),
-            Readings::Supporting { reduction, .. } => reduction.sums.count,
+            Readings::Supporting { reduction, .. } => reduction.count,
         }
     }
 

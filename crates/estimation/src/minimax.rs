@@ -7,7 +7,11 @@ use crate::condition::Condition;
 use crate::fps::{BoundName, conditions_by_name, growing_half_planes};
 use crate::hulls::{Extremes, Gap, HullMinimum};
 use crate::least_growth::{GrowingInequality, LeastGrowth, least_growth};
+#[cfg(feature = "files")]
+use crate::measurements::Meaning;
 use crate::measurements::{ErrorBound, Measurement, Measurements};
+#[cfg(feature = "files")]
+use crate::summary::Scale;
 
 /// The least error bound that some θ meets, and such a θ: the minimax (Chebyshev, projection) estimate.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -39,7 +43,7 @@ impl MinimaxProof {
         if self.multipliers.is_empty() {
             return least.is_zero();
         }
-        let growing = Growing::new(measurements, conditions);
+        let Some(growing) = Growing::new(measurements, conditions) else { return false };
         let mut form = [Rational::zero(), Rational::zero()];
         let (mut growth, mut value) = (Rational::zero(), Rational::zero());
         for (name, multiplier) in &self.multipliers {
@@ -86,8 +90,31 @@ impl Minimax {
                 let touching = extremes.touching.iter().map(|touching| &rows[touching.position]);
                 Growing::of_rows(touching, true).with(conditions).minimax()
             }
-            None => Growing::new(measurements, conditions).minimax(),
+            None => Growing::new(measurements, conditions)?.minimax(),
         }
+    }
+
+    /// The least factor on the bounds of some readings, and what it makes of them; `None` when none leaves anything. Exact.
+    #[cfg(feature = "files")]
+    pub(crate) fn least_scale(
+        rows: &[Measurement],
+        meaning: &Meaning,
+        conditions: &[Condition],
+    ) -> Option<Scale> {
+        let is_uniform = meaning.error_bound.is_uniform();
+        match least_growth(&Growing::of_rows(rows.iter(), is_uniform).with(conditions).inequalities) {
+            LeastGrowth::From { t, .. } if is_uniform => Some(Scale::Within(t)),
+            LeastGrowth::From { t, .. } => Some(Scale::Times(t)),
+            LeastGrowth::Never => None,
+        }
+    }
+
+    /// Whether the bounds of these readings at a scale leave something. Exact.
+    #[cfg(feature = "files")]
+    pub(crate) fn is_enough(rows: &[Measurement], scale: &Scale, conditions: &[Condition]) -> bool {
+        let bounds = rows.iter().flat_map(|row| scale.half_planes(row));
+        let system: System = bounds.chain(conditions_by_name(conditions).map(|(_, own)| own)).collect();
+        !envelope::intersect(&system).is_empty()
     }
 
     /// The least factor on the error bounds of the readings that leaves something; `None` when none does, which is so where
@@ -131,9 +158,10 @@ struct Growing {
 }
 
 impl Growing {
-    fn new(measurements: &Measurements, conditions: &[Condition]) -> Self {
-        let is_uniform = measurements.error_bound().is_uniform();
-        Growing::of_rows(measurements.kept().iter(), is_uniform).with(conditions)
+    /// Of the readings that decide ε_min; `None` where these are not known.
+    fn new(measurements: &Measurements, conditions: &[Condition]) -> Option<Self> {
+        let rows = measurements.deciding_minimax().ok()?;
+        Some(Growing::of_rows(rows.iter(), measurements.error_bound().is_uniform()).with(conditions))
     }
 
     fn with(mut self, conditions: &[Condition]) -> Self {
@@ -158,11 +186,38 @@ impl Growing {
         let LeastGrowth::From { t, multipliers, .. } = least_growth(&self.inequalities) else {
             return None;
         };
-        let multipliers = if t.is_zero() { Vec::new() } else { multipliers };
+        let mut minimax = self.minimisers(t, MinimaxProof { multipliers: Vec::new() });
+        if !minimax.least.is_zero() {
+            minimax.proof.multipliers = self.proof(&minimax, multipliers);
+        }
+        Some(minimax)
+    }
+
+    /// The multipliers that prove a least bound by name. Where more half-planes are tight at all minimisers than a proof needs,
+    /// it is the proof from these alone, so that it does not depend on which others were there.
+    fn proof(&self, minimax: &Minimax, found: Vec<Multiplier>) -> Vec<(BoundName, Rational)> {
+        let is_tight = |index: &usize| {
+            let GrowingInequality { at_zero, growth } = &self.inequalities[*index];
+            at_zero.slack(&minimax.theta) + growth * &minimax.least == Rational::zero()
+        };
+        let tight: Vec<usize> = (0..self.inequalities.len()).filter(is_tight).collect();
+        let multipliers = if tight.len() == found.len() {
+            found
+        } else {
+            let own: Vec<GrowingInequality> =
+                tight.iter().map(|&index| self.inequalities[index].clone()).collect();
+            match least_growth(&own) {
+                LeastGrowth::From { multipliers, .. } => multipliers
+                    .into_iter()
+                    .map(|Multiplier { index, value }| Multiplier { index: tight[index], value })
+                    .collect(),
+                LeastGrowth::Never => found,
+            }
+        };
         let named = |Multiplier { index, value }: Multiplier| (self.names[index], value);
         let mut multipliers: Vec<_> = multipliers.into_iter().map(named).collect();
         multipliers.sort();
-        Some(self.minimisers(t, MinimaxProof { multipliers }))
+        multipliers
     }
 
     /// The answer for a least bound: all minimisers are the region that it leaves.

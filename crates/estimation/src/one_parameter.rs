@@ -22,7 +22,7 @@ impl LeastSquares {
     pub(crate) fn through_origin(measurements: &Measurements) -> Result<Self, NoLeastSquares> {
         let Sums { xx, xy, about } = match measurements.readings() {
             Readings::All(rows) => sums_of_rows(rows)?,
-            Readings::Supporting { reduction, .. } => sums_of_reduction(reduction, measurements),
+            Readings::Supporting { reduction, .. } => sums_of_reduction(reduction, measurements)?,
         };
         let solved = |numerator: &Rational| numerator.checked_div(&xx).ok_or(NoLeastSquares::EveryXZero);
         let theta = [solved(&xy)?, Rational::zero()];
@@ -61,12 +61,11 @@ fn sums_of_rows(rows: &[Measurement]) -> Result<Sums, NoLeastSquares> {
     Ok(Sums { xx: sum_with(&x, Rational::clone), xy: sum_with(&y, Rational::clone), about })
 }
 
-fn sums_of_reduction(Reduction { sums, spread }: &Reduction, measurements: &Measurements) -> Sums {
-    let about = match (spread, measurements.error_bound().uniform()) {
-        (Err(reason), _) => Err(*reason),
-        (Ok(spread), Some(epsilon)) => Ok([sums.xy.clone(), spread.absolute_x(sums) * epsilon]),
-        // Bounds that differ from reading to reading have no spread.
-        (Ok(_), None) => Err(NoEui::Reduced),
-    };
-    Sums { xx: sums.xx.clone(), xy: sums.xy.clone(), about }
+fn sums_of_reduction(reduction: &Reduction, measurements: &Measurements) -> Result<Sums, NoLeastSquares> {
+    let sums = reduction.sums.as_ref().map_err(|reason| *reason)?;
+    let about = reduction.reach_within(measurements.error_bound()).map(|reach| {
+        let xm = reach.middles.map_or_else(|| sums.uy.clone(), |[xm, _]| xm);
+        [xm, reach.absolute]
+    });
+    Ok(Sums { xx: sums.uu.clone(), xy: sums.uy.clone(), about })
 }

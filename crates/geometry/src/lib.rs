@@ -42,6 +42,7 @@ mod projective;
 mod proof;
 mod region;
 mod system;
+mod touching;
 
 pub use generators::{Generator, Generators};
 pub use half_plane::{Constraint, HalfPlane, Inequality};
@@ -56,3 +57,4 @@ pub use region::{
     RegionKind, SegmentRegion, StripRegion, UnboundedPolygonRegion, Vertex,
 };
 pub use system::System;
+pub use touching::touching_an_envelope;

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use boundfit_estimation::{
     ErrorBound, Family, Fit, FloatEstimate, FractionCells, InverseParameter, LeastSquares, Model,
-    MultipleOfLeast, ParameterBound, ParameterInterval, Problem, Selection, mending_rows,
+    MultipleOfLeast, ParameterBound, ParameterInterval, Problem, Selection, least_squares_is_feasible,
+    mending_rows,
 };
 use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::Multiplier;
@@ -265,7 +266,7 @@ fn least_squares(problem: &Problem, fit: &Fit, style: &Style) -> Option<LeastSqu
     });
     Some(LeastSquaresJson {
         theta: style.numbers(&estimate.theta),
-        in_fps: fit.least_squares_slack().is_some_and(|(slack, _)| !slack.is_negative()),
+        in_fps: least_squares_is_feasible(fit).unwrap_or(false),
         guaranteed_error: fit
             .least_squares_guaranteed_error()
             .map(|error| error.each_ref().map(|error| style.upper_number(error))),
@@ -370,12 +371,13 @@ fn reasons(problem: &Problem, fit: &Fit) -> BTreeMap<&'static str, String> {
         reasons.insert("tightness", if flat { "the PUI box has no area".to_owned() } else { without_fps() });
     }
     if fit.minimax.is_none() {
-        let reason = if problem.measurements.has_widths() {
+        let never = if problem.measurements.has_widths() {
             "no error bound, however large, leaves a feasible parameter"
         } else {
             NO_WIDTHS
         };
-        reasons.insert("minimax", reason.to_owned());
+        let unknown = problem.measurements.deciding_minimax().err();
+        reasons.insert("minimax", unknown.map_or_else(|| never.to_owned(), |reason| reason.to_string()));
     }
     if uniform_minimum(problem, fit).is_none() {
         let per_row = !problem.measurements.error_bound().is_uniform();

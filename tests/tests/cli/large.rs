@@ -70,6 +70,63 @@ fn without_eui_nothing_else_changes() {
     }
 }
 
+/// Columns x, z, lo, y, e and up, where both bounds of a row are about as far from the truth.
+fn many_intervals(count: usize) -> String {
+    let mut rng = seeded(62);
+    let mut text = "x,z,lo,y,e,up\n".to_owned();
+    for _ in 0..count {
+        let [x, z] = [0; 2].map(|_| rng.random_range(-1000..=1000_i64));
+        let y = 3 * x - 2 * z + rng.random_range(-50..=50_i64);
+        let e = rng.random_range(60..=90_i64);
+        let lower = if rng.random_bool(0.01) { String::new() } else { format!("{}e-2", y - e) };
+        text.push_str(&format!("{x}e-2,{z}e-2,{lower},{y}e-2,{e}e-2,{}e-2\n", y + e));
+    }
+    text
+}
+
+#[test]
+fn bounds_per_row_and_two_regressors_are_the_same_for_any_threads_and_from_standard_input() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("many.csv");
+    let text = many_intervals(30_000);
+    fs::write(&file, &text).unwrap();
+    let name = file.to_str().unwrap();
+    for options in [
+        "--x x,z --y y --eps 0.9",
+        "--x x,z --y y --eps-column e",
+        "--x x,z --lower lo --upper up",
+        "--x x --y y --eps-column e",
+        "--x x --y y --lower lo --upper up",
+    ] {
+        let arguments = |file, more: &[&'static str]| -> Vec<String> {
+            let all = ["fit", file].into_iter().chain(options.split(' ')).chain(["--format", "json"]);
+            all.chain(more.iter().copied()).map(ToOwned::to_owned).collect()
+        };
+        let fit = |more: &[&'static str]| {
+            let arguments = arguments(name, more);
+            run(&arguments.iter().map(String::as_str).collect::<Vec<_>>())
+        };
+        let one = fit(&["--threads", "1"]);
+        assert_eq!(one.stderr, "", "{options}");
+        for threads in [&["--threads", "2"], &["--threads", "8"]] {
+            assert_eq!(fit(threads).stdout, one.stdout, "{options}");
+        }
+        let stream = arguments("-", &[]);
+        let stream = run_with_input(&stream.iter().map(String::as_str).collect::<Vec<_>>(), text.as_bytes());
+        let value = |run: &Run| serde_json::from_str::<Value>(&run.stdout).unwrap();
+        let (whole, stream, once) = (value(&one), value(&stream), value(&fit(&["--no-eui"])));
+        for key in ["least_squares", "fps", "pui", "central", "eui", "minimax", "tightness"] {
+            assert_eq!(whole[key], stream[key], "{options} {key}");
+        }
+        assert!(whole["minimax"].is_object(), "{options}");
+        assert!(once["minimax"].is_null() && once["eui"].is_null(), "{options}");
+        assert_eq!(once["reasons"]["minimax"], "not asked for", "{options}");
+        for key in ["pui", "central", "tightness"] {
+            assert_eq!(whole[key], once[key], "{options} {key}");
+        }
+    }
+}
+
 #[test]
 fn a_bad_row_near_the_end_of_ten_million_is_named_and_nothing_is_written() {
     let directory = tempfile::tempdir().unwrap();

@@ -101,6 +101,7 @@ fn what_does_not_belong_together_is_refused() {
     let fits = [
         ("fit - --x y --y x --eps 1", "the reduction is about the column of x x, not y"),
         ("fit - --x x --y y --eps-column x", "error bounds from one bound for all readings, not x"),
+        ("fit - --x x --y y --eps 10%*|y|", "error bounds from one bound for all readings, not 10%*|y|"),
         ("fit - --x x --y y --eps 1 --rows 1..2", "no rows of a reduction can be picked"),
         ("fit - --x x,y --y y --eps 1", "the reduction is about the model a line, not two regressors"),
         ("lesson - --x x --y y --eps 1", "this is a reduction, and here every reading is wanted"),

@@ -220,7 +220,9 @@ impl Case {
         let source = Source::new("case.csv", Cursor::new(self.text.clone().into_bytes()));
         let options = ScanOptions { chunk_bytes, ..ScanOptions::default() };
         let keep = Keep { most_rows, ..Keep::default() };
-        self.problem(Measurements::scan(source, &self.columns, &options, keep).expect(&self.text))
+        self.problem(
+            Measurements::scan(source, &self.columns, &self.conditions, &options, keep).expect(&self.text),
+        )
     }
 
     /// The half-planes when widths are multiplied by `times/over` about their middles.

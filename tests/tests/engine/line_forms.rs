@@ -265,7 +265,7 @@ fn another_origin_is_the_same_as_shifted_data() {
             let keep = Keep { most_rows, eui: true, most_bytes: None };
             let columns = columns(&epsilon, form.clone());
             let options = ScanOptions { chunk_bytes: 20, ..ScanOptions::default() };
-            let measurements = Measurements::scan(source(&text), &columns, &options, keep).unwrap();
+            let measurements = Measurements::scan(source(&text), &columns, &[], &options, keep).unwrap();
             finished(measurements)
         };
         assert_eq!(essence(&scanned(100)), by_hand, "{context}");
@@ -295,7 +295,7 @@ fn reductions_are_fitted_from_any_origin() {
             let columns = columns(&rows[0][2], form.clone());
             let keep = Keep::default();
             let measurements =
-                Measurements::scan(source(text), &columns, &ScanOptions::default(), keep).unwrap();
+                Measurements::scan(source(text), &columns, &[], &ScanOptions::default(), keep).unwrap();
             Problem::new(measurements)
         };
         let (of_reduction, of_table) = (scanned(&reduction, &form), scanned(text.as_bytes(), &form));

@@ -17,3 +17,4 @@ mod polyhedron;
 mod proof;
 mod published;
 mod reduction;
+mod streams;

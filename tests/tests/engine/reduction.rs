@@ -33,12 +33,12 @@ fn text(rows: &[[String; 2]]) -> String {
     rows.iter().fold("x,y\n".to_owned(), |text, [x, y]| text + x + "," + y + "\n")
 }
 
-fn options(reading: Reading, chunk_bytes: usize) -> ScanOptions {
+pub(crate) fn options(reading: Reading, chunk_bytes: usize) -> ScanOptions {
     let table = TableOptions { reading, ..TableOptions::default() };
     ScanOptions { table, chunk_bytes, ..ScanOptions::default() }
 }
 
-fn pools() -> Vec<ThreadPool> {
+pub(crate) fn pools() -> Vec<ThreadPool> {
     let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     [1, 2, 8].map(pool).into()
 }
@@ -95,8 +95,14 @@ impl Case {
 
     fn scanned(&self, path: &Path, chunk_bytes: usize, keep: Keep) -> Measurements {
         let options = options(self.reading, chunk_bytes);
-        Measurements::scan(Source::open(path.to_str().unwrap()).unwrap(), &self.columns(), &options, keep)
-            .unwrap()
+        Measurements::scan(
+            Source::open(path.to_str().unwrap()).unwrap(),
+            &self.columns(),
+            &self.conditions,
+            &options,
+            keep,
+        )
+        .unwrap()
     }
 
     /// The same readings from columns in memory, of which only those that support a hull are kept.
@@ -129,7 +135,7 @@ impl Case {
 }
 
 /// Everything about a fit that does not need every reading, with rows renamed.
-fn essence((problem, fit): &(Problem, Fit), row: &dyn Fn(usize) -> usize) -> String {
+pub(crate) fn essence((problem, fit): &(Problem, Fit), row: &dyn Fn(usize) -> usize) -> String {
     let name = |name: BoundName| match name {
         BoundName::Upper(own) => BoundName::Upper(row(own)),
         BoundName::Lower(own) => BoundName::Lower(row(own)),
@@ -289,7 +295,7 @@ fn a_file_that_changes_between_two_looks_is_refused() {
             Replacing { path: path.clone(), left: AtomicU64::new(first.len() as u64), text: second };
         let options = ScanOptions { progress: Some(Arc::new(replacing)), ..options(Reading::Decimal, 1000) };
         let scanned =
-            Measurements::scan(Source::open(path.to_str().unwrap()).unwrap(), &columns, &options, keep);
+            Measurements::scan(Source::open(path.to_str().unwrap()).unwrap(), &columns, &[], &options, keep);
         match scanned {
             Err(error) => {
                 assert!(is_refused && error.to_string().ends_with("the file changed while it was read"))

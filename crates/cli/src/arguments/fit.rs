@@ -75,8 +75,8 @@ pub(crate) struct FitArguments {
     /// Leave out the line about what an LP solver makes of the same data
     #[arg(long)]
     pub(crate) no_lp: bool,
-    /// Leave out the estimate uncertainty intervals (EUI) where they would take a second look at more readings than
-    /// are kept in memory (10000)
+    /// Leave out what would take further looks at more readings than are kept in memory (10000): the estimate uncertainty
+    /// intervals (EUI), and unless the model is a line under a uniform error bound also eps_min
     #[arg(long)]
     pub(crate) no_eui: bool,
     /// Report ten lines only: what was fitted, the set, PUI and central estimate, the least error bound

@@ -63,16 +63,23 @@ impl<'a> Data<'a> {
         self.read(true)
     }
 
-    /// Reads the problem in memory that does not grow with the file, where the model allows it; with the hash of the data
-    /// and the rows fitted if they will be shown.
-    pub(crate) fn scanned_problem(self, eui: bool, hash: bool, list_rows: bool) -> Result<Problem, Failure> {
+    /// Reads the problem in memory that does not grow with the file; with the hash of the data and the rows fitted if they
+    /// will be shown. Where the bounds are going to move, all readings are kept unless those kept decide for every bound.
+    pub(crate) fn scanned_problem(
+        self,
+        eui: bool,
+        hash: bool,
+        list_rows: bool,
+        moving: bool,
+    ) -> Result<Problem, Failure> {
         let asked = self.asked()?;
         let (source, options) = self.scan()?;
         let options = ScanOptions { hash, list_rows, ..options };
-        let keep = Keep { eui, ..Keep::default() };
-        let measurements =
-            Measurements::scan(source, &asked.columns, &options, keep).map_err(Failure::data)?;
-        Ok(asked.problem(measurements))
+        let keeps_all = (moving || asked.multiple_of_least.is_some()) && !asked.columns.are_open();
+        let keep = Keep { eui, ..if keeps_all { Keep::EVERY } else { Keep::default() } };
+        let conditions = asked.all_conditions();
+        let measurements = Measurements::scan(source, &asked.columns, &conditions, &options, keep);
+        Ok(asked.problem(measurements.map_err(Failure::data)?))
     }
 
     /// The file, and how it is read in parts.
@@ -168,6 +175,12 @@ pub(crate) struct Asked {
 }
 
 impl Asked {
+    /// The conditions, with the one that belongs to lines through the origin.
+    fn all_conditions(&self) -> Vec<Condition> {
+        let no_intercept = self.columns.form.through_origin.then(Condition::no_intercept);
+        self.conditions.iter().cloned().chain(no_intercept).collect()
+    }
+
     /// The problem of some readings.
     pub(crate) fn problem(&self, measurements: Measurements) -> Problem {
         let problem = Problem { measurements, conditions: self.conditions.clone() };

@@ -17,6 +17,9 @@ use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
 
+const SWEEP_OF_FIXED: &str = "'--sweep' moves the error bounds, and the data are a reduction under bounds that are fixed: sweep \
+                              the table that it was made from";
+
 /// Reads the data, fits and writes the report.
 pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     arguments.threads.set()?;
@@ -34,7 +37,12 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     let origin = data.origin();
     let reading = origin.reading;
     let is_hash_shown = format == ReportFormat::Json || arguments.proof.is_some();
-    let problem = data.scanned_problem(!arguments.no_eui, is_hash_shown, arguments.proof.is_some())?;
+    let is_sweep = arguments.sweep.is_some();
+    let problem =
+        data.scanned_problem(!arguments.no_eui, is_hash_shown, arguments.proof.is_some(), is_sweep)?;
+    if is_sweep && !problem.measurements.are_open() {
+        return Err(Failure::Usage(SWEEP_OF_FIXED.to_owned()));
+    }
     let fit = while_working("fitting", || fit(&problem));
     let family = arguments.sweep.as_ref().map(|FactorRange { from, to }| {
         while_working("sweeping", || Family::new(&problem, from.clone(), to.clone()))

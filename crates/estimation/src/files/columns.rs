@@ -41,6 +41,11 @@ pub struct Columns {
 }
 
 impl Columns {
+    /// Whether the readings that decide the feasible set do so for every error bound: those of a line under a uniform one.
+    pub fn are_open(&self) -> bool {
+        self.meaning(&[]).is_open()
+    }
+
     /// The columns in the order in which they are read: regressors, response, error bound.
     pub(crate) fn selectors(&self) -> Vec<ColumnSelector> {
         let mut selectors = vec![self.first.clone()];
@@ -59,15 +64,6 @@ impl Columns {
             EpsilonColumn::Law(_) => {}
         }
         selectors
-    }
-
-    /// Whether all errors have one bound, which may be known when all readings are.
-    pub(crate) fn is_uniform(&self) -> bool {
-        match &self.epsilon {
-            EpsilonColumn::Uniform(_) => true,
-            EpsilonColumn::Law(law) => law.is_uniform(),
-            EpsilonColumn::Column(_) | EpsilonColumn::Interval { .. } => false,
-        }
     }
 
     /// The number of the first row of a batch that has neither a lower nor an upper bound.

@@ -1,8 +1,9 @@
 //! Readings from files: whole tables, tables of any size, reductions and fleets. Nothing else in this crate reads.
 
-mod abscissas;
 mod columns;
 mod fleet;
+mod kept_columns;
+mod looks;
 mod reduce;
 mod scan;
 
@@ -24,7 +25,7 @@ impl Measurements {
     pub fn read(source: Source, columns: &Columns, options: &TableOptions) -> Result<Self, InputError> {
         if source.is_reduction() {
             let options = ScanOptions { table: options.clone(), ..ScanOptions::default() };
-            return Measurements::scan(source, columns, &options, Keep::default());
+            return Measurements::scan(source, columns, &[], &options, Keep::default());
         }
         let file = source.name().to_owned();
         let table = read_table(source, &columns.selectors(), options)?;

@@ -9,7 +9,7 @@ use boundfit_formats::{
     open_reduction, scan,
 };
 
-use crate::summary::{LineSummary, LineSums, SharedSieve};
+use crate::summary::{LineSummary, SharedSieve, Sums};
 
 /// Texts of rows that have meanwhile turned out to lie between the hulls are dropped when there are so many of them, so
 /// that dropping them is rare.
@@ -84,7 +84,7 @@ impl ReducedTable {
             x: name(),
             y: name(),
             epsilon: columns.epsilon.as_ref().map(|_| name()),
-            sums: [&sums.x, &sums.y, &sums.xx, &sums.xy].map(Rational::to_string),
+            sums: [&sums.uv, &sums.vy, &sums.uu, &sums.uy].map(Rational::to_string),
         };
         Ok(ReducedTable { record, header: scanned.header_line, rows })
     }
@@ -121,7 +121,7 @@ pub(super) fn stated_sums(
     line: bool,
     names: &[String],
     options: &ScanOptions,
-) -> Result<LineSums, InputError> {
+) -> Result<Sums, InputError> {
     let fail = |error: ReductionError| InputError::of_file(path, error);
     if !line {
         let (has, asked) = ("a line".to_owned(), "two regressors".to_owned());
@@ -132,14 +132,15 @@ pub(super) fn stated_sums(
     }
     let digits = options.table.limits.digits.saturating_mul(DIGITS_OF_SUMS);
     let limits = Limits { digits, exponent: 0 };
-    let mut total = LineSums::default();
+    let mut total = Sums::default();
     for record in reductions.records() {
         record.check(names, options.table.reading).map_err(fail)?;
         let [x, y, xx, xy] = record.sums(&limits).map_err(fail)?;
         if total.count.checked_add(record.rows).is_none() {
             return Err(fail(ReductionError::TooManyRows));
         }
-        total = total.merged(&LineSums { count: record.rows, x, y, xx, xy });
+        let vv = Rational::from(record.rows);
+        total = total.merged(&Sums { count: record.rows, uu: xx, uv: x, vv, uy: xy, vy: y });
     }
     Ok(total)
 }

@@ -1,20 +1,28 @@
 //! Tables of any size.
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Column, Rational};
 use boundfit_formats::{
-    Batch, InputError, InputErrorKind, ScanOptions, Scanned, Source, TableRow, open_reduction, scan,
+    Batch, InputError, ReductionError, RowNumbers, ScanOptions, Scanned, Source, TableRow, open_reduction,
+    scan,
 };
 
-use super::abscissas::{Abscissas, StoredPart};
 use super::columns::Columns;
+use super::kept_columns::{KeptColumns, KeptPart};
+use super::looks::Looks;
 use super::reduce::stated_sums;
-use crate::measurements::{Meaning, Measurement, Measurements, Origin, Readings};
+use crate::condition::Condition;
+use crate::least_squares::{LeastSquares, NoLeastSquares};
+use crate::line_form::LineForm;
+use crate::measurements::{ErrorBound, Meaning, Measurement, Measurements, Origin, Readings};
 use crate::selection::{FractionCells, Selection};
-use crate::summary::{Keep, LineSummary, LineSums, NoEui, Reduction, SharedSieve, Spread, Thresholds};
+use crate::summary::{
+    DecidingMinimax, FixedBounds, FixedSupport, Keep, LineSummary, NoEui, NoMinimax, Reach, Reduction, Scale,
+    SharedSieve, Spread, Sums, Thresholds, column_totals,
+};
 
-/// Bytes of x kept from a file before it is rather read a second time: twelve million readings at four bytes each.
+/// Bytes of numbers kept from a file before it is rather read again: twelve million x at four bytes each.
 const MOST_BYTES_OF_FILE: usize = 48 << 20;
-/// Bytes of x kept from standard input, which cannot be read a second time: 134 million readings at four bytes each.
+/// Bytes of numbers kept from standard input, which cannot be read again: 134 million x at four bytes each.
 const MOST_BYTES_OF_STREAM: usize = 512 << 20;
 
 /// One batch with what is made of it at once.
@@ -22,103 +30,261 @@ struct Digest {
     batch: Batch,
     /// The first row without bounds.
     unbounded: Option<usize>,
-    line: Option<(LineSummary, Option<StoredPart>)>,
+    part: Part,
+    kept: Option<KeptPart>,
+}
+
+/// What is kept of the readings of a batch.
+enum Part {
+    /// Of a line under a uniform bound, whatever it is.
+    Open(LineSummary),
+    /// Under bounds that are fixed, with the sums of all and of each column.
+    Fixed {
+        touching: Vec<Measurement>,
+        sums: Result<Sums, NoLeastSquares>,
+        totals: Vec<Rational>,
+        has_widths: bool,
+    },
+    /// Nothing where bounds are only known when all readings are.
+    Nothing,
 }
 
 /// Everything taken so far.
 struct Collected {
     batches: Vec<Batch>,
     rows: usize,
-    summary: LineSummary,
-    abscissas: Abscissas,
+    open: LineSummary,
+    fixed: FixedSupport,
+    sums: Result<Sums, NoLeastSquares>,
+    totals: Vec<Rational>,
+    has_widths: bool,
+    kept: KeptColumns,
 }
 
 impl Measurements {
-    /// Reads the columns of a table in constant memory for a line under a uniform error bound: see [`Keep`]. Rows and
-    /// numbers are those of [`Measurements::read`].
+    /// Reads the columns of a table in memory that does not grow with it: see [`Keep`]. Rows and numbers are those of
+    /// [`Measurements::read`]. The conditions are those of the problem to come: ε_min under bounds that are not the same for all
+    /// readings of a line depends on them.
     ///
-    /// Exact. Cost: one pass; two where the EUI is asked for of a file with more readings than are kept for it.
+    /// Exact. Cost: one pass; another where the EUI is asked for of a file with more readings than are kept for it, and then
+    /// also some more, in practice two or three, for ε_min unless the model is a line under a uniform error bound.
     ///
     /// # Errors
     /// The first thing wrong with the file, a negative error bound included.
     pub fn scan(
         source: Source,
         columns: &Columns,
+        conditions: &[Condition],
         options: &ScanOptions,
         keep: Keep,
     ) -> Result<Self, InputError> {
-        let of_line = columns.second.is_none() && columns.is_uniform();
         let name = source.name().to_owned();
         let path = source.path().map(str::to_owned);
         let usual = if path.is_some() { MOST_BYTES_OF_FILE } else { MOST_BYTES_OF_STREAM };
-        let abscissas = Abscissas::new(keep.most_bytes.unwrap_or(usual));
-        let mut all = Collected { batches: Vec::new(), rows: 0, summary: LineSummary::default(), abscissas };
-        let sieve = SharedSieve::default();
-        let digest = |batch: Batch| {
-            let line = of_line.then(|| {
-                let [x, y] = [&batch.columns[0], &batch.columns[1]];
-                let summary = LineSummary::of_columns([x, y], None, &|k| batch.rows.get(k), &sieve);
-                (summary, keep.eui.then(|| StoredPart::new(x)))
-            });
-            Digest { unbounded: columns.first_unbounded(&batch), batch, line }
-        };
-        let most_rows = if of_line { keep.most_rows } else { usize::MAX };
+        let mut all = Collected::new(keep.most_bytes.unwrap_or(usual));
+        let unnamed = columns.meaning(&[]);
+        let scale = Scale::AsStated;
+        let (sieve, bounds) = (SharedSieve::default(), FixedBounds::new(&unnamed, &scale));
         let (source, reductions) = open_reduction(source, &options.table.sizes)?;
         let mut options = options.clone();
         if let Some(reductions) = &reductions {
             options.table.header = reductions.header();
         }
+        let summarises = unnamed.is_open() || unnamed.are_bounds_known();
+        // Of a reduction what was kept was kept for a reason.
+        let keeps_all = reductions.is_some() || !summarises;
+        let most_rows = if keeps_all { usize::MAX } else { keep.most_rows };
         let mut unbounded = None;
-        let scanned = scan(source, &columns.selectors(), &options, digest, |digest| {
+        let selectors = columns.selectors();
+        let digest = |batch: Batch| {
+            let unbounded = columns.first_unbounded(&batch);
+            Digest { unbounded, ..Digest::new(batch, &sieve, &bounds, keep.eui && !keeps_all) }
+        };
+        let scanned = scan(source, &selectors, &options, digest, |digest| {
             unbounded = unbounded.or(digest.unbounded);
-            all.take(digest, most_rows, &sieve);
+            all.take(digest, most_rows, &sieve, &bounds);
         })?;
         columns.refuse_unbounded(&name, unbounded)?;
         let (mut meaning, selection) = (columns.meaning(&scanned.names), Selection::of(&options.table));
-        let uniform = meaning.error_bound.uniform().cloned();
-        let Collected { batches, rows, summary, abscissas } = all;
         if let Some(reductions) = &reductions {
+            refuse_law(&name, &meaning)?;
             let sums = stated_sums(reductions, &name, columns.second.is_none(), &scanned.names, &options)?;
-            let mut rows = match &uniform {
+            let (mut rows, minimax) = match meaning.error_bound.uniform() {
                 Some(epsilon) => {
-                    let mut rows = summary.into_parts(epsilon).1;
+                    let mut rows = all.open.into_parts(epsilon).1;
                     columns.form.count_rows(&mut rows);
-                    rows
+                    (rows, DecidingMinimax::Kept)
                 }
-                None => rows_of(&batches, &meaning),
+                None => (rows_of(&all.batches, &meaning), DecidingMinimax::Kept),
             };
             meaning.settle(&mut rows);
             let sums = columns.form.sums(sums);
             let scanned = Scanned { rows_total: sums.count, layout: None, ..scanned };
-            let reduction = Reduction { sums, spread: Err(NoEui::Reduced) };
+            let (count, has_widths) = (sums.count, true);
+            let reduction =
+                Reduction { count, sums: Ok(sums), reach: Err(NoEui::Reduced), minimax, has_widths };
             return Ok(measurements(meaning, selection, scanned, Readings::Supporting { rows, reduction }));
         }
-        let readings = match &uniform {
-            Some(epsilon) if rows > most_rows => {
-                let (raw_sums, mut rows) = summary.into_parts(epsilon);
+        if all.rows <= most_rows {
+            let mut rows = rows_of(&all.batches, &meaning);
+            meaning.settle(&mut rows);
+            return Ok(measurements(meaning, selection, scanned, Readings::All(rows)));
+        }
+        let Collected { rows: count, open, fixed, sums, totals, has_widths, kept, .. } = all;
+        let looks = Looks {
+            kept: &kept,
+            file: path.as_deref().map(|path| (path, scanned.bytes)),
+            options: &options,
+            selectors: &selectors,
+            count,
+            totals: &totals,
+        };
+        let readings = match meaning.error_bound.uniform().cloned() {
+            Some(epsilon) if meaning.is_open() => {
+                let (sums, mut rows) = open.into_parts(&epsilon);
                 columns.form.count_rows(&mut rows);
                 // A reading with the largest or the smallest y of all is on a hull.
                 meaning.settle(&mut rows);
-                let sums = columns.form.sums(raw_sums.clone());
-                let thresholds = Thresholds::of_form(&columns.form, &sums);
-                let spread = match (abscissas.spread(&thresholds), &path) {
-                    _ if !keep.eui => Err(NoEui::NotAsked),
-                    (Some(spread), _) => Ok(spread),
-                    (None, None) => Err(NoEui::TooManyOnce),
-                    (None, Some(path)) => {
-                        Ok(second_look(path, columns, &options, &thresholds, &raw_sums, &scanned)?)
-                    }
-                };
-                let spread = spread.map(|spread| columns.form.spread(spread));
-                Readings::Supporting { rows, reduction: Reduction { sums, spread } }
+                let totals = [sums.uv.clone()];
+                let sums = columns.form.sums(sums);
+                // Which rows lack a number is told by all columns.
+                let seen = if scanned.rows_missing > 0 { selectors.len() } else { 1 };
+                let looks = Looks { selectors: &selectors[..seen], totals: &totals, ..looks };
+                let reach = reach_of_line(looks, &columns.form, &sums, keep.eui)?;
+                let (minimax, has_widths) = (DecidingMinimax::Kept, true);
+                let reduction = Reduction { count, sums: Ok(sums), reach, minimax, has_widths };
+                Readings::Supporting { rows, reduction }
             }
             _ => {
-                let mut rows = rows_of(&batches, &meaning);
-                meaning.settle(&mut rows);
-                Readings::All(rows)
+                let mut rows = fixed.into_rows(&bounds);
+                let (reach, minimax) = if !keep.eui {
+                    (Err(NoEui::NotAsked), DecidingMinimax::Unknown(NoMinimax::NotAsked))
+                } else if !looks.are_possible() {
+                    (Err(NoEui::TooManyOnce), DecidingMinimax::Unknown(NoMinimax::TooManyOnce))
+                } else {
+                    let own = looks.deciding_minimax(&meaning, conditions, &rows)?;
+                    let reach = match &sums {
+                        Ok(sums) => looks.reach(&meaning, sums)?,
+                        Err(_) => Err(NoEui::NotAsked),
+                    };
+                    if let Some(theta) = sums.as_ref().ok().and_then(LeastSquares::theta_of)
+                        && let Some(tightest) = looks.tightest(&meaning, &theta)?
+                        && let Err(place) = rows.binary_search_by_key(&tightest.row, |reading| reading.row)
+                    {
+                        rows.insert(place, tightest);
+                    }
+                    (reach, DecidingMinimax::Own(own))
+                };
+                Readings::Supporting {
+                    rows,
+                    reduction: Reduction { count, sums, reach, minimax, has_widths },
+                }
             }
         };
         Ok(measurements(meaning, selection, scanned, readings))
+    }
+}
+
+/// Refuses a law that says of each reading another bound: which readings it needs was not known when they were reduced.
+fn refuse_law(file: &str, meaning: &Meaning) -> Result<(), InputError> {
+    let ErrorBound::Law(law) = &meaning.error_bound else { return Ok(()) };
+    let (has, asked) = ("one bound for all readings".to_owned(), law.text().to_owned());
+    Err(InputError::of_file(file, ReductionError::NotAsked { what: "error bounds from", has, asked }))
+}
+
+/// How far least squares of a line may move under a uniform bound of 1: a second look at x.
+fn reach_of_line(
+    looks: Looks,
+    form: &LineForm,
+    sums: &Sums,
+    is_asked: bool,
+) -> Result<Result<Reach, NoEui>, InputError> {
+    if !is_asked {
+        return Ok(Err(NoEui::NotAsked));
+    }
+    let thresholds = Thresholds::of_form(form, sums);
+    let spread = match looks.kept.spread(&thresholds) {
+        Some(spread) => spread,
+        None if looks.file.is_none() => return Ok(Err(NoEui::TooManyOnce)),
+        None => {
+            let mut spread = Spread::default();
+            let look = |columns: &[Column], _: &RowNumbers| thresholds.of_column(&columns[0]);
+            looks.look(look, |part| spread = spread.merged(&part))?;
+            spread
+        }
+    };
+    let spread = form.spread(spread);
+    let (radii, absolute) = (spread.absolute_weights(sums), spread.absolute_x(sums));
+    Ok(Ok(Reach { radii, absolute, middles: None }))
+}
+
+impl Digest {
+    fn new(batch: Batch, sieve: &SharedSieve, bounds: &FixedBounds, keeps: bool) -> Self {
+        let (columns, meaning) = (&batch.columns, bounds.meaning);
+        let row = |k| batch.rows.get(k);
+        let is_open = meaning.is_open();
+        let part = if is_open {
+            Part::Open(LineSummary::of_columns([&columns[0], &columns[1]], None, &row, sieve))
+        } else if meaning.are_bounds_known() {
+            Part::Fixed {
+                touching: bounds.of_columns(columns, &row),
+                sums: meaning.sums(columns),
+                totals: column_totals(columns),
+                has_widths: meaning.have_widths(columns),
+            }
+        } else {
+            Part::Nothing
+        };
+        let kept = keeps.then(|| {
+            let wanted = if is_open { &columns[..1] } else { columns };
+            KeptPart::new(wanted, batch.rows.clone())
+        });
+        Digest { batch, unbounded: None, part, kept }
+    }
+}
+
+impl Collected {
+    fn new(most_bytes: usize) -> Self {
+        Collected {
+            batches: Vec::new(),
+            rows: 0,
+            open: LineSummary::default(),
+            fixed: FixedSupport::default(),
+            sums: Ok(Sums::default()),
+            totals: Vec::new(),
+            has_widths: false,
+            kept: KeptColumns::new(most_bytes),
+        }
+    }
+
+    fn take(
+        &mut self,
+        Digest { batch, part, kept, .. }: Digest,
+        most_rows: usize,
+        sieve: &SharedSieve,
+        bounds: &FixedBounds,
+    ) {
+        let rows = batch.rows.len();
+        self.rows += rows;
+        if self.rows <= most_rows {
+            self.batches.push(batch);
+        } else {
+            self.batches = Vec::new();
+        }
+        match part {
+            Part::Open(summary) => self.open.merge(summary, sieve),
+            Part::Nothing => {}
+            Part::Fixed { touching, sums, totals, has_widths } => {
+                self.has_widths |= has_widths;
+                self.fixed.merge(touching, rows, bounds);
+                self.sums = self.sums.clone().and_then(|own| Ok(own.merged(&sums?)));
+                self.totals.resize(totals.len(), Rational::zero());
+                self.totals.iter_mut().zip(totals).for_each(|(total, part)| *total = &*total + part);
+            }
+        }
+        if let Some(kept) = kept {
+            self.kept.push(kept);
+        }
     }
 }
 
@@ -141,57 +307,4 @@ fn measurements(
 fn rows_of(batches: &[Batch], meaning: &Meaning) -> Vec<Measurement> {
     let row = |row: TableRow| meaning.measurement(row.row, row.numbers.into_iter());
     batches.iter().flat_map(Batch::table_rows).map(row).collect()
-}
-
-impl Collected {
-    fn take(&mut self, Digest { batch, line, .. }: Digest, most_rows: usize, sieve: &SharedSieve) {
-        self.rows += batch.rows.len();
-        if self.rows <= most_rows {
-            self.batches.push(batch);
-        } else {
-            self.batches = Vec::new();
-        }
-        if let Some((summary, abscissas)) = line {
-            self.summary.merge(summary, sieve);
-            if let Some(part) = abscissas {
-                self.abscissas.push(part);
-            }
-        }
-    }
-}
-
-/// Reads x once more, and nothing that was not there the first time.
-fn second_look(
-    path: &str,
-    columns: &Columns,
-    options: &ScanOptions,
-    thresholds: &Thresholds,
-    sums: &LineSums,
-    scanned: &Scanned,
-) -> Result<Spread, InputError> {
-    let options = ScanOptions { hash: false, list_rows: false, ..options.clone() };
-    let mut spread = Spread::default();
-    let (mut count, mut total) = (0, Rational::zero());
-    let look = |batch: Batch| {
-        let x = &batch.columns[0];
-        (x.len(), LineSums::of_columns(x, x).x, thresholds.of_column(x))
-    };
-    let again = Source::open(path)?.limited(scanned.bytes);
-    // Which rows lack a number is told by all columns.
-    let seen = if scanned.rows_missing > 0 { columns.selectors().len() } else { 1 };
-    scan(again, &columns.selectors()[..seen], &options, look, |(rows, x, part)| {
-        count += rows;
-        total = &total + x;
-        spread = spread.merged(&part);
-    })
-    // What was right the first time is wrong only because it is something else now.
-    .map_err(|error| match error.kind {
-        InputErrorKind::Io(_) | InputErrorKind::Interrupted => error,
-        _ => InputError::of_file(path, InputErrorKind::Changed),
-    })?;
-    if count == sums.count && total == sums.x {
-        Ok(spread)
-    } else {
-        Err(InputError::of_file(path, InputErrorKind::Changed))
-    }
 }

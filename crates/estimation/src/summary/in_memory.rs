@@ -3,7 +3,7 @@
 use boundfit_exact::Column;
 use thiserror::Error;
 
-use super::{Keep, LineSummary, NoEui, Reduction, SharedSieve, Thresholds};
+use super::{DecidingMinimax, Keep, LineSummary, NoEui, Reach, Reduction, SharedSieve, Thresholds};
 use crate::measurements::{ErrorBound, Meaning, Measurements, Model, Origin, Readings};
 
 /// How many readings are summarised at a time: few enough for sums in 128 bits, many enough for what is kept of them to
@@ -88,9 +88,15 @@ impl Measurements {
                         .merge(LineSummary::of_columns([&x, &y], None, &|k| start + 1 + k, &sieve), &sieve);
                 }
                 let (sums, rows) = summary.into_parts(epsilon);
-                let spread = || Thresholds::new(&sums).of_column(x);
-                let spread = keep.eui.then(spread).ok_or(NoEui::NotAsked);
-                Readings::Supporting { rows, reduction: Reduction { sums, spread } }
+                let reach = || {
+                    let spread = Thresholds::of_form(&meaning.form, &sums).of_column(x);
+                    let (radii, absolute) = (spread.absolute_weights(&sums), spread.absolute_x(&sums));
+                    Reach { radii, absolute, middles: None }
+                };
+                let reach = keep.eui.then(reach).ok_or(NoEui::NotAsked);
+                let (count, minimax, has_widths) = (rows_total, DecidingMinimax::Kept, true);
+                let reduction = Reduction { count, sums: Ok(sums), reach, minimax, has_widths };
+                Readings::Supporting { rows, reduction }
             }
             _ => {
                 let row = |k: usize| meaning.measurement(k + 1, columns.iter().map(|column| column.get(k)));

@@ -1,9 +1,18 @@
 //! Readings of any number in memory that does not grow with them.
 //!
-//! Under a uniform error bound a line is decided by the readings that support a hull, least squares by five sums, and
-//! both of a whole are found from those of its parts. Only the EUI needs a second look at x, when the sums are known.
+//! Under a uniform error bound, whatever it is, a line is decided by the readings that support a hull; under bounds that are
+//! fixed any model is decided by the readings that touch an envelope. Least squares needs six sums. All of these follow from
+//! those of parts. The EUI needs a second look, when the sums are known, and so does the least factor on bounds that are fixed.
 
+#[cfg(feature = "files")]
+mod fixed;
 mod in_memory;
+#[cfg(feature = "files")]
+mod reach;
+#[cfg(feature = "files")]
+mod rounded;
+#[cfg(feature = "files")]
+mod scale;
 mod sieve;
 mod spread;
 mod sums;
@@ -14,24 +23,34 @@ use std::collections::BTreeMap;
 use boundfit_exact::{Column, Rational};
 use thiserror::Error;
 
+#[cfg(feature = "files")]
+pub(crate) use fixed::{FixedBounds, FixedSupport};
 pub use in_memory::ColumnsError;
+#[cfg(feature = "files")]
+pub(crate) use reach::{SignedSums, Weights, merged_or_reason};
+#[cfg(feature = "files")]
+pub(crate) use scale::Scale;
 pub(crate) use sieve::SharedSieve;
-pub use spread::Spread;
+#[cfg(feature = "files")]
+pub(crate) use spread::Spread;
 pub(crate) use spread::Thresholds;
-pub use sums::LineSums;
+pub use sums::Sums;
+#[cfg(feature = "files")]
+pub(crate) use sums::column_totals;
 
-use crate::measurements::Measurement;
+use crate::least_squares::NoLeastSquares;
+use crate::measurements::{ErrorBound, Measurement};
 use support::SupportRows;
 
 /// How many readings are kept in memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Keep {
-    /// Up to this many readings all of them; of more readings of a line under a uniform error bound only those that
-    /// touch a hull. Of other models and error bounds all are always kept.
+    /// Up to this many readings all of them; of more only those that decide the feasible set.
     pub most_rows: usize,
-    /// Whether the EUI is wanted of more readings than that.
+    /// Whether what takes a second look is wanted of more readings than that: the EUI and, unless the model is a line under
+    /// a uniform error bound, ε_min.
     pub eui: bool,
-    /// How many bytes of x are kept for it. When left out: 48 MiB of a file, which is read a second time when it has
+    /// How many bytes of numbers are kept for that. When left out: 48 MiB of a file, which is read again when it has
     /// more; 512 MiB of standard input, which cannot be.
     pub most_bytes: Option<usize>,
 }
@@ -41,6 +60,8 @@ impl Keep {
     /// reports. Measured: at this size microlp takes half a second, at ten times as many readings five seconds and
     /// 400 MB.
     pub const MOST_ROWS: usize = 10_000;
+    /// All readings.
+    pub const EVERY: Keep = Keep { most_rows: usize::MAX, eui: true, most_bytes: None };
 }
 
 impl Default for Keep {
@@ -50,13 +71,74 @@ impl Default for Keep {
     }
 }
 
-/// What is known about the readings of a line of which only those that touch a hull are kept.
+/// What is known about readings of which only those that decide the feasible set are kept.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Reduction {
+    /// How many readings there are.
+    pub count: usize,
     /// The sums over all readings.
-    pub sums: LineSums,
-    /// Where all x lie.
-    pub spread: Result<Spread, NoEui>,
+    pub sums: Result<Sums, NoLeastSquares>,
+    /// How far least squares may move; of a line under a uniform error bound with 1 for the bound.
+    pub reach: Result<Reach, NoEui>,
+    /// Which readings decide ε_min.
+    pub minimax: DecidingMinimax,
+    /// Whether a reading has two bounds, whose distance a factor may multiply.
+    pub has_widths: bool,
+}
+
+impl Reduction {
+    /// How far least squares may move within the error bound of the readings.
+    pub(crate) fn reach_within(&self, error_bound: &ErrorBound) -> Result<Reach, NoEui> {
+        let reach = self.reach.clone()?;
+        match (&self.minimax, error_bound.uniform()) {
+            (DecidingMinimax::Kept, Some(epsilon)) => Ok(Reach {
+                radii: reach.radii.map(|radius| radius * epsilon),
+                absolute: reach.absolute * epsilon,
+                ..reach
+            }),
+            _ => Ok(reach),
+        }
+    }
+}
+
+/// How far least squares may move when the readings move within their bounds.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Reach {
+    /// Σ_k |A_jk|·ε_k times the determinant of ΦᵀΦ, with A of [`LeastSquares`](crate::LeastSquares).
+    pub radii: [Rational; 2],
+    /// Σ_k |φ_k1|·ε_k.
+    pub absolute: Rational,
+    /// Φᵀm with the middles m of all bounds, where these are not y.
+    pub middles: Option<[Rational; 2]>,
+}
+
+/// The readings that decide ε_min.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum DecidingMinimax {
+    /// The same that decide the feasible set: those of a line under a uniform error bound, whatever it is.
+    Kept,
+    /// Those that touch where it is reached.
+    Own(Vec<Measurement>),
+    /// They are not known.
+    Unknown(NoMinimax),
+}
+
+/// Why ε_min is not known although there are readings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum NoMinimax {
+    /// It was not asked for.
+    #[error("not asked for")]
+    NotAsked,
+    /// Readings that cannot be read twice, and more than are kept.
+    #[error(
+        "standard input has more readings than are kept for a second look at them; a file can be read twice"
+    )]
+    TooManyOnce,
+    /// The data are the result of a reduction under bounds that are fixed.
+    #[error(
+        "the data are a reduction under bounds that are fixed, which does not say how other bounds would do"
+    )]
+    Reduced,
 }
 
 /// Why there is no EUI although there is a least-squares estimate.
@@ -84,7 +166,7 @@ pub enum NoEui {
 /// What is kept of readings of a line, however many they are.
 #[derive(Debug, Default)]
 pub(crate) struct LineSummary {
-    pub(crate) sums: LineSums,
+    pub(crate) sums: Sums,
     /// The readings that support a hull of those with the same error bound; under a uniform one, whatever it is, `None`
     /// stands for it.
     support: BTreeMap<Option<Rational>, SupportRows>,
@@ -112,7 +194,7 @@ impl LineSummary {
                 rows.into_iter().map(|(bound, rows)| (Some(bound), support(rows))).collect()
             }
         };
-        LineSummary { sums: LineSums::of_columns(x, y), support }
+        LineSummary { sums: Sums::of_columns(x, None, y), support }
     }
 
     /// Adds what is kept of other readings, and lets the sieve learn from it. Exact.
@@ -133,7 +215,7 @@ impl LineSummary {
     }
 
     /// The sums, and the readings that support a hull, by row, with this error bound.
-    pub(crate) fn into_parts(self, epsilon: &Rational) -> (LineSums, Vec<Measurement>) {
+    pub(crate) fn into_parts(self, epsilon: &Rational) -> (Sums, Vec<Measurement>) {
         let mut rows: Vec<Measurement> =
             self.support.into_values().flat_map(SupportRows::into_rows).collect();
         rows.sort_by_key(|reading| reading.row);

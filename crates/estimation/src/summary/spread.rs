@@ -2,20 +2,20 @@
 
 use boundfit_exact::{Column, Count, Rational, Scaled, Sum, Unit};
 
-use super::sums::LineSums;
+use super::sums::Sums;
 use crate::line_form::LineForm;
 
-/// The two values of x at which a weight of least squares changes its sign: A_1k that of N·x_k − Σx, A_2k that of
-/// Σx² − x_k·Σx.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+/// The values of x at which a weight of least squares changes its sign: A_1k that of N·x_k − Σx, A_2k that of
+/// Σx² − x_k·Σx, and the one of a line through the origin that of x_k.
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Thresholds {
-    values: [Rational; 2],
+    values: [Rational; 3],
 }
 
 /// How many x lie above each threshold, and their sum.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Spread {
-    above: [Above; 2],
+pub(crate) struct Spread {
+    above: [Above; 3],
 }
 
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -26,17 +26,11 @@ struct Above {
 
 impl Thresholds {
     /// The thresholds of readings of lines of a form, as values of x as it is, from the sums over x counted from the form's
-    /// origin. Through the origin the one weight has the sign of x.
-    pub(crate) fn of_form(form: &LineForm, sums: &LineSums) -> Self {
-        let counted = if form.through_origin { Thresholds::default() } else { Thresholds::new(sums) };
-        Thresholds { values: counted.values.map(|value| value + &form.x_origin) }
-    }
-
-    /// The thresholds of readings with these sums. Where Σx = 0 no A_2k changes its sign, and any second one will do.
-    pub(crate) fn new(sums: &LineSums) -> Self {
-        let first = sums.x.checked_div(&Rational::from(sums.count)).unwrap_or_default();
-        let second = sums.xx.checked_div(&sums.x).unwrap_or_default();
-        Thresholds { values: [first, second] }
+    /// origin. Where Σx = 0 no A_2k changes its sign, and any second one will do.
+    pub(crate) fn of_form(form: &LineForm, sums: &Sums) -> Self {
+        let first = sums.uv.checked_div(&sums.vv).unwrap_or_default();
+        let second = sums.uu.checked_div(&sums.uv).unwrap_or_default();
+        Thresholds { values: [first, second, Rational::zero()].map(|value| value + &form.x_origin) }
     }
 
     /// What a column of x has above each. Exact. Cost: linear; on machine integers where they fit.
@@ -67,7 +61,7 @@ impl Thresholds {
     }
 
     /// The largest number of units that is not above each threshold, cut to 128 bits.
-    pub(crate) fn in_units(&self, unit: Unit) -> [i128; 2] {
+    pub(crate) fn in_units(&self, unit: Unit) -> [i128; 3] {
         let unit = unit.value();
         self.values.each_ref().map(|threshold| {
             let Some(count) = threshold.checked_div(&unit) else { return 0 };
@@ -78,19 +72,21 @@ impl Thresholds {
 }
 
 impl Spread {
-    pub(crate) fn of_counts(counts: [(usize, Rational); 2]) -> Self {
+    pub(crate) fn of_counts(counts: [(usize, Rational); 3]) -> Self {
         Spread { above: counts.map(|(count, x)| Above { count, x }) }
     }
 
     /// The spread of the readings of both. Exact.
-    pub fn merged(&self, other: &Self) -> Self {
+    #[cfg(feature = "files")]
+    pub(crate) fn merged(&self, other: &Self) -> Self {
         let both = |axis: usize| {
             let (one, other) = (&self.above[axis], &other.above[axis]);
             Above { count: one.count + other.count, x: &one.x + &other.x }
         };
-        Spread { above: [both(0), both(1)] }
+        Spread { above: [0, 1, 2].map(both) }
     }
 
+    #[cfg(feature = "files")]
     /// What lies above the thresholds when x is counted from another origin. Exact.
     pub(crate) fn counted_from(&self, origin: &Rational) -> Self {
         let above =
@@ -99,27 +95,26 @@ impl Spread {
     }
 
     /// Σ|x| of readings with these sums, from what lies above 0. Exact.
-    pub(crate) fn absolute_x(&self, sums: &LineSums) -> Rational {
-        let [Above { x, .. }, _] = &self.above;
-        x + x - &sums.x
+    pub(crate) fn absolute_x(&self, sums: &Sums) -> Rational {
+        let [_, _, Above { x, .. }] = &self.above;
+        x + x - &sums.uv
     }
 
     /// Σ_k |A_1k| and Σ_k |A_2k| times the determinant N·Σx² − (Σx)², for readings with these sums. Exact.
     ///
     /// Both follow from Σ_k |t_k| = 2·Σ_(t_k > 0) t_k − Σ_k t_k.
-    pub fn absolute_weights(&self, sums: &LineSums) -> [Rational; 2] {
-        let LineSums { count, x, xx, .. } = sums;
-        let count = Rational::from(*count);
+    pub(crate) fn absolute_weights(&self, sums: &Sums) -> [Rational; 2] {
+        let Sums { vv: count, uv: x, uu: xx, .. } = sums;
         let two = Rational::from(2);
-        let [mean, other] = &self.above;
-        let slope = (&count * &mean.x - x * Rational::from(mean.count)) * &two;
+        let [mean, other, _] = &self.above;
+        let slope = (count * &mean.x - x * Rational::from(mean.count)) * &two;
         // Where Σx is negative, the negative weights are those not above the threshold.
         let (beyond, beyond_x) = if x.is_negative() {
-            (&count - Rational::from(other.count), x - &other.x)
+            (count - Rational::from(other.count), x - &other.x)
         } else {
             (Rational::from(other.count), other.x.clone())
         };
-        let determinant = &count * xx - x * x;
+        let determinant = count * xx - x * x;
         let negative = if x.is_zero() { Rational::zero() } else { x * beyond_x - xx * beyond };
         [slope, determinant + negative * two]
     }

@@ -17,6 +17,7 @@ mod cells;
 mod columns;
 mod coordinate;
 mod doubles;
+mod envelope_sieve;
 mod filter;
 mod point;
 mod sample;
@@ -24,6 +25,7 @@ mod sieve;
 
 pub use columns::{candidates_of_columns, touching_of_columns};
 pub use doubles::touching_doubles;
+pub use envelope_sieve::{EnvelopeSieve, RoundedStrip, in_range};
 pub use point::{GridPoint, doubled_area};
 pub use sieve::Sieve;
 

@@ -281,7 +281,13 @@ impl<'a> Report<'a> {
                     .words(".")
             }
         };
-        vec![contradiction.into(), proof.words("."), help, self.mending().into()]
+        let is_known = self.problem.measurements.deciding_minimax().is_ok();
+        let mending = self.mending().into();
+        [contradiction.into(), proof.words(".")]
+            .into_iter()
+            .chain(is_known.then_some(help))
+            .chain([mending])
+            .collect()
     }
 
     /// Which single row an empty set would have to lose.

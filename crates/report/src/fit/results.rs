@@ -1,6 +1,6 @@
 //! The remaining results of a fit: one line each.
 
-use boundfit_estimation::{ErrorBound, FloatEstimate, LeastSquares};
+use boundfit_estimation::{ErrorBound, FloatEstimate, LeastSquares, least_squares_is_feasible};
 use boundfit_exact::Rational;
 use boundfit_exact::english::list;
 
@@ -39,12 +39,15 @@ impl Report<'_> {
     fn least_error_bound(&self) -> Vec<(Text, Text)> {
         let label = Text::from(Symbol::LeastEpsilon);
         let Some(minimax) = &self.fit.minimax else {
-            let reason = if self.problem.measurements.has_widths() {
+            let never = if self.problem.measurements.has_widths() {
                 "no error bound, however large, is enough"
             } else {
                 NO_WIDTHS
             };
-            return vec![(label, format!("none: {reason}").into())];
+            let unknown = self.problem.measurements.deciding_minimax().err();
+            let reason =
+                unknown.map_or_else(|| format!("none: {never}"), |reason| format!("not known: {reason}"));
+            return vec![(label, reason.into())];
         };
         let least = self.style.upper_with_exact(&minimax.least);
         let least = match self.problem.measurements.error_bound() {
@@ -96,6 +99,7 @@ impl Report<'_> {
             (Ok(_), Some((slack, name))) if slack.is_negative() => {
                 Text::from(format!("not feasible: exceeds {name} by ")).number(style.upper(&-slack))
             }
+            (Ok(_), _) if least_squares_is_feasible(fit) == Some(false) => "not feasible".into(),
             (Ok(_), _) => "feasible".into(),
         };
         let mut lines = vec![("least squares".into(), state)];

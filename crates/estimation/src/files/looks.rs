@@ -1,0 +1,131 @@
+//! Further looks at readings that have been read once.
+
+use boundfit_exact::{Column, Rational};
+use boundfit_formats::{
+    Batch, ColumnSelector, InputError, InputErrorKind, RowNumbers, ScanOptions, Source, scan, threads,
+};
+
+use super::kept_columns::{KeptColumns, KeptPart};
+use crate::condition::Condition;
+use crate::measurements::{Meaning, Measurement};
+use crate::minimax::Minimax;
+use crate::summary::{
+    FixedBounds, FixedSupport, NoEui, Reach, Scale, SignedSums, Sums, Weights, column_totals,
+    merged_or_reason,
+};
+
+/// Where readings can be seen again.
+pub(super) struct Looks<'a> {
+    pub(super) kept: &'a KeptColumns,
+    /// Where they are read from a file, and how many bytes of it.
+    pub(super) file: Option<(&'a str, u64)>,
+    pub(super) options: &'a ScanOptions,
+    pub(super) selectors: &'a [ColumnSelector],
+    /// How many rows there are, and the sum of each column.
+    pub(super) count: usize,
+    pub(super) totals: &'a [Rational],
+}
+
+impl Looks<'_> {
+    /// Whether the readings can be seen again.
+    pub(super) fn are_possible(&self) -> bool {
+        self.kept.parts().is_some() || self.file.is_some()
+    }
+
+    /// Calls `work` for the columns of some rows and their numbers, on the threads of the current pool, and
+    /// `take` with what it made of them: of the columns kept in memory, or else of a file that is still the same.
+    pub(super) fn look<T: Send>(
+        &self,
+        work: impl Fn(&[Column], &RowNumbers) -> T + Sync + Send,
+        mut take: impl FnMut(T),
+    ) -> Result<(), InputError> {
+        /// Parts that are unpacked at a time.
+        const PARTS: usize = 64;
+        if let Some(parts) = self.kept.parts() {
+            for parts in parts.chunks(PARTS) {
+                let seen = |part: &KeptPart| work(&part.columns(), &part.rows);
+                threads::map(parts.iter().collect(), seen).into_iter().for_each(&mut take);
+            }
+            return Ok(());
+        }
+        let Some((path, bytes)) = self.file else { return Ok(()) };
+        let options = ScanOptions { hash: false, list_rows: false, ..self.options.clone() };
+        let (mut count, mut totals) = (0, vec![Rational::zero(); self.totals.len()]);
+        let look = |batch: Batch| {
+            (batch.rows.len(), column_totals(&batch.columns), work(&batch.columns, &batch.rows))
+        };
+        let again = Source::open(path)?.limited(bytes);
+        scan(again, self.selectors, &options, look, |(rows, part, made)| {
+            count += rows;
+            totals.iter_mut().zip(part).for_each(|(total, part)| *total = &*total + part);
+            take(made);
+        })
+        // What was right the first time is wrong only because it is something else now.
+        .map_err(|error| match error.kind {
+            InputErrorKind::Io(_) | InputErrorKind::Interrupted => error,
+            _ => InputError::of_file(path, InputErrorKind::Changed),
+        })?;
+        let is_same = count == self.count && totals == self.totals;
+        if is_same { Ok(()) } else { Err(InputError::of_file(path, InputErrorKind::Changed)) }
+    }
+
+    /// How far least squares may move. One look.
+    pub(super) fn reach(&self, meaning: &Meaning, sums: &Sums) -> Result<Result<Reach, NoEui>, InputError> {
+        let weights = Weights::new(sums);
+        let mut total = Ok(SignedSums::default());
+        let work =
+            |columns: &[Column], rows: &RowNumbers| weights.of_columns(meaning, columns, &|k| rows.get(k));
+        self.look(work, |part| {
+            let so_far = std::mem::replace(&mut total, Err(NoEui::NotAsked));
+            total = merged_or_reason(so_far, part);
+        })?;
+        Ok(total.map(|total| weights.reach(meaning, total)))
+    }
+
+    /// The first of the readings that the least-squares estimate misses most, or else comes nearest to missing. One look.
+    pub(super) fn tightest(
+        &self,
+        meaning: &Meaning,
+        theta: &[Rational; 2],
+    ) -> Result<Option<Measurement>, InputError> {
+        let bounds = FixedBounds::new(meaning, &Scale::AsStated);
+        let mut tightest: Option<(Rational, Measurement)> = None;
+        let work = |columns: &[Column], rows: &RowNumbers| bounds.tightest(columns, &|k| rows.get(k), theta);
+        self.look(work, |part| {
+            let is_tighter =
+                |(slack, _): &(Rational, _)| tightest.as_ref().is_none_or(|(least, _)| slack < least);
+            if let Some(part) = part.filter(is_tighter) {
+                tightest = Some(part);
+            }
+        })?;
+        Ok(tightest.map(|(_, reading)| reading))
+    }
+
+    /// The readings that decide the least factor on the error bounds, from some that may not: those that touch at the least
+    /// factor of these are all of them as soon as something is left of all readings at that factor. A look for each attempt,
+    /// of which two or three suffice in practice.
+    pub(super) fn deciding_minimax(
+        &self,
+        meaning: &Meaning,
+        conditions: &[Condition],
+        some: &[Measurement],
+    ) -> Result<Vec<Measurement>, InputError> {
+        let mut known = some.to_vec();
+        loop {
+            let Some(scale) = Minimax::least_scale(&known, meaning, conditions) else { return Ok(known) };
+            let bounds = FixedBounds::new(meaning, &scale);
+            let mut support = FixedSupport::default();
+            let work = |columns: &[Column], rows: &RowNumbers| {
+                (rows.len(), bounds.of_columns(columns, &|k| rows.get(k)))
+            };
+            self.look(work, |(rows, part)| support.merge(part, rows, &bounds))?;
+            let touching = support.into_rows(&bounds);
+            if Minimax::is_enough(&touching, &scale, conditions) {
+                return Ok(touching);
+            }
+            known.extend(touching);
+            known.sort_by_key(|reading| reading.row);
+            known.dedup_by_key(|reading| reading.row);
+        }
+    }
+}

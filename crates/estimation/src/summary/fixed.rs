@@ -1,0 +1,158 @@
+//! The readings that decide a fit under bounds that are fixed, found part by part.
+
+use std::sync::RwLock;
+
+use boundfit_exact::{Column, Rational};
+use boundfit_geometry::grid::{EnvelopeSieve, in_range};
+use boundfit_geometry::{Constraint, HalfPlane, Inequality, touching_an_envelope};
+
+use super::rounded::{RoundedReadings, may_be_tightest};
+use super::scale::Scale;
+use crate::measurements::{Meaning, Measurement};
+
+/// Merging waits for at least this many new rows, so that small parts do not each pay for the whole.
+const LEAST_TO_MERGE: usize = 1024;
+/// From so many rows on, a part without a sieve makes one from some of its own.
+const LEAST_TO_SIEVE: usize = 256;
+/// Of so many rows one may pass a sieve; with more, another one is made from the rows themselves.
+const RARE: usize = 16;
+
+/// Of readings, those with a bound that touches an envelope, by row: they decide the feasible set, whatever other readings
+/// and conditions there are. They depend on the readings alone, not on how these are split. Exact. Cost: O(n log n).
+pub(crate) fn touching(mut readings: Vec<Measurement>, scale: &Scale) -> Vec<Measurement> {
+    readings.sort_by_key(|reading| reading.row);
+    let (of, constraints) = scale.constraints(&readings);
+    let mut touches = vec![false; readings.len()];
+    touching_an_envelope(&constraints).into_iter().for_each(|index| touches[of[index]] = true);
+    if *scale != Scale::AsStated {
+        // Without regressors a reading asks for a factor all the same.
+        let is_tight = |own: Inequality| own.b.is_zero() && own.a.iter().all(Rational::is_zero);
+        let without =
+            readings.iter().zip(&mut touches).filter(|(own, _)| own.regressor.iter().all(Rational::is_zero));
+        without.for_each(|(own, touches)| *touches |= scale.half_planes(own).any(is_tight));
+    }
+    let mut touches = touches.into_iter();
+    readings.retain(|_| touches.next().unwrap_or(false));
+    readings
+}
+
+/// What is known of all readings, for those to come; all threads use it.
+#[derive(Default)]
+pub(crate) struct SharedEnvelopeSieve(RwLock<Option<(EnvelopeSieve, usize)>>);
+
+/// What is to be kept of which readings.
+pub(crate) struct FixedBounds<'a> {
+    pub(crate) meaning: &'a Meaning,
+    pub(crate) scale: &'a Scale,
+    pub(crate) sieve: SharedEnvelopeSieve,
+}
+
+impl<'a> FixedBounds<'a> {
+    pub(crate) fn new(meaning: &'a Meaning, scale: &'a Scale) -> Self {
+        FixedBounds { meaning, scale, sieve: SharedEnvelopeSieve::default() }
+    }
+
+    /// The readings in columns that touch an envelope, as far as the readings before leave it open. Exact.
+    pub(crate) fn of_columns(&self, columns: &[Column], number: &dyn Fn(usize) -> usize) -> Vec<Measurement> {
+        let count = columns.first().map_or(0, Column::len);
+        let reading = |row: usize| self.meaning.of_columns(columns, row, number(row));
+        let rounded = RoundedReadings::new(self.meaning, self.scale, columns);
+        let survivors = |sieve: &EnvelopeSieve| -> Vec<usize> {
+            let passes = |row: &usize| {
+                let strip = rounded.strip(*row, self.scale, || reading(*row));
+                !sieve.discards(&strip, || reading(*row).regressor)
+            };
+            (0..count).filter(passes).collect()
+        };
+        let shared = || {
+            let current = self.sieve.0.read().ok()?;
+            let left = survivors(&current.as_ref()?.0);
+            (left.len() * RARE <= count).then_some(left)
+        };
+        let own = || {
+            // About the square root of all rows, at equal distances.
+            let some = (0..count).step_by(count.isqrt().max(1)).map(reading).collect();
+            survivors(&self.sieve_of(&touching(some, self.scale)))
+        };
+        let left =
+            shared().unwrap_or_else(|| if count < LEAST_TO_SIEVE { (0..count).collect() } else { own() });
+        touching(left.into_iter().map(reading).collect(), self.scale)
+    }
+
+    /// Of the readings in columns the first with the least slack at a point, with that slack. Exact. Cost: linear.
+    #[cfg(feature = "files")]
+    pub(crate) fn tightest(
+        &self,
+        columns: &[Column],
+        number: &dyn Fn(usize) -> usize,
+        theta: &[Rational; 2],
+    ) -> Option<(Rational, Measurement)> {
+        let count = columns.first().map_or(0, Column::len);
+        let reading = |row: usize| self.meaning.of_columns(columns, row, number(row));
+        let rounded = RoundedReadings::new(self.meaning, self.scale, columns);
+        let point = theta.each_ref().map(|number| in_range(number.to_f64()));
+        let with_slack = |row: usize| {
+            let reading = reading(row);
+            let slack = self.scale.half_planes(&reading).map(|own| own.slack(theta)).min()?;
+            Some((slack, reading))
+        };
+        let candidates = may_be_tightest(&rounded, count, point, reading).into_iter().filter_map(with_slack);
+        candidates.reduce(|best, next| if next.0 < best.0 { next } else { best })
+    }
+
+    fn sieve_of(&self, readings: &[Measurement]) -> EnvelopeSieve {
+        let half_plane = |constraint: Constraint| match constraint {
+            Constraint::HalfPlane(half_plane) => Some(half_plane),
+            Constraint::Always | Constraint::Never => None,
+        };
+        let (_, constraints) = self.scale.constraints(readings);
+        let half_planes: Vec<HalfPlane> = constraints.into_iter().filter_map(half_plane).collect();
+        EnvelopeSieve::new(&half_planes)
+    }
+
+    /// Learns from all readings so far, whenever these have doubled.
+    fn learn(&self, support: &mut FixedSupport) {
+        let is_fresh = self.sieve.0.read().is_ok_and(|current| {
+            current.as_ref().is_some_and(|(_, learned_from)| support.rows < 2 * learned_from)
+        });
+        if !is_fresh {
+            support.settle(self);
+            let sieve = self.sieve_of(&support.merged);
+            if let Ok(mut current) = self.sieve.0.write() {
+                *current = Some((sieve, support.rows));
+            }
+        }
+    }
+}
+
+/// The readings that touch an envelope of all readings so far.
+#[derive(Debug, Default)]
+pub(crate) struct FixedSupport {
+    merged: Vec<Measurement>,
+    pending: Vec<Measurement>,
+    rows: usize,
+}
+
+impl FixedSupport {
+    /// Adds what was kept of so many other readings. Exact. Cost: amortised O(log n) per reading that is kept.
+    pub(crate) fn merge(&mut self, readings: Vec<Measurement>, rows: usize, bounds: &FixedBounds) {
+        self.rows += rows;
+        self.pending.extend(readings);
+        if self.pending.len() >= self.merged.len().max(LEAST_TO_MERGE) {
+            self.settle(bounds);
+        }
+        bounds.learn(self);
+    }
+
+    /// The readings, by row.
+    pub(crate) fn into_rows(mut self, bounds: &FixedBounds) -> Vec<Measurement> {
+        self.settle(bounds);
+        self.merged
+    }
+
+    fn settle(&mut self, bounds: &FixedBounds) {
+        let mut all = std::mem::take(&mut self.merged);
+        all.append(&mut self.pending);
+        self.merged = touching(all, bounds.scale);
+    }
+}

@@ -1,0 +1,160 @@
+//! Which half-planes can be active, whatever else is known: those that touch one of four sets that are never empty.
+//!
+//! The half-planes with `a2 > 0` bound θ2 from above by linear functions of θ1, and their intersection lies below the lower
+//! envelope of these; those with `a2 < 0` bound it from below; those with `a2 = 0` bound θ1 from the right or from the left.
+//! A boundary that meets the intersection of all half-planes meets that of its own kind. Each of the four is never empty, so
+//! that what touches it can be found part by part, also where the whole has no solution. In the dual plane, where
+//! `a1·θ1 + a2·θ2 ≤ b` is the point `(a1/a2, b/a2)`, the envelopes are a lower and an upper hull.
+
+use std::cmp::Ordering;
+
+use crate::half_plane::{Constraint, HalfPlane};
+use crate::hull::{Hull, HullSide, Site};
+use crate::point::Point;
+use crate::predicates::{by_theta1, by_tightness, lexicographic, orientation};
+
+/// Of inequalities, the positions of those whose boundaries touch the intersection of their own kind (above, below, right or
+/// left), repeated ones included, and of the first that holds nowhere; ascending. The others are strictly redundant.
+///
+/// Exact. It depends on the inequalities alone, so that parts can be reduced first, in any order: what touches in all touches
+/// in its part. Cost: O(n log n).
+pub fn touching_an_envelope(constraints: &[Constraint]) -> Vec<usize> {
+    let half_planes = || {
+        constraints.iter().enumerate().filter_map(|(position, constraint)| match constraint {
+            Constraint::HalfPlane(half_plane) => Some((position, half_plane)),
+            Constraint::Always | Constraint::Never => None,
+        })
+    };
+    let mut touching: Vec<usize> =
+        constraints.iter().position(|constraint| *constraint == Constraint::Never).into_iter().collect();
+    for side in [HullSide::Lower, HullSide::Upper] {
+        let family = Family::new(side, half_planes());
+        let hull = family.hull();
+        touching.extend(hull.support(&family.sorted).map(|place| family.sorted[place].position));
+    }
+    for faces_right in [true, false] {
+        let vertical = || half_planes().filter(|(_, own)| is_vertical(own, faces_right));
+        if let Some((_, tightest)) = vertical().min_by(|(_, f), (_, g)| by_tightness(f, g)) {
+            let ties = vertical().filter(|(_, own)| *own == tightest);
+            touching.extend(ties.map(|(position, _)| position));
+        }
+    }
+    touching.sort_unstable();
+    touching
+}
+
+pub(crate) fn is_vertical(half_plane: &HalfPlane, faces_right: bool) -> bool {
+    half_plane.a2().is_zero() && half_plane.a1().is_positive() == faces_right
+}
+
+/// Half-planes that bound θ2 from one side, as points of the dual plane.
+pub(crate) struct Family {
+    side: HullSide,
+    /// By x, then y, then position.
+    sorted: Vec<Dual>,
+}
+
+/// `(a1/a2, b/a2)`.
+struct Dual {
+    point: Point,
+    position: usize,
+}
+
+impl Site for Dual {
+    fn is_above_or_below(&self, other: &Self) -> bool {
+        by_theta1(&self.point, &other.point).is_eq()
+    }
+
+    fn coincides(&self, other: &Self) -> bool {
+        self.point == other.point
+    }
+}
+
+impl Family {
+    /// Of the half-planes those that bound θ2 from above, which the lower hull decides, or from below.
+    pub(crate) fn new<'a>(side: HullSide, half_planes: impl Iterator<Item = (usize, &'a HalfPlane)>) -> Self {
+        let from_above = side == HullSide::Lower;
+        let dual = |(position, own): (usize, &HalfPlane)| {
+            let is_own = !own.a2().is_zero() && own.a2().is_positive() == from_above;
+            let point = || Point::from_homogeneous(own.a1().clone(), own.b().clone(), own.a2().clone());
+            is_own.then(point).flatten().map(|point| Dual { point, position })
+        };
+        let mut sorted: Vec<Dual> = half_planes.filter_map(dual).collect();
+        sorted.sort_unstable_by(Family::compare);
+        Family { side, sorted }
+    }
+
+    fn compare(one: &Dual, other: &Dual) -> Ordering {
+        lexicographic(&one.point, &other.point).then(one.position.cmp(&other.position))
+    }
+
+    fn hull(&self) -> Hull {
+        Hull::new(self.side, &self.sorted, |p, q, r| orientation(&p.point, &q.point, &r.point))
+    }
+
+    /// Positions of the half-planes that make the corners of the hull, by ascending a1/a2.
+    pub(crate) fn corners(&self) -> Vec<usize> {
+        let mut corners: Vec<usize> =
+            self.hull().corners().map(|place| self.sorted[place].position).collect();
+        if self.side == HullSide::Upper {
+            corners.reverse();
+        }
+        corners
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use boundfit_exact::Rational;
+
+    use super::*;
+    use crate::half_plane::Inequality;
+    use crate::polyhedron::{Polyhedron, Support};
+    use crate::system::System;
+
+    fn constraints(seed: &mut u64, count: usize, size: i64) -> Vec<Inequality> {
+        let mut next = || {
+            *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            Rational::from((*seed >> 33) as i64 % (2 * size + 1) - size)
+        };
+        (0..count).map(|_| Inequality::new(next(), next(), next())).collect()
+    }
+
+    /// By support functions of the plane engine: a boundary touches a set that it does not cut where the form attains its bound.
+    fn by_definition(rows: &[Inequality]) -> Vec<usize> {
+        let kind = |row: &Inequality| {
+            let sign = |number: &Rational| (number.is_positive(), number.is_negative());
+            if row.a[1].is_zero() { (sign(&row.a[0]), false) } else { (sign(&row.a[1]), true) }
+        };
+        let first_never = rows.iter().position(|row| row.constraint() == Constraint::Never);
+        let touches = |index: &usize| {
+            let row = &rows[*index];
+            if row.a.iter().all(Rational::is_zero) {
+                return first_never == Some(*index);
+            }
+            let own = rows
+                .iter()
+                .filter(|other| kind(other) == kind(row) && !other.a.iter().all(Rational::is_zero));
+            let set = Polyhedron::intersect(System::new(own.cloned()));
+            matches!(set.support(&row.a), Support::Bounded { proof, .. } if proof.value == row.b)
+        };
+        (0..rows.len()).filter(touches).collect()
+    }
+
+    #[test]
+    fn what_touches_is_found_whole_and_part_by_part() {
+        let mut seed = 3;
+        for round in 0..600 {
+            let rows = constraints(&mut seed, round % 13, [1, 2, 6][round % 3]);
+            let system = System::new(rows.clone());
+            let whole = touching_an_envelope(system.constraints());
+            assert_eq!(whole, by_definition(&rows), "{rows:?}");
+            let middle = rows.len() / 3;
+            let mut left: Vec<usize> = touching_an_envelope(&system.constraints()[..middle]);
+            left.extend(touching_an_envelope(&system.constraints()[middle..]).iter().map(|k| k + middle));
+            let parts: Vec<Constraint> = left.iter().map(|&k| system.constraints()[k].clone()).collect();
+            let again: Vec<usize> = touching_an_envelope(&parts).into_iter().map(|k| left[k]).collect();
+            assert_eq!(again, whole, "{rows:?}");
+        }
+    }
+}
