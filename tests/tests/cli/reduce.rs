@@ -121,8 +121,15 @@ fn what_needs_the_set_alone_reads_reductions_too() {
     let directory = boundfit_tests::cli::directory_with(&[("data.csv", table.as_bytes())]);
     let run = |line: &str| boundfit_tests::cli::boundfit(directory.path(), line);
     assert_eq!(run("reduce data.csv --x x --y y -o reduced.csv").status, 0);
-    let judged =
-        |file: &str| run(&format!("check {file} --x x --y y --eps 20 --solver microlp --format json")).stdout;
+    let judged = |file: &str| {
+        let line = format!("check {file} --x x --y y --eps 20 --solver microlp --format json");
+        let mut report: serde_json::Value = serde_json::from_str(&run(&line).stdout).unwrap();
+        // The rows of a reduction are counted anew.
+        for bound in report["claims"][0]["bounds"].as_array_mut().unwrap() {
+            bound["row"].take();
+        }
+        report
+    };
     assert_eq!(judged("reduced.csv"), judged("data.csv"));
     let picture = run("plot reduced.csv --x x --y y --eps 20 --figure fps");
     assert_eq!((picture.status, picture.stderr.as_str()), (0, ""));

@@ -87,7 +87,7 @@ const XY: &str = "--x x --y y --eps 1";
 
 #[test]
 fn errors_name_sheet_and_cell() {
-    let number = "not a number: unexpected character 'a' at byte 0 (expected a decimal such as 1.30e-2 or a fraction such as 7/19)";
+    let number = "not a number: unexpected character 'a' at character 1 (expected a decimal such as 1.30e-2 or a fraction such as 7/19)";
     let csv = "x,y\n1,2\n3,abc";
     for book in [xlsx(&[("Run 1", &xlsx_rows(csv, b'A', 1))]), ods(&[("Run 1", &ods_rows(csv))])] {
         refused(&book, XY, &format!(": Run 1!B3 (y): \"abc\": {number}"));
