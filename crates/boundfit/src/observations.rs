@@ -186,7 +186,7 @@ impl Observations {
     /// let (lower, upper) = ([Some(0), Some(1), None], [None, Some(2), Some(3)]);
     /// let fit = Observations::line(&[0, 1, 2], &[0, 1, 3])?.bounds(&lower, &upper)?.fit();
     /// let [slope, _] = fit.pui_intervals().expect("the set is not empty");
-    /// assert_eq!(slope.to_string(), "[-1, 2]");
+    /// assert_eq!(slope.to_string(), "(-inf, 3/2]");
     /// # Ok::<(), boundfit::Error>(())
     /// ```
     ///

@@ -336,8 +336,10 @@ fn number_length(text: &str, is_asymmetric: bool) -> usize {
         let is_exponent_sign = matches!(byte, b'+' | b'-') && matches!(before, Some(b'e' | b'E'));
         let is_exponent =
             matches!(byte, b'e' | b'E') && before.is_some_and(|byte| byte.is_ascii_digit() || byte == b'.');
-        let ends_here =
-            byte == b'/' && is_asymmetric && !bytes.get(length + 1).is_some_and(u8::is_ascii_digit);
+        // There are no fractions of decimals.
+        let may_be_above_bar = bytes[..length].iter().all(u8::is_ascii_digit)
+            && bytes.get(length + 1).is_some_and(u8::is_ascii_digit);
+        let ends_here = byte == b'/' && is_asymmetric && !may_be_above_bar;
         let is_part = byte.is_ascii_digit() || matches!(byte, b'.' | b'/') || is_exponent || is_exponent_sign;
         if !is_part || ends_here {
             break;
@@ -406,7 +408,7 @@ mod tests {
             ("2%*3", 3, Kind::NotATerm),
             ("1 |z|", 2, Kind::NoPlus),
             ("+0.2", 4, Kind::NoBelow),
-            ("+0.2/0.1", 8, Kind::NoBelow),
+            ("+0.2/0.1", 5, Kind::NoBelow),
             ("1.2.3*|y|", 3, Kind::NotANumber(ParseNumberErrorKind::UnexpectedCharacter('.'))),
         ] {
             assert_eq!(parse(text), Err(ParseLawError { position, kind }), "{text}");

@@ -10,6 +10,9 @@ use crate::blanks::{BlankReader, Cells};
 use crate::dialect::BLANKS;
 use crate::error::{InputError, InputErrorKind};
 
+/// What spreadsheets write into cells that have no value.
+const SHEET_ERRORS: [&[u8]; 7] = [b"#N/A", b"#DIV/0!", b"#NUM!", b"#VALUE!", b"#REF!", b"#NAME?", b"#NULL!"];
+
 /// What makes records of bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Syntax {
@@ -20,9 +23,12 @@ pub(crate) struct Syntax {
 }
 
 impl Syntax {
-    /// Whether a line that starts with this byte is a comment.
-    pub(crate) fn is_comment(&self, first: u8) -> bool {
-        self.comment.is_some_and(|marks| marks.contains(&first))
+    /// Whether a line that starts with these bytes is a comment.
+    pub(crate) fn is_comment(&self, line: &[u8]) -> bool {
+        let Some((marks, first)) = self.comment.zip(line.first()) else { return false };
+        // Two marks are those that were not asked for: they must not hide a row that begins with an error of a spreadsheet.
+        let is_found_out = marks[0] != marks[1];
+        marks.contains(first) && !(is_found_out && SHEET_ERRORS.iter().any(|error| line.starts_with(error)))
     }
 }
 
@@ -317,10 +323,11 @@ impl<'a> Records<'a> {
                 *piece = rest;
             }
             self.pass_line_ends(piece);
-            match piece.first() {
-                Some(&first) if self.syntax.is_comment(first) => self.is_in_comment = true,
-                _ => return,
+            // A piece ends with a line, so that enough of a line is there to tell.
+            if !self.syntax.is_comment(piece) {
+                return;
             }
+            self.is_in_comment = true;
         }
     }
 

@@ -370,7 +370,7 @@ fn the_help_says_what_a_fleet_is_and_which_status_it_ends_with() {
     for part in [
         "--by <COL>\n",
         "--by sensor --x V --y level",
-        "with --by a row for each group",
+        "one line of text,\n          JSON or CSV per group",
         "3  the feasible parameter set is empty, with --by that of at least one group; the proof is printed",
     ] {
         assert!(help.contains(part), "{part}: {help}");

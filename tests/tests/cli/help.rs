@@ -110,7 +110,7 @@ fn the_examples_of_a_manual_page_can_be_copied() {
 #[test]
 fn the_synopsis_of_a_manual_page_names_values() {
     let page = printed(&root(), "man fit");
-    let synopsis = "\n.SH SYNOPSIS\n\\fBboundfit fit\\fR [OPTIONS] \\-\\-x <COL[,COL2]> \\-\\-y <COL> \
+    let synopsis = "\n.SH SYNOPSIS\n\\fBboundfit fit\\fR [OPTIONS] \\-\\-x <COL[,COL2]> \
                     <\\-\\-eps <NUM>|\\-\\-eps\\-column <COL>|\\-\\-lower <COL>|\\-\\-upper <COL>> <DATA>\n";
     assert!(page.contains(synopsis), "{page}");
     let limit =

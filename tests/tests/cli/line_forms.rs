@@ -146,11 +146,10 @@ fn groups_are_fitted_by_these_models_too() {
     for options in
         ["--eps 9 --through-origin --x-origin 1980", "--eps 1 --where 'theta1 = 2' --x-origin 1981"]
     {
-        let groups = printed(
-            directory.path(),
-            &format!("fit data.csv --x year --y level --by group {options} --format json"),
-        );
-        for (line, rows) in groups.lines().zip(["1..2", "3..4"]) {
+        let line = format!("fit data.csv --x year --y level --by group {options} --format json");
+        let groups = boundfit(directory.path(), &line);
+        assert_eq!(groups.status, 0, "{groups:?}");
+        for (line, rows) in groups.stdout.lines().zip(["1..2", "3..4"]) {
             let group: Value = serde_json::from_str(line).unwrap();
             let alone = report(
                 directory.path(),

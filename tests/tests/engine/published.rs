@@ -38,10 +38,22 @@ fn problem(path: &str, [x, y]: [&str; 2], epsilon: EpsilonColumn, rows: Option<R
     Problem { measurements, conditions: Vec::new() }
 }
 
+/// A decimal as papers print it.
+fn decimal(value: &Rational) -> String {
+    value.decimal(5, Rounding::Nearest).compact().to_string()
+}
+
+/// The digits of a published decimal without its power of ten, as reports print it.
+fn without_power(published: &str) -> String {
+    let Some((digits, power)) = published.split_once("e-") else { return published.to_owned() };
+    let zeros = "0".repeat(power.parse::<usize>().unwrap() - 1);
+    format!("0.{zeros}{}", digits.replace('.', ""))
+}
+
 /// The decimals of an interval as papers print them.
 fn nearest(interval: &Interval) -> [String; 2] {
     let (lower, upper) = interval.ends().unwrap();
-    [lower, upper].map(|end| end.to_decimal(5, Rounding::Nearest))
+    [lower, upper].map(decimal)
 }
 
 fn strings(value: &Value) -> Vec<String> {
@@ -64,7 +76,6 @@ fn the_transducer_reproduces_every_published_figure() {
         assert_eq!(found, expected, "{section} {key}");
         figures += found.len();
     };
-    let decimal = |value: &Rational| value.to_decimal(5, Rounding::Nearest);
 
     let least_squares = fit.least_squares.as_ref().unwrap();
     check(&least_squares.theta.each_ref().map(decimal), "least_squares", "theta");
@@ -94,21 +105,27 @@ fn the_transducer_reproduces_every_published_figure() {
 
 #[test]
 fn the_program_prints_every_published_figure() {
+    let reported = |figures: &Value| -> Vec<String> {
+        strings(figures).iter().map(|figure| without_power(figure)).collect()
+    };
     let arguments =
         ["fit", "fixtures/transducer/transducer.csv", "--x", "Vz", "--y", "z", "--rows", "14..36"];
     let text = run(&[&arguments[..], &["--eps", "0.5e-3", "--rounding", "nearest"]].concat()).stdout;
     let published = read_json("transducer/published.json");
-    let row =
-        |label: &str| text.lines().find(|line| line.trim_start().starts_with(label)).unwrap().to_owned();
+    // Parameters and the inverse line have a table each.
+    let row = |label: &str| {
+        let rows: Vec<&str> = text.lines().filter(|line| line.trim_start().starts_with(label)).collect();
+        rows.join("  ")
+    };
     for (section, label) in
         [("least_squares", "least squares"), ("eui", "EUI"), ("pui", "PUI"), ("central", "central")]
     {
         let row = row(label);
         for (key, figures) in published[section].as_object().unwrap() {
             let printed = match figures {
-                Value::String(figure) => figure.clone(),
-                pair if key == "theta" => strings(pair).join("  "),
-                interval => format!("[{}]", strings(interval).join(", ")),
+                Value::String(figure) => without_power(figure),
+                pair if key == "theta" => reported(pair).join("  "),
+                interval => format!("[{}]", reported(interval).join(", ")),
             };
             let squeezed: Vec<&str> =
                 row.split("  ").map(str::trim).filter(|cell| !cell.is_empty()).collect();

@@ -132,6 +132,7 @@ fn transducer(file: &str, options: &[&str]) -> Value {
     assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{file}");
     let mut report: Value = serde_json::from_str(&run.stdout).unwrap();
     report["input"]["sha256"] = Value::Null;
+    report["input"]["file"] = Value::Null;
     report
 }
 
@@ -251,7 +252,6 @@ fn other_variables_are_refused_by_name() {
         ("scipy.mat", "c", "complex"),
         ("scipy.mat", "z3", "an array of 3 dimensions"),
         ("scipy.mat", "e", "empty"),
-        ("transducer-v7.mat", "s", "a struct with the field a"),
         ("transducer-v7.mat", "note", "text"),
         ("others.mat", "sparse_x", "sparse"),
         ("others.mat", "cells", "a cell array"),

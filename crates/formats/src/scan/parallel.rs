@@ -103,8 +103,8 @@ fn read_group<T: Send>(
     work: &(impl Fn(Batch) -> T + Sync),
 ) -> Result<Outcome<T>, InputError> {
     let mut rows_before = vec![position.rows; group.len()];
-    if !layout.options.table.rows.is_all() {
-        // Which rows are wanted depends on how many come before.
+    if !layout.options.table.rows.is_all() || position.rows == 0 {
+        // Which rows are wanted depends on how many come before, and so does what is said of the first one.
         let counts = threads::map(group.iter().collect(), |chunk: &Chunk| {
             route
                 .and_then(|route| plain::count(chunk, layout, route))
