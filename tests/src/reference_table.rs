@@ -53,6 +53,23 @@ pub fn may_be_binary(bytes: &[u8]) -> bool {
     starts.iter().any(|format| bytes.starts_with(format)) || start.contains(&0)
 }
 
+/// A table whose first lines are empty where they were blank; tabs that are known to separate cells are not.
+fn without_blank_lines(text: &[u8], delimiter: Option<u8>) -> Vec<u8> {
+    // The library passes over a byte order mark of its own.
+    let (mark, text) =
+        text.split_at(if text.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 });
+    let is_blank = |byte: &u8| byte.is_ascii_whitespace() && !(*byte == b'\t' && delimiter == Some(b'\t'));
+    let is_line_end = |byte: &u8| matches!(byte, b'\r' | b'\n');
+    let filled = text.iter().position(|byte| !is_blank(byte)).unwrap_or(text.len());
+    let start = match text[..filled].iter().rposition(is_line_end) {
+        _ if filled == text.len() => filled,
+        last => last.map_or(0, |last| last + 1),
+    };
+    let line_ends = text[..start].iter().copied().filter(is_line_end);
+    let mark = if start == 0 { mark } else { &[] };
+    mark.iter().copied().chain(line_ends).chain(text[start..].iter().copied()).collect()
+}
+
 struct Reader<'a> {
     columns: &'a [ColumnSelector],
     options: &'a TableOptions,
@@ -94,6 +111,7 @@ impl Reader<'_> {
         if bytes.starts_with(REDUCTION_MARK.as_bytes()) {
             return Err(wrong(None, InputErrorKind::Reduction(ReductionError::NotHere)));
         }
+        let text = &without_blank_lines(text, self.options.dialect.delimiter);
         let delimiter = self.options.dialect.delimiter.unwrap_or_else(|| detect(text).unwrap_or(b','));
         let mut records = Records::new(text, failure.is_some(), delimiter, limit);
         let found = self.table(&mut records, sha256).map_err(|error| match error {
@@ -104,7 +122,7 @@ impl Reader<'_> {
                     | InputErrorKind::AllMissing { .. },
                 ..
             }) => error,
-            Some(error) if records.is_within_quotes && error.place.line == Some(records.line) => {
+            Some(error) if error.place.line.is_some() && error.place.line == records.open_quotes => {
                 Some(wrong(error.place.line, InputErrorKind::OpenQuote))
             }
             error => error,
@@ -418,8 +436,8 @@ struct Records<'a> {
     /// Up to here line ends are counted.
     counted: usize,
     line: u64,
-    /// Whether the text ends within the quotes of the last record.
-    is_within_quotes: bool,
+    /// The line of the last record, if the text ends within its quotes.
+    open_quotes: Option<u64>,
     delimiter: u8,
 }
 
@@ -434,7 +452,7 @@ impl<'a> Records<'a> {
             limit,
             counted: 0,
             line: 1,
-            is_within_quotes: false,
+            open_quotes: None,
             delimiter,
         }
     }
@@ -454,8 +472,12 @@ impl<'a> Records<'a> {
                 return Err(Some(wrong(Some(self.line), InputErrorKind::RowTooLong { limit: self.limit })));
             }
             let more = read.map_err(|_| None)?;
-            self.is_within_quotes =
-                end == self.text.len() && ends_within_quotes(&self.text[start..], self.delimiter);
+            // Behind the last record it is still that of the last record.
+            if more {
+                let is_open =
+                    end == self.text.len() && ends_within_quotes(&self.text[start..], self.delimiter);
+                self.open_quotes = is_open.then_some(self.line);
+            }
             let is_blank = record.len() == 1 && record[0].trim_ascii().is_empty();
             if !(more && is_blank) {
                 return Ok(more);

@@ -267,7 +267,7 @@ fn other_variables_are_refused_by_name() {
         unknown,
         "there is no column \"Vx\" (expected one of \"Vz\", \"z\", \"M(:,1) to M(:,2)\", \"s.a\")"
     );
-    assert!(of("transducer-v7.mat", &["5"]).ends_with(" or a number from 1 to 5)"));
+    assert!(of("transducer-v7.mat", &["6"]).ends_with(" or a number from 1 to 5)"));
     assert!(of("transducer-v7.mat", &["M(:,3)"]).starts_with("there is no column \"M(:,3)\""));
     assert!(of("version-4.mat", &["z"]).starts_with("this is a MATLAB file of version 4; save it with -v7"));
     assert!(of("hdf5.mat", &["z"]).starts_with("this is an HDF5 file; save it with -v7"));

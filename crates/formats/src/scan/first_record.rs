@@ -34,6 +34,10 @@ pub(super) struct FirstRecord<'a> {
     pub(super) position: Position,
 }
 
+/// After so many lines that are blank or comments, the second record is not looked for before the others are: they would all
+/// have to be held.
+const MOST_BLANK_LINES: u64 = 4096;
+
 /// A record at the start of a table.
 struct Found {
     cells: Vec<Vec<u8>>,
@@ -62,7 +66,7 @@ impl<'a> FirstRecord<'a> {
         let start = Start { file, options, syntax: preamble.syntax };
         let mut cursor = Cursor { at: 0, lines: preamble.lines };
         let mut behind = cursor;
-        let Some(first) = start.record(reader, &mut behind)? else {
+        let Some(first) = start.record(reader, &mut behind, u64::MAX)? else {
             return Err(match reader.failure() {
                 Some(problem) => {
                     let line = preamble.line_feeds + line_feeds(reader.pending());
@@ -136,8 +140,14 @@ struct Start<'a> {
 }
 
 impl Start<'_> {
-    /// The record at a place, which moves behind it; none at the end and where the bytes stop.
-    fn record(&self, reader: &mut ChunkReader, cursor: &mut Cursor) -> Result<Option<Found>, InputError> {
+    /// The record at a place, which moves behind it; none at the end, where the bytes stop, and behind more blank lines and
+    /// comments than that.
+    fn record(
+        &self,
+        reader: &mut ChunkReader,
+        cursor: &mut Cursor,
+        most_lines: u64,
+    ) -> Result<Option<Found>, InputError> {
         let longest = self.options.table.sizes.line;
         let mut records = Records::new(self.file, self.syntax, cursor.lines, longest, self.options.keep_text);
         let mut end = cursor.at;
@@ -148,6 +158,9 @@ impl Start<'_> {
             if is_found {
                 break;
             }
+            if !records.is_open() && records.line() - cursor.lines > most_lines {
+                return Ok(None);
+            }
             if reader.read_on() > 0 {
                 continue;
             }
@@ -157,6 +170,9 @@ impl Start<'_> {
             break;
         }
         let line = records.record_line();
+        if line - cursor.lines > most_lines {
+            return Ok(None);
+        }
         // Cells are not copied where there are too many.
         check_columns(self.file, records.record().len(), line, &self.options.table.sizes).map_err(
             |error| {
@@ -185,7 +201,7 @@ impl Start<'_> {
 
     /// The record at a place, if it can be read; what is wrong with it is said when its turn comes.
     fn peek(&self, reader: &mut ChunkReader, cursor: &mut Cursor) -> Option<Found> {
-        self.record(reader, cursor).unwrap_or_default()
+        self.record(reader, cursor, MOST_BLANK_LINES).unwrap_or_default()
     }
 
     /// The names in the comment right before the first record, if that is a row: it has as many cells, and a number.
