@@ -77,6 +77,10 @@ impl Measurement {
     ///
     /// # Panics
     /// When it has other bounds.
+    #[allow(
+        clippy::panic,
+        reason = "a mistake of the caller, which asks for what kind of bound there is first"
+    )]
     pub(crate) fn y_and_epsilon(&self) -> (&Rational, &Rational) {
         match &self.bounds {
             Bounds::Around { response, epsilon } => (response, epsilon),
@@ -152,6 +156,7 @@ pub enum Model {
 
 /// Where the error bounds come from.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[allow(clippy::large_enum_variant, reason = "one per fit")]
 pub enum ErrorBound {
     /// One for all readings.
     Uniform(Rational),
@@ -414,11 +419,12 @@ impl Measurements {
     ///
     /// # Panics
     /// When the origin is another one and not every reading is in memory; [`Columns::form`](crate::Columns::form) is for those.
+    #[allow(clippy::panic, reason = "documented: a mistake of the caller, which no input can make")]
     pub fn with_form(mut self, form: LineForm) -> Self {
         if matches!(self.meaning.model, Model::TwoRegressors { .. }) {
             return self;
         }
-        let by = LineForm { x_origin: &form.x_origin - &self.meaning.form.x_origin, ..form.clone() };
+        let by = LineForm { x_origin: &form.x_origin - &self.meaning.form.x_origin, ..form };
         if !by.x_origin.is_zero() {
             let Readings::All(rows) = &mut self.readings else {
                 panic!("another origin of readings that are not in memory");

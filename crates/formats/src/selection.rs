@@ -114,7 +114,7 @@ impl RowSet {
 
     /// Those of the rows from `start` to before `end` that are wanted.
     pub(crate) fn among(&self, start: usize, end: usize) -> Vec<Range<usize>> {
-        let Some(wanted) = &self.wanted else { return ranges_of([start..end]) };
+        let Some(wanted) = &self.wanted else { return ranges_of(std::iter::once(start..end)) };
         ranges_of(wanted.iter().map(|range| range.start.max(start)..range.end.min(end)))
     }
 

@@ -54,8 +54,10 @@ fn case(rng: &mut ChaCha8Rng, count: usize) -> Case {
     Case { rows, options, picked }
 }
 
+type Comparison = fn(i64, i64) -> bool;
+
 /// How integers compare.
-const SIGNS: [(&str, fn(i64, i64) -> bool); 6] = [
+const SIGNS: [(&str, Comparison); 6] = [
     ("<", |a, b| a < b),
     ("<=", |a, b| a <= b),
     ("=", |a, b| a == b),

@@ -332,7 +332,7 @@ fn a_multiple_of_the_least_bound_is_one() {
             assert_eq!(fit.is_empty(), is_empty, "{context}");
             assert_eq!(fit.minimax.as_ref(), Some(&least), "{context}");
             if factor == Rational::one() && least.unique {
-                assert_eq!(fit.vertices(), [least.theta.clone()], "{context}");
+                assert_eq!(fit.vertices(), std::slice::from_ref(&least.theta), "{context}");
             }
             assert_eq!(fit.verify(&own), Ok(()), "{context}");
         }

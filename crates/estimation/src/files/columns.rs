@@ -9,6 +9,7 @@ use crate::measurements::{ErrorBound, Meaning, Model};
 
 /// The error bound as it is asked for.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[allow(clippy::large_enum_variant, reason = "one per fit")]
 pub enum EpsilonColumn {
     /// One number for all readings; not negative.
     Uniform(Rational),

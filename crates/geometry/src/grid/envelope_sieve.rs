@@ -28,7 +28,7 @@ const MOST_CORNERS: usize = 16;
 /// A number that a filter may compute with: NaN, with which every comparison fails, where it is beyond the range.
 pub fn in_range(number: f64) -> f64 {
     let size = number.abs();
-    if size == 0.0 || (size >= RANGE[0] && size <= RANGE[1]) { number } else { f64::NAN }
+    if size == 0.0 || (RANGE[0]..=RANGE[1]).contains(&size) { number } else { f64::NAN }
 }
 
 /// What is known about the half-planes of the whole, to discard readings by.

@@ -37,11 +37,10 @@ pub fn solvers() -> Vec<Box<dyn Solver>> {
 
 /// The solver with a name.
 pub fn solver_named(name: &str) -> Option<Box<dyn Solver>> {
-    let is_meant = |solver: &Box<dyn Solver>| {
+    solvers().into_iter().find(|solver| {
         // Reports print the name with the version.
         solver.name() == name || format!("{} {}", solver.name(), solver.version()) == name
-    };
-    solvers().into_iter().find(is_meant)
+    })
 }
 
 /// Lets a solver work on a thread of its own, for at most `limit`: a crash or an endless loop becomes

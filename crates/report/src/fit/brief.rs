@@ -33,7 +33,9 @@ pub fn brief_document(problem: &Problem, fit: &Fit, origin: &Origin, style: &Sty
         let names = list(minimax.proof.multipliers.iter().map(|(name, _)| name.to_string()));
         let is_uniform = problem.measurements.error_bound().is_uniform();
         let least = if is_uniform { least } else { least.words(" times the bounds") };
-        (Text::from(Symbol::LeastEpsilon), least.words(format!(", fixed by {names}")))
+        // Where nothing has to be given up, no bound stands against less.
+        let least = if names.is_empty() { least } else { least.words(format!(", fixed by {names}")) };
+        (Text::from(Symbol::LeastEpsilon), least)
     }));
     if let Ok(least_squares) = &fit.least_squares {
         let [theta1, theta2] = [0, 1].map(|axis| report.theta[axis].value(&least_squares.theta[axis]));
