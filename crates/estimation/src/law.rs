@@ -152,8 +152,8 @@ impl Law {
         &self.above.constant + &self.above.of_range * range
     }
 
-    #[cfg(feature = "files")]
     /// How many times the range of y is taken above and below.
+    #[cfg(any(feature = "files", test))]
     fn of_range(&self) -> [&Rational; 2] {
         [&self.above.of_range, &self.below.as_ref().unwrap_or(&self.above).of_range]
     }
@@ -172,6 +172,7 @@ impl Law {
     }
 
     /// Adds the multiples of the range of y to what readings say. Exact.
+    #[cfg(any(feature = "files", test))]
     pub(crate) fn widen(&self, rows: &mut [Measurement], range: &Rational) {
         let [above, below] = self.of_range().map(|times| times * range);
         if above.is_zero() && below.is_zero() {

@@ -4,8 +4,7 @@ use boundfit_exact::Rational;
 
 use crate::measurements::Measurement;
 #[cfg(feature = "files")]
-use crate::summary::Spread;
-use crate::summary::Sums;
+use crate::summary::{Spread, Sums};
 
 /// Which lines are fitted: y = θ1·(x - origin) + θ2, with θ2 = 0 for those through the point (origin, 0).
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
