@@ -13,6 +13,7 @@
 
 mod claim;
 mod exchange;
+mod model;
 mod outcome;
 mod program;
 mod referee;
@@ -24,6 +25,7 @@ mod verdict;
 
 pub use claim::{BoundClaim, Claimed, End, PuiEnd};
 pub use exchange::{ExchangeFormat, ExchangeProgram, ExchangeRow, Sense};
+pub use model::{Bounds, Model, ModelColumn, ModelRow, ObjectiveSense};
 pub use outcome::{ExactOutcome, Multiplier, Optimum, Outcome};
 pub use program::{FloatProgram, Program, Row, spread_objectives};
 pub use referee::{Referee, RefereeRow};

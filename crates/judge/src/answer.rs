@@ -1,0 +1,79 @@
+//! The exact answer to a linear program.
+
+use boundfit_exact::Rational;
+
+/// What rows and columns are priced at. With `d` = +1 for a minimum and −1 for a maximum, duals and reduced costs fulfil
+/// `cost = reduced cost + Σ dual·coefficient` in every column; `d` times a price is positive only where the lower bound is
+/// active, and negative only where the upper one is. A price is what the optimum gains for a unit of that bound.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Prices {
+    /// The dual of each row.
+    pub rows: Vec<Rational>,
+    /// The reduced cost of each column.
+    pub columns: Vec<Rational>,
+}
+
+/// The optimal points: the convex hull of the vertices, plus any sum of non-negative multiples of the rays and of any
+/// multiples of the lines. Points and directions have an entry per column.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Face {
+    /// All optimal vertices of the feasible set; none where a line is optimal.
+    pub vertices: Vec<Vec<Rational>>,
+    /// Optimal points to start from where there is no vertex.
+    pub points: Vec<Vec<Rational>>,
+    /// The directions of optimal rays.
+    pub rays: Vec<Vec<Rational>>,
+    /// The directions of optimal lines.
+    pub lines: Vec<Vec<Rational>>,
+}
+
+/// Where a column or the form of a row stands in a basis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BasisStatus {
+    /// It is basic.
+    Basic,
+    /// It is at its lower bound.
+    AtLower,
+    /// It is at its upper bound.
+    AtUpper,
+    /// It has no bounds and is 0.
+    Free,
+}
+
+/// An optimal basis: as many basic columns and rows as there are rows.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Basis {
+    /// Of each row.
+    pub rows: Vec<BasisStatus>,
+    /// Of each column.
+    pub columns: Vec<BasisStatus>,
+}
+
+/// The exact answer, with what proves it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Answer {
+    /// There is an optimum; the prices prove it.
+    Optimal {
+        /// The optimum, the constant of the objective included.
+        value: Rational,
+        /// Where it is attained.
+        face: Face,
+        /// Duals and reduced costs.
+        prices: Prices,
+        /// A basis of the first vertex, or of a point where there is no vertex.
+        basis: Basis,
+    },
+    /// No point fulfils all rows and bounds. The multipliers prove it: positive ones take a lower bound, negative ones an
+    /// upper one; the forms add up to 0, the bounds to something positive (Farkas).
+    Infeasible {
+        /// Multipliers of rows and of columns' bounds.
+        multipliers: Prices,
+    },
+    /// From this feasible point the objective improves for ever.
+    Unbounded {
+        /// A feasible point, an entry per column.
+        point: Vec<Rational>,
+        /// A direction that stays feasible and improves.
+        ray: Vec<Rational>,
+    },
+}

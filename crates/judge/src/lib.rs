@@ -1,0 +1,10 @@
+//! Linear programs in two variables: the exact answer with its proof, and what solvers answer about them, judged exactly.
+//!
+//! A [`Model`](boundfit_lp::Model) may have any number of columns as long as bounds fix all but two of them.
+
+// What reads input never panics on it; exceptions stand at the smallest item, with the proof that it holds.
+#![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
+
+mod answer;
+
+pub use answer::{Answer, Basis, BasisStatus, Face, Prices};
