@@ -32,6 +32,7 @@ mod plain;
 mod serial;
 mod short_text;
 mod sum;
+mod written;
 
 pub use binary64::{nearest_double, plain_double, significand_and_exponent};
 pub use column::{Column, Count, Scaled, Unit};
@@ -44,3 +45,4 @@ pub use number::{Fraction, Integer, Rational, Sign, TooWide};
 pub use parse::{Limits, ParseNumberError, ParseNumberErrorKind, Reading, characters_before};
 pub use plain::{PLAIN_DIGITS, PLAIN_EXPONENT, PlainPrefix, plain_decimal, plain_prefix};
 pub use sum::Sum;
+pub use written::WrittenDigits;

@@ -1,6 +1,6 @@
 //! What a column takes from its cells when it is not their number.
 
-use boundfit_exact::{Column, DecimalMark, Rational, Reading, is_missing, trim_number};
+use boundfit_exact::{Column, DecimalMark, Rational, Reading, WrittenDigits, is_missing};
 
 use crate::columns::{ColumnSelector, decode};
 use crate::error::InputErrorKind;
@@ -49,17 +49,7 @@ pub(crate) fn add(column: &mut Column, (mantissa, exponent): (i64, i64), reading
 
 /// The power of ten that the last digit of a number stands for.
 fn place_of_last_digit(text: &str, mark: Option<DecimalMark>) -> Result<i64, InputErrorKind> {
-    let text = trim_number(text).replace('\u{2212}', "-");
-    if text.contains('/') {
-        return Err(InputErrorKind::NoLastDigit);
-    }
-    let (mantissa, exponent) = text.split_once(['e', 'E', 'd', 'D']).unwrap_or((&text, "0"));
-    let after =
-        |mark: DecimalMark| mantissa.split_once(char::from(mark.byte())).map(|(_, places)| places.len());
-    let places = mark.map_or_else(|| DecimalMark::ALL.into_iter().find_map(after), after).unwrap_or(0);
-    // What is no number is refused where it is read as one.
-    let exponent: i64 = exponent.parse().unwrap_or(0);
-    Ok(exponent - i64::try_from(places).unwrap_or(i64::MAX))
+    WrittenDigits::of(text, mark).map(|digits| digits.last_place).ok_or(InputErrorKind::NoLastDigit)
 }
 
 #[cfg(test)]
