@@ -1,6 +1,34 @@
 //! The exact answer to a linear program.
 
 use boundfit_exact::Rational;
+use boundfit_lp::End;
+
+/// A row or a column, by its place in the model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Item {
+    /// A row.
+    Row(usize),
+    /// A column.
+    Column(usize),
+}
+
+/// One of the two bounds of a row or a column.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Side {
+    /// Whose bound.
+    pub item: Item,
+    /// Which one.
+    pub end: End,
+}
+
+/// A positive multiple of a bound: of `form ≥ lower` or of `−form ≥ −upper`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SideMultiplier {
+    /// The bound.
+    pub side: Side,
+    /// How many times it is taken.
+    pub value: Rational,
+}
 
 /// What rows and columns are priced at. With `d` = +1 for a minimum and −1 for a maximum, duals and reduced costs fulfil
 /// `cost = reduced cost + Σ dual·coefficient` in every column; `d` times a price is positive only where the lower bound is
@@ -19,7 +47,8 @@ pub struct Prices {
 pub struct Face {
     /// All optimal vertices of the feasible set; none where a line is optimal.
     pub vertices: Vec<Vec<Rational>>,
-    /// Optimal points to start from where there is no vertex.
+    /// Where there is no vertex: a point of each line that bounds the optimal points, the basis's point first. A column
+    /// without bounds is 0 there.
     pub points: Vec<Vec<Rational>>,
     /// The directions of optimal rays.
     pub rays: Vec<Vec<Rational>>,
@@ -60,14 +89,14 @@ pub enum Answer {
         face: Face,
         /// Duals and reduced costs.
         prices: Prices,
-        /// A basis of the first vertex, or of a point where there is no vertex.
+        /// A basis of the first vertex, or of the first point where there is no vertex.
         basis: Basis,
     },
-    /// No point fulfils all rows and bounds. The multipliers prove it: positive ones take a lower bound, negative ones an
-    /// upper one; the forms add up to 0, the bounds to something positive (Farkas).
+    /// No point fulfils all rows and bounds. The multipliers prove it: times them, `form ≥ lower` and `−form ≥ −upper` add
+    /// up to `0 ≥` something positive (Farkas). Bounds of at most three rows and columns are among them, and of fixed columns.
     Infeasible {
-        /// Multipliers of rows and of columns' bounds.
-        multipliers: Prices,
+        /// Rows first, then columns, each by their place.
+        multipliers: Vec<SideMultiplier>,
     },
     /// From this feasible point the objective improves for ever.
     Unbounded {

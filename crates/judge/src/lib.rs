@@ -6,5 +6,11 @@
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
 
 mod answer;
+mod certificate;
+mod error;
+mod plane;
+mod solve;
 
-pub use answer::{Answer, Basis, BasisStatus, Face, Prices};
+pub use answer::{Answer, Basis, BasisStatus, Face, Item, Prices, Side, SideMultiplier};
+pub use error::SolveError;
+pub use plane::Plane;
