@@ -1,39 +1,51 @@
 //! Numbers: both readings against num-rational and the standard library.
 
-use boundfit_exact::{Limits, Rational, Reading, Rounding, plain_decimal, plain_double};
+use boundfit_exact::{
+    Limits, ParseNumberErrorKind, Rational, Reading, Rounding, plain_decimal, plain_double,
+};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Pow, Zero};
 
 const LIMITS: [Limits; 2] = [Limits { digits: 40, exponent: 400 }, Limits { digits: 3, exponent: 2 }];
 
-/// A text is read as num-rational reads it, or refused when it is no number or beyond the limits; the binary64 reading is
-/// the nearest double; decimals printed enclose the number; the fast lanes read nothing else.
+/// A text is read as num-rational reads it, or refused when it is no number, looks like a date or is beyond the limits; the
+/// binary64 reading is the nearest double; decimals printed enclose the number; the fast lanes read nothing else.
 pub fn number_parser(data: &[u8]) {
     let Ok(text) = std::str::from_utf8(data) else { return };
-    let expected = reference(text);
+    let plain = plainly_written(text);
+    let expected = reference(&plain);
     for limits in &LIMITS {
         let decimal = Reading::Decimal.read(text, limits);
         match (&expected, &decimal) {
-            (None, Ok(value)) => panic!("{text:?} is no number, but read as {value}"),
-            (None, Err(error)) => assert!(error.position <= text.len(), "{text:?}: {error}"),
-            (Some(number), decimal) if number.is_within(limits) => {
+            (Reference::Nothing, Ok(value)) => panic!("{text:?} is no number, but read as {value}"),
+            (Reference::Nothing, Err(error)) => {
+                assert!(error.position <= text.len(), "{text:?}: {error}");
+                assert_ne!(error.kind, ParseNumberErrorKind::Date, "{text:?}");
+            }
+            (Reference::Date { digits }, decimal) => {
+                let error = decimal.as_ref().expect_err("what looks like a date is no number");
+                let is_within = *digits <= limits.digits;
+                assert_eq!(error.kind == ParseNumberErrorKind::Date, is_within, "{text:?}: {error}");
+                assert!(is_within || error.kind.is_limit(), "{text:?}: {error}");
+            }
+            (Reference::Number(number), decimal) if number.is_within(limits) => {
                 let value = decimal.as_ref().unwrap_or_else(|error| panic!("{text:?}: {error}"));
                 assert_eq!(value.to_string(), number.value().to_string(), "{text:?}");
-                check_value(text, value, limits);
+                check_value(text, &plain, value, limits);
             }
-            (Some(_), Ok(value)) => panic!("{text:?} is beyond {limits:?}, but read as {value}"),
-            (Some(_), Err(error)) => assert!(error.kind.is_limit(), "{text:?}: {error}"),
+            (Reference::Number(_), Ok(value)) => panic!("{text:?} is beyond {limits:?}, but read as {value}"),
+            (Reference::Number(_), Err(error)) => assert!(error.kind.is_limit(), "{text:?}: {error}"),
         }
     }
 }
 
-/// Everything else about a number that was read.
-fn check_value(text: &str, value: &Rational, limits: &Limits) {
+/// Everything else about a number that was read, with its text as the standard library wants it.
+fn check_value(text: &str, plain: &str, value: &Rational, limits: &Limits) {
     let binary64 = Reading::Binary64.read(text, limits);
     let double = value.to_f64();
     assert_eq!(binary64.as_ref().ok(), Rational::from_f64(double).as_ref(), "{text:?}");
-    match text.trim_ascii().parse::<f64>() {
+    match plain.parse::<f64>() {
         Ok(parsed) => assert_eq!((parsed + 0.0).to_bits(), (double + 0.0).to_bits(), "{text:?}"),
         Err(_) => check_nearest(text, value, double),
     }
@@ -70,8 +82,28 @@ fn check_nearest(text: &str, value: &Rational, double: f64) {
     }
 }
 
-/// A number by another reading of the grammar.
-struct Reference {
+/// What is put around numbers beside white space of ASCII: spaces that do not break, of a digit's width, and thin.
+const TYPESETTERS_SPACES: &str = "\u{a0}\u{2007}\u{2009}\u{202f}";
+
+/// A text without the white space around it, with the minus of ASCII and the exponent of C. What it leaves may be anything.
+fn plainly_written(text: &str) -> String {
+    let is_space =
+        |character: char| character.is_ascii_whitespace() || TYPESETTERS_SPACES.contains(character);
+    text.trim_matches(is_space).replace('\u{2212}', "-").replace(['d', 'D'], "e")
+}
+
+/// What a text is by another reading of the grammar.
+enum Reference {
+    Number(Number),
+    /// A fraction that looks like a date, with the digits of the longer part that counts.
+    Date {
+        digits: usize,
+    },
+    Nothing,
+}
+
+/// A number that is not built yet.
+struct Number {
     numerator: BigInt,
     denominator: BigInt,
     /// Digits of the decimal, or of numerator and denominator.
@@ -80,7 +112,7 @@ struct Reference {
     exponent: Option<i64>,
 }
 
-impl Reference {
+impl Number {
     fn is_within(&self, limits: &Limits) -> bool {
         self.digits <= limits.digits
             && self.exponent.is_some_and(|exponent| exponent.unsigned_abs() <= limits.exponent.into())
@@ -96,19 +128,39 @@ fn whole(digits: &str) -> Option<BigInt> {
     (!digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())).then(|| digits.parse().ok())?
 }
 
-fn reference(text: &str) -> Option<Reference> {
-    let text = text.trim_matches(|character: char| character.is_ascii_whitespace());
-    let (sign, magnitude) = match text.as_bytes().first()? {
-        b'-' => (-1, &text[1..]),
-        b'+' => (1, &text[1..]),
-        _ => (1, text),
+fn reference(plain: &str) -> Reference {
+    let (sign, magnitude) = match plain.as_bytes().first() {
+        Some(b'-') => (-1, &plain[1..]),
+        Some(b'+') => (1, &plain[1..]),
+        _ => (1, plain),
     };
-    if let Some((numerator, denominator)) = magnitude.split_once('/') {
-        let digits = numerator.len().max(denominator.len());
-        let (numerator, denominator) = (whole(numerator)? * sign, whole(denominator)?);
-        let is_number = !denominator.is_zero();
-        return is_number.then_some(Reference { numerator, denominator, digits, exponent: Some(0) });
+    if let Some(digits) = date(magnitude) {
+        return Reference::Date { digits };
     }
+    let number = if magnitude.contains('/') { fraction(magnitude, sign) } else { decimal(magnitude, sign) };
+    number.map_or(Reference::Nothing, Reference::Number)
+}
+
+/// The most digits in the parts that show that this starts like a date: digits on both sides of a slash, of which one part
+/// has a zero in front of another digit, or that another slash follows.
+fn date(magnitude: &str) -> Option<usize> {
+    let (numerator, rest) = magnitude.split_once('/')?;
+    whole(numerator)?;
+    let denominator = rest.split(|character: char| !character.is_ascii_digit()).next().unwrap_or_default();
+    let has_zero_in_front = |part: &str| part.len() > 1 && part.starts_with('0');
+    let has_more = !denominator.is_empty() && rest[denominator.len()..].starts_with('/');
+    (has_zero_in_front(numerator) || has_zero_in_front(denominator) || has_more)
+        .then(|| numerator.len().max(denominator.len()))
+}
+
+fn fraction(magnitude: &str, sign: i8) -> Option<Number> {
+    let (numerator, denominator) = magnitude.split_once('/')?;
+    let digits = numerator.len().max(denominator.len());
+    let (numerator, denominator) = (whole(numerator)? * sign, whole(denominator)?);
+    (!denominator.is_zero()).then_some(Number { numerator, denominator, digits, exponent: Some(0) })
+}
+
+fn decimal(magnitude: &str, sign: i8) -> Option<Number> {
     let (mantissa, exponent) = match magnitude.split_once(['e', 'E']) {
         None => (magnitude, Some(0)),
         Some((mantissa, exponent)) => {
@@ -118,7 +170,7 @@ fn reference(text: &str) -> Option<Reference> {
     };
     let (before, after) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     let digits = format!("{before}{after}");
-    Some(Reference {
+    Some(Number {
         numerator: whole(&digits)? * sign,
         denominator: BigInt::from(10).pow(after.len()),
         digits: digits.len(),

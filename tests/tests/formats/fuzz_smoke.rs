@@ -65,6 +65,14 @@ const PIECES: &[&str] = &[
     "}",
     "\"pui\":",
     "\u{2212}",
+    "\u{a0}",
+    "\u{202f}",
+    "D+03",
+    "/0",
+    "\r \n",
+    "# ",
+    " (mV)",
+    "NA",
 ];
 
 fn mutation() -> impl Strategy<Value = Mutation> {

@@ -1,0 +1,86 @@
+//! The bytes of a table before records are made of them.
+
+use std::borrow::Cow;
+use std::{io, iter};
+
+use super::BYTE_ORDER_MARK;
+
+/// Whether bytes may be those of a binary table, which is refused in words of its own.
+pub fn may_be_binary(bytes: &[u8]) -> bool {
+    let starts: [&[u8]; 13] = [
+        b"PAR1",
+        b"ARROW1",
+        b"\xff\xff\xff\xff",
+        b"\x89HDF",
+        b"MATLAB",
+        b"PK\x03\x04",
+        b"%PDF-",
+        b"\x89PNG\r\n\x1a\n",
+        b"\xff\xd8\xff",
+        b"$FL",
+        b"<stata_dta>",
+        b"RDX",
+        b"{\\rtf",
+    ];
+    let bytes = &*in_utf8(bytes);
+    let start = &bytes[..bytes.len().min(128)];
+    starts.iter().any(|format| bytes.starts_with(format)) || start.contains(&0)
+}
+
+/// The bytes of UTF-16 with its byte order mark as UTF-8, and other bytes as they are.
+pub fn in_utf8(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let unit: fn([u8; 2]) -> u16 = match bytes {
+        [0xff, 0xfe, ..] => u16::from_le_bytes,
+        [0xfe, 0xff, ..] => u16::from_be_bytes,
+        _ => return Cow::Borrowed(bytes),
+    };
+    let pairs = bytes.chunks_exact(2);
+    // Half a unit at the end is no character either.
+    let half = (!pairs.remainder().is_empty()).then_some(char::REPLACEMENT_CHARACTER);
+    let units: Vec<u16> = pairs.map(|pair| unit([pair[0], pair[1]])).collect();
+    Cow::Owned(String::from_utf16_lossy(&units).chars().chain(half).collect::<String>().into_bytes())
+}
+
+/// A table whose first lines are empty where they were blank; tabs that are known to separate cells are not.
+pub(super) fn without_blank_lines(text: &[u8], delimiter: Option<u8>) -> Vec<u8> {
+    // The library passes over a byte order mark of its own.
+    let (mark, text) =
+        text.split_at(if text.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 });
+    let is_blank = |byte: &u8| byte.is_ascii_whitespace() && !(*byte == b'\t' && delimiter == Some(b'\t'));
+    let is_line_end = |byte: &u8| matches!(byte, b'\r' | b'\n');
+    let filled = text.iter().position(|byte| !is_blank(byte)).unwrap_or(text.len());
+    let start = match text[..filled].iter().rposition(is_line_end) {
+        _ if filled == text.len() => filled,
+        last => last.map_or(0, |last| last + 1),
+    };
+    // One line feed for each line, lest a carriage return and a line feed with blanks between become one line end.
+    let ends = line_ends(text, 0, start) as usize;
+    let mark = if start == 0 { mark } else { &[] };
+    mark.iter().copied().chain(iter::repeat_n(b'\n', ends)).chain(text[start..].iter().copied()).collect()
+}
+
+/// How many lines end in a range: a carriage return and a line feed right after it are one end.
+pub(super) fn line_ends(text: &[u8], start: usize, end: usize) -> u64 {
+    let ends = |&at: &usize| match text[at] {
+        b'\n' => at == 0 || text[at - 1] != b'\r',
+        byte => byte == b'\r',
+    };
+    (start..end).filter(ends).count() as u64
+}
+
+/// A semicolon, tab, comma or bar, if there is one outside quotes in the first line that is not blank.
+pub fn detect(text: &[u8]) -> Option<u8> {
+    let mut lines = text.split(|&byte| matches!(byte, b'\r' | b'\n'));
+    let line = lines.find(|line| !line.trim_ascii().is_empty()).unwrap_or_default();
+    let outside = line.split(|&byte| byte == b'"').step_by(2).collect::<Vec<_>>().concat();
+    [b';', b'\t', b',', b'|'].into_iter().find(|delimiter| outside.contains(delimiter))
+}
+
+/// Fails when it is read.
+pub(super) struct Failing(pub(super) Option<String>);
+
+impl io::Read for Failing {
+    fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
+        self.0.take().map_or(Ok(0), |words| Err(io::Error::other(words)))
+    }
+}
