@@ -9,8 +9,12 @@ mod answer;
 mod certificate;
 mod error;
 mod plane;
+mod solution;
 mod solve;
 
 pub use answer::{Answer, Basis, BasisStatus, Face, Item, Prices, Side, SideMultiplier};
 pub use error::SolveError;
 pub use plane::Plane;
+pub use solution::{
+    Announced, Entry, Figure, Reference, SolutionError, SolutionFile, SolverStatus, quoted, read_solution,
+};

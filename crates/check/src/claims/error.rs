@@ -1,6 +1,7 @@
 //! What can be wrong with a claim.
 
-use boundfit_exact::{Limit, ParseNumberError};
+use boundfit_exact::ParseNumberError;
+use boundfit_judge::SolutionError;
 use boundfit_lp::PuiEnd;
 use thiserror::Error;
 
@@ -47,41 +48,9 @@ pub enum ClaimError {
         "this is no claim (expected JSON, or a solution as GLPK, HiGHS, CBC, SCIP or, in XML, CPLEX writes it)"
     )]
     UnknownFormat,
-    /// A line of a solution file that is not understood.
-    #[error("line {line}: {text:?} (expected {expected}, as {format} writes it)")]
-    Line {
-        /// Who writes such files.
-        format: &'static str,
-        /// From 1.
-        line: usize,
-        /// The line, cut where it is long.
-        text: String,
-        /// What would be accepted.
-        expected: &'static str,
-    },
-    /// A number of a solution file that is none, or beyond a limit.
-    #[error("line {line}: {text:?}: {error}{} (expected a number, as {format} writes it)", flag(.error))]
-    NumberAt {
-        /// Who writes such files.
-        format: &'static str,
-        /// From 1.
-        line: usize,
-        /// The number, cut where it is long.
-        text: String,
-        /// What is wrong with it.
-        error: ParseNumberError,
-    },
-    /// A solution file that stops too early.
-    #[error("the file stops without {missing}, which {format} writes")]
-    End {
-        /// Who writes such files.
-        format: &'static str,
-        /// What is not there.
-        missing: &'static str,
-    },
-    /// XML that is none.
-    #[error("{0} (expected a <CPLEXSolution>, as CPLEX writes it)")]
-    Xml(#[from] roxmltree::Error),
+    /// Something is wrong with a solution file.
+    #[error(transparent)]
+    Solution(SolutionError),
     /// Nothing says which program the file answers.
     #[error(
         "nothing says which of the four programs this answers (expected theta1-min, theta1-max, theta2-min or theta2-max in the file's name)"
@@ -116,17 +85,12 @@ pub struct ClaimFileError {
     pub problem: ClaimError,
 }
 
-/// The option that raises the limit that a number passes; nothing where something else is wrong with it.
-fn flag(error: &ParseNumberError) -> String {
-    Limit::of_number(&error.kind).map(|limit| format!("; {} raises it", limit.flag())).unwrap_or_default()
-}
-
-/// A text, cut where it is long.
-pub(super) fn quoted(text: &str) -> String {
-    const LONGEST: usize = 60;
-    let text = text.trim();
-    match text.char_indices().nth(LONGEST).and_then(|(end, _)| text.split_at_checked(end)) {
-        Some((start, _)) => format!("{start}..."),
-        None => text.to_owned(),
+impl From<SolutionError> for ClaimError {
+    /// A claim of no known kind may be JSON as well.
+    fn from(error: SolutionError) -> Self {
+        match error {
+            SolutionError::UnknownFormat => ClaimError::UnknownFormat,
+            other => ClaimError::Solution(other),
+        }
     }
 }

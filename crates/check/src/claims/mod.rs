@@ -1,17 +1,13 @@
 //! Claims brought from elsewhere: JSON with all four ends, and solvers' own files with one each.
 
 mod all_ends;
-mod cplex;
 mod error;
-mod glpk;
-mod highs;
 mod limits;
 mod solution;
-mod text;
 
 use std::path::Path;
 
-use boundfit_exact::Limits;
+use boundfit_judge::SolutionFile;
 use boundfit_lp::{BoundClaim, PuiEnd};
 
 pub use all_ends::{nested_beyond, parse_claim_pui};
@@ -20,7 +16,7 @@ pub use limits::ClaimLimits;
 
 use crate::answer::Answer;
 use all_ends::parse_claim_file;
-use solution::Solution;
+use solution::parse_solution;
 
 /// A claims file in memory.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -46,14 +42,14 @@ pub fn read_claims(files: &[ClaimText], limits: &ClaimLimits) -> Result<Vec<Answ
             drafts.push(Draft::Whole(Box::new(answer)));
             continue;
         }
-        let solution = parse_solution(&file.text, &limits.number).map_err(fail)?;
+        let solution = parse_solution(&file.text, &limits.number).map_err(|error| fail(error.into()))?;
         let (target, key) = program_and_group(&file.file, &solution).map_err(fail)?;
         let same = |draft: &&mut Draft| matches!(draft, Draft::Group(group) if group.key == key);
         if let Some(Draft::Group(group)) = drafts.iter_mut().find(same) {
-            group.add(target, file, solution).map_err(fail)?;
+            group.add(target, file, &solution).map_err(fail)?;
         } else {
             let mut group = SolutionGroup { key, members: Vec::new() };
-            group.add(target, file, solution).map_err(fail)?;
+            group.add(target, file, &solution).map_err(fail)?;
             drafts.push(Draft::Group(group));
         }
     }
@@ -73,23 +69,6 @@ fn is_json(text: &str) -> bool {
     text.trim_start_matches('\u{feff}').trim_start().starts_with(['{', '['])
 }
 
-/// Reads a solver's own file.
-fn parse_solution(text: &str, limits: &Limits) -> Result<Solution, ClaimError> {
-    type Is = fn(&str) -> bool;
-    type Parse = fn(&str, &Limits) -> Result<Solution, ClaimError>;
-    let formats: [(Is, Parse); 7] = [
-        (cplex::is_xml, cplex::parse),
-        (highs::is_raw, highs::parse_raw),
-        (highs::is_table, highs::parse_table),
-        (glpk::is_printed, glpk::parse_printed),
-        (text::is_cbc, text::parse_cbc),
-        (text::is_scip, text::parse_scip),
-        (glpk::is_plain, glpk::parse_plain),
-    ];
-    let parse = formats.into_iter().find(|(is_it, _)| is_it(text)).map(|(_, parse)| parse);
-    parse.ok_or(ClaimError::UnknownFormat)?(text, limits)
-}
-
 /// What the files of one answer have in common.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct GroupKey {
@@ -99,14 +78,14 @@ struct GroupKey {
 }
 
 /// The program that a file answers, and the answer that it is a part of.
-fn program_and_group(file: &str, solution: &Solution) -> Result<(PuiEnd, GroupKey), ClaimError> {
+fn program_and_group(file: &str, solution: &SolutionFile) -> Result<(PuiEnd, GroupKey), ClaimError> {
     let folder = Path::new(file).parent().map(|folder| folder.join("").to_string_lossy().into_owned());
     let name = Path::new(file).file_name().and_then(|name| name.to_str()).unwrap_or_default();
     let key = |before: &str, after: &str| GroupKey {
-        format: solution.format,
+        format: solution.writer,
         path: (format!("{}{before}", folder.as_deref().unwrap_or_default()), after.to_owned()),
     };
-    match (PuiEnd::find(name), solution.target) {
+    match (PuiEnd::find(name), solution::target(solution)) {
         (Some((_, named, _)), Some(inside)) if named != inside => {
             Err(ClaimError::OtherTarget { named, inside })
         }
@@ -139,11 +118,11 @@ struct SolutionGroup {
 }
 
 impl SolutionGroup {
-    fn add(&mut self, target: PuiEnd, file: &ClaimText, solution: Solution) -> Result<(), ClaimError> {
+    fn add(&mut self, target: PuiEnd, file: &ClaimText, solution: &SolutionFile) -> Result<(), ClaimError> {
         if let Some((_, other, _)) = self.members.iter().find(|(member, ..)| *member == target) {
             return Err(ClaimError::Twice { target, other: other.clone() });
         }
-        self.members.push((target, file.file.clone(), solution.claim(target)));
+        self.members.push((target, file.file.clone(), solution::claim(solution, target)));
         Ok(())
     }
 

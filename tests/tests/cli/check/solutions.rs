@@ -195,7 +195,7 @@ fn bad_solutions_say_where_and_what_is_expected() {
     refused("theta1-min.sol", &about, "the file is named after theta1-min and answers theta2-max");
     let cases = [
         (glpk.replace("1 2 f f 0", "1 3 f f 0"), "line 1: \"s bas 1 3 f f 0\" (expected 2 variables, theta1 and theta2, as GLPK writes it)"),
-        (glpk.replace("s bas 1 2 f f 0", "s bas many"), "line 1: \"s bas many\" (expected \"s bas ROWS 2 PRIMAL DUAL OBJECTIVE\", or ipt or mip, as GLPK writes it)"),
+        (glpk.replace("s bas 1 2 f f 0", "s bas many"), "line 1: \"s bas many\" (expected \"s bas ROWS COLUMNS PRIMAL DUAL OBJECTIVE\", or ipt or mip, as GLPK writes it)"),
         (glpk.replace("j 1 b 1 0", "j 3 b 1 0"), "line 3: \"j 3 b 1 0\" (expected \"j 1 ...\" and \"j 2 ...\" after \"s\", as GLPK writes it)"),
         (glpk.replace("j 1 b 1 0", "j 1 b one 0"), "line 3: \"one\": unexpected character 'o' at character 1 (expected a number, as GLPK writes it)"),
         (glpk.replace("j 1 b 1 0", "j 1 b 1e10001 0"), "line 3: \"1e10001\": exponent beyond 10000 (the limit) at character 3; --max-exponent raises it (expected a number, as GLPK writes it)"),

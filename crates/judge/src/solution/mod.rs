@@ -1,0 +1,145 @@
+//! Files in which solvers write what they answer, each format as its writer documents it.
+
+mod cbc;
+mod cplex;
+mod error;
+mod figure;
+mod glpk;
+mod gurobi;
+mod highs;
+mod line;
+mod scip;
+
+use boundfit_exact::{Limits, Rational};
+
+pub use error::{SolutionError, quoted};
+pub use figure::Figure;
+
+/// How a solver says that it ended.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum SolverStatus {
+    /// With an optimum.
+    Optimal,
+    /// There is no feasible point.
+    Infeasible,
+    /// There is no optimum, because the objective improves for ever.
+    Unbounded,
+    /// One of the two.
+    InfeasibleOrUnbounded,
+    /// With no answer, in its own words.
+    Other(String),
+}
+
+impl SolverStatus {
+    /// The status that words say, as far as solvers agree on them.
+    pub fn of_words(words: &str) -> Self {
+        let lower = words.trim().to_ascii_lowercase();
+        let is_infeasible = lower.contains("infeasible");
+        match lower.as_str() {
+            // GLPK calls a point of its way there so.
+            "infeasible (intermediate)" => SolverStatus::Other(words.trim().to_owned()),
+            _ if is_infeasible && lower.contains("unbounded") => SolverStatus::InfeasibleOrUnbounded,
+            _ if lower.starts_with("optimal") => SolverStatus::Optimal,
+            _ if lower.starts_with("unbounded") => SolverStatus::Unbounded,
+            _ if lower.starts_with("infeasible") || lower == "integer infeasible" => SolverStatus::Infeasible,
+            _ => SolverStatus::Other(words.trim().to_owned()),
+        }
+    }
+}
+
+/// How a file refers to a column or a row.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Reference {
+    /// By its name.
+    Name(String),
+    /// By its place in the model, from 0.
+    Place(usize),
+}
+
+/// What a file says about one column or row.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Entry {
+    /// Which one.
+    pub of: Reference,
+    /// The line that says so, from 1.
+    pub line: usize,
+    /// The column's value or the row's activity.
+    pub value: Option<Figure>,
+    /// The column's reduced cost or the row's dual.
+    pub price: Option<Figure>,
+}
+
+/// A size that a file announces, and where.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Announced {
+    /// The number of columns.
+    pub columns: usize,
+    /// The line that says so, from 1.
+    pub line: usize,
+    /// What the line says.
+    pub text: String,
+}
+
+/// What a solution file says, whatever its format. Numbers are exactly those of the text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SolutionFile {
+    /// Who writes such files.
+    pub writer: &'static str,
+    /// The names that the file gives its problem and its objective.
+    pub about: Vec<String>,
+    /// How the solver ended, and the line that says so, from 1.
+    pub status: SolverStatus,
+    /// The line of the status, from 1.
+    pub status_line: usize,
+    /// The optimum that is claimed, and the line that says so.
+    pub objective: Option<(Figure, usize)>,
+    /// The columns, in the order of the file.
+    pub columns: Vec<Entry>,
+    /// The rows, in the order of the file, the objective left out where the file names it.
+    pub rows: Vec<Entry>,
+    /// Whether the file has duals of rows; one without a number is 0 then.
+    pub has_duals: bool,
+    /// Columns that the writer leaves out are at most this large; `None` where it writes all of them.
+    pub left_out: Option<Rational>,
+    /// The size that the file announces.
+    pub announced: Option<Announced>,
+}
+
+impl SolutionFile {
+    fn new(writer: &'static str) -> Self {
+        SolutionFile {
+            writer,
+            about: Vec::new(),
+            status: SolverStatus::Other("not in the file".to_owned()),
+            status_line: 1,
+            objective: None,
+            columns: Vec::new(),
+            rows: Vec::new(),
+            has_duals: false,
+            left_out: None,
+            announced: None,
+        }
+    }
+}
+
+/// Reads a solution file of any known format but JSON; its content tells which. Cost: a few looks at each byte.
+///
+/// # Errors
+/// What is wrong with the file, with the line.
+pub fn read_solution(text: &str, limits: &Limits) -> Result<SolutionFile, SolutionError> {
+    type Is = fn(&str) -> bool;
+    type Parse = fn(&str, &Limits) -> Result<SolutionFile, SolutionError>;
+    let formats: [(Is, Parse); 9] = [
+        (cplex::is_xml, cplex::parse),
+        (highs::is_raw, highs::parse_raw),
+        (highs::is_table, highs::parse_table),
+        (glpk::is_printed, glpk::parse_printed),
+        (cbc::is_cbc, cbc::parse_cbc),
+        (cbc::is_clp, cbc::parse_clp),
+        (scip::is_scip, scip::parse),
+        (gurobi::is_gurobi, gurobi::parse),
+        (glpk::is_plain, glpk::parse_plain),
+    ];
+    let parse = formats.into_iter().find(|(is_it, _)| is_it(text)).map(|(_, parse)| parse);
+    parse.ok_or(SolutionError::UnknownFormat)?(text, limits)
+}

@@ -1,0 +1,41 @@
+//! SCIP: what `write solution` writes, a list of variables after a line with the status. Zeros are left out.
+//!
+//! Source: SCIP, `SCIPprintSol`, numbers as `%20.15g`, none below `numerics/epsilon` (10⁻⁹).
+
+use boundfit_exact::{Limits, Rational};
+use boundfit_lp::NumberFormat;
+
+use super::error::SolutionError;
+use super::line::Line;
+use super::{Entry, Reference, SolutionFile, SolverStatus};
+
+const SCIP: &str = "SCIP";
+const DIGITS: NumberFormat = NumberFormat::FIFTEEN;
+
+pub(super) fn is_scip(text: &str) -> bool {
+    text.starts_with("solution status:") || text.starts_with("objective value:")
+}
+
+pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, SolutionError> {
+    let mut file = SolutionFile { left_out: Some(Rational::scientific(1, -9)), ..SolutionFile::new(SCIP) };
+    for line in Line::all(SCIP, text) {
+        match line.words().as_slice() {
+            [] | ["no", "solution", "available"] => {}
+            ["objective", "value:", value] => {
+                file.objective = Some((line.figure(value, DIGITS, limits)?, line.number));
+            }
+            ["solution", "status:", ..] => {
+                let words = line.text.split_once(':').map_or("", |(_, words)| words);
+                (file.status, file.status_line) = (SolverStatus::of_words(words), line.number);
+            }
+            [name, value, rest @ ..] if rest.len() <= 1 => file.columns.push(Entry {
+                of: Reference::Name((*name).to_owned()),
+                line: line.number,
+                value: Some(line.figure(value, DIGITS, limits)?),
+                price: None,
+            }),
+            _ => return Err(line.expected("\"NAME VALUE (obj:NUMBER)\"")),
+        }
+    }
+    Ok(file)
+}
