@@ -17,6 +17,7 @@ mod model;
 mod outcome;
 mod printed;
 mod program;
+mod read;
 mod referee;
 mod simplex;
 #[cfg(feature = "float-solvers")]
@@ -30,6 +31,7 @@ pub use model::{Bounds, Model, ModelColumn, ModelRow, ObjectiveSense};
 pub use outcome::{ExactOutcome, Multiplier, Optimum, Outcome};
 pub use printed::{NumberFormat, Precision, Printed};
 pub use program::{FloatProgram, Program, Row, spread_objectives};
+pub use read::{ModelError, ModelErrorKind, ModelLimits, ModelPlace, model_text, read_model};
 pub use referee::{Referee, RefereeRow};
 pub use simplex::exact_simplex;
 #[cfg(feature = "float-solvers")]

@@ -1,0 +1,103 @@
+//! Lines and pieces of them, which know their places.
+
+use boundfit_exact::{Rational, Reading, characters_before};
+
+use super::error::{ModelError, ModelErrorKind, ModelPlace};
+use super::{ModelLimits, bounds::Extended};
+
+/// A line of a file.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Line<'a> {
+    /// From 1.
+    pub(super) number: u64,
+    /// Without its end.
+    pub(super) text: &'a str,
+}
+
+/// A piece of a line.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Field<'a> {
+    pub(super) text: &'a str,
+    pub(super) line: Line<'a>,
+    /// How many bytes of the line come before it.
+    start: usize,
+}
+
+/// The lines of a text, each of which is refused where it is too long or no text.
+pub(super) fn lines<'a>(
+    text: &'a str,
+    limits: &ModelLimits,
+) -> impl Iterator<Item = Result<Line<'a>, ModelError>> {
+    let longest = limits.line;
+    (1..).zip(text.lines()).map(move |(number, text)| {
+        // A file may end with a carriage return alone.
+        let line = Line { number, text: text.strip_suffix('\r').unwrap_or(text) };
+        if text.len() > longest {
+            return Err(line.whole().error(ModelErrorKind::LineTooLong { limit: longest }));
+        }
+        let is_strange = |character: char| character.is_control() && character != '\t';
+        match line.text.char_indices().find(|(_, character)| is_strange(*character)) {
+            None => Ok(line),
+            Some((start, character)) => {
+                let rest = line.text.get(start..).unwrap_or_default();
+                Err(Field { text: rest, line, start }.error(ModelErrorKind::ControlCharacter(character)))
+            }
+        }
+    })
+}
+
+impl<'a> Line<'a> {
+    /// All of it but the white space around it.
+    pub(super) fn whole(self) -> Field<'a> {
+        self.piece(0, self.text.len())
+    }
+
+    /// The bytes from one to before another, without the white space around them.
+    pub(super) fn piece(self, from: usize, to: usize) -> Field<'a> {
+        let text = self.text.get(from..to).unwrap_or_default();
+        let start = from + (text.len() - text.trim_start().len());
+        Field { text: text.trim(), line: self, start }
+    }
+
+    /// What blanks and tabs separate.
+    pub(super) fn words(self) -> impl Iterator<Item = Field<'a>> {
+        let mut rest = 0;
+        std::iter::from_fn(move || {
+            let is_blank = |character: char| character == ' ' || character == '\t';
+            let tail = self.text.get(rest..)?;
+            let start = rest + tail.find(|character| !is_blank(character))?;
+            let word = self.text.get(start..)?;
+            let word = word.split(is_blank).next().unwrap_or_default();
+            rest = start + word.len();
+            Some(Field { text: word, line: self, start })
+        })
+    }
+}
+
+impl Field<'_> {
+    /// The error for something wrong here.
+    pub(super) fn error(&self, kind: ModelErrorKind) -> ModelError {
+        let place = ModelPlace {
+            line: self.line.number,
+            column: characters_before(self.line.text, self.start) + 1,
+            text: self.text.to_owned(),
+        };
+        ModelError { place: Some(Box::new(place)), kind }
+    }
+
+    /// The number that it spells.
+    pub(super) fn number(&self, limits: &ModelLimits) -> Result<Rational, ModelError> {
+        let number = Reading::Decimal.read(self.text, &limits.number);
+        number.map_err(|error| self.error(ModelErrorKind::NotANumber(error)))
+    }
+
+    /// The number that it spells, or an infinity: `inf`, `infinity`, and any number from 10³⁰ on.
+    pub(super) fn extended(&self, limits: &ModelLimits) -> Result<Extended, ModelError> {
+        let word = self.text.trim_start_matches(['+', '-']);
+        let signs = self.text.len() - word.len();
+        if signs <= 1 && ["inf", "infinity"].iter().any(|name| word.eq_ignore_ascii_case(name)) {
+            return Ok(if self.text.starts_with('-') { Extended::Minus } else { Extended::Plus });
+        }
+        self.number(limits).map(Extended::new)
+    }
+}

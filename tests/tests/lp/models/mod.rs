@@ -1,0 +1,4 @@
+//! Linear programs in files: read, and held against what is known about them.
+
+mod corpus;
+mod naive;
