@@ -21,21 +21,23 @@ const BEYOND: usize = 4096;
 #[derive(Default)]
 pub(crate) struct Chunk {
     buffer: Vec<u8>,
-    length: usize,
+    /// Where in the buffer the bytes start and end.
+    start: usize,
+    end: usize,
 }
 
 impl Deref for Chunk {
     type Target = [u8];
 
     fn deref(&self) -> &[u8] {
-        self.buffer.get(..self.length).unwrap_or_default()
+        self.buffer.get(self.start..self.end).unwrap_or_default()
     }
 }
 
 impl Chunk {
     /// Replaces what is in it.
     pub(crate) fn set(&mut self, bytes: &[u8]) {
-        self.length = bytes.len();
+        (self.start, self.end) = (0, bytes.len());
         match self.buffer.get_mut(..bytes.len()) {
             Some(start) => start.copy_from_slice(bytes),
             None => self.buffer = bytes.to_vec(),
@@ -225,8 +227,7 @@ impl ChunkReader {
 
     /// Passes over the first bytes of what was not handed out.
     pub(crate) fn skip(&mut self, count: usize) {
-        self.pending.buffer.copy_within(count..self.pending.length, 0);
-        self.pending.length -= count;
+        self.pending.start += count;
     }
 
     /// The next chunk of whole lines; the last one may lack its line end. `None` at the end, and when the bytes stop
@@ -256,9 +257,17 @@ impl ChunkReader {
                 }
             }
         };
-        self.pending = self.spare.pop().unwrap_or_default();
-        self.pending.set(&chunk[end..]);
-        chunk.length = end;
+        let mut other = self.spare.pop().unwrap_or_default();
+        // The shorter part is copied: what was read to see the first rows may be many chunks, of which none takes all of it.
+        if end <= chunk.len() - end {
+            other.set(&chunk[..end]);
+            chunk.start += end;
+            (chunk, other) = (other, chunk);
+        } else {
+            other.set(&chunk[end..]);
+            chunk.end = chunk.start + end;
+        }
+        self.pending = other;
         Some(chunk)
     }
 
@@ -304,7 +313,11 @@ impl ChunkReader {
         reason = "the buffer was made larger than before, and a reader gives no more bytes than there is room for"
     )]
     fn read_more(&mut self, chunk: &mut Chunk) -> usize {
-        let before = chunk.length;
+        if chunk.start > 0 {
+            chunk.buffer.copy_within(chunk.start..chunk.end, 0);
+            (chunk.start, chunk.end) = (0, chunk.end - chunk.start);
+        }
+        let before = chunk.end;
         let size = (self.chunk_bytes.saturating_add(BEYOND)).max(before + BEYOND);
         if chunk.buffer.len() < size {
             // A line that goes on and on is read in pieces that grow with it.
@@ -329,12 +342,12 @@ impl ChunkReader {
             && let Some(end) = end_of_longest(fresh, self.since_line_end, self.longest_line)
         {
             self.state = State::Failed(InputErrorKind::LineTooLong { limit: self.longest_line });
-            chunk.length = before + end;
+            chunk.end = before + end;
             return end;
         }
         self.since_line_end =
             memrchr(b'\n', fresh).map_or(self.since_line_end + count, |position| count - position - 1);
-        chunk.length = before + count;
+        chunk.end = before + count;
         count
     }
 }

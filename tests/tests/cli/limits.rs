@@ -351,8 +351,7 @@ fn hostile_tables_cost_no_memory() {
         (&no_line_end, "fit - --x 1 --y 2 --eps 1 --threads 1", "line 1: the line is longer than"),
         (&no_line_end, "check - --x 1 --y 2 --eps 1", "line 1: the line is longer than"),
     ] {
-        // A row of up to 16 MB is held a few times, by each thread.
-        let run = within(700_000, line, table.as_bytes());
+        let run = within(300_000, line, table.as_bytes());
         assert!(run.status == 1 && run.stderr.contains(problem), "{line}: {run:?}");
     }
     let run = within(300_000, "reduce - --x x --y y --threads 1", blank_lines.as_bytes());
