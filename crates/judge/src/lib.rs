@@ -8,13 +8,16 @@
 mod answer;
 mod certificate;
 mod error;
+mod judging;
 mod plane;
 mod solution;
 mod solve;
 
 pub use answer::{Answer, Basis, BasisStatus, Face, Item, Prices, Side, SideMultiplier};
 pub use error::SolveError;
+pub use judging::{Aspect, Excuse, Fault, Finding, Findings, Ground, Tolerances, Worth};
 pub use plane::Plane;
 pub use solution::{
-    Announced, Entry, Figure, Reference, SolutionError, SolutionFile, SolverStatus, quoted, read_solution,
+    Announced, Entry, Figure, Given, Reference, Solution, SolutionError, SolutionFile, SolverStatus, quoted,
+    read_solution,
 };

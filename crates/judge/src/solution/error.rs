@@ -46,6 +46,53 @@ pub enum SolutionError {
         /// What is not there.
         missing: &'static str,
     },
+    /// JSON that is none.
+    #[error(
+        "{0} (expected {{\"status\": \"optimal\", \"objective\": 3, \"x\": {{NAME: VALUE}}, \"duals\": {{NAME: VALUE}}}})"
+    )]
+    Json(serde_json::Error),
+    /// A field of JSON that is not understood.
+    #[error("line {line}: \"{field}\": {found} (expected {expected})")]
+    Field {
+        /// Where it is, from 1.
+        line: usize,
+        /// Its name.
+        field: String,
+        /// What is there, cut where it is long.
+        found: String,
+        /// What would be accepted.
+        expected: &'static str,
+    },
+    /// A name or a place that the model has not.
+    #[error("line {line}: {of} is no {kind} of the model ({available})")]
+    Unknown {
+        /// Where it is, from 1.
+        line: usize,
+        /// What the file names.
+        of: String,
+        /// Column or row.
+        kind: &'static str,
+        /// What the model has.
+        available: String,
+    },
+    /// Two values for one column or row.
+    #[error("line {line}: {of} has a value already (line {first})")]
+    Twice {
+        /// The second one, from 1.
+        line: usize,
+        /// The name.
+        of: String,
+        /// The first one.
+        first: usize,
+    },
+    /// A column without a value, of a writer that leaves none out.
+    #[error("there is no value of the column {column}, which {format} writes")]
+    NoValue {
+        /// Who writes such files.
+        format: &'static str,
+        /// Its name.
+        column: String,
+    },
     /// XML that is none.
     #[error("{0} (expected a <CPLEXSolution>, as CPLEX writes it)")]
     Xml(#[from] roxmltree::Error),

@@ -4,9 +4,11 @@ mod cbc;
 mod cplex;
 mod error;
 mod figure;
+mod given;
 mod glpk;
 mod gurobi;
 mod highs;
+mod json;
 mod line;
 mod scip;
 
@@ -14,6 +16,7 @@ use boundfit_exact::{Limits, Rational};
 
 pub use error::{SolutionError, quoted};
 pub use figure::Figure;
+pub use given::{Given, Solution};
 
 /// How a solver says that it ended.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -97,6 +100,11 @@ pub struct SolutionFile {
     pub columns: Vec<Entry>,
     /// The rows, in the order of the file, the objective left out where the file names it.
     pub rows: Vec<Entry>,
+    /// A direction in which the objective is said to improve for ever, by column.
+    pub ray: Option<Vec<Entry>>,
+    /// Multipliers of rows that are said to prove that there is no feasible point: positive ones take the lower bound of
+    /// their row, negative ones the upper one; the bounds of columns take what is left.
+    pub farkas: Option<Vec<Entry>>,
     /// Whether the file has duals of rows; one without a number is 0 then.
     pub has_duals: bool,
     /// Columns that the writer leaves out are at most this large; `None` where it writes all of them.
@@ -115,6 +123,8 @@ impl SolutionFile {
             objective: None,
             columns: Vec::new(),
             rows: Vec::new(),
+            ray: None,
+            farkas: None,
             has_duals: false,
             left_out: None,
             announced: None,
@@ -122,14 +132,15 @@ impl SolutionFile {
     }
 }
 
-/// Reads a solution file of any known format but JSON; its content tells which. Cost: a few looks at each byte.
+/// Reads a solution file of any known format; its content tells which. Cost: a few looks at each byte.
 ///
 /// # Errors
 /// What is wrong with the file, with the line.
 pub fn read_solution(text: &str, limits: &Limits) -> Result<SolutionFile, SolutionError> {
     type Is = fn(&str) -> bool;
     type Parse = fn(&str, &Limits) -> Result<SolutionFile, SolutionError>;
-    let formats: [(Is, Parse); 9] = [
+    let formats: [(Is, Parse); 10] = [
+        (json::is_json, json::parse),
         (cplex::is_xml, cplex::parse),
         (highs::is_raw, highs::parse_raw),
         (highs::is_table, highs::parse_table),

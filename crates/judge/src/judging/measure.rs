@@ -1,0 +1,126 @@
+//! The worst of many errors.
+
+use boundfit_exact::Rational;
+use boundfit_lp::Printed;
+
+use super::{Aspect, Fault, Finding, Tolerances, Worth};
+
+/// The smallest tolerances that excuse an error, as solvers define theirs.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Excuse {
+    /// In the units of the rows and bounds as the file has them: HiGHS `primal_feasibility_tolerance` and
+    /// `dual_feasibility_tolerance`, Gurobi `FeasibilityTol` and `OptimalityTol`, SoPlex `feastol` and `opttol`.
+    pub absolute: Rational,
+    /// In units of the larger of 1, the value and the bound: SCIP `numerics/feastol` and `numerics/dualfeastol`, which it
+    /// asks of SoPlex.
+    pub relative: Rational,
+    /// After each row is divided by its largest coefficient, as solvers scale: what they test before the scaling is undone.
+    pub scaled: Rational,
+}
+
+impl Excuse {
+    fn or(self, other: Self) -> Self {
+        Excuse {
+            absolute: self.absolute.max(other.absolute),
+            relative: self.relative.max(other.relative),
+            scaled: self.scaled.max(other.scaled),
+        }
+    }
+}
+
+/// One error.
+pub(super) struct Measured {
+    /// Its size; nothing wrong where it is 0.
+    pub(super) error: Rational,
+    /// How much of it rounding explains.
+    pub(super) rounding: Rational,
+    /// What it is measured by; positive.
+    pub(super) scale: Rational,
+    /// The line to blame.
+    pub(super) line: usize,
+    pub(super) fault: Fault,
+    pub(super) excuse: Option<Excuse>,
+}
+
+/// The worst of the errors met, and what excuses all of them.
+pub(super) struct Measure<'a> {
+    tolerances: &'a Tolerances,
+    worth: Worth,
+    error: Rational,
+    relative: Rational,
+    worst: Option<(usize, Fault)>,
+    excuse: Option<Excuse>,
+}
+
+impl<'a> Measure<'a> {
+    pub(super) fn new(tolerances: &'a Tolerances) -> Self {
+        Measure {
+            tolerances,
+            worth: Worth::Exact,
+            error: Rational::zero(),
+            relative: Rational::zero(),
+            worst: None,
+            excuse: None,
+        }
+    }
+
+    pub(super) fn take(&mut self, measured: Measured) {
+        let Measured { error, rounding, scale, line, fault, excuse } = measured;
+        if error.is_zero() {
+            return;
+        }
+        let relative = error.checked_div(&scale).unwrap_or_else(Rational::one);
+        let worth = if error <= rounding {
+            Worth::Rounded
+        } else if relative <= self.tolerances.relative {
+            Worth::WithinTolerance
+        } else {
+            Worth::Refuted
+        };
+        if let Some(excuse) = excuse {
+            self.excuse = Some(self.excuse.take().unwrap_or_default().or(excuse));
+        }
+        if self.worst.is_none() || (worth, &relative) > (self.worth, &self.relative) {
+            (self.worth, self.error, self.relative) = (worth, error, relative);
+            self.worst = Some((line, fault));
+        }
+    }
+
+    /// What was found. `line` is to blame where nothing is wrong.
+    pub(super) fn finding(self, aspect: Aspect, line: usize) -> Finding {
+        let (line, fault) = self.worst.map_or((line, None), |(line, fault)| (line, Some(fault)));
+        Finding {
+            aspect,
+            worth: self.worth,
+            line,
+            error: Some(self.error),
+            relative: Some(self.relative),
+            fault,
+            excuse: self.excuse,
+        }
+    }
+}
+
+/// How far the number that was meant may be from the one that is given.
+pub(super) fn rounding(printed: &Printed, tolerances: &Tolerances) -> Rational {
+    let reach = if tolerances.digits_as_printed { printed.reach() } else { Rational::zero() };
+    reach.max(four_ulps(&printed.value))
+}
+
+/// Four units in the last place of the nearest binary64; 0 beyond its range.
+fn four_ulps(value: &Rational) -> Rational {
+    let size = value.abs().to_f64();
+    let ulp = Rational::from_f64(size.next_up()).zip(Rational::from_f64(size)).map(|(next, own)| next - own);
+    ulp.map(|ulp| ulp * Rational::from(4)).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn four_units_in_the_last_place() {
+        assert_eq!(four_ulps(&Rational::ratio(-3, 2)), Rational::from_f64(4.0 * f64::EPSILON).unwrap());
+        assert_eq!(four_ulps(&Rational::scientific(1, 400)), Rational::zero());
+    }
+}

@@ -1,0 +1,230 @@
+//! What a solution file says about the columns and rows of a model.
+
+use std::collections::HashMap;
+
+use boundfit_exact::Rational;
+use boundfit_exact::english::list;
+use boundfit_lp::{Model, Printed};
+
+use super::error::{SolutionError, quoted};
+use super::{Entry, Figure, Reference, SolutionFile, SolverStatus};
+
+/// A number of a solution file, and the line that says so, from 1.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Given {
+    /// The number.
+    pub number: Printed,
+    /// The line.
+    pub line: usize,
+}
+
+/// A solution with an entry for each column and row of a model.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Solution {
+    /// Who writes such files.
+    pub writer: &'static str,
+    /// How the solver ended.
+    pub status: SolverStatus,
+    /// The line of the status, from 1.
+    pub status_line: usize,
+    /// The optimum that is claimed.
+    pub objective: Option<Given>,
+    /// The value of each column; `None` where there is no point, or one that is not finite.
+    pub point: Option<Vec<Given>>,
+    /// The dual of each row.
+    pub duals: Option<Vec<Given>>,
+    /// The reduced cost of each column.
+    pub reduced_costs: Option<Vec<Given>>,
+    /// An entry for each column.
+    pub ray: Option<Vec<Given>>,
+    /// A multiplier for each row.
+    pub farkas: Option<Vec<Given>>,
+}
+
+impl Solution {
+    /// Gives what the file says to the columns and rows that it names. Values of a status other than optimal are left out:
+    /// they mean nothing. Cost: a look-up for each entry.
+    ///
+    /// # Errors
+    /// With names and places that the model has not, with two values for one of them, and with columns left out by a
+    /// writer that leaves none out. Rows without a price may be any: files list free rows, which a model has not.
+    pub fn new(file: &SolutionFile, model: &Model) -> Result<Self, SolutionError> {
+        let columns = Names::new("column", model.columns.iter().map(|column| column.name.as_str()));
+        let rows = Names::new("row", model.rows.iter().map(|row| row.name.as_str()));
+        if let Some(announced) = file.announced.as_ref().filter(|own| own.columns != model.columns.len()) {
+            return Err(SolutionError::Unknown {
+                line: announced.line,
+                of: format!("{:?}", quoted(&announced.text)),
+                kind: "solution",
+                available: columns.available(),
+            });
+        }
+        let is_optimal = file.status == SolverStatus::Optimal;
+        let (own_columns, own_rows) = split(file, &columns, &rows);
+        let left_out = |_| Given {
+            number: Printed::left_out(file.left_out.clone().unwrap_or_default()),
+            line: file.status_line,
+        };
+        let values = columns.fill(own_columns.iter().copied(), |entry| entry.value.as_ref())?;
+        let reduced = columns.fill(own_columns.iter().copied(), |entry| entry.price.as_ref())?;
+        let point = match values.iter().position(|value| matches!(value, Slot::Missing)) {
+            Some(_)
+                if !is_optimal
+                    || values.iter().all(|value| matches!(value, Slot::Missing))
+                        && file.left_out.is_none() =>
+            {
+                None
+            }
+            Some(place) if file.left_out.is_none() => {
+                let column = model.columns.get(place).map(|column| column.name.clone()).unwrap_or_default();
+                return Err(SolutionError::NoValue { format: file.writer, column });
+            }
+            _ => all(values, left_out).filter(|_| is_optimal),
+        };
+        let has_prices = reduced.iter().any(|price| matches!(price, Slot::Given(_)));
+        let duals = rows.duals(file, &own_rows)?;
+        let ray = file.ray.as_ref().map(|ray| columns.fill(ray.iter(), |entry| entry.value.as_ref()));
+        let farkas = file.farkas.as_ref().map(|rays| rows.fill(rays.iter(), |entry| entry.value.as_ref()));
+        let zero = |_| Given { number: Rational::zero().into(), line: file.status_line };
+        Ok(Solution {
+            writer: file.writer,
+            status: file.status.clone(),
+            status_line: file.status_line,
+            objective: file.objective.as_ref().and_then(|(figure, line)| given(figure, *line)),
+            point,
+            duals: duals.and_then(|duals| all(duals, zero)).filter(|_| is_optimal),
+            reduced_costs: all(reduced, zero).filter(|_| is_optimal && has_prices),
+            ray: ray.transpose()?.and_then(|ray| all(ray, zero)),
+            farkas: farkas.transpose()?.and_then(|farkas| all(farkas, zero)),
+        })
+    }
+}
+
+fn given(figure: &Figure, line: usize) -> Option<Given> {
+    figure.finite().map(|number| Given { number: number.clone(), line })
+}
+
+/// What a file says about one column or row.
+#[derive(Debug, Clone)]
+enum Slot {
+    Missing,
+    NotFinite,
+    Given(Given),
+}
+
+/// All numbers, if they are finite, with something in place of what is missing.
+fn all(slots: Vec<Slot>, missing: impl Fn(()) -> Given) -> Option<Vec<Given>> {
+    let number = |slot| match slot {
+        Slot::Missing => Some(missing(())),
+        Slot::NotFinite => None,
+        Slot::Given(given) => Some(given),
+    };
+    slots.into_iter().map(number).collect()
+}
+
+/// The entries of columns and of rows. CBC lists rows alone where no column is above zero.
+fn split<'a>(
+    file: &'a SolutionFile,
+    columns: &Names<'_>,
+    rows: &Names<'_>,
+) -> (Vec<&'a Entry>, Vec<&'a Entry>) {
+    let is_row = |entry: &&Entry| match &entry.of {
+        Reference::Name(name) => file.left_out.is_some() && !columns.has(name) && rows.has(name),
+        Reference::Place(_) => false,
+    };
+    let (of_rows, of_columns): (Vec<&Entry>, Vec<&Entry>) = file.columns.iter().partition(is_row);
+    (of_columns, file.rows.iter().chain(of_rows).collect())
+}
+
+/// Columns or rows by name.
+struct Names<'a> {
+    kind: &'static str,
+    names: Vec<&'a str>,
+    places: HashMap<&'a str, usize>,
+}
+
+impl<'a> Names<'a> {
+    fn new(kind: &'static str, names: impl Iterator<Item = &'a str>) -> Self {
+        let names: Vec<&str> = names.collect();
+        let places = names.iter().enumerate().map(|(place, name)| (*name, place)).collect();
+        Names { kind, names, places }
+    }
+
+    fn has(&self, name: &str) -> bool {
+        self.places.contains_key(name)
+    }
+
+    fn place(&self, of: &Reference) -> Option<usize> {
+        match of {
+            Reference::Name(name) => self.places.get(name.as_str()).copied(),
+            Reference::Place(place) => Some(*place).filter(|place| *place < self.names.len()),
+        }
+    }
+
+    fn available(&self) -> String {
+        let some: Vec<String> = self.names.iter().take(5).map(|name| (*name).to_owned()).collect();
+        let more = if self.names.len() > some.len() { " and more" } else { "" };
+        format!("it has {} {}{more}", self.names.len(), list(some.into_iter()))
+    }
+
+    fn unknown(&self, entry: &Entry) -> SolutionError {
+        let of = match &entry.of {
+            Reference::Name(name) => quoted(name),
+            Reference::Place(place) => format!("number {}", place + 1),
+        };
+        SolutionError::Unknown { line: entry.line, of, kind: self.kind, available: self.available() }
+    }
+
+    /// What the entries say of each.
+    fn fill<'e>(
+        &self,
+        entries: impl Iterator<Item = &'e Entry>,
+        figure: impl Fn(&Entry) -> Option<&Figure>,
+    ) -> Result<Vec<Slot>, SolutionError> {
+        let mut slots = vec![Slot::Missing; self.names.len()];
+        let mut lines: Vec<Option<usize>> = vec![None; self.names.len()];
+        for entry in entries {
+            let place = self.place(&entry.of).ok_or_else(|| self.unknown(entry))?;
+            let (Some(slot), Some(line)) = (slots.get_mut(place), lines.get_mut(place)) else { continue };
+            let Some(figure) = figure(entry) else { continue };
+            if let Some(first) = line.replace(entry.line) {
+                let of = self.names.get(place).map(|name| quoted(name)).unwrap_or_default();
+                return Err(SolutionError::Twice { line: entry.line, of, first });
+            }
+            *slot = given(figure, entry.line).map_or(Slot::NotFinite, Slot::Given);
+        }
+        Ok(slots)
+    }
+
+    /// The duals of rows; `None` where the file has none, or lists rows by number that the model has not.
+    fn duals(&self, file: &SolutionFile, rows: &[&Entry]) -> Result<Option<Vec<Slot>>, SolutionError> {
+        let priced = |entry: &&&Entry| {
+            let price = entry.price.as_ref().and_then(Figure::finite);
+            price.is_some_and(|price| !price.value.is_zero())
+        };
+        let by_number = rows.iter().any(|row| matches!(row.of, Reference::Place(_)));
+        if by_number && rows.len() == self.names.len() + 1 && file.announced.is_some() {
+            // HiGHS counts the objective as the first row.
+            let (first, rest) = rows.split_first().map_or((None, rows), |(first, rest)| (Some(first), rest));
+            let objective = file.objective.as_ref().and_then(|(figure, _)| figure.finite());
+            let value = first.and_then(|row| row.value.as_ref()?.finite());
+            if value.zip(objective).is_none_or(|(value, objective)| value.value != objective.value) {
+                return Ok(None);
+            }
+            let moved = rest
+                .iter()
+                .enumerate()
+                .map(|(place, row)| Entry { of: Reference::Place(place), ..(*row).clone() });
+            let moved: Vec<Entry> = moved.collect();
+            return self.fill(moved.iter(), |entry| entry.price.as_ref()).map(Some);
+        }
+        if by_number && file.announced.is_some() && rows.len() != self.names.len() {
+            return Ok(None);
+        }
+        let has_any = file.has_duals || rows.iter().any(|row| row.price.is_some());
+        let known = rows.iter().filter(|row| self.place(&row.of).is_some() || priced(row));
+        let filled = self.fill(known.copied(), |entry| entry.price.as_ref())?;
+        // A program without rows has all its duals.
+        Ok((has_any || self.names.is_empty()).then_some(filled))
+    }
+}

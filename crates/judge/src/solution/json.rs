@@ -1,0 +1,142 @@
+//! Our own format: `{"status", "objective", "x", "duals", "reduced_costs", "ray", "farkas"}`. Vectors are objects by name, or
+//! arrays in the order of the model. A JSON number is the binary64 that it is read as; a text is exact.
+
+use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_lp::Printed;
+use serde_json::Value;
+
+use super::error::{SolutionError, quoted};
+use super::figure::Figure;
+use super::{Entry, Reference, SolutionFile, SolverStatus};
+
+const JSON: &str = "JSON";
+const FIELDS: &str =
+    "source, status, objective, x, duals, reduced_costs, ray or farkas, see docs/linear-programs.md";
+const NUMBER: &str = "a number, or a text like \"1/3\"";
+
+pub(super) fn is_json(text: &str) -> bool {
+    text.trim_start_matches('\u{feff}').trim_start().starts_with(['{', '['])
+}
+
+pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, SolutionError> {
+    let text = text.trim_start_matches('\u{feff}');
+    let value: Value = serde_json::from_str(text).map_err(SolutionError::Json)?;
+    let reader = Reader { text, limits };
+    let Value::Object(fields) = value else {
+        return Err(reader.expected("", &value, "an object with \"status\", \"objective\", \"x\""));
+    };
+    let mut file = SolutionFile::new(JSON);
+    let (mut status, mut prices) = (None, None);
+    for (name, value) in &fields {
+        match name.as_str() {
+            "source" => {}
+            "status" => {
+                let words =
+                    value.as_str().ok_or_else(|| reader.expected(name, value, "a text like \"optimal\""))?;
+                (status, file.status_line) = (Some(status_of(words)), reader.line(name, None));
+            }
+            "objective" if value.is_null() => {}
+            "objective" => {
+                file.objective = Some((reader.figure(name, value)?, reader.line(name, None)));
+            }
+            "x" => file.columns = reader.vector(name, value, false)?,
+            "reduced_costs" => prices = Some(reader.vector(name, value, true)?),
+            "duals" => (file.rows, file.has_duals) = (reader.vector(name, value, true)?, true),
+            "ray" => file.ray = Some(reader.vector(name, value, false)?),
+            "farkas" => file.farkas = Some(reader.vector(name, value, false)?),
+            _ => return Err(reader.expected(name, value, FIELDS)),
+        }
+    }
+    // Values may be given in another order than prices.
+    for price in prices.into_iter().flatten() {
+        match file.columns.iter_mut().find(|entry| entry.of == price.of) {
+            Some(entry) => entry.price = price.price,
+            None => file.columns.push(price),
+        }
+    }
+    file.status = match status {
+        Some(status) => status,
+        None if file.farkas.is_some() => SolverStatus::Infeasible,
+        None if file.ray.is_some() => SolverStatus::Unbounded,
+        None if !file.columns.is_empty() || file.objective.is_some() => SolverStatus::Optimal,
+        None => return Err(SolutionError::End { format: JSON, missing: "\"status\"" }),
+    };
+    Ok(file)
+}
+
+fn status_of(words: &str) -> SolverStatus {
+    match words {
+        "infeasible-or-unbounded" => SolverStatus::InfeasibleOrUnbounded,
+        other => SolverStatus::of_words(other),
+    }
+}
+
+struct Reader<'a> {
+    text: &'a str,
+    limits: &'a Limits,
+}
+
+impl Reader<'_> {
+    /// The line of a field, or of an entry of it; that of the field where the entry is not found.
+    fn line(&self, field: &str, entry: Option<&str>) -> usize {
+        let quoted = |name: &str| Value::from(name).to_string();
+        let start = self.text.find(&quoted(field)).unwrap_or_default();
+        let rest = self.text.get(start..).unwrap_or_default();
+        let within = entry.and_then(|entry| rest.get(1..)?.find(&quoted(entry)).map(|place| place + 1));
+        let end = start + within.unwrap_or_default();
+        self.text.bytes().take(end).filter(|byte| *byte == b'\n').count() + 1
+    }
+
+    fn expected(&self, field: &str, found: &Value, expected: &'static str) -> SolutionError {
+        SolutionError::Field {
+            line: self.line(field, None),
+            field: quoted(field),
+            found: quoted(&found.to_string()),
+            expected,
+        }
+    }
+
+    fn figure(&self, field: &str, value: &Value) -> Result<Figure, SolutionError> {
+        let wrong = || self.expected(field, value, NUMBER);
+        match value {
+            Value::Number(number) => {
+                let double = number.as_f64().and_then(Rational::from_f64).ok_or_else(wrong)?;
+                Ok(Figure::Finite(Printed::exact(double)))
+            }
+            Value::String(text) => {
+                let number =
+                    Reading::Decimal.read(text, self.limits).map_err(|error| SolutionError::NumberAt {
+                        format: JSON,
+                        line: self.line(field, None),
+                        text: quoted(text),
+                        error,
+                    })?;
+                Ok(Figure::Finite(Printed::typed(text, number)))
+            }
+            _ => Err(wrong()),
+        }
+    }
+
+    fn vector(&self, field: &str, value: &Value, is_price: bool) -> Result<Vec<Entry>, SolutionError> {
+        let entry = |of, line, value: &Value| {
+            let figure = Some(self.figure(field, value)?);
+            let (value, price) = if is_price { (None, figure) } else { (figure, None) };
+            Ok(Entry { of, line, value, price })
+        };
+        match value {
+            Value::Object(entries) => entries
+                .iter()
+                .map(|(name, value)| {
+                    entry(Reference::Name(name.clone()), self.line(field, Some(name)), value)
+                })
+                .collect(),
+            Value::Array(entries) => {
+                let line = self.line(field, None);
+                let places = entries.iter().enumerate();
+                places.map(|(place, value)| entry(Reference::Place(place), line, value)).collect()
+            }
+            Value::Null => Ok(Vec::new()),
+            _ => Err(self.expected(field, value, "numbers by name, or an array of them")),
+        }
+    }
+}
