@@ -21,9 +21,7 @@
 //! # Ok::<(), boundfit::files::InputError>(())
 //! ```
 
-pub use boundfit_estimation::{
-    Columns, EpsilonColumn, Fleet, Keep, LineForm, Measurements, ReducedColumns, ReducedTable,
-};
+pub use boundfit_estimation::{Columns, EpsilonColumn, Fleet, Keep, LineForm, Measurements, ReducedTable};
 pub use boundfit_exact::{Limits, Reading};
 pub use boundfit_formats::{
     ColumnSelector, HalfPlaneFile, Header, InputError, RowRange, ScanOptions, SizeLimits, Source,

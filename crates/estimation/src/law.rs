@@ -120,6 +120,16 @@ impl Law {
         &self.text
     }
 
+    /// The law in the only way in which laws that say the same of every reading are written here, with exact numbers:
+    /// `1/20*|y| + 1/500`.
+    #[cfg(feature = "files")]
+    pub(crate) fn formula(&self) -> String {
+        match &self.below {
+            None => self.above.formula(),
+            Some(below) => format!("+({}) -({})", self.above.formula(), below.formula()),
+        }
+    }
+
     /// Whether half units of last digits are asked for.
     pub fn needs_written(&self) -> bool {
         self.parts().any(|terms| !terms.written.is_zero())
@@ -214,6 +224,22 @@ pub(crate) fn range_of_y(rows: &[Measurement]) -> Rational {
 }
 
 impl Terms {
+    #[cfg(feature = "files")]
+    fn formula(&self) -> String {
+        let multiples = [
+            ("|y|", &self.of_y),
+            ("|x|", &self.of_x),
+            ("range(y)", &self.of_range),
+            ("written", &self.written),
+        ];
+        let multiples = multiples.into_iter().filter(|(_, times)| !times.is_zero());
+        let mut terms: Vec<String> = multiples.map(|(name, times)| format!("{times}*{name}")).collect();
+        if !self.constant.is_zero() || terms.is_empty() {
+            terms.push(self.constant.to_string());
+        }
+        terms.join(" + ")
+    }
+
     fn at(&self, x: &Rational, y: &Rational, written: &Rational) -> Rational {
         let mut sum = self.constant.clone();
         for (times, value) in [(&self.of_y, y), (&self.of_x, x), (&self.written, written)] {

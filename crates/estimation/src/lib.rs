@@ -63,7 +63,7 @@ pub use family::{
     SectionVertex,
 };
 #[cfg(feature = "files")]
-pub use files::{Columns, EpsilonColumn, Fleet, ReducedColumns, ReducedTable};
+pub use files::{Columns, EpsilonColumn, Fleet, ReducedTable};
 pub use fit::{Fit, FitBounds, fit, fit_bounds};
 pub use fit_group::{fit_group, least_squares_is_feasible};
 #[cfg(feature = "float-least-squares")]

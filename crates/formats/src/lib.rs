@@ -47,7 +47,10 @@ pub use fractions::Fractions;
 pub use half_planes::{GeneratorRows, HalfPlaneFile, HalfPlaneFormat, RowOrigin, read_half_planes};
 pub use limits::{LONGEST_LINE, SizeLimits};
 pub use open::{read_table, scan};
-pub use reduction::{REDUCTION_MARK, ReductionError, ReductionRecord, Reductions, open_reduction};
+pub use reduction::{
+    AskedReduction, REDUCTION_MARK, ReducedBounds, ReducedModel, ReductionError, ReductionRecord, Reductions,
+    open_reduction,
+};
 pub use roles::Role;
 pub use scan::{Batch, Pieces, Progress, ScanOptions, Scanned};
 pub use selection::{ParseRowConditionError, RowCondition, RowNumbers, RowRange, RowSet};

@@ -2,7 +2,8 @@
 
 use crate::blanks::{BlankReader, Cells};
 use crate::error::InputErrorKind;
-use crate::reduction::record::{REDUCTION_MARK, ReductionError};
+use crate::reduction::error::ReductionError;
+use crate::reduction::record::REDUCTION_MARK;
 
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 

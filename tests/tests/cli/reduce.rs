@@ -114,6 +114,236 @@ fn what_does_not_belong_together_is_refused() {
     }
 }
 
+/// 300 rows with two regressors, y, and bounds of which some are missing.
+fn readings() -> String {
+    let row = |k: i64| {
+        let (u, v) = (k * 37 % 101 - 50, k * 53 % 89 - 44);
+        let y = 2 * u - v + k % 7;
+        let side = |there: bool, value: i64| if there { value.to_string() } else { String::new() };
+        format!("{u},{v},{y},{},{},{y}.5\n", side(k % 5 > 0, y - 9), side(k % 5 == 0 || k % 3 > 0, y + 8))
+    };
+    format!("u,v,y,lo,up,hi\n{}", (0..300).map(row).collect::<String>())
+}
+
+/// What is reduced under bounds that are fixed.
+const FIXED: [&str; 6] = [
+    "--x u --y y --lower lo --upper up",
+    "--x u,v --lower lo --upper up",
+    "--x u --upper hi",
+    "--x u,v --y y --eps 9/2",
+    "--x u --y y --eps 5%*|y|+500",
+    "--x u,v --y y --eps +10%*|y|+8/-9",
+];
+
+#[test]
+fn reductions_under_fixed_bounds_are_fitted_judged_drawn_and_converted_like_the_whole() {
+    let directory = directory_with(&[("whole.csv", readings().as_bytes())]);
+    let run = |line: &str| boundfit_tests::cli::boundfit(directory.path(), line);
+    for options in FIXED {
+        assert_eq!(run(&format!("reduce whole.csv {options} -o reduced.csv --force")).status, 0, "{options}");
+        let start = fs::read_to_string(directory.path().join("reduced.csv")).unwrap();
+        assert!(start.starts_with("# boundfit/reduced/2 {\"rows\":300,\"kept\":"), "{start}");
+        assert!(start.lines().count() < 40, "{start}");
+        for more in ["", " --where 'theta1 <= 2'"] {
+            let line = |file: &str| format!("fit {file} {options}{more} --format json");
+            let [(status, whole), (own_status, reduced)] = ["whole.csv", "reduced.csv"].map(|file| {
+                let run = run(&line(file));
+                (run.status, serde_json::from_str::<Value>(&run.stdout).expect(&run.stderr))
+            });
+            assert_eq!(own_status, status, "{options}");
+            for key in ["pui", "central", "tightness", "area_centroid"] {
+                assert_eq!(without_rows(&whole[key]), without_rows(&reduced[key]), "{key} {options}{more}");
+            }
+            for key in ["kind", "area", "rays", "lines"] {
+                assert_eq!(whole["fps"][key], reduced["fps"][key], "{key} {options}{more}");
+            }
+            assert_eq!(whole["least_squares"]["theta"], reduced["least_squares"]["theta"], "{options}{more}");
+            assert_eq!(whole["least_squares"]["in_fps"], reduced["least_squares"]["in_fps"]);
+            assert!(reduced["eui"].is_null() && reduced["epsilon_min"].is_null(), "{options}");
+            let reason = match options.ends_with("--upper hi") {
+                true => whole["reasons"]["minimax"].as_str().unwrap(),
+                false => {
+                    "the data are a reduction under bounds that are fixed, which does not say how other bounds would do"
+                }
+            };
+            assert_eq!(reduced["reasons"]["minimax"], reason, "{options}");
+        }
+        let judged = |file: &str| {
+            let line = format!("check {file} {options} --solver exact-simplex --format json");
+            let mut report: Value = serde_json::from_str(&run(&line).stdout).unwrap();
+            report["input"]["file"].take();
+            without_rows(&report)
+        };
+        assert_eq!(judged("reduced.csv"), judged("whole.csv"), "{options}");
+        for figure in ["data", "fps", "eui", "pui", "corridor", "directions"] {
+            let run = run(&format!("plot reduced.csv {options} --figure {figure}"));
+            assert_eq!(run.stderr, "", "{options} {figure}");
+        }
+        let program = run(&format!("convert reduced.csv {options} --to lp --objective theta1-min"));
+        assert!(program.stdout.contains("data: reduced.csv, the rows that a reduction keeps"), "{options}");
+    }
+}
+
+#[test]
+fn what_fixed_bounds_do_not_serve_is_refused() {
+    let directory = directory_with(&[("whole.csv", readings().as_bytes())]);
+    let run = |line: &str| boundfit_tests::cli::boundfit(directory.path(), line);
+    for (reduced, asked, status, message) in [
+        (
+            "--x u --lower lo --upper up",
+            "fit F --x u --upper up",
+            1,
+            "error bounds from the columns lo and up, not the upper bounds up alone",
+        ),
+        (
+            "--x u --upper hi",
+            "fit F --x u --lower lo --upper hi",
+            1,
+            "error bounds from the upper bounds hi alone, not the columns lo and hi",
+        ),
+        (
+            "--x u --lower lo --upper up",
+            "fit F --x u --y y --lower lo --upper up",
+            1,
+            "the reduction is about the column of y none, not y",
+        ),
+        (
+            "--x u --lower lo --upper up",
+            "fit F --x u --y y --eps 3",
+            1,
+            "error bounds from the columns lo and up, not 3",
+        ),
+        (
+            "--x u --lower lo --upper up",
+            "fit F --x v --lower lo --upper up",
+            1,
+            "the reduction is about the column of x u, not v",
+        ),
+        (
+            "--x u --y y",
+            "fit F --x u --lower lo --upper up",
+            1,
+            "error bounds from one bound for all readings, not the columns lo and up",
+        ),
+        (
+            "--x u --y y",
+            "reduce F --x u --lower lo",
+            1,
+            "error bounds from one bound for all readings, not the lower bounds lo alone",
+        ),
+        ("--x u,v --y y --eps 3", "fit F --x u,v --y y --eps 4", 1, "error bounds from 3, not 4"),
+        (
+            "--x u,v --y y --eps 3",
+            "fit F --x v,u --y y --eps 3",
+            1,
+            "the reduction is about the first regressor u, not v",
+        ),
+        (
+            "--x u,v --y y --eps 3",
+            "fit F --x u --y y --eps 3",
+            1,
+            "the reduction is about the model two regressors, not a line",
+        ),
+        (
+            "--x u,v --y y --eps 3",
+            "fit F --x u,v --y y --eps 3 --sweep 1..2",
+            2,
+            "'--sweep' moves the error bounds, and the data are a reduction",
+        ),
+        (
+            "--x u,v --y y --eps 3",
+            "fit F --x u,v --y y --eps min",
+            2,
+            "'--eps min' moves the error bounds, and the data are a reduction",
+        ),
+        (
+            "--x u,v --y y --eps 3",
+            "lesson F --x u,v --y y --eps 3",
+            1,
+            "this is a reduction, and here every reading is wanted",
+        ),
+        (
+            "--x u,v --y y --eps 5%*|y|",
+            "fit F --x u,v --y y --eps 6%*|y|",
+            1,
+            "error bounds from 1/20*|y|, not 6%*|y|",
+        ),
+        (
+            "--x u --y y --eps +1/-5%*|x|",
+            "fit F --x u --y y --eps 1",
+            1,
+            "error bounds from +(1) -(1/20*|x|), not 1",
+        ),
+    ] {
+        assert_eq!(run(&format!("reduce whole.csv {reduced} -o F --force")).status, 0, "{reduced}");
+        let run = run(asked);
+        assert_eq!((run.status, run.stdout.as_str()), (status, ""), "{asked}");
+        assert!(run.stderr.contains(message), "{asked}\n{}", run.stderr);
+    }
+    // One way or another, the law is the same.
+    assert_eq!(run("reduce whole.csv --x u --y y --eps 5%*|y|+500 -o F --force").status, 0);
+    assert_eq!(run("fit F --x u --y y --eps '250 + 0.05*|y| + 250' --no-lp").status, 0);
+    for (line, status, message) in [
+        (
+            "reduce whole.csv --x u,v --y y",
+            2,
+            "which readings of two regressors decide depends on their bounds",
+        ),
+        (
+            "reduce whole.csv --x u,v --y y --eps min",
+            2,
+            "which readings of two regressors decide depends on their bounds",
+        ),
+        (
+            "reduce whole.csv --x u,v --y y --eps 1%*range(y)",
+            1,
+            "a law with range(y) tells its bounds when all readings are known",
+        ),
+        ("reduce whole.csv --x u --lower lo", 1, "row 1: the row has neither a lower nor an upper bound"),
+        ("reduce whole.csv --x u", 2, "--y <COL>"),
+    ] {
+        let run = run(line);
+        assert_eq!((run.status, run.stdout.as_str()), (status, ""), "{line}");
+        assert!(run.stderr.contains(message), "{line}\n{}", run.stderr);
+    }
+}
+
+#[test]
+fn parts_of_different_wholes_and_unknown_formats_are_refused() {
+    let of = |options: &str| {
+        let line: Vec<&str> = ["reduce", "-"].into_iter().chain(options.split(' ')).collect();
+        run_with_input(&line, b"u,v,y,lo,up\n1,2,3,2,4\n2,2,5,4,6\n").stdout
+    };
+    let (interval, upper) = (of("--x u --lower lo --upper up"), of("--x u --upper up"));
+    let (one, other) = (of("--x u,v --y y --eps 1"), of("--x u,v --y y --eps 2"));
+    let law = of("--x u,v --y y --eps |y|");
+    let other_law = of("--x u,v --y y --eps 2*|y|");
+    for (input, message) in [
+        (format!("{interval}{upper}"), "differs from the first one in the columns of lower and upper bounds"),
+        (format!("{one}{other}"), "differs from the first one in the error bound"),
+        (format!("{law}{other_law}"), "differs from the first one in the law of error bounds"),
+        (format!("{one}{law}"), "differs from the first one in where error bounds come from"),
+        (format!("{one}{interval}"), "differs from the first one in the number of regressors"),
+        (
+            one.replace("reduced/2", "reduced/7"),
+            "a reduction of format \"7\", which is not known here (expected 1 or 2)",
+        ),
+        (one.replace("reduced/2", "reduced/1"), "the line in front of a reduction is not understood"),
+        (one.replace("[\"u\",\"v\"]", "[]"), "is not understood: x has neither one name nor two"),
+        (one.replace("[\"u\",\"v\"]", "[\"u\"]"), "a line under one bound for all readings has format 1"),
+        (one.replace("\"y\":\"y\"", "\"y\":null"), "is not understood: y is missing"),
+        (
+            interval.replace("\"lo\"", "null").replace("\"up\"", "null"),
+            "is not understood: neither lower nor upper",
+        ),
+    ] {
+        let run =
+            run_with_input(&["reduce", "-", "--x", "u", "--lower", "lo", "--upper", "up"], input.as_bytes());
+        assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{input}");
+        assert!(run.stderr.contains(message), "{input}\n{}", run.stderr);
+    }
+}
+
 #[test]
 fn what_needs_the_set_alone_reads_reductions_too() {
     let row = |k: i64| format!("{k},{}\n", 3 * k + k * k % 17);

@@ -18,6 +18,7 @@ use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
 use crate::oracle::in_oracle_terms;
+use crate::reducing::{shuffled_parts, try_reduced};
 
 /// What a generated row says.
 #[derive(Debug, Clone)]
@@ -225,6 +226,19 @@ impl Case {
         )
     }
 
+    /// The problem of reductions of parts in any order; `None` where bounds are only known when all rows are.
+    fn merged(&self, rng: &mut ChaCha8Rng) -> Option<Problem> {
+        if let Err(refused) = try_reduced(&self.text, &self.columns, &ScanOptions::default()) {
+            assert!(refused.to_string().contains("a law with range(y)"), "{refused}");
+            return None;
+        }
+        let parts = shuffled_parts(&self.text, &self.columns, &ScanOptions::default(), rng);
+        let source = Source::new("parts.csv", Cursor::new(parts.clone().into_bytes()));
+        let (options, keep) = (ScanOptions::default(), Keep::default());
+        let scanned = Measurements::scan(source, &self.columns, &self.conditions, &options, keep);
+        Some(self.problem(scanned.unwrap_or_else(|error| panic!("{error}\n{parts}"))))
+    }
+
     /// The half-planes when widths are multiplied by `times/over` about their middles.
     fn half_planes(&self, times: i128, over: i128) -> Vec<Row> {
         let mut rows = Vec::new();
@@ -345,7 +359,7 @@ fn check_least_factor(case: &Case, problem: &Problem, tally: &mut Tally) {
     }
 }
 
-fn check(case: &Case, tally: &mut Tally) {
+fn check(case: &Case, rng: &mut ChaCha8Rng, tally: &mut Tally) {
     let problem = case.read();
     for (chunk_bytes, most_rows) in [(1, usize::MAX), (1 << 18, usize::MAX)] {
         let scanned = case.scanned(chunk_bytes, most_rows).measurements;
@@ -356,7 +370,11 @@ fn check(case: &Case, tally: &mut Tally) {
     let expected = solve(&case.half_planes(1, 1));
     assert_eq!(in_oracle_terms(every.polyhedron().region()), expected, "{}", case.text);
     tally.count(expected.kind);
-    for problem in [&problem, &case.scanned(1 << 18, 0)] {
+    let merged = case.merged(rng);
+    if merged.is_some() {
+        tally.count("merged");
+    }
+    for problem in [Some(&problem), Some(&case.scanned(1 << 18, 0)), merged.as_ref()].into_iter().flatten() {
         let fit = fit(problem);
         assert_eq!(shape(fit.fps.polyhedron().region()), shape(every.polyhedron().region()), "{}", case.text);
         assert_eq!(fit.verify(problem), Ok(()), "{}", case.text);
@@ -370,11 +388,12 @@ fn intervals_and_rows_with_one_bound_agree_with_the_oracle() {
     let mut rng = seeded(61);
     let mut tally = Tally::default();
     for _ in 0..2500 {
-        check(&intervals(&mut rng), &mut tally);
+        check(&intervals(&mut rng), &mut rng, &mut tally);
     }
     tally.assert_each_kind(3);
     let cases = ["no response", "singular", "EUI", "no EUI", "no factor", "no width", "positive factor"];
     tally.assert_each(20, &cases);
+    tally.assert_each(2500, &["merged"]);
 }
 
 #[test]
@@ -382,7 +401,8 @@ fn laws_agree_with_the_oracle() {
     let mut rng = seeded(62);
     let mut tally = Tally::default();
     for _ in 0..1500 {
-        check(&law(&mut rng), &mut tally);
+        check(&law(&mut rng), &mut rng, &mut tally);
     }
     tally.assert_each(20, &["empty", "polygon", "strip", "EUI", "factor", "positive factor"]);
+    tally.assert_each(700, &["merged"]);
 }

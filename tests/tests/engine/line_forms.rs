@@ -5,7 +5,7 @@ use std::io::Cursor;
 
 use boundfit_estimation::{
     Columns, EpsilonColumn, ErrorBound, Family, Fit, Keep, LineForm, Measurement, Measurements, Model,
-    NoLeastSquares, Problem, ReducedColumns, ReducedTable, fit,
+    NoLeastSquares, Problem, ReducedTable, fit,
 };
 use boundfit_exact::{Interval, Rational};
 use boundfit_formats::{ColumnSelector, ScanOptions, Source, TableOptions};
@@ -279,11 +279,7 @@ fn reductions_are_fitted_from_any_origin() {
     for number in 0..300 {
         let rows = readings(&mut rng, true);
         let origin = small_rational(&mut rng);
-        let selectors = ReducedColumns {
-            x: ColumnSelector::name_or_number("x"),
-            y: ColumnSelector::name_or_number("y"),
-            epsilon: None,
-        };
+        let selectors = columns(&Rational::zero(), LineForm::default());
         let source = |text: &[u8]| Source::new("t", Cursor::new(text.to_vec()));
         let text = table(&rows, &Rational::zero());
         let reduced =

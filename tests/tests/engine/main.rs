@@ -16,5 +16,7 @@ mod paths;
 mod polyhedron;
 mod proof;
 mod published;
+mod reducing;
 mod reduction;
+mod stored;
 mod streams;

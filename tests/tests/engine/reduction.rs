@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use boundfit_estimation::{
     BoundName, Columns, Condition, EpsilonColumn, ErrorBound, Fit, Keep, LineForm, Measurement, Measurements,
-    Model, ParameterBound, Problem, ReducedColumns, ReducedTable, fit,
+    Model, ParameterBound, Problem, ReducedTable, fit,
 };
 use boundfit_exact::{Column, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Progress, ScanOptions, Source, TableOptions};
@@ -120,14 +120,9 @@ impl Case {
     }
 
     fn reduced(&self, path: &Path, chunk_bytes: usize) -> String {
-        let columns = ReducedColumns {
-            x: ColumnSelector::name_or_number("x"),
-            y: ColumnSelector::name_or_number("y"),
-            epsilon: None,
-        };
         let options = options(self.reading, chunk_bytes);
-        let table =
-            ReducedTable::scan(Source::open(path.to_str().unwrap()).unwrap(), &columns, &options).unwrap();
+        let source = Source::open(path.to_str().unwrap()).unwrap();
+        let table = ReducedTable::scan(source, &self.columns(), &options).unwrap();
         let mut text = Vec::new();
         table.write(&mut text).unwrap();
         String::from_utf8(text).unwrap()

@@ -1,27 +1,31 @@
 //! Fits under bounds that differ from reading to reading, and of two regressors, from the few readings that decide them,
 //! against fits of all readings in memory.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
 use boundfit_estimation::{
-    Columns, Condition, EpsilonColumn, Fit, Keep, Law, LineForm, Measurements, Problem, fit,
+    Columns, Condition, EpsilonColumn, Fit, Keep, Law, LineForm, Measurements, NoMinimax, Problem, fit,
 };
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Source};
 use boundfit_geometry::RegionKind;
 use boundfit_tests::generate::seeded;
 use boundfit_tests::readings::parse_condition;
+use boundfit_tests::shape::shape;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
+use rayon::ThreadPool;
 
+use crate::reducing::{reduced, shuffled_parts};
 use crate::reduction::{essence, options, pools};
 
 /// A table with columns a, b, y, e, lo and up, and how it is to be fitted.
-struct Case {
-    text: String,
-    columns: Columns,
-    reading: Reading,
+pub(crate) struct Case {
+    pub(crate) text: String,
+    pub(crate) columns: Columns,
+    pub(crate) reading: Reading,
     conditions: Vec<Condition>,
     is_through_origin: bool,
 }
@@ -42,7 +46,7 @@ fn number(rng: &mut ChaCha8Rng, units: i64, style: u32) -> String {
 }
 
 impl Case {
-    fn random(rng: &mut ChaCha8Rng, rows: std::ops::RangeInclusive<usize>) -> Self {
+    pub(crate) fn random(rng: &mut ChaCha8Rng, rows: std::ops::RangeInclusive<usize>) -> Self {
         let is_line = rng.random_bool(0.5);
         let kind = rng.random_range(0..6);
         let style = rng.random_range(0..5);
@@ -52,8 +56,8 @@ impl Case {
         let slopes = [0; 2].map(|_| rng.random_range(-3..=3));
         let crossing = rng.random_bool(0.1);
         let one_sided = [0.0, 0.2, 1.0][rng.random_range(0..3)];
-        let mut text = "a,b,y,e,lo,up\n".to_owned();
-        for _ in 0..rng.random_range(rows) {
+        let mut text = "a,b,y,e,lo,up,id\n".to_owned();
+        for id in 1..=rng.random_range(rows) {
             let [a, b] = [0; 2].map(|_| rng.random_range(-size..=size));
             let second = if is_line { 1 } else { b };
             let y = slopes[0] * a + slopes[1] * second + rng.random_range(-noise..=noise);
@@ -63,7 +67,7 @@ impl Case {
             if rng.random_bool(one_sided) {
                 cells[rng.random_range(4..6)].clear();
             }
-            text += &(cells.join(",") + "\n");
+            text += &format!("{},{id}\n", cells.join(","));
         }
         let uniform = Rational::ratio(rng.random_range(0..=widest), [1, 8][rng.random_range(0..2)]);
         let law =
@@ -100,7 +104,18 @@ impl Case {
         Case { text, columns, reading, conditions, is_through_origin }
     }
 
-    fn fitted(&self, measurements: Measurements) -> (Problem, Fit) {
+    /// Whether half units of last digits are asked for.
+    pub(crate) fn needs_written(&self) -> bool {
+        matches!(&self.columns.epsilon, EpsilonColumn::Law(law) if law.needs_written())
+    }
+
+    /// The conditions, with that of a line through the origin.
+    pub(crate) fn all_conditions(&self) -> Vec<Condition> {
+        let own = self.is_through_origin.then(Condition::no_intercept);
+        self.conditions.iter().cloned().chain(own).collect()
+    }
+
+    pub(crate) fn fitted(&self, measurements: Measurements) -> (Problem, Fit) {
         let problem = Problem { measurements, conditions: self.conditions.clone() };
         // A line through the origin takes its sums and its EUI from the same looks.
         let problem = if self.is_through_origin { problem.through_origin() } else { problem };
@@ -115,14 +130,109 @@ impl Case {
         self.fitted(Measurements::read(source, &self.columns, &table).unwrap())
     }
 
+    /// The fit of a reduction, or of several.
+    fn of_reduction(&self, text: &str) -> (Problem, Fit) {
+        let source = Source::new("reduced", std::io::Cursor::new(text.as_bytes().to_vec()));
+        let options = options(self.reading, 7);
+        let keep = Keep::default();
+        self.fitted(Measurements::scan(source, &self.columns, &self.conditions, &options, keep).unwrap())
+    }
+
+    /// Whether a reduction decides for every multiple of the bounds.
+    fn is_open(&self) -> bool {
+        self.columns.second.is_none() && matches!(self.columns.epsilon, EpsilonColumn::Column(_))
+    }
+
+    /// Reductions of the whole for any threads and chunks are the same text, whose fit is that of the whole, row by row; those of
+    /// parts in any order have its set, and reduced again they keep the same rows.
+    fn check_reductions(
+        &self,
+        (problem, whole): &(Problem, Fit),
+        pools: &[ThreadPool],
+        rng: &mut ChaCha8Rng,
+    ) {
+        let context = || format!("{:?}\n{}", self.columns, self.text);
+        let texts = [1, 100, 1 << 18].into_iter().zip(pools).map(|(chunk, pool)| {
+            pool.install(|| reduced(&self.text, &self.columns, &options(self.reading, chunk)))
+        });
+        let texts: Vec<String> = texts.collect();
+        assert!(texts.iter().all(|text| *text == texts[0]), "{}", context());
+        let own = reduced(&texts[0], &self.columns, &options(self.reading, 1));
+        assert_eq!(own, texts[0], "{}", context());
+
+        let ids = ids(&texts[0]);
+        let found = self.of_reduction(&texts[0]);
+        let (found_text, expected) =
+            (essence(&found, &|row| ids[row - 1]), essence(&(problem.clone(), whole.clone()), &|row| row));
+        let lines = |text: &str| -> Vec<String> {
+            let lines = text.lines().enumerate();
+            // Least squares and its slack, and what decides under other bounds, stand in lines of their own.
+            let is_told = |line: usize| match line {
+                4 => self.columns.second.is_none(),
+                5 => self.is_open() || !problem.measurements.has_widths(),
+                _ => true,
+            };
+            lines.filter(|(line, _)| is_told(*line)).map(|(_, text)| text.to_owned()).collect()
+        };
+        assert_eq!(lines(&found_text), lines(&expected), "{}", context());
+        self.check_answers(&found, (problem, whole));
+
+        let parts = shuffled_parts(&self.text, &self.columns, &options(self.reading, 1), rng);
+        self.check_answers(&self.of_reduction(&parts), (problem, whole));
+        let again = reduced(&parts, &self.columns, &options(self.reading, 64));
+        self.check_answers(&self.of_reduction(&again), (problem, whole));
+        // Of rows without regressors the first one that nothing agrees with is kept, or the first one where no row decides.
+        let kept = |text: &str| -> BTreeSet<usize> {
+            let regressors = |id: &usize| -> Vec<f64> {
+                let cells = self.text.lines().nth(*id).unwrap().split(',').take(2);
+                cells.map(|cell| cell.parse().unwrap_or(1.0)).collect()
+            };
+            let has_none = |id: &usize| self.columns.second.is_some() && regressors(id) == [0.0, 0.0];
+            self::ids(text).into_iter().filter(|id| !has_none(id)).collect()
+        };
+        assert_eq!(kept(&again), kept(&own), "{}", context());
+    }
+
+    /// What does not depend on names and order of rows.
+    fn check_answers(&self, (found_problem, found): &(Problem, Fit), (problem, whole): (&Problem, &Fit)) {
+        let context = || format!("{:?}\n{}", self.columns, self.text);
+        let region = |fit: &Fit| shape(fit.fps.polyhedron().region());
+        assert_eq!(region(found), region(whole), "{}", context());
+        assert_eq!(found.vertices(), whole.vertices(), "{}", context());
+        assert_eq!(found.pui_intervals(), whole.pui_intervals(), "{}", context());
+        assert_eq!(found.central, whole.central, "{}", context());
+        let theta = |fit: &Fit| fit.least_squares.as_ref().map(|own| own.theta.clone()).map_err(|why| *why);
+        assert_eq!(theta(found), theta(whole), "{}", context());
+        assert_eq!(found_problem.measurements.fitted(), problem.measurements.fitted(), "{}", context());
+        assert_eq!(
+            found_problem.measurements.has_widths(),
+            problem.measurements.has_widths(),
+            "{}",
+            context()
+        );
+        let least = |fit: &Fit| fit.minimax.as_ref().map(|own| (own.least.clone(), own.theta.clone()));
+        if self.is_open() || !problem.measurements.has_widths() {
+            assert_eq!(least(found), least(whole), "{}", context());
+        } else {
+            assert_eq!(found_problem.measurements.deciding_minimax(), Err(NoMinimax::Reduced));
+            assert_eq!(least(found), None, "{}", context());
+        }
+    }
+
     fn scanned(&self, path: &Path, chunk_bytes: usize, most_bytes: Option<usize>) -> (Problem, Fit) {
         let keep = Keep { most_rows: 0, eui: true, most_bytes };
         let options = options(self.reading, chunk_bytes);
         let source = Source::open(path.to_str().unwrap()).unwrap();
-        let own = self.is_through_origin.then(Condition::no_intercept);
-        let conditions: Vec<Condition> = self.conditions.iter().cloned().chain(own).collect();
-        self.fitted(Measurements::scan(source, &self.columns, &conditions, &options, keep).unwrap())
+        self.fitted(
+            Measurements::scan(source, &self.columns, &self.all_conditions(), &options, keep).unwrap(),
+        )
     }
+}
+
+/// What the rows of reductions have in their last column.
+fn ids(text: &str) -> Vec<usize> {
+    let rows = text.lines().filter(|line| !line.starts_with(['#', 'a']));
+    rows.map(|row| row.rsplit_once(',').unwrap().1.parse().unwrap()).collect()
 }
 
 fn compare(
@@ -131,7 +241,7 @@ fn compare(
     rows: std::ops::RangeInclusive<usize>,
     chunks: [usize; 3],
 ) -> Vec<RegionKind> {
-    let mut rng = seeded(seed);
+    let (mut rng, mut order) = (seeded(seed), seeded(seed + 1000));
     let pools = pools();
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("table.csv");
@@ -155,6 +265,7 @@ fn compare(
             );
             assert_eq!(streamed.1.eui(), whole.1.eui(), "case {round}: {:?}\n{}", case.columns, case.text);
         }
+        case.check_reductions(&whole, &pools, &mut order);
     }
     kinds
 }

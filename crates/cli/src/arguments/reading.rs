@@ -9,14 +9,18 @@ use boundfit_formats::{AskedDialect, Header, ScanOptions, SizeLimits, Source, Ta
 use boundfit_report::{Origin, Style};
 use clap::ValueEnum;
 
+use super::shared::EpsilonArguments;
 use super::values::{number_problem, parse_factors};
 use super::{
-    DataArguments, FitArguments, LabelArguments, LimitArguments, OutputArguments, RowArguments,
-    TableArguments, ThreadArguments,
+    DataArguments, FitArguments, LabelArguments, LimitArguments, OutputArguments, ReduceArguments,
+    RowArguments, TableArguments, ThreadArguments,
 };
 use crate::exit::Failure;
 use crate::memory;
 use crate::progress::ReadingProgress;
+
+const LEAST_OF_FIXED: &str = "'--eps min' moves the error bounds, and the data are a reduction under bounds that are fixed: fit the \
+                              table that it was made from";
 
 impl DataArguments {
     /// The file in the words of reports.
@@ -74,6 +78,7 @@ impl<'a> Data<'a> {
     ) -> Result<Problem, Failure> {
         let asked = self.asked()?;
         let (source, options) = self.scan()?;
+        asked.check(&source)?;
         let options = ScanOptions { hash, list_rows, ..options };
         let keeps_all = (moving || asked.multiple_of_least.is_some()) && !asked.columns.are_open();
         let keep = Keep { eui, ..if keeps_all { Keep::EVERY } else { Keep::default() } };
@@ -93,8 +98,9 @@ impl<'a> Data<'a> {
         let asked = self.asked()?;
         let table = self.arguments.table.options(self.origin.reading, Some(&self.arguments.rows))?;
         let options = TableOptions { keep_others, ..table };
-        let measurements =
-            Measurements::read(self.source?, &asked.columns, &options).map_err(Failure::data)?;
+        let source = self.source?;
+        asked.check(&source)?;
+        let measurements = Measurements::read(source, &asked.columns, &options).map_err(Failure::data)?;
         Ok(asked.problem(measurements))
     }
 
@@ -102,25 +108,16 @@ impl<'a> Data<'a> {
     pub(crate) fn asked(&self) -> Result<Asked, Failure> {
         let (arguments, reading) = (self.arguments, self.origin.reading);
         let limits = arguments.table.limits.number();
-        let asked = &arguments.epsilon;
-        let multiple_of_least = match &asked.eps {
+        let multiple_of_least = match &arguments.epsilon.eps {
             Some(eps) => multiple_of_least(eps, &limits)?,
             None => None,
         };
-        let epsilon = match (&asked.eps, &asked.eps_column) {
+        let epsilon = if multiple_of_least.is_some() {
             // Until it is known, as it has no say in what it follows from.
-            (Some(_), _) if multiple_of_least.is_some() => EpsilonColumn::Uniform(Rational::zero()),
-            (Some(eps), _) if is_law(eps) => {
-                EpsilonColumn::Law(law(eps, reading, &limits, arguments.x.second.is_some())?)
-            }
-            (Some(eps), _) => EpsilonColumn::Uniform(error_bound(eps, reading, &limits)?),
-            (None, Some(column)) => EpsilonColumn::Column(column.clone()),
-            (None, None) if asked.lower.is_none() && asked.upper.is_none() => {
-                return Err(Failure::Usage("'--eps' or '--eps-column' is missing".to_owned()));
-            }
-            (None, None) => {
-                EpsilonColumn::Interval { lower: asked.lower.clone(), upper: asked.upper.clone() }
-            }
+            EpsilonColumn::Uniform(Rational::zero())
+        } else {
+            let stated = arguments.epsilon.stated(reading, &limits, arguments.x.second.is_some())?;
+            stated.ok_or_else(|| Failure::Usage("'--eps' or '--eps-column' is missing".to_owned()))?
         };
         let condition = |text: &String| {
             Condition::parse(text, reading, &limits)
@@ -166,6 +163,60 @@ impl<'a> Data<'a> {
     }
 }
 
+impl EpsilonArguments {
+    /// The error bound as it is asked for, unless it is a multiple of the least one; `None` where nothing is said about it.
+    fn stated(
+        &self,
+        reading: Reading,
+        limits: &Limits,
+        two_regressors: bool,
+    ) -> Result<Option<EpsilonColumn>, Failure> {
+        Ok(match (&self.eps, &self.eps_column) {
+            (Some(eps), _) if is_law(eps) => {
+                Some(EpsilonColumn::Law(law(eps, reading, limits, two_regressors)?))
+            }
+            (Some(eps), _) => Some(EpsilonColumn::Uniform(error_bound(eps, reading, limits)?)),
+            (None, Some(column)) => Some(EpsilonColumn::Column(column.clone())),
+            (None, None) if self.lower.is_none() && self.upper.is_none() => None,
+            (None, None) => {
+                Some(EpsilonColumn::Interval { lower: self.lower.clone(), upper: self.upper.clone() })
+            }
+        })
+    }
+}
+
+impl ReduceArguments {
+    /// The columns of the table, and the bounds under which the rows to keep decide.
+    pub(crate) fn columns(&self, reading: Reading) -> Result<Columns, Failure> {
+        let limits = self.table.limits.number();
+        let two_regressors = self.x.second.is_some();
+        let is_multiple = match &self.epsilon.eps {
+            Some(eps) => multiple_of_least(eps, &limits)?.is_some(),
+            None => false,
+        };
+        let stated =
+            if is_multiple { None } else { self.epsilon.stated(reading, &limits, two_regressors)? };
+        let epsilon = match stated {
+            Some(epsilon) => epsilon,
+            None if !two_regressors => EpsilonColumn::Uniform(Rational::zero()),
+            None => {
+                return Err(Failure::Usage(
+                    "which readings of two regressors decide depends on their bounds: say them with '--eps', as a number \
+                     or a law, '--eps-column' or '--lower' and '--upper'"
+                        .to_owned(),
+                ));
+            }
+        };
+        Ok(Columns {
+            first: self.x.first.clone(),
+            second: self.x.second.clone(),
+            response: self.y.clone(),
+            epsilon,
+            form: LineForm::default(),
+        })
+    }
+}
+
 /// What is to be read, and what is to be fitted to it.
 pub(crate) struct Asked {
     pub(crate) columns: Columns,
@@ -179,6 +230,15 @@ impl Asked {
     fn all_conditions(&self) -> Vec<Condition> {
         let no_intercept = self.columns.form.through_origin.then(Condition::no_intercept);
         self.conditions.iter().cloned().chain(no_intercept).collect()
+    }
+
+    /// Refuses a multiple of the least bound of readings that were reduced under others.
+    fn check(&self, source: &Source) -> Result<(), Failure> {
+        let is_fixed = source.is_reduction() && self.columns.second.is_some();
+        match self.multiple_of_least.is_some() && is_fixed {
+            true => Err(Failure::Usage(LEAST_OF_FIXED.to_owned())),
+            false => Ok(()),
+        }
     }
 
     /// The problem of some readings.

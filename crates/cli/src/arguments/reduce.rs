@@ -4,7 +4,8 @@ use boundfit_formats::ColumnSelector;
 use clap::Args;
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
-use super::values::parse_column;
+use super::shared::EpsilonArguments;
+use super::values::{Regressors, parse_column, parse_regressors};
 use super::{FileArguments, RowArguments, TableArguments, ThreadArguments};
 
 pub(super) const NOTES: Notes = Notes {
@@ -18,30 +19,36 @@ pub(super) const NOTES: Notes = Notes {
             "Parts reduced apart, put together, and reduced again",
             "cat monday.csv tuesday.csv | boundfit reduce - --x x --y y -o both.csv",
         ),
+        (
+            "Readings between bounds of their own, of which a fit takes the same columns",
+            "boundfit reduce clocks.csv --x t --lower earliest --upper latest -o reduced.csv",
+        ),
     ],
     statuses: &[(0, "the reduction is written"), BAD_DATA, BAD_USAGE],
 };
 
-/// Keep only the rows that decide every fit of a line: those that touch the convex hull of the readings
+/// Keep only the rows that decide: of a line under one error bound those that touch the convex hull of the readings
 ///
 /// Written are the same columns, each number as it stood, after a line that says how many readings these stand for and
-/// the sums that least squares needs. 'boundfit fit' reads the result like the whole: feasible set, PUI, eps_min and
-/// least squares are the same for every error bound; only the EUI needs every reading and is left out. Several
-/// reductions one after the other, as 'cat' writes them, are a reduction of all their readings, and can be reduced again.
+/// the sums that least squares needs. 'boundfit fit' reads the result like the whole: feasible set, PUI and least squares
+/// are the same under all conditions, from any --x-origin and through the origin; only the EUI needs every reading and is
+/// left out. A line without a word about its error bound, or with one number, is reduced for every such bound, and one
+/// with --eps-column for every multiple of its bounds, so that eps_min is the same as well. With two regressors, a law or
+/// --lower and --upper the rows decide under these bounds alone. Several reductions one after the other, as 'cat' writes
+/// them, are a reduction of all their readings, and can be reduced again.
 #[derive(Debug, Args)]
-#[command(after_help = NOTES.to_string())]
+#[command(after_help = NOTES.to_string(), mut_group("EpsilonArguments", |group| group.required(false)))]
 pub(crate) struct ReduceArguments {
     /// A table of readings (text or a MATLAB .mat file), or reductions of such, or - for standard input
     pub(crate) data: String,
-    /// Column of x by header name or number from 1
-    #[arg(long, value_name = "COL", value_parser = parse_column)]
-    pub(crate) x: ColumnSelector,
-    /// Column of y
-    #[arg(long, value_name = "COL", value_parser = parse_column)]
-    pub(crate) y: ColumnSelector,
-    /// Column with the error bound of each reading: keep the rows that touch the hull of those with the same bound
-    #[arg(long, value_name = "COL", value_parser = parse_column)]
-    pub(crate) eps_column: Option<ColumnSelector>,
+    /// Column of x by header name or number from 1; two for the model y = theta1*COL + theta2*COL2 + e
+    #[arg(long, value_name = "COL[,COL2]", value_parser = parse_regressors, required = true)]
+    pub(super) x: Regressors,
+    /// Column of y; beside --lower or --upper it may be left out, and is what least squares takes
+    #[arg(long, value_name = "COL", value_parser = parse_column, required_unless_present_any = ["lower", "upper"])]
+    pub(super) y: Option<ColumnSelector>,
+    #[command(flatten)]
+    pub(super) epsilon: EpsilonArguments,
     #[command(flatten)]
     pub(crate) rows: RowArguments,
     #[command(flatten)]

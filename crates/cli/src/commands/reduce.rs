@@ -1,6 +1,7 @@
 //! `boundfit reduce`.
 
-use boundfit_estimation::{ReducedColumns, ReducedTable};
+use boundfit_estimation::ReducedTable;
+use boundfit_exact::Reading;
 use boundfit_formats::{ScanOptions, Source};
 
 use crate::CommandResult;
@@ -15,12 +16,11 @@ pub(crate) fn run(arguments: &ReduceArguments) -> CommandResult {
     let guard = arguments.file.replace.guard([arguments.data.as_str()]);
     guard.check(output)?;
     told_by_name(output, &[("csv", ()), ("tsv", ()), ("txt", ())], None)?;
-    let columns = ReducedColumns {
-        x: arguments.x.clone(),
-        y: arguments.y.clone(),
-        epsilon: arguments.eps_column.clone(),
-    };
-    let source = Source::open(&arguments.data).map_err(Failure::data)?;
+    let source = Source::open(&arguments.data).map_err(Failure::data);
+    let is_stored = source.as_ref().is_ok_and(Source::is_stored);
+    let reading = if is_stored { Reading::Binary64 } else { arguments.table.reading() };
+    let columns = arguments.columns(reading)?;
+    let source = source?;
     let options = arguments.table.scan_options(&source, Some(&arguments.rows))?;
     let options = ScanOptions { list_rows: false, ..options };
     let reduced = ReducedTable::scan(source, &columns, &options).map_err(Failure::data)?;

@@ -22,7 +22,7 @@ const MARKS: [(&str, &str); 27] = [
     ("kind,theta1,theta2,theta1_decimal,theta2_decimal,active\n", ""),
     ("quantity,parameter,lower,upper,value,lower_exact,upper_exact,value_exact\n", ""),
     ("group,rows,first_row,kind,theta1_lower,", ""),
-    ("# boundfit/reduced/1 ", ""),
+    ("# boundfit/reduced/", ""),
     ("% A set of parameters (theta1, theta2), written by boundfit.\n", ""),
     ("* theta", ", that agrees with every reading\n"),
     ("\\ theta", ", that agrees with every reading\n"),

@@ -6,12 +6,13 @@ mod kept_columns;
 mod looks;
 mod reduce;
 mod scan;
+mod stated;
 
 use boundfit_formats::{InputError, ScanOptions, Source, TableOptions, TableRow, read_table};
 
 pub use columns::{Columns, EpsilonColumn};
 pub use fleet::Fleet;
-pub use reduce::{ReducedColumns, ReducedTable};
+pub use reduce::ReducedTable;
 
 use crate::measurements::{Measurement, Measurements, Origin, Readings};
 use crate::selection::{FractionCells, Selection};

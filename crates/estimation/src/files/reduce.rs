@@ -1,25 +1,23 @@
-//! Readings reduced to those that support a hull, as they were written, with the sums over all.
+//! Readings reduced to those that decide, as they were written, with the sums over all.
 
 use std::collections::{HashMap, HashSet};
 use std::io::{self, Write};
 
-use boundfit_exact::{Limits, Rational};
-use boundfit_formats::{
-    Batch, ColumnSelector, InputError, ReductionError, ReductionRecord, Reductions, ScanOptions, Source,
-    open_reduction, scan,
-};
+use boundfit_exact::Rational;
+use boundfit_formats::{Batch, InputError, ReductionRecord, ScanOptions, Source, open_reduction, scan};
 
-use crate::summary::{LineSummary, SharedSieve, Sums};
+use super::columns::Columns;
+use super::stated::{Stated, asked_by_reduction, refuse_late};
+use crate::least_squares::NoLeastSquares;
+use crate::line_form::LineForm;
+use crate::measurements::{ErrorBound, Meaning};
+use crate::summary::{FixedBounds, FixedPart, FixedSummary, LineSummary, Scale, SharedSieve, Sums};
 
-/// Texts of rows that have meanwhile turned out to lie between the hulls are dropped when there are so many of them, so
+/// Texts of rows that have meanwhile turned out to be superfluous are dropped when there are so many of them, so
 /// that dropping them is rare.
 const MOST_SUPERFLUOUS: usize = 100_000;
 
-/// How many times as many digits as a reading a sum may have: that of squares has twice as many, and those of the
-/// fractions on top.
-const DIGITS_OF_SUMS: usize = 10;
-
-/// The few readings of a line that decide every fit of all of them, and the sums for least squares.
+/// The few readings that decide fits of all of them, and the sums for least squares.
 #[derive(Debug, Clone)]
 pub struct ReducedTable {
     record: ReductionRecord,
@@ -27,64 +25,101 @@ pub struct ReducedTable {
     rows: Vec<Vec<u8>>,
 }
 
-/// Which columns a reduction is about.
-#[derive(Debug, Clone)]
-pub struct ReducedColumns {
-    /// x.
-    pub x: ColumnSelector,
-    /// y.
-    pub y: ColumnSelector,
-    /// ε, when it is to be a column: readings are then compared with those of the same bound only.
-    pub epsilon: Option<ColumnSelector>,
+/// Which readings are kept.
+struct Rule<'a> {
+    /// The column of bounds, of a line for which readings are kept that decide under every multiple of these; `None` under
+    /// bounds that are fixed.
+    open: Option<Option<usize>>,
+    sieve: SharedSieve,
+    fixed: FixedBounds<'a>,
 }
 
-/// One batch with what is made of it at once, or everything taken so far.
-#[derive(Default)]
+/// What is kept of the readings of one batch.
+enum Part {
+    Open(LineSummary),
+    Fixed(FixedPart, usize),
+}
+
+/// One batch with what is made of it at once.
 struct Digest {
-    summary: LineSummary,
+    part: Part,
+    /// The first row without bounds.
+    unbounded: Option<usize>,
     /// The rows that may turn out to be kept, as they stand in the file.
     texts: HashMap<usize, Vec<u8>>,
+    first: Option<Vec<u8>>,
+}
+
+/// Everything taken so far.
+#[derive(Default)]
+struct Collected {
+    open: LineSummary,
+    fixed: FixedSummary,
+    texts: HashMap<usize, Vec<u8>>,
+    /// The first row, for when none decides anything: a table has rows.
+    first: Option<Vec<u8>>,
 }
 
 impl ReducedTable {
-    /// Reduces a table. A line under a uniform error bound, whatever it is, has the same feasible set, PUI and ε_min before and after, with rows counted anew; with a column of error bounds the
-    /// same holds under any multiple of these. The union of reductions, reduced, is the reduction of the union.
+    /// Reduces a table. Of a line under a uniform error bound readings are kept that decide for every such bound, and of one
+    /// with a column of bounds those that decide for every multiple of these; of anything else those that decide under the
+    /// bounds asked for. Feasible set, PUI and least squares are the same before and after, whatever the conditions and
+    /// [`Columns::form`], with rows counted anew; so is ε_min where the bounds are not fixed. The union of reductions,
+    /// reduced, is the reduction of the union.
     ///
     /// Exact. Cost: one pass; memory for the rows that are kept.
     ///
     /// # Errors
-    /// The first thing wrong with the file.
-    pub fn scan(source: Source, columns: &ReducedColumns, options: &ScanOptions) -> Result<Self, InputError> {
+    /// The first thing wrong with the file; bounds that take a multiple of the range of y, unless they are uniform and the model
+    /// is a line.
+    pub fn scan(source: Source, columns: &Columns, options: &ScanOptions) -> Result<Self, InputError> {
         let name = source.name().to_owned();
+        // Which readings decide does not depend on where x is counted from, and the sums are told of x as it is.
+        let columns = Columns { form: LineForm::default(), ..columns.clone() };
+        let unnamed = columns.meaning(&[]);
+        refuse_late(&name, &unnamed)?;
         let (source, reductions) = open_reduction(source, &options.table.sizes)?;
         let mut options = ScanOptions { keep_text: true, hash: false, ..options.clone() };
         if let Some(reductions) = &reductions {
             options.table.header = reductions.header();
         }
-        let mut selectors = vec![columns.x.clone(), columns.y.clone()];
-        selectors.extend(columns.epsilon.clone().map(ColumnSelector::non_negative));
-        let mut all = Digest::default();
-        let sieve = SharedSieve::default();
-        let digest = |batch: Batch| Digest::new(&batch, &sieve);
-        let scanned = scan(source, &selectors, &options, digest, |digest| all.merge(digest, &sieve))?;
-        let Digest { summary, mut texts } = all;
-        let (sums, kept) = summary.into_parts(&Rational::zero());
-        let sums = match &reductions {
-            Some(reductions) => stated_sums(reductions, &name, true, &scanned.names, &options)?,
-            None => sums,
+        let rule = Rule::new(&unnamed);
+        let mut all = Collected::default();
+        let mut unbounded = None;
+        let digest = |batch: Batch| Digest {
+            unbounded: columns.first_unbounded(&batch),
+            ..Digest::new(&batch, &rule)
         };
-        let rows: Vec<Vec<u8>> = kept.iter().filter_map(|reading| texts.remove(&reading.row)).collect();
-        let mut names = scanned.names.into_iter();
-        let mut name = || names.next().unwrap_or_default();
+        let scanned = scan(source, &columns.selectors(), &options, digest, |digest| {
+            unbounded = unbounded.or(digest.unbounded);
+            all.take(digest, &rule);
+        })?;
+        let asked = asked_by_reduction(&columns.meaning(&scanned.names));
+        let Collected { open, fixed, mut texts, first } = all;
+        let (mut own, kept) = if rule.open.is_some() {
+            let (sums, kept) = open.into_parts(&Rational::zero());
+            (Stated { count: sums.count, has_widths: true, sums: Ok(sums), is_open: true }, kept)
+        } else {
+            let FixedSummary { support, sums, has_widths } = fixed;
+            let count = support.count();
+            (Stated { count, has_widths, sums, is_open: false }, support.into_rows(&rule.fixed))
+        };
+        if let Some(reductions) = &reductions {
+            own = Stated::of(reductions, &name, &asked, &options)?;
+        }
+        columns.refuse_unbounded(&name, unbounded)?;
+        let mut rows: Vec<Vec<u8>> = kept.iter().filter_map(|reading| texts.remove(&reading.row)).collect();
+        if rows.is_empty() {
+            rows.extend(first);
+        }
         let record = ReductionRecord {
-            rows: sums.count,
+            rows: own.count,
             kept: rows.iter().map(|row| 1 + row.iter().filter(|&&byte| byte == b'\n').count()).sum(),
             header: scanned.header_line.is_some(),
             reading: options.table.reading.name().to_owned(),
-            x: name(),
-            y: name(),
-            epsilon: columns.epsilon.as_ref().map(|_| name()),
-            sums: [&sums.uv, &sums.vy, &sums.uu, &sums.uy].map(Rational::to_string),
+            model: asked.model,
+            widths: own.has_widths,
+            sums: written(&own.sums),
         };
         Ok(ReducedTable { record, header: scanned.header_line, rows })
     }
@@ -114,53 +149,60 @@ impl ReducedTable {
     }
 }
 
-/// The sums that reductions of these columns state.
-pub(super) fn stated_sums(
-    reductions: &Reductions,
-    path: &str,
-    line: bool,
-    names: &[String],
-    options: &ScanOptions,
-) -> Result<Sums, InputError> {
-    let fail = |error: ReductionError| InputError::of_file(path, error);
-    if !line {
-        let (has, asked) = ("a line".to_owned(), "two regressors".to_owned());
-        return Err(fail(ReductionError::NotAsked { what: "the model", has, asked }));
+/// The sums as a reduction has them.
+fn written(sums: &Result<Sums, NoLeastSquares>) -> Option<[String; 5]> {
+    let Sums { uu, uv, vv, uy, vy, .. } = sums.as_ref().ok()?;
+    Some([uu, uv, vv, uy, vy].map(Rational::to_string))
+}
+
+impl<'a> Rule<'a> {
+    fn new(meaning: &'a Meaning) -> Self {
+        let open = match &meaning.error_bound {
+            ErrorBound::Uniform(_) if meaning.regressors() == 1 => Some(None),
+            ErrorBound::PerRow(_) if meaning.regressors() == 1 => Some(Some(2)),
+            _ => None,
+        };
+        Rule { open, sieve: SharedSieve::default(), fixed: FixedBounds::new(meaning, &Scale::AsStated) }
     }
-    if options.table.selects_rows() {
-        return Err(fail(ReductionError::NoRowNumbers));
-    }
-    let digits = options.table.limits.digits.saturating_mul(DIGITS_OF_SUMS);
-    let limits = Limits { digits, exponent: 0 };
-    let mut total = Sums::default();
-    for record in reductions.records() {
-        record.check(names, options.table.reading).map_err(fail)?;
-        let [x, y, xx, xy] = record.sums(&limits).map_err(fail)?;
-        if total.count.checked_add(record.rows).is_none() {
-            return Err(fail(ReductionError::TooManyRows));
-        }
-        let vv = Rational::from(record.rows);
-        total = total.merged(&Sums { count: record.rows, uu: xx, uv: x, vv, uy: xy, vy: y });
-    }
-    Ok(total)
 }
 
 impl Digest {
-    fn new(batch: &Batch, sieve: &SharedSieve) -> Self {
-        let [x, y] = [&batch.columns[0], &batch.columns[1]];
-        let summary = LineSummary::of_columns([x, y], batch.columns.get(2), &|k| batch.rows.get(k), sieve);
+    fn new(batch: &Batch, rule: &Rule) -> Self {
+        let (columns, row) = (&batch.columns, |k: usize| batch.rows.get(k));
+        let (part, numbers): (Part, Vec<usize>) = match rule.open {
+            Some(bounds) => {
+                let bounds = bounds.and_then(|index| columns.get(index));
+                let summary = LineSummary::of_columns([&columns[0], &columns[1]], bounds, &row, &rule.sieve);
+                let numbers = summary.row_numbers().collect();
+                (Part::Open(summary), numbers)
+            }
+            None => {
+                let part = rule.fixed.part(columns, &row);
+                let numbers = part.touching.iter().map(|reading| reading.row).collect();
+                (Part::Fixed(part, batch.rows.len()), numbers)
+            }
+        };
         let text = |row: usize| {
             let line = || Some(batch.lines.as_ref()?.get(batch.rows.position(row)?).to_vec());
             (row, line().unwrap_or_default())
         };
-        Digest { texts: summary.row_numbers().map(text).collect(), summary }
+        let first = batch.lines.as_ref().filter(|lines| !lines.is_empty()).map(|lines| lines.get(0).to_vec());
+        Digest { part, unbounded: None, texts: numbers.into_iter().map(text).collect(), first }
     }
+}
 
-    fn merge(&mut self, other: Digest, sieve: &SharedSieve) {
-        self.summary.merge(other.summary, sieve);
-        self.texts.extend(other.texts);
-        if self.texts.len() > 2 * self.summary.row_numbers().count() + MOST_SUPERFLUOUS {
-            let kept: HashSet<usize> = self.summary.row_numbers().collect();
+impl Collected {
+    fn take(&mut self, Digest { part, texts, first, .. }: Digest, rule: &Rule) {
+        self.first = self.first.take().or(first);
+        match part {
+            Part::Open(summary) => self.open.merge(summary, &rule.sieve),
+            Part::Fixed(part, rows) => self.fixed.merge(part, rows, &rule.fixed),
+        }
+        self.texts.extend(texts);
+        // Of each kind there is only one.
+        let kept = || self.open.row_numbers().chain(self.fixed.support.row_numbers());
+        if self.texts.len() > 2 * kept().count() + MOST_SUPERFLUOUS {
+            let kept: HashSet<usize> = kept().collect();
             self.texts.retain(|row, _| kept.contains(row));
         }
     }

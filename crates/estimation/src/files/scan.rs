@@ -2,22 +2,21 @@
 
 use boundfit_exact::{Column, Rational};
 use boundfit_formats::{
-    Batch, InputError, ReductionError, RowNumbers, ScanOptions, Scanned, Source, TableRow, open_reduction,
-    scan,
+    Batch, InputError, RowNumbers, ScanOptions, Scanned, Source, TableRow, open_reduction, scan,
 };
 
 use super::columns::Columns;
 use super::kept_columns::{KeptColumns, KeptPart};
 use super::looks::Looks;
-use super::reduce::stated_sums;
+use super::stated::{Stated, asked_by_fit, refuse_late};
 use crate::condition::Condition;
-use crate::least_squares::{LeastSquares, NoLeastSquares};
+use crate::least_squares::LeastSquares;
 use crate::line_form::LineForm;
-use crate::measurements::{ErrorBound, Meaning, Measurement, Measurements, Origin, Readings};
+use crate::measurements::{Meaning, Measurement, Measurements, Origin, Readings};
 use crate::selection::{FractionCells, Selection};
 use crate::summary::{
-    DecidingMinimax, FixedBounds, FixedSupport, Keep, LineSummary, NoEui, NoMinimax, Reach, Reduction, Scale,
-    SharedSieve, Spread, Sums, Thresholds, column_totals,
+    DecidingMinimax, FixedBounds, FixedPart, FixedSummary, Keep, LineSummary, NoEui, NoMinimax, Reach,
+    Reduction, Scale, SharedSieve, Spread, Sums, Thresholds, column_totals,
 };
 
 /// Bytes of numbers kept from a file before it is rather read again: twelve million x at four bytes each.
@@ -38,13 +37,8 @@ struct Digest {
 enum Part {
     /// Of a line under a uniform bound, whatever it is.
     Open(LineSummary),
-    /// Under bounds that are fixed, with the sums of all and of each column.
-    Fixed {
-        touching: Vec<Measurement>,
-        sums: Result<Sums, NoLeastSquares>,
-        totals: Vec<Rational>,
-        has_widths: bool,
-    },
+    /// Under bounds that are fixed, with the sums of each column.
+    Fixed(FixedPart, Vec<Rational>),
     /// Nothing where bounds are only known when all readings are.
     Nothing,
 }
@@ -54,10 +48,8 @@ struct Collected {
     batches: Vec<Batch>,
     rows: usize,
     open: LineSummary,
-    fixed: FixedSupport,
-    sums: Result<Sums, NoLeastSquares>,
+    fixed: FixedSummary,
     totals: Vec<Rational>,
-    has_widths: bool,
     kept: KeptColumns,
 }
 
@@ -104,33 +96,42 @@ impl Measurements {
             unbounded = unbounded.or(digest.unbounded);
             all.take(digest, most_rows, &sieve, &bounds);
         })?;
-        columns.refuse_unbounded(&name, unbounded)?;
         let (mut meaning, selection) = (columns.meaning(&scanned.names), Selection::of(&options.table));
         if let Some(reductions) = &reductions {
-            refuse_law(&name, &meaning)?;
-            let sums = stated_sums(reductions, &name, columns.second.is_none(), &scanned.names, &options)?;
+            let stated = Stated::of(reductions, &name, &asked_by_fit(&meaning), &options)?;
+            refuse_late(&name, &meaning)?;
+            columns.refuse_unbounded(&name, unbounded)?;
             let (mut rows, minimax) = match meaning.error_bound.uniform() {
-                Some(epsilon) => {
+                Some(epsilon) if meaning.is_open() => {
                     let mut rows = all.open.into_parts(epsilon).1;
                     columns.form.count_rows(&mut rows);
                     (rows, DecidingMinimax::Kept)
                 }
-                None => (rows_of(&all.batches, &meaning), DecidingMinimax::Kept),
+                _ if stated.is_open => (rows_of(&all.batches, &meaning), DecidingMinimax::Kept),
+                _ => {
+                    // Without widths there is nothing that a factor could multiply.
+                    let minimax = match stated.has_widths {
+                        true => DecidingMinimax::Unknown(NoMinimax::Reduced),
+                        false => DecidingMinimax::Kept,
+                    };
+                    (all.fixed.support.into_rows(&bounds), minimax)
+                }
             };
             meaning.settle(&mut rows);
-            let sums = columns.form.sums(sums);
-            let scanned = Scanned { rows_total: sums.count, layout: None, ..scanned };
-            let (count, has_widths) = (sums.count, true);
-            let reduction =
-                Reduction { count, sums: Ok(sums), reach: Err(NoEui::Reduced), minimax, has_widths };
+            let Stated { count, sums, has_widths, .. } = stated;
+            let is_line = meaning.regressors() == 1;
+            let sums = sums.map(|sums| if is_line { columns.form.sums(sums) } else { sums });
+            let scanned = Scanned { rows_total: count, layout: None, ..scanned };
+            let reduction = Reduction { count, sums, reach: Err(NoEui::Reduced), minimax, has_widths };
             return Ok(measurements(meaning, selection, scanned, Readings::Supporting { rows, reduction }));
         }
+        columns.refuse_unbounded(&name, unbounded)?;
         if all.rows <= most_rows {
             let mut rows = rows_of(&all.batches, &meaning);
             meaning.settle(&mut rows);
             return Ok(measurements(meaning, selection, scanned, Readings::All(rows)));
         }
-        let Collected { rows: count, open, fixed, sums, totals, has_widths, kept, .. } = all;
+        let Collected { rows: count, open, fixed, totals, kept, .. } = all;
         let looks = Looks {
             kept: &kept,
             file: path.as_deref().map(|path| (path, scanned.bytes)),
@@ -156,7 +157,8 @@ impl Measurements {
                 Readings::Supporting { rows, reduction }
             }
             _ => {
-                let mut rows = fixed.into_rows(&bounds);
+                let FixedSummary { support, sums, has_widths } = fixed;
+                let mut rows = support.into_rows(&bounds);
                 let (reach, minimax) = if !keep.eui {
                     (Err(NoEui::NotAsked), DecidingMinimax::Unknown(NoMinimax::NotAsked))
                 } else if !looks.are_possible() {
@@ -183,13 +185,6 @@ impl Measurements {
         };
         Ok(measurements(meaning, selection, scanned, readings))
     }
-}
-
-/// Refuses a law that says of each reading another bound: which readings it needs was not known when they were reduced.
-fn refuse_law(file: &str, meaning: &Meaning) -> Result<(), InputError> {
-    let ErrorBound::Law(law) = &meaning.error_bound else { return Ok(()) };
-    let (has, asked) = ("one bound for all readings".to_owned(), law.text().to_owned());
-    Err(InputError::of_file(file, ReductionError::NotAsked { what: "error bounds from", has, asked }))
 }
 
 /// How far least squares of a line may move under a uniform bound of 1: a second look at x.
@@ -226,12 +221,7 @@ impl Digest {
         let part = if is_open {
             Part::Open(LineSummary::of_columns([&columns[0], &columns[1]], None, &row, sieve))
         } else if meaning.are_bounds_known() {
-            Part::Fixed {
-                touching: bounds.of_columns(columns, &row),
-                sums: meaning.sums(columns),
-                totals: column_totals(columns),
-                has_widths: meaning.have_widths(columns),
-            }
+            Part::Fixed(bounds.part(columns, &row), column_totals(columns))
         } else {
             Part::Nothing
         };
@@ -249,10 +239,8 @@ impl Collected {
             batches: Vec::new(),
             rows: 0,
             open: LineSummary::default(),
-            fixed: FixedSupport::default(),
-            sums: Ok(Sums::default()),
+            fixed: FixedSummary::default(),
             totals: Vec::new(),
-            has_widths: false,
             kept: KeptColumns::new(most_bytes),
         }
     }
@@ -274,10 +262,8 @@ impl Collected {
         match part {
             Part::Open(summary) => self.open.merge(summary, sieve),
             Part::Nothing => {}
-            Part::Fixed { touching, sums, totals, has_widths } => {
-                self.has_widths |= has_widths;
-                self.fixed.merge(touching, rows, bounds);
-                self.sums = self.sums.clone().and_then(|own| Ok(own.merged(&sums?)));
+            Part::Fixed(part, totals) => {
+                self.fixed.merge(part, rows, bounds);
                 self.totals.resize(totals.len(), Rational::zero());
                 self.totals.iter_mut().zip(totals).for_each(|(total, part)| *total = &*total + part);
             }

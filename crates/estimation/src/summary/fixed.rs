@@ -8,6 +8,8 @@ use boundfit_geometry::{Constraint, HalfPlane, Inequality, touching_an_envelope}
 
 use super::rounded::{RoundedReadings, may_be_tightest};
 use super::scale::Scale;
+use super::sums::Sums;
+use crate::least_squares::NoLeastSquares;
 use crate::measurements::{Meaning, Measurement};
 
 /// Merging waits for at least this many new rows, so that small parts do not each pay for the whole.
@@ -50,6 +52,15 @@ pub(crate) struct FixedBounds<'a> {
 impl<'a> FixedBounds<'a> {
     pub(crate) fn new(meaning: &'a Meaning, scale: &'a Scale) -> Self {
         FixedBounds { meaning, scale, sieve: SharedEnvelopeSieve::default() }
+    }
+
+    /// What is to be kept of readings in columns, as far as the readings before leave it open. Exact.
+    pub(crate) fn part(&self, columns: &[Column], number: &dyn Fn(usize) -> usize) -> FixedPart {
+        FixedPart {
+            touching: self.of_columns(columns, number),
+            sums: self.meaning.sums(columns),
+            has_widths: self.meaning.have_widths(columns),
+        }
     }
 
     /// The readings in columns that touch an envelope, as far as the readings before leave it open. Exact.
@@ -125,6 +136,36 @@ impl<'a> FixedBounds<'a> {
     }
 }
 
+/// What is kept of the readings of one batch.
+pub(crate) struct FixedPart {
+    pub(crate) touching: Vec<Measurement>,
+    sums: Result<Sums, NoLeastSquares>,
+    has_widths: bool,
+}
+
+/// What is kept of all readings so far.
+pub(crate) struct FixedSummary {
+    pub(crate) support: FixedSupport,
+    pub(crate) sums: Result<Sums, NoLeastSquares>,
+    pub(crate) has_widths: bool,
+}
+
+impl Default for FixedSummary {
+    fn default() -> Self {
+        FixedSummary { support: FixedSupport::default(), sums: Ok(Sums::default()), has_widths: false }
+    }
+}
+
+impl FixedSummary {
+    /// Adds what was kept of so many other readings. Exact.
+    pub(crate) fn merge(&mut self, part: FixedPart, rows: usize, bounds: &FixedBounds) {
+        let FixedPart { touching, sums, has_widths } = part;
+        self.has_widths |= has_widths;
+        self.support.merge(touching, rows, bounds);
+        self.sums = self.sums.clone().and_then(|own| Ok(own.merged(&sums?)));
+    }
+}
+
 /// The readings that touch an envelope of all readings so far.
 #[derive(Debug, Default)]
 pub(crate) struct FixedSupport {
@@ -142,6 +183,16 @@ impl FixedSupport {
             self.settle(bounds);
         }
         bounds.learn(self);
+    }
+
+    /// How many readings there are.
+    pub(crate) fn count(&self) -> usize {
+        self.rows
+    }
+
+    /// The rows of all readings that may turn out to be kept, in no order.
+    pub(crate) fn row_numbers(&self) -> impl Iterator<Item = usize> + '_ {
+        self.merged.iter().chain(&self.pending).map(|reading| reading.row)
     }
 
     /// The readings, by row.

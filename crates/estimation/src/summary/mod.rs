@@ -24,7 +24,7 @@ use boundfit_exact::{Column, Rational};
 use thiserror::Error;
 
 #[cfg(feature = "files")]
-pub(crate) use fixed::{FixedBounds, FixedSupport};
+pub(crate) use fixed::{FixedBounds, FixedPart, FixedSummary, FixedSupport};
 pub use in_memory::ColumnsError;
 #[cfg(feature = "files")]
 pub(crate) use reach::{SignedSums, Weights, merged_or_reason};

@@ -17,7 +17,7 @@ use crate::binary::BinaryFormat;
 use crate::columns::{ColumnPlace, ColumnSelector, Header, Heading};
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::hash::hexadecimal;
-use crate::scan::{Batch, ScanOptions, Scanned, csv_line, readable_rows};
+use crate::scan::{Batch, ScanOptions, Scanned, csv_line, each_once, readable_rows};
 use crate::selection::{RowCondition, RowNumbers, between};
 use crate::table::check_rows;
 use crate::threads;
@@ -83,7 +83,7 @@ pub(crate) fn scan_arrow<T: Send>(
         header: names,
         fractions: Vec::new(),
         key_name: layout.key.as_ref().map(ColumnPlace::title),
-        header_line: options.keep_text.then(|| csv_line(&titles)),
+        header_line: options.keep_text.then(|| csv_line(each_once(titles.clone(), &titles))),
         names: titles,
         layout: None,
         units: vec![None; columns.len()],
@@ -226,7 +226,8 @@ impl<'a> Layout<'a> {
         };
         let keys = self.key.as_ref().map(key_column).transpose()?;
         let lines = if self.options.keep_text {
-            let arrays = self.places.iter().map(|place| self.array(place, batch));
+            let titles: Vec<String> = self.places.iter().map(ColumnPlace::title).collect();
+            let arrays = each_once(&self.places, &titles).map(|place| self.array(place, batch));
             Some(lines(&arrays.collect::<Result<Vec<_>, _>>()?, self.options.table.reading))
         } else {
             None

@@ -60,6 +60,7 @@ pub(super) fn keys(array: &ArrayRef) -> Result<Pieces<String>, BadCell> {
 /// The rows of some columns of numbers as CSV that reads back as the same numbers in this reading.
 pub(super) fn lines(columns: &[ArrayRef], reading: Reading) -> Pieces<Vec<u8>> {
     let cell = |array: &ArrayRef, row: usize| match array.data_type() {
+        _ if array.is_null(row) => String::new(),
         // Its own shortest text may be nearer to another double.
         DataType::Float32 if reading == Reading::Binary64 => {
             f64::from(array.as_primitive::<Float32Type>().value(row)).to_string()
@@ -68,8 +69,7 @@ pub(super) fn lines(columns: &[ArrayRef], reading: Reading) -> Pieces<Vec<u8>> {
     };
     let mut lines = Pieces::<Vec<u8>>::default();
     for row in 0..columns.first().map_or(0, |column| column.len()) {
-        let cells: Vec<String> = columns.iter().map(|column| cell(column, row)).collect();
-        lines.push(&csv_line(&cells));
+        lines.push(&csv_line(columns.iter().map(|column| cell(column, row))));
     }
     lines
 }

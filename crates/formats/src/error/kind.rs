@@ -6,7 +6,7 @@ use boundfit_exact::english::counted;
 use boundfit_exact::{DecimalMark, Limit, ParseNumberError, ParseNumberErrorKind};
 use thiserror::Error;
 
-use crate::reduction::record::ReductionError;
+use crate::reduction::error::ReductionError;
 use crate::selection::RowRange;
 use crate::unpack::UnpackError;
 

@@ -10,7 +10,7 @@ use super::numbers::BadNumber;
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::roles::Role;
-use crate::scan::{Batch, Pieces, ScanOptions, Scanned, csv_line, readable_rows};
+use crate::scan::{Batch, Pieces, ScanOptions, Scanned, csv_line, each_once, readable_rows};
 use crate::selection::{RowCondition, RowNumbers, between};
 use crate::table::check_rows;
 use crate::threads;
@@ -66,7 +66,7 @@ pub(crate) fn scan_mat<T: Send>(
     let names: Vec<String> = numbers.iter().map(|column| column.place.title()).collect();
     Ok(Scanned {
         layout: None,
-        header_line: options.keep_text.then(|| csv_line(&names)),
+        header_line: options.keep_text.then(|| csv_line(each_once(names.clone(), &names))),
         names,
         header: Vec::new(),
         fractions: Vec::new(),
@@ -162,9 +162,10 @@ impl Rows<'_> {
         });
         let lines = self.options.keep_text.then(|| {
             let mut lines = Pieces::<Vec<u8>>::default();
+            let titles: Vec<String> = self.columns.iter().map(|column| column.place.title()).collect();
+            let columns: Vec<&MatColumn> = each_once(self.columns, &titles).collect();
             for row in rows() {
-                let cells: Vec<String> = self.columns.iter().map(|column| text(column, row)).collect();
-                lines.push(&csv_line(&cells));
+                lines.push(&csv_line(columns.iter().map(|column| text(column, row))));
             }
             lines
         });

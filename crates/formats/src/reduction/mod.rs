@@ -1,11 +1,15 @@
 //! Tables of the few readings that stand for many, with what is known about all of them in front.
 //!
-//! A reduction is a line `# boundfit/reduced/1 {…}`, the header of the table if it has one, and the readings that were
-//! kept, as they were written. Several of them one after the other are a reduction of all their readings: `cat` is the
-//! union. The reader shows such a text as one table whose lines keep their numbers.
+//! A reduction is a line `# boundfit/reduced/1 {…}` or `# boundfit/reduced/2 {…}`, the header of the table if it has one, and the
+//! readings that were kept, as they were written. Several of them one after the other are a reduction of all their readings:
+//! `cat` is the union. The reader shows such a text as one table whose lines keep their numbers.
 
+pub(crate) mod error;
+mod model;
 mod reader;
 pub(crate) mod record;
 
+pub use error::ReductionError;
+pub use model::{AskedReduction, ReducedBounds, ReducedModel};
 pub use reader::{Reductions, open_reduction};
-pub use record::{REDUCTION_MARK, ReductionError, ReductionRecord};
+pub use record::{REDUCTION_MARK, ReductionRecord};

@@ -8,7 +8,8 @@ use crate::error::InputError;
 use crate::limits::SizeLimits;
 use crate::source::Source;
 
-use super::record::{REDUCTION_MARK, ReductionError, ReductionRecord};
+use super::error::ReductionError;
+use super::record::{REDUCTION_MARK, ReductionRecord};
 
 /// The records of a text, as far as it has been read.
 #[derive(Debug, Clone, Default)]

@@ -1,15 +1,16 @@
-//! The line in front of a reduction, and what can be wrong with it.
+//! The line in front of a reduction.
 
-use boundfit_exact::{Limits, ParseNumberError, Rational, Reading};
+use boundfit_exact::{Limits, Rational, Reading};
 use serde::{Deserialize, Serialize};
-use thiserror::Error;
 
-/// How the line in front begins.
-pub const REDUCTION_MARK: &str = "# boundfit/reduced/1 ";
+use super::error::ReductionError;
+use super::model::{AskedReduction, ReducedBounds, ReducedModel};
+
+/// How the line in front begins, before the number of the format.
+pub const REDUCTION_MARK: &str = "# boundfit/reduced/";
 
 /// The line in front of a reduction.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReductionRecord {
     /// How many readings there were.
     pub rows: usize,
@@ -19,121 +20,150 @@ pub struct ReductionRecord {
     pub header: bool,
     /// `decimal` or `binary64`: how numbers were read.
     pub reading: String,
-    /// The name of the column of x.
-    pub x: String,
-    /// The name of the column of y.
-    pub y: String,
-    /// The name of the column of the error bounds, when readings were compared only with those of the same bound.
-    pub epsilon: Option<String>,
-    /// Σx, Σy, Σx² and Σxy over all readings, each as `p/q` or `n`.
-    pub sums: [String; 4],
+    /// What the reduction serves.
+    pub model: ReducedModel,
+    /// Whether a reading has two bounds, whose distance a factor may multiply.
+    pub widths: bool,
+    /// Σu², Σuv, Σv², Σuy and Σvy over all readings, each as `p/q` or `n`; of a line u is x and v is 1. `None` where a reading
+    /// has nothing that least squares could take for y.
+    pub sums: Option<[String; 5]>,
 }
 
-/// What is wrong with a reduction.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum ReductionError {
-    /// A line that begins as it should and goes on otherwise.
-    #[error("the line in front of a reduction is not understood: {0}")]
-    BadRecord(String),
-    /// A sum that is not a number, or one beyond a limit.
-    #[error("a sum in the line in front of a reduction: {0}")]
-    BadSum(#[from] ParseNumberError),
-    /// More readings than can be counted.
-    #[error("the reductions stand for more than {} readings", usize::MAX)]
-    TooManyRows,
-    /// More or fewer lines than announced.
-    #[error("the reduction from line {line} on announces {announced} lines of readings, but {found} follow")]
-    CountMismatch {
-        /// The line in front.
-        line: u64,
-        /// Lines announced.
-        announced: usize,
-        /// Lines found.
-        found: usize,
-    },
-    /// A reduction where a table belongs.
-    #[error("this is a reduction, and here every reading is wanted: name the table that it was made from")]
-    NotHere,
-    /// A range of rows of a reduction.
-    #[error("no rows of a reduction can be picked: it does not have the numbers that they had")]
-    NoRowNumbers,
-    /// A reduction of something else than what is asked for.
-    #[error("the reduction is about {what} {has}, not {asked}")]
-    NotAsked {
-        /// What is meant.
-        what: &'static str,
-        /// What the reduction says.
-        has: String,
-        /// What is asked for.
-        asked: String,
-    },
-    /// Reductions of different tables.
-    #[error("the reduction from line {line} on differs from the first one in {what}")]
-    Different {
-        /// The line in front.
-        line: u64,
-        /// What differs.
-        what: &'static str,
-    },
+/// Format 1: of a line under one bound for all readings, whatever it is, or under any multiple of a column of bounds.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Record1 {
+    rows: usize,
+    kept: usize,
+    header: bool,
+    reading: String,
+    x: String,
+    y: String,
+    epsilon: Option<String>,
+    /// Σx, Σy, Σx² and Σxy.
+    sums: [String; 4],
+}
+
+/// Format 2: under bounds that are fixed.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Record2 {
+    rows: usize,
+    kept: usize,
+    header: bool,
+    reading: String,
+    /// x of a line, or two.
+    x: Vec<String>,
+    y: Option<String>,
+    bounds: ReducedBounds,
+    widths: bool,
+    sums: Option<[String; 5]>,
 }
 
 impl ReductionRecord {
-    /// The sums as numbers.
+    /// The sums as numbers; `None` where there are none.
     ///
     /// # Errors
     /// When one of them is not a number within the limits.
-    pub fn sums(&self, limits: &Limits) -> Result<[Rational; 4], ReductionError> {
-        let mut numbers = [const { None }; 4];
-        for (number, text) in numbers.iter_mut().zip(&self.sums) {
+    pub fn sums(&self, limits: &Limits) -> Result<Option<[Rational; 5]>, ReductionError> {
+        let Some(texts) = &self.sums else { return Ok(None) };
+        let mut numbers = [const { None }; 5];
+        for (number, text) in numbers.iter_mut().zip(texts) {
             *number = Some(Reading::Decimal.read(text, limits)?);
         }
-        Ok(numbers.map(Option::unwrap_or_default))
+        Ok(Some(numbers.map(Option::unwrap_or_default)))
     }
 
-    /// Whether the reduction is about these columns (x, y, and perhaps ε) and this reading of numbers.
+    /// Whether the reduction serves what is asked for in this reading of numbers.
     ///
     /// # Errors
     /// The first thing that differs.
-    pub fn check(&self, names: &[String], reading: Reading) -> Result<(), ReductionError> {
-        let none = || "one bound for all readings".to_owned();
-        let asked = |position: usize| names.get(position).cloned();
-        let epsilon = asked(2).map(|asked| (self.epsilon.clone().unwrap_or_else(none), asked));
-        let compared = [
-            ("the column of x", Some((self.x.clone(), asked(0).unwrap_or_default()))),
-            ("the column of y", Some((self.y.clone(), asked(1).unwrap_or_default()))),
-            ("error bounds from", epsilon),
-            ("the reading", Some((self.reading.clone(), reading.name().to_owned()))),
-        ];
-        for (what, pair) in compared {
-            if let Some((has, asked)) = pair.filter(|(has, asked)| has != asked) {
-                return Err(ReductionError::NotAsked { what, has, asked });
-            }
+    pub fn check(&self, asked: &AskedReduction, reading: Reading) -> Result<(), ReductionError> {
+        self.model.check(asked)?;
+        if self.reading != reading.name() {
+            let (has, asked) = (self.reading.clone(), reading.name().to_owned());
+            return Err(ReductionError::NotAsked { what: "the reading", has, asked });
         }
         Ok(())
     }
 
     /// The line in front, without line end.
     pub fn line(&self) -> String {
-        // Strings, numbers and truth values only: there is nothing in it that cannot be written.
-        let json = serde_json::to_string(self).unwrap_or_default();
-        format!("{REDUCTION_MARK}{json}")
+        let ReductionRecord { rows, kept, header, reading, model, widths, sums } = self.clone();
+        let epsilon = match &model.bounds {
+            ReducedBounds::Any => None,
+            ReducedBounds::Multiples(column) => Some(column.clone()),
+            _ => {
+                let ReducedModel { regressors: x, response: y, bounds } = model;
+                return written(2, &Record2 { rows, kept, header, reading, x, y, bounds, widths, sums });
+            }
+        };
+        let [xx, x_sum, _, xy, y_sum] = sums.unwrap_or_default();
+        let x = model.regressors.into_iter().next().unwrap_or_default();
+        let y = model.response.unwrap_or_default();
+        let sums = [x_sum, y_sum, xx, xy];
+        written(1, &Record1 { rows, kept, header, reading, x, y, epsilon, sums })
     }
 
     pub(super) fn parse(line: &[u8]) -> Result<Self, ReductionError> {
-        let json = line.strip_prefix(REDUCTION_MARK.as_bytes()).unwrap_or_default();
-        serde_json::from_slice(json).map_err(|error| ReductionError::BadRecord(error.to_string()))
+        let bad = |error: serde_json::Error| ReductionError::BadRecord(error.to_string());
+        let rest = line.strip_prefix(REDUCTION_MARK.as_bytes()).unwrap_or_default();
+        let end = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
+        let (format, json) = rest.split_at_checked(end).unwrap_or_default();
+        match format {
+            b"1" => Ok(serde_json::from_slice::<Record1>(json).map_err(bad)?.into()),
+            b"2" => serde_json::from_slice::<Record2>(json).map_err(bad)?.checked(),
+            _ => {
+                let shown: String = String::from_utf8_lossy(format).chars().take(20).collect();
+                Err(ReductionError::UnknownFormat(shown))
+            }
+        }
     }
 
     /// What makes two reductions parts of different wholes.
     pub(super) fn difference(&self, other: &Self) -> Option<&'static str> {
-        [
-            (self.x != other.x, "the column of x"),
-            (self.y != other.y, "the column of y"),
-            (self.epsilon != other.epsilon, "the column of error bounds"),
+        let differences = [
             (self.reading != other.reading, "the reading of numbers"),
             (self.header != other.header, "whether there is a header"),
-        ]
-        .into_iter()
-        .find_map(|(differs, what)| differs.then_some(what))
+        ];
+        let of_others = differences.into_iter().find_map(|(differs, what)| differs.then_some(what));
+        self.model.difference(&other.model).or(of_others)
+    }
+}
+
+fn written(format: u32, record: &impl Serialize) -> String {
+    // Strings, numbers and truth values only: there is nothing in it that cannot be written.
+    let json = serde_json::to_string(record).unwrap_or_default();
+    format!("{REDUCTION_MARK}{format} {json}")
+}
+
+impl From<Record1> for ReductionRecord {
+    fn from(record: Record1) -> Self {
+        let Record1 { rows, kept, header, reading, x, y, epsilon, sums: [x_sum, y_sum, xx, xy] } = record;
+        let bounds = epsilon.map_or(ReducedBounds::Any, ReducedBounds::Multiples);
+        let model = ReducedModel { regressors: vec![x], response: Some(y), bounds };
+        let sums = Some([xx, x_sum, rows.to_string(), xy, y_sum]);
+        ReductionRecord { rows, kept, header, reading, model, widths: rows > 0, sums }
+    }
+}
+
+impl Record2 {
+    fn checked(self) -> Result<ReductionRecord, ReductionError> {
+        let Record2 { rows, kept, header, reading, x, y, bounds, widths, sums } = self;
+        let bad = |problem: &str| Err(ReductionError::BadRecord(problem.to_owned()));
+        if !(1..=2).contains(&x.len()) {
+            return bad("x has neither one name nor two");
+        }
+        match (&bounds, &y) {
+            (ReducedBounds::Uniform(_), _) if x.len() == 1 => {
+                bad("a line under one bound for all readings has format 1")
+            }
+            (ReducedBounds::Interval { lower: None, upper: None }, _) => bad("neither lower nor upper"),
+            (ReducedBounds::Interval { .. }, None) | (_, Some(_)) => {
+                let model = ReducedModel { regressors: x, response: y, bounds };
+                Ok(ReductionRecord { rows, kept, header, reading, model, widths, sums })
+            }
+            (_, None) => bad("y is missing"),
+        }
     }
 }

@@ -1,10 +1,21 @@
 //! Rows of what is not text, as text.
 
-/// Cells, none of them empty, as a line of CSV, without its end.
-pub(crate) fn csv_line(cells: &[String]) -> Vec<u8> {
-    let quoted = |cell: &String| match cell.contains([',', '"', '\r', '\n']) {
+/// Cells, not all of them empty, as a line of CSV, without its end.
+pub(crate) fn csv_line(cells: impl IntoIterator<Item = String>) -> Vec<u8> {
+    let quoted = |cell: String| match cell.contains([',', '"', '\r', '\n']) {
         true => format!("\"{}\"", cell.replace('"', "\"\"")),
-        false => cell.clone(),
+        false => cell,
     };
-    cells.iter().map(quoted).collect::<Vec<_>>().join(",").into_bytes()
+    cells.into_iter().map(quoted).collect::<Vec<_>>().join(",").into_bytes()
+}
+
+/// Of columns with these titles each once, however often it is asked for.
+pub(crate) fn each_once<'a, T>(
+    columns: impl IntoIterator<Item = T> + 'a,
+    titles: &'a [String],
+) -> impl Iterator<Item = T> + 'a {
+    let is_first =
+        |position: usize, title: &String| !titles.iter().take(position).any(|other| other == title);
+    let columns = columns.into_iter().zip(titles).enumerate();
+    columns.filter_map(move |(position, (column, title))| is_first(position, title).then_some(column))
 }

@@ -27,7 +27,7 @@ use crate::error::{InputError, InputErrorKind};
 use crate::table::{TextLayout, check_rows};
 
 pub use batch::{Batch, Pieces, Progress, ScanOptions, Scanned};
-pub(crate) use csv_line::csv_line;
+pub(crate) use csv_line::{csv_line, each_once};
 use first_record::FirstRecord;
 use notes::Notes;
 pub(crate) use others::readable_rows;

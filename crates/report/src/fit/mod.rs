@@ -7,8 +7,8 @@ mod results;
 pub use brief::brief_document;
 
 use boundfit_estimation::{
-    BoundName, ErrorBound, Fit, FractionCells, Inverse, Model, MultipleOfLeast, ParameterBound,
-    ParameterInterval, Problem, mending_rows,
+    BoundName, ErrorBound, Fit, FractionCells, Inverse, Model, MultipleOfLeast, NoLeastSquares,
+    ParameterBound, ParameterInterval, Problem, mending_rows,
 };
 use boundfit_exact::english::{counted, listed};
 use boundfit_exact::{Interval, Rational, Reading};
@@ -234,15 +234,21 @@ impl<'a> Report<'a> {
         let measurements = &self.problem.measurements;
         let rows = measurements.kept();
         let lacking = rows.iter().filter(|row| row.half_width().is_none()).count();
+        // Of the other rows it is not known.
+        let which = if measurements.all().is_some() { "" } else { " kept" };
         let bounds = match lacking {
-            0 => "both bounds of every row".to_owned(),
-            _ if lacking == rows.len() => "one bound of every row".to_owned(),
-            _ => format!("both bounds of {}, one of {lacking}", counted(rows.len() - lacking, "row", "rows")),
+            0 => format!("both bounds of every row{which}"),
+            _ if lacking == rows.len() => format!("one bound of every row{which}"),
+            _ => {
+                let both = counted(rows.len() - lacking, "row", "rows");
+                format!("both bounds of {both}{which}, one of {lacking}")
+            }
         };
+        let has_values = !matches!(self.fit.least_squares, Err(NoLeastSquares::NoResponse));
         let text = Text::from(bounds);
         match (measurements.has_response(), lacking) {
             (true, _) => text.words("; least squares takes ").given(measurements.response()),
-            (false, 0) => text.words("; least squares takes the middles"),
+            (false, 0) if has_values => text.words("; least squares takes the middles"),
             (false, _) => text,
         }
     }

@@ -1,0 +1,109 @@
+//! What reductions say about all their readings, and whether they serve what is asked for.
+
+use boundfit_exact::Limits;
+use boundfit_formats::{
+    AskedReduction, InputError, ReducedBounds, ReducedModel, ReductionError, Reductions, ScanOptions,
+};
+
+use crate::least_squares::NoLeastSquares;
+use crate::measurements::{ErrorBound, Meaning, Model};
+use crate::summary::Sums;
+
+/// How many times as many digits as a reading a sum may have: that of squares has twice as many, and those of the
+/// fractions on top.
+const DIGITS_OF_SUMS: usize = 10;
+
+/// What reductions one after the other say about all their readings.
+pub(super) struct Stated {
+    /// How many there are.
+    pub(super) count: usize,
+    /// The sums, with x as it is.
+    pub(super) sums: Result<Sums, NoLeastSquares>,
+    /// Whether a reading has two bounds.
+    pub(super) has_widths: bool,
+    /// Whether the rows decide under every multiple of the bounds.
+    pub(super) is_open: bool,
+}
+
+impl Stated {
+    /// What reductions of this file say, if they serve what is asked for.
+    ///
+    /// # Errors
+    /// The first thing in which one of them does not.
+    pub(super) fn of(
+        reductions: &Reductions,
+        file: &str,
+        asked: &AskedReduction,
+        options: &ScanOptions,
+    ) -> Result<Self, InputError> {
+        let fail = |error: ReductionError| InputError::of_file(file, error);
+        if options.table.selects_rows() {
+            return Err(fail(ReductionError::NoRowNumbers));
+        }
+        let digits = options.table.limits.digits.saturating_mul(DIGITS_OF_SUMS);
+        let limits = Limits { digits, exponent: 0 };
+        let mut total = Stated { count: 0, sums: Ok(Sums::default()), has_widths: false, is_open: false };
+        for record in reductions.records() {
+            record.check(asked, options.table.reading).map_err(fail)?;
+            let count = total.count.checked_add(record.rows);
+            total.count = count.ok_or_else(|| fail(ReductionError::TooManyRows))?;
+            let sums = record.sums(&limits).map_err(fail)?.map(|[uu, uv, vv, uy, vy]| Sums {
+                count: record.rows,
+                uu,
+                uv,
+                vv,
+                uy,
+                vy,
+            });
+            total.sums = total.sums.and_then(|own| Ok(own.merged(&sums.ok_or(NoLeastSquares::NoResponse)?)));
+            total.has_widths |= record.widths;
+            // They do not differ in this.
+            total.is_open = matches!(record.model.bounds, ReducedBounds::Any | ReducedBounds::Multiples(_));
+        }
+        Ok(total)
+    }
+}
+
+/// What a fit asks of a reduction.
+pub(super) fn asked_by_fit(meaning: &Meaning) -> AskedReduction {
+    let regressors = match &meaning.model {
+        Model::Line { x } => vec![x.clone()],
+        Model::TwoRegressors { regressors } => regressors.to_vec(),
+    };
+    let mut words = None;
+    let bounds = match &meaning.error_bound {
+        ErrorBound::Uniform(epsilon) => ReducedBounds::Uniform(epsilon.to_string()),
+        ErrorBound::PerRow(column) => ReducedBounds::Column(column.clone()),
+        ErrorBound::Interval { lower, upper } => {
+            ReducedBounds::Interval { lower: lower.clone(), upper: upper.clone() }
+        }
+        ErrorBound::Law(law) => {
+            words = Some(law.text().to_owned());
+            ReducedBounds::Law(law.formula())
+        }
+    };
+    let response = meaning.has_response.then(|| meaning.response.clone());
+    AskedReduction { model: ReducedModel { regressors, response, bounds }, bounds: words }
+}
+
+/// What a reduction asks of others: of a line under one bound for all readings, or one in a column, all that serve any multiple.
+pub(super) fn asked_by_reduction(meaning: &Meaning) -> AskedReduction {
+    let mut asked = asked_by_fit(meaning);
+    if meaning.regressors() == 1 {
+        let bounds = &mut asked.model.bounds;
+        *bounds = match std::mem::replace(bounds, ReducedBounds::Any) {
+            ReducedBounds::Uniform(_) => ReducedBounds::Any,
+            ReducedBounds::Column(column) => ReducedBounds::Multiples(column),
+            fixed => fixed,
+        };
+    }
+    asked
+}
+
+/// Refuses bounds that are only known when all readings are: of a reading before no one can tell whether it decides.
+pub(super) fn refuse_late(file: &str, meaning: &Meaning) -> Result<(), InputError> {
+    if meaning.is_open() || meaning.are_bounds_known() {
+        return Ok(());
+    }
+    Err(InputError::of_file(file, ReductionError::LateBounds))
+}

@@ -1,0 +1,61 @@
+//! What can be wrong with a reduction.
+
+use boundfit_exact::ParseNumberError;
+use thiserror::Error;
+
+/// What is wrong with a reduction.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum ReductionError {
+    /// A line that begins as it should and goes on otherwise.
+    #[error("the line in front of a reduction is not understood: {0}")]
+    BadRecord(String),
+    /// A line that begins as that of another version of the program.
+    #[error("a reduction of format {0:?}, which is not known here (expected 1 or 2)")]
+    UnknownFormat(String),
+    /// A sum that is not a number, or one beyond a limit.
+    #[error("a sum in the line in front of a reduction: {0}")]
+    BadSum(#[from] ParseNumberError),
+    /// More readings than can be counted.
+    #[error("the reductions stand for more than {} readings", usize::MAX)]
+    TooManyRows,
+    /// More or fewer lines than announced.
+    #[error("the reduction from line {line} on announces {announced} lines of readings, but {found} follow")]
+    CountMismatch {
+        /// The line in front.
+        line: u64,
+        /// Lines announced.
+        announced: usize,
+        /// Lines found.
+        found: usize,
+    },
+    /// A reduction where a table belongs.
+    #[error("this is a reduction, and here every reading is wanted: name the table that it was made from")]
+    NotHere,
+    /// Bounds that no part of the readings tells.
+    #[error(
+        "a law with range(y) tells its bounds when all readings are known, so that none of them can be left out before: \
+         write the range as a number"
+    )]
+    LateBounds,
+    /// A range of rows of a reduction.
+    #[error("no rows of a reduction can be picked: it does not have the numbers that they had")]
+    NoRowNumbers,
+    /// A reduction of something else than what is asked for.
+    #[error("the reduction is about {what} {has}, not {asked}")]
+    NotAsked {
+        /// What is meant.
+        what: &'static str,
+        /// What the reduction says.
+        has: String,
+        /// What is asked for.
+        asked: String,
+    },
+    /// Reductions of different tables.
+    #[error("the reduction from line {line} on differs from the first one in {what}")]
+    Different {
+        /// The line in front.
+        line: u64,
+        /// What differs.
+        what: &'static str,
+    },
+}

@@ -1,0 +1,146 @@
+//! What a reduction serves, and what is asked of it.
+
+use serde::{Deserialize, Serialize};
+
+use super::error::ReductionError;
+
+/// What was reduced: the columns, and under which bounds the rows that are kept decide.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ReducedModel {
+    /// The name of the column of x, or of both regressors.
+    pub regressors: Vec<String>,
+    /// The name of the column of y, if there is one.
+    pub response: Option<String>,
+    /// The bounds.
+    pub bounds: ReducedBounds,
+}
+
+/// Under which bounds the rows that are kept decide.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum ReducedBounds {
+    /// One for all readings of a line, whatever it is.
+    #[serde(skip)]
+    Any,
+    /// Of a line any multiple of those in a column of this name.
+    #[serde(skip)]
+    Multiples(String),
+    /// This one for all readings, as `p/q` or `n`.
+    Uniform(String),
+    /// Those in a column of this name.
+    Column(String),
+    /// Those of a law, in the only way in which [`AskedReduction`] writes it.
+    Law(String),
+    /// Those between the columns of these names, of which one may be left out.
+    Interval {
+        /// The column of lower bounds.
+        lower: Option<String>,
+        /// The column of upper bounds.
+        upper: Option<String>,
+    },
+}
+
+/// What is asked of a reduction.
+#[derive(Debug, Clone)]
+pub struct AskedReduction {
+    /// The columns and bounds asked for; of these [`ReducedBounds::Any`] and [`ReducedBounds::Multiples`] ask for all, and the
+    /// others for one.
+    pub model: ReducedModel,
+    /// The bounds as they were asked for, where they are written otherwise in a reduction.
+    pub bounds: Option<String>,
+}
+
+impl ReducedModel {
+    fn name(&self) -> &'static str {
+        if self.regressors.len() == 1 { "a line" } else { "two regressors" }
+    }
+
+    /// Whether what was reduced serves what is asked for.
+    pub(super) fn check(&self, asked: &AskedReduction) -> Result<(), ReductionError> {
+        let AskedReduction { model, bounds } = asked;
+        let differ = |what, has: &str, asked: &str| {
+            Err(ReductionError::NotAsked { what, has: has.to_owned(), asked: asked.to_owned() })
+        };
+        if self.regressors.len() != model.regressors.len() {
+            return differ("the model", self.name(), model.name());
+        }
+        let whats = match self.regressors.len() {
+            1 => ["the column of x", ""],
+            _ => ["the first regressor", "the second regressor"],
+        };
+        for (what, (has, asked)) in whats.into_iter().zip(self.regressors.iter().zip(&model.regressors)) {
+            if has != asked {
+                return differ(what, has, asked);
+            }
+        }
+        if !self.bounds.serve(&model.bounds) {
+            let asked = bounds.clone().unwrap_or_else(|| model.bounds.words());
+            return differ("error bounds from", &self.bounds.words(), &asked);
+        }
+        if self.response != model.response {
+            let name = |response: &Option<String>| response.clone().unwrap_or_else(|| "none".to_owned());
+            return differ("the column of y", &name(&self.response), &name(&model.response));
+        }
+        Ok(())
+    }
+
+    /// What makes reductions of two models parts of different wholes.
+    pub(super) fn difference(&self, other: &Self) -> Option<&'static str> {
+        if self.regressors.len() != other.regressors.len() {
+            return Some("the number of regressors");
+        }
+        if self.regressors != other.regressors {
+            return Some(if self.regressors.len() == 1 { "the column of x" } else { "the regressors" });
+        }
+        if self.response != other.response {
+            return Some("the column of y");
+        }
+        (self.bounds != other.bounds).then(|| self.bounds.difference(&other.bounds))
+    }
+}
+
+impl ReducedBounds {
+    /// Whether rows that decide under these bounds decide under others.
+    fn serve(&self, asked: &Self) -> bool {
+        match (self, asked) {
+            // What decides among readings of each bound decides among all of them, too.
+            (ReducedBounds::Any | ReducedBounds::Multiples(_), ReducedBounds::Uniform(_)) => true,
+            (ReducedBounds::Multiples(_), ReducedBounds::Any) => true,
+            (ReducedBounds::Multiples(own), ReducedBounds::Column(asked)) => own == asked,
+            _ => self == asked,
+        }
+    }
+
+    fn words(&self) -> String {
+        match self {
+            ReducedBounds::Any => "one bound for all readings".to_owned(),
+            ReducedBounds::Multiples(text)
+            | ReducedBounds::Uniform(text)
+            | ReducedBounds::Column(text)
+            | ReducedBounds::Law(text) => text.clone(),
+            ReducedBounds::Interval { lower: Some(lower), upper: Some(upper) } => {
+                format!("the columns {lower} and {upper}")
+            }
+            ReducedBounds::Interval { lower: Some(lower), .. } => format!("the lower bounds {lower} alone"),
+            ReducedBounds::Interval { upper, .. } => {
+                format!("the upper bounds {} alone", upper.as_deref().unwrap_or_default())
+            }
+        }
+    }
+
+    /// What differs about bounds that are not the same.
+    fn difference(&self, other: &Self) -> &'static str {
+        match (self, other) {
+            (ReducedBounds::Uniform(_), ReducedBounds::Uniform(_)) => "the error bound",
+            (ReducedBounds::Law(_), ReducedBounds::Law(_)) => "the law of error bounds",
+            (ReducedBounds::Interval { .. }, ReducedBounds::Interval { .. }) => {
+                "the columns of lower and upper bounds"
+            }
+            (
+                ReducedBounds::Any | ReducedBounds::Multiples(_) | ReducedBounds::Column(_),
+                ReducedBounds::Any | ReducedBounds::Multiples(_) | ReducedBounds::Column(_),
+            ) => "the column of error bounds",
+            _ => "where error bounds come from",
+        }
+    }
+}
