@@ -8,6 +8,7 @@ pub mod definitions;
 pub mod fuzz_targets;
 pub mod generate;
 pub mod lp_cases;
+pub mod models;
 pub mod oracle;
 pub mod program;
 pub mod proofs;

@@ -37,6 +37,7 @@ pub mod threads;
 mod units;
 mod unpack;
 mod utf16;
+mod whole;
 #[cfg(feature = "spreadsheets")]
 mod workbook;
 
@@ -56,3 +57,4 @@ pub use scan::{Batch, Pieces, Progress, ScanOptions, Scanned};
 pub use selection::{ParseRowConditionError, RowCondition, RowNumbers, RowRange, RowSet};
 pub use source::Source;
 pub use table::{Table, TableOptions, TableRow, TextLayout};
+pub use whole::WholeFile;

@@ -1,7 +1,7 @@
 //! The exact answer to a linear program.
 
 use boundfit_exact::Rational;
-use boundfit_lp::End;
+use boundfit_lp::{End, Model};
 
 /// A row or a column, by its place in the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -19,6 +19,28 @@ pub struct Side {
     pub item: Item,
     /// Which one.
     pub end: End,
+}
+
+impl Side {
+    /// The bound itself, if there is one.
+    pub fn bound(self, model: &Model) -> Option<&Rational> {
+        let bounds = match self.item {
+            Item::Row(row) => &model.rows.get(row)?.bounds,
+            Item::Column(column) => &model.columns.get(column)?.bounds,
+        };
+        match self.end {
+            End::Lower => bounds.lower.as_ref(),
+            End::Upper => bounds.upper.as_ref(),
+        }
+    }
+
+    /// +1 for a lower bound, `form ≥ bound`, and −1 for an upper one, `−form ≥ −bound`.
+    pub fn sign(self) -> i64 {
+        match self.end {
+            End::Lower => 1,
+            End::Upper => -1,
+        }
+    }
 }
 
 /// A positive multiple of a bound: of `form ≥ lower` or of `−form ≥ −upper`.

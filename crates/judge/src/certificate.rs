@@ -1,9 +1,9 @@
 //! Proofs of answers, multiplied out in the model as it was given: nothing here knows of planes or half-planes.
 
 use boundfit_exact::Rational;
-use boundfit_lp::{Bounds, End, Model, ModelRow};
+use boundfit_lp::{Bounds, Model, ModelRow};
 
-use crate::answer::{Answer, Item, Prices, Side, SideMultiplier};
+use crate::answer::{Answer, Item, Prices, SideMultiplier};
 use crate::solve::{sign_of, value_of};
 
 impl Answer {
@@ -90,8 +90,8 @@ pub(crate) fn proves_infeasible(model: &Model, multipliers: &[SideMultiplier]) -
         if !value.is_positive() {
             return Err("a multiplier is not positive");
         }
-        let times = if side.end == End::Lower { value.clone() } else { -value };
-        let bound = bound(model, *side).ok_or("a multiplier stands for a bound that is not there")?;
+        let times = value * Rational::from(side.sign());
+        let bound = side.bound(model).ok_or("a multiplier stands for a bound that is not there")?;
         total = total + bound * &times;
         match side.item {
             Item::Row(row) => take(&mut left, model.rows.get(row).ok_or("there is no such row")?, &times)?,
@@ -117,18 +117,6 @@ pub(crate) fn proves_unbounded(
     recedes(model, ray)?;
     let change = change_along(model, ray) * sign_of(model.sense);
     if change.is_negative() { Ok(()) } else { Err("the objective does not improve along the ray") }
-}
-
-/// The bound of a side, if it is there.
-pub(crate) fn bound(model: &Model, side: Side) -> Option<&Rational> {
-    let bounds = match side.item {
-        Item::Row(row) => &model.rows.get(row)?.bounds,
-        Item::Column(column) => &model.columns.get(column)?.bounds,
-    };
-    match side.end {
-        End::Lower => bounds.lower.as_ref(),
-        End::Upper => bounds.upper.as_ref(),
-    }
 }
 
 /// The form of a row at a point; entries that are missing count as 0.

@@ -3,12 +3,13 @@
 use boundfit_tests::cli::printed;
 use boundfit_tests::program::root;
 
-const COMMANDS: [&str; 11] = [
+const COMMANDS: [&str; 12] = [
     "fit",
     "reduce",
     "check",
     "convert",
     "verify",
+    "judge",
     "bench-solvers",
     "polygon",
     "plot",

@@ -1,5 +1,6 @@
-//! The second witness: the exact simplex, the solvers and the referee; and linear programs in files.
+//! The second witness: the exact simplex, the solvers and the referee; and linear programs in files, with their answers.
 
+mod answers;
 mod models;
 mod referee;
 mod simplex;

@@ -4,6 +4,7 @@ mod check;
 mod convert;
 mod endings;
 mod fit;
+mod judge;
 mod lesson;
 mod notes;
 mod plot;
@@ -22,6 +23,7 @@ pub(crate) use check::{BenchSolversArguments, CheckArguments};
 pub(crate) use convert::ConvertArguments;
 pub(crate) use endings::{ending, told_by_name};
 pub(crate) use fit::FitArguments;
+pub(crate) use judge::{JudgeArguments, JudgeFormat};
 pub(crate) use lesson::LessonArguments;
 pub(crate) use notes::Notes;
 pub(crate) use plot::{Figures, PlotArguments};
@@ -54,6 +56,7 @@ pub(crate) enum Command {
     Check(CheckArguments),
     Convert(ConvertArguments),
     Verify(VerifyArguments),
+    Judge(JudgeArguments),
     BenchSolvers(BenchSolversArguments),
     Polygon(PolygonArguments),
     Plot(PlotArguments),
@@ -94,6 +97,7 @@ pub(crate) fn notes(command: &str) -> Option<&'static Notes> {
         "check" => &check::NOTES,
         "convert" => &convert::NOTES,
         "verify" => &verify::NOTES,
+        "judge" => &judge::NOTES,
         "bench-solvers" => &check::BENCH_NOTES,
         "polygon" => &polygon::NOTES,
         "plot" => &plot::NOTES,

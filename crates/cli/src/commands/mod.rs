@@ -6,6 +6,7 @@ pub(crate) mod completions;
 pub(crate) mod convert;
 pub(crate) mod fit;
 pub(crate) mod fleet;
+pub(crate) mod judge;
 pub(crate) mod lesson;
 pub(crate) mod man;
 pub(crate) mod plot;

@@ -4,11 +4,13 @@
 pub(super) const START: u64 = 4096;
 
 /// What a format begins with, and what else is found in its first bytes.
-const MARKS: [(&str, &str); 27] = [
+const MARKS: [(&str, &str); 29] = [
     // Reports as text, Markdown and LaTeX.
     ("Set-membership fit\n", ""),
     ("Half-planes of ", "\nRegion: "),
     ("Generators of ", "\nRegion: "),
+    ("Linear program of ", ": m"),
+    ("import Mathlib.Tactic\n\n-- Written by boundfit ", ""),
     ("LP answers about ", ", judged exactly\n"),
     ("verified: ", " is true of "),
     ("refuted: ", " is not true of "),

@@ -7,18 +7,14 @@ use std::io::Cursor;
 use boundfit_geometry::Inequality;
 
 use crate::cdd::parse_cdd;
-use crate::chunks::ChunkReader;
 use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
 use crate::open::read_table;
 use crate::source::Source;
 use crate::table::TableOptions;
-use crate::unpack::Packed;
+use crate::whole::WholeFile;
 
 pub use file::{GeneratorRows, HalfPlaneFile, RowOrigin};
-
-/// How many bytes are read at a time.
-const CHUNK_BYTES: usize = 1 << 16;
 
 /// The two file formats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,17 +44,10 @@ impl HalfPlaneFormat {
 /// The first thing wrong, with its place.
 pub fn read_half_planes(source: Source, options: &TableOptions) -> Result<HalfPlaneFile, InputError> {
     let format = HalfPlaneFormat::of_name(source.name());
-    let (name, bytes, packed) = source.into_bytes();
-    if let Some(packed) = &packed {
-        packed.set_limit(options.sizes.unpacked);
-    }
-    let mut reader = ChunkReader::new(bytes, CHUNK_BYTES, options.sizes.line, true);
-    let content = reader.read_to_end(&name)?;
+    let WholeFile { name, content, sha256 } = WholeFile::read(source, &options.sizes)?;
     let has_begin =
         || content.split(|&byte| byte == b'\n').any(|line| line.trim_ascii().starts_with(b"begin"));
     let is_ine = format.map_or_else(has_begin, |format| format == HalfPlaneFormat::Ine);
-    let of_text = || reader.sha256().unwrap_or_default();
-    let sha256 = packed.as_ref().map_or_else(of_text, Packed::sha256);
     if is_ine {
         return parse_cdd(&name, &content, sha256, options);
     }

@@ -1,0 +1,75 @@
+//! The arguments of `boundfit judge`.
+
+use clap::builder::NonEmptyStringValueParser;
+use clap::{Args, ValueEnum};
+
+use super::endings::NamedFormat;
+use super::notes::{BAD_DATA, BAD_USAGE, Notes};
+use super::{LimitArguments, OutputArguments};
+
+pub(super) const NOTES: Notes = Notes {
+    examples: &[
+        (
+            "The exact answer: optimum, all optimal points, duals, reduced costs, basis, the feasible set",
+            "boundfit judge model.mps",
+        ),
+        ("Everything as fractions, for a program", "boundfit judge model.lp --format json -o answer.json"),
+        ("The answer as theorems for Lean 4 with Mathlib", "boundfit judge model.mps --lean answer.lean"),
+    ],
+    statuses: &[
+        (0, "there is an optimum, or the objective improves for ever"),
+        BAD_DATA,
+        BAD_USAGE,
+        (3, "the program is infeasible; the proof is printed"),
+    ],
+};
+
+/// Solve any linear program of at most two columns that bounds do not fix, exactly, with a proof of the answer
+///
+/// The model is an MPS file (fixed or free) or an LP file as CPLEX writes it, packed by gzip or Zstandard or not; every number
+/// is what its text says. The answer is found by intersecting half-planes, confirmed by an exact simplex method, and
+/// multiplied out in the model as it was given: prices prove an optimum, Farkas multipliers that there is no feasible point,
+/// a ray that the objective improves for ever. docs/linear-programs.md says how files are meant where readers differ.
+#[derive(Debug, Args)]
+#[command(after_help = NOTES.to_string())]
+pub(crate) struct JudgeArguments {
+    /// MODEL.mps or MODEL.lp, or - for standard input, where the text tells which it is
+    pub(crate) model: String,
+    /// Also write the answer as theorems of Lean 4, every multiplier given, that Mathlib's linarith and norm_num prove
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    pub(crate) lean: Option<String>,
+    #[command(flatten)]
+    pub(crate) output: OutputArguments<JudgeFormat>,
+    #[command(flatten)]
+    pub(crate) limits: LimitArguments,
+}
+
+/// Formats of the answer to a linear program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub(crate) enum JudgeFormat {
+    /// A report for people
+    #[default]
+    Text,
+    /// Everything, for programs
+    Json,
+    /// The report's tables in LaTeX (booktabs)
+    Latex,
+    /// The report's tables in Markdown
+    Markdown,
+    /// The irredundant half-planes of the feasible set as cdd's and lrs's H-representation
+    Ine,
+    /// The vertices, rays and lines of the feasible set as cdd's and lrs's V-representation
+    Ext,
+}
+
+impl NamedFormat for JudgeFormat {
+    const ENDINGS: &'static [(&'static str, Self)] = &[
+        ("json", JudgeFormat::Json),
+        ("tex", JudgeFormat::Latex),
+        ("md", JudgeFormat::Markdown),
+        ("markdown", JudgeFormat::Markdown),
+        ("ine", JudgeFormat::Ine),
+        ("ext", JudgeFormat::Ext),
+        ("txt", JudgeFormat::Text),
+    ];
+}
