@@ -217,6 +217,17 @@ pub struct Findings {
     pub findings: Vec<Finding>,
 }
 
+/// A solution with what was found about it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct JudgedSolution {
+    /// The file, as it was named.
+    pub file: String,
+    /// What it says.
+    pub solution: Solution,
+    /// What that is worth.
+    pub findings: Findings,
+}
+
 impl Findings {
     /// The worst of all; [`Worth::NoAnswer`] where there is none.
     pub fn worst(&self) -> Worth {

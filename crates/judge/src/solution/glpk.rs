@@ -278,14 +278,21 @@ fn record(line: Line<'_>, words: &[&str], limits: &Limits) -> Result<(Entry, boo
     };
     let price = match price {
         // `< eps` stands for what is smaller than 10⁻⁹: that is left out.
-        Some(&"eps") => Some(Figure::Finite(Printed::left_out(Rational::scientific(1, -9)))),
+        Some(&"eps") => Some(left_out()),
         Some(price) => Some(line.figure(price, PRINTED, limits)?),
         None if has_dual_place => Some(Figure::Finite(Printed::exact(Rational::zero()))),
         None => None,
     };
     let of = Reference::Name((*name).to_owned());
-    Ok((
-        Entry { of, line: line.number, value: Some(line.figure(value, PRINTED, limits)?), price },
-        has_dual_place,
-    ))
+    // It prints 0 for a value that is at most 10⁻⁹.
+    let value = match line.figure(value, PRINTED, limits)? {
+        Figure::Finite(printed) if printed.value.is_zero() => left_out(),
+        other => other,
+    };
+    Ok((Entry { of, line: line.number, value: Some(value), price }, has_dual_place))
+}
+
+/// The 0 that stands for what is at most 10⁻⁹.
+fn left_out() -> Figure {
+    Figure::Finite(Printed::left_out(Rational::scientific(1, -9)))
 }

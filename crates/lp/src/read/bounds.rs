@@ -27,6 +27,15 @@ impl Extended {
         }
     }
 
+    /// The opposite.
+    pub(super) fn negated(self) -> Self {
+        match self {
+            Extended::Minus => Extended::Plus,
+            Extended::Finite(value) => Extended::Finite(-value),
+            Extended::Plus => Extended::Minus,
+        }
+    }
+
     /// The number, if it is one.
     pub(super) fn finite(self) -> Option<Rational> {
         match self {

@@ -95,8 +95,8 @@ pub enum ModelErrorKind {
     /// An infinite number where a finite one belongs.
     #[error("not a finite number")]
     Infinite,
-    /// A section that linear programs do not have.
-    #[error("the section makes it more than a linear program")]
+    /// A part that linear programs do not have.
+    #[error("this is more than a linear program")]
     NotLinear,
     /// A column that may have whole values only.
     #[error("the column is integer")]
@@ -216,9 +216,21 @@ pub enum ModelErrorKind {
     /// Text that means one program in the columns of fixed MPS and another one in free MPS.
     #[error("names with blanks, as in fixed MPS, and yet another program as free MPS")]
     Ambiguous,
+    /// A piece of LP format that does not belong here.
+    #[error("this cannot stand here")]
+    Unexpected(&'static str),
+    /// A quadratic term.
+    #[error("quadratic terms are not linear")]
+    Quadratic,
+    /// A variable for the second time in one expression.
+    #[error("the variable has a term on line {first} already")]
+    TermTwice {
+        /// The first line.
+        first: u64,
+    },
     /// The text stops before its end.
-    #[error("the file stops without ENDATA")]
-    NoEnd,
+    #[error("the file stops without its end")]
+    NoEnd(ExchangeFormat),
     /// A section that has to be there.
     #[error("there is no section {0}")]
     NoSection(&'static str),
@@ -254,9 +266,7 @@ impl ModelErrorKind {
             ModelErrorKind::Impossible(_) | ModelErrorKind::Infinite => {
                 "a number; 1e30 and more are infinite"
             }
-            ModelErrorKind::NotLinear => {
-                "a linear program: rows, columns, right-hand sides, ranges and bounds"
-            }
+            ModelErrorKind::NotLinear => "rows, columns, right-hand sides, ranges and bounds",
             ModelErrorKind::Integer | ModelErrorKind::SemiContinuous => {
                 "columns that may have any value between two bounds"
             }
@@ -276,14 +286,18 @@ impl ModelErrorKind {
             ModelErrorKind::Dollar => "another name: what begins with $ may be a comment",
             ModelErrorKind::ColumnAgain { .. } => "all of a column together",
             ModelErrorKind::UnknownRow { .. } => "a row of the section ROWS",
-            ModelErrorKind::UnknownColumn { .. } => "a column of the section COLUMNS",
+            ModelErrorKind::UnknownColumn { .. } => "a column that has coefficients",
             ModelErrorKind::EntryTwice { .. } | ModelErrorKind::SideTwice { .. } => "one",
             ModelErrorKind::BoundTwice { .. } => "one; FX and FR are both bounds",
             ModelErrorKind::NoBound => "a number behind the column; FR, MI and PL have none",
             ModelErrorKind::RowTwice { .. } => "names that differ",
             ModelErrorKind::SecondVector { .. } => "one vector, under one name",
             ModelErrorKind::Ambiguous => "names without blanks",
-            ModelErrorKind::NoEnd => "ENDATA as the last line; was the file cut off?",
+            ModelErrorKind::NoEnd(ExchangeFormat::Mps) => "ENDATA as the last line; was the file cut off?",
+            ModelErrorKind::NoEnd(ExchangeFormat::Lp) => "end as the last word; was the file cut off?",
+            ModelErrorKind::Quadratic => "terms such as 3 x",
+            ModelErrorKind::Unexpected(expected) => expected,
+            ModelErrorKind::TermTwice { .. } => "one term of each variable",
             _ => return None,
         })
     }

@@ -5,9 +5,13 @@
 
 mod bounds;
 mod error;
+pub(crate) mod lp_format;
 mod mps;
 mod names;
 mod text;
+
+#[cfg(test)]
+mod tests;
 
 use std::str;
 
@@ -63,7 +67,7 @@ pub fn read_model(text: &str, format: ExchangeFormat, limits: &ModelLimits) -> R
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     match format {
         ExchangeFormat::Mps => mps::read(text, limits),
-        ExchangeFormat::Lp => Err(ModelError::of_file(ModelErrorKind::Empty(format))),
+        ExchangeFormat::Lp => lp_format::read(text, limits),
     }
 }
 

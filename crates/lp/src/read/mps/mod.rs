@@ -125,7 +125,7 @@ fn read_as(text: &str, layout: Layout, limits: &ModelLimits) -> Result<Model, Mo
     }
     Err(match reader.last {
         None => ModelError::of_file(ModelErrorKind::Empty(ExchangeFormat::Mps)),
-        Some(last) => last.whole().error(ModelErrorKind::NoEnd),
+        Some(last) => last.whole().error(ModelErrorKind::NoEnd(ExchangeFormat::Mps)),
     })
 }
 

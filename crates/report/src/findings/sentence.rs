@@ -1,0 +1,100 @@
+//! What was found about one aspect, as a sentence.
+
+use boundfit_exact::{Rational, Rounding};
+use boundfit_judge::{Fault, Finding, Item, Side, Worth};
+use boundfit_lp::{End, Model};
+
+use super::excuse_text;
+
+/// Significant digits up to which a number is shown in full.
+const FULL: usize = 20;
+/// Significant digits that tell binary64 numbers apart.
+const DOUBLE: usize = 17;
+
+/// The sentence, without its end. The proportion comes first, the tolerances that excuse it last.
+pub(super) fn sentence(model: &Model, finding: &Finding) -> String {
+    let Some(fault) = &finding.fault else { return finding.aspect.question().to_owned() };
+    let relative = finding.relative.as_ref().map(bounded).unwrap_or_default();
+    let error = finding.error.as_ref().map(bounded).unwrap_or_default();
+    let what = match fault {
+        Fault::Status { claimed, exact } => {
+            format!("{} is claimed, the program is {exact}", short(claimed))
+        }
+        Fault::Value { claimed, exact } => {
+            format!("off by {relative} of its size: {} instead of {}", number(claimed), number(exact))
+        }
+        Fault::Beyond { side, bound, value } => format!(
+            "off by {relative} of its size: {} is {}, {error} {} its {} bound {}",
+            name(model, *side),
+            number(value),
+            if side.end == End::Lower { "below" } else { "above" },
+            side.end.name(),
+            number(bound)
+        ),
+        Fault::NoSuchBound { side, price } => format!(
+            "off by {relative} of its size: the price {} of {} leans on its {} bound, which is not there",
+            number(price),
+            name(model, *side),
+            side.end.name()
+        ),
+        Fault::ReducedCost { column, claimed, exact } => format!(
+            "off by {relative} of its size: the reduced cost of {} is {}, the duals leave {}",
+            name(model, Side { item: Item::Column(*column), end: End::Lower }),
+            number(claimed),
+            number(exact)
+        ),
+        Fault::Slack { side, price, slack } => format!(
+            "off by {relative}: {} has the price {} at its {} bound, but is {} away from it",
+            name(model, *side),
+            number(price),
+            side.end.name(),
+            number(slack)
+        ),
+        Fault::Leaves { side, change } => format!(
+            "off by {relative} of its size: {} changes by {} along the ray and has a bound there ({})",
+            name(model, *side),
+            number(change),
+            side.end.name()
+        ),
+        Fault::DoesNotImprove { change } => {
+            format!("the objective does not improve along the ray, it gets worse by {}", number(change))
+        }
+        Fault::NoContradiction { total } => {
+            format!("the multiplied bounds add up to {}, which is no contradiction", number(total))
+        }
+    };
+    match &finding.excuse {
+        Some(excuse) if finding.worth >= Worth::WithinTolerance => format!("{what}; {}", excuse_text(excuse)),
+        _ => what,
+    }
+}
+
+/// A row or a column by its name.
+fn name(model: &Model, side: Side) -> String {
+    let name = match side.item {
+        Item::Row(row) => model.rows.get(row).map(|row| row.name.as_str()),
+        Item::Column(column) => model.columns.get(column).map(|column| column.name.as_str()),
+    };
+    short(name.unwrap_or_default())
+}
+
+/// A text on one line, cut where it is long.
+pub(super) fn short(text: &str) -> String {
+    const LONGEST: usize = 60;
+    let shown: String = text.chars().take(LONGEST).collect();
+    let more = if shown.len() < text.len() { "..." } else { "" };
+    format!("{}{more}", shown.escape_debug())
+}
+
+/// A number in full where it is short, otherwise with the digits that tell doubles apart.
+fn number(value: &Rational) -> String {
+    match value.exact_decimal(FULL) {
+        Some(decimal) => decimal.to_string(),
+        None => format!("about {}", value.decimal(DOUBLE, Rounding::Nearest)),
+    }
+}
+
+/// The size of an error, rounded up.
+pub(super) fn bounded(error: &Rational) -> String {
+    error.decimal(2, Rounding::Up).compact().to_string()
+}
