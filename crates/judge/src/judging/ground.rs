@@ -32,8 +32,7 @@ impl<'a> Ground<'a> {
     pub fn new(model: &'a Model, answer: &'a Answer) -> Self {
         let columns = column_sizes(model, answer);
         let costs = cost_sizes(model, answer);
-        let terms = model.columns.iter().zip(&columns).map(|(column, size)| (&column.cost * size).abs());
-        let terms = terms.fold(model.constant.abs(), |sum, term| sum + term);
+        let terms = objective_terms(model, answer);
         let range = objective_range(model, answer).filter(|range| *range < terms || terms.is_zero());
         let objective = range.or(Some(terms).filter(Rational::is_positive)).unwrap_or_else(Rational::one);
         Ground { model, answer, columns, costs, objective }
@@ -122,6 +121,16 @@ fn cost_sizes(model: &Model, answer: &Answer) -> Vec<Rational> {
     let own: Vec<Rational> = own.collect();
     let largest = own.iter().max().filter(|size| size.is_positive()).cloned().unwrap_or_else(Rational::one);
     own.into_iter().map(|size| if size.is_zero() { largest.clone() } else { size }).collect()
+}
+
+/// The sum of the sizes of the objective's terms at the optimum, the largest of all optimal vertices.
+fn objective_terms(model: &Model, answer: &Answer) -> Rational {
+    let Answer::Optimal { face, .. } = answer else { return model.constant.abs() };
+    let at = |point: &Vec<Rational>| {
+        let terms = model.columns.iter().zip(point).map(|(column, value)| (&column.cost * value).abs());
+        terms.fold(model.constant.abs(), |sum, term| sum + term)
+    };
+    face.vertices.iter().chain(&face.points).map(at).max().unwrap_or_default()
 }
 
 /// How much the objective varies over the feasible set, where that is finite and not 0.

@@ -5,6 +5,8 @@ mod dual;
 mod ground;
 mod measure;
 mod primal;
+#[cfg(test)]
+mod tests;
 
 use boundfit_exact::Rational;
 use boundfit_lp::Model;

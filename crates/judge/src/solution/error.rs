@@ -64,7 +64,7 @@ pub enum SolutionError {
         expected: &'static str,
     },
     /// A name or a place that the model has not.
-    #[error("line {line}: {of} is no {kind} of the model ({available})")]
+    #[error("line {line}: {of} is no {kind} of the model (expected {available})")]
     Unknown {
         /// Where it is, from 1.
         line: usize,
@@ -72,7 +72,7 @@ pub enum SolutionError {
         of: String,
         /// Column or row.
         kind: &'static str,
-        /// What the model has.
+        /// What would be accepted.
         available: String,
     },
     /// Two values for one column or row.

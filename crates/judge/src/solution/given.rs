@@ -3,8 +3,7 @@
 use std::collections::HashMap;
 
 use boundfit_exact::Rational;
-use boundfit_exact::english::list;
-use boundfit_lp::{Model, Printed};
+use boundfit_lp::{Model, NumberFormat, Printed};
 
 use super::error::{SolutionError, quoted};
 use super::{Entry, Figure, Reference, SolutionFile, SolverStatus};
@@ -49,6 +48,8 @@ impl Solution {
     /// With names and places that the model has not, with two values for one of them, and with columns left out by a
     /// writer that leaves none out. Rows without a price may be any: files list free rows, which a model has not.
     pub fn new(file: &SolutionFile, model: &Model) -> Result<Self, SolutionError> {
+        let by_highs = in_the_style_of_glpk(file, model);
+        let file = by_highs.as_ref().unwrap_or(file);
         let columns = Names::new("column", model.columns.iter().map(|column| column.name.as_str()));
         let rows = Names::new("row", model.rows.iter().map(|row| row.name.as_str()));
         if let Some(announced) = file.announced.as_ref().filter(|own| own.columns != model.columns.len()) {
@@ -98,6 +99,43 @@ impl Solution {
             farkas: farkas.transpose()?.and_then(|farkas| all(farkas, zero)),
         })
     }
+}
+
+/// HiGHS writes GLPK's files as well: with the objective as the first row, and numbers as it always prints them.
+fn in_the_style_of_glpk(file: &SolutionFile, model: &Model) -> Option<SolutionFile> {
+    let (first, rest) = file.rows.split_first()?;
+    let (objective, line) = file.objective.as_ref()?;
+    let value = first.value.as_ref()?.finite()?;
+    let off = (&value.value - &objective.finite()?.value).abs();
+    let near = Rational::scientific(1, -12) * Rational::one().max(value.value.abs());
+    let is_first = file.announced.is_some() && rest.len() == model.rows.len() && off <= near;
+    is_first.then(|| {
+        let place =
+            |(place, row): (usize, &Entry)| Entry { of: Reference::Place(place), ..coarser_entry(row) };
+        SolutionFile {
+            writer: "HiGHS",
+            rows: rest.iter().enumerate().map(place).collect(),
+            columns: file.columns.iter().map(coarser_entry).collect(),
+            objective: Some((coarser(objective), *line)),
+            ..file.clone()
+        }
+    })
+}
+
+fn coarser_entry(entry: &Entry) -> Entry {
+    Entry {
+        value: entry.value.as_ref().map(coarser),
+        price: entry.price.as_ref().map(coarser),
+        ..entry.clone()
+    }
+}
+
+/// A number with the precision of HiGHS.
+fn coarser(figure: &Figure) -> Figure {
+    let Figure::Finite(printed) = figure else { return Figure::NotFinite };
+    let value = printed.value.clone();
+    // The digits that a text has beyond those that are printed are not there.
+    Figure::Finite(Printed::by_writer("0", value, NumberFormat::HIGHS))
 }
 
 fn given(figure: &Figure, line: usize) -> Option<Given> {
@@ -162,9 +200,13 @@ impl<'a> Names<'a> {
     }
 
     fn available(&self) -> String {
-        let some: Vec<String> = self.names.iter().take(5).map(|name| (*name).to_owned()).collect();
-        let more = if self.names.len() > some.len() { " and more" } else { "" };
-        format!("it has {} {}{more}", self.names.len(), list(some.into_iter()))
+        const FEW: usize = 5;
+        let some = self.names.iter().take(FEW).map(|name| quoted(name)).collect::<Vec<_>>().join(", ");
+        match self.names.len() {
+            0 => "nothing, the model has none".to_owned(),
+            count if count > FEW => format!("{some} or another of {count}"),
+            _ => some,
+        }
     }
 
     fn unknown(&self, entry: &Entry) -> SolutionError {
@@ -203,21 +245,6 @@ impl<'a> Names<'a> {
             price.is_some_and(|price| !price.value.is_zero())
         };
         let by_number = rows.iter().any(|row| matches!(row.of, Reference::Place(_)));
-        if by_number && rows.len() == self.names.len() + 1 && file.announced.is_some() {
-            // HiGHS counts the objective as the first row.
-            let (first, rest) = rows.split_first().map_or((None, rows), |(first, rest)| (Some(first), rest));
-            let objective = file.objective.as_ref().and_then(|(figure, _)| figure.finite());
-            let value = first.and_then(|row| row.value.as_ref()?.finite());
-            if value.zip(objective).is_none_or(|(value, objective)| value.value != objective.value) {
-                return Ok(None);
-            }
-            let moved = rest
-                .iter()
-                .enumerate()
-                .map(|(place, row)| Entry { of: Reference::Place(place), ..(*row).clone() });
-            let moved: Vec<Entry> = moved.collect();
-            return self.fill(moved.iter(), |entry| entry.price.as_ref()).map(Some);
-        }
         if by_number && file.announced.is_some() && rows.len() != self.names.len() {
             return Ok(None);
         }

@@ -171,6 +171,8 @@ pub(super) fn parse_table(text: &str, limits: &Limits) -> Result<SolutionFile, S
                 let side = if are_rows { &mut file.rows } else { &mut file.columns };
                 side.push(entry(name, line, value, price));
             }
+            // Without a solution the places of its numbers are blank.
+            [index, _, _, _] if index.parse::<usize>().is_ok() => has_values = false,
             _ if !has_values => {}
             ["Model" | "Total" | "Number" | "Primal" | "Dual", ..] => {}
             _ => return Err(line.expected("\"INDEX STATUS LOWER UPPER PRIMAL DUAL NAME\"")),
