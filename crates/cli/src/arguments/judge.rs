@@ -5,7 +5,7 @@ use clap::{Args, ValueEnum};
 
 use super::endings::NamedFormat;
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
-use super::{LimitArguments, OutputArguments};
+use super::{LimitArguments, OutputArguments, SolutionArguments};
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -14,13 +14,18 @@ pub(super) const NOTES: Notes = Notes {
             "boundfit judge model.mps",
         ),
         ("Everything as fractions, for a program", "boundfit judge model.lp --format json -o answer.json"),
+        (
+            "What solvers wrote about it, each aspect judged on its own; for a code host",
+            "boundfit judge model.mps --solution highs.sol --solution glpk.sol --format sarif",
+        ),
         ("The answer as theorems for Lean 4 with Mathlib", "boundfit judge model.mps --lean answer.lean"),
     ],
     statuses: &[
-        (0, "there is an optimum, or the objective improves for ever"),
+        (0, "there is an answer, and no solution is refuted"),
         BAD_DATA,
         BAD_USAGE,
-        (3, "the program is infeasible; the proof is printed"),
+        (3, "the program is infeasible, with the proof printed, and no solution is judged"),
+        (4, "a solution is refuted"),
     ],
 };
 
@@ -39,6 +44,8 @@ pub(crate) struct JudgeArguments {
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) lean: Option<String>,
     #[command(flatten)]
+    pub(crate) solutions: SolutionArguments,
+    #[command(flatten)]
     pub(crate) output: OutputArguments<JudgeFormat>,
     #[command(flatten)]
     pub(crate) limits: LimitArguments,
@@ -56,6 +63,10 @@ pub(crate) enum JudgeFormat {
     Latex,
     /// The report's tables in Markdown
     Markdown,
+    /// What is found about solutions, for code hosts: SARIF 2.1.0, a rule for each aspect
+    Sarif,
+    /// What is found about solutions, for continuous integration: JUnit XML, a test case for each aspect
+    Junit,
     /// The irredundant half-planes of the feasible set as cdd's and lrs's H-representation
     Ine,
     /// The vertices, rays and lines of the feasible set as cdd's and lrs's V-representation
@@ -68,6 +79,8 @@ impl NamedFormat for JudgeFormat {
         ("tex", JudgeFormat::Latex),
         ("md", JudgeFormat::Markdown),
         ("markdown", JudgeFormat::Markdown),
+        ("sarif", JudgeFormat::Sarif),
+        ("xml", JudgeFormat::Junit),
         ("ine", JudgeFormat::Ine),
         ("ext", JudgeFormat::Ext),
         ("txt", JudgeFormat::Text),

@@ -13,6 +13,7 @@ mod reading;
 mod reduce;
 mod rows;
 mod shared;
+mod solutions;
 mod values;
 mod verify;
 
@@ -35,6 +36,7 @@ pub(crate) use shared::{
     DataArguments, FileArguments, Format, LabelArguments, LimitArguments, OutputArguments, ReplaceArguments,
     ReportFormat, TableArguments, ThreadArguments,
 };
+pub(crate) use solutions::SolutionArguments;
 pub(crate) use values::{FactorRange, number_problem};
 pub(crate) use verify::VerifyArguments;
 

@@ -4,9 +4,11 @@ use boundfit_formats::{Source, WholeFile};
 use boundfit_judge::{Answer, Plane};
 use boundfit_lp::{ExchangeFormat, Model, ModelLimits, model_text, read_model};
 use boundfit_report::{
-    JudgeJson, h_representation, judge_document, judge_json, lean_theorems, v_representation,
+    JudgeJson, h_representation, judge_document, judge_json, lean_theorems, solutions_document,
+    solutions_json, solutions_junit, solutions_sarif, v_representation,
 };
 
+use super::solutions;
 use crate::CommandResult;
 use crate::arguments::{JudgeArguments, JudgeFormat, LimitArguments};
 use crate::exit::{Exit, Failure};
@@ -17,7 +19,9 @@ use crate::progress::while_working;
 pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
     check_usage_of_lean(arguments)?;
     let format = arguments.output.format()?;
-    let mut guard = arguments.output.file.replace.guard([arguments.model.as_str()]);
+    check_usage_of_format(arguments, format)?;
+    let inputs = arguments.solutions.solutions.iter().chain([&arguments.model]).map(String::as_str);
+    let mut guard = arguments.output.file.replace.guard(inputs);
     let output = arguments.output.file.output.as_deref();
     guard.check(output)?;
     guard.check(arguments.lean.as_deref())?;
@@ -26,16 +30,24 @@ pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
     let fail = |error| Failure::data(format_args!("{}: {error}", file.name));
     let plane = Plane::new(&model).map_err(fail)?;
     let answer = while_working("solving", || Answer::in_plane(&model, &plane)).map_err(fail)?;
+    let judged = solutions::judged(&arguments.solutions, &arguments.limits, &model, &answer)?;
     let style = arguments.output.style();
-    let document = || judge_document(&model, &plane, &answer, &file.name, &style);
+    let document = || {
+        let mut document = judge_document(&model, &plane, &answer, &file.name, &style);
+        document.append(solutions_document(&model, &judged));
+        document
+    };
     let report = match format {
         JudgeFormat::Text => document().to_text(),
         JudgeFormat::Latex => document().to_latex(),
         JudgeFormat::Markdown => document().to_markdown(),
         JudgeFormat::Json => {
             let name = Some(arguments.model.as_str()).filter(|name| *name != "-");
-            judge_json(&JudgeJson::new(&model, &plane, &answer, name, &file.sha256, &style))
+            let json = JudgeJson::new(&model, &plane, &answer, name, &file.sha256, &style);
+            judge_json(&json.with_solutions(solutions_json(&model, &judged, &style)))
         }
+        JudgeFormat::Sarif => solutions_sarif(&model, &judged),
+        JudgeFormat::Junit => solutions_junit(&model, &judged),
         JudgeFormat::Ine => h_representation(plane.polyhedron()),
         JudgeFormat::Ext => v_representation(plane.polyhedron()),
     };
@@ -44,7 +56,27 @@ pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
         guard.keep_written(lean);
     }
     output::write(&report, output, &guard)?;
-    Ok(if matches!(answer, Answer::Infeasible { .. }) { Exit::Empty } else { Exit::Answer })
+    Ok(match answer {
+        _ if solutions::is_refuted(&judged) => Exit::Refuted,
+        // Who asks about solutions is not asked to look at the status twice.
+        Answer::Infeasible { .. } if judged.is_empty() => Exit::Empty,
+        _ => Exit::Answer,
+    })
+}
+
+/// Refuses formats that have a place for findings alone where none are asked for.
+fn check_usage_of_format(arguments: &JudgeArguments, format: JudgeFormat) -> Result<(), Failure> {
+    let name = match format {
+        JudgeFormat::Sarif => "sarif",
+        JudgeFormat::Junit => "junit",
+        _ => return Ok(()),
+    };
+    match arguments.solutions.solutions.is_empty() {
+        true => Err(Failure::Usage(format!(
+            "'--format {name}' has what is found about solutions: give '--solution <FILE>'"
+        ))),
+        false => Ok(()),
+    }
 }
 
 /// Refuses theorems that would have no file of their own.

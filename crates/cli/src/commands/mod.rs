@@ -12,4 +12,5 @@ pub(crate) mod man;
 pub(crate) mod plot;
 pub(crate) mod polygon;
 pub(crate) mod reduce;
+mod solutions;
 pub(crate) mod verify;

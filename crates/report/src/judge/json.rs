@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::basis_name;
 use super::tables::row_value;
+use crate::findings::SolutionJson;
 use crate::json::{RangeJson, RegionJson, to_text};
 use crate::number::Number;
 use crate::style::Style;
@@ -25,6 +26,8 @@ pub struct JudgeJson {
     point: Option<Vec<Number>>,
     ray: Option<Vec<Number>>,
     plane: PlaneJson,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    solutions: Vec<SolutionJson>,
 }
 
 #[derive(Debug, Serialize)]
@@ -120,6 +123,7 @@ impl JudgeJson {
             point: None,
             ray: None,
             plane: parts.plane(),
+            solutions: Vec::new(),
         };
         match answer {
             Answer::Optimal { value, face, prices, basis } => {
@@ -144,6 +148,12 @@ impl JudgeJson {
                 ..none()
             },
         }
+    }
+
+    /// The document with what was found about solutions.
+    #[must_use]
+    pub fn with_solutions(self, solutions: Vec<SolutionJson>) -> Self {
+        JudgeJson { solutions, ..self }
     }
 }
 
