@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 /// What `boundfit fit --format json` promises. `text`, `count`, `flag` and `number` stand for values, a key with `?`
-/// may be null, a list of one stands for any number of such items, a list of two for exactly two.
+/// may be null, one in brackets may be absent, a list of one stands for any number of such items, a list of two for exactly two.
 pub const FIT: &str = r#"{
   "schema": "text",
   "input": {"file?": "text", "rows": "count", "rows_total": "count", "reading": "text", "sha256": "text"},
@@ -61,7 +61,8 @@ pub const POLYGON: &str = r#"{
   ]
 }"#;
 
-/// Checks that a report has every key of a template, with the type that stands there. It may have more keys.
+/// Checks that a report has every key of a template, with the type that stands there; one that may be absent has it where it
+/// is there, and is not null. It may have more keys.
 pub fn check_schema(report: &Value, template: &str) {
     check(report, &serde_json::from_str(template).unwrap(), "report");
 }
@@ -70,14 +71,14 @@ fn check(value: &Value, template: &Value, path: &str) {
     match template {
         Value::Object(fields) => {
             for (key, template) in fields {
-                let (name, may_be_null) = match key.strip_suffix('?') {
-                    Some(name) => (name, true),
-                    None => (key.as_str(), false),
-                };
+                let optional = key.strip_prefix('[').and_then(|key| key.strip_suffix(']'));
+                let nullable = key.strip_suffix('?');
+                let name = optional.or(nullable).unwrap_or(key);
                 let path = format!("{path}.{name}");
-                let value = value.get(name).unwrap_or_else(|| panic!("{path} is missing"));
-                if !(may_be_null && value.is_null()) {
-                    check(value, template, &path);
+                match value.get(name) {
+                    None => assert!(optional.is_some(), "{path} is missing"),
+                    Some(Value::Null) if nullable.is_some() => {}
+                    Some(value) => check(value, template, &path),
                 }
             }
         }
@@ -97,6 +98,30 @@ fn check(value: &Value, template: &Value, path: &str) {
                 other => panic!("{other} in the template"),
             };
             assert!(fits, "{path} is not a {template}: {value}");
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn what_may_be_absent_may_not_be_null() {
+        let check = |report: Value| std::panic::catch_unwind(|| check_schema(&report, TEMPLATE)).is_ok();
+        const TEMPLATE: &str = r#"{"here": "count", "null?": "count", "[absent]": "count"}"#;
+        assert!(check(json!({"here": 1, "null": null})));
+        assert!(check(json!({"here": 1, "null": 2, "absent": 3})));
+        for wrong in [
+            json!({"null": null}),
+            json!({"here": null, "null": null}),
+            json!({"here": 1}),
+            json!({"here": 1, "null": null, "absent": null}),
+            json!({"here": 1, "null": null, "absent": "3"}),
+        ] {
+            assert!(!check(wrong.clone()), "{wrong}");
         }
     }
 }

@@ -2,10 +2,13 @@
 
 use std::collections::BTreeSet;
 
+use boundfit_estimation::{Bounds, ErrorBound};
 use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::Polyhedron;
-use boundfit_tests::readings::y_and_epsilon;
+use boundfit_tests::generate::seeded;
+use boundfit_tests::readings::{problem as random_problem, rebuilt, y_and_epsilon};
 use boundfit_tests::shape::{shape, subsystem};
+use rand::RngExt;
 use serde_json::Value;
 
 use crate::document::{Lesson, count, fixtures, generated, items, steam_generator, transducer};
@@ -18,7 +21,8 @@ const LESSON: &str = r#"{
   "model": {"kind": "text", "y": "text"},
   "epsilon": {"uniform?": "number", "column?": "text"},
   "reading": "text",
-  "readings": [{"row": "count", "phi": ["number", "number"], "y": "number"}],
+  "readings": [{"row": "count", "phi": ["number", "number"], "y": "number",
+    "[epsilon]": "number", "[middle]": "number", "[lower]": "number", "[upper]": "number"}],
   "others": [{"row": "count", "phi": ["number", "number"], "y": "number"}],
   "conditions": [{"number": "count", "text": "text"}],
   "half_planes": [{"name": {"row?": "count", "bound": "text"}, "a": ["text", "text"], "b": "text", "irredundant": "flag"}],
@@ -51,10 +55,66 @@ const LESSON: &str = r#"{
 
 #[test]
 fn every_promised_key_is_there_with_its_type() {
-    for lesson in fixtures().into_iter().chain(generated(1, 60)) {
+    for lesson in fixtures().into_iter().chain(generated(1, 60)).chain(with_intervals(7, 30)) {
         check_schema(&lesson.data, LESSON);
         assert_eq!(lesson.data["schema"], "boundfit/lesson/1");
     }
+}
+
+/// Generated fits of readings that are intervals: with and without y, open on one side, and crossing.
+fn with_intervals(seed: u64, count: usize) -> Vec<Lesson> {
+    let mut rng = seeded(seed);
+    let lesson = |number: usize| {
+        let problem = random_problem(&mut rng);
+        let mut rows = problem.measurements.kept().to_vec();
+        for row in &mut rows {
+            let (y, epsilon) = y_and_epsilon(row);
+            let sides = (y - epsilon, y + epsilon * Rational::from(rng.random_range(0..3_i64)));
+            let (lower, upper, response) = match rng.random_range(0..6) {
+                0 => (Some(sides.0), None, None),
+                1 => (None, Some(sides.1), Some(y.clone())),
+                2 => (Some(sides.1), Some(sides.0), None),
+                3 => (Some(sides.0), Some(sides.1), Some(y.clone())),
+                _ => (Some(sides.0), Some(sides.1), None),
+            };
+            row.bounds = Bounds::Between { lower, upper, response };
+        }
+        let columns = ErrorBound::Interval { lower: Some("low".to_owned()), upper: Some("high".to_owned()) };
+        Lesson::of(&format!("seed {seed}, {number}"), rebuilt(&problem, rows, columns))
+    };
+    (0..count).map(lesson).collect()
+}
+
+/// The bounds that grow are told by a distance from their middle, and the middle where it is not y; the others as they are.
+#[test]
+fn readings_say_where_their_bounds_are() {
+    let mut seen = BTreeSet::new();
+    for lesson in with_intervals(8, 40) {
+        let rows = lesson.problem.measurements.kept();
+        assert_eq!(items(&lesson.data["readings"]).count(), rows.len());
+        for (row, reading) in rows.iter().zip(items(&lesson.data["readings"])) {
+            let told = |key: &str| reading.get(key).map(exact);
+            let (lower, upper) = match (told("epsilon"), told("middle")) {
+                (Some(epsilon), middle) => {
+                    assert_eq!((told("lower"), told("upper")), (None, None), "{}", lesson.name);
+                    assert_ne!(middle, told("y"), "{}", lesson.name);
+                    let middle = middle.unwrap_or_else(|| exact(&reading["y"]));
+                    (Some(&middle - &epsilon), Some(&middle + &epsilon))
+                }
+                (None, middle) => {
+                    assert_eq!(middle, None, "{}", lesson.name);
+                    (told("lower"), told("upper"))
+                }
+            };
+            assert_eq!((lower, upper), (row.lower(), row.upper()), "{}, row {}", lesson.name, row.row);
+            let keys = ["epsilon", "middle", "lower", "upper"];
+            seen.insert(keys.map(|key| reading.get(key).is_some()));
+        }
+    }
+    let [yes, no] = [true, false];
+    let kinds =
+        [[yes, no, no, no], [yes, yes, no, no], [no, no, yes, no], [no, no, no, yes], [no, no, yes, yes]];
+    assert_eq!(seen, kinds.into());
 }
 
 #[test]
