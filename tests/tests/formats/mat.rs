@@ -282,6 +282,18 @@ fn other_variables_are_refused_by_name() {
 }
 
 #[test]
+fn a_member_of_a_struct_is_a_column() {
+    let bytes = fs::read(root().join("fixtures/mat/transducer-v7.mat")).unwrap();
+    assert_eq!(both(&bytes, &["s.a"], &TableOptions::default()).unwrap(), exact(&[1.0]));
+    assert_eq!(both(&bytes, &["5"], &TableOptions::default()).unwrap(), exact(&[1.0]));
+    let expected = "(expected one of \"Vz\", \"z\", \"M(:,1) to M(:,2)\", \"s.a\")";
+    assert_eq!(
+        message(&bytes, &["s.b"]),
+        format!("there is no column \"s.b\"; did you mean \"s.a\"? {expected}")
+    );
+}
+
+#[test]
 fn rows_are_picked_by_lists_and_comparisons() {
     let x: Vec<f64> = (0..60).map(|k| f64::from(k * 7 % 23)).collect();
     // What is not picked need not be finite.
