@@ -1,10 +1,10 @@
 //! Prior knowledge of the parameters as linear inequalities and equations: `theta1 >= 0`, `2*theta1 - theta2 = 1/3`.
 
-use std::fmt;
-
-use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading, characters_before};
+use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading};
 use boundfit_geometry::Inequality;
 use thiserror::Error;
+
+use crate::scanner::{ParseTextError, Scanner, TextProblem};
 
 /// A linear inequality in θ1 and θ2 as text and in ≤ form, or an equation, which is two of them.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -15,14 +15,7 @@ pub struct Condition {
 }
 
 /// Why a text is not a condition, and where.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("{kind} at character {}{}", position + 1, Expected(.kind))]
-pub struct ParseConditionError {
-    /// How many characters come before.
-    pub position: usize,
-    /// What is wrong there.
-    pub kind: ParseConditionErrorKind,
-}
+pub type ParseConditionError = ParseTextError<ParseConditionErrorKind>;
 
 /// What is wrong with a text that should be a condition.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -32,28 +25,36 @@ pub enum ParseConditionErrorKind {
     NotATerm,
     /// A number that is not one.
     #[error("{verdict}: {0}", verdict = if .0.is_limit() { "refused" } else { "not a number" })]
-    NotANumber(ParseNumberErrorKind),
+    NotANumber(#[from] ParseNumberErrorKind),
     /// No `<=`, `>=` or `=` where one belongs.
     #[error("neither <=, >= nor = nor another term")]
     NoRelation,
     /// A strict inequality.
-    #[error("< and > leave out the boundary, which is part of every set here; <= and >= keep it")]
+    #[error("a strict inequality")]
     WrongRelation,
     /// A second `<=`, `>=` or `=`.
     #[error("a second relation")]
     SecondRelation,
 }
 
-/// What would be accepted, unless it is the size of a number that is not.
-struct Expected<'a>(&'a ParseConditionErrorKind);
+impl TextProblem for ParseConditionErrorKind {
+    fn has_place(&self) -> bool {
+        true
+    }
 
-impl fmt::Display for Expected<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0 {
-            ParseConditionErrorKind::NotANumber(kind) if kind.is_limit() => Ok(()),
-            _ => {
-                f.write_str(" (expected a condition such as \"2*theta1 - theta2 <= 1/3\" or \"theta2 = 0\")")
+    fn advice(&self) -> Option<&'static str> {
+        match self {
+            ParseConditionErrorKind::WrongRelation => {
+                Some("< and > leave out the boundary, which is part of every set here; <= and >= keep it")
             }
+            _ => None,
+        }
+    }
+
+    fn expected(&self) -> Option<&'static str> {
+        match self {
+            ParseConditionErrorKind::NotANumber(kind) if kind.is_limit() => None,
+            _ => Some("a condition such as \"2*theta1 - theta2 <= 1/3\" or \"theta2 = 0\""),
         }
     }
 }
@@ -65,11 +66,9 @@ impl Condition {
     /// # Errors
     /// With the position where the text stops making sense.
     pub fn parse(text: &str, reading: Reading, limits: &Limits) -> Result<Self, ParseConditionError> {
-        let condition = Parser { text, position: 0, reading, limits }.condition();
-        condition.map_err(|ParseConditionError { position, kind }| ParseConditionError {
-            position: characters_before(text, position),
-            kind,
-        })
+        let parser = Parser { scanner: Scanner::new(text, reading, limits) };
+        let (inequality, is_equation) = parser.condition().map_err(|error| Scanner::place(text, error))?;
+        Ok(Condition { text: text.trim().to_owned(), inequality, is_equation })
     }
 
     /// `theta2 = 0`, as if it had been written: the condition of a line through the origin.
@@ -112,29 +111,21 @@ enum Relation {
 }
 
 struct Parser<'a> {
-    text: &'a str,
-    position: usize,
-    reading: Reading,
-    limits: &'a Limits,
+    scanner: Scanner<'a>,
 }
 
-impl<'a> Parser<'a> {
-    /// The whole text; errors count bytes.
-    fn condition(mut self) -> Result<Condition, ParseConditionError> {
+impl Parser<'_> {
+    /// The whole text, in ≤ form, and whether it is an equation; errors count bytes.
+    fn condition(mut self) -> Result<(Inequality, bool), ParseConditionError> {
         let left = self.sum()?;
         let relation = self.relation()?;
         let right = self.sum()?;
-        if !self.rest().is_empty() {
-            return Err(self.error(ParseConditionErrorKind::SecondRelation));
+        if !self.scanner.rest().is_empty() {
+            return Err(self.scanner.error(ParseConditionErrorKind::SecondRelation));
         }
         let sign = if relation == Relation::AtLeast { -Rational::one() } else { Rational::one() };
         let [a1, a2, b] = [0, 1, 2].map(|i| (&left[i] - &right[i]) * &sign);
-        let is_equation = relation == Relation::Equal;
-        Ok(Condition {
-            text: self.text.trim().to_owned(),
-            inequality: Inequality::new(a1, a2, -b),
-            is_equation,
-        })
+        Ok((Inequality::new(a1, a2, -b), relation == Relation::Equal))
     }
 
     /// Coefficients of θ1, θ2 and 1.
@@ -142,8 +133,8 @@ impl<'a> Parser<'a> {
         let mut total = [Rational::zero(), Rational::zero(), Rational::zero()];
         let mut first = true;
         loop {
-            let negative = self.take(&["-"]).is_some();
-            let signed = negative || self.take(&["+"]).is_some();
+            let negative = self.scanner.take(&["-"]).is_some();
+            let signed = negative || self.scanner.take(&["+"]).is_some();
             if !first && !signed {
                 return Ok(total);
             }
@@ -157,82 +148,34 @@ impl<'a> Parser<'a> {
         if let Some(column) = self.parameter() {
             return Ok((column, Rational::one()));
         }
-        let factor = self.number()?;
-        let starred = self.take(&["*"]).is_some();
+        let Some(factor) = self.scanner.number(false)? else {
+            return Err(self.scanner.error(ParseConditionErrorKind::NotATerm));
+        };
+        let starred = self.scanner.take(&["*"]).is_some();
         match self.parameter() {
             Some(column) => Ok((column, factor)),
-            None if starred => Err(self.error(ParseConditionErrorKind::NotATerm)),
+            None if starred => Err(self.scanner.error(ParseConditionErrorKind::NotATerm)),
             None => Ok((2, factor)),
         }
     }
 
     fn parameter(&mut self) -> Option<usize> {
-        let found = self.take(&["theta1", "θ1", "theta2", "θ2"])?;
+        let found = self.scanner.take(&["theta1", "θ1", "theta2", "θ2"])?;
         Some(if found.ends_with('1') { 0 } else { 1 })
-    }
-
-    fn number(&mut self) -> Result<Rational, ParseConditionError> {
-        let rest = self.rest();
-        let length = number_length(rest);
-        if length == 0 {
-            return Err(self.error(ParseConditionErrorKind::NotATerm));
-        }
-        let value = self.reading.read(&rest[..length], self.limits).map_err(|error| ParseConditionError {
-            position: self.position + error.position,
-            kind: ParseConditionErrorKind::NotANumber(error.kind),
-        })?;
-        self.position += length;
-        Ok(value)
     }
 
     fn relation(&mut self) -> Result<Relation, ParseConditionError> {
         // Longer words first: `=` begins several of them.
-        match self.take(&["<=", "=<", "≤", ">=", "=>", "≥", "==", "="]) {
+        match self.scanner.take(&["<=", "=<", "≤", ">=", "=>", "≥", "==", "="]) {
             Some("<=" | "=<" | "≤") => Ok(Relation::AtMost),
             Some(">=" | "=>" | "≥") => Ok(Relation::AtLeast),
             Some(_) => Ok(Relation::Equal),
-            None if self.rest().starts_with(['<', '>']) => {
-                Err(self.error(ParseConditionErrorKind::WrongRelation))
+            None if self.scanner.rest().starts_with(['<', '>']) => {
+                Err(self.scanner.error(ParseConditionErrorKind::WrongRelation))
             }
-            None => Err(self.error(ParseConditionErrorKind::NoRelation)),
+            None => Err(self.scanner.error(ParseConditionErrorKind::NoRelation)),
         }
     }
-
-    fn take(&mut self, words: &[&'static str]) -> Option<&'static str> {
-        let rest = self.rest();
-        let found = words.iter().copied().find(|word| rest.starts_with(word))?;
-        self.position += found.len();
-        Some(found)
-    }
-
-    /// What follows the white space at the current position.
-    fn rest(&mut self) -> &'a str {
-        let rest = &self.text[self.position..];
-        let trimmed = rest.trim_start();
-        self.position += rest.len() - trimmed.len();
-        trimmed
-    }
-
-    fn error(&self, kind: ParseConditionErrorKind) -> ParseConditionError {
-        ParseConditionError { position: self.position, kind }
-    }
-}
-
-/// How far an unsigned number reaches from the start of a text: digits, points, a slash, and exponents with a sign.
-fn number_length(text: &str) -> usize {
-    let bytes = text.as_bytes();
-    let mut length = 0;
-    while let Some(&byte) = bytes.get(length) {
-        let exponent_sign =
-            matches!(byte, b'+' | b'-') && matches!(bytes[..length].last(), Some(b'e' | b'E'));
-        let number = byte.is_ascii_digit() || matches!(byte, b'.' | b'/') || exponent_sign;
-        let exponent = matches!(byte, b'e' | b'E') && length > 0;
-        if !number && !exponent {
-            break;
-        }
-        length += 1;
-    }
-    length
 }
 
 #[cfg(test)]

@@ -28,6 +28,7 @@
 //! assert_eq!(fit.minimax.as_ref().unwrap().least, Rational::ratio(1, 4));
 //! ```
 
+mod asked_bound;
 mod bounds;
 mod condition;
 mod corridor;
@@ -52,9 +53,11 @@ mod minimax;
 mod moments;
 mod one_parameter;
 mod problem;
+mod scanner;
 mod selection;
 mod summary;
 
+pub use asked_bound::{AskedBound, ParseBoundError, ParseBoundErrorKind};
 pub use bounds::{Central, ParameterBound, ParameterInterval};
 pub use condition::{Condition, ParseConditionError, ParseConditionErrorKind};
 pub use corridor::{Corridor, CorridorEdge};
@@ -72,7 +75,7 @@ pub use fps::{
     BoundName, Fps, bounds_of_reading, conditions_by_name, growing_half_planes, half_planes, reading_of_bound,
 };
 pub use inverse::{Inverse, InverseParameter};
-pub use law::{Law, ParseLawError, ParseLawErrorKind};
+pub use law::Law;
 pub use least_growth::{GrowingInequality, LeastGrowth, least_growth};
 pub use least_squares::{LeastSquares, NoLeastSquares};
 pub use line_form::LineForm;
@@ -80,5 +83,6 @@ pub use measurements::{Bounds, ErrorBound, Measurement, Measurements, Model, Mul
 pub use mending::mending_rows;
 pub use minimax::{Minimax, MinimaxProof};
 pub use problem::Problem;
+pub use scanner::{ParseTextError, TextProblem};
 pub use selection::{FractionCells, Selection};
 pub use summary::{ColumnsError, DecidingMinimax, Keep, NoEui, NoMinimax, Reach, Reduction, Sums};

@@ -29,7 +29,20 @@ fn options_that_say_nothing_sensible() {
     };
     let base = "--x Vz --y z --eps 1";
     let cases = [
-        ("--x Vz --y z --eps abc".to_owned(), eps("abc", "unexpected character 'a' at character 1")),
+        (
+            "--x Vz --y z --eps abc".to_owned(),
+            "invalid value 'abc' for '--eps <NUM>': neither a number nor one of |y|, |x|, range(y), written and min at \
+             character 1 (expected a number such as 0.5e-3, or a law such as \"0.05%*|y| + 2e-3\", \"written\" or \
+             \"+0.2/-0.1\")"
+                .to_owned(),
+        ),
+        ("--x Vz --y z --eps 0x10".to_owned(), eps("0x10", "unexpected character 'x' at character 2")),
+        (
+            "--x Vz --y z --eps 1,5".to_owned(),
+            "invalid value '1,5' for '--eps <NUM>': not a number: unexpected ',' (the decimal mark is a point) at character 2 \
+             (options take a point, whatever the data have: 1.5, not 1,5)"
+                .to_owned(),
+        ),
         ("--x Vz --y z --eps nan".to_owned(), eps("nan", "not a finite number at character 1")),
         ("--x Vz --y z --eps ''".to_owned(), eps("", "nothing to read at character 1")),
         (
@@ -40,7 +53,7 @@ fn options_that_say_nothing_sensible() {
         ),
         (
             format!("{base} --where 'theta1 > 0'"),
-            when("theta1 > 0", "< and > leave out the boundary, which is part of every set here; <= and >= keep it at character 8"),
+            when("theta1 > 0", "a strict inequality at character 8: < and > leave out the boundary, which is part of every set here; <= and >= keep it"),
         ),
         (
             format!("{base} --where 'theta1 >= 0' --where slope"),

@@ -26,17 +26,17 @@ fn what_is_no_bound_is_refused_with_advice() {
     for (text, problem) in [
         (
             "2%",
-            "per cent of what? Of each reading it is 2%*|y|, of the span of all readings 2%*range(y) at character 1",
+            "2% of what? Write 2%*|y| for that share of each reading, 2%*range(y) for that share of the span of all readings",
         ),
         (
             "1% + 3 digits",
-            "digits are units of the last digit written, of which 'written' is a half: 3 digits are 6*written, and \
-             \"1% + 3 digits\" is 1%*|y| + 6*written at character 8",
+            "the digits of a data sheet are units of the last digit written, and 'written' is half of one: 3 digits are \
+             6*written, and \"1% + 3 digits\" is 1%*|y| + 6*written",
         ),
         (
             "|y| - 1",
-            "a term that is subtracted; for other bounds above than below write +ABOVE/-BELOW at character 5 (expected a law \
-             such as \"0.05%*|y| + 2e-3\", \"written\" or \"+0.2/-0.1\")",
+            "a term that is subtracted at character 5: for another bound above than below write +ABOVE/-BELOW (expected a \
+             number such as 0.5e-3, or a law such as \"0.05%*|y| + 2e-3\", \"written\" or \"+0.2/-0.1\")",
         ),
     ] {
         assert_eq!(law(text), format!("invalid value '{text}' for '--eps <NUM>': {problem}"));

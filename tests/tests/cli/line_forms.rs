@@ -204,14 +204,14 @@ fn what_has_no_meaning_is_refused() {
         ),
         (
             format!("{line} --eps=-2*min"),
-            "invalid value '-2*min' for '--eps <NUM>': expected min, or a positive factor before it, as in 1.2*min",
+            "invalid value '-2*min' for '--eps <NUM>': min is the least bound that these very readings allow, and nothing but a positive factor goes with it: 1.2*min",
         ),
         (
             format!("{line} --eps 0*min"),
-            "invalid value '0*min' for '--eps <NUM>': expected min, or a positive factor before it, as in 1.2*min",
+            "invalid value '0*min' for '--eps <NUM>': min is the least bound that these very readings allow, and nothing but a positive factor goes with it: 1.2*min",
         ),
-        (format!("{line} --eps a*min"), "invalid value 'a*min' for '--eps <NUM>': not a number: "),
-        (format!("{line} --eps *min"), "invalid value '*min' for '--eps <NUM>': not a number: "),
+        (format!("{line} --eps a*min"), "invalid value 'a*min' for '--eps <NUM>': min is the least bound "),
+        (format!("{line} --eps *min"), "invalid value '*min' for '--eps <NUM>': min is the least bound "),
     ] {
         let run = boundfit(&root(), &line);
         let says = run.stderr.starts_with(&format!("error: {message}"));

@@ -1,10 +1,10 @@
 //! From options to what the libraries take.
 
 use boundfit_estimation::{
-    Columns, Condition, EpsilonColumn, Keep, Law, LineForm, Measurements, Model, ParseConditionError,
-    ParseConditionErrorKind, ParseLawError, ParseLawErrorKind, Problem,
+    AskedBound, Columns, Condition, EpsilonColumn, Keep, LineForm, Measurements, Model, ParseBoundErrorKind,
+    ParseConditionError, ParseConditionErrorKind, ParseTextError, Problem, TextProblem,
 };
-use boundfit_exact::{Limit, Limits, Rational, Reading};
+use boundfit_exact::{Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading};
 use boundfit_formats::{AskedDialect, Header, ScanOptions, SizeLimits, Source, TableOptions};
 use boundfit_report::{Origin, Style};
 use clap::ValueEnum;
@@ -108,16 +108,14 @@ impl<'a> Data<'a> {
     pub(crate) fn asked(&self) -> Result<Asked, Failure> {
         let (arguments, reading) = (self.arguments, self.origin.reading);
         let limits = arguments.table.limits.number();
-        let multiple_of_least = match &arguments.epsilon.eps {
-            Some(eps) => multiple_of_least(eps, &limits)?,
-            None => None,
-        };
-        let epsilon = if multiple_of_least.is_some() {
+        let asked = arguments.epsilon.asked(reading, &limits, arguments.x.second.is_some())?;
+        let (epsilon, multiple_of_least) = match asked {
+            Some(AskedEpsilon::Stated(epsilon)) => (epsilon, None),
             // Until it is known, as it has no say in what it follows from.
-            EpsilonColumn::Uniform(Rational::zero())
-        } else {
-            let stated = arguments.epsilon.stated(reading, &limits, arguments.x.second.is_some())?;
-            stated.ok_or_else(|| Failure::Usage("'--eps' or '--eps-column' is missing".to_owned()))?
+            Some(AskedEpsilon::TimesLeast(factor)) => {
+                (EpsilonColumn::Uniform(Rational::zero()), Some(factor))
+            }
+            None => return Err(Failure::Usage("'--eps' or '--eps-column' is missing".to_owned())),
         };
         let condition = |text: &String| {
             Condition::parse(text, reading, &limits)
@@ -163,25 +161,33 @@ impl<'a> Data<'a> {
     }
 }
 
+/// The bounds on errors that are asked for.
+enum AskedEpsilon {
+    /// These.
+    Stated(EpsilonColumn),
+    /// So many times the least bound.
+    TimesLeast(Rational),
+}
+
 impl EpsilonArguments {
-    /// The error bound as it is asked for, unless it is a multiple of the least one; `None` where nothing is said about it.
-    fn stated(
+    /// What is asked for; `None` where nothing is said about it.
+    fn asked(
         &self,
         reading: Reading,
         limits: &Limits,
         two_regressors: bool,
-    ) -> Result<Option<EpsilonColumn>, Failure> {
-        Ok(match (&self.eps, &self.eps_column) {
-            (Some(eps), _) if is_law(eps) => {
-                Some(EpsilonColumn::Law(law(eps, reading, limits, two_regressors)?))
-            }
-            (Some(eps), _) => Some(EpsilonColumn::Uniform(error_bound(eps, reading, limits)?)),
-            (None, Some(column)) => Some(EpsilonColumn::Column(column.clone())),
-            (None, None) if self.lower.is_none() && self.upper.is_none() => None,
-            (None, None) => {
-                Some(EpsilonColumn::Interval { lower: self.lower.clone(), upper: self.upper.clone() })
-            }
-        })
+    ) -> Result<Option<AskedEpsilon>, Failure> {
+        let stated = match (&self.eps, &self.eps_column) {
+            (Some(eps), _) => match asked_bound(eps, reading, limits, two_regressors)? {
+                AskedBound::TimesLeast(factor) => return Ok(Some(AskedEpsilon::TimesLeast(factor))),
+                AskedBound::Law(law) => EpsilonColumn::Law(law),
+                AskedBound::Number(number) => EpsilonColumn::Uniform(number),
+            },
+            (None, Some(column)) => EpsilonColumn::Column(column.clone()),
+            (None, None) if self.lower.is_none() && self.upper.is_none() => return Ok(None),
+            (None, None) => EpsilonColumn::Interval { lower: self.lower.clone(), upper: self.upper.clone() },
+        };
+        Ok(Some(AskedEpsilon::Stated(stated)))
     }
 }
 
@@ -190,12 +196,10 @@ impl ReduceArguments {
     pub(crate) fn columns(&self, reading: Reading) -> Result<Columns, Failure> {
         let limits = self.table.limits.number();
         let two_regressors = self.x.second.is_some();
-        let is_multiple = match &self.epsilon.eps {
-            Some(eps) => multiple_of_least(eps, &limits)?.is_some(),
-            None => false,
+        let stated = match self.epsilon.asked(reading, &limits, two_regressors)? {
+            Some(AskedEpsilon::Stated(epsilon)) => Some(epsilon),
+            Some(AskedEpsilon::TimesLeast(_)) | None => None,
         };
-        let stated =
-            if is_multiple { None } else { self.epsilon.stated(reading, &limits, two_regressors)? };
         let epsilon = match stated {
             Some(epsilon) => epsilon,
             None if !two_regressors => EpsilonColumn::Uniform(Rational::zero()),
@@ -267,67 +271,46 @@ impl Asked {
     }
 }
 
-/// The factor of `min` and `1.2*min`; `None` for any other text.
-fn multiple_of_least(text: &str, limits: &Limits) -> Result<Option<Rational>, Failure> {
-    const EXPECTED: &str = "expected min, or a positive factor before it, as in 1.2*min";
-    let Some(factor) = text.trim().strip_suffix("min") else { return Ok(None) };
+/// What `--eps` asks for.
+fn asked_bound(
+    text: &str,
+    reading: Reading,
+    limits: &Limits,
+    two_regressors: bool,
+) -> Result<AskedBound, Failure> {
     let refuse = |problem: String| Failure::value("--eps <NUM>", text, problem);
-    let factor = factor.trim_end();
-    let factor = factor.strip_suffix('*').unwrap_or(factor).trim_end();
-    if factor.is_empty() && !text.contains('*') {
-        return Ok(Some(Rational::one()));
+    let bound = AskedBound::parse(text, reading, limits).map_err(|error| {
+        let number = match &error.kind {
+            ParseBoundErrorKind::NotANumber(kind) => Some(kind),
+            _ => None,
+        };
+        refuse(text_problem(&error, number))
+    })?;
+    match &bound {
+        AskedBound::Law(law) if two_regressors && law.needs_x() => {
+            Err(refuse("two regressors have no |x| (expected a law of |y|, range(y) and written)".to_owned()))
+        }
+        _ => Ok(bound),
     }
-    let factor =
-        Reading::Decimal.read(factor, limits).map_err(|error| refuse(number_problem(&error, EXPECTED)))?;
-    if factor.is_positive() { Ok(Some(factor)) } else { Err(refuse(EXPECTED.to_owned())) }
 }
 
-/// Whether an error bound is more than a number.
-fn is_law(text: &str) -> bool {
-    let text = text.trim();
-    let is_sum = || {
-        let plus = |(index, _): &(usize, char)| text[..*index].trim_end();
-        let mut pluses = text.char_indices().filter(|(_, character)| *character == '+');
-        pluses.any(|place| !plus(&place).is_empty() && !plus(&place).ends_with(['e', 'E']))
-    };
-    let is_asymmetric = || text.starts_with('+') && text.replace(' ', "").contains("/-");
-    ["|", "%", "*", "written", "range", "abs", "digit"].iter().any(|word| text.contains(word))
-        || is_sum()
-        || is_asymmetric()
-}
-
-fn law(text: &str, reading: Reading, limits: &Limits, two_regressors: bool) -> Result<Law, Failure> {
-    let refuse = |problem: String| Failure::value("--eps <NUM>", text, problem);
-    let law = Law::parse(text, reading, limits).map_err(|error| refuse(law_problem(&error)))?;
-    if two_regressors && law.needs_x() {
-        return Err(refuse(
-            "two regressors have no |x| (expected a law of |y|, range(y) and written)".to_owned(),
-        ));
+/// What is wrong with a text; where that is a number in it, as it is said of numbers in every option.
+fn text_problem<K: TextProblem>(error: &ParseTextError<K>, number: Option<&ParseNumberErrorKind>) -> String {
+    match (number.cloned(), error.kind.expected()) {
+        (Some(kind), expected) => {
+            let error = ParseNumberError { position: error.position, kind };
+            number_problem(&error, &format!("expected {}", expected.unwrap_or_default()))
+        }
+        (None, _) => error.to_string(),
     }
-    Ok(law)
-}
-
-fn law_problem(error: &ParseLawError) -> String {
-    let limit = match &error.kind {
-        ParseLawErrorKind::NotANumber(kind) => Limit::of_number(kind),
-        _ => None,
-    };
-    limit.map_or_else(|| error.to_string(), |limit| format!("{error}; {} raises it", limit.flag()))
-}
-
-fn error_bound(text: &str, reading: Reading, limits: &Limits) -> Result<Rational, Failure> {
-    const EXPECTED: &str = "expected a number that is at least 0, such as 0.5e-3 or 1/2000";
-    let refuse = |problem: String| Failure::value("--eps <NUM>", text, problem);
-    let value = reading.read(text, limits).map_err(|error| refuse(number_problem(&error, EXPECTED)))?;
-    if value.is_negative() { Err(refuse(format!("negative ({EXPECTED})"))) } else { Ok(value) }
 }
 
 fn condition_problem(error: &ParseConditionError) -> String {
-    let limit = match &error.kind {
-        ParseConditionErrorKind::NotANumber(kind) => Limit::of_number(kind),
+    let number = match &error.kind {
+        ParseConditionErrorKind::NotANumber(kind) => Some(kind),
         _ => None,
     };
-    limit.map_or_else(|| error.to_string(), |limit| format!("{error}; {} raises it", limit.flag()))
+    text_problem(error, number)
 }
 
 impl FitArguments {

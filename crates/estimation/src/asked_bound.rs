@@ -1,0 +1,342 @@
+//! Error bounds as they are asked for: a number, a law of data sheets, or a multiple of ε_min.
+
+use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading};
+use thiserror::Error;
+
+use crate::law::{Law, Terms};
+use crate::scanner::{ParseTextError, Scanner, TextProblem};
+
+/// An error bound as it is asked for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum AskedBound {
+    /// This number; not negative.
+    Number(Rational),
+    /// What a law says of each reading.
+    Law(Law),
+    /// So many times ε_min of these very readings; positive.
+    TimesLeast(Rational),
+}
+
+/// Why a text is no error bound, and where.
+pub type ParseBoundError = ParseTextError<ParseBoundErrorKind>;
+
+/// What is wrong with a text that should be an error bound.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum ParseBoundErrorKind {
+    /// Neither a number nor a quantity.
+    #[error("neither a number nor one of |y|, |x|, range(y), written and min")]
+    NotATerm,
+    /// A number that is not one.
+    #[error("{verdict}: {0}", verdict = if .0.is_limit() { "refused" } else { "not a number" })]
+    NotANumber(#[from] ParseNumberErrorKind),
+    /// A number below 0.
+    #[error("negative")]
+    NegativeNumber,
+    /// A percentage of nothing.
+    #[error(
+        "{0} of what? Write {0}*|y| for that share of each reading, {0}*range(y) for that share of the span of all readings"
+    )]
+    PercentOfWhat(String),
+    /// Digits, as multimeters state them.
+    #[error(
+        "the digits of a data sheet are units of the last digit written, and 'written' is half of one: 3 digits are 6*written, \
+         and \"1% + 3 digits\" is 1%*|y| + 6*written"
+    )]
+    Digits,
+    /// A term that is subtracted.
+    #[error("a term that is subtracted")]
+    Negative,
+    /// A second term without a plus before it.
+    #[error("neither + nor the end")]
+    NoPlus,
+    /// An asymmetric law without its lower part.
+    #[error("no /- with the bound below")]
+    NoBelow,
+    /// ε_min with more than a positive factor.
+    #[error(
+        "min is the least bound that these very readings allow, and nothing but a positive factor goes with it: 1.2*min"
+    )]
+    LeastAlone,
+}
+
+impl TextProblem for ParseBoundErrorKind {
+    fn has_place(&self) -> bool {
+        use ParseBoundErrorKind::{Digits, LeastAlone, NegativeNumber, PercentOfWhat};
+        !matches!(self, Digits | LeastAlone | NegativeNumber | PercentOfWhat(_))
+    }
+
+    fn advice(&self) -> Option<&'static str> {
+        match self {
+            ParseBoundErrorKind::Negative => Some("for another bound above than below write +ABOVE/-BELOW"),
+            _ => None,
+        }
+    }
+
+    fn expected(&self) -> Option<&'static str> {
+        use ParseBoundErrorKind::{Digits, LeastAlone, NegativeNumber, NotANumber, PercentOfWhat};
+        match self {
+            NotANumber(kind) if kind.is_limit() => None,
+            Digits | LeastAlone | PercentOfWhat(_) => None,
+            NotANumber(_) | NegativeNumber => Some("a number that is at least 0, such as 0.5e-3 or 1/2000"),
+            _ => Some(
+                "a number such as 0.5e-3, or a law such as \"0.05%*|y| + 2e-3\", \"written\" or \"+0.2/-0.1\"",
+            ),
+        }
+    }
+}
+
+impl AskedBound {
+    /// Reads a number; or `min` and `1.2*min`; or a law, as [`Law::parse`] does. The factor of `min` is read as it is written,
+    /// other numbers as `reading` says. Exact.
+    ///
+    /// # Errors
+    /// With the position where the text stops making sense.
+    pub fn parse(text: &str, reading: Reading, limits: &Limits) -> Result<Self, ParseBoundError> {
+        // No other word of the grammar contains it.
+        if text.contains("min") {
+            let factor = times_least(text, limits).map_err(|error| Scanner::place(text, error))?;
+            return Ok(AskedBound::TimesLeast(factor));
+        }
+        let number_error = match reading.read(text, limits) {
+            Ok(number) if number.is_negative() => {
+                return Err(ParseBoundError { position: 0, kind: ParseBoundErrorKind::NegativeNumber });
+            }
+            Ok(number) => return Ok(AskedBound::Number(number)),
+            Err(error) => ParseBoundError { position: error.position, kind: error.kind.into() },
+        };
+        Law::parse(text, reading, limits).map(AskedBound::Law).map_err(|error| {
+            use ParseBoundErrorKind::{NoPlus, NotANumber, NotATerm};
+            let is_number_meant = match (&error.kind, &number_error.kind) {
+                (NoPlus, _) => error.position == number_error.position,
+                (NotATerm, NotANumber(ParseNumberErrorKind::NotFinite | ParseNumberErrorKind::Empty)) => true,
+                _ => false,
+            };
+            if is_number_meant { number_error } else { error }
+        })
+    }
+}
+
+/// The factor of `min`; errors count bytes.
+fn times_least(text: &str, limits: &Limits) -> Result<Rational, ParseBoundError> {
+    let mut scanner = Scanner::new(text, Reading::Decimal, limits);
+    let factor = scanner.number(false)?;
+    if factor.is_some() {
+        scanner.take(&["*", "·"]);
+    }
+    let is_alone = scanner.take(&["min"]).is_some() && scanner.rest().is_empty();
+    let factor = factor.unwrap_or_else(Rational::one);
+    if is_alone && factor.is_positive() {
+        Ok(factor)
+    } else {
+        Err(scanner.error(ParseBoundErrorKind::LeastAlone))
+    }
+}
+
+/// What is taken above y, and below where that is something else.
+pub(crate) fn parse_terms(
+    text: &str,
+    reading: Reading,
+    limits: &Limits,
+) -> Result<(Terms, Option<Terms>), ParseBoundError> {
+    let both = Parser { scanner: Scanner::new(text, reading, limits) }.both(text);
+    both.map_err(|error| Scanner::place(text, error))
+}
+
+/// Reads a law; errors count bytes.
+struct Parser<'a> {
+    scanner: Scanner<'a>,
+}
+
+impl Parser<'_> {
+    /// `SUM` or `+SUM/-SUM`.
+    fn both(mut self, text: &str) -> Result<(Terms, Option<Terms>), ParseBoundError> {
+        if let Some(position) = ["digit", "dgt"].into_iter().find_map(|word| text.find(word)) {
+            return Err(ParseBoundError { position, kind: ParseBoundErrorKind::Digits });
+        }
+        let is_asymmetric = self.scanner.take(&["+"]).is_some();
+        let above = self.sum(is_asymmetric)?;
+        let mut below = None;
+        if is_asymmetric {
+            if self.scanner.take(&["/"]).and_then(|_| self.scanner.take(&["-", "−"])).is_none() {
+                return Err(self.scanner.error(ParseBoundErrorKind::NoBelow));
+            }
+            below = Some(self.sum(false)?);
+        }
+        match self.scanner.rest().chars().next() {
+            None => Ok((above, below)),
+            Some('-' | '−') => Err(self.scanner.error(ParseBoundErrorKind::Negative)),
+            Some(_) => Err(self.scanner.error(ParseBoundErrorKind::NoPlus)),
+        }
+    }
+
+    /// Terms with a plus between them.
+    fn sum(&mut self, is_asymmetric: bool) -> Result<Terms, ParseBoundError> {
+        let mut terms = Terms::default();
+        loop {
+            self.term(&mut terms, is_asymmetric)?;
+            if self.scanner.take(&["+"]).is_none() {
+                return Ok(terms);
+            }
+        }
+    }
+
+    /// `NUMBER`, `QUANTITY`, `NUMBER*QUANTITY` or `NUMBER%*QUANTITY`.
+    fn term(&mut self, terms: &mut Terms, is_asymmetric: bool) -> Result<(), ParseBoundError> {
+        let start = self.scanner.start();
+        let number = self.scanner.number(is_asymmetric)?;
+        let is_number = number.is_some();
+        if !is_number && self.scanner.rest().starts_with(['-', '−']) {
+            return Err(self.scanner.error(ParseBoundErrorKind::Negative));
+        }
+        let mut factor = number.unwrap_or_else(Rational::one);
+        let is_percent = is_number && self.scanner.take(&["%"]).is_some();
+        if is_percent {
+            factor = factor * Rational::ratio(1, 100);
+        }
+        let share = self.scanner.since(start);
+        let is_product = is_number && self.scanner.take(&["*", "·"]).is_some();
+        let slot = match self.quantity() {
+            Some(Quantity::Y) => &mut terms.of_y,
+            Some(Quantity::X) => &mut terms.of_x,
+            Some(Quantity::Range) => &mut terms.of_range,
+            Some(Quantity::Written) => &mut terms.written,
+            None if is_percent && !is_product => {
+                let kind = ParseBoundErrorKind::PercentOfWhat(share.to_owned());
+                return Err(ParseBoundError { position: start, kind });
+            }
+            None if is_number && !is_product => &mut terms.constant,
+            None => return Err(self.scanner.error(ParseBoundErrorKind::NotATerm)),
+        };
+        *slot = &*slot + factor;
+        Ok(())
+    }
+
+    fn quantity(&mut self) -> Option<Quantity> {
+        let words: [(&[&'static str], Quantity); 4] = [
+            (&["|y|", "abs(y)"], Quantity::Y),
+            (&["|x|", "abs(x)"], Quantity::X),
+            (&["range(y)"], Quantity::Range),
+            (&["written"], Quantity::Written),
+        ];
+        words.into_iter().find(|(words, _)| self.scanner.take(words).is_some()).map(|(_, quantity)| quantity)
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Quantity {
+    Y,
+    X,
+    Range,
+    Written,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ParseBoundErrorKind as Kind;
+    use super::*;
+
+    fn parse(text: &str) -> Result<AskedBound, ParseBoundError> {
+        AskedBound::parse(text, Reading::Decimal, &Limits::default())
+    }
+
+    #[test]
+    fn numbers_multiples_of_the_least_bound_and_laws_are_told_apart() {
+        let ratio = Rational::ratio;
+        for (text, number) in [
+            ("0.5e-3", ratio(1, 2000)),
+            ("+0.2", ratio(1, 5)),
+            (" 1/3 ", ratio(1, 3)),
+            ("1D-1", ratio(1, 10)),
+        ] {
+            assert_eq!(parse(text), Ok(AskedBound::Number(number)), "{text}");
+        }
+        for (text, factor) in [
+            ("min", ratio(1, 1)),
+            (" 1.2*min", ratio(6, 5)),
+            ("3/2 * min ", ratio(3, 2)),
+            ("2min", ratio(2, 1)),
+            ("2 min", ratio(2, 1)),
+        ] {
+            assert_eq!(parse(text), Ok(AskedBound::TimesLeast(factor)), "{text}");
+        }
+        for text in ["written", "2*|y|", "0.1 + 0.2", "+0.2/-0.1", "1%*range(y)", "2|x|"] {
+            assert!(matches!(parse(text), Ok(AskedBound::Law(law)) if law.text() == text), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_bound_is_refused_with_its_place_and_advice() {
+        use ParseNumberErrorKind::{Comma, Empty, MissingDigit, NotFinite, UnexpectedCharacter};
+        let of_what = |text: &str| Kind::PercentOfWhat(text.to_owned());
+        for (text, position, kind) in [
+            ("", 0, Kind::NotANumber(Empty)),
+            ("nan", 0, Kind::NotANumber(NotFinite)),
+            ("abc", 0, Kind::NotATerm),
+            ("1,5", 1, Kind::NotANumber(Comma)),
+            ("0x10", 1, Kind::NotANumber(UnexpectedCharacter('x'))),
+            ("1e", 2, Kind::NotANumber(MissingDigit)),
+            ("2%", 0, of_what("2%")),
+            ("1e-3 + 2 %", 7, of_what("2 %")),
+            ("1% + 3 digits", 7, Kind::Digits),
+            ("1%*|y| + 3 digits", 11, Kind::Digits),
+            ("1%*|y| + 3 dgt", 11, Kind::Digits),
+            ("|y| - 1", 4, Kind::Negative),
+            ("|y| + −1", 6, Kind::Negative),
+            ("-1", 0, Kind::NegativeNumber),
+            ("-|y|", 0, Kind::Negative),
+            ("|z|", 0, Kind::NotATerm),
+            ("2*", 2, Kind::NotATerm),
+            ("2*3", 2, Kind::NotATerm),
+            ("2%*3", 3, Kind::NotATerm),
+            ("1 |z|", 2, Kind::NotANumber(UnexpectedCharacter('|'))),
+            ("|y| |x|", 4, Kind::NoPlus),
+            ("+0.2/0.1", 5, Kind::NoBelow),
+            ("+|y|", 4, Kind::NoBelow),
+            ("1.2.3*|y|", 3, Kind::NotANumber(UnexpectedCharacter('.'))),
+            ("-2*min", 0, Kind::LeastAlone),
+            ("0*min", 5, Kind::LeastAlone),
+            ("*min", 0, Kind::LeastAlone),
+            ("a*min", 0, Kind::LeastAlone),
+            ("min + 1", 4, Kind::LeastAlone),
+            ("minimum", 3, Kind::LeastAlone),
+            ("1.2.3*min", 3, Kind::NotANumber(UnexpectedCharacter('.'))),
+        ] {
+            assert_eq!(parse(text), Err(ParseBoundError { position, kind }), "{text}");
+        }
+    }
+
+    #[test]
+    fn messages_say_what_to_write() {
+        let law = "(expected a number such as 0.5e-3, or a law such as \"0.05%*|y| + 2e-3\", \"written\" or \"+0.2/-0.1\")";
+        for (text, message) in [
+            (
+                "2%",
+                "2% of what? Write 2%*|y| for that share of each reading, 2%*range(y) for that share of the span of all readings"
+                    .to_owned(),
+            ),
+            (
+                "1%*|z|",
+                format!("neither a number nor one of |y|, |x|, range(y), written and min at character 4 {law}"),
+            ),
+            (
+                "|y| - 1",
+                format!(
+                    "a term that is subtracted at character 5: for another bound above than below write +ABOVE/-BELOW {law}"
+                ),
+            ),
+            (
+                "min + 1",
+                "min is the least bound that these very readings allow, and nothing but a positive factor goes with it: 1.2*min"
+                    .to_owned(),
+            ),
+            (
+                "1.2.3*|y|",
+                "not a number: unexpected character '.' at character 4 (expected a number that is at least 0, such as 0.5e-3 or \
+                 1/2000)"
+                    .to_owned(),
+            ),
+        ] {
+            assert_eq!(parse(text).unwrap_err().to_string(), message, "{text}");
+        }
+    }
+}
