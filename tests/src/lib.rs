@@ -15,6 +15,7 @@ pub mod proofs;
 pub mod readings;
 pub mod reference_table;
 pub mod representations;
+pub mod second_judge;
 pub mod shape;
 pub mod tables;
 pub mod workbooks;

@@ -19,13 +19,16 @@ use boundfit_check::ProgramRows;
 use boundfit_estimation::Problem;
 use boundfit_exact::Rational;
 use boundfit_lp::Referee;
-pub use boundfit_lp::{BoundClaim, Claimed, Judgement, PuiEnd, Verdict};
+pub use boundfit_lp::{
+    BoundClaim, Claimed, Judgement, NumberFormat, Precision, Printed, PuiEnd, RoundedTo, ToleranceUnit,
+    Verdict,
+};
 
 use crate::number::Number;
 use crate::observations::Error;
 
-/// Judges claimed intervals of both parameters, each from its lower to its upper end. Exact. A claim is within tolerance if it
-/// is off by at most 10⁻⁶ of the interval's width. Cost: four programs of as many rows as twice the readings.
+/// Judges claimed intervals of both parameters, each from its lower to its upper end. Exact: the numbers are taken for what they
+/// are. A claim is within tolerance if it is off by at most 10⁻⁶ of the interval's width, to either side. Cost: four programs of as many rows as twice the readings.
 ///
 /// # Errors
 /// When a claim has no exact value.
@@ -33,13 +36,14 @@ pub fn check<N: Number>(problem: &Problem, claimed: &[[N; 2]; 2]) -> Result<[[Ju
     let claims = PuiEnd::try_each(|end| {
         let number = end.of(claimed).exact();
         let value = number.map_err(|problem| Error::Claim { end: end.name(), problem })?;
-        Ok::<_, Error>(BoundClaim::bare(Claimed::Value(value)))
+        Ok::<_, Error>(BoundClaim::bare(Claimed::Value(value.into())))
     })?;
     Ok(judge(problem, &claims))
 }
 
 /// Judges claims of any kind, as [`check`](fn@check) does: also that a parameter has no bound or that there is no feasible
-/// point, and with the point or the multipliers that a solver shows for it.
+/// point, with the point or the multipliers that a solver shows for it, and
+/// with the precision of numbers that were printed ([`Printed`]).
 pub fn judge(problem: &Problem, claims: &[[BoundClaim; 2]; 2]) -> [[Judgement; 2]; 2] {
     let rows = ProgramRows::new(problem);
     let referee = Referee::new(rows.rows().to_vec(), Rational::ratio(1, 1_000_000));

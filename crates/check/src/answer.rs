@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use boundfit_lp::{BoundClaim, Claimed, ExactOutcome, Program, PuiEnd, exact_simplex};
+use boundfit_lp::{BoundClaim, Claimed, ExactOutcome, Printed, Program, PuiEnd, exact_simplex};
 use thiserror::Error;
 
 use crate::float;
@@ -20,6 +20,15 @@ pub struct Answer {
     pub exact_input: bool,
     /// By parameter, then lower and upper.
     pub claims: [[BoundClaim; 2]; 2],
+}
+
+impl Answer {
+    /// This answer with every number meant exactly, however it was printed.
+    #[must_use]
+    pub fn without_precision(self) -> Self {
+        let claims = self.claims.map(|ends| ends.map(BoundClaim::without_precision));
+        Answer { claims, ..self }
+    }
 }
 
 /// A solver that this build does not have.
@@ -67,5 +76,5 @@ fn exact_claim(end: PuiEnd, outcome: ExactOutcome, rows: usize) -> BoundClaim {
             *dual = multiplier.value.to_f64();
         }
     }
-    BoundClaim::attained(end, theta, Some(duals))
+    BoundClaim::attained(end, theta.map(Printed::exact), Some(duals))
 }

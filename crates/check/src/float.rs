@@ -32,7 +32,7 @@ fn claim(end: PuiEnd, outcome: Outcome) -> BoundClaim {
         Outcome::Optimal(Optimum { theta, duals, .. }) => {
             let [theta1, theta2] = theta.map(Rational::from_f64);
             match theta1.zip(theta2) {
-                Some((theta1, theta2)) => BoundClaim::attained(end, [theta1, theta2], duals),
+                Some((theta1, theta2)) => BoundClaim::attained(end, [theta1.into(), theta2.into()], duals),
                 None => BoundClaim::nothing("an optimum that is not finite"),
             }
         }

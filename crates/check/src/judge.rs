@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use boundfit_estimation::Problem;
 use boundfit_exact::{Rational, Reading};
-use boundfit_lp::{Judgement, Referee, Verdict};
+use boundfit_lp::{Judgement, Referee, ToleranceUnit, Verdict};
 
 use crate::answer::{Answer, SourceError, answer_of};
 use crate::directions::{Directions, directions};
@@ -19,6 +19,8 @@ pub struct CheckOptions {
     pub answers: Vec<Answer>,
     /// What still counts as within tolerance: of bounds in widths of the interval, of points in units of ε.
     pub tolerance: Rational,
+    /// Whether numbers in texts are judged as precise as they are printed, or exactly as they are spelt.
+    pub as_printed: bool,
     /// The longest that a solver may work on one program.
     pub time_limit: Duration,
     /// How many directions to compare the set in; none when `None`.
@@ -41,6 +43,12 @@ impl JudgedAnswer {
     pub fn worst(&self) -> Verdict {
         self.bounds.iter().flatten().map(|judgement| judgement.verdict).max().unwrap_or(Verdict::NoAnswer)
     }
+
+    /// The largest error of the ends with this verdict, in proportion; see [`Judgement::error`].
+    pub fn largest_error(&self, verdict: Verdict) -> Option<(Rational, Option<ToleranceUnit>)> {
+        let ends = self.bounds.iter().flatten().filter(|judgement| judgement.verdict == verdict);
+        ends.filter_map(Judgement::error).max_by(|(left, _), (right, _)| left.cmp(right))
+    }
 }
 
 /// Everything that was found.
@@ -53,10 +61,15 @@ pub struct Check {
     pub directions: Option<Directions>,
     /// The rows, for their names.
     pub rows: ProgramRows,
+    /// The tolerance that was asked for.
+    pub tolerance: Rational,
+    /// Whether numbers in texts were judged as precise as they are printed.
+    pub as_printed: bool,
 }
 
 impl Check {
-    /// The worst verdict against the data as read; `None` without answers.
+    /// The worst verdict against the data read like this; `None` without answers. That against the data as read decides the
+    /// exit status.
     pub fn worst(&self, reading: Reading) -> Option<Verdict> {
         self.answers.iter().filter(|answer| answer.reading == reading).map(JudgedAnswer::worst).max()
     }
@@ -72,6 +85,9 @@ pub fn check(problem: &Problem, reading: Reading, options: &CheckOptions) -> Res
     let mut answers = options.answers.clone();
     for name in &options.solvers {
         answers.push(answer_of(name, &rows, options.time_limit)?);
+    }
+    if !options.as_printed {
+        answers = answers.into_iter().map(Answer::without_precision).collect();
     }
     let as_read = Referee::new(rows.rows().to_vec(), options.tolerance.clone());
     let rounded =
@@ -92,5 +108,12 @@ pub fn check(problem: &Problem, reading: Reading, options: &CheckOptions) -> Res
         judged_answers.extend(received.map(|referee| judged(answer, referee, Reading::Binary64)));
     }
     let directions = options.directions.map(|count| directions(problem, &rows, count));
-    Ok(Check { answers: judged_answers, directions, rows })
+    let CheckOptions { tolerance, as_printed, .. } = options;
+    Ok(Check {
+        answers: judged_answers,
+        directions,
+        rows,
+        tolerance: tolerance.clone(),
+        as_printed: *as_printed,
+    })
 }

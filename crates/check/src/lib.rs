@@ -28,6 +28,7 @@
 //!     solvers: vec!["exact-simplex".to_owned()],
 //!     answers: vec![parse_claim_pui("0.6,1.5,-0.5,0.5")?],
 //!     tolerance: Rational::ratio(1, 1_000_000),
+//!     as_printed: true,
 //!     time_limit: std::time::Duration::from_secs(60),
 //!     directions: None,
 //! };

@@ -8,7 +8,7 @@ use boundfit_check::{
 };
 use boundfit_estimation::Problem;
 use boundfit_exact::{Rational, Reading, Rounding};
-use boundfit_lp::{BoundClaim, End, Judgement, PuiEnd, Referee, Refutation, Verdict};
+use boundfit_lp::{BoundClaim, End, Judgement, PuiEnd, Referee, Refutation, ToleranceUnit, Verdict};
 use boundfit_report::{Number, Style};
 use serde::Serialize;
 
@@ -138,16 +138,31 @@ fn claim(answer: &LpAnswer, end: PuiEnd, styles: &[Style; 2]) -> ClaimJson {
         end: end.end().name(),
         verdict: judgement.verdict.name(),
         claimed: judgement.claimed.as_ref().map(claimed),
-        point: end.of(&answer.claims).point.as_ref().map(|theta| point(styles, theta)),
+        point: end
+            .of(&answer.claims)
+            .point
+            .as_ref()
+            .map(|theta| point(styles, &theta.each_ref().map(|coordinate| coordinate.value.clone()))),
         reason: reason(judgement),
     }
 }
 
-/// Why a claim is not simply right, in a sentence.
+/// An error in proportion: `1.6e-16 of the width`. Rounded up.
+pub(crate) fn proportion((size, unit): (Rational, Option<ToleranceUnit>)) -> String {
+    let size = with_minus(&size.to_decimal(2, Rounding::Up));
+    match unit {
+        Some(ToleranceUnit::Width) => format!("{size} of the width"),
+        Some(ToleranceUnit::Value) => format!("{size} of its value"),
+        Some(ToleranceUnit::Epsilon) => format!("{size} of ε"),
+        None => size,
+    }
+}
+
+/// Why a claim is not simply right, in a sentence, proportion first.
 pub(crate) fn reason(judgement: &Judgement) -> Option<String> {
-    let size = |value: &Option<Rational>| {
-        value.as_ref().map(|value| with_minus(&value.abs().to_decimal(2, Rounding::Up))).unwrap_or_default()
-    };
+    let size = || judgement.error().map(proportion).unwrap_or_default();
+    let is_inside = judgement.excess.as_ref().is_some_and(Rational::is_negative);
+    let direction = if is_inside { "cuts off" } else { "is too wide by" };
     let outside = || match &judgement.violation {
         Some(violation) => {
             format!(
@@ -159,16 +174,12 @@ pub(crate) fn reason(judgement: &Judgement) -> Option<String> {
     };
     match judgement.verdict {
         Verdict::Exact => None,
-        Verdict::Rounded { ulps: 0 } => Some("It is the double nearest to the exact end.".to_owned()),
-        Verdict::Rounded { ulps: 1 } => Some("It is one double away from the nearest one.".to_owned()),
-        Verdict::Rounded { ulps } => Some(format!("It is {ulps} doubles away from the nearest one.")),
-        Verdict::WithinTolerance if judgement.violation.is_some() => Some(outside()),
-        Verdict::WithinTolerance | Verdict::Loose => {
-            Some(format!("It is too wide by {}.", size(&judgement.excess)))
-        }
+        Verdict::Rounded => Some(format!("It is right to {}, which is rounding.", size())),
+        Verdict::WithinTolerance => Some(format!("It {direction} {}, which is little.", size())),
+        Verdict::Loose => Some(format!("It {direction} {}.", size())),
         Verdict::NoAnswer => judgement.reason.as_ref().map(|reason| format!("It gave none: {reason}.")),
         Verdict::InfeasiblePoint => Some(outside()),
-        Verdict::Unsafe => Some(format!("It cuts off feasible parameters, by {}.", size(&judgement.excess))),
+        Verdict::Unsafe => Some(format!("It cuts off feasible parameters, by {}.", size())),
         Verdict::InvertedInterval => Some("The lower end is above the upper end.".to_owned()),
         Verdict::WrongStatus => Some(wrong_status(judgement)),
     }

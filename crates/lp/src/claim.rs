@@ -2,6 +2,8 @@
 
 use boundfit_exact::Rational;
 
+use crate::printed::Printed;
+
 /// An end of an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum End {
@@ -127,7 +129,7 @@ pub struct BoundClaim {
     /// The claim itself.
     pub claimed: Claimed,
     /// The point at which the end is said to be attained.
-    pub point: Option<[Rational; 2]>,
+    pub point: Option<[Printed; 2]>,
     /// The solver's multiplier of each row.
     pub duals: Option<Vec<f64>>,
 }
@@ -136,7 +138,7 @@ pub struct BoundClaim {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Claimed {
     /// The parameter ends here.
-    Value(Rational),
+    Value(Printed),
     /// There is no feasible point.
     Infeasible,
     /// The parameter goes on without end.
@@ -159,10 +161,21 @@ impl BoundClaim {
     }
 
     /// The claim of a solver that calls a point optimal: the end is the point's own parameter.
-    pub fn attained(end: PuiEnd, point: [Rational; 2], duals: Option<Vec<f64>>) -> Self {
+    pub fn attained(end: PuiEnd, point: [Printed; 2], duals: Option<Vec<f64>>) -> Self {
         let [theta1, theta2] = &point;
         let value = if end.axis() == 0 { theta1 } else { theta2 }.clone();
         BoundClaim { claimed: Claimed::Value(value), point: Some(point), duals }
+    }
+
+    /// This claim with every number meant exactly, however it was printed.
+    #[must_use]
+    pub fn without_precision(self) -> Self {
+        let claimed = match self.claimed {
+            Claimed::Value(value) => Claimed::Value(value.without_precision()),
+            other => other,
+        };
+        let point = self.point.map(|point| point.map(Printed::without_precision));
+        BoundClaim { claimed, point, duals: self.duals }
     }
 }
 

@@ -12,6 +12,7 @@
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
 
 mod claim;
+mod closeness;
 mod exchange;
 mod model;
 mod outcome;
@@ -26,6 +27,7 @@ mod standard_form;
 mod verdict;
 
 pub use claim::{BoundClaim, Claimed, End, PuiEnd};
+pub use closeness::{Closeness, Difference, MOST_ULPS, RoundedTo, ToleranceUnit, ulp};
 pub use exchange::{ExchangeFormat, ExchangeProgram, ExchangeRow, Sense};
 pub use model::{Bounds, Model, ModelColumn, ModelRow, ObjectiveSense};
 pub use outcome::{ExactOutcome, Multiplier, Optimum, Outcome};

@@ -3,7 +3,9 @@
 use boundfit_exact::Rational;
 
 use crate::claim::{BoundClaim, Claimed, End, PuiEnd};
+use crate::closeness::{Closeness, Difference, MOST_ULPS, ToleranceUnit, ulp};
 use crate::outcome::{ExactOutcome, Multiplier};
+use crate::printed::Printed;
 use crate::program::{Program, Row};
 use crate::simplex::exact_simplex;
 use crate::verdict::{Judgement, Refutation, Verdict, Violation};
@@ -19,9 +21,9 @@ pub struct RefereeRow {
 
 /// Judges claims about the intervals of θ1 and θ2 over a set of rows.
 ///
-/// Everything is exact: the truth comes from [`exact_simplex`], and the only tolerance is the one that tells *within
-/// tolerance* from *loose* and *infeasible point*. A bound that cuts off feasible parameters by more than rounding is
-/// unsafe, however little it cuts off.
+/// Everything is exact: the truth comes from [`exact_simplex`], claims are the numbers that their texts spell, and what is
+/// excused is counted in proportion: rounding in units of the last digit, everything else in widths of the interval. With a
+/// tolerance of 0 a bound that cuts off feasible parameters by more than rounding is unsafe, however little it cuts off.
 ///
 /// ```
 /// use boundfit_exact::Rational;
@@ -33,7 +35,7 @@ pub struct RefereeRow {
 /// });
 /// let referee = Referee::new(rows.to_vec(), Rational::ratio(1, 1_000_000));
 /// let judged = |value: Rational| {
-///     let claim = BoundClaim { claimed: Claimed::Value(value), point: None, duals: None };
+///     let claim = BoundClaim { claimed: Claimed::Value(value.into()), point: None, duals: None };
 ///     referee.judge(0, End::Upper, &claim).verdict
 /// };
 /// assert_eq!(judged(Rational::ratio(1, 3)), Verdict::Exact);
@@ -53,7 +55,8 @@ pub struct Referee {
     reason = "parameters are 0 or 1 of arrays of two, and as many duals as rows are asked for before they are looked at"
 )]
 impl Referee {
-    /// Solves the four programs exactly. The tolerance is in units of the intervals' widths for bounds, of ε for points.
+    /// Solves the four programs exactly. The tolerance is in units of the intervals' widths for bounds (see
+    /// [`ToleranceUnit`] where there is none), of ε for points.
     pub fn new(rows: Vec<RefereeRow>, tolerance: Rational) -> Self {
         let plain: Vec<Row> = rows.iter().map(|row| row.row.clone()).collect();
         let truths = PuiEnd::each(|end| exact_simplex(&Program { rows: &plain, objective: end.objective() }));
@@ -79,16 +82,20 @@ impl Referee {
         }
     }
 
-    /// Judges what is claimed about both ends of the interval of one parameter: each for itself, and their order.
+    /// Judges what is claimed about both ends of the interval of one parameter: each for itself, and their order, which does
+    /// not matter where both ends are right up to rounding and the tolerance.
     ///
     /// # Panics
     /// When `axis` is neither 0 nor 1.
     pub fn judge_interval(&self, axis: usize, claims: &[BoundClaim; 2]) -> [Judgement; 2] {
         let mut judgements =
             [self.judge(axis, End::Lower, &claims[0]), self.judge(axis, End::Upper, &claims[1])];
-        if let (Some(lower), Some(upper)) = (&judgements[0].claimed, &judgements[1].claimed)
-            && lower > upper
-        {
+        let [lower, upper] = &judgements;
+        let is_crossed = lower.claimed.as_ref().zip(upper.claimed.as_ref()).is_some_and(|(l, u)| l > u);
+        let is_off = |(end, claim)| {
+            self.difference(axis, end, claim).is_none_or(|(found, _)| found.closeness == Closeness::Off)
+        };
+        if is_crossed && [End::Lower, End::Upper].into_iter().zip(claims).any(is_off) {
             // Where the set is empty, that is the finding: its proof says more than the order of the ends.
             for judgement in
                 judgements.iter_mut().filter(|judgement| judgement.verdict != Verdict::WrongStatus)
@@ -108,8 +115,10 @@ impl Referee {
             verdict: Verdict::Exact,
             exact: self.exact_end(axis, end),
             claimed: None,
+            rounded_to: None,
             excess: None,
-            excess_in_widths: None,
+            excess_in_ulps: None,
+            excess_in_units: None,
             tau: None,
             tau_in_epsilon: None,
             violation: None,
@@ -124,19 +133,22 @@ impl Referee {
                 judgement.reason = Some(reason.clone());
                 return judgement;
             }
-            Claimed::Value(value) => judgement.claimed = Some(value.clone()),
+            Claimed::Value(value) => judgement.claimed = Some(value.value.clone()),
             Claimed::Infeasible | Claimed::Unbounded | Claimed::InfeasibleOrUnbounded => {}
         }
         judgement.proof = self.contrary(axis, end, &claim.claimed);
         if judgement.proof.is_some() {
             judgement.verdict = Verdict::WrongStatus;
-            return judgement;
-        }
-        if let Some(value) = judgement.claimed.clone() {
-            self.judge_value(axis, end, &value, &mut judgement);
+        } else {
+            self.judge_value(axis, end, claim, &mut judgement);
         }
         if let Some(point) = &claim.point {
-            self.judge_point(point, &mut judgement);
+            let is_tolerated = self.judge_point(point, &mut judgement);
+            // Who says that there is no feasible point does not claim that this one is feasible.
+            let is_claimed = matches!(claim.claimed, Claimed::Value(_) | Claimed::Unbounded);
+            if is_claimed && !is_tolerated {
+                judgement.verdict = judgement.verdict.max(Verdict::InfeasiblePoint);
+            }
         }
         judgement
     }
@@ -163,68 +175,73 @@ impl Referee {
         }
     }
 
-    /// Compares a claimed end with the true one.
-    fn judge_value(&self, axis: usize, end: End, value: &Rational, judgement: &mut Judgement) {
-        let ExactOutcome::Optimal { theta, .. } = self.truth(axis, end) else { return };
-        let exact = &theta[axis];
-        let excess = match end {
-            End::Lower => exact - value,
-            End::Upper => value - exact,
+    /// The difference between a claimed end and the true one, and what its tolerance is relative to; `None` unless there are
+    /// both.
+    fn difference(
+        &self,
+        axis: usize,
+        end: End,
+        claim: &BoundClaim,
+    ) -> Option<(Difference, Option<ToleranceUnit>)> {
+        let (Claimed::Value(claimed), Some(exact)) = (&claim.claimed, self.exact_end(axis, end)) else {
+            return None;
         };
-        let width = self
-            .exact_end(axis, End::Upper)
-            .zip(self.exact_end(axis, End::Lower))
-            .map(|(upper, lower)| upper - lower);
-        judgement.excess_in_widths = width.and_then(|width| excess.checked_div(&width));
-        judgement.verdict = if excess.is_zero() {
-            Verdict::Exact
-        } else if let Some(ulps) = ulps_between(value, exact).filter(|ulps| *ulps <= Verdict::MOST_ULPS) {
-            Verdict::Rounded { ulps }
-        } else if excess.is_negative() {
+        let ends = self.exact_end(axis, End::Upper).zip(self.exact_end(axis, End::Lower));
+        let width = ends.map(|(upper, lower)| upper - lower);
+        let epsilons = self.rows.iter().filter_map(|row| row.epsilon.as_ref());
+        let epsilon = epsilons.filter(|epsilon| epsilon.is_positive()).min();
+        let (unit, size) = ToleranceUnit::choose(width, &exact, epsilon).unzip();
+        Some((Difference::new(claimed, &exact, size.as_ref(), &self.tolerance), unit))
+    }
+
+    /// Compares a claimed end with the true one, if there are both.
+    fn judge_value(&self, axis: usize, end: End, claim: &BoundClaim, judgement: &mut Judgement) {
+        let Some((found, unit)) = self.difference(axis, end, claim) else { return };
+        let excess = if end == End::Lower { -found.by } else { found.by };
+        let is_inside = excess.is_negative();
+        let signed = |size: Rational| if is_inside { -size } else { size };
+        judgement.verdict = Verdict::of_bound(found.closeness, is_inside);
+        if let Closeness::Rounded(to) = found.closeness {
+            judgement.rounded_to = Some(to);
+        }
+        if judgement.verdict == Verdict::Unsafe
+            && let ExactOutcome::Optimal { theta, .. } = self.truth(axis, end)
+        {
             judgement.witness = Some(theta.clone());
-            Verdict::Unsafe
-        } else if judgement.excess_in_widths.as_ref().is_some_and(|widths| *widths <= self.tolerance) {
-            Verdict::WithinTolerance
-        } else {
-            Verdict::Loose
-        };
+        }
+        judgement.excess_in_ulps = found.in_ulps.map(signed);
+        judgement.excess_in_units = found.in_units.map(signed).zip(unit);
         judgement.excess = Some(excess);
     }
 
-    /// Tests a claimed point against every row.
-    fn judge_point(&self, point: &[Rational; 2], judgement: &mut Judgement) {
+    /// Measures a claimed point against every row, and says whether rounding or the tolerance excuses what it violates.
+    fn judge_point(&self, point: &[Printed; 2], judgement: &mut Judgement) -> bool {
         let mut tau = Some(Rational::zero());
         let mut in_epsilon = Some(Rational::zero());
         let mut tolerated = true;
         let mut worst: Option<(Rational, Violation)> = None;
+        let theta = point.each_ref().map(|coordinate| coordinate.value.clone());
+        let reach = point.each_ref().map(reach_of_rounding);
         for (index, RefereeRow { row, epsilon }) in self.rows.iter().enumerate() {
-            let by = -row.slack(point);
+            let by = -row.slack(&theta);
             if !by.is_positive() {
                 continue;
             }
             let relative = epsilon.as_ref().and_then(|epsilon| by.checked_div(epsilon));
             // A condition has no error bound to compare with: its own terms have to do.
-            let size = || row.b.abs() + (&row.a[0] * &point[0]).abs() + (&row.a[1] * &point[1]).abs();
+            let size = || row.b.abs() + (&row.a[0] * &theta[0]).abs() + (&row.a[1] * &theta[1]).abs();
             let measure = relative.clone().or_else(|| by.checked_div(&size())).unwrap_or_else(Rational::one);
-            tolerated &= measure <= self.tolerance;
+            let is_rounding = by <= (&row.a[0] * &reach[0]).abs() + (&row.a[1] * &reach[1]).abs();
+            tolerated &= is_rounding || measure <= self.tolerance;
             tau = tau.filter(|_| epsilon.is_some()).map(|tau| tau.max(by.clone()));
             in_epsilon = in_epsilon.zip(relative).map(|(largest, relative)| largest.max(relative));
             if worst.as_ref().is_none_or(|(largest, _)| measure > *largest) {
                 worst = Some((measure, Violation { row: index, by }));
             }
         }
-        let verdict = match &worst {
-            None => Verdict::Exact,
-            Some(_) if tolerated => Verdict::WithinTolerance,
-            Some(_) => Verdict::InfeasiblePoint,
-        };
-        // A point that is off by rounding does not make a rounded bound any worse.
-        let rounded = verdict == Verdict::WithinTolerance && judgement.verdict <= Verdict::WithinTolerance;
-        if !rounded {
-            judgement.verdict = judgement.verdict.max(verdict);
-        }
         judgement.violation = worst.map(|(_, violation)| violation);
         (judgement.tau, judgement.tau_in_epsilon) = (tau, in_epsilon);
+        tolerated
     }
 
     /// Whether the one or two rows with the largest duals prove the true end when their multipliers are recomputed.
@@ -263,19 +280,10 @@ impl Referee {
     }
 }
 
-/// How many steps between neighbouring binary64 numbers lie between the ones nearest to two numbers; `None` when one of
-/// them overflows.
-fn ulps_between(left: &Rational, right: &Rational) -> Option<u64> {
-    let [left, right] = [left.to_f64(), right.to_f64()];
-    if !left.is_finite() || !right.is_finite() {
-        return None;
-    }
-    // Binary64 numbers are ordered like their bits, read as sign and magnitude.
-    let position = |value: f64| {
-        let bits = i128::from(value.to_bits() & (u64::MAX >> 1));
-        if value.is_sign_negative() { -bits } else { bits }
-    };
-    u64::try_from((position(left) - position(right)).abs()).ok()
+/// How far rounding may have moved a coordinate: printing, or the computation in binary64.
+fn reach_of_rounding(coordinate: &Printed) -> Rational {
+    let ulps = ulp(&coordinate.value).map(|ulp| ulp * Rational::from(MOST_ULPS));
+    coordinate.reach().max(ulps.unwrap_or_default())
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use boundfit_exact::Rational;
 
+use crate::closeness::{Closeness, RoundedTo, ToleranceUnit};
 use crate::outcome::Multiplier;
 
 /// The worth of a claim, from best to worst. Everything from [`Verdict::Loose`] on refutes it.
@@ -9,37 +10,30 @@ use crate::outcome::Multiplier;
 pub enum Verdict {
     /// The claim is the truth.
     Exact,
-    /// The claim is the binary64 nearest to the truth, or this many units in the last place away, at most
-    /// [`Verdict::MOST_ULPS`].
-    Rounded {
-        /// Steps between neighbouring binary64 numbers from the nearest one.
-        ulps: u64,
-    },
-    /// Too wide, or its point outside, by no more than the tolerance.
+    /// The claim is off by rounding: to binary64 numbers, or to the digits that it was printed with.
+    Rounded,
+    /// The bound is off by no more than the tolerance, to either side.
     WithinTolerance,
     /// Nothing was claimed.
     NoAnswer,
     /// The bound is too wide by more than the tolerance: safe, but not the bound.
     Loose,
-    /// The claimed point violates a row by more than the tolerance.
+    /// The claimed point violates a row by more than the tolerance, and than its own rounding explains.
     InfeasiblePoint,
-    /// The bound cuts off feasible parameters.
+    /// The bound cuts off feasible parameters, by more than the tolerance.
     Unsafe,
-    /// The lower end is above the upper end.
+    /// The lower end is above the upper end, and not both are right.
     InvertedInterval,
     /// Not the status of the program: empty claimed feasible, bounded claimed unbounded, and so on.
     WrongStatus,
 }
 
 impl Verdict {
-    /// How many units in the last place still count as rounding.
-    pub const MOST_ULPS: u64 = 4;
-
     /// The name in reports.
     pub fn name(self) -> &'static str {
         match self {
             Verdict::Exact => "exact",
-            Verdict::Rounded { .. } => "rounded",
+            Verdict::Rounded => "rounded",
             Verdict::WithinTolerance => "within tolerance",
             Verdict::NoAnswer => "no answer",
             Verdict::Loose => "loose",
@@ -47,6 +41,17 @@ impl Verdict {
             Verdict::Unsafe => "unsafe",
             Verdict::WrongStatus => "wrong status",
             Verdict::InvertedInterval => "inverted interval",
+        }
+    }
+
+    /// What a bound is worth that differs from the true one like this, to the inside or not.
+    pub fn of_bound(closeness: Closeness, is_inside: bool) -> Self {
+        match closeness {
+            Closeness::Exact => Verdict::Exact,
+            Closeness::Rounded(_) => Verdict::Rounded,
+            Closeness::WithinTolerance => Verdict::WithinTolerance,
+            Closeness::Off if is_inside => Verdict::Unsafe,
+            Closeness::Off => Verdict::Loose,
         }
     }
 
@@ -92,10 +97,15 @@ pub struct Judgement {
     pub exact: Option<Rational>,
     /// The claimed end.
     pub claimed: Option<Rational>,
+    /// Which rounding explains a rounded claim.
+    pub rounded_to: Option<RoundedTo>,
     /// How far the claim is outside (positive) or inside (negative) of the true end.
     pub excess: Option<Rational>,
-    /// The excess in units of the true interval's width, when that is neither 0 nor infinite.
-    pub excess_in_widths: Option<Rational>,
+    /// The excess in units in the last place of binary64 at the true end.
+    pub excess_in_ulps: Option<Rational>,
+    /// The excess in the unit of the tolerance, and which one that is. Without its sign it is the smallest tolerance that
+    /// excuses the claim.
+    pub excess_in_units: Option<(Rational, ToleranceUnit)>,
     /// The smallest τ for which the claimed point lies in FPS(ε + τ). `None` without a point, and when the point
     /// violates a condition, which no τ relaxes.
     pub tau: Option<Rational>,
@@ -115,6 +125,17 @@ pub struct Judgement {
     pub reason: Option<String>,
 }
 
+impl Judgement {
+    /// The size of the claim's error in proportion: in the unit of the tolerance where there is one, else as it is. `None`
+    /// where there is nothing to compare.
+    pub fn error(&self) -> Option<(Rational, Option<ToleranceUnit>)> {
+        match &self.excess_in_units {
+            Some((units, unit)) => Some((units.abs(), Some(*unit))),
+            None => Some((self.excess.as_ref()?.abs(), None)),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -123,7 +144,7 @@ mod tests {
     fn verdicts_from_best_to_worst() {
         let verdicts = [
             (Verdict::Exact, "exact"),
-            (Verdict::Rounded { ulps: 1 }, "rounded"),
+            (Verdict::Rounded, "rounded"),
             (Verdict::WithinTolerance, "within tolerance"),
             (Verdict::NoAnswer, "no answer"),
             (Verdict::Loose, "loose"),

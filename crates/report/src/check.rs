@@ -2,8 +2,8 @@
 
 use boundfit_check::{Approximation, Check, Directions, JudgedAnswer, ProgramRows};
 use boundfit_exact::english::counted;
-use boundfit_exact::{Endpoint, Interval, Rational, Reading};
-use boundfit_lp::{End, Judgement, Multiplier, PuiEnd, Refutation, Verdict};
+use boundfit_exact::{Endpoint, Interval, Rational, Reading, Rounding};
+use boundfit_lp::{End, Judgement, Multiplier, PuiEnd, Refutation, RoundedTo, ToleranceUnit, Verdict};
 
 use crate::document::{Block, Document, Inline, Table, Text};
 use crate::formula::{absurdity, pair, products};
@@ -13,7 +13,7 @@ use crate::style::{Shown, Style};
 pub fn check_document(check: &Check, file: &str, reading: Reading, style: &Style) -> Document {
     let styles = resolving(check, reading, style);
     let mut rows = Vec::new();
-    let mut reasons = Vec::new();
+    let mut findings = Vec::new();
     for answer in &check.answers {
         let same_as_read = |other: &JudgedAnswer| {
             other.source == answer.source && other.reading == reading && verdicts(other) == verdicts(answer)
@@ -23,11 +23,12 @@ pub fn check_document(check: &Check, file: &str, reading: Reading, style: &Style
             continue;
         }
         rows.push(answer_row(answer, &styles));
+        findings.extend(rounded_ends(answer));
         for end in PuiEnd::ALL {
             let (judgement, name) = (end.of(&answer.bounds), heading(end));
             if let Some(reason) = reason(judgement, &check.rows, style) {
                 let verdict = format!(", {}: {name}: {}: ", answer.reading.name(), judgement.verdict.name());
-                reasons.push(Text::new().given(&answer.source).words(verdict).then(reason));
+                findings.push(Text::new().given(&answer.source).words(verdict).then(reason));
             }
         }
     }
@@ -38,36 +39,63 @@ pub fn check_document(check: &Check, file: &str, reading: Reading, style: &Style
         let header = ["source", "judged by"].map(str::to_owned).into_iter().chain(PuiEnd::ALL.map(heading));
         blocks.extend([Block::Space, Block::Table(Table::new(header, rows))]);
     }
-    if !reasons.is_empty() {
+    if !findings.is_empty() {
         blocks.push(Block::Title("Reasons".into()));
-        blocks.extend(reasons.into_iter().map(Block::Paragraph));
+        blocks.extend(findings.into_iter().map(Block::Paragraph));
     }
     blocks.extend(check.directions.iter().flat_map(|found| directions(found, style)));
-    if let Some(worst) = check.worst(reading) {
-        let refuted = if worst.is_refutation() { "; refuted" } else { "" };
-        blocks.push(Block::Lead(format!("Worst verdict: {}{refuted}", worst.name()).into()));
-    }
+    blocks.extend(worst_blocks(check, reading));
     Document::new(blocks)
 }
 
-/// What the first answer of a check is worth in a few words, for the report of a fit.
+/// The worst verdict, and what decides it: the reading of the data, as it decides the exit status.
+fn worst_blocks(check: &Check, reading: Reading) -> Vec<Block> {
+    let Some(worst) = check.worst(reading) else { return Vec::new() };
+    let refuted = if worst.is_refutation() { "; refuted" } else { "" };
+    let decides = match reading {
+        Reading::Decimal => "The data as written (decimal) decide this and the exit status",
+        Reading::Binary64 => "The data as doubles (binary64) decide this and the exit status",
+    };
+    let as_received = check.worst(Reading::Binary64).filter(|_| reading != Reading::Binary64);
+    let as_received = as_received.map_or_else(String::new, |worst| {
+        format!("; against the doubles that a solver receives (binary64) the worst is: {}", worst.name())
+    });
+    vec![
+        Block::Lead(format!("Worst verdict: {}{refuted}", worst.name()).into()),
+        Block::Paragraph(format!("{decides}{as_received}.").into()),
+    ]
+}
+
+/// What the first answer of a check is worth in a few words, for the report of a fit: how far it is off in proportion, then
+/// what that is called.
 pub fn verdict_line(check: &Check, reading: Reading) -> Option<String> {
     let answer = check.answers.iter().find(|answer| answer.reading == reading)?;
     let worst = answer.worst();
-    let detail = match worst {
-        Verdict::Exact => "right on all four ends".to_owned(),
-        Verdict::Rounded { ulps: 0 } => "right on all four ends, rounded".to_owned(),
-        Verdict::Rounded { ulps } => {
-            let units = counted(usize::try_from(ulps).unwrap_or(usize::MAX), "unit", "units");
-            format!("right on all four ends to {units} in the last place")
+    let error = answer.largest_error(worst).map(proportion);
+    let named = || {
+        let ends = PuiEnd::ALL.into_iter().filter(|end| end.of(&answer.bounds).verdict == worst);
+        let names: Vec<String> = ends.map(heading).collect();
+        format!("{} on {} (see boundfit check)", worst.name(), names.join(", "))
+    };
+    let detail = match (worst, error) {
+        (Verdict::Exact, _) => "right on all four ends".to_owned(),
+        (Verdict::Rounded | Verdict::WithinTolerance, Some(error)) => {
+            format!("right to {error} ({})", worst.name())
         }
-        _ => {
-            let ends = PuiEnd::ALL.into_iter().filter(|end| end.of(&answer.bounds).verdict == worst);
-            let names: Vec<String> = ends.map(heading).collect();
-            format!("{} on {} (see boundfit check)", worst.name(), names.join(", "))
-        }
+        (Verdict::Loose | Verdict::Unsafe, Some(error)) => format!("off by {error}: {}", named()),
+        _ => named(),
     };
     Some(format!("{}: {detail}", answer.source))
+}
+
+/// An error in proportion: `1.6e-16 of the width`. Rounded up.
+fn proportion((size, unit): (Rational, Option<ToleranceUnit>)) -> String {
+    let size = size.to_decimal(2, Rounding::Up);
+    match unit {
+        Some(ToleranceUnit::Epsilon) => format!("{size} of eps"),
+        Some(unit) => format!("{size} of the {}", unit.name()),
+        None => size,
+    }
 }
 
 /// A Markdown table of the worst verdict of each source on each case. Each case comes with its name and its check.
@@ -105,6 +133,49 @@ fn verdicts(answer: &JudgedAnswer) -> Vec<&'static str> {
     answer.bounds.iter().flatten().map(|judgement| judgement.verdict.name()).collect()
 }
 
+/// The ends of an answer that are right up to rounding, in one sentence for each kind of rounding.
+fn rounded_ends(answer: &JudgedAnswer) -> Vec<Text> {
+    let mut kinds: Vec<(RoundedTo, Vec<PuiEnd>)> = Vec::new();
+    for end in PuiEnd::ALL {
+        let judgement = end.of(&answer.bounds);
+        let Some(to) = judgement.rounded_to.filter(|_| judgement.verdict == Verdict::Rounded) else {
+            continue;
+        };
+        match kinds.iter_mut().find(|(kind, _)| *kind == to) {
+            Some((_, ends)) => ends.push(end),
+            None => kinds.push((to, vec![end])),
+        }
+    }
+    let sentence = |(to, ends): (RoundedTo, Vec<PuiEnd>)| {
+        let judgements = ends.iter().map(|end| end.of(&answer.bounds));
+        let errors = judgements.clone().filter_map(Judgement::error);
+        let largest = errors.max_by(|(left, _), (right, _)| left.cmp(right)).map(proportion);
+        let ulps = judgements.filter_map(|judgement| judgement.excess_in_ulps.as_ref()).map(Rational::abs);
+        let ulps = ulps.max().map(|ulps| format!(", {} ulp", ulps.to_decimal(2, Rounding::Up)));
+        let names = match ends.as_slice() {
+            [_, _, _, _] => "all four ends".to_owned(),
+            _ => ends.into_iter().map(heading).collect::<Vec<_>>().join(", "),
+        };
+        Text::new().given(&answer.source).words(format!(
+            ", {}: {names}: rounded to {}: right to {}{}",
+            answer.reading.name(),
+            rounding_name(to),
+            largest.unwrap_or_default(),
+            ulps.unwrap_or_default()
+        ))
+    };
+    kinds.into_iter().map(sentence).collect()
+}
+
+/// What a number was rounded to.
+fn rounding_name(to: RoundedTo) -> String {
+    match to {
+        RoundedTo::Binary64 => "doubles".to_owned(),
+        RoundedTo::Digits(0) => "zero".to_owned(),
+        RoundedTo::Digits(digits) => counted(digits, "digit", "digits"),
+    }
+}
+
 /// Styles that tell the true ends of each interval apart.
 fn resolving(check: &Check, reading: Reading, style: &Style) -> [Style; 2] {
     let answer = check.answers.iter().find(|answer| answer.reading == reading);
@@ -125,16 +196,35 @@ fn answer_row(answer: &JudgedAnswer, styles: &[Style; 2]) -> Vec<Text> {
     let mut row = vec![Text::new().given(&answer.source), answer.reading.name().into()];
     for end in PuiEnd::ALL {
         let judgement = end.of(&answer.bounds);
-        let verdict = match judgement.verdict {
-            Verdict::Rounded { ulps: ulps @ 1.. } => format!("rounded, {ulps} ulp"),
-            verdict => verdict.name().to_owned(),
+        let verdict = match judgement.rounded_to.filter(|_| judgement.verdict == Verdict::Rounded) {
+            Some(RoundedTo::Digits(digits @ 1..)) => {
+                format!("rounded, {}", counted(digits, "digit", "digits"))
+            }
+            _ => judgement.verdict.name().to_owned(),
         };
+        let style = telling(judgement, &styles[end.axis()]);
         row.push(match &judgement.claimed {
-            Some(claimed) => Text::new().number(shown_end(styles, end, claimed)).words(format!(" {verdict}")),
+            Some(claimed) => Text::new().number(shown_end(&style, end, claimed)).words(format!(" {verdict}")),
             None => verdict.into(),
         });
     }
     row
+}
+
+/// The most digits that a table shows to tell two numbers apart.
+const MOST_DIGITS: usize = 40;
+
+/// A style with the digits that tell a claim from the truth, unless it is right up to rounding.
+fn telling(judgement: &Judgement, style: &Style) -> Style {
+    let first_different = || {
+        let size = judgement.claimed.as_ref()?.abs().max(judgement.exact.as_ref()?.abs());
+        let place = judgement.excess.as_ref()?.decimal_exponent()?;
+        usize::try_from(size.decimal_exponent()? - place + 1).ok()
+    };
+    match first_different().filter(|_| judgement.verdict >= Verdict::WithinTolerance) {
+        Some(digits) => style.with_at_least(digits.min(MOST_DIGITS)),
+        None => *style,
+    }
 }
 
 /// An end in the head of a table: `theta1 min`.
@@ -143,8 +233,7 @@ fn heading(end: PuiEnd) -> String {
 }
 
 /// An end. Claimed and true ends are rounded alike, so that equal ones look equal.
-fn shown_end<'a>(styles: &[Style; 2], end: PuiEnd, value: &'a Rational) -> Shown<'a> {
-    let style = &styles[end.axis()];
+fn shown_end<'a>(style: &Style, end: PuiEnd, value: &'a Rational) -> Shown<'a> {
     match end.end() {
         End::Lower => style.lower(value),
         End::Upper => style.upper(value),
@@ -153,11 +242,15 @@ fn shown_end<'a>(styles: &[Style; 2], end: PuiEnd, value: &'a Rational) -> Shown
 
 /// The true ends.
 fn exact_row(check: &Check, reading: Reading, styles: &[Style; 2]) -> Option<Vec<Text>> {
-    let answer = check.answers.iter().find(|answer| answer.reading == reading)?;
+    let mut answers = check.answers.iter().filter(|answer| answer.reading == reading).peekable();
+    let first = *answers.peek()?;
+    let answers: Vec<&JudgedAnswer> = answers.collect();
     let mut row = vec!["true ends".into(), reading.name().into()];
     for end in PuiEnd::ALL {
-        let exact = end.of(&answer.bounds).exact.as_ref();
-        let shown = exact.map(|value| Text::new().number(shown_end(styles, end, value)));
+        let exact = end.of(&first.bounds).exact.as_ref();
+        let styles = answers.iter().map(|answer| telling(end.of(&answer.bounds), &styles[end.axis()]));
+        let style = styles.max_by_key(Style::significant).unwrap_or_default();
+        let shown = exact.map(|value| Text::new().number(shown_end(&style, end, value)));
         row.push(shown.unwrap_or("none".into()));
     }
     Some(row)
@@ -165,50 +258,58 @@ fn exact_row(check: &Check, reading: Reading, styles: &[Style; 2]) -> Option<Vec
 
 /// Why a claim is not simply right.
 fn reason(judgement: &Judgement, rows: &ProgramRows, style: &Style) -> Option<Text> {
-    let size = |words: &str, size: &Option<Rational>, after: &str| match size {
-        Some(size) => Text::from(words).number(style.upper(&size.abs())).words(after),
-        None => Text::new(),
-    };
-    let too_large = |words: &str| {
-        let widths = size(", ", &judgement.excess_in_widths, " of the true width");
-        Text::from(words).then(size("", &judgement.excess, "")).then(widths)
-    };
+    let point_text = || violation_text(judgement, rows, style);
     let main = match judgement.verdict {
-        Verdict::Exact | Verdict::Rounded { .. } => return None,
+        Verdict::Exact | Verdict::Rounded => return None,
         Verdict::NoAnswer => judgement.reason.clone().unwrap_or_default().into(),
         Verdict::InvertedInterval => "the lower end is above the upper end".into(),
         Verdict::WrongStatus => judgement.proof.as_ref().map(|proof| contrary(proof, rows, style))?,
         Verdict::Unsafe => {
             let witness = judgement.witness.as_ref().map(|theta| point(theta, style)).unwrap_or_default();
-            too_large("cuts off ").words("; ").then(witness).words(" is feasible")
+            error_text(judgement, style).words("; ").then(witness).words(" is feasible")
         }
-        Verdict::Loose => too_large("too wide by "),
-        Verdict::WithinTolerance | Verdict::InfeasiblePoint
-            if judgement.excess.as_ref().is_some_and(Rational::is_positive) =>
-        {
-            too_large("too wide by ")
-        }
-        Verdict::WithinTolerance | Verdict::InfeasiblePoint => Text::new(),
+        Verdict::Loose | Verdict::WithinTolerance | Verdict::InfeasiblePoint => error_text(judgement, style),
     };
     let mut reasons = vec![main];
-    if let Some(violation) = &judgement.violation
-        && judgement.verdict >= Verdict::WithinTolerance
-    {
-        let exceeds = format!("the point exceeds {} by ", rows.name(violation.row));
-        let exceeds = Text::from(exceeds).number(style.upper(&violation.by));
-        reasons.push(match (&judgement.tau, &judgement.tau_in_epsilon) {
-            (Some(tau), Some(relative)) => {
-                let needs = exceeds.words(": it needs eps + ").number(style.upper(tau));
-                needs.words(" (").number(style.upper(relative)).words(" of eps)")
-            }
-            _ => exceeds,
-        });
-    }
+    reasons.extend(point_text());
     if judgement.verdict.is_refutation() && judgement.repairable == Some(true) {
         reasons.push("its basis is right, only the digits are wrong (repairable)".into());
     }
     reasons.retain(|reason| !reason.is_empty());
     Some(Text::joined(reasons, &Inline::Words("; ".to_owned())))
+}
+
+/// The error of an end: its direction, its size in proportion, as it is and in units in the last place.
+fn error_text(judgement: &Judgement, style: &Style) -> Text {
+    let Some(excess) = judgement.excess.as_ref().filter(|excess| !excess.is_zero()) else {
+        return Text::new();
+    };
+    let text = Text::from(if excess.is_negative() { "cuts off " } else { "too wide by " });
+    let size = excess.abs();
+    let (text, is_open) = match judgement.excess_in_units {
+        Some(_) => {
+            let proportion = judgement.error().map(proportion).unwrap_or_default();
+            (text.words(format!("{proportion} (")).number(style.upper(&size)), true)
+        }
+        None => (text.number(style.upper(&size)), false),
+    };
+    let ulps = judgement.excess_in_ulps.as_ref().map(|ulps| ulps.abs().to_decimal(2, Rounding::Up));
+    let text = text.words(ulps.map(|ulps| format!(", {ulps} ulp")).unwrap_or_default());
+    if is_open { text.words(")") } else { text }
+}
+
+/// What a claimed point violates most, and what it needs.
+fn violation_text(judgement: &Judgement, rows: &ProgramRows, style: &Style) -> Option<Text> {
+    let violation = judgement.violation.as_ref()?;
+    let exceeds = format!("the point exceeds {} by ", rows.name(violation.row));
+    let exceeds = Text::from(exceeds).number(style.upper(&violation.by));
+    Some(match (&judgement.tau, &judgement.tau_in_epsilon) {
+        (Some(tau), Some(relative)) => {
+            let needs = exceeds.words(": it needs eps + ").number(style.upper(tau));
+            needs.words(" (").number(style.upper(relative)).words(" of eps)")
+        }
+        _ => exceeds,
+    })
 }
 
 /// What shows that a status is wrong.

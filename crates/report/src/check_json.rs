@@ -1,8 +1,8 @@
-//! The JSON report of a check, schema `boundfit/check/1`.
+//! The JSON report of a check, schema `boundfit/check/2`.
 
 use boundfit_check::{Approximation, Check, Directions, JudgedAnswer, ProgramRows};
 use boundfit_exact::{Rational, Reading};
-use boundfit_lp::{Judgement, Multiplier, PuiEnd, Refutation, Verdict};
+use boundfit_lp::{Judgement, Multiplier, PuiEnd, Refutation, RoundedTo, Verdict};
 use serde::Serialize;
 
 use crate::json::{TermJson, to_text};
@@ -13,8 +13,11 @@ use crate::style::Style;
 struct CheckJson<'a> {
     schema: &'static str,
     input: InputJson<'a>,
+    tolerance: Number,
+    digits_as_printed: bool,
     claims: Vec<ClaimJson>,
-    worst: Option<&'static str>,
+    worst: Option<WorstJson>,
+    worst_as_received: Option<WorstJson>,
     directions: Option<DirectionsJson>,
 }
 
@@ -22,6 +25,14 @@ struct CheckJson<'a> {
 #[derive(Serialize)]
 struct InputJson<'a> {
     file: Option<&'a str>,
+}
+
+/// The worst verdict against one reading of the data.
+#[derive(Serialize)]
+struct WorstJson {
+    verdict: &'static str,
+    reading: &'static str,
+    refuted: bool,
 }
 
 #[derive(Serialize)]
@@ -38,10 +49,12 @@ struct EndJson {
     end: &'static str,
     claimed: Option<Number>,
     verdict: &'static str,
-    ulps: Option<u64>,
+    rounded_to: Option<RoundedToJson>,
     exact: Option<Number>,
     excess: Option<Number>,
-    excess_in_widths: Option<Number>,
+    excess_in_ulps: Option<Number>,
+    excess_in_units: Option<Number>,
+    unit: Option<&'static str>,
     tau: Option<Number>,
     tau_in_epsilon: Option<Number>,
     row: Option<usize>,
@@ -51,6 +64,13 @@ struct EndJson {
     proof: Option<EvidenceJson>,
     repairable: Option<bool>,
     reason: Option<String>,
+}
+
+/// Which rounding explains a rounded claim: `binary64`, or `digits` with their number.
+#[derive(Serialize)]
+struct RoundedToJson {
+    kind: &'static str,
+    digits: Option<usize>,
 }
 
 #[derive(Serialize)]
@@ -76,16 +96,25 @@ struct ApproximationJson {
     area: Option<Number>,
 }
 
-/// The report as JSON, with a line end, about the data of this file; `None` for standard input. `reading` is that of the data; `worst` is against it.
+/// The report as JSON, with a line end, about the data of this file; `None` for standard input. `reading` is that of the data;
+/// `worst` is against it.
 pub fn check_json(check: &Check, file: Option<&str>, reading: Reading, style: &Style) -> String {
     let report = CheckJson {
-        schema: "boundfit/check/1",
+        schema: "boundfit/check/2",
         input: InputJson { file },
+        tolerance: style.given_number(&check.tolerance),
+        digits_as_printed: check.as_printed,
         claims: check.answers.iter().map(|answer| claim(answer, &check.rows, style)).collect(),
-        worst: check.worst(reading).map(Verdict::name),
+        worst: worst(check, reading),
+        worst_as_received: worst(check, Reading::Binary64).filter(|_| reading != Reading::Binary64),
         directions: check.directions.as_ref().map(|found| directions(found, style)),
     };
     to_text(&report)
+}
+
+fn worst(check: &Check, reading: Reading) -> Option<WorstJson> {
+    let worst = check.worst(reading)?;
+    Some(WorstJson { verdict: worst.name(), reading: reading.name(), refuted: worst.is_refutation() })
 }
 
 #[derive(Serialize)]
@@ -159,16 +188,15 @@ fn bound(
         end,
         claimed: number(&judgement.claimed),
         verdict: judgement.verdict.name(),
-        ulps: match judgement.verdict {
-            Verdict::Rounded { ulps } => Some(ulps),
-            _ => None,
-        },
+        rounded_to: judgement.rounded_to.filter(|_| judgement.verdict == Verdict::Rounded).map(rounded_to),
         exact: judgement
             .exact
             .as_ref()
             .map(|exact| if end == "lower" { style.lower_number(exact) } else { style.upper_number(exact) }),
         excess: number(&judgement.excess),
-        excess_in_widths: number(&judgement.excess_in_widths),
+        excess_in_ulps: number(&judgement.excess_in_ulps),
+        excess_in_units: judgement.excess_in_units.as_ref().map(|(units, _)| style.number(units)),
+        unit: judgement.excess_in_units.as_ref().map(|(_, unit)| unit.name()),
         tau: judgement.tau.as_ref().map(|tau| style.upper_number(tau)),
         tau_in_epsilon: judgement.tau_in_epsilon.as_ref().map(|tau| style.upper_number(tau)),
         row,
@@ -178,6 +206,13 @@ fn bound(
         proof: judgement.proof.as_ref().map(|found| proof(found, rows, style)),
         repairable: judgement.repairable,
         reason: judgement.reason.clone(),
+    }
+}
+
+fn rounded_to(to: RoundedTo) -> RoundedToJson {
+    match to {
+        RoundedTo::Binary64 => RoundedToJson { kind: "binary64", digits: None },
+        RoundedTo::Digits(digits) => RoundedToJson { kind: "digits", digits: Some(digits) },
     }
 }
 

@@ -140,6 +140,14 @@ impl Style {
         }
     }
 
+    /// This style with so many digits or more, where nobody asked for a number of them.
+    pub(crate) fn with_at_least(&self, digits: usize) -> Style {
+        match self.digits {
+            Some(own) if own >= digits => *self,
+            _ => Style { digits: Some(digits.max(self.significant())), ..*self },
+        }
+    }
+
     /// One style for each of two parameters, with the digits that their ranges take when these are known.
     pub fn resolving_both(&self, ranges: Option<&[Interval; 2]>) -> [Style; 2] {
         [0, 1].map(|axis| ranges.map_or(*self, |ranges| self.resolving(&ranges[axis])))

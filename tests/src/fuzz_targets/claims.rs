@@ -33,6 +33,7 @@ fn judge(problem: &Problem, answer: Answer) {
         solvers: Vec::new(),
         answers: vec![answer],
         tolerance: Rational::ratio(1, 1_000_000),
+        as_printed: true,
         time_limit: Duration::from_secs(1),
         directions: None,
     };

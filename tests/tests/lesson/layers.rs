@@ -63,6 +63,7 @@ fn verdicts_are_those_of_the_check() {
             solvers: source_names(),
             answers: Vec::new(),
             tolerance: Rational::ratio(1, 1_000_000),
+            as_printed: true,
             time_limit: std::time::Duration::from_secs(60),
             directions: None,
         };

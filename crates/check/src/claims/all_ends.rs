@@ -1,7 +1,7 @@
 //! Claims about all four ends at once: JSON files, and texts of the command line.
 
 use boundfit_exact::{Limits, Rational, Reading};
-use boundfit_lp::{BoundClaim, Claimed, PuiEnd};
+use boundfit_lp::{BoundClaim, Claimed, Printed, PuiEnd};
 use serde::Deserialize;
 
 use super::error::ClaimError;
@@ -18,7 +18,7 @@ struct ClaimFile {
     duals: Option<[Option<Vec<f64>>; 4]>,
 }
 
-/// A JSON number is the binary64 that it is read as; a text is exact.
+/// A JSON number is the binary64 that it is read as; a text is what it spells, with the precision of its digits.
 #[derive(Deserialize)]
 #[serde(untagged)]
 enum NumberOrText {
@@ -27,22 +27,24 @@ enum NumberOrText {
 }
 
 impl NumberOrText {
-    fn exact(&self, limits: &Limits) -> Result<Rational, ClaimError> {
+    fn printed(&self, limits: &Limits) -> Result<Printed, ClaimError> {
         match self {
             // JSON has no infinities and no NaN.
-            NumberOrText::Number(value) => Ok(Rational::from_f64(*value).unwrap_or_default()),
+            NumberOrText::Number(value) => Ok(Rational::from_f64(*value).unwrap_or_default().into()),
             NumberOrText::Text(text) => number(text, limits),
         }
     }
 }
 
-fn number(text: &str, limits: &Limits) -> Result<Rational, ClaimError> {
-    Reading::Decimal.read(text, limits).map_err(|error| ClaimError::Number { text: text.to_owned(), error })
+fn number(text: &str, limits: &Limits) -> Result<Printed, ClaimError> {
+    let read = Reading::Decimal.read(text, limits);
+    let value = read.map_err(|error| ClaimError::Number { text: text.to_owned(), error })?;
+    Ok(Printed::typed(text, value))
 }
 
 /// Reads a claims file in JSON. `name` stands in for a missing source. A missing or null end of an optimal answer is claimed
 /// unbounded; without `pui` the ends are read off the points, which come in the order of the four programs: minimum and
-/// maximum of θ1, then of θ2.
+/// maximum of θ1, then of θ2. Ends beside another status are not looked at; points are measured.
 ///
 /// # Errors
 /// What is wrong with the file.
@@ -63,20 +65,22 @@ pub(super) fn parse_claim_file(text: &str, name: &str, limits: &ClaimLimits) -> 
         return Err(ClaimError::NoValue);
     }
     let claims = PuiEnd::try_each(|end| -> Result<BoundClaim, ClaimError> {
-        if let Some(status) = &status {
-            return Ok(BoundClaim::bare(status.clone()));
-        }
         // Points and duals come in the order of `PuiEnd::ALL`.
         let place = end as usize;
         let point = match file.points.as_ref().and_then(|points| points.get(place)?.as_ref()) {
-            Some([theta1, theta2]) => Some([theta1.exact(&limits.number)?, theta2.exact(&limits.number)?]),
+            Some([theta1, theta2]) => {
+                Some([theta1.printed(&limits.number)?, theta2.printed(&limits.number)?])
+            }
             None => None,
         };
         let duals = file.duals.as_ref().and_then(|duals| duals.get(place)?.clone());
+        if let Some(status) = &status {
+            return Ok(BoundClaim { claimed: status.clone(), point, duals });
+        }
         match (&file.pui, point) {
             (Some(pui), point) => {
                 let claimed = match end.of(pui) {
-                    Some(value) => Claimed::Value(value.exact(&limits.number)?),
+                    Some(value) => Claimed::Value(value.printed(&limits.number)?),
                     None => Claimed::Unbounded,
                 };
                 Ok(BoundClaim { claimed, point, duals })

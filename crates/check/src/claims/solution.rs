@@ -1,10 +1,10 @@
 //! What a solver's file says about one of the four programs.
 
-use boundfit_exact::{Limits, Rational};
+use boundfit_exact::Limits;
 use boundfit_judge::{
     Entry, Figure, Reference, SolutionError, SolutionFile, SolverStatus, quoted, read_solution,
 };
-use boundfit_lp::{BoundClaim, Claimed, PuiEnd};
+use boundfit_lp::{BoundClaim, Claimed, Printed, PuiEnd};
 
 /// Reads a solver's own file about θ1 and θ2.
 ///
@@ -47,17 +47,19 @@ pub(super) fn claim(file: &SolutionFile, target: PuiEnd) -> BoundClaim {
 ///
 /// # Errors
 /// When one is missing, and the writer does not leave zeros out.
-fn point(file: &SolutionFile) -> Result<Option<[Rational; 2]>, SolutionError> {
+fn point(file: &SolutionFile) -> Result<Option<[Printed; 2]>, SolutionError> {
     let value = |place, name, missing| {
         let is_own = |entry: &&Entry| match &entry.of {
             Reference::Name(own) => own == name,
             Reference::Place(own) => *own == place,
         };
         match file.columns.iter().rev().find(is_own).and_then(|entry| entry.value.as_ref()) {
-            Some(Figure::Finite(printed)) => Ok(Some(printed.value.clone())),
+            Some(Figure::Finite(printed)) => Ok(Some(printed.clone())),
             Some(Figure::NotFinite) => Ok(None),
-            None if file.left_out.is_some() => Ok(Some(Rational::zero())),
-            None => Err(SolutionError::End { format: file.writer, missing }),
+            None => match &file.left_out {
+                Some(largest) => Ok(Some(Printed::left_out(largest.clone()))),
+                None => Err(SolutionError::End { format: file.writer, missing }),
+            },
         }
     };
     let theta1 = value(0, "theta1", "a value of theta1")?;

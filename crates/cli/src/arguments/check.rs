@@ -1,6 +1,6 @@
 //! The arguments of `boundfit check` and `boundfit bench-solvers`.
 
-use clap::{Args, value_parser};
+use clap::{Args, ValueEnum, value_parser};
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::shared::LIMITS;
@@ -31,10 +31,10 @@ pub(super) const NOTES: Notes = Notes {
 
 /// Judge LP answers about the same fit: is each end of the parameter uncertainty intervals right?
 ///
-/// Solvers of this build and claims from elsewhere are compared with the exact answer. A verdict is exact, rounded (the
-/// nearest double, give or take 4 units in the last place), within tolerance, loose (too wide), infeasible point, unsafe
-/// (cuts off feasible parameters), wrong status or inverted interval, judged against the data as written and against the
-/// doubles that a solver receives.
+/// Solvers of this build and claims from elsewhere are compared with the exact answer. A verdict is exact, rounded (at most
+/// 4 units in the last place of a double away, or half a unit of the last digit printed), within tolerance (on either side),
+/// loose (too wide), infeasible point, unsafe (cuts off feasible parameters), wrong status or inverted interval, judged
+/// against the data as written, which decide the exit status, and against the doubles that a solver receives.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 pub(crate) struct CheckArguments {
@@ -57,14 +57,27 @@ pub(crate) struct CheckArguments {
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "16",
           value_parser = value_parser!(u16).range(3..=10000))]
     pub(crate) directions: Option<u16>,
-    /// How much too wide a bound may be, in widths of the interval, and how far outside a point, in units of eps
+    /// How far a bound may be off to either side, in widths of the interval, and how far outside a point, in units of eps
     #[arg(long, value_name = "NUM", default_value = "1e-6", allow_hyphen_values = true)]
     pub(crate) tolerance: String,
+    /// Excuse nothing but rounding, for those who need safe bounds: a tolerance of 0
+    #[arg(long, conflicts_with = "tolerance")]
+    pub(crate) strict: bool,
+    /// Take numbers in texts to be as precise as they are printed; off: to be meant exactly
+    #[arg(long, value_name = "on|off", value_enum, default_value_t = Switch::On, hide_possible_values = true)]
+    pub(crate) digits_as_printed: Switch,
     /// Seconds that a solver may work on one program
     #[arg(long, value_name = "SECONDS", default_value_t = 60, value_parser = value_parser!(u64).range(1..=86400))]
     pub(crate) time_limit: u64,
     #[command(flatten)]
     pub(crate) output: OutputArguments,
+}
+
+/// Whether something is done.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Switch {
+    On,
+    Off,
 }
 
 pub(super) const BENCH_NOTES: Notes = Notes {

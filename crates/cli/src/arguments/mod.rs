@@ -20,7 +20,7 @@ mod verify;
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
 
-pub(crate) use check::{BenchSolversArguments, CheckArguments};
+pub(crate) use check::{BenchSolversArguments, CheckArguments, Switch};
 pub(crate) use convert::ConvertArguments;
 pub(crate) use endings::{ending, told_by_name};
 pub(crate) use fit::FitArguments;

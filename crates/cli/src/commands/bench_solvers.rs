@@ -86,6 +86,7 @@ fn judged_case(folder: &Path, name: &str, table: &TableOptions) -> Result<Check,
         solvers: source_names(),
         answers: Vec::new(),
         tolerance: Rational::ratio(1, 1_000_000),
+        as_printed: true,
         time_limit: Duration::from_secs(60),
         directions: None,
     };

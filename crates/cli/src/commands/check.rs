@@ -12,7 +12,7 @@ use boundfit_lp::Verdict;
 use boundfit_report::{check_document, check_json};
 
 use crate::CommandResult;
-use crate::arguments::{CheckArguments, Format, number_problem};
+use crate::arguments::{CheckArguments, Format, Switch, number_problem};
 use crate::exit::{Exit, Failure};
 use crate::input::read_text;
 use crate::output;
@@ -43,6 +43,9 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
 
 /// How much a claim may be off. Limits that are lower than usual are meant for the data: they leave this alone.
 fn tolerance(arguments: &CheckArguments) -> Result<Rational, Failure> {
+    if arguments.strict {
+        return Ok(Rational::zero());
+    }
     let refuse = |problem: String| Failure::value("--tolerance <NUM>", &arguments.tolerance, problem);
     let (asked, usual) = (arguments.data.table.limits.number(), Limits::default());
     let limits =
@@ -77,6 +80,7 @@ fn options(arguments: &CheckArguments, claim_files: Vec<String>) -> Result<Check
         solvers,
         answers,
         tolerance,
+        as_printed: arguments.digits_as_printed == Switch::On,
         time_limit: Duration::from_secs(arguments.time_limit),
         directions: arguments.directions.map(usize::from),
     })

@@ -138,6 +138,7 @@ fn lp_verdict(problem: &Problem, reading: Reading) -> Result<Option<String>, Fai
         solvers: source_names().into_iter().take(1).collect(),
         answers: Vec::new(),
         tolerance: Rational::ratio(1, 1_000_000),
+        as_printed: true,
         time_limit: Duration::from_secs(10),
         directions: None,
     };

@@ -3,11 +3,11 @@
 use boundfit_exact::english::{counted_in_words, in_words, listed};
 use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::RegionKind;
-use boundfit_lp::{PuiEnd, Verdict};
+use boundfit_lp::{Judgement, PuiEnd, ToleranceUnit, Verdict};
 
 use super::wording::{THETA, size};
 use super::{Facts, Question, Show};
-use crate::layers::{LpAnswer, reason};
+use crate::layers::{LpAnswer, proportion, reason};
 
 /// How much of the PUI box is feasible?
 pub(super) fn box_full(facts: &Facts<'_>) -> Option<Question> {
@@ -121,12 +121,10 @@ fn finding(facts: &Facts<'_>, answer: &LpAnswer) -> String {
     match worst {
         Verdict::Exact if facts.region().is_empty() => "yes, it finds no feasible point".to_owned(),
         Verdict::Exact => format!("yes, {}", four_ends(facts)),
-        Verdict::Rounded { ulps: 0 } => "yes, all four ends, rounded to the nearest doubles".to_owned(),
-        Verdict::Rounded { ulps } => {
-            let count = counted_in_words(usize::try_from(ulps).unwrap_or(usize::MAX), "double", "doubles");
-            format!("yes, all four ends to within {count} of the nearest ones")
+        Verdict::Rounded => format!("yes, all four ends, {}, which is rounding", right_to(answer, worst)),
+        Verdict::WithinTolerance => {
+            format!("yes, all four ends, {}; the tolerance is one millionth", right_to(answer, worst))
         }
-        Verdict::WithinTolerance => "nearly, within a tolerance of one millionth".to_owned(),
         verdict => {
             let of_worst = |end: &PuiEnd| end.of(&answer.judgements).verdict == verdict;
             let name = |end: PuiEnd| format!("the {} end of {}", end.end().name(), THETA[end.axis()]);
@@ -134,11 +132,28 @@ fn finding(facts: &Facts<'_>, answer: &LpAnswer) -> String {
             let word = if verdict == Verdict::NoAnswer { "not quite" } else { "no" };
             let ends =
                 if ends.len() == PuiEnd::ALL.len() { "all four ends".to_owned() } else { listed(&ends) };
+            let off = match verdict {
+                Verdict::Loose | Verdict::Unsafe => largest_error(answer, verdict)
+                    .map(|error| format!("off by {}: ", proportion(error)))
+                    .unwrap_or_default(),
+                _ => String::new(),
+            };
             let why = common_reason(answer, verdict).map(|reason| format!(". {reason}")).unwrap_or_default();
             let why = why.trim_end_matches('.');
-            format!("{word}, the verdict on {ends} is “{}”{why}", verdict.name())
+            format!("{word}, {off}the verdict on {ends} is “{}”{why}", verdict.name())
         }
     }
+}
+
+/// How nearly right the ends with this verdict are, in proportion.
+fn right_to(answer: &LpAnswer, verdict: Verdict) -> String {
+    largest_error(answer, verdict).map(|error| format!("right to {}", proportion(error))).unwrap_or_default()
+}
+
+/// The largest error of the ends with this verdict.
+fn largest_error(answer: &LpAnswer, verdict: Verdict) -> Option<(Rational, Option<ToleranceUnit>)> {
+    let ends = answer.judgements.iter().flatten().filter(|judgement| judgement.verdict == verdict);
+    ends.filter_map(Judgement::error).max_by(|(left, _), (right, _)| left.cmp(right))
 }
 
 /// The ends of both intervals, of which some may be infinite.

@@ -1,4 +1,5 @@
 use super::*;
+use crate::RoundedTo;
 
 /// θ1 in [0, 4] and θ2 in [0, 2], by rows with the error bounds 1, 2, 4 and none.
 fn boxed() -> Vec<RefereeRow> {
@@ -31,26 +32,11 @@ fn claim(claimed: Claimed) -> BoundClaim {
 }
 
 fn at(value: Rational) -> BoundClaim {
-    claim(Claimed::Value(value))
+    claim(Claimed::Value(value.into()))
 }
 
 fn with_point(value: i64, point: [Rational; 2]) -> BoundClaim {
-    BoundClaim { point: Some(point), ..at(value.into()) }
-}
-
-#[test]
-fn ulps_are_steps_between_doubles() {
-    let exact = |value: f64| Rational::from_f64(value).unwrap();
-    assert_eq!(ulps_between(&exact(1.0), &exact(1.0 + 3.0 * f64::EPSILON)), Some(3));
-    assert_eq!(ulps_between(&exact(5e-324), &exact(-5e-324)), Some(2));
-    assert_eq!(ulps_between(&Rational::ratio(1, 3), &exact(1.0 / 3.0)), Some(0));
-    assert_eq!(
-        ulps_between(&exact(1.0), &exact(f64::MAX)),
-        Some(0x7fef_ffff_ffff_ffff - 0x3ff0_0000_0000_0000)
-    );
-    let beyond = exact(f64::MAX) * Rational::from(2);
-    assert_eq!(ulps_between(&beyond, &exact(1.0)), None);
-    assert_eq!(ulps_between(&exact(1.0), &beyond), None);
+    BoundClaim { point: Some(point.map(Printed::exact)), ..at(value.into()) }
 }
 
 #[test]
@@ -73,19 +59,22 @@ fn values_by_how_far_they_are_off() {
     };
     let upper = |value: Rational| referee.judge(0, End::Upper, &at(value));
     assert_eq!(upper(Rational::from(4)).verdict, Verdict::Exact);
-    assert_eq!(upper(ulp(1)).verdict, Verdict::Rounded { ulps: 1 });
-    assert_eq!(upper(ulp(4)).verdict, Verdict::Rounded { ulps: 4 });
+    assert_eq!(upper(ulp(1)).verdict, Verdict::Rounded);
+    assert_eq!(upper(ulp(4)).verdict, Verdict::Rounded);
     assert_eq!(upper(ulp(5)).verdict, Verdict::WithinTolerance);
     // The interval is 4 wide.
     assert_eq!(upper(Rational::ratio(404, 100)).verdict, Verdict::WithinTolerance);
     let loose = upper(Rational::ratio(405, 100));
     assert_eq!(loose.verdict, Verdict::Loose);
     assert_eq!(
-        (loose.excess, loose.excess_in_widths),
-        (Some(Rational::ratio(1, 20)), Some(Rational::ratio(1, 80)))
+        (loose.excess, loose.excess_in_units),
+        (Some(Rational::ratio(1, 20)), Some((Rational::ratio(1, 80), ToleranceUnit::Width)))
     );
     assert_eq!((loose.exact, loose.claimed), (Some(4.into()), Some(Rational::ratio(81, 20))));
     assert_eq!(loose.witness, None);
+    // The tolerance holds on either side.
+    assert_eq!(upper(Rational::ratio(396, 100)).verdict, Verdict::WithinTolerance);
+    assert_eq!(upper(Rational::ratio(3_959, 1_000)).verdict, Verdict::Unsafe);
     let cut = upper(Rational::from(3));
     assert_eq!((cut.verdict, cut.excess), (Verdict::Unsafe, Some(Rational::from(-1))));
     assert_eq!(cut.witness.unwrap()[0], Rational::from(4));
@@ -97,14 +86,81 @@ fn values_by_how_far_they_are_off() {
 }
 
 #[test]
-fn without_a_width_nothing_is_within_tolerance() {
-    // A point, and a half-line.
-    let point = plain(&[[1, 0, 1], [-1, 0, -1], [0, 1, 0], [0, -1, 0]]);
-    let judged = point.judge(0, End::Upper, &at(Rational::ratio(10_001, 10_000)));
-    assert_eq!((judged.verdict, judged.excess_in_widths), (Verdict::Loose, None));
-    let ray = plain(&[[1, 0, 1], [0, 1, 0], [0, -1, 0]]);
-    let judged = ray.judge(0, End::Upper, &at(Rational::ratio(10_001, 10_000)));
-    assert_eq!((judged.verdict, judged.excess_in_widths), (Verdict::Loose, None));
+fn without_a_width_errors_are_compared_with_the_end_or_with_epsilon() {
+    // θ1 = 2 and θ2 = 0, and a half-line that ends at 2. The tolerance is a hundredth.
+    let point = plain(&[[1, 0, 2], [-1, 0, -2], [0, 1, 0], [0, -1, 0]]);
+    let ray = plain(&[[1, 0, 2], [0, 1, 0], [0, -1, 0]]);
+    for referee in [&point, &ray] {
+        let upper = |value| referee.judge(0, End::Upper, &at(value));
+        let near = upper(Rational::ratio(202, 100));
+        let expected = (Rational::ratio(1, 100), ToleranceUnit::Value);
+        assert_eq!((near.verdict, near.excess_in_units), (Verdict::WithinTolerance, Some(expected)));
+        assert_eq!(upper(Rational::ratio(198, 100)).verdict, Verdict::WithinTolerance);
+        assert_eq!(upper(Rational::ratio(20_201, 10_000)).verdict, Verdict::Loose);
+        assert_eq!(upper(Rational::ratio(19_799, 10_000)).verdict, Verdict::Unsafe);
+        // Where the end is 0 too, in units of the smallest error bound.
+        let zero = referee.judge(1, End::Upper, &at(hundredth()));
+        let expected = (Rational::ratio(1, 100), ToleranceUnit::Epsilon);
+        assert_eq!((zero.verdict, zero.excess_in_units), (Verdict::WithinTolerance, Some(expected)));
+        assert_eq!(referee.judge(1, End::Upper, &at(Rational::ratio(1, 99))).verdict, Verdict::Loose);
+    }
+    // Without error bounds nothing is left to compare with.
+    let rows = rows(&[[0, 1, 0], [0, -1, 0]], &[None, Some(0)]);
+    let judged = Referee::new(rows, hundredth()).judge(1, End::Upper, &at(Rational::scientific(1, -30)));
+    assert_eq!((judged.verdict, judged.excess_in_units), (Verdict::Loose, None));
+}
+
+#[test]
+fn digits_that_were_not_printed_are_no_error() {
+    // θ1 in [1/3, 2/3].
+    let referee = Referee::new(rows(&[[3, 0, 2], [-3, 0, -1]], &[Some(1), Some(1)]), Rational::zero());
+    let upper = |printed: Printed| referee.judge(0, End::Upper, &claim(Claimed::Value(printed)));
+    let printed = |text: &str, value| Printed::typed(text, value);
+    let found = upper(printed("0.667", Rational::ratio(667, 1_000)));
+    assert_eq!((found.verdict, found.rounded_to), (Verdict::Rounded, Some(RoundedTo::Digits(3))));
+    assert_eq!(found.excess, Some(Rational::ratio(1, 3_000)));
+    assert_eq!(found.excess_in_units, Some((Rational::scientific(1, -3), ToleranceUnit::Width)));
+    assert_eq!(upper(Printed::exact(Rational::ratio(667, 1_000))).verdict, Verdict::Loose);
+    assert_eq!(upper(printed("0.666", Rational::ratio(666, 1_000))).verdict, Verdict::Unsafe);
+    assert_eq!(upper(printed("0.67", Rational::ratio(67, 100))).verdict, Verdict::Loose);
+    let double = upper(Printed::exact(Rational::from_f64(2.0 / 3.0).unwrap()));
+    assert_eq!((double.verdict, double.rounded_to), (Verdict::Rounded, Some(RoundedTo::Binary64)));
+}
+
+#[test]
+fn rounding_excuses_points_too() {
+    // 3·θ1 = 1: no decimal attains it, and the nearest one may exceed it by three half units.
+    let referee = Referee::new(rows(&[[3, 0, 1], [-3, 0, -1]], &[Some(1), Some(1)]), Rational::zero());
+    let judged = |point: [Printed; 2]| {
+        let claim = BoundClaim { point: Some(point), ..at(Rational::ratio(1, 3)) };
+        referee.judge(0, End::Upper, &claim)
+    };
+    let printed = Printed::typed("0.3335", Rational::ratio(3_335, 10_000));
+    assert_eq!(judged([printed.clone(), Printed::exact(Rational::zero())]).verdict, Verdict::InfeasiblePoint);
+    let printed = Printed::typed("0.3333", Rational::ratio(3_333, 10_000));
+    let found = judged([printed.clone(), Printed::exact(Rational::zero())]);
+    assert_eq!((found.verdict, found.tau), (Verdict::Exact, Some(Rational::scientific(1, -4))));
+    assert_eq!(found.violation, Some(Violation { row: 1, by: Rational::scientific(1, -4) }));
+    let exactly = [printed.without_precision(), Printed::exact(Rational::zero())];
+    assert_eq!(judged(exactly).verdict, Verdict::InfeasiblePoint);
+    let double = Rational::from_f64(1.0 / 3.0).unwrap();
+    assert_eq!(judged([double.into(), Printed::exact(Rational::zero())]).verdict, Verdict::Exact);
+}
+
+#[test]
+fn points_are_measured_beside_wrong_statuses_too() {
+    let half_plane = plain(&[[1, 0, 1]]);
+    let point = [Rational::from(3), Rational::zero()];
+    let judged = half_plane.judge(0, End::Lower, &with_point(0, point.clone()));
+    assert_eq!((judged.verdict, judged.tau), (Verdict::WrongStatus, Some(Rational::from(2))));
+    assert_eq!(judged.violation, Some(Violation { row: 0, by: Rational::from(2) }));
+    // A point beside the right status: of an unbounded program it should be feasible, of an empty one none is.
+    let with = |claimed| BoundClaim { point: Some(point.clone().map(Printed::exact)), ..claim(claimed) };
+    let unbounded = half_plane.judge(0, End::Lower, &with(Claimed::Unbounded));
+    assert_eq!((unbounded.verdict, unbounded.tau), (Verdict::InfeasiblePoint, Some(Rational::from(2))));
+    let empty = plain(&[[1, 0, -1], [-1, 0, 0]]);
+    let infeasible = empty.judge(0, End::Lower, &with(Claimed::Infeasible));
+    assert_eq!((infeasible.verdict, infeasible.tau), (Verdict::Exact, Some(Rational::from(4))));
 }
 
 #[test]
@@ -126,7 +182,7 @@ fn statuses_in_all_combinations() {
 
     assert_eq!(judged(&empty, End::Lower, infeasible()), right);
     assert_eq!(judged(&empty, End::Lower, either()), right);
-    for claimed in [unbounded(), Claimed::Value(0.into())] {
+    for claimed in [unbounded(), Claimed::Value(Rational::zero().into())] {
         is_wrong(
             &judged(&empty, End::Upper, claimed),
             |proof| matches!(proof, Refutation::Infeasible(by) if by.len() == 2),
@@ -137,7 +193,7 @@ fn statuses_in_all_combinations() {
     is_wrong(&judged(&half_plane, End::Lower, infeasible()), |proof| {
         matches!(proof, Refutation::FeasiblePoint(_))
     });
-    is_wrong(&judged(&half_plane, End::Lower, Claimed::Value(0.into())), |proof| {
+    is_wrong(&judged(&half_plane, End::Lower, Claimed::Value(Rational::zero().into())), |proof| {
         matches!(proof, Refutation::Ray { .. })
     });
     is_wrong(&judged(&bounded, End::Upper, infeasible()), |proof| {
@@ -207,7 +263,8 @@ fn conditions_are_measured_by_their_own_terms() {
     let point = [Rational::from(20), Rational::ratio(20, 3)];
     let share = Rational::ratio(4, 3).checked_div(&(Rational::from(152) + Rational::ratio(100, 3))).unwrap();
     let judge = |tolerance: Rational| {
-        let claim = BoundClaim { point: Some(point.clone()), ..at(Rational::ratio(92, 3)) };
+        let claim =
+            BoundClaim { point: Some(point.clone().map(Printed::exact)), ..at(Rational::ratio(92, 3)) };
         Referee::new(rows(1), tolerance).judge(0, End::Upper, &claim).verdict
     };
     assert_eq!(judge(share.clone()), Verdict::Exact);
@@ -229,6 +286,15 @@ fn ends_in_the_wrong_order() {
     assert_eq!(verdicts(&referee(), 3, 1), [Verdict::InvertedInterval, Verdict::InvertedInterval]);
     let empty = plain(&[[1, 0, -1], [-1, 0, 0]]);
     assert_eq!(verdicts(&empty, 3, 1), [Verdict::WrongStatus, Verdict::WrongStatus]);
+    // Ends that cross by no more than the tolerance are right both; of a point they do so half the time.
+    let point = plain(&[[1, 0, 1], [-1, 0, -1]]);
+    let crossed = |lower, upper| {
+        let claims = [at(Rational::ratio(lower, 1_000)), at(Rational::ratio(upper, 1_000))];
+        point.judge_interval(0, &claims).map(|judgement| judgement.verdict)
+    };
+    assert_eq!(crossed(1_001, 999), [Verdict::WithinTolerance; 2]);
+    assert_eq!(crossed(1_000, 999), [Verdict::Exact, Verdict::WithinTolerance]);
+    assert_eq!(crossed(1_000, 989), [Verdict::InvertedInterval; 2]);
     let lower = referee().judge_interval(1, &[at(0.into()), at(2.into())]);
     assert_eq!(lower.map(|judgement| judgement.verdict), [Verdict::Exact, Verdict::Exact]);
 }

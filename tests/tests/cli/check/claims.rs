@@ -22,7 +22,7 @@ fn the_interval_that_highs_reports_is_refuted() {
     let claim = &found["claims"][0];
     assert_eq!(claim["source"], "HiGHS 1.15, default settings");
     assert_eq!(verdicts(claim), ["loose", "loose", "exact", "exact"]);
-    assert_eq!((&claim["verdict"], &found["worst"]), (&Value::from("loose"), &Value::from("loose")));
+    assert_eq!((&claim["verdict"], &found["worst"]["verdict"]), (&Value::from("loose"), &Value::from("loose")));
     for (bound, exact) in claim["bounds"].as_array().unwrap().iter().zip(EXACT) {
         assert_eq!(bound["exact"]["exact"], exact);
     }
@@ -30,10 +30,11 @@ fn the_interval_that_highs_reports_is_refuted() {
     let excess = number("1/15") - boundfit_exact::Rational::from_f64(0.05).unwrap();
     assert_eq!(claim["bounds"][0]["excess"]["exact"], excess.to_string());
     let widths = excess.checked_div(&number("1/15")).unwrap();
-    assert_eq!(claim["bounds"][0]["excess_in_widths"]["exact"], widths.to_string());
+    assert_eq!(claim["bounds"][0]["excess_in_units"]["exact"], widths.to_string());
+    assert_eq!(claim["bounds"][0]["unit"], "width");
     let text = boundfit(&format!("{NEAR_PARALLEL} --claim fixtures/claims/near-parallel-highs.json"));
     assert_eq!(text.status, 4);
-    for part in ["theta1 min: loose: too wide by 0.016667, 0.25", "\nWorst verdict: loose; refuted\n"] {
+    for part in ["theta1 min: loose: too wide by 0.26 of the width (0.016667, 1.3e15 ulp)", "\nWorst verdict: loose; refuted\n"] {
         assert!(unbroken(&text.stdout).contains(part.trim()), "{part}: {}", text.stdout);
     }
 }
@@ -51,7 +52,7 @@ fn wrong_statuses_are_refuted_with_a_proof() {
         let case = hard.iter().find(|case| case.name == name).unwrap();
         let line = format!("check fixtures/hard-lp/{name}.csv --x x --y y --eps {}", case.epsilon);
         let found = report(&format!("{line} --claim fixtures/claims/{name}.json"), 4);
-        assert_eq!(found["worst"], "wrong status", "{name}");
+        assert_eq!(found["worst"]["verdict"], "wrong status", "{name}");
         for bound in found["claims"][0]["bounds"].as_array().unwrap() {
             assert_eq!(
                 (&bound["verdict"], &bound["proof"]["shows"]),
@@ -78,10 +79,11 @@ fn right_claims_are_accepted() {
     ];
     for (line, file, verdict) in cases {
         let found = report(&format!("{line} --claim fixtures/claims/{file}.json"), 0);
-        assert_eq!(found["worst"], verdict, "{file}");
+        assert_eq!(found["worst"]["verdict"], verdict, "{file}");
         assert_eq!(verdicts(&found["claims"][0]), [verdict; 4], "{file}");
         if verdict == "rounded" {
-            assert!(found["claims"][0]["bounds"].as_array().unwrap().iter().all(|bound| bound["ulps"] == 0));
+            let mut bounds = found["claims"][0]["bounds"].as_array().unwrap().iter();
+            assert!(bounds.all(|bound| bound["rounded_to"]["kind"] == "binary64"), "{found}");
         }
     }
     // Both at once, and a solver too: the worst counts.
@@ -153,7 +155,7 @@ fn every_form_of_a_claims_file() {
 #[test]
 fn ends_on_the_command_line() {
     let line = |ends: &str| format!("{NEAR_PARALLEL} --claim-pui {ends}");
-    assert_eq!(report(&line(&EXACT.join(",")), 0)["worst"], "exact");
+    assert_eq!(report(&line(&EXACT.join(",")), 0)["worst"]["verdict"], "exact");
     let found = report(&line("0.05,0.15,-149,-49"), 4);
     assert_eq!(found["claims"][0]["source"], "claimed PUI");
     assert_eq!(verdicts(&found["claims"][0]), ["loose"; 4]);
@@ -167,12 +169,12 @@ fn ends_on_the_command_line() {
     assert_eq!(verdicts(&found["claims"][0]), [inverted, inverted, "exact", "exact"]);
     // The tolerance is in widths.
     let wide = line("'1/15, 0.2, -7940000011/60000000, -3940000001/60000000'");
-    assert_eq!(report(&wide, 4)["worst"], "loose");
-    assert_eq!(report(&format!("{wide} --tolerance 1"), 0)["worst"], "within tolerance");
-    assert_eq!(report(&format!("{wide} --tolerance 0.999999999"), 4)["worst"], "loose");
+    assert_eq!(report(&wide, 4)["worst"]["verdict"], "loose");
+    assert_eq!(report(&format!("{wide} --tolerance 1"), 0)["worst"]["verdict"], "within tolerance");
+    assert_eq!(report(&format!("{wide} --tolerance 0.999999999"), 4)["worst"]["verdict"], "loose");
     // Unbounded ends of a strip, in every spelling.
     for ends in ["-inf,inf,-inf,inf", "-Inf,+inf,-inf,Inf"] {
-        assert_eq!(report(&format!("{STRIP} --claim-pui {ends}"), 0)["worst"], "exact", "{ends}");
+        assert_eq!(report(&format!("{STRIP} --claim-pui {ends}"), 0)["worst"]["verdict"], "exact", "{ends}");
     }
     let found = report(&format!("{STRIP} --claim-pui 0,1,-inf,inf"), 4);
     assert_eq!(verdicts(&found["claims"][0]), ["wrong status", "wrong status", "exact", "exact"]);

@@ -26,11 +26,31 @@ fn is_pair(value: &Value) -> bool {
     value.as_array().is_some_and(|pair| pair.len() == 2 && pair.iter().all(is_number))
 }
 
-/// Checks every key of `boundfit/check/1`.
+fn is_worst(worst: &Value) -> bool {
+    let refuted = ["loose", "infeasible point", "unsafe", "inverted interval", "wrong status"];
+    keys(worst) == ["verdict", "reading", "refuted"]
+        && ["decimal", "binary64"].contains(&worst["reading"].as_str().unwrap())
+        && worst["refuted"] == refuted.contains(&worst["verdict"].as_str().unwrap())
+}
+
+/// Checks every key of `boundfit/check/2`.
 fn check_schema(found: &Value) {
-    assert_eq!(keys(found), ["schema", "input", "claims", "worst", "directions"]);
-    assert_eq!(found["schema"], "boundfit/check/1");
-    assert!(or_null(&found["worst"], Value::is_string));
+    let expected = [
+        "schema",
+        "input",
+        "tolerance",
+        "digits_as_printed",
+        "claims",
+        "worst",
+        "worst_as_received",
+        "directions",
+    ];
+    assert_eq!(keys(found), expected);
+    assert!(is_number(&found["tolerance"]) && found["digits_as_printed"].is_boolean());
+    assert_eq!(found["schema"], "boundfit/check/2");
+    for key in ["worst", "worst_as_received"] {
+        assert!(or_null(&found[key], is_worst), "{key}: {found}");
+    }
     for claim in found["claims"].as_array().unwrap() {
         assert_eq!(keys(claim), ["source", "reading", "bounds", "verdict"]);
         assert!(claim["source"].is_string() && claim["verdict"].is_string());
@@ -53,10 +73,12 @@ fn check_bound(bound: &Value) {
         "end",
         "claimed",
         "verdict",
-        "ulps",
+        "rounded_to",
         "exact",
         "excess",
-        "excess_in_widths",
+        "excess_in_ulps",
+        "excess_in_units",
+        "unit",
         "tau",
         "tau_in_epsilon",
         "row",
@@ -68,10 +90,26 @@ fn check_bound(bound: &Value) {
         "reason",
     ];
     assert_eq!(keys(bound), expected);
-    for key in ["claimed", "exact", "excess", "excess_in_widths", "tau", "tau_in_epsilon", "violation"] {
+    for key in [
+        "claimed",
+        "exact",
+        "excess",
+        "excess_in_ulps",
+        "excess_in_units",
+        "tau",
+        "tau_in_epsilon",
+        "violation",
+    ] {
         assert!(or_null(&bound[key], is_number), "{key}: {bound}");
     }
-    assert_eq!(bound["ulps"].is_u64(), bound["verdict"] == "rounded", "{bound}");
+    assert_eq!(bound["rounded_to"].is_object(), bound["verdict"] == "rounded", "{bound}");
+    if bound["rounded_to"].is_object() {
+        let to = &bound["rounded_to"];
+        assert_eq!(keys(to), ["kind", "digits"]);
+        assert_eq!(to["kind"], if to["digits"].is_u64() { "digits" } else { "binary64" }, "{bound}");
+    }
+    assert_eq!(bound["unit"].is_string(), bound["excess_in_units"].is_object(), "{bound}");
+    assert!(or_null(&bound["unit"], |unit| ["width", "value", "eps"].contains(&unit.as_str().unwrap())));
     assert!(or_null(&bound["row"], Value::is_u64) && or_null(&bound["bound"], Value::is_string), "{bound}");
     assert_eq!(bound["bound"].is_null(), bound["violation"].is_null(), "{bound}");
     assert!(or_null(&bound["witness"], is_pair), "{bound}");
@@ -102,13 +140,13 @@ fn every_report_follows_the_schema() {
         let as_read =
             found["claims"].as_array().unwrap().iter().filter(|claim| claim["reading"] == "decimal");
         let as_read: Vec<&str> = as_read.map(|claim| claim["verdict"].as_str().unwrap()).collect();
-        assert!(as_read.contains(&found["worst"].as_str().unwrap()));
+        assert!(as_read.contains(&found["worst"]["verdict"].as_str().unwrap()));
         let fine = |verdict: &&str| ["exact", "rounded", "within tolerance", "no answer"].contains(verdict);
         assert_eq!(run.status, if as_read.iter().all(fine) { 0 } else { 4 }, "{}", case.name);
         sources += as_read.len();
         // The exact simplex is right everywhere.
         let exact = report(&format!("{line} --solver exact-simplex"), 0);
-        assert_eq!((exact["claims"].as_array().unwrap().len(), &exact["worst"]), (1, &"exact".into()));
+        assert_eq!((exact["claims"].as_array().unwrap().len(), &exact["worst"]["verdict"]), (1, &"exact".into()));
     }
     assert_eq!(sources, 12 * boundfit_check::source_names().len());
     for line in [
@@ -131,12 +169,21 @@ fn one_reading_or_both() {
     };
     assert_eq!(readings(&format!("{NEAR_PARALLEL} {claim}"), 0), ["decimal", "binary64"]);
     // Exact for the data as written is not exact for the doubles.
-    assert_eq!(readings(&format!("{NEAR_PARALLEL} {claim} --reading binary64"), 4), ["binary64"]);
+    assert_eq!(readings(&format!("{NEAR_PARALLEL} {claim} --reading binary64"), 0), ["binary64"]);
     let found = report(&format!("{NEAR_PARALLEL} {claim}"), 0);
-    assert_eq!(found["worst"], "exact");
-    assert_ne!(found["claims"][1]["verdict"], "exact");
+    assert_eq!(found["worst"].to_string(), r#"{"verdict":"exact","reading":"decimal","refuted":false}"#);
+    let as_received = r#"{"verdict":"within tolerance","reading":"binary64","refuted":false}"#;
+    assert_eq!(found["worst_as_received"].to_string(), as_received);
     let text = boundfit(&format!("{NEAR_PARALLEL} {claim}")).stdout;
-    assert!(text.ends_with("\nWorst verdict: exact\n"), "{text}");
+    let expected = "Worst verdict: exact The data as written (decimal) decide this and the exit status; against the \
+                    doubles that a solver receives (binary64) the worst is: within tolerance.";
+    assert!(unbroken(&text).contains(expected), "{text}");
+    let doubles = report(&format!("{NEAR_PARALLEL} {claim} --reading binary64"), 0);
+    assert_eq!(doubles["worst"].to_string(), as_received);
+    assert!(doubles["worst_as_received"].is_null());
+    let text = boundfit(&format!("{NEAR_PARALLEL} {claim} --reading binary64")).stdout;
+    let expected = "The data as doubles (binary64) decide this and the exit status.";
+    assert!(unbroken(&text).contains(expected), "{text}");
     // Where every number is a double, there is nothing else to judge against.
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("whole.csv"), "x,y\n1,2\n2,3\n3,5\n").unwrap();
@@ -201,7 +248,7 @@ fn text_names_the_row_and_the_reason() {
     assert_eq!(run.status, 4);
     let expected = [
         "LP answers about fixtures/claims/near-parallel.csv, judged exactly\n",
-        "me, decimal: theta1 min: infeasible point: too wide by 0.066667, 1 of the true width; \
+        "me, decimal: theta1 min: infeasible point: too wide by 1 of the width (0.066667, 4.9e15 ulp); \
          the point exceeds 1 upper by 1: it needs eps + 1 (2e7 of eps)\n",
         "me, decimal: theta1 max: no answer: no point given\n",
         "\nWorst verdict: infeasible point; refuted\n",

@@ -3,9 +3,11 @@
 use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::{Polyhedron, Support};
 use boundfit_lp::{
-    BoundClaim, Claimed, End, Judgement, Multiplier, RefereeRow, Refutation, Row, Verdict, Violation,
+    BoundClaim, Claimed, End, Judgement, Multiplier, Printed, RefereeRow, Refutation, RoundedTo, Row,
+    ToleranceUnit, Verdict, Violation,
 };
 use boundfit_tests::lp_cases::system_of;
+use boundfit_tests::second_judge::{self, Finding, Said};
 
 /// Rows with what is true about them.
 pub struct Judge<'a> {
@@ -30,7 +32,7 @@ pub fn claim(claimed: Claimed) -> BoundClaim {
 
 /// A claimed value.
 pub fn value(value: &Rational) -> BoundClaim {
-    claim(Claimed::Value(value.clone()))
+    claim(Claimed::Value(value.clone().into()))
 }
 
 impl<'a> Judge<'a> {
@@ -62,7 +64,11 @@ impl<'a> Judge<'a> {
             [
                 BoundClaim { claimed: Claimed::Value(lower), .. },
                 BoundClaim { claimed: Claimed::Value(upper), .. },
-            ] => lower > upper,
+            ] => {
+                let findings = [(End::Lower, lower), (End::Upper, upper)]
+                    .map(|(end, claimed)| self.finding(axis, end, claimed));
+                second_judge::is_inverted(&said(lower), &said(upper), findings.each_ref().map(Option::as_ref))
+            }
             _ => false,
         };
         for (end, (claim, judgement)) in
@@ -84,13 +90,31 @@ impl<'a> Judge<'a> {
             if let (Some(witness), Claimed::Value(claimed)) = (witness, &claim.claimed) {
                 assert!(self.feasible(&witness), "{}", place());
                 let cut_off = match end {
-                    End::Lower => witness[axis] < *claimed,
-                    End::Upper => witness[axis] > *claimed,
+                    End::Lower => witness[axis] < claimed.value,
+                    End::Upper => witness[axis] > claimed.value,
                 };
                 assert!(cut_off, "{}", place());
             }
             assert_eq!(repairable, self.repairable(axis, end, claim), "{}", place());
         }
+    }
+
+    /// The second judge's finding about a value, where there is a true end.
+    fn finding(&self, axis: usize, end: End, claimed: &Printed) -> Option<Finding> {
+        let Truth::At(exact) = self.truth(axis, end) else { return None };
+        let truth = second_judge::Truth {
+            end: exact,
+            width: self.width(axis),
+            epsilon: self.epsilon(),
+            tolerance: self.tolerance.clone(),
+        };
+        Some(second_judge::judge_end(&said(claimed), &truth, end == End::Upper))
+    }
+
+    /// The smallest error bound that is not 0.
+    fn epsilon(&self) -> Option<Rational> {
+        let epsilons = self.rows.iter().filter_map(|row| row.epsilon.clone());
+        epsilons.filter(|epsilon| !epsilon.is_zero()).min()
     }
 
     fn judge(&self, axis: usize, end: End, claim: &BoundClaim) -> Judgement {
@@ -99,8 +123,10 @@ impl<'a> Judge<'a> {
             verdict: Verdict::Exact,
             exact: None,
             claimed: None,
+            rounded_to: None,
             excess: None,
-            excess_in_widths: None,
+            excess_in_ulps: None,
+            excess_in_units: None,
             tau: None,
             tau_in_epsilon: None,
             violation: None,
@@ -113,7 +139,7 @@ impl<'a> Judge<'a> {
             found.exact = Some(exact.clone());
         }
         if let Claimed::Value(value) = &claim.claimed {
-            found.claimed = Some(value.clone());
+            found.claimed = Some(value.value.clone());
         }
         match (&truth, &claim.claimed) {
             (_, Claimed::Nothing(reason)) => {
@@ -121,37 +147,43 @@ impl<'a> Judge<'a> {
                 found.verdict = Verdict::NoAnswer;
                 return found;
             }
-            (Truth::At(exact), Claimed::Value(value)) => {
-                let outward = if end == End::Upper { value - exact } else { exact - value };
-                let widths = self.width(axis).and_then(|width| outward.checked_div(&width));
-                let tolerated = widths.as_ref().is_some_and(|widths| widths <= self.tolerance);
-                found.verdict = match steps(value, exact) {
-                    _ if value == exact => Verdict::Exact,
-                    Some(ulps) => Verdict::Rounded { ulps },
-                    None if outward.is_negative() => Verdict::Unsafe,
-                    None if tolerated => Verdict::WithinTolerance,
-                    None => Verdict::Loose,
-                };
+            (Truth::At(exact), Claimed::Value(claimed)) => {
+                let outward = if end == End::Upper { &claimed.value - exact } else { exact - &claimed.value };
+                let finding = self.finding(axis, end, claimed).unwrap();
+                found.verdict = verdict_named(finding.verdict);
+                found.rounded_to = finding.rounded_to.map(|digits| match digits {
+                    None => RoundedTo::Binary64,
+                    Some(digits) => RoundedTo::Digits(digits),
+                });
                 if found.verdict == Verdict::Unsafe {
                     // Which point it is does not matter here.
                     found.witness = Some([exact.clone(), exact.clone()]);
                 }
-                (found.excess, found.excess_in_widths) = (Some(outward), widths);
+                found.excess_in_ulps = ulp(exact).and_then(|ulp| outward.checked_div(&ulp));
+                found.excess_in_units =
+                    self.unit(axis, exact).map(|(unit, name)| (outward.checked_div(&unit).unwrap(), name));
+                found.excess = Some(outward);
             }
             (Truth::Empty, Claimed::Infeasible | Claimed::InfeasibleOrUnbounded)
             | (Truth::Unbounded, Claimed::Unbounded | Claimed::InfeasibleOrUnbounded) => {}
-            _ => {
-                found.verdict = Verdict::WrongStatus;
-                return found;
-            }
+            _ => found.verdict = Verdict::WrongStatus,
         }
         if let Some(point) = &claim.point {
-            self.judge_point(point, &mut found);
+            self.judge_point(point, claim, &mut found);
         }
         found
     }
 
-    fn judge_point(&self, point: &[Rational; 2], found: &mut Judgement) {
+    /// What errors of an end are compared with.
+    fn unit(&self, axis: usize, exact: &Rational) -> Option<(Rational, ToleranceUnit)> {
+        let width = self.width(axis).map(|width| (width, ToleranceUnit::Width));
+        let value = Some((exact.abs(), ToleranceUnit::Value));
+        let epsilon = self.epsilon().map(|epsilon| (epsilon, ToleranceUnit::Epsilon));
+        [width, value, epsilon].into_iter().flatten().find(|(size, _)| !size.is_zero())
+    }
+
+    fn judge_point(&self, printed: &[Printed; 2], claim: &BoundClaim, found: &mut Judgement) {
+        let point = &printed.each_ref().map(|coordinate| coordinate.value.clone());
         let excess = |row: &Row| &row.a[0] * &point[0] + &row.a[1] * &point[1] - &row.b;
         let violated: Vec<(usize, Rational, &RefereeRow)> = (self.rows.iter().enumerate())
             .map(|(index, row)| (index, excess(&row.row), row))
@@ -178,7 +210,13 @@ impl<'a> Judge<'a> {
         let Some(most) = measures.iter().max() else { return };
         let first = measures.iter().position(|measure| measure == most).unwrap();
         found.violation = Some(Violation { row: violated[first].0, by: violated[first].1.clone() });
-        if most > self.tolerance {
+        let said = printed.each_ref().map(said);
+        let is_excused = |row: &RefereeRow| {
+            second_judge::is_excused(&row.row.a, &row.row.b, row.epsilon.as_ref(), &said, self.tolerance)
+        };
+        // Who claims that nothing is feasible does not claim that the point is.
+        let is_claimed = matches!(claim.claimed, Claimed::Value(_) | Claimed::Unbounded);
+        if is_claimed && !self.rows.iter().all(is_excused) {
             found.verdict = found.verdict.max(Verdict::InfeasiblePoint);
         }
     }
@@ -253,18 +291,29 @@ pub fn form(axis: usize, end: End) -> [Rational; 2] {
     [0, 1].map(|i| if i == axis { sign.clone() } else { Rational::zero() })
 }
 
-/// How many steps from double to double, at most 4, lead from the double nearest to one number to that of another.
-pub fn steps(from: &Rational, to: &Rational) -> Option<u64> {
-    let (from, to) = (from.to_f64(), to.to_f64());
-    if !from.is_finite() || !to.is_finite() {
-        return None;
+/// A claimed number as the second judge takes it.
+fn said(printed: &Printed) -> Said {
+    let digits = printed.precision.as_ref().map(|precision| (precision.reach.clone(), precision.digits));
+    Said { value: printed.value.clone(), printed: digits }
+}
+
+/// The verdict of this name.
+fn verdict_named(name: &str) -> Verdict {
+    let verdicts =
+        [Verdict::Exact, Verdict::Rounded, Verdict::WithinTolerance, Verdict::Loose, Verdict::Unsafe];
+    *verdicts.iter().find(|verdict| verdict.name() == name).expect("a verdict about a value")
+}
+
+/// The distance of neighbouring doubles at a number between two powers of two.
+pub fn ulp(value: &Rational) -> Option<Rational> {
+    let (mut power, mut exponent) = (Rational::one(), 0);
+    let two = Rational::from(2);
+    let size = value.abs();
+    while power <= size && exponent < 1025 {
+        (power, exponent) = (power * &two, exponent + 1);
     }
-    let (mut up, mut down) = (from, from);
-    for count in 0..=4 {
-        if up == to || down == to {
-            return Some(count);
-        }
-        (up, down) = (up.next_up(), down.next_down());
+    while power > size && exponent > -1022 {
+        (power, exponent) = (power.half(), exponent - 1);
     }
-    None
+    (exponent <= 1023).then(|| power * Rational::from_f64(f64::EPSILON).unwrap())
 }

@@ -20,6 +20,7 @@ fn options(solvers: &[String]) -> CheckOptions {
         solvers: solvers.to_vec(),
         answers: Vec::new(),
         tolerance: ten_to(-6),
+        as_printed: true,
         time_limit: LIMIT,
         directions: None,
     }
@@ -166,7 +167,7 @@ fn the_second_of_two_parallel_rows_may_prove_the_end() {
     // The largest two duals belong to θ1 ≤ 5 and θ1 ≤ 3, or to -θ1 ≤ 0 and θ1 ≤ 3: either pair proves θ1 ≤ 3.
     for duals in [vec![2.0, 1.0, 0.0, 0.0, 0.0], vec![0.0, 1.0, 2.0, 0.0, 0.0]] {
         let claim =
-            BoundClaim { claimed: Claimed::Value(Rational::from(4)), point: None, duals: Some(duals) };
+            BoundClaim { claimed: Claimed::Value(Rational::from(4).into()), point: None, duals: Some(duals) };
         assert_eq!(referee.judge(0, End::Upper, &claim).repairable, Some(true));
     }
 }

@@ -2,7 +2,7 @@
 
 use boundfit_check::ProgramRows;
 use boundfit_exact::Rational;
-use boundfit_lp::{BoundClaim, Claimed, End, Referee, RefereeRow, Refutation, Row, Verdict};
+use boundfit_lp::{BoundClaim, Claimed, End, Printed, Referee, RefereeRow, Refutation, Row, Verdict};
 use boundfit_tests::generate::seeded;
 use boundfit_tests::lp_cases::{fine, rows, ten_to, whole_rows};
 use boundfit_tests::readings::problem;
@@ -55,7 +55,7 @@ fn every_wrong_status_is_proved_wrong() {
             {
                 let mut pair = [lower.clone(), upper.clone()];
                 if rng.random_bool(0.3) {
-                    pair[0].point = Some([fine(&mut rng), fine(&mut rng)]);
+                    pair[0].point = Some([fine(&mut rng), fine(&mut rng)].map(Printed::exact));
                     pair[1].duals = Some(vec![0.5; rng.random_range(0..=rows.len().min(1))]);
                 }
                 let judgements = referee.judge_interval(axis, &pair);
@@ -117,7 +117,7 @@ fn no_answer_is_no_refutation() {
     let rows = rows.into_iter().map(|row| RefereeRow { row, epsilon: None }).collect();
     let referee = Referee::new(rows, ten_to(-6));
     let nothing = BoundClaim {
-        point: Some([Rational::from(9), Rational::from(9)]),
+        point: Some([Rational::from(9), Rational::from(9)].map(Printed::exact)),
         ..claim(Claimed::Nothing("crashed".to_owned()))
     };
     let found = referee.judge(0, End::Lower, &nothing);
@@ -134,8 +134,7 @@ fn no_answer_is_no_refutation() {
 fn verdicts_are_ordered_from_best_to_worst() {
     let ordered = [
         Verdict::Exact,
-        Verdict::Rounded { ulps: 0 },
-        Verdict::Rounded { ulps: 4 },
+        Verdict::Rounded,
         Verdict::WithinTolerance,
         Verdict::NoAnswer,
         Verdict::Loose,

@@ -219,7 +219,7 @@ function refereeTable(lesson) {
     element(
       "p",
       {},
-      "An exact solver judges each claim: exact, rounded (right to the last digits a float has), loose, or wrong.",
+      "An exact solver judges each claim in proportion: exact, rounded (right to the last digits a float has), within tolerance (off by at most a millionth of the width), loose (too wide), or wrong.",
     ),
     element(
       "div",
