@@ -1,7 +1,7 @@
 //! The worst of many errors.
 
 use boundfit_exact::Rational;
-use boundfit_lp::Printed;
+use boundfit_lp::{MOST_ULPS, Printed, ulp};
 
 use super::{Aspect, Fault, Finding, Tolerances, Worth};
 
@@ -104,23 +104,6 @@ impl<'a> Measure<'a> {
 /// How far the number that was meant may be from the one that is given.
 pub(super) fn rounding(printed: &Printed, tolerances: &Tolerances) -> Rational {
     let reach = if tolerances.digits_as_printed { printed.reach() } else { Rational::zero() };
-    reach.max(four_ulps(&printed.value))
-}
-
-/// Four units in the last place of the nearest binary64; 0 beyond its range.
-fn four_ulps(value: &Rational) -> Rational {
-    let size = value.abs().to_f64();
-    let ulp = Rational::from_f64(size.next_up()).zip(Rational::from_f64(size)).map(|(next, own)| next - own);
-    ulp.map(|ulp| ulp * Rational::from(4)).unwrap_or_default()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn four_units_in_the_last_place() {
-        assert_eq!(four_ulps(&Rational::ratio(-3, 2)), Rational::from_f64(4.0 * f64::EPSILON).unwrap());
-        assert_eq!(four_ulps(&Rational::scientific(1, 400)), Rational::zero());
-    }
+    let ulps = ulp(&printed.value).map(|ulp| ulp * Rational::from(MOST_ULPS));
+    reach.max(ulps.unwrap_or_default())
 }

@@ -22,7 +22,10 @@ fn the_interval_that_highs_reports_is_refuted() {
     let claim = &found["claims"][0];
     assert_eq!(claim["source"], "HiGHS 1.15, default settings");
     assert_eq!(verdicts(claim), ["loose", "loose", "exact", "exact"]);
-    assert_eq!((&claim["verdict"], &found["worst"]["verdict"]), (&Value::from("loose"), &Value::from("loose")));
+    assert_eq!(
+        (&claim["verdict"], &found["worst"]["verdict"]),
+        (&Value::from("loose"), &Value::from("loose"))
+    );
     for (bound, exact) in claim["bounds"].as_array().unwrap().iter().zip(EXACT) {
         assert_eq!(bound["exact"]["exact"], exact);
     }
@@ -34,7 +37,10 @@ fn the_interval_that_highs_reports_is_refuted() {
     assert_eq!(claim["bounds"][0]["unit"], "width");
     let text = boundfit(&format!("{NEAR_PARALLEL} --claim fixtures/claims/near-parallel-highs.json"));
     assert_eq!(text.status, 4);
-    for part in ["theta1 min: loose: too wide by 0.26 of the width (0.016667, 1.3e15 ulp)", "\nWorst verdict: loose; refuted\n"] {
+    for part in [
+        "theta1 min: loose: too wide by 0.26 of the width (0.016667, 1.3e15 ulp)",
+        "\nWorst verdict: loose; refuted\n",
+    ] {
         assert!(unbroken(&text.stdout).contains(part.trim()), "{part}: {}", text.stdout);
     }
 }

@@ -146,7 +146,10 @@ fn every_report_follows_the_schema() {
         sources += as_read.len();
         // The exact simplex is right everywhere.
         let exact = report(&format!("{line} --solver exact-simplex"), 0);
-        assert_eq!((exact["claims"].as_array().unwrap().len(), &exact["worst"]["verdict"]), (1, &"exact".into()));
+        assert_eq!(
+            (exact["claims"].as_array().unwrap().len(), &exact["worst"]["verdict"]),
+            (1, &"exact".into())
+        );
     }
     assert_eq!(sources, 12 * boundfit_check::source_names().len());
     for line in [
