@@ -14,6 +14,7 @@
 mod claim;
 mod closeness;
 mod exchange;
+mod format;
 mod model;
 mod outcome;
 mod printed;
@@ -28,7 +29,8 @@ mod verdict;
 
 pub use claim::{BoundClaim, Claimed, End, PuiEnd};
 pub use closeness::{Closeness, Difference, MOST_ULPS, RoundedTo, ToleranceUnit, ulp};
-pub use exchange::{ExchangeFormat, ExchangeProgram, ExchangeRow, Sense};
+pub use exchange::{ExchangeProgram, ExchangeRow, Sense};
+pub use format::ExchangeFormat;
 pub use model::{Bounds, Model, ModelColumn, ModelRow, ObjectiveSense};
 pub use outcome::{ExactOutcome, Multiplier, Optimum, Outcome};
 pub use printed::{NumberFormat, Precision, Printed};

@@ -45,7 +45,7 @@ pub struct ModelColumn {
 pub struct ModelRow {
     /// The name in the file.
     pub name: String,
-    /// Columns by their place in [`Model::columns`], each at most once, none with a coefficient of 0.
+    /// Columns by their place in [`Model::columns`], in rising order, each at most once, none with a coefficient of 0.
     pub coefficients: Vec<(usize, Rational)>,
     /// The values that the form may have.
     pub bounds: Bounds,

@@ -5,7 +5,7 @@ use std::fmt;
 use boundfit_exact::{Limit, ParseNumberError};
 use thiserror::Error;
 
-use crate::exchange::ExchangeFormat;
+use crate::format::ExchangeFormat;
 
 /// A place in a file, with what stands there.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -92,9 +92,6 @@ pub enum ModelErrorKind {
     /// An infinite bound on the wrong side.
     #[error("an infinite {0} bound leaves no value")]
     Impossible(&'static str),
-    /// An infinite number where a finite one belongs.
-    #[error("not a finite number")]
-    Infinite,
     /// A part that linear programs do not have.
     #[error("this is more than a linear program")]
     NotLinear,
@@ -263,9 +260,7 @@ impl ModelErrorKind {
             }
             ModelErrorKind::NotANumber(error) if error.kind.is_limit() => return None,
             ModelErrorKind::NotANumber(_) => "a decimal such as 1.30e-2 or a fraction such as 7/19",
-            ModelErrorKind::Impossible(_) | ModelErrorKind::Infinite => {
-                "a number; 1e30 and more are infinite"
-            }
+            ModelErrorKind::Impossible(_) => "a number; 1e30 and more are infinite",
             ModelErrorKind::NotLinear => "rows, columns, right-hand sides, ranges and bounds",
             ModelErrorKind::Integer | ModelErrorKind::SemiContinuous => {
                 "columns that may have any value between two bounds"

@@ -5,7 +5,7 @@
 
 mod bounds;
 mod error;
-pub(crate) mod lp_format;
+mod lp_format;
 mod mps;
 mod names;
 mod text;
@@ -17,8 +17,10 @@ use std::str;
 
 use boundfit_exact::Limits;
 
-use crate::exchange::ExchangeFormat;
+use crate::format::ExchangeFormat;
 use crate::model::Model;
+
+pub(crate) use lp_format::{ends_name, is_keyword};
 
 pub use error::{ModelError, ModelErrorKind, ModelPlace};
 

@@ -91,13 +91,16 @@ impl Field<'_> {
         number.map_err(|error| self.error(ModelErrorKind::NotANumber(error)))
     }
 
-    /// The number that it spells, or an infinity: `inf`, `infinity`, and any number from 10³⁰ on.
+    /// The infinity that it spells: `inf` or `infinity`, with a sign or without.
+    pub(super) fn infinity(&self) -> Option<Extended> {
+        let word = self.text.strip_prefix(['+', '-']).unwrap_or(self.text);
+        let is_infinity = ["inf", "infinity"].iter().any(|name| word.eq_ignore_ascii_case(name));
+        let sign = if self.text.starts_with('-') { Extended::Minus } else { Extended::Plus };
+        is_infinity.then_some(sign)
+    }
+
+    /// The number that it spells, or an infinity, which every number from 10³⁰ on is.
     pub(super) fn extended(&self, limits: &ModelLimits) -> Result<Extended, ModelError> {
-        let word = self.text.trim_start_matches(['+', '-']);
-        let signs = self.text.len() - word.len();
-        if signs <= 1 && ["inf", "infinity"].iter().any(|name| word.eq_ignore_ascii_case(name)) {
-            return Ok(if self.text.starts_with('-') { Extended::Minus } else { Extended::Plus });
-        }
-        self.number(limits).map(Extended::new)
+        self.infinity().map_or_else(|| self.number(limits).map(Extended::new), Ok)
     }
 }

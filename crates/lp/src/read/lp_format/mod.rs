@@ -10,6 +10,7 @@ use super::text::{Field, Line};
 use crate::model::{Model, ObjectiveSense};
 
 use program::Program;
+pub(crate) use token::ends_name;
 use token::{Kind, Token, Tokens, tokens};
 
 /// Reads a program.
@@ -59,7 +60,7 @@ const SECTIONS: [(Section, &[&str]); 6] = [
 ];
 
 /// Whether a name would be read as a keyword.
-pub(in crate::read) fn is_keyword(name: &str) -> bool {
+pub(crate) fn is_keyword(name: &str) -> bool {
     let senses = SENSES.iter().flat_map(|(_, words)| *words);
     let sections = SECTIONS.iter().flat_map(|(_, words)| *words);
     let others = ["subject", "such", "free", "inf", "infinity"];

@@ -183,7 +183,9 @@ impl<'a> Program<'a> {
             while row.name.is_none() && named.find(&name).is_some() {
                 name.push('_');
             }
-            ModelRow { name, coefficients: row.coefficients, bounds: row.bounds }
+            let mut coefficients = row.coefficients;
+            coefficients.sort_by_key(|(column, _)| *column);
+            ModelRow { name, coefficients, bounds: row.bounds }
         };
         Model {
             name: String::new(),

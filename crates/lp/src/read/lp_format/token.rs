@@ -102,7 +102,7 @@ impl<'a, I: Iterator<Item = Result<Line<'a>, ModelError>>> Tokens<'a, I> {
 
     /// The error for a file that stops here.
     pub(super) fn end(&self) -> ModelError {
-        let format = crate::exchange::ExchangeFormat::Lp;
+        let format = crate::format::ExchangeFormat::Lp;
         match self.last {
             None => ModelError::of_file(ModelErrorKind::Empty(format)),
             Some(line) => line.whole().error(ModelErrorKind::NoEnd(format)),
@@ -149,7 +149,7 @@ impl<'a> Iterator for Pieces<'a> {
 
 /// Whether a name cannot go on with this character. CPLEX's names have fewer characters; those of Gurobi and HiGHS may look
 /// like `x[1]`.
-pub(in crate::read) fn ends_name(character: char) -> bool {
+pub(crate) fn ends_name(character: char) -> bool {
     matches!(character, ' ' | '\t' | '+' | '-' | '<' | '>' | '=' | ':' | '^' | '*' | '\\')
 }
 

@@ -6,7 +6,7 @@ mod record;
 use super::ModelLimits;
 use super::error::{ModelError, ModelErrorKind};
 use super::text::{Field, Line, lines};
-use crate::exchange::ExchangeFormat;
+use crate::format::ExchangeFormat;
 use crate::model::{Model, ObjectiveSense};
 
 use program::Program;

@@ -216,11 +216,17 @@ impl<'a> Program<'a> {
     }
 
     fn add_side(&mut self, section: Section, name: Field<'a>, number: Field<'a>) -> Result<(), ModelError> {
-        let value = number.extended(self.limits)?;
+        let limits = self.limits;
         let row = self.row(name)?;
         let (known, what) = match section {
             Section::Ranges => (&mut row.range, "range"),
             _ => (&mut row.side, "right-hand side"),
+        };
+        // A range, and the constant of an objective, are no bounds.
+        let value = match (section, row.kind) {
+            (Section::Rhs, Kind::AtMost | Kind::AtLeast | Kind::Equal) => number.extended(limits)?,
+            (Section::Ranges, _) if let Some(infinity) = number.infinity() => infinity,
+            _ => Extended::Finite(number.number(limits)?),
         };
         if let Some((_, first)) = known {
             return Err(name.error(ModelErrorKind::SideTwice { what, first: first.line.number }));
@@ -364,10 +370,8 @@ impl Row<'_> {
             return Err(range.error(ModelErrorKind::RangeOfObjective));
         }
         name.clone_into(&mut model.objective_name);
-        if let Some((side, field)) = self.side {
-            let side = side.finite().ok_or_else(|| field.error(ModelErrorKind::Infinite))?;
-            model.constant = -side;
-        }
+        let side = self.side.and_then(|(side, _)| side.finite());
+        model.constant = -side.unwrap_or_else(Rational::zero);
         for (place, cost) in self.entries {
             model.columns.iter_mut().skip(place).take(1).for_each(|column| column.cost = cost.clone());
         }

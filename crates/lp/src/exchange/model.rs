@@ -1,0 +1,182 @@
+//! Models as files.
+
+use std::collections::HashSet;
+
+use boundfit_exact::Rational;
+
+use super::number::finite_decimal;
+use super::written::{Written, WrittenColumn, WrittenRow, decimal};
+use super::{escaped, lp_format, mps};
+use crate::format::ExchangeFormat;
+use crate::model::{Bounds, Model};
+use crate::read::{ends_name, is_keyword};
+
+impl Model {
+    /// The file. Exact: read as it stands, it is this program again.
+    ///
+    /// Where a format cannot say something, the file states an equivalent program and says so in comments at the top: rows
+    /// with a number that has no finite decimal are multiplied with the least number that makes all of them whole, and a
+    /// bound of a column without a decimal becomes a row; in MPS, a row whose lower bound lies above the upper one becomes
+    /// two; names that the format does not allow, or that occur twice, become others. LP format has no name of the program.
+    /// Bounds from 10³⁰ on are read as infinite. Cost: linear in the result.
+    ///
+    /// ```
+    /// use boundfit_lp::{ExchangeFormat, ModelLimits, read_model};
+    ///
+    /// let model = read_model("max x st x <= 0.1 end", ExchangeFormat::Lp, &ModelLimits::default())?;
+    /// let mps = model.text(ExchangeFormat::Mps);
+    /// assert_eq!(read_model(&mps, ExchangeFormat::Mps, &ModelLimits::default())?, model);
+    /// # Ok::<(), boundfit_lp::ModelError>(())
+    /// ```
+    pub fn text(&self, format: ExchangeFormat) -> String {
+        let mut remarks = Vec::new();
+        let mut rows = vec![(self.objective_name.clone(), Form::Objective, Bounds::default())];
+        for row in &self.rows {
+            let form = Form::Row(&row.coefficients);
+            let is_crossed =
+                matches!((&row.bounds.lower, &row.bounds.upper), (Some(low), Some(up)) if low > up);
+            if is_crossed && format == ExchangeFormat::Mps {
+                remarks.push(format!(
+                    "{}: its bounds, which leave no value, are those of two rows",
+                    escaped(&row.name)
+                ));
+                rows.push((row.name.clone(), form, Bounds { upper: None, ..row.bounds.clone() }));
+                let name = format!("{}_upper", row.name);
+                rows.push((name, form, Bounds { lower: None, ..row.bounds.clone() }));
+            } else {
+                rows.push((row.name.clone(), form, row.bounds.clone()));
+            }
+        }
+        let names = self.columns.iter().map(|column| column.name.clone()).collect();
+        let mut columns = Vec::new();
+        for (place, (column, name)) in
+            self.columns.iter().zip(legal(names, format, "column", &mut remarks)).enumerate()
+        {
+            let Bounds { lower, upper } = &column.bounds;
+            if lower.iter().chain(upper).all(|bound| finite_decimal(bound).is_some()) {
+                columns.push(WrittenColumn {
+                    name,
+                    lower: lower.as_ref().map(decimal),
+                    upper: upper.as_ref().map(decimal),
+                });
+            } else {
+                remarks.push(format!("{name}: its bounds have no finite decimals, and are those of a row"));
+                rows.push((format!("bound_{name}"), Form::Column(place), column.bounds.clone()));
+                columns.push(WrittenColumn { name, lower: None, upper: None });
+            }
+        }
+        self.write(rows, &columns, remarks, format)
+    }
+
+    /// The file with these rows, the first of which is the objective.
+    fn write(
+        &self,
+        rows: Vec<(String, Form<'_>, Bounds)>,
+        columns: &[WrittenColumn],
+        mut remarks: Vec<String>,
+        format: ExchangeFormat,
+    ) -> String {
+        let names = rows.iter().map(|(name, _, _)| name.clone()).collect();
+        let one = Rational::one();
+        let mut written = Vec::new();
+        for (name, (_, form, bounds)) in legal(names, format, "row", &mut remarks).into_iter().zip(&rows) {
+            written.push(match form {
+                // A bound makes the constant one of the numbers that decide on the scale.
+                Form::Objective => {
+                    let costs = self.columns.iter().map(|column| &column.cost).enumerate();
+                    let bounds = Bounds { lower: Some(self.constant.clone()), upper: None };
+                    WrittenRow::new(name, costs, &bounds)
+                }
+                Form::Row(coefficients) => {
+                    let coefficients = coefficients.iter().map(|(column, value)| (*column, value));
+                    WrittenRow::new(name, coefficients, bounds)
+                }
+                Form::Column(place) => WrittenRow::new(name, [(*place, &one)], bounds),
+            });
+        }
+        let Some((objective, rows)) = written.split_first() else { return String::new() };
+        let constant = objective.lower.clone().unwrap_or_default();
+        let opposite = match constant.strip_prefix('-') {
+            Some(size) => size.to_owned(),
+            None if constant == "0" => constant.clone(),
+            None => format!("-{constant}"),
+        };
+        remarks.extend(written.iter().flat_map(WrittenRow::remarks));
+        let is_odd = |character: char| character.is_control() && character != '\t';
+        let name = if self.name.contains(is_odd) { "" } else { self.name.trim() };
+        let constant = [constant, opposite];
+        let rows = rows.iter().collect();
+        let program = Written { name, sense: self.sense, objective, constant, columns, rows, remarks };
+        program.text(format)
+    }
+}
+
+/// Where the coefficients of a row are.
+#[derive(Clone, Copy)]
+enum Form<'a> {
+    Objective,
+    Row(&'a [(usize, Rational)]),
+    /// A column alone.
+    Column(usize),
+}
+
+impl Written<'_> {
+    pub(super) fn text(&self, format: ExchangeFormat) -> String {
+        let mut text = String::new();
+        // Writing to a string cannot fail.
+        let _ = match format {
+            ExchangeFormat::Mps => mps::write(&mut text, self),
+            ExchangeFormat::Lp => lp_format::write(&mut text, self),
+        };
+        text
+    }
+}
+
+/// Names that the format allows, each once: those that it does not allow, or that were there before, become others.
+fn legal(names: Vec<String>, format: ExchangeFormat, what: &str, remarks: &mut Vec<String>) -> Vec<String> {
+    let is_legal = match format {
+        ExchangeFormat::Mps => is_legal_in_mps,
+        ExchangeFormat::Lp => is_legal_in_lp,
+    };
+    let mut used: HashSet<String> = HashSet::new();
+    let kept: Vec<bool> = names.iter().map(|name| is_legal(name) && used.insert(name.clone())).collect();
+    let mut renamed = |(place, (name, is_kept)): (usize, (String, bool))| {
+        if is_kept {
+            return name;
+        }
+        // Nameless objectives are called as CPLEX calls them.
+        let is_nameless_objective = place == 0 && what == "row" && name.is_empty();
+        let mut other = if is_nameless_objective { "obj".to_owned() } else { format!("{what}{}", place + 1) };
+        while !used.insert(other.clone()) {
+            other.push('_');
+        }
+        if !is_nameless_objective {
+            remarks.push(format!("{other} is the {what} \"{}\"", escaped(&name)));
+        }
+        other
+    };
+    names.into_iter().zip(kept).enumerate().map(&mut renamed).collect()
+}
+
+fn is_legal_in_mps(name: &str) -> bool {
+    let is_odd = |character: char| character.is_whitespace() || character.is_control();
+    !name.is_empty() && !name.contains(is_odd) && !name.starts_with('$') && !name.contains("'MARKER'")
+}
+
+/// CPLEX reads names that begin like an exponent as such.
+fn is_legal_in_lp(name: &str) -> bool {
+    let is_odd =
+        |character: char| character.is_whitespace() || character.is_control() || ends_name(character);
+    let is_bad_start = |character: char| character.is_ascii_digit() || "./[]".contains(character);
+    let is_exponent = |name: &str| {
+        let rest = name.strip_prefix(['e', 'E']);
+        rest.is_some_and(|rest| {
+            rest.is_empty() || rest.starts_with(|next: char| next.is_ascii_digit() || "eE".contains(next))
+        })
+    };
+    !name.is_empty()
+        && !name.contains(is_odd)
+        && !name.starts_with(is_bad_start)
+        && !is_exponent(name)
+        && !is_keyword(name)
+}
