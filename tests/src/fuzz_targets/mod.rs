@@ -4,12 +4,14 @@
 
 mod claims;
 mod half_planes;
+mod models;
 mod number;
 mod proofs;
 mod table;
 
 pub use claims::claim_files;
 pub use half_planes::{ine_parser, polygon_against_oracle};
+pub use models::model_files;
 pub use number::number_parser;
 pub use proofs::proof_files;
 pub use table::{csv_reader, mat_reader};
@@ -26,7 +28,7 @@ pub struct Target {
 }
 
 /// All targets.
-pub const TARGETS: [Target; 7] = [
+pub const TARGETS: [Target; 8] = [
     Target { name: "csv_reader", body: csv_reader, fixtures: &["bad-input", "steam-generator"] },
     Target { name: "number_parser", body: number_parser, fixtures: &[] },
     Target { name: "ine_parser", body: ine_parser, fixtures: &["polygon", "bad-input"] },
@@ -34,4 +36,5 @@ pub const TARGETS: [Target; 7] = [
     Target { name: "claim_files", body: claim_files, fixtures: &["claims", "solutions"] },
     Target { name: "polygon_against_oracle", body: polygon_against_oracle, fixtures: &[] },
     Target { name: "proof_files", body: proof_files, fixtures: &[] },
+    Target { name: "model_files", body: model_files, fixtures: &["tiny-lp"] },
 ];

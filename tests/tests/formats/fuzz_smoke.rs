@@ -197,3 +197,8 @@ fn polygons() {
 fn proofs() {
     smoke(TARGETS[6]);
 }
+
+#[test]
+fn models() {
+    smoke(TARGETS[7]);
+}

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use boundfit_exact::Rational;
 
 use super::number::finite_decimal;
-use super::written::{Written, WrittenColumn, WrittenRow, decimal};
+use super::written::{INFINITE, Written, WrittenColumn, WrittenRow, decimal};
 use super::{escaped, lp_format, mps};
 use crate::format::ExchangeFormat;
 use crate::model::{Bounds, Model};
@@ -14,11 +14,11 @@ use crate::read::{ends_name, is_keyword};
 impl Model {
     /// The file. Exact: read as it stands, it is this program again.
     ///
-    /// Where a format cannot say something, the file states an equivalent program and says so in comments at the top: rows
-    /// with a number that has no finite decimal are multiplied with the least number that makes all of them whole, and a
-    /// bound of a column without a decimal becomes a row; in MPS, a row whose lower bound lies above the upper one becomes
-    /// two; names that the format does not allow, or that occur twice, become others. LP format has no name of the program.
-    /// Bounds from 10³⁰ on are read as infinite. Cost: linear in the result.
+    /// Where a format cannot say something, the file states an equivalent program and says so in comments at the top. Rows
+    /// with a number that has no finite decimal are multiplied with the least number that makes all of them whole, and rows
+    /// with a bound from 10³⁰ on, which readers take for infinite, with a power of ten; such a bound of a column becomes a
+    /// row. In MPS, a row whose lower bound lies above the upper one becomes two. Names that the format does not allow, or
+    /// that occur twice, become others. LP format has no name of the program. Cost: linear in the result.
     ///
     /// ```
     /// use boundfit_lp::{ExchangeFormat, ModelLimits, read_model};
@@ -53,14 +53,18 @@ impl Model {
             self.columns.iter().zip(legal(names, format, "column", &mut remarks)).enumerate()
         {
             let Bounds { lower, upper } = &column.bounds;
-            if lower.iter().chain(upper).all(|bound| finite_decimal(bound).is_some()) {
+            let is_readable = |bound: &Rational| {
+                finite_decimal(bound).is_some()
+                    && bound.decimal_exponent().is_none_or(|exponent| exponent < INFINITE)
+            };
+            if lower.iter().chain(upper).all(is_readable) {
                 columns.push(WrittenColumn {
                     name,
                     lower: lower.as_ref().map(decimal),
                     upper: upper.as_ref().map(decimal),
                 });
             } else {
-                remarks.push(format!("{name}: its bounds have no finite decimals, and are those of a row"));
+                remarks.push(format!("{name}: its bounds are those of the row bound_{name}"));
                 rows.push((format!("bound_{name}"), Form::Column(place), column.bounds.clone()));
                 columns.push(WrittenColumn { name, lower: None, upper: None });
             }
@@ -89,9 +93,9 @@ impl Model {
                 }
                 Form::Row(coefficients) => {
                     let coefficients = coefficients.iter().map(|(column, value)| (*column, value));
-                    WrittenRow::new(name, coefficients, bounds)
+                    WrittenRow::with_finite_bounds(name, coefficients, bounds)
                 }
-                Form::Column(place) => WrittenRow::new(name, [(*place, &one)], bounds),
+                Form::Column(place) => WrittenRow::with_finite_bounds(name, [(*place, &one)], bounds),
             });
         }
         let Some((objective, rows)) = written.split_first() else { return String::new() };

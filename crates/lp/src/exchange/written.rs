@@ -5,6 +5,9 @@ use boundfit_exact::{Integer, Rational};
 use super::number::finite_decimal;
 use crate::model::{Bounds, ObjectiveSense};
 
+/// Bounds from this power of ten on are infinite for every reader.
+pub(super) const INFINITE: i64 = 30;
+
 /// A program ready to be written.
 #[derive(Debug)]
 pub(super) struct Written<'a> {
@@ -38,8 +41,8 @@ pub(super) struct WrittenRow {
     pub(super) upper: Option<String>,
     /// The upper bound less the lower one, where both are there and differ.
     pub(super) range: Option<String>,
-    /// What all numbers were multiplied with, where not all are finite decimals.
-    scale: Option<Integer>,
+    /// What all numbers were multiplied with, and why.
+    scale: Option<Scale>,
     /// Whether all of them are representable in binary64 at least roughly: none overflows or becomes 0.
     is_in_range: bool,
 }
@@ -51,14 +54,43 @@ impl WrittenRow {
         coefficients: impl IntoIterator<Item = (usize, &'a Rational)>,
         bounds: &Bounds,
     ) -> Self {
+        WrittenRow::with_scale(name, coefficients, bounds, |scale| scale)
+    }
+
+    /// Such a row where no reader takes a bound for infinite: if one is 10³⁰ or more, all numbers become smaller.
+    pub(super) fn with_finite_bounds<'a>(
+        name: String,
+        coefficients: impl IntoIterator<Item = (usize, &'a Rational)>,
+        bounds: &Bounds,
+    ) -> Self {
+        WrittenRow::with_scale(name, coefficients, bounds, |scale| {
+            let by = scale.as_ref().map_or_else(Rational::one, |scale| scale.by.clone());
+            let sides = bounds.lower.iter().chain(&bounds.upper);
+            let exponent = sides.filter_map(|side| (side * &by).decimal_exponent()).max();
+            match exponent.filter(|exponent| *exponent >= INFINITE) {
+                None => scale,
+                Some(exponent) => Some(Scale {
+                    by: by * Rational::scientific(1, INFINITE - 1 - exponent),
+                    why: scale.map_or("a bound would be taken for infinite", |scale| scale.why),
+                }),
+            }
+        })
+    }
+
+    fn with_scale<'a>(
+        name: String,
+        coefficients: impl IntoIterator<Item = (usize, &'a Rational)>,
+        bounds: &Bounds,
+        adapted: impl FnOnce(Option<Scale>) -> Option<Scale>,
+    ) -> Self {
         let mut coefficients: Vec<_> =
             coefficients.into_iter().filter(|(_, value)| !value.is_zero()).collect();
         coefficients.sort_by_key(|(column, _)| *column);
         let numbers =
             || coefficients.iter().map(|(_, value)| *value).chain(&bounds.lower).chain(&bounds.upper);
-        let scale = scale_of(numbers());
+        let scale = adapted(scale_of(numbers()));
         let scaled = |value: &Rational| match &scale {
-            Some(scale) => value * &Rational::from(scale),
+            Some(scale) => value * &scale.by,
             None => value.clone(),
         };
         let is_in_range = numbers().all(|value| is_in_range(&scaled(value)));
@@ -97,8 +129,8 @@ impl WrittenRow {
         let texts = self.coefficients.iter().map(|(_, text)| text).chain(&self.lower).chain(&self.upper);
         let longest = texts.map(String::len).max().unwrap_or_default();
         let mut remarks = Vec::new();
-        if let Some(scale) = &self.scale {
-            remarks.push(format!("{name} is multiplied by {scale}: its numbers have no finite decimals"));
+        if let Some(Scale { by, why }) = &self.scale {
+            remarks.push(format!("{name} is multiplied by {}: {why}", factor(by)));
         }
         if longest > LONGEST_NUMBER {
             remarks.push(format!(
@@ -112,10 +144,25 @@ impl WrittenRow {
     }
 }
 
+/// What all numbers of a row were multiplied with.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Scale {
+    by: Rational,
+    why: &'static str,
+}
+
 /// The least number with which all of these become whole, unless all of them are finite decimals.
-fn scale_of<'a>(numbers: impl Iterator<Item = &'a Rational> + Clone) -> Option<Integer> {
-    let has_decimals = numbers.clone().all(|value| finite_decimal(value).is_some());
-    (!has_decimals).then(|| numbers.fold(Integer::one(), |scale, value| scale.lcm(&value.denominator())))
+fn scale_of<'a>(numbers: impl Iterator<Item = &'a Rational> + Clone) -> Option<Scale> {
+    if numbers.clone().all(|value| finite_decimal(value).is_some()) {
+        return None;
+    }
+    let by = numbers.fold(Integer::one(), |scale, value| scale.lcm(&value.denominator()));
+    Some(Scale { by: by.into(), why: "its numbers have no finite decimals" })
+}
+
+/// A factor with all digits if it is whole, as a decimal otherwise.
+fn factor(by: &Rational) -> String {
+    if by.denominator() == Integer::one() { by.to_string() } else { decimal(by) }
 }
 
 /// A finite decimal as text; a fraction where it has none.

@@ -4,8 +4,7 @@ mod lp_format;
 mod mps;
 
 use super::*;
-use crate::model::Bounds;
-use crate::model::ObjectiveSense;
+use crate::model::{Bounds, ModelColumn, ModelRow, ObjectiveSense};
 use boundfit_exact::{Limit, Rational, Reading};
 
 fn number(text: &str) -> Rational {
@@ -27,9 +26,7 @@ fn read(text: &str, format: ExchangeFormat) -> Model {
     let model = read_once(text, format);
     for format in ExchangeFormat::ALL {
         let written = model.text(format);
-        let is_the_same = !["multiplied", "no finite decimals", "leave no value"]
-            .iter()
-            .any(|remark| written.contains(remark));
+        let is_the_same = !["multiplied", " are those of "].iter().any(|remark| written.contains(remark));
         if is_the_same {
             assert_eq!(without_names(&read_once(&written, format)), without_names(&model), "{written}");
         }
@@ -133,7 +130,7 @@ End
     // A bound without a decimal is that of a row.
     let model = read("min x bounds 1/3 <= x <= 1/2 end", ExchangeFormat::Lp);
     let written = "\
-\\ x: its bounds have no finite decimals, and are those of a row
+\\ x: its bounds are those of the row bound_x
 \\ bound_x is multiplied by 6: its numbers have no finite decimals
 Minimize
  obj: 1 x
@@ -144,12 +141,31 @@ Bounds
 End
 ";
     assert_eq!(model.text(ExchangeFormat::Lp), written);
-    // Names that are there already, and long lines.
-    let column = |name: &str| crate::model::ModelColumn {
-        name: name.to_owned(),
-        cost: Rational::one(),
-        bounds: bounds("0", "-"),
+    // A bound that readers would take for infinite.
+    let far = ModelRow {
+        bounds: bounds("-3e30", "1"),
+        coefficients: vec![(0, number("4e30"))],
+        name: "far".to_owned(),
     };
+    let column = ModelColumn { name: "x".to_owned(), cost: Rational::one(), bounds: bounds("-1e35", "-") };
+    let model = Model { columns: vec![column], rows: vec![far], ..Model::default() };
+    let written = "\
+\\ x: its bounds are those of the row bound_x
+\\ far is multiplied by 0.1: a bound would be taken for infinite
+\\ bound_x is multiplied by 1e-6: a bound would be taken for infinite
+Minimize
+ obj: 1 x
+Subject To
+ far: -3e29 <= 4e29 x <= 0.1
+ bound_x: 1e-6 x >= -1e29
+Bounds
+ x free
+End
+";
+    assert_eq!(model.text(ExchangeFormat::Lp), written);
+    // Names that are there already, and long lines.
+    let column =
+        |name: &str| ModelColumn { name: name.to_owned(), cost: Rational::one(), bounds: bounds("0", "-") };
     let names = ["x", "x", "column2", "", "a b", "\u{e9}", "e1", "3x", "-"];
     let model = Model { columns: names.map(column).to_vec(), ..Model::default() };
     let written = model.text(ExchangeFormat::Lp);
