@@ -13,9 +13,9 @@ use crate::law::{Law, range_of_y};
 use crate::least_squares::NoLeastSquares;
 use crate::line_form::LineForm;
 use crate::selection::{FractionCells, Selection};
-#[cfg(feature = "files")]
-use crate::summary::Sums;
 use crate::summary::{DecidingMinimax, NoEui, NoMinimax, Reduction};
+#[cfg(feature = "files")]
+use crate::summary::{Halves, Sums};
 
 /// One reading.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -286,6 +286,9 @@ impl Meaning {
         let form = |sums: Sums| if regressors == 1 { self.form.sums(sums) } else { sums };
         if self.has_response {
             return Ok(form(Sums::of_columns(&columns[0], second, &columns[regressors])));
+        }
+        if let Some(Halves { middles, .. }) = Halves::of_columns(self, columns) {
+            return Ok(form(Sums::of_columns(&columns[0], second, &Column::Narrow(middles))));
         }
         let value = |row: usize| self.of_columns(columns, row, 0).value().map(Cow::into_owned);
         let values: Option<Column> = (0..columns[0].len()).map(value).collect();

@@ -10,14 +10,21 @@ use boundfit_tests::generate::{seeded, shuffled};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-const USAGE: &str = "usage: generate noise|extreme|ties|fleet|fleet-mixed COUNT [SEED]
+const USAGE: &str = "usage: generate noise|intervals|regressors|extreme|ties|fleet|fleet-mixed COUNT [SEED]
 COUNT is the number of rows, of a fleet the number of sensors.";
 
 type Out<'a> = BufWriter<StdoutLock<'a>>;
 type WriteRows = fn(usize, &mut ChaCha8Rng, &mut Out<'_>) -> io::Result<()>;
 
-const KINDS: [(&str, WriteRows); 5] =
-    [("noise", noise), ("extreme", extreme), ("ties", ties), ("fleet", fleet), ("fleet-mixed", fleet_mixed)];
+const KINDS: [(&str, WriteRows); 7] = [
+    ("noise", noise),
+    ("intervals", intervals),
+    ("regressors", regressors),
+    ("extreme", extreme),
+    ("ties", ties),
+    ("fleet", fleet),
+    ("fleet-mixed", fleet_mixed),
+];
 
 /// Rows of one sensor of a fleet.
 const ROWS_OF_A_SENSOR: usize = 23;
@@ -60,6 +67,32 @@ fn noise(count: usize, rng: &mut ChaCha8Rng, out: &mut Out<'_>) -> io::Result<()
         let x: i64 = rng.random_range(0..1_000_000);
         let y = 70 * x + 12_500_000 + rng.random_range(-250_000..=250_000);
         line.write(out, &[(x, 4), (y, 6)])?;
+    }
+    Ok(())
+}
+
+/// Intervals that have 0.7·x + 12.5 between 0.05 and 0.55 below their upper and above their lower ends.
+fn intervals(count: usize, rng: &mut ChaCha8Rng, out: &mut Out<'_>) -> io::Result<()> {
+    out.write_all(b"x,lower,upper\n")?;
+    let mut line = Line::default();
+    for _ in 0..count {
+        let x: i64 = rng.random_range(0..1_000_000);
+        let middle = 70 * x + 12_500_000;
+        let [below, above] = [0; 2].map(|_| rng.random_range(50_000..=550_000));
+        line.write(out, &[(x, 4), (middle - below, 6), (middle + above, 6)])?;
+    }
+    Ok(())
+}
+
+/// y = 0.7·u + 12.5·v + e with |e| ≤ 0.25, uniform.
+fn regressors(count: usize, rng: &mut ChaCha8Rng, out: &mut Out<'_>) -> io::Result<()> {
+    out.write_all(b"u,v,y\n")?;
+    let mut line = Line::default();
+    for _ in 0..count {
+        let u: i64 = rng.random_range(0..1_000_000);
+        let v: i64 = rng.random_range(-500..=500);
+        let y = 70 * u + 125_000 * v + rng.random_range(-250_000..=250_000);
+        line.write(out, &[(u, 4), (v, 2), (y, 6)])?;
     }
     Ok(())
 }

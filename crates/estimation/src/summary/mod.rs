@@ -6,6 +6,8 @@
 
 #[cfg(feature = "files")]
 mod fixed;
+#[cfg(feature = "files")]
+mod halves;
 mod in_memory;
 #[cfg(feature = "files")]
 mod reach;
@@ -25,6 +27,8 @@ use thiserror::Error;
 
 #[cfg(feature = "files")]
 pub(crate) use fixed::{FixedBounds, FixedPart, FixedSummary, FixedSupport};
+#[cfg(feature = "files")]
+pub(crate) use halves::Halves;
 pub use in_memory::ColumnsError;
 #[cfg(feature = "files")]
 pub(crate) use reach::{SignedSums, Weights, merged_or_reason};

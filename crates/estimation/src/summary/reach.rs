@@ -3,6 +3,7 @@
 
 use boundfit_exact::{Column, Integer, Rational, Scaled, Sum};
 
+use super::halves::Halves;
 use super::sums::Sums;
 use super::{NoEui, Reach};
 use crate::measurements::Meaning;
@@ -54,8 +55,8 @@ impl Weights {
         columns: &[Column],
         number: &dyn Fn(usize) -> usize,
     ) -> Result<SignedSums, NoEui> {
-        if let Some([first, second, own]) = self.on_integers(meaning, columns) {
-            return Ok(SignedSums([first, second, own, <[Rational; 2]>::default()]));
+        if let Some(sums) = self.on_integers(meaning, columns) {
+            return sums;
         }
         let mut sums = [(); 4].map(|()| [(); 2].map(|()| Sum::default()));
         let mut is_crossing = false;
@@ -92,22 +93,44 @@ impl Weights {
         Reach { radii, absolute, middles: (!meaning.is_around_y()).then_some(middles) }
     }
 
-    fn on_integers(&self, meaning: &Meaning, columns: &[Column]) -> Option<[[Rational; 2]; 3]> {
+    /// The sums on machine integers; `None` where these might not hold them.
+    fn on_integers(&self, meaning: &Meaning, columns: &[Column]) -> Option<Result<SignedSums, NoEui>> {
         let scaled = |index: usize| match columns.get(index) {
             Some(Column::Narrow(scaled)) => Some(scaled),
             _ => None,
         };
-        if !meaning.is_around_y() || !meaning.form.x_origin.is_zero() {
+        if !meaning.form.x_origin.is_zero() {
             return None;
         }
         let regressors = meaning.regressors();
         let u = scaled(0)?;
         let v = if regressors == 2 { Some(scaled(1)?) } else { None };
+        if !meaning.is_around_y() {
+            let Halves { middles, widths } = Halves::of_columns(meaning, columns)?;
+            if widths.counts().iter().any(|&width| width < 0) {
+                return Some(Err(NoEui::Crossing));
+            }
+            let [first, second, own] = self.signed(u, v, Some(&widths), &Rational::one())?;
+            let middles = [Some(u), v].map(|own| products(own, &middles));
+            let [Some(of_u), Some(of_v)] = middles else { return None };
+            return Some(Ok(SignedSums([first, second, own, [of_u, of_v]])));
+        }
         let (epsilon, uniform) = match meaning.error_bound.uniform() {
             Some(uniform) => (None, uniform.clone()),
             None => (Some(scaled(regressors + 1)?), Rational::one()),
         };
-        let unit = |column: Option<&Scaled<i64>>| column.map_or_else(Rational::one, |own| own.unit().value());
+        let [first, second, own] = self.signed(u, v, epsilon, &uniform)?;
+        Some(Ok(SignedSums([first, second, own, <[Rational; 2]>::default()])))
+    }
+
+    /// Σ ±u·ε and Σ ±v·ε with each sign, where a missing v is 1 and a missing ε the number for all.
+    fn signed(
+        &self,
+        u: &Scaled<i64>,
+        v: Option<&Scaled<i64>>,
+        epsilon: Option<&Scaled<i64>>,
+        uniform: &Rational,
+    ) -> Option<[[Rational; 2]; 3]> {
         let (u_unit, v_unit, epsilon_unit) = (u.unit().value(), unit(v), unit(epsilon) * uniform);
         let count = |column: Option<&Scaled<i64>>, row: usize| column.map_or(1, |own| own.counts()[row]);
         let sums = |[p, q]: &[Rational; 2]| {
@@ -131,4 +154,19 @@ impl Weights {
         let [first, second, own] = &self.0;
         Some([sums(first)?, sums(second)?, sums(own)?])
     }
+}
+
+/// What a column counts; without one 1.
+fn unit(column: Option<&Scaled<i64>>) -> Rational {
+    column.map_or_else(Rational::one, |own| own.unit().value())
+}
+
+/// Σ u·m on machine integers, where a missing u is 1; `None` where the sum does not fit.
+fn products(u: Option<&Scaled<i64>>, middles: &Scaled<i64>) -> Option<Rational> {
+    let mut sum = 0_i128;
+    for (row, &middle) in middles.counts().iter().enumerate() {
+        let u = u.map_or(1, |own| own.counts()[row]);
+        sum = sum.checked_add(i128::from(u) * i128::from(middle))?;
+    }
+    Some(Rational::from(Integer::from(sum)) * unit(u) * middles.unit().value())
 }

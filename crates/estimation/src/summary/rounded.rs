@@ -57,6 +57,8 @@ enum RoundedBounds<'a> {
     Around(Around<'a>),
     /// The lower and the upper bound, each with what is 0 where it is not there.
     Between([Option<[Floats<'a>; 2]>; 2]),
+    /// Both, at a factor on their distance.
+    Times([[Floats<'a>; 2]; 2], f64),
     /// What the columns alone do not say.
     Other,
 }
@@ -88,13 +90,19 @@ impl<'a> RoundedReadings<'a> {
         };
         let bounds = match &meaning.error_bound {
             _ if meaning.is_around_y() => around().map_or(RoundedBounds::Other, RoundedBounds::Around),
-            ErrorBound::Interval { lower, upper } if *scale == Scale::AsStated => {
+            ErrorBound::Interval { lower, upper } => {
                 let mut rest = columns.iter().skip(regressors + usize::from(meaning.has_response));
                 let mut side = |column: &Option<String>| {
                     column.as_ref()?;
                     Some([Floats::new(rest.next()?), Floats::new(rest.next()?)])
                 };
-                RoundedBounds::Between([side(lower), side(upper)])
+                match (scale, [side(lower), side(upper)]) {
+                    (Scale::AsStated, sides) => RoundedBounds::Between(sides),
+                    (Scale::Times(factor), [Some(lower), Some(upper)]) => {
+                        RoundedBounds::Times([lower, upper], in_range(factor.to_f64()))
+                    }
+                    _ => RoundedBounds::Other,
+                }
             }
             _ => RoundedBounds::Other,
         };
@@ -125,19 +133,34 @@ impl<'a> RoundedReadings<'a> {
                 };
                 RoundedStrip { phi, lower: side(&sides[0], 1.0), upper: side(&sides[1], -1.0) }
             }
-            RoundedBounds::Other => {
-                let rounded = |bound: &Rational, sign: f64| {
-                    let bound = in_range(bound.to_f64());
-                    bound + sign * MARGIN * bound.abs()
-                };
-                let [lower, upper] = scale.bounds(&reading());
-                RoundedStrip {
-                    phi,
-                    lower: lower.map_or(f64::NEG_INFINITY, |bound| rounded(&bound, 1.0)),
-                    upper: upper.map_or(f64::INFINITY, |bound| rounded(&bound, -1.0)),
+            RoundedBounds::Times(sides, factor) => {
+                let [[lower, has_lower], [upper, has_upper]] = sides;
+                let (lower, upper) = (lower.get(row), upper.get(row));
+                let size = lower.abs() + upper.abs();
+                // Bounds that cross, or of which one is missing, stay as they are, and others may be too close to tell.
+                let has_both = has_lower.get(row) != 0.0 && has_upper.get(row) != 0.0;
+                if !has_both || upper - lower <= MARGIN * size {
+                    return exact_strip(phi, scale.bounds(&reading()));
                 }
+                let (middle, reach) = ((lower + upper) / 2.0, (upper - lower) / 2.0 * factor);
+                let margin = 4.0 * MARGIN * size * (1.0 + factor);
+                RoundedStrip { phi, lower: middle - reach + margin, upper: middle + reach - margin }
             }
+            RoundedBounds::Other => exact_strip(phi, scale.bounds(&reading())),
         }
+    }
+}
+
+/// The strip with bounds that are known exactly.
+fn exact_strip(phi: [f64; 2], [lower, upper]: [Option<Rational>; 2]) -> RoundedStrip {
+    let rounded = |bound: &Rational, sign: f64| {
+        let bound = in_range(bound.to_f64());
+        bound + sign * MARGIN * bound.abs()
+    };
+    RoundedStrip {
+        phi,
+        lower: lower.map_or(f64::NEG_INFINITY, |bound| rounded(&bound, 1.0)),
+        upper: upper.map_or(f64::INFINITY, |bound| rounded(&bound, -1.0)),
     }
 }
 
