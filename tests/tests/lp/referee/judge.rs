@@ -112,7 +112,7 @@ impl<'a> Judge<'a> {
     }
 
     /// The smallest error bound that is not 0.
-    fn epsilon(&self) -> Option<Rational> {
+    pub fn epsilon(&self) -> Option<Rational> {
         let epsilons = self.rows.iter().filter_map(|row| row.epsilon.clone());
         epsilons.filter(|epsilon| !epsilon.is_zero()).min()
     }
@@ -211,14 +211,19 @@ impl<'a> Judge<'a> {
         let first = measures.iter().position(|measure| measure == most).unwrap();
         found.violation = Some(Violation { row: violated[first].0, by: violated[first].1.clone() });
         let said = printed.each_ref().map(said);
-        let is_excused = |row: &RefereeRow| {
-            second_judge::is_excused(&row.row.a, &row.row.b, row.epsilon.as_ref(), &said, self.tolerance)
-        };
         // Who claims that nothing is feasible does not claim that the point is.
         let is_claimed = matches!(claim.claimed, Claimed::Value(_) | Claimed::Unbounded);
-        if is_claimed && !self.rows.iter().all(is_excused) {
+        if is_claimed && !self.excuses(&said) {
             found.verdict = found.verdict.max(Verdict::InfeasiblePoint);
         }
+    }
+
+    /// Whether rounding or the tolerance excuses what a point violates.
+    pub fn excuses(&self, point: &[Said; 2]) -> bool {
+        let is_excused = |RefereeRow { row, epsilon }: &RefereeRow| {
+            second_judge::is_excused(&row.a, &row.b, epsilon.as_ref(), point, self.tolerance)
+        };
+        self.rows.iter().all(is_excused)
     }
 
     pub fn feasible(&self, theta: &[Rational; 2]) -> bool {

@@ -2,5 +2,6 @@
 
 mod corpus;
 mod judge;
+mod proportion;
 mod solvers_and_duals;
 mod statuses;
