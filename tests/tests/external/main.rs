@@ -3,6 +3,7 @@
 mod latex;
 mod octave;
 mod polytopes;
+mod proportion;
 mod python;
 mod solvers;
 mod tables;

