@@ -11,6 +11,10 @@ use crate::arguments::Arguments;
 /// What short options may be meant for. There are none for these, since a table may have columns of any name.
 const MEANT: [(&str, &str); 3] = [("-x", "--x"), ("-y", "--y"), ("-e", "--eps")];
 
+/// What the values of y at other x may be is a picture, not a list.
+const PREDICTED: &str =
+    "the values that y may have at any x are the corridor: 'boundfit plot ... --figure corridor' draws it";
+
 /// The program's arguments; ends the program where they are not understood.
 pub(crate) fn parse() -> Arguments {
     Arguments::try_parse().unwrap_or_else(|error| with_tips(error).exit())
@@ -29,6 +33,11 @@ fn with_tips(mut error: clap::Error) -> clap::Error {
                 // Nobody wants such a value.
                 error.remove(ContextKind::Suggested);
                 error.insert(ContextKind::SuggestedArg, ContextValue::String((*meant).to_owned()));
+            }
+            if asked.starts_with("--predict") {
+                error.remove(ContextKind::SuggestedArg);
+                let tip = StyledStr::from(PREDICTED);
+                error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
             }
         }
         ErrorKind::InvalidSubcommand => {

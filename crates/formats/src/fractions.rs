@@ -1,5 +1,6 @@
 //! Cells that are written as fractions. They are numbers, but people are told of them: a spreadsheet may have meant something else.
 
+use boundfit_exact::is_missing;
 use memchr::memchr;
 
 /// How many cells of a column are fractions such as `3/4`.
@@ -12,9 +13,10 @@ pub struct Fractions {
 }
 
 impl Fractions {
-    /// Counts a cell that has been read as a number.
+    /// Counts a cell that has been read as a number, or may lack one.
     pub(crate) fn count(&mut self, cell: &[u8]) {
-        if memchr(b'/', cell).is_some() {
+        // Some words for what is missing have a slash, too.
+        if memchr(b'/', cell).is_some() && !std::str::from_utf8(cell).is_ok_and(is_missing) {
             self.cells += 1;
             self.first.get_or_insert_with(|| String::from_utf8_lossy(cell).trim().to_owned());
         }

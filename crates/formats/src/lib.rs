@@ -22,6 +22,7 @@ mod error;
 mod fractions;
 mod half_planes;
 mod hash;
+mod lacking;
 mod limits;
 mod mat;
 mod open;

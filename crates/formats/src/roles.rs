@@ -21,6 +21,13 @@ pub enum Role {
     HalfUnit,
 }
 
+impl Role {
+    /// Whether a row without a number in the column lacks it.
+    pub(crate) fn is_needed(self) -> bool {
+        matches!(self, Role::Number | Role::NonNegative)
+    }
+}
+
 /// What a column takes from a cell instead of its number, as a mantissa and an exponent of ten; `None` where it takes the
 /// number. The decimal mark is not known where no cell has told it.
 pub(crate) fn instead_of_number(

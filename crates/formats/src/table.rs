@@ -1,7 +1,7 @@
 //! Tables of numbers, and how they are to be read.
 
 #[cfg(feature = "arrow")]
-use boundfit_exact::DecimalMark;
+use boundfit_exact::{DecimalMark, ParseNumberError, ParseNumberErrorKind};
 use boundfit_exact::{Limits, Rational, Reading};
 
 use crate::columns::{ColumnPlace, Header};
@@ -110,7 +110,11 @@ pub(crate) fn read_number(
     if let Some((mantissa, exponent)) = instead_of_number(cell, column, Some(DecimalMark::Point))? {
         return Ok(Rational::scientific(mantissa, exponent));
     }
-    let number = options.reading.read(decode(cell)?, &options.limits)?;
+    // What is said of a comma is about the options that tell how text is written.
+    let number = options.reading.read(decode(cell)?, &options.limits).map_err(|error| match error.kind {
+        ParseNumberErrorKind::Comma => InputErrorKind::Comma,
+        kind => ParseNumberError { kind, ..error }.into(),
+    })?;
     if column.is_non_negative() && number.is_negative() {
         return Err(InputErrorKind::NegativeErrorBound);
     }

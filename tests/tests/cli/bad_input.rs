@@ -222,7 +222,7 @@ fn numbers_beyond_binary64() {
 
 #[test]
 fn text_in_other_encodings() {
-    let utf8 = "(expected text in UTF-8)";
+    let utf8 = "(expected text in UTF-8: save it as \"CSV UTF-8\", or convert it with iconv -f WINDOWS-1252 -t UTF-8)";
     refuses_files(
         "fit",
         "--x x --y y --eps 1",

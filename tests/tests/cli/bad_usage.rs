@@ -144,6 +144,10 @@ fn options_that_are_missing_unknown_or_too_many() {
         ("fit -x x --y y --eps 1", "a similar argument exists: '--x'"),
         ("fit --x x -y y --eps 1", "a similar argument exists: '--y'"),
         ("check --x x --y y -e 1", "a similar argument exists: '--eps'"),
+        (
+            "fit --x x --y y --eps 1 --predict 3",
+            "the values that y may have at any x are the corridor: 'boundfit plot ... --figure corridor' draws it",
+        ),
         ("readings.csv --x x", "a table is fitted by 'boundfit fit readings.csv --x COL --y COL --eps NUM'"),
     ] {
         let said = boundfit(&root(), line).stderr;

@@ -19,9 +19,19 @@ fn refused(table: &str, options: &str) -> String {
 fn what_is_no_bound_is_refused_with_advice() {
     let neither = "the row has neither a lower nor an upper bound (expected a number in a column of bounds)";
     let table = "t,y,lo,up\n0,1,0,1\n1,1,,\n";
-    assert_eq!(refused(table, BOTH), format!("data.csv: row 2: {neither}"));
-    assert_eq!(refused(table, "--x t --lower lo"), format!("data.csv: row 2: {neither}"));
-    assert_eq!(refused(table, "--x t --lower lo --upper up --by y"), format!("data.csv: row 2: {neither}"));
+    let place = "data.csv: line 3, column 3 (lo): \"\"";
+    for options in [BOTH, "--x t --lower lo", "--x t --lower lo --upper up --by y"] {
+        assert_eq!(refused(table, options), format!("{place}: {neither}"));
+        // Quotes and line ends do not matter.
+        let quoted = table.replace("0,1,0,1", "\"0\",1,0,1").replace('\n', "\r\n");
+        assert_eq!(refused(&quoted, options), format!("{place}: {neither}"));
+    }
+    let words = "t,lo,up\n0,N/A,1\n1,,2\n2,0,n/a\n3,NA,?\n";
+    assert_eq!(refused(words, BOTH), format!("data.csv: line 5, column 2 (lo): \"NA\": {neither}"));
+    // A word with a slash for what is missing is no fraction.
+    let directory = directory_with(&[("data.csv", b"t,lo,up\n0,N/A,1\n1,1/2,2\n2,0,n/a\n")]);
+    let fractions = &report(directory.path(), &format!("fit data.csv {BOTH}"), b"")["input"]["fractions"];
+    assert!(fractions.as_array().unwrap().iter().all(|column| column["first"] == "1/2"), "{fractions}");
     let law = |text: &str| refused(TABLE, &format!("--x t --y y --eps '{text}'"));
     for (text, problem) in [
         (

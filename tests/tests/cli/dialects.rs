@@ -106,6 +106,14 @@ fn what_cannot_be_found_out_is_refused_with_the_option_that_tells() {
     for (line, said) in [
         ("fit date.csv --x x --y y --eps 1,5", "invalid value '1,5' for '--eps"),
         ("fit date.csv --x x --y y --eps 1 --comment ab", "expected auto, none or one character such as '#'"),
+        (
+            "fit date.csv --x x --y y --eps 1 --thousands , --decimal comma",
+            "'--thousands \",\"' and '--decimal comma' name one mark: it cannot both group digits and come before decimals",
+        ),
+        (
+            "reduce date.csv --x x --y y --thousands . --decimal point",
+            "'--thousands \".\"' and '--decimal point' name one mark: it cannot both group digits and come before decimals",
+        ),
         ("fit date.csv --x x --y y --eps 1 --thousands ;", "expected ',' '.' ' ' or \"'\""),
     ] {
         let run = boundfit(directory.path(), line);

@@ -6,8 +6,8 @@ use std::path::Path;
 
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{
-    Batch, ColumnSelector, InputError, RowCondition, RowRange, RowSet, ScanOptions, SizeLimits, Source,
-    TableOptions, read_table, scan,
+    Batch, ColumnSelector, InputError, Missing, RowCondition, RowRange, RowSet, ScanOptions, SizeLimits,
+    Source, TableOptions, read_table, scan,
 };
 use boundfit_tests::program::{root, run, run_with_input};
 use flate2::Compression;
@@ -327,7 +327,41 @@ fn rows_are_picked_by_lists_and_comparisons() {
     assert_eq!(both(&bytes, &["x"], &none).unwrap_err(), "of the file's 60 data rows none satisfies x > 22");
     let bad = TableOptions { conditions: vec![any_condition("y > 0")], ..TableOptions::default() };
     let message = both(&bytes, &["x"], &bad).unwrap_err();
-    assert_eq!(message, "row 1, column 2 (y): \"NaN\": not a finite number (expected a finite number)");
+    assert_eq!(
+        message,
+        "row 1, column 2 (y): \"NaN\": the value is missing, and in 12 rows more (expected a number in every row; --missing \
+         skip leaves such rows out)"
+    );
+    // What is not a number says nothing about a comparison: the row is left out, unless another comparison does not hold.
+    let skip = |conditions: &[&str]| TableOptions {
+        conditions: conditions.iter().map(|text| any_condition(text)).collect(),
+        missing: Missing::Skip,
+        ..TableOptions::default()
+    };
+    for (conditions, is_wanted) in [
+        (&[][..], (&|_: f64, y: f64| !y.is_nan()) as &dyn Fn(f64, f64) -> bool),
+        (&["y > 2"], &|_, y| y > 2.0),
+        (&["y > 2", "x > 7"], &|x, y| y > 2.0 && x > 7.0),
+    ] {
+        let rows = (1..).zip(x.iter().zip(&y)).filter(|&(_, (&x, &y))| is_wanted(x, y));
+        let expected: Rows = rows.map(|(row, (_, &y))| (row, vec![Rational::from_f64(y).unwrap()])).collect();
+        assert_eq!(both(&bytes, &["y"], &skip(conditions)).unwrap(), expected);
+        let source = || {
+            let mut file = tempfile::NamedTempFile::new().unwrap();
+            file.write_all(&bytes).unwrap();
+            let source = Source::open(file.path().to_str().unwrap()).unwrap();
+            (file, source)
+        };
+        let (_file, source) = source();
+        let missing = read_table(source, &columns(&["y"]), &skip(conditions)).unwrap().rows_missing;
+        assert_eq!(missing, if conditions.len() == 2 { 0 } else { 13 });
+    }
+    let nothing = file(&[doubles("y", 2, 1, &[f64::NAN, f64::NAN])], false, true);
+    assert_eq!(
+        both(&nothing, &["y"], &skip(&[])).unwrap_err(),
+        "row 1, column 1 (y): \"NaN\": the value is missing, and no row that is asked for has all its values (2 without) \
+         (expected a row with all its numbers)"
+    );
 }
 
 fn any_condition(text: &str) -> RowCondition {
@@ -339,7 +373,8 @@ fn a_bad_cell_is_named_by_row_and_column() {
     let x = doubles("x", 4, 1, &[1.0, 2.0, 3.0, 4.0]);
     let bad = doubles("M", 4, 2, &[1.0, 2.0, 3.0, f64::NAN, 5.0, f64::NEG_INFINITY, 7.0, -8.0]);
     let bytes = file(&[x, bad], false, true);
-    let nan = "row 4, column 2 (M(:,1)): \"NaN\": not a finite number (expected a finite number)";
+    let nan = "row 4, column 2 (M(:,1)): \"NaN\": the value is missing, in this row only (expected a number in every row; \
+               --missing skip leaves such rows out)";
     assert_eq!(message(&bytes, &["x", "M(:,1)"]), nan);
     let infinite = "row 2, column 3 (M(:,2)): \"-Inf\": not a finite number (expected a finite number)";
     assert_eq!(message(&bytes, &["x", "M(:,2)"]), infinite);

@@ -330,9 +330,19 @@ impl TableArguments {
         rows: Option<&RowArguments>,
     ) -> Result<TableOptions, Failure> {
         let limits = self.limits.number();
+        let dialect = self.dialect();
+        if let (Some(decimal), Some(thousands)) = (dialect.decimal, dialect.thousands)
+            && thousands.mark().as_bytes() == [decimal.byte()]
+        {
+            return Err(Failure::Usage(format!(
+                "'--thousands {:?}' and '--decimal {}' name one mark: it cannot both group digits and come before decimals",
+                thousands.mark(),
+                decimal.name()
+            )));
+        }
         Ok(TableOptions {
             header: self.header(),
-            dialect: self.dialect(),
+            dialect,
             missing: self.missing,
             sheet: self.sheet.clone(),
             rows: rows.map(RowArguments::set).transpose()?.unwrap_or_default(),

@@ -17,14 +17,15 @@ use crate::binary::BinaryFormat;
 use crate::columns::{ColumnPlace, ColumnSelector, Header, Heading};
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::hash::hexadecimal;
+use crate::lacking::Lacking;
 use crate::scan::{Batch, ScanOptions, Scanned, csv_line, each_once, readable_rows};
 use crate::selection::{RowCondition, RowNumbers, between};
 use crate::table::check_rows;
 use crate::threads;
 
-use numbers::numbers;
+use numbers::{fractions, missing, numbers};
 use open::{BATCH_ROWS, batches, column_names, guarded, plain, unreadable};
-use texts::{BadCell, keys, lines};
+use texts::{BadCell, keys, lines, text};
 
 /// Reads a Parquet file or an Arrow IPC file or stream like [`scan`](crate::scan) reads text: the same numbers, rows and
 /// batches in order as from a CSV of the same table. The names of the columns are those of the schema.
@@ -57,6 +58,7 @@ pub(crate) fn scan_arrow<T: Send>(
     let mut batches = guarded(format, || batches(format, &file, layout.positions())).map_err(fail)?;
     let mut progress = Follower { options, reported: 0 };
     let (mut rows_total, mut more) = (0, true);
+    let (mut used, mut lacking) = (0, Lacking::default());
     while more {
         let mut group = Vec::new();
         while more && group.len() < threads::count() {
@@ -69,15 +71,29 @@ pub(crate) fn scan_arrow<T: Send>(
                 None => false,
             };
         }
-        let decoded: Vec<Result<T, InputError>> = threads::map(group, |part| layout.decode(&part).map(&work));
+        let decoded: Vec<Result<(T, usize, Lacking), InputError>> = threads::map(group, |part| {
+            let (batch, lacking) = layout.decode(&part)?;
+            let used = batch.rows.len();
+            Ok((work(batch), used, lacking))
+        });
         for result in decoded {
-            take(result?);
+            match result {
+                Ok((made, rows, later)) => {
+                    take(made);
+                    used += rows;
+                    lacking.add(later);
+                }
+                Err(error) => {
+                    return lacking.settle(Err(error), used, options.table.missing).map(|(never, _)| never);
+                }
+            }
         }
         // Clones of a file share their position; in Parquet it jumps between columns.
         progress.at(file.stream_position().unwrap_or_default()).map_err(fail)?;
     }
     progress.at(bytes).map_err(fail)?;
     check_rows(name, rows_total, &options.table.rows)?;
+    let ((), rows_missing) = lacking.settle(Ok(()), used, options.table.missing)?;
     let titles: Vec<String> = layout.places.iter().map(ColumnPlace::title).collect();
     Ok(Scanned {
         header: names,
@@ -89,7 +105,7 @@ pub(crate) fn scan_arrow<T: Send>(
         units: vec![None; columns.len()],
         rows_total,
         ranges: Vec::new(),
-        rows_missing: 0,
+        rows_missing,
         bytes,
         sha256,
     })
@@ -174,46 +190,86 @@ impl<'a> Layout<'a> {
         parts(wanted, true).chain(parts(unwanted, false)).collect()
     }
 
-    /// The batch that is handed out for a part.
-    fn decode(&self, part: &Part) -> Result<Batch, InputError> {
+    /// The batch that is handed out for a part, and the rows that are left out of it since they lack a number.
+    fn decode(&self, part: &Part) -> Result<(Batch, Lacking), InputError> {
         let Part { first_row, batch, is_wanted } = part;
         let all = *first_row..first_row + batch.num_rows();
-        let wanted = match (is_wanted, self.conditions.as_slice()) {
-            (true, []) => return self.numbers([all].into_iter().collect(), batch),
-            (true, _) => self.satisfying(*first_row, batch)?,
-            (false, _) => RowNumbers::default(),
+        let mut lacking = Lacking::default();
+        let [satisfying, wanted] = match is_wanted {
+            true => self.with_values(*first_row, batch, &mut lacking)?,
+            false => Default::default(),
         };
+        if wanted.len() == batch.num_rows() {
+            return Ok((self.numbers(wanted, batch)?, lacking));
+        }
         let is_wanted: BooleanArray = all.clone().map(|row| Some(wanted.position(row).is_some())).collect();
         let filtered = filter_record_batch(batch, &is_wanted);
         let unreadable = |error| unreadable(BinaryFormat::ArrowFile, error);
         let filtered = filtered.map_err(|error| InputError::of_file(self.file, unreadable(error)))?;
-        let numbers = self.numbers(wanted.clone(), &filtered)?;
+        let numbers = self.numbers(wanted, &filtered)?;
         if !self.options.table.keep_others {
-            return Ok(numbers);
+            return Ok((numbers, lacking));
         }
         let read = |rows: Range<usize>| {
             let part = batch.slice(rows.start - first_row, rows.len());
             self.numbers([rows].into_iter().collect(), &part)
         };
-        let wanted: Vec<Range<usize>> = wanted.ranges().map(|[first, last]| first..last + 1).collect();
-        let unwanted = between(&wanted, all.start, all.end).into_iter();
-        Ok(Batch { others: unwanted.flat_map(|rows| readable_rows(rows, &read)).collect(), ..numbers })
+        let satisfying: Vec<Range<usize>> =
+            satisfying.ranges().map(|[first, last]| first..last + 1).collect();
+        let unwanted = between(&satisfying, all.start, all.end).into_iter();
+        let others = unwanted.flat_map(|rows| readable_rows(rows, &read)).collect();
+        Ok((Batch { others, ..numbers }, lacking))
     }
 
-    /// The rows of a batch, which starts with this one, that satisfy all conditions.
-    fn satisfying(&self, first_row: usize, batch: &RecordBatch) -> Result<RowNumbers, InputError> {
+    /// The rows of a batch, which starts with this one, that satisfy all conditions as far as they have the numbers for them, and
+    /// those of them that lack no number.
+    fn with_values(
+        &self,
+        first_row: usize,
+        batch: &RecordBatch,
+        lacking: &mut Lacking,
+    ) -> Result<[RowNumbers; 2], InputError> {
         let rows = first_row..first_row + batch.num_rows();
         let numbers: RowNumbers = [rows.clone()].into_iter().collect();
-        let columns = self.conditions.iter().map(|(place, condition)| {
-            Ok((self.column(place, condition.column(), &numbers, batch)?, *condition))
-        });
-        let columns: Vec<(Column, &RowCondition)> = columns.collect::<Result<_, InputError>>()?;
-        let satisfies = |row: &usize| {
-            columns.iter().all(|(column, condition)| condition.holds(&column.get(row - first_row)))
+        let mut columns = Vec::new();
+        for (place, condition) in &self.conditions {
+            let optional = condition.column().clone().optional();
+            columns.push((self.column(place, &optional, &numbers, batch)?, *condition));
+        }
+        let looked_at = self.conditions.iter().map(|(place, _)| place);
+        let needed =
+            self.places.iter().zip(self.selectors).filter(|(_, selector)| selector.role().is_needed());
+        let mut gaps = Vec::new();
+        for place in looked_at.chain(needed.map(|(place, _)| place)) {
+            let array = self.array(place, batch)?;
+            gaps.push((place, missing(&array), array));
+        }
+        if columns.is_empty() && gaps.iter().all(|(_, missing, _)| missing.is_none()) {
+            return Ok([numbers.clone(), numbers]);
+        }
+        let lacks = |gap: &(&ColumnPlace, Option<Vec<bool>>, ArrayRef), index: usize| {
+            gap.1.as_ref().and_then(|missing| missing.get(index)).is_some_and(|&is_missing| is_missing)
         };
-        let mut satisfying = RowNumbers::default();
-        rows.filter(satisfies).for_each(|row| satisfying.push(row));
-        Ok(satisfying)
+        let [mut satisfying, mut wanted] = [RowNumbers::default(), RowNumbers::default()];
+        for row in rows {
+            let index = row - first_row;
+            let mut conditions = columns.iter().zip(&gaps);
+            if !conditions
+                .all(|((column, condition), gap)| lacks(gap, index) || condition.holds(&column.get(index)))
+            {
+                continue;
+            }
+            satisfying.push(row);
+            match gaps.iter().find(|gap| lacks(gap, index)) {
+                None => wanted.push(row),
+                Some((place, _, array)) => lacking.notice(|| {
+                    let text = array.is_valid(index).then(|| text(array, index)).flatten();
+                    let bad = BadCell { index: Some(index), text, problem: InputErrorKind::Null };
+                    self.error(place, Some(&numbers), bad)
+                }),
+            }
+        }
+        Ok([satisfying, wanted])
     }
 
     /// The numbers and keys of a batch that has these rows.
@@ -232,7 +288,9 @@ impl<'a> Layout<'a> {
         } else {
             None
         };
-        Ok(Batch { rows, columns, keys, lines, fractions: Vec::new(), others: Vec::new() })
+        let fractions = self.places.iter().map(|place| Ok(fractions(&self.array(place, batch)?)));
+        let fractions = fractions.collect::<Result<_, InputError>>()?;
+        Ok(Batch { rows, columns, keys, lines, fractions, others: Vec::new() })
     }
 
     /// The numbers of one column of a batch that has these rows.

@@ -16,6 +16,7 @@ use boundfit_exact::{
 use super::texts::{BadCell, refuse_nulls, text};
 use crate::columns::ColumnSelector;
 use crate::error::InputErrorKind;
+use crate::fractions::Fractions;
 use crate::roles::{Role, instead_of_number};
 use crate::table::{TableOptions, read_number};
 
@@ -34,6 +35,22 @@ pub(super) fn numbers(
         Role::Optional => optional_numbers(array, selector, options),
         Role::HalfUnit => half_units(array, selector),
     }
+}
+
+/// Which cells have no number; `None` where all have one.
+pub(super) fn missing(array: &ArrayRef) -> Option<Vec<bool>> {
+    let missing: Vec<bool> = (0..array.len()).map(|index| is_missing(array, index)).collect();
+    missing.contains(&true).then_some(missing)
+}
+
+/// The cells of text that are fractions.
+pub(super) fn fractions(array: &ArrayRef) -> Fractions {
+    let mut fractions = Fractions::default();
+    if matches!(array.data_type(), DataType::Utf8 | DataType::LargeUtf8 | DataType::Utf8View) {
+        let texts = (0..array.len()).filter(|&index| array.is_valid(index));
+        texts.filter_map(|index| text(array, index)).for_each(|text| fractions.count(text.as_bytes()));
+    }
+    fractions
 }
 
 /// Whether a cell has no number: null, not a number, or a word for that.

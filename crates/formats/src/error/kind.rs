@@ -219,6 +219,9 @@ pub enum InputErrorKind {
     /// A cell that is not a number, or one beyond a limit.
     #[error("{verdict}: {0}", verdict = if .0.kind.is_limit() { "refused" } else { "not a number" })]
     NotANumber(#[from] ParseNumberError),
+    /// A comma in a text that a binary table has for a number.
+    #[error("not a number: a comma, where the decimal mark of texts in such a file is a point")]
+    Comma,
     /// A number with another decimal mark than the numbers before it.
     #[error("a number with a decimal {}, where those before have a decimal {}", .before.other().name(), .before.name())]
     AnotherDecimalMark {
@@ -363,6 +366,9 @@ impl InputErrorKind {
         Some(match self {
             InputErrorKind::IsDirectory => "a file, or - for standard input".to_owned(),
             InputErrorKind::Empty | InputErrorKind::NoRows => "at least one row of numbers".to_owned(),
+            InputErrorKind::NotUtf8 { unit: "cell", .. } => {
+                "text in UTF-8: save it as \"CSV UTF-8\", or convert it with iconv -f WINDOWS-1252 -t UTF-8".to_owned()
+            }
             InputErrorKind::Utf16 | InputErrorKind::NotUtf8 { .. } => "text in UTF-8".to_owned(),
             InputErrorKind::UnknownColumn { available, .. } if are_no_names(available) => return None,
             InputErrorKind::UnknownColumn { available, numbers, .. } => {
@@ -407,6 +413,9 @@ impl InputErrorKind {
             }
             InputErrorKind::NotANumber(ParseNumberError { kind: ParseNumberErrorKind::Point, .. }) => {
                 "1,5; with --decimal point 1.5 is read, with --thousands '.' 60.323 as 60323".to_owned()
+            }
+            InputErrorKind::Comma => {
+                "1.5, or a column of numbers: write the file with one, or a CSV to be read with --decimal comma".to_owned()
             }
             InputErrorKind::NoDelimiter { .. } => {
                 "--delimiter comma, semicolon, tab, space or pipe, or a column's number".to_owned()

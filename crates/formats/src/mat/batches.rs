@@ -9,6 +9,7 @@ use super::columns::{MatColumn, MatColumns};
 use super::numbers::BadNumber;
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::{InputError, InputErrorKind, Place};
+use crate::lacking::Lacking;
 use crate::roles::Role;
 use crate::scan::{Batch, Pieces, ScanOptions, Scanned, csv_line, each_once, readable_rows};
 use crate::selection::{RowCondition, RowNumbers, between};
@@ -44,10 +45,11 @@ pub(crate) fn scan_mat<T: Send>(
     let (numbers, others) = found.split_at_checked(columns.len()).unwrap_or_default();
     let (key, looked_at) = others.split_at_checked(options.key.iter().len()).unwrap_or_default();
     let rows_of = Rows { file: name, selectors: columns, columns: numbers, key: key.first(), options };
-    let mut wanted = options.table.rows.among(1, rows + 1);
-    if !conditions.is_empty() {
-        wanted = rows_of.satisfying(conditions, looked_at, &wanted)?;
-    }
+    let asked = options.table.rows.among(1, rows + 1);
+    let mut lacking = Lacking::default();
+    let [satisfying, wanted] = rows_of.with_values(conditions, looked_at, &asked, &mut lacking)?;
+    let used = wanted.iter().map(ExactSizeIterator::len).sum();
+    let ((), rows_missing) = lacking.settle(Ok(()), used, options.table.missing)?;
     for group in in_batches(&wanted).chunks(threads::count()) {
         let batch = |rows: Vec<Range<usize>>| rows_of.batch(&rows).map(&work);
         let done: Vec<Result<T, InputError>> = threads::map(group.to_vec(), batch);
@@ -59,7 +61,7 @@ pub(crate) fn scan_mat<T: Send>(
         }
     }
     if options.table.keep_others && options.table.selects_rows() {
-        let unwanted = between(&wanted, 1, rows + 1).into_iter();
+        let unwanted = between(&satisfying, 1, rows + 1).into_iter();
         let others = unwanted.flat_map(|rows| readable_rows(rows, &|rows| rows_of.batch(&[rows]))).collect();
         take(work(Batch { others, ..rows_of.batch(&[])? }));
     }
@@ -74,7 +76,7 @@ pub(crate) fn scan_mat<T: Send>(
         units: vec![None; columns.len()],
         rows_total: rows,
         ranges: Vec::new(),
-        rows_missing: 0,
+        rows_missing,
         bytes,
         sha256,
     })
@@ -109,24 +111,44 @@ struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    /// Of rows in these ranges, those whose numbers in some columns satisfy the conditions on them.
-    fn satisfying(
+    /// Of rows in these ranges, those whose numbers in some columns satisfy the conditions on them, as far as they are there, and
+    /// those of them that lack no number.
+    fn with_values(
         &self,
         conditions: &[RowCondition],
-        columns: &[MatColumn],
+        looked_at: &[MatColumn],
         rows: &[Range<usize>],
-    ) -> Result<Vec<Range<usize>>, InputError> {
-        let mut satisfying = RowNumbers::default();
+        lacking: &mut Lacking,
+    ) -> Result<[Vec<Range<usize>>; 2], InputError> {
+        let needed =
+            self.columns.iter().zip(self.selectors).filter(|(_, selector)| selector.role().is_needed());
+        let needed: Vec<&MatColumn> = looked_at.iter().chain(needed.map(|(column, _)| column)).collect();
+        let is_missing = |column: &MatColumn, row: usize| column.numbers.is_missing(column.start + row - 1);
+        let [mut satisfying, mut wanted] = [RowNumbers::default(), RowNumbers::default()];
         for range in rows {
-            let numbers = columns.iter().map(|column| self.numbers(column, range, Role::Number));
+            let numbers = looked_at.iter().map(|column| self.numbers(column, range, Role::Optional));
             let numbers: Vec<Column> = numbers.collect::<Result<_, _>>()?;
-            let is_wanted = |row: &usize| {
-                let mut pairs = conditions.iter().zip(&numbers);
-                pairs.all(|(condition, numbers)| condition.holds(&numbers.get(row - range.start)))
-            };
-            range.clone().filter(is_wanted).for_each(|row| satisfying.push(row));
+            for row in range.clone() {
+                let mut pairs = conditions.iter().zip(looked_at.iter().zip(&numbers));
+                let satisfies = pairs.all(|(condition, (column, numbers))| {
+                    is_missing(column, row) || condition.holds(&numbers.get(row - range.start))
+                });
+                if !satisfies {
+                    continue;
+                }
+                satisfying.push(row);
+                match needed.iter().find(|column| is_missing(column, row)) {
+                    Some(column) => {
+                        let index = column.start + row - 1;
+                        let problem = InputErrorKind::Null;
+                        let bad = BadNumber { index, text: column.numbers.text(index), problem };
+                        lacking.notice(|| self.error(column, bad));
+                    }
+                    None => wanted.push(row),
+                }
+            }
         }
-        Ok(satisfying.ranges().map(|[first, last]| first..last + 1).collect())
+        Ok([satisfying, wanted].map(|rows| rows.ranges().map(|[first, last]| first..last + 1).collect()))
     }
 
     /// The numbers of a column in the rows of a range, counted from 1.

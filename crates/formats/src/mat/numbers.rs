@@ -61,14 +61,10 @@ impl Numbers {
 
     /// What a column takes from the numbers in a range; a NaN is none.
     pub(super) fn column(&self, range: Range<usize>, role: Role) -> Result<Column, BadNumber> {
-        let is_missing = |index: usize| match self {
-            Numbers::Doubles(doubles) => doubles.get(index).is_some_and(|double| double.is_nan()),
-            Numbers::Integers(_) => false,
-        };
         match role {
             Role::Number | Role::NonNegative => self.numbers(range, role == Role::NonNegative),
             Role::Presence => {
-                Ok(Column::of_counts(range.map(|index| i128::from(!is_missing(index))), Unit::TenTo(0)))
+                Ok(Column::of_counts(range.map(|index| i128::from(!self.is_missing(index))), Unit::TenTo(0)))
             }
             Role::Optional => match self {
                 Numbers::Doubles(doubles) => {
@@ -87,6 +83,14 @@ impl Numbers {
                 let problem = InputErrorKind::NoDigits { format: "a MATLAB file" };
                 Err(BadNumber { index: range.start, text: self.text(range.start), problem })
             }
+        }
+    }
+
+    /// Whether a value is a NaN, which is none.
+    pub(super) fn is_missing(&self, index: usize) -> bool {
+        match self {
+            Numbers::Doubles(doubles) => doubles.get(index).is_some_and(|double| double.is_nan()),
+            Numbers::Integers(_) => false,
         }
     }
 

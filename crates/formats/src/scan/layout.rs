@@ -7,6 +7,7 @@ use crate::columns::{ColumnPlace, ColumnSelector, Heading, decode};
 use crate::dialect::{BLANKS, CommentMark, Dialect, Encoding};
 use crate::error::{InputError, InputErrorKind};
 use crate::records::{Record, Records, Syntax};
+use crate::roles::Role;
 use crate::selection::RowCondition;
 use crate::table::TableRow;
 use crate::units::unit_of_cell;
@@ -252,7 +253,28 @@ impl<'a> Layout<'a> {
                 Err(problem) => return Err(error(problem)),
             }
         }
+        if lacks.is_none() && !self.has_presence(&values) {
+            return Err(self.no_bound(record, line));
+        }
         Ok(lacks.map_or(Row::Values(values), Row::Lacks))
+    }
+
+    /// Whether one of the columns that may lack a number has one, if there are such columns.
+    fn has_presence(&self, values: &[Value]) -> bool {
+        let mut told =
+            self.selectors.iter().zip(values).filter(|(selector, _)| selector.role() == Role::Presence);
+        told.clone().next().is_none() || told.any(|(_, value)| value.is_presence())
+    }
+
+    /// The error for a row that has a number in none of the columns that may lack one.
+    fn no_bound(&self, record: &Record, line: u64) -> InputError {
+        let mut places = self.places.iter().zip(self.selectors);
+        match places.find(|(_, selector)| selector.role() == Role::Presence) {
+            Some((place, _)) => {
+                place.error(self.file, line, record.cell(place.position - 1), InputErrorKind::NoBound)
+            }
+            None => InputError::of_line(self.file, line, InputErrorKind::NoBound),
+        }
     }
 
     /// Whether a record after the header looks like units: no cell that is asked for has a number, or lacks one.

@@ -4,7 +4,8 @@
 use boundfit_exact::DecimalMark;
 
 use crate::dialect::Missing;
-use crate::error::{InputError, InputErrorKind};
+use crate::error::InputError;
+use crate::lacking::Lacking;
 
 use super::values::Mark;
 
@@ -23,20 +24,6 @@ pub(super) struct Notes {
     used: usize,
     /// Whether comments were passed over between rows or after them.
     pub(super) has_comments: bool,
-}
-
-/// Rows that lack a number.
-#[derive(Default)]
-struct Lacking {
-    rows: usize,
-    first: Option<InputError>,
-}
-
-impl Lacking {
-    fn add(&mut self, other: Lacking) {
-        self.rows += other.rows;
-        self.first = self.first.take().or(other.first);
-    }
 }
 
 /// Rows of empty cells after which nothing has come yet.
@@ -79,7 +66,7 @@ impl Notes {
 
     /// Notices that a wanted row lacks a number: the first such place.
     pub(super) fn lacks(&mut self, place: InputError) {
-        self.missing.add(Lacking { rows: 1, first: Some(place) });
+        self.missing.notice(|| place);
     }
 
     /// Notices a row of empty cells; with the place of the first one that is wanted there.
@@ -125,21 +112,7 @@ impl Notes {
         read: Result<usize, InputError>,
         missing: Missing,
     ) -> Result<(usize, usize), InputError> {
-        let Lacking { rows, first } = self.missing;
-        let is_complete = read.is_ok();
-        match first {
-            Some(place) if missing == Missing::Refuse && !stopped(&read) => {
-                Err(InputError { kind: InputErrorKind::Missing { rows, is_complete }, ..place })
-            }
-            Some(place) if is_complete && self.used == 0 => {
-                Err(InputError { kind: InputErrorKind::AllMissing { rows }, ..place })
-            }
-            _ => Ok((read? - self.tail.rows, rows)),
-        }
+        let (rows, missing) = self.missing.settle(read, self.used, missing)?;
+        Ok((rows - self.tail.rows, missing))
     }
-}
-
-/// Whether somebody stopped the reading.
-fn stopped(read: &Result<usize, InputError>) -> bool {
-    matches!(read, Err(InputError { kind: InputErrorKind::Interrupted, .. }))
 }

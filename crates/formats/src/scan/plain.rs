@@ -22,6 +22,8 @@ pub(super) struct Route {
     steps: Vec<Step>,
     /// How many cells come after the last of these.
     behind: usize,
+    /// Whether there are columns that tell where others have numbers.
+    tells_presence: bool,
 }
 
 /// A cell that is wanted.
@@ -74,6 +76,7 @@ impl Route {
             conditions: way(conditions.collect()),
             steps: way(cells),
             behind: layout.shape.width - last.unwrap_or(1),
+            tells_presence: layout.selectors.iter().any(|selector| selector.role() == Role::Presence),
         })
     }
 }
@@ -187,13 +190,24 @@ struct Lane<'a> {
     is_decimal: bool,
     /// Whether the row looked at satisfies the conditions so far.
     is_satisfied: bool,
+    /// Whether it has a number in one of the columns that may lack one, if there are such columns.
+    is_bounded: bool,
     batch: BatchBuilder,
 }
 
 impl<'a> Lane<'a> {
     fn new(chunk: &'a [u8], numbers: &'a [u8], layout: &'a Layout<'a>, route: &'a Route) -> Self {
         let is_decimal = layout.options.table.reading == Reading::Decimal;
-        Lane { chunk, numbers, layout, route, is_decimal, is_satisfied: true, batch: layout.batch() }
+        Lane {
+            chunk,
+            numbers,
+            layout,
+            route,
+            is_decimal,
+            is_satisfied: true,
+            is_bounded: true,
+            batch: layout.batch(),
+        }
     }
 }
 
@@ -202,7 +216,11 @@ impl Lane<'_> {
     /// not as it should be.
     #[inline]
     fn row(&mut self, start: usize) -> Option<usize> {
+        self.is_bounded = !self.route.tells_presence;
         let at = self.walk(start, &self.route.steps)?;
+        if !self.is_bounded {
+            return None;
+        }
         self.end_of_row(at, self.route.behind)
     }
 
@@ -281,6 +299,7 @@ impl Lane<'_> {
         let (layout, cell) = (self.layout, self.chunk.get(at..end)?);
         let (value, _) = layout.numbers.value(cell, selector, layout.mark).ok()?;
         value.check(selector).ok()?;
+        self.is_bounded |= value.is_presence();
         value.push_to(self.batch.columns.get_mut(column)?);
         self.batch.fractions.get_mut(column)?.count(cell);
         Some(end)

@@ -32,6 +32,11 @@ impl Value {
         }
     }
 
+    /// Whether this says that a number is there.
+    pub(super) fn is_presence(&self) -> bool {
+        matches!(self, Value::Aside((1.., _), _, Role::Presence))
+    }
+
     pub(super) fn exact(self) -> Rational {
         match self {
             Value::Decimal(mantissa, exponent) => Rational::scientific(mantissa, exponent),

@@ -7,10 +7,12 @@ use std::sync::Arc;
 use arrow_array::{
     ArrayRef, BooleanArray, Date32Array, Float32Array, Float64Array, Int64Array, RecordBatch, StringArray,
 };
-use boundfit_exact::Reading;
-use boundfit_formats::{ColumnSelector, ScanOptions, Source, TableOptions, scan};
+use boundfit_exact::{Limits, Reading};
+use boundfit_formats::{
+    ColumnSelector, Missing, RowCondition, ScanOptions, Scanned, Source, TableOptions, scan,
+};
 
-use super::{FILES, message, scanned, wanted_rows, write_all};
+use super::{FILES, message, scanned, scanned_text, wanted_rows, write_all};
 
 /// Files in which each column has one bad cell, in its third row.
 fn with_bad_cells(folder: &Path) -> Vec<PathBuf> {
@@ -48,17 +50,19 @@ fn a_bad_cell_is_named_by_row_and_column() {
             let table = TableOptions { reading, ..TableOptions::default() };
             let options = ScanOptions { table, ..ScanOptions::default() };
             let message = |name: &str| message(&path, &["good", name], &options);
-            assert_eq!(message("null"), ": row 3, column 2 (null): the cell is null (expected a value)");
+            let missing = ": the value is missing, in this row only (expected a number in every row; --missing skip leaves \
+                           such rows out)";
+            assert_eq!(message("null"), format!(": row 3, column 2 (null){missing}"));
+            assert_eq!(message("nan"), format!(": row 3, column 3 (nan): \"NaN\"{missing}"));
             let not_finite = ": not a number: not a finite number at character";
-            assert_eq!(message("nan"), format!(": row 3, column 3 (nan): \"NaN\"{not_finite} 1{expected}"));
             assert_eq!(
                 message("infinite"),
                 format!(": row 3, column 4 (infinite): \"-inf\"{not_finite} 2{expected}")
             );
-            let of_comma =
-                " (expected 1.5; with --decimal comma 1,5 is read, with --thousands ',' 60,323 as 60323)";
-            let comma = "not a number: unexpected ',' (the decimal mark is a point) at character 2";
-            assert_eq!(message("word"), format!(": row 3, column 5 (word): \"1,5\": {comma}{of_comma}"));
+            // The options that say how text is written have no say here.
+            let comma = "not a number: a comma, where the decimal mark of texts in such a file is a point (expected 1.5, or a \
+                         column of numbers: write the file with one, or a CSV to be read with --decimal comma)";
+            assert_eq!(message("word"), format!(": row 3, column 5 (word): \"1,5\": {comma}"));
             let of_type = "(expected a column of integers, decimals, floats or text)";
             assert_eq!(
                 message("flag"),
@@ -66,6 +70,48 @@ fn a_bad_cell_is_named_by_row_and_column() {
             );
             assert_eq!(message("day"), format!(": column 8 (day): the column has the type Date32 {of_type}"));
         }
+    }
+}
+
+/// Rows without a number are left out and counted as those of a CSV are; so are cells that are fractions.
+#[test]
+fn missing_numbers_and_fractions_are_those_of_text() {
+    let x: ArrayRef =
+        Arc::new(Float64Array::from(vec![Some(1.0), None, Some(f64::NAN), Some(4.0), Some(5.0), Some(6.0)]));
+    let text = vec![Some("1/2"), Some("3"), Some("4"), Some("n/a"), None, Some("-7/19")];
+    let y: ArrayRef = Arc::new(StringArray::from(text));
+    let z: ArrayRef = Arc::new(Int64Array::from(vec![Some(1), Some(9), Some(9), Some(9), Some(9), None]));
+    let csv = "x,y,z\n1,1/2,1\nNA,3,9\nNaN,4,9\n4,n/a,9\n5,,9\n6,-7/19,\n";
+    let columns = [("x", x), ("y", y), ("z", z)].map(|(name, array)| (name, array, true));
+    let batch = RecordBatch::try_from_iter_with_nullable(columns).expect("columns of equal length");
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    write_all(folder.path(), &[batch.slice(0, 4), batch.slice(4, 2)], 3);
+    let condition =
+        |text: &str| RowCondition::parse(text, Reading::Decimal, &Limits::default()).expect("a condition");
+    for path in FILES.iter().map(|file| folder.path().join(file)) {
+        for (names, conditions) in [
+            (&["x", "y"][..], &[][..]),
+            (&["y"], &[]),
+            (&["x", "y"], &["z > 0"]),
+            (&["y"], &["x >= 1", "z >= 0"]),
+            (&["y"], &["z < 2"]),
+        ] {
+            let conditions = conditions.iter().map(|text| condition(text)).collect();
+            let missing = Missing::Skip;
+            let table = TableOptions { missing, conditions, keep_others: true, ..TableOptions::default() };
+            let options = ScanOptions { table, ..ScanOptions::default() };
+            let (found, scan) = scanned(&path, names, &options).expect("a table");
+            let (expected, in_text) = scanned_text(csv, names, &options);
+            assert_eq!(found, expected);
+            let what = |scan: &Scanned| (scan.rows_total, scan.rows_missing, scan.fractions.clone());
+            assert_eq!(what(&scan), what(&in_text), "{names:?} {:?}", options.table.conditions);
+        }
+        let message = message(&path, &["x", "y"], &ScanOptions::default());
+        assert_eq!(
+            message,
+            ": row 2, column 1 (x): the value is missing, and in 3 rows more (expected a number in every row; --missing skip \
+             leaves such rows out)"
+        );
     }
 }
 

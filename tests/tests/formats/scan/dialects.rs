@@ -1,6 +1,6 @@
 //! A table gives the same rows in every dialect that it can be written in.
 
-use boundfit_exact::DecimalMark;
+use boundfit_exact::{DecimalMark, Thousands};
 use boundfit_formats::{
     AskedDialect, BLANKS, ColumnSelector, CommentMark, Missing, ScanOptions, TableOptions,
 };
@@ -70,7 +70,14 @@ fn written(plain: &Plain, rng: &mut ChaCha8Rng) -> Written {
     asked.comment = if rng.random_bool(0.2) { CommentMark::Mark(b'!') } else { CommentMark::Auto };
     let marks = if asked.comment == CommentMark::Auto { ["#", "%"] } else { ["!", "!"] };
     // A comma between cells or digits of the first line is taken for a delimiter.
-    let hides = decimal == DecimalMark::Comma && is_commented && matches!(delimiter, b'|' | BLANKS);
+    asked.thousands = Thousands::ALL
+        .choose(rng)
+        .copied()
+        .filter(|mark| mark.mark().as_bytes() != [decimal.byte()])
+        .filter(|mark| !(*mark == Thousands::Blank && delimiter == BLANKS))
+        .filter(|_| rng.random_bool(0.5));
+    let has_commas = decimal == DecimalMark::Comma || asked.thousands == Some(Thousands::Comma);
+    let hides = has_commas && is_commented && matches!(delimiter, b'|' | BLANKS);
     if hides || rng.random_bool(0.2) {
         asked.delimiter = Some(delimiter);
     }
@@ -94,6 +101,9 @@ fn written(plain: &Plain, rng: &mut ChaCha8Rng) -> Written {
         let mut text = text.to_owned();
         if decimal == DecimalMark::Comma {
             text = text.replace('.', ",");
+        }
+        if let Some(thousands) = asked.thousands.filter(|_| rng.random_bool(0.7)) {
+            text = grouped(&text, thousands, rng);
         }
         if text.is_empty() {
             let words = ["NA", "nan", "#N/A", "-", ""];
@@ -140,6 +150,27 @@ fn written(plain: &Plain, rng: &mut ChaCha8Rng) -> Written {
     let line_end = *["\n", "\n", "\r\n", "\r"].choose(rng).unwrap();
     let text = lines.join(line_end) + if rng.random_bool(0.8) { line_end } else { "" };
     Written { bytes: encoded(&text, rng), asked }
+}
+
+/// A number with its digits before the decimal mark in groups of three.
+fn grouped(text: &str, thousands: Thousands, rng: &mut ChaCha8Rng) -> String {
+    let marks: &[&str] = match thousands {
+        Thousands::Comma => &[","],
+        Thousands::Point => &["."],
+        Thousands::Blank => &[" ", "\u{a0}", "\u{202f}"],
+        Thousands::Apostrophe => &["'", "\u{2019}"],
+    };
+    let start = usize::from(text.starts_with('-'));
+    let rest = &text[start..];
+    let whole = rest.bytes().take_while(u8::is_ascii_digit).count();
+    let mut grouped = text[..start].to_owned();
+    for (index, digit) in rest[..whole].char_indices() {
+        if index > 0 && (whole - index).is_multiple_of(3) {
+            grouped += marks.choose(rng).unwrap();
+        }
+        grouped.push(digit);
+    }
+    grouped + &rest[whole..]
 }
 
 fn encoded(text: &str, rng: &mut ChaCha8Rng) -> Vec<u8> {

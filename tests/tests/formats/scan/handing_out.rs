@@ -65,7 +65,8 @@ fn a_key_is_text() {
     let refused = batches(Source::new("data.csv", Cursor::new(bytes)), &columns, &options);
     assert_eq!(
         refused.unwrap_err(),
-        "data.csv: line 3, column 1 (s): \"\u{fffd}\": invalid UTF-8 at character 1 of the cell (expected text in UTF-8)"
+        "data.csv: line 3, column 1 (s): \"\u{fffd}\": invalid UTF-8 at character 1 of the cell (expected text in UTF-8: \
+         save it as \"CSV UTF-8\", or convert it with iconv -f WINDOWS-1252 -t UTF-8)"
     );
     let unknown = batches(source("t,x\na,1\n"), &columns, &options);
     assert_eq!(
