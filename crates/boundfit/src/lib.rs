@@ -85,6 +85,7 @@
 //! | `parallel` (default) | all processors at once for large files |
 //! | `arrow` | Parquet and Arrow IPC files |
 //! | `lp` | the module `check`: claims about the intervals, judged exactly |
+//! | `judge` | the module `judge`: linear programs of any two variables, read from MPS and LP and solved exactly |
 //! | `float-solvers` | solvers whose answers are judged (microlp, Clarabel) |
 //! | `verify` | the module `verify`: the checker of proofs |
 //! | `report` | the module `report`: answers as text, JSON, LaTeX, Markdown |
@@ -98,6 +99,8 @@
 pub mod check;
 #[cfg(feature = "files")]
 pub mod files;
+#[cfg(feature = "judge")]
+pub mod judge;
 mod number;
 mod observations;
 #[cfg(feature = "verify")]
@@ -132,7 +135,9 @@ pub mod engine {
     #[cfg(feature = "files")]
     pub use boundfit_formats as formats;
     pub use boundfit_geometry as geometry;
-    #[cfg(feature = "lp")]
+    #[cfg(feature = "judge")]
+    pub use boundfit_judge as judge;
+    #[cfg(any(feature = "judge", feature = "lp"))]
     pub use boundfit_lp as lp;
 }
 

@@ -61,6 +61,37 @@ pub const POLYGON: &str = r#"{
   ]
 }"#;
 
+/// What `boundfit judge --format json` promises.
+pub const JUDGE: &str = r#"{
+  "schema": "text",
+  "input": {"file?": "text", "sha256": "text", "name": "text", "sense": "text", "objective": "text", "constant": "number"},
+  "status": "text",
+  "objective?": "number",
+  "face?": {"vertices": [["number"]], "points": [["number"]], "rays": [["number"]], "lines": [["number"]]},
+  "columns": [
+    {"name": "text", "lower?": "number", "upper?": "number", "cost": "number", "value?": "number",
+     "reduced_cost?": "number", "basis?": "text"}
+  ],
+  "rows": [
+    {"name": "text", "lower?": "number", "upper?": "number", "value?": "number", "dual?": "number", "basis?": "text"}
+  ],
+  "farkas?": [{"row?": "text", "column?": "text", "side": "text", "multiplier": "number"}],
+  "point?": ["number"],
+  "ray?": ["number"],
+  "plane": {
+    "columns": ["text"],
+    "region": {
+      "kind": "text",
+      "vertices": [{"theta": ["number", "number"], "active": [{"row?": "text", "column?": "text", "side": "text"}]}],
+      "rays": [["number", "number"]],
+      "lines": [["number", "number"]],
+      "witness?": ["number", "number"],
+      "area?": "number"
+    },
+    "ranges?": [{"lower?": "number", "upper?": "number"}]
+  }
+}"#;
+
 /// Checks that a report has every key of a template, with the type that stands there; one that may be absent has it where it
 /// is there, and is not null. It may have more keys.
 pub fn check_schema(report: &Value, template: &str) {

@@ -13,6 +13,7 @@ mod fleet;
 mod help;
 mod input_formats;
 mod json;
+mod judge;
 mod large;
 mod limits;
 mod line_forms;

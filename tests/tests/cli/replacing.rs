@@ -11,7 +11,7 @@ const DATA: &str = "x,y,g\n1,2,a\n2,3,a\n3,5,b\n4,6,b\n";
 const FIT: &str = "fit data.csv --x x --y y --eps 1";
 
 /// Every command that writes, with its formats and without `-o`.
-const WRITERS: [(&str, &str); 31] = [
+const WRITERS: [(&str, &str); 35] = [
     (FIT, "text"),
     (FIT, "json"),
     (FIT, "latex"),
@@ -27,6 +27,10 @@ const WRITERS: [(&str, &str); 31] = [
     ("polygon planes.csv", "markdown"),
     ("polygon planes.csv", "csv"),
     ("polygon planes.csv", "m"),
+    ("judge model.mps", "text"),
+    ("judge model.mps", "json"),
+    ("judge model.mps", "latex"),
+    ("judge model.mps", "markdown"),
     ("check data.csv --x x --y y --eps 1", "text"),
     ("check data.csv --x x --y y --eps 1", "json"),
     ("verify proof.json data.csv", "text"),
@@ -53,6 +57,7 @@ fn directory() -> TempDir {
     let directory = directory_with(&[
         ("data.csv", DATA.as_bytes()),
         ("planes.csv", b"a1,a2,b\n-1,0,0\n0,-1,0\n2,3,6\n"),
+        ("model.mps", b"ROWS\n N cost\n G need\nCOLUMNS\n x cost 1 need 1\nRHS\n RHS need 2\nENDATA\n"),
         ("notes", b"what boundfit said: Set-membership fit\n"),
     ]);
     fs::create_dir(directory.path().join("cases")).unwrap();

@@ -1,11 +1,18 @@
 //! Exact answers to generated models: against meeting every two lines, and every certificate multiplied out here.
 
+use std::fs;
+
 use boundfit_exact::Rational;
 use boundfit_judge::{Answer, Basis, BasisStatus, Face, Item, Plane, Prices, SideMultiplier, SolveError};
-use boundfit_lp::{Bounds, End, Model, ModelColumn, ModelRow, ObjectiveSense};
+use boundfit_lp::{
+    Bounds, End, ExchangeFormat, Model, ModelColumn, ModelLimits, ModelRow, ObjectiveSense, read_model,
+};
 use boundfit_tests::generate::seeded;
+use boundfit_tests::lp_cases::number;
 use boundfit_tests::models::{columns_left, model, truth};
+use boundfit_tests::program::root;
 use boundfit_tests::shape::Tally;
+use serde_json::Value;
 
 const CASES: usize = 24_000;
 
@@ -256,6 +263,69 @@ fn answers_of_generated_models_are_those_of_every_two_lines() {
         "optimal: more",
     ];
     tally.assert_each(50, &cases);
+}
+
+/// The answer files of `fixtures/tiny-lp` have the same status, optimum and optimal points; its prices, certificates and rays
+/// need not be those of the answer, which are multiplied out here.
+#[test]
+fn answers_of_the_corpus_are_those_of_its_files() {
+    let folder = root().join("fixtures/tiny-lp");
+    let mut tally = Tally::default();
+    for entry in fs::read_dir(&folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|ending| ending != "mps") {
+            continue;
+        }
+        let text = fs::read_to_string(&path).unwrap();
+        let model = read_model(&text, ExchangeFormat::Mps, &ModelLimits::default()).unwrap();
+        let expected: Value =
+            serde_json::from_slice(&fs::read(path.with_extension("json")).unwrap()).unwrap();
+        let answer = Answer::of(&model).unwrap();
+        assert_eq!(answer.verify(&model), Ok(()), "{path:?}");
+        let status = match &answer {
+            Answer::Optimal { value, face, prices, basis } => {
+                assert_eq!(*value, number(expected["objective"].as_str().unwrap()), "{path:?}");
+                assert_same_face(face, &expected["face"]);
+                assert_eq!(bound_of(&model, prices), *value, "{path:?}");
+                let first = face.vertices.first().unwrap_or_else(|| &face.points[0]);
+                assert_basis(&model, basis, prices, first);
+                "optimal"
+            }
+            Answer::Infeasible { multipliers } => {
+                assert_contradiction(&model, multipliers);
+                "infeasible"
+            }
+            Answer::Unbounded { point, ray } => {
+                assert!(is_feasible(&model, point) && recedes(&model, ray), "{path:?}");
+                assert!((dot(&costs(&model), ray) * sense(&model)).is_negative(), "{path:?}");
+                "unbounded"
+            }
+        };
+        assert_eq!(expected["status"], status, "{path:?}");
+        tally.count(status);
+    }
+    tally.assert_each(30, &["optimal", "infeasible", "unbounded"]);
+}
+
+fn assert_same_face(face: &Face, expected: &Value) {
+    let vectors = |value: &Value| -> Vec<Vec<Rational>> {
+        let vector = |value: &Value| {
+            value.as_array().unwrap().iter().map(|text| number(text.as_str().unwrap())).collect()
+        };
+        value.as_array().into_iter().flatten().map(vector).collect()
+    };
+    // Of a line either direction will do.
+    let turned = |lines: Vec<Vec<Rational>>| -> Vec<Vec<Rational>> {
+        let turn = |line: Vec<Rational>| {
+            let first = line.iter().find(|entry| !entry.is_zero()).expect("a direction");
+            if first.is_negative() { line.iter().map(|entry| -entry).collect() } else { line }
+        };
+        lines.into_iter().map(turn).collect()
+    };
+    assert_eq!(sorted(face.vertices.clone()), sorted(vectors(&expected["vertices"])));
+    assert_eq!(sorted(face.rays.clone()), sorted(vectors(&expected["rays"])));
+    assert_eq!(sorted(turned(face.lines.clone())), sorted(turned(vectors(&expected["lines"]))));
+    assert_eq!(face.points.len(), vectors(&expected["points"]).len());
 }
 
 fn column(name: &str, lower: Option<i64>, upper: Option<i64>) -> ModelColumn {

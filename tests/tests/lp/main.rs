@@ -4,3 +4,4 @@ mod answers;
 mod models;
 mod referee;
 mod simplex;
+mod theorems;
