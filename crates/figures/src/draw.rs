@@ -1,6 +1,8 @@
 //! From a fit to a picture.
 
 use boundfit_estimation::{Fit, Problem};
+use boundfit_exact::Rational;
+use boundfit_geometry::Polyhedron;
 
 use crate::figure::{Figure, PlotOptions};
 use crate::picture::{FigureError, Picture};
@@ -28,5 +30,34 @@ pub fn draw(
     if let Some(title) = &options.title {
         drawing.title = one_line(title, 90);
     }
+    render::render(&drawing)
+}
+
+/// Draws a linear program in two variables: the feasible set, the optimal points, and where the objective improves, which is to
+/// be made large. An empty set leaves the panel empty. Cost: linear in the half-planes of the set.
+///
+/// # Errors
+/// Only when a library underneath fails.
+///
+/// ```
+/// use boundfit_exact::Rational;
+/// use boundfit_figures::draw_program;
+/// use boundfit_geometry::{Inequality, Polyhedron};
+///
+/// let row = |a1: i64, a2: i64, b: i64| Inequality::new(a1.into(), a2.into(), b.into());
+/// let triangle = Polyhedron::intersect([row(-1, 0, 0), row(0, -1, 0), row(2, 3, 6)].into_iter().collect());
+/// let names = ["x".to_owned(), "y".to_owned()];
+/// let picture = draw_program(&triangle, &[Rational::one(), Rational::one()], &names, "a triangle")?;
+/// assert!(picture.svg().contains("optimal"));
+/// # Ok::<(), boundfit_figures::FigureError>(())
+/// ```
+pub fn draw_program(
+    polyhedron: &Polyhedron,
+    gain: &[Rational; 2],
+    names: &[String; 2],
+    title: &str,
+) -> Result<Picture, FigureError> {
+    let mut drawing = parameter_plane::program(polyhedron, gain, names, title);
+    drawing.keep_legend_of_drawn();
     render::render(&drawing)
 }

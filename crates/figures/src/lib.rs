@@ -38,6 +38,6 @@ mod render;
 mod samples;
 mod text;
 
-pub use draw::draw;
+pub use draw::{draw, draw_program};
 pub use figure::{Figure, PlotOptions};
 pub use picture::{FigureError, Picture, PictureFormat};

@@ -216,3 +216,34 @@ theorem optimum_attained :
 ";
     assert_eq!(lean, expected);
 }
+
+#[test]
+fn a_picture_shows_set_and_optimum() {
+    let directory = directory_with(&[("diet.mps", DIET.as_bytes())]);
+    let report = printed(directory.path(), "judge diet.mps --plot diet.svg");
+    assert_eq!(report, printed(directory.path(), "judge diet.mps"));
+    let svg = std::fs::read_to_string(directory.path().join("diet.svg")).unwrap();
+    for text in ["bread", "beans", "feasible set", "optimal", "the objective improves along the arrow"] {
+        assert!(svg.contains(text), "{text}: {svg}");
+    }
+    printed(directory.path(), "judge diet.mps --plot diet.png");
+    assert!(std::fs::read(directory.path().join("diet.png")).unwrap().starts_with(b"\x89PNG"));
+    let fixed = DIET.replace("UP BND bread 3", "FX BND bread 3");
+    let infeasible = DIET.replace("UP BND bread 3", "UP BND bread 3\n UP BND beans 0.5");
+    for (model, line, status, problem) in [
+        (
+            DIET,
+            "--plot a.pdf",
+            2,
+            "a picture is either SVG or PNG (expected a name that ends in .svg or .png)",
+        ),
+        (DIET, "--plot a.svg -o a.svg", 2, "'--plot' and '--output' name the same file"),
+        (&fixed, "--plot a.svg", 1, "'--plot' draws two columns, and bounds fix all but one of this model"),
+        (&infeasible, "--plot a.svg", 1, "'--plot' has nothing to draw: the program is infeasible"),
+    ] {
+        let run = boundfit_with_input(directory.path(), &format!("judge - {line}"), model.as_bytes());
+        assert_eq!((run.status, run.stdout.as_str()), (status, ""), "{line}");
+        assert!(run.stderr.contains(problem), "{}", run.stderr);
+        assert!(!directory.path().join("a.svg").exists());
+    }
+}

@@ -1,5 +1,7 @@
 //! `boundfit judge`.
 
+use boundfit_exact::english::in_words;
+use boundfit_figures::{PictureFormat, draw_program};
 use boundfit_formats::{Source, WholeFile};
 use boundfit_judge::{Answer, Plane};
 use boundfit_lp::{ExchangeFormat, Model, ModelLimits, model_text, read_model};
@@ -10,14 +12,15 @@ use boundfit_report::{
 
 use super::solutions;
 use crate::CommandResult;
-use crate::arguments::{JudgeArguments, JudgeFormat, LimitArguments};
+use crate::arguments::{JudgeArguments, JudgeFormat, LimitArguments, ending};
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
 
 /// Reads the model, solves it and writes the report.
 pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
-    check_usage_of_lean(arguments)?;
+    check_usage_of_files(arguments)?;
+    let plot = arguments.plot.as_deref().map(picture_format).transpose()?;
     let format = arguments.output.format()?;
     check_usage_of_format(arguments, format)?;
     let inputs = arguments.solutions.solutions.iter().chain([&arguments.model]).map(String::as_str);
@@ -25,6 +28,7 @@ pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
     let output = arguments.output.file.output.as_deref();
     guard.check(output)?;
     guard.check(arguments.lean.as_deref())?;
+    guard.check(arguments.plot.as_deref())?;
     let file = read(arguments)?;
     let model = model_of(&file, &arguments.limits)?;
     let fail = |error| Failure::data(format_args!("{}: {error}", file.name));
@@ -51,9 +55,14 @@ pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
         JudgeFormat::Ine => h_representation(plane.polyhedron()),
         JudgeFormat::Ext => v_representation(plane.polyhedron()),
     };
+    let picture = plot.map(|format| picture(&model, &plane, &file.name, format)).transpose()?;
     if let Some(lean) = &arguments.lean {
         output::write(lean_theorems(&model, &answer, &file.name), Some(lean), &guard)?;
         guard.keep_written(lean);
+    }
+    if let (Some(plot), Some(picture)) = (&arguments.plot, picture) {
+        output::write(picture, Some(plot), &guard)?;
+        guard.keep_written(plot);
     }
     output::write(&report, output, &guard)?;
     Ok(match answer {
@@ -79,19 +88,71 @@ fn check_usage_of_format(arguments: &JudgeArguments, format: JudgeFormat) -> Res
     }
 }
 
-/// Refuses theorems that would have no file of their own.
-fn check_usage_of_lean(arguments: &JudgeArguments) -> Result<(), Failure> {
-    let Some(file) = arguments.lean.as_deref() else { return Ok(()) };
-    let problem = match arguments.output.file.output.as_deref().unwrap_or("-") {
-        "-" if file == "-" => {
-            "'--lean -' and the report would both go to standard output: give one of them a file"
+/// Refuses files that would not be each for itself: of the report, of theorems, of the picture.
+fn check_usage_of_files(arguments: &JudgeArguments) -> Result<(), Failure> {
+    let report = Some(arguments.output.file.output.as_deref().unwrap_or("-"));
+    let all =
+        [("--output", report), ("--lean", arguments.lean.as_deref()), ("--plot", arguments.plot.as_deref())];
+    for (index, (option, file)) in all.iter().enumerate() {
+        for (other, other_file) in all.iter().skip(index + 1) {
+            let (Some(file), Some(other_file)) = (file, other_file) else { continue };
+            match (*file, *other_file) {
+                ("-", "-") => {
+                    let problem = if index == 0 {
+                        format!(
+                            "'{other} -' and the report would both go to standard output: give one of them a file"
+                        )
+                    } else {
+                        format!(
+                            "'{option} -' and '{other} -' would both go to standard output: give one of them a file"
+                        )
+                    };
+                    return Err(Failure::Usage(problem));
+                }
+                (file, other_file)
+                    if file != "-" && other_file != "-" && output::is_one_file(file, other_file) =>
+                {
+                    return Err(Failure::Usage(format!("'{other}' and '{option}' name the same file")));
+                }
+                _ => {}
+            }
         }
-        output if output != "-" && file != "-" && output::is_one_file(output, file) => {
-            "'--lean' and '--output' name the same file"
+    }
+    Ok(())
+}
+
+/// The format that the name of a picture tells; standard output has SVG.
+fn picture_format(file: &str) -> Result<PictureFormat, Failure> {
+    let told =
+        ending(file).and_then(|ending| PictureFormat::ALL.into_iter().find(|own| own.name() == ending));
+    match told {
+        Some(format) => Ok(format),
+        None if file == "-" => Ok(PictureFormat::Svg),
+        None => {
+            let problem = "a picture is either SVG or PNG (expected a name that ends in .svg or .png)";
+            Err(Failure::value("--plot <FILE>", file, problem))
         }
-        _ => return Ok(()),
+    }
+}
+
+/// The feasible set with the objective, encoded.
+fn picture(model: &Model, plane: &Plane, file: &str, format: PictureFormat) -> Result<Vec<u8>, Failure> {
+    let [first, second] = plane.columns() else {
+        let count = in_words(plane.columns().len());
+        return Err(Failure::data(format_args!(
+            "{file}: '--plot' draws two columns, and bounds fix all but {count} of this model"
+        )));
     };
-    Err(Failure::Usage(problem.to_owned()))
+    if plane.polyhedron().region().is_empty() {
+        return Err(Failure::data(format_args!(
+            "{file}: '--plot' has nothing to draw: the program is infeasible"
+        )));
+    }
+    let name = |column: &usize| model.columns.get(*column).map_or_else(String::new, |own| own.name.clone());
+    let names = [name(first), name(second)];
+    let title = format!("Linear program of {file}");
+    let picture = while_working("drawing", || draw_program(plane.polyhedron(), plane.gain(), &names, &title));
+    picture.map_err(Failure::data)?.encoded(format).map_err(Failure::data)
 }
 
 fn read(arguments: &JudgeArguments) -> Result<WholeFile, Failure> {

@@ -5,6 +5,7 @@ mod empty;
 mod fps;
 mod layout;
 mod marks;
+mod program;
 mod region;
 mod sliver;
 #[cfg(test)]
@@ -13,3 +14,4 @@ mod view;
 
 pub(crate) use directions::drawing as directions;
 pub(crate) use fps::drawing as fps;
+pub(crate) use program::drawing as program;

@@ -78,15 +78,25 @@ pub(crate) fn corners([first, second]: &[Interval; 2]) -> Option<[[Rational; 2];
 
 /// A window that shows a set that is not empty; for an unbounded one its vertices and how it goes on.
 pub(crate) fn of_set(fit: &Fit) -> Window {
-    let region = fit.fps.polyhedron().region();
-    let points: Vec<[Rational; 2]> = region.vertices().iter().map(|v| v.point().coordinates()).collect();
     let estimates = [
         fit.least_squares.as_ref().ok().map(|estimate| &estimate.theta),
         fit.minimax.as_ref().map(|minimax| &minimax.theta),
     ];
+    let estimates: Vec<&[Rational; 2]> = estimates.into_iter().flatten().collect();
+    of_region(fit.fps.polyhedron().region(), fit.eui().and_then(corners), &estimates)
+}
+
+/// A window that shows a set that is not empty, and of points those that are not far from it. A bounded set without width takes
+/// that of a box, given by its corners.
+pub(crate) fn of_region(
+    region: &Region,
+    around: Option<[[Rational; 2]; 2]>,
+    near: &[&[Rational; 2]],
+) -> Window {
+    let points: Vec<[Rational; 2]> = region.vertices().iter().map(|v| v.point().coordinates()).collect();
     let window = match region {
         Region::Point(_) | Region::Segment(_) | Region::Polygon(_) | Region::Empty(_) => {
-            bounded(&points, fit)
+            bounded(&points, around)
         }
         Region::Ray(_) | Region::UnboundedPolygon(_) => with_rays(region, points),
         Region::Strip(_) | Region::Line(_) | Region::HalfPlane(_) => {
@@ -103,15 +113,14 @@ pub(crate) fn of_set(fit: &Fit) -> Window {
         }
     };
     let most = Rational::ratio(3, 5);
-    let window = estimates.into_iter().flatten().fold(window, |window, theta| window.with_near(theta, &most));
+    let window = near.iter().fold(window, |window, theta| window.with_near(theta, &most));
     window.padded(&Rational::ratio(9, 100))
 }
 
-/// The box of the vertices; where it has no width, the EUI around it.
-fn bounded(points: &[[Rational; 2]], fit: &Fit) -> Window {
+/// The box of the vertices; where it has no width, another one around it.
+fn bounded(points: &[[Rational; 2]], around: Option<[[Rational; 2]; 2]>) -> Window {
     let window = Window::around(points);
-    let eui = fit.eui().and_then(corners);
-    match eui {
+    match around {
         Some([lower, upper]) => window.widened_by(&Window::around(&[lower, upper])),
         None => window,
     }

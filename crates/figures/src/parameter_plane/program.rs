@@ -1,0 +1,126 @@
+//! A linear program: its feasible set, where the objective improves, and the optimal points.
+
+use boundfit_exact::Rational;
+use boundfit_geometry::{Direction, Face, Polyhedron, RegionKind, Support};
+
+use super::layout::{main_frame, panel};
+use super::region::{at, direction};
+use super::{marks, region, view};
+use crate::clip;
+use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
+use crate::palette::{Dash, Mark, Shape, Stroke, VERMILLION, style};
+use crate::render::BOTTOM_LABELS;
+use crate::text::one_line;
+
+/// Optimal points.
+const OPTIMAL: Stroke = Stroke::new(VERMILLION, 3.0, Dash::Solid);
+const OPTIMUM: Mark = Mark::new(Shape::Disc, 4.8, VERMILLION);
+/// Where the objective has its optimum.
+const LEVEL: Stroke = Stroke::new(VERMILLION, 1.0, Dash::Short);
+/// How far the arrow of the objective reaches, in parts of the panel.
+const ARROW: f64 = 0.16;
+/// Farther than a panel is wide or high.
+const ACROSS: f64 = 4.0;
+
+/// The figure of a set that is not empty, with axes of these names and an objective that is to be made large.
+pub(crate) fn drawing(
+    polyhedron: &Polyhedron,
+    gain: &[Rational; 2],
+    names: &[String; 2],
+    title: &str,
+) -> Drawing {
+    let names = names.each_ref().map(|name| one_line(name, 30));
+    let window = view::of_region(polyhedron.region(), room_around(polyhedron), &[]);
+    let mut panel = panel(main_frame(0), &window, &names);
+    region::draw(&mut panel, polyhedron, style::SET_FILL, style::SET_EDGE);
+    marks::draw_vertices(&mut panel, polyhedron.region(), true);
+    let set = match polyhedron.region().kind() {
+        RegionKind::Point => Swatch::mark(style::VERTEX),
+        RegionKind::Segment | RegionKind::Ray | RegionKind::Line => Swatch::line(style::SET_EDGE),
+        _ => Swatch::area(style::SET_FILL, style::SET_EDGE),
+    };
+    let improves = LegendEntry::new(Swatch::line(LEVEL), "the objective improves along the arrow");
+    let mut legend = vec![LegendEntry::new(set, "feasible set")];
+    let note = match polyhedron.support(gain) {
+        Support::Bounded { proof, face } => {
+            draw_face(&mut panel, &face);
+            if let Some(along) = Direction::from_rational(gain) {
+                draw_level(&mut panel, &proof.attained_at.coordinates(), &along);
+            }
+            legend.push(LegendEntry::new(Swatch::line_and_mark(OPTIMAL, OPTIMUM), "optimal"));
+            legend.push(improves);
+            (face == Face::Whole).then(|| "Every feasible point is optimal.".to_owned())
+        }
+        Support::Unbounded(proof) => {
+            let from = at(&panel, &proof.point.coordinates());
+            let along = direction(&panel, &proof.ray);
+            panel.ray(from, along, 0.0, LEVEL);
+            legend.push(improves);
+            Some("The objective improves for ever along the arrow.".to_owned())
+        }
+        Support::Empty(_) => None,
+    };
+    let title = one_line(title, 90);
+    let main = panel.frame;
+    Drawing {
+        description: format!(
+            "{title}. Horizontal axis: {}. Vertical axis: {}. {}",
+            names[0],
+            names[1],
+            note.as_deref().unwrap_or_default()
+        ),
+        title,
+        subtitle: format!("feasible set: {}", polyhedron.region().kind().name()),
+        height: main.top + main.height + BOTTOM_LABELS + 8.0,
+        panels: vec![panel],
+        legend,
+        notes: note.into_iter().collect(),
+    }
+}
+
+/// A box as large as a vertex is far from the origin, for sets without width.
+fn room_around(polyhedron: &Polyhedron) -> Option<[[Rational; 2]; 2]> {
+    let [first, second] = polyhedron.region().vertices().first()?.point().coordinates();
+    let size = |value: Rational| if value.is_zero() { Rational::one() } else { value.abs() };
+    Some([[Rational::zero(), Rational::zero()], [size(first), size(second)]])
+}
+
+/// Marks the optimal points, unless all points are.
+fn draw_face(panel: &mut Panel, face: &Face) {
+    match face {
+        Face::Vertex(point) => panel.mark(at(panel, &point.coordinates()), OPTIMUM),
+        Face::Segment(ends) => {
+            let ends = ends.each_ref().map(|end| at(panel, &end.coordinates()));
+            panel.line(&ends, OPTIMAL);
+            for end in ends {
+                panel.mark(end, OPTIMUM);
+            }
+        }
+        Face::Ray { apex, direction: along } => {
+            let from = at(panel, &apex.coordinates());
+            let step = direction(panel, along);
+            panel.ray(from, step, 0.0, OPTIMAL);
+            panel.mark(from, OPTIMUM);
+        }
+        Face::Line { point, direction: along } => {
+            let from = at(panel, &point.coordinates());
+            let step = direction(panel, along);
+            panel.ray(from, step, f64::NEG_INFINITY, OPTIMAL);
+        }
+        Face::Whole => {}
+    }
+}
+
+/// The line on which the objective has its optimum, and an arrow in which direction it improves.
+fn draw_level(panel: &mut Panel, point: &[Rational; 2], along: &Direction) {
+    let middle = at(panel, point);
+    let level = direction(panel, &along.turned_left());
+    panel.line(&[-ACROSS, ACROSS].map(|steps| clip::along(middle, level, steps)), LEVEL);
+    let step = direction(panel, along);
+    let tip = clip::along(middle, step, ARROW);
+    // A vertex at the edge of the view leaves room behind it.
+    let (from, tip) =
+        if panel.shows(tip) { (middle, tip) } else { (clip::along(middle, step, -ARROW), middle) };
+    panel.line(&[from, tip], LEVEL);
+    panel.arrow(tip, step, LEVEL.colour);
+}
