@@ -12,7 +12,7 @@ pub enum AskedBound {
     /// This number; not negative.
     Number(Rational),
     /// What a law says of each reading.
-    Law(Law),
+    Law(Box<Law>),
     /// So many times ε_min of these very readings; positive.
     TimesLeast(Rational),
 }
@@ -104,7 +104,7 @@ impl AskedBound {
             Ok(number) => return Ok(AskedBound::Number(number)),
             Err(error) => ParseBoundError { position: error.position, kind: error.kind.into() },
         };
-        Law::parse(text, reading, limits).map(AskedBound::Law).map_err(|error| {
+        Law::parse(text, reading, limits).map(|law| AskedBound::Law(Box::new(law))).map_err(|error| {
             use ParseBoundErrorKind::{NoPlus, NotANumber, NotATerm};
             let is_number_meant = match (&error.kind, &number_error.kind) {
                 (NoPlus, _) => error.position == number_error.position,

@@ -109,14 +109,8 @@ impl<'a> Data<'a> {
         let (arguments, reading) = (self.arguments, self.origin.reading);
         let limits = arguments.table.limits.number();
         let asked = arguments.epsilon.asked(reading, &limits, arguments.x.second.is_some())?;
-        let (epsilon, multiple_of_least) = match asked {
-            Some(AskedEpsilon::Stated(epsilon)) => (epsilon, None),
-            // Until it is known, as it has no say in what it follows from.
-            Some(AskedEpsilon::TimesLeast(factor)) => {
-                (EpsilonColumn::Uniform(Rational::zero()), Some(factor))
-            }
-            None => return Err(Failure::Usage("'--eps' or '--eps-column' is missing".to_owned())),
-        };
+        let AskedEpsilon { column: epsilon, multiple_of_least } =
+            asked.ok_or_else(|| Failure::Usage("'--eps' or '--eps-column' is missing".to_owned()))?;
         let condition = |text: &String| {
             Condition::parse(text, reading, &limits)
                 .map_err(|error| Failure::value("--where <CONDITION>", text, condition_problem(&error)))
@@ -162,11 +156,10 @@ impl<'a> Data<'a> {
 }
 
 /// The bounds on errors that are asked for.
-enum AskedEpsilon {
-    /// These.
-    Stated(EpsilonColumn),
-    /// So many times the least bound.
-    TimesLeast(Rational),
+struct AskedEpsilon {
+    column: EpsilonColumn,
+    /// The factor of the least bound, which is not known yet, and has no say in what it follows from: 0 stands for it.
+    multiple_of_least: Option<Rational>,
 }
 
 impl EpsilonArguments {
@@ -177,17 +170,21 @@ impl EpsilonArguments {
         limits: &Limits,
         two_regressors: bool,
     ) -> Result<Option<AskedEpsilon>, Failure> {
-        let stated = match (&self.eps, &self.eps_column) {
+        let mut multiple_of_least = None;
+        let column = match (&self.eps, &self.eps_column) {
             (Some(eps), _) => match asked_bound(eps, reading, limits, two_regressors)? {
-                AskedBound::TimesLeast(factor) => return Ok(Some(AskedEpsilon::TimesLeast(factor))),
-                AskedBound::Law(law) => EpsilonColumn::Law(law),
+                AskedBound::TimesLeast(factor) => {
+                    multiple_of_least = Some(factor);
+                    EpsilonColumn::Uniform(Rational::zero())
+                }
+                AskedBound::Law(law) => EpsilonColumn::Law(*law),
                 AskedBound::Number(number) => EpsilonColumn::Uniform(number),
             },
             (None, Some(column)) => EpsilonColumn::Column(column.clone()),
             (None, None) if self.lower.is_none() && self.upper.is_none() => return Ok(None),
             (None, None) => EpsilonColumn::Interval { lower: self.lower.clone(), upper: self.upper.clone() },
         };
-        Ok(Some(AskedEpsilon::Stated(stated)))
+        Ok(Some(AskedEpsilon { column, multiple_of_least }))
     }
 }
 
@@ -196,10 +193,8 @@ impl ReduceArguments {
     pub(crate) fn columns(&self, reading: Reading) -> Result<Columns, Failure> {
         let limits = self.table.limits.number();
         let two_regressors = self.x.second.is_some();
-        let stated = match self.epsilon.asked(reading, &limits, two_regressors)? {
-            Some(AskedEpsilon::Stated(epsilon)) => Some(epsilon),
-            Some(AskedEpsilon::TimesLeast(_)) | None => None,
-        };
+        let asked = self.epsilon.asked(reading, &limits, two_regressors)?;
+        let stated = asked.filter(|asked| asked.multiple_of_least.is_none()).map(|asked| asked.column);
         let epsilon = match stated {
             Some(epsilon) => epsilon,
             None if !two_regressors => EpsilonColumn::Uniform(Rational::zero()),
