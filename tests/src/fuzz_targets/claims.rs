@@ -5,7 +5,9 @@ use std::time::Duration;
 
 use boundfit_check::{Answer, CheckOptions, ClaimLimits, ClaimText, check, parse_claim_pui, read_claims};
 use boundfit_estimation::Problem;
-use boundfit_exact::{Rational, Reading};
+use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_judge::{Answer as ModelAnswer, Aspect, Ground, Solution, Tolerances, read_solution};
+use boundfit_lp::{ExchangeFormat, Model, ModelLimits, read_model};
 
 use crate::lp_cases::line_problem;
 
@@ -16,15 +18,48 @@ static PROBLEMS: LazyLock<[Problem; 2]> = LazyLock::new(|| {
     [line_problem(&readings, &Rational::one()), line_problem(&readings, &Rational::ratio(1, 100))]
 });
 
+/// The smallest and the largest θ1 between 0 and 1 with 1 ≤ θ1 + θ2 ≤ 3, and one without a feasible point.
+static MODELS: LazyLock<Vec<(Model, ModelAnswer)>> = LazyLock::new(|| {
+    let row = |lower: i64, upper: i64| {
+        format!(
+            "ROWS\n N cost\n G row\nCOLUMNS\n theta1 cost 1 row 1\n theta2 row 1\nRHS\n RHS row {lower}\nRANGES\n RNG row {}\nBOUNDS\n UP BND theta1 1\n UP BND theta2 1\nENDATA\n",
+            upper - lower
+        )
+    };
+    let programs = [row(1, 3), format!("OBJSENSE\n    MAX\n{}", row(1, 3)), row(3, 4)];
+    let solved = programs.iter().filter_map(|text| {
+        let model = read_model(text, ExchangeFormat::Mps, &ModelLimits::default()).ok()?;
+        let answer = ModelAnswer::of(&model).ok()?;
+        Some((model, answer))
+    });
+    let solved: Vec<_> = solved.collect();
+    assert_eq!(solved.len(), 3);
+    solved
+});
+
 /// A claim, in JSON, as a solver's file or as four ends, is refused, or judged without a panic and the same way twice.
 pub fn claim_files(data: &[u8]) {
     let Ok(text) = std::str::from_utf8(data) else { return };
     let file = ClaimText { file: "theta1-min.sol".to_owned(), text: text.to_owned() };
+    judge_as_solution(text);
     let answers = read_claims(&[file], &ClaimLimits::default()).unwrap_or_default();
     for answer in answers.into_iter().chain(parse_claim_pui(text)) {
         for problem in &*PROBLEMS {
             judge(problem, answer.clone());
         }
+    }
+}
+
+/// The same text as a solution of a program of its own.
+fn judge_as_solution(text: &str) {
+    let Ok(file) = read_solution(text, &Limits::default()) else { return };
+    for (model, answer) in &*MODELS {
+        let Ok(solution) = Solution::new(&file, model) else { continue };
+        let tolerances = Tolerances { relative: Rational::ratio(1, 1_000_000), digits_as_printed: true };
+        let findings = || Ground::new(model, answer).judge(&solution, &tolerances);
+        let found = findings();
+        assert_eq!(found, findings());
+        assert_eq!(found.about(Aspect::Status).map(|status| status.line), Some(file.status_line));
     }
 }
 

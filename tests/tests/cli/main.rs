@@ -24,5 +24,6 @@ mod polygon;
 mod reduce;
 mod replacing;
 mod selection;
+mod solutions;
 mod sweep;
 mod workbooks;

@@ -31,11 +31,7 @@ pub fn solutions_document(model: &Model, solutions: &[JudgedSolution]) -> Docume
             (Text::from(label(finding.aspect)), said)
         });
         let width = Aspect::ALL.iter().map(|aspect| label(*aspect).len()).max().unwrap_or_default() + 2;
-        blocks.extend([
-            Block::Space,
-            Block::Title(title),
-            Block::Facts(Facts { width, rows: rows.collect() }),
-        ]);
+        blocks.extend([Block::Title(title), Block::Facts(Facts { width, rows: rows.collect() })]);
     }
     if solutions.iter().any(has_excuse) {
         blocks.push(Block::Space);

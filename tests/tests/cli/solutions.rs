@@ -1,0 +1,237 @@
+//! `boundfit judge --solution`: what solvers wrote about `fixtures/tiny-lp`, judged, and the reports of it.
+
+use std::fs;
+
+use boundfit_tests::program::{Run, root, run};
+use serde_json::Value;
+
+/// What a solver of this name wrote about a program.
+fn fixture(name: &str, solver: &str) -> String {
+    format!("fixtures/solutions/tiny-lp/{name}.{solver}.sol")
+}
+
+fn judge(name: &str, solution: &str, options: &[&str]) -> Run {
+    let model = format!("fixtures/tiny-lp/{name}.mps");
+    run(&[&["judge", &model, "--solution", solution], options].concat())
+}
+
+/// The only solution of the report in JSON.
+fn judged(name: &str, solution: &str, options: &[&str]) -> (i32, Value) {
+    let run = judge(name, solution, &[&["--format", "json"], options].concat());
+    let report: Value = serde_json::from_str(&run.stdout).unwrap_or_else(|_| panic!("{run:?}"));
+    (run.status, report["solutions"][0].clone())
+}
+
+fn refuted(solution: &Value) -> Vec<&str> {
+    let findings = solution["findings"].as_array().unwrap().iter();
+    findings.filter(|own| own["verdict"] == "refuted").map(|own| own["aspect"].as_str().unwrap()).collect()
+}
+
+/// A changed fixture in a folder of its own.
+fn changed(name: &str, solver: &str, from: &str, to: &str) -> (tempfile::TempDir, String) {
+    let text = fs::read_to_string(root().join(fixture(name, solver))).unwrap();
+    assert!(text.contains(from), "{name} {solver}: {from}");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("changed.sol");
+    fs::write(&path, text.replacen(from, to, 1)).unwrap();
+    let path = path.display().to_string();
+    (folder, path)
+}
+
+#[test]
+fn right_answers_of_every_format_pass() {
+    for (name, solver, writer, verdict) in [
+        ("maximise", "highs-raw", "HiGHS", "exact"),
+        ("maximise", "highs-table", "HiGHS", "exact"),
+        ("maximise", "highs-glpsol", "HiGHS", "exact"),
+        ("maximise", "glpk-plain", "GLPK", "exact"),
+        ("maximise", "glpk-printed", "GLPK", "exact"),
+        ("maximise", "cbc", "CBC", "exact"),
+        ("vertex-third", "highs-raw", "HiGHS", "rounded"),
+        ("vertex-third", "glpk-plain", "GLPK", "rounded"),
+        ("vertex-third", "cbc", "CBC", "rounded"),
+        ("triangle-empty", "highs-raw", "HiGHS", "exact"),
+        ("triangle-empty", "cbc", "CBC", "exact"),
+        ("scipy-11618", "highs-raw", "HiGHS", "exact"),
+    ] {
+        let (status, solution) = judged(name, &fixture(name, solver), &[]);
+        let found = (status, solution["writer"].as_str(), solution["verdict"].as_str());
+        assert_eq!(found, (0, Some(writer), Some(verdict)), "{name} {solver}: {solution}");
+        // An optimum comes with all that can be judged of it.
+        let aspects = solution["findings"].as_array().unwrap().len();
+        assert_eq!(aspects, if solution["status"] == "optimal" { 7 } else { 1 }, "{name} {solver}");
+    }
+}
+
+#[test]
+fn wrong_answers_are_refuted() {
+    for (name, solver, aspects) in [
+        ("hard-nanometre-dropped-theta1-max", "highs-raw", &["status"][..]),
+        ("hard-glpk-exact-not-exact-theta1-max", "glpk-exact", &["status"]),
+        ("hard-giga-unsafe-theta1-max", "cbc", &["primal", "optimality"]),
+        // Infeasible by so little that an absolute tolerance excuses it, which is said.
+        ("triangle-empty-1e-9", "highs-raw", &["status"]),
+    ] {
+        let (status, solution) = judged(name, &fixture(name, solver), &[]);
+        assert_eq!((status, refuted(&solution)), (4, aspects.to_vec()), "{name}: {solution}");
+    }
+    let (_, solution) = judged("triangle-empty-1e-9", &fixture("triangle-empty-1e-9", "highs-raw"), &[]);
+    let excuse = &solution["findings"][0]["tolerance"]["absolute"]["value"].as_f64().unwrap();
+    assert!((1e-10..=1e-9).contains(excuse), "{excuse}");
+}
+
+#[test]
+fn a_changed_number_is_refuted_at_its_line() {
+    for (from, to, aspects, line) in [
+        ("Objective 36", "Objective 36.01", vec!["objective"], 6),
+        ("X2 6", "X2 5.9", vec!["optimality", "complementary-slackness", "duality-gap"], 8),
+        ("\nR1 0\n", "\nR1 -0.1\n", vec!["dual"], 19),
+        ("Optimal", "Infeasible", vec!["status"], 2),
+    ] {
+        let (_folder, path) = changed("maximise", "highs-raw", from, to);
+        let (status, solution) = judged("maximise", &path, &[]);
+        assert_eq!((status, refuted(&solution)), (4, aspects), "{to}: {solution}");
+        let findings = solution["findings"].as_array().unwrap();
+        let worst = findings.iter().find(|own| own["verdict"] == "refuted").unwrap();
+        assert_eq!(worst["line"], line, "{to}: {worst}");
+    }
+}
+
+#[test]
+fn tolerance_and_printed_digits_are_options() {
+    let (_folder, path) = changed("maximise", "highs-raw", "X1 2\nX2 6", "X1 2.000001\nX2 6");
+    let worst = |options: &[&str]| {
+        let (status, solution) = judged("maximise", &path, options);
+        (status, solution["verdict"].as_str().unwrap().to_owned())
+    };
+    assert_eq!(worst(&[]), (0, "within tolerance".to_owned()));
+    assert_eq!(worst(&["--tolerance", "1e-9"]), (4, "refuted".to_owned()));
+    assert_eq!(worst(&["--strict"]), (4, "refuted".to_owned()));
+    let third = |options: &[&str]| {
+        judged("vertex-third", &fixture("vertex-third", "cbc"), options).1["verdict"].clone()
+    };
+    assert_eq!(third(&["--strict"]), "rounded");
+    assert_eq!(third(&["--strict", "--digits-as-printed", "off"]), "refuted");
+}
+
+#[test]
+fn text_says_the_proportion_first_and_whose_tolerance_excuses_it() {
+    let (_folder, path) = changed("maximise", "highs-raw", "X1 2\n", "X1 2.5\n");
+    let run = judge("maximise", &path, &[]);
+    assert_eq!(run.status, 4);
+    let text = run.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+    for part in [
+        "written by HiGHS: refuted (primal, optimality, slackness, gap)",
+        "primal refuted: off by 8.4e-2 of its size: R3 is 19.5, 1.5 above its upper bound 18; excused by a tolerance of 1.5 absolute, 7.7e-2 relative, 0.5 scaled",
+        "optimality refuted: off by 4.2e-2 of its size: 37.5 instead of 36",
+        "SoPlex (feastol, opttol)",
+    ] {
+        assert!(text.contains(part), "{part}\n{text}");
+    }
+    let right = judge("vertex-third", &fixture("vertex-third", "cbc"), &[]).stdout;
+    assert!(
+        right.contains("written by CBC: right, but for rounding") && !right.contains("SoPlex"),
+        "{right}"
+    );
+}
+
+#[test]
+fn sarif_has_what_its_schema_asks_for() {
+    let (_folder, path) = changed("maximise", "highs-raw", "Objective 36", "Objective 36.01");
+    let run = judge("maximise", &path, &["--format", "sarif"]);
+    assert_eq!(run.status, 4, "{run:?}");
+    let log: Value = serde_json::from_str(&run.stdout).unwrap();
+    let keys = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
+    // Required by the schema: version and runs, of a run its tool, of a driver its name, of a result its message.
+    assert_eq!(keys(&log), ["$schema", "version", "runs"]);
+    assert_eq!(log["version"], "2.1.0");
+    let run = &log["runs"][0];
+    assert_eq!(run["tool"]["driver"]["name"], "boundfit");
+    let rules: Vec<&str> = run["tool"]["driver"]["rules"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|rule| rule["id"].as_str().unwrap())
+        .collect();
+    let results = run["results"].as_array().unwrap();
+    assert_eq!(results.len(), 7);
+    for result in results {
+        let rule = result["ruleId"].as_str().unwrap();
+        assert_eq!(rules[result["ruleIndex"].as_u64().unwrap() as usize], rule);
+        assert!(!result["message"]["text"].as_str().unwrap().is_empty());
+        // "If kind is anything other than fail, level shall be none" (SARIF 2.1.0, 3.27.10).
+        let failed = rule == "objective";
+        let expected = if failed { ("fail", "error") } else { ("pass", "none") };
+        assert_eq!(
+            (result["kind"].as_str().unwrap(), result["level"].as_str().unwrap()),
+            expected,
+            "{result}"
+        );
+        let place = &result["locations"][0]["physicalLocation"];
+        assert!(place["region"]["startLine"].as_u64().unwrap() >= 1);
+        assert_eq!(place["artifactLocation"]["uri"].as_str().unwrap(), path);
+        assert_eq!(place["region"]["startLine"] == 6, failed);
+    }
+}
+
+#[test]
+fn junit_is_xml_with_a_case_for_each_aspect() {
+    let (folder, path) = changed("maximise", "highs-raw", "Objective 36", "Objective 36.01");
+    let strange = folder.path().join("a<b>&\"c.sol");
+    fs::copy(&path, &strange).unwrap();
+    let run = judge("maximise", strange.to_str().unwrap(), &["--format", "junit"]);
+    assert_eq!(run.status, 4);
+    let document = roxmltree::Document::parse(&run.stdout).unwrap();
+    let suites = document.root_element();
+    let counts = |node: roxmltree::Node<'_, '_>| {
+        ["tests", "failures", "skipped"].map(|name| node.attribute(name).unwrap().parse::<usize>().unwrap())
+    };
+    assert_eq!((suites.tag_name().name(), counts(suites)), ("testsuites", [7, 1, 0]));
+    let suite = suites.children().find(|node| node.has_tag_name("testsuite")).unwrap();
+    assert_eq!((suite.attribute("name"), counts(suite)), (strange.to_str(), [7, 1, 0]));
+    let cases: Vec<_> = suite.children().filter(|node| node.has_tag_name("testcase")).collect();
+    assert_eq!(cases.len(), 7);
+    let failed: Vec<_> =
+        cases.iter().filter(|case| case.children().any(|node| node.has_tag_name("failure"))).collect();
+    assert_eq!(failed.len(), 1);
+    assert_eq!((failed[0].attribute("name"), failed[0].attribute("line")), (Some("objective"), Some("6")));
+}
+
+#[test]
+fn formats_for_findings_alone_want_a_solution() {
+    for format in ["sarif", "junit"] {
+        let run = run(&["judge", "fixtures/tiny-lp/maximise.mps", "--format", format]);
+        let message = format!(
+            "error: '--format {format}' has what is found about solutions: give '--solution <FILE>'\n\nFor more information, try '--help'.\n"
+        );
+        assert_eq!((run.status, run.stdout.as_str(), run.stderr), (2, "", message));
+    }
+}
+
+#[test]
+fn files_about_something_else_are_refused() {
+    let refusal = |name: &str, text: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.sol").display().to_string();
+        fs::write(&path, text).unwrap();
+        let run = judge(name, &path, &[]);
+        assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{text}");
+        run.stderr.strip_prefix(&format!("error: {path}: ")).unwrap().trim_end().to_owned()
+    };
+    assert_eq!(
+        refusal("maximise", "=obj= 1\nX3 1\n"),
+        "line 2: X3 is no column of the model (expected X1, X2)"
+    );
+    assert_eq!(
+        refusal("maximise", "s bas 3 3 f f 0\n"),
+        "line 1: \"s bas 3 3 f f 0\" is no solution of the model (expected X1, X2)"
+    );
+    assert_eq!(
+        refusal("maximise", "what"),
+        "this is no solution (expected JSON, or a solution as GLPK, HiGHS, CBC, CLP, SCIP, Gurobi, MIPLIB or, in XML, CPLEX writes it)"
+    );
+    // A program that is infeasible has status 3 by itself, but not where a solution is asked about.
+    let alone = run(&["judge", "fixtures/tiny-lp/triangle-empty.mps"]);
+    let judged = judge("triangle-empty", &fixture("triangle-empty", "highs-raw"), &[]);
+    assert_eq!((alone.status, judged.status), (3, 0));
+}
