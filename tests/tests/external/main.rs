@@ -1,5 +1,6 @@
 //! Other programs read what boundfit writes, and answer the same questions.
 
+mod judge;
 mod latex;
 mod octave;
 mod polytopes;

@@ -2,8 +2,8 @@
 
 use clap::Args;
 
+use super::Switch;
 use super::shared::LIMITS;
-use super::values::named;
 
 /// Solutions of the model, and how far they may be off.
 #[derive(Debug, Args)]
@@ -19,8 +19,8 @@ pub(crate) struct SolutionArguments {
     #[arg(long, conflicts_with = "tolerance")]
     pub(crate) strict: bool,
     /// Take numbers in texts to be as precise as they are printed; off: to be meant exactly
-    #[arg(long, value_name = "on|off", default_value = "on", value_parser = named([("on", true), ("off", false)]))]
-    pub(crate) digits_as_printed: bool,
+    #[arg(long, value_name = "on|off", value_enum, default_value_t = Switch::On, hide_possible_values = true)]
+    pub(crate) digits_as_printed: Switch,
     /// Bytes that a solution may have
     #[arg(long, value_name = "BYTES", default_value_t = 1 << 28, help_heading = LIMITS, hide_short_help = true)]
     pub(crate) max_solution_size: u64,

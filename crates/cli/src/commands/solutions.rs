@@ -4,7 +4,7 @@ use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_judge::{Answer, Findings, Ground, JudgedSolution, Solution, Tolerances, read_solution};
 use boundfit_lp::Model;
 
-use crate::arguments::{LimitArguments, SolutionArguments, number_problem};
+use crate::arguments::{LimitArguments, SolutionArguments, Switch, number_problem};
 use crate::exit::Failure;
 use crate::input::read_text;
 
@@ -17,7 +17,7 @@ pub(super) fn judged(
 ) -> Result<Vec<JudgedSolution>, Failure> {
     let tolerances = Tolerances {
         relative: tolerance(arguments, &limits.number())?,
-        digits_as_printed: arguments.digits_as_printed,
+        digits_as_printed: arguments.digits_as_printed == Switch::On,
     };
     if arguments.solutions.is_empty() {
         return Ok(Vec::new());

@@ -61,22 +61,25 @@ impl Ground<'_> {
             rounding,
             line: dual.line,
         });
-        let reduced = self.reduced_costs(solution, tolerances, &left);
-        let prices: Vec<Price> = rows.chain(left).collect();
-        let dual = self.dual(solution, &prices, reduced);
+        let rows: Vec<Price> = rows.collect();
+        let count = rows.len();
+        let prices: Vec<Price> = rows.into_iter().chain(left).collect();
+        let (_, left) = prices.split_at_checked(count).unwrap_or_default();
+        let dual = self.dual(solution, tolerances, &prices, left);
         let point = solution.point.as_ref();
         let slackness = point.map(|point| self.slackness(solution, point, tolerances, &prices));
         let gap = point.map(|point| self.gap(solution, point, tolerances, &prices));
         [Some(dual), slackness, gap]
     }
 
-    fn reduced_costs<'t>(
+    /// Reduced costs are what the duals leave.
+    fn reduced_costs(
         &self,
         solution: &Solution,
-        tolerances: &'t Tolerances,
+        tolerances: &Tolerances,
         left: &[Price],
-    ) -> Measure<'t> {
-        let mut measure = Measure::new(tolerances);
+        measure: &mut Measure<'_>,
+    ) {
         let given = solution.reduced_costs.iter().flatten();
         for (column, (given, left)) in given.zip(left).enumerate() {
             let claimed = given.number.value.clone();
@@ -90,10 +93,16 @@ impl Ground<'_> {
                 error,
             });
         }
-        measure
     }
 
-    fn dual(&self, solution: &Solution, prices: &[Price], mut measure: Measure<'_>) -> Finding {
+    fn dual(
+        &self,
+        solution: &Solution,
+        tolerances: &Tolerances,
+        prices: &[Price],
+        left: &[Price],
+    ) -> Finding {
+        let mut measure = Measure::new(tolerances);
         let sign = sign_of(self.model.sense);
         for ((item, bounds), price) in items(self).zip(prices) {
             if price.value.is_zero() {
@@ -112,6 +121,7 @@ impl Ground<'_> {
                 });
             }
         }
+        self.reduced_costs(solution, tolerances, left, &mut measure);
         let line = solution.duals.iter().flatten().map(|dual| dual.line).next();
         measure.finding(Aspect::Dual, line.unwrap_or(solution.status_line))
     }

@@ -235,6 +235,10 @@ fn files_are_refused_that_are_not_about_the_model() {
     };
     let has = "(expected x, y)";
     assert_eq!(refusal("{\"x\": {\"z\": 1}}"), format!("line 1: z is no column of the model {has}"));
+    assert_eq!(
+        refusal("{\"x\": {\n\"x\": 1,\n\"z\": 2}}"),
+        format!("line 3: z is no column of the model {has}")
+    );
     assert_eq!(refusal("{\"x\": [1, 2, 3]}"), format!("line 1: number 3 is no column of the model {has}"));
     assert_eq!(refusal("{\"x\": {\"x\": 1}}"), "there is no value of the column y, which JSON writes");
     assert_eq!(refusal("=obj= 1\nx 1\nx 2\n"), "line 3: x has a value already (line 2)");
@@ -245,7 +249,7 @@ fn files_are_refused_that_are_not_about_the_model() {
     let read = |text: &str| read_solution(text, &Limits::default()).unwrap_err().to_string();
     assert_eq!(
         read("{\n\"y\": 1}"),
-        "line 2: \"y\": 1 (expected source, status, objective, x, duals, reduced_costs, ray or farkas, see docs/linear-programs.md)"
+        "line 2: \"y\": 1 (expected source, status, objective, x, duals, reduced_costs, ray or farkas, see docs/solutions.md)"
     );
     assert_eq!(read("{\"x\": [true]}"), "line 1: \"x\": true (expected a number, or a text like \"1/3\")");
     assert_eq!(read("{}"), "the file stops without \"status\", which JSON writes");

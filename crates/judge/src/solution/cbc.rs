@@ -82,6 +82,7 @@ fn entries<'a>(
                     line: line.number,
                     value: Some(line.figure(value, DIGITS, limits)?),
                     price: Some(line.figure(price, DIGITS, limits)?),
+                    price_line: line.number,
                 });
             }
             _ => return Err(line.expected("\"INDEX NAME VALUE DUAL\"")),

@@ -49,7 +49,7 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
         let price = node.attribute("dual").map(|dual| line.figure(dual, DIGITS, limits)).transpose()?;
         let of =
             node.attribute("name").map_or(Reference::Place(place), |name| Reference::Name(name.to_owned()));
-        file.rows.push(Entry { of, line: line.number, value: None, price });
+        file.rows.push(Entry { of, line: line.number, value: None, price, price_line: line.number });
     }
     // Integer programs have none.
     file.has_duals = file.rows.iter().all(|row| row.price.is_some());
@@ -66,6 +66,7 @@ fn variable(text: &str, node: Node<'_, '_>, limits: &Limits) -> Result<Entry, So
         line: line.number,
         value: Some(line.figure(value, DIGITS, limits)?),
         price: node.attribute("reducedCost").map(|cost| line.figure(cost, DIGITS, limits)).transpose()?,
+        price_line: line.number,
     })
 }
 

@@ -66,8 +66,8 @@ impl Solution {
             number: Printed::left_out(file.left_out.clone().unwrap_or_default()),
             line: file.status_line,
         };
-        let values = columns.fill(own_columns.iter().copied(), |entry| entry.value.as_ref())?;
-        let reduced = columns.fill(own_columns.iter().copied(), |entry| entry.price.as_ref())?;
+        let values = columns.fill(own_columns.iter().copied(), Entry::value_at)?;
+        let reduced = columns.fill(own_columns.iter().copied(), Entry::price_at)?;
         let point = match values.iter().position(|value| matches!(value, Slot::Missing)) {
             Some(_)
                 if !is_optimal
@@ -84,8 +84,8 @@ impl Solution {
         };
         let has_prices = reduced.iter().any(|price| matches!(price, Slot::Given(_)));
         let duals = rows.duals(file, &own_rows)?;
-        let ray = file.ray.as_ref().map(|ray| columns.fill(ray.iter(), |entry| entry.value.as_ref()));
-        let farkas = file.farkas.as_ref().map(|rays| rows.fill(rays.iter(), |entry| entry.value.as_ref()));
+        let ray = file.ray.as_ref().map(|ray| columns.fill(ray.iter(), Entry::value_at));
+        let farkas = file.farkas.as_ref().map(|rays| rows.fill(rays.iter(), Entry::value_at));
         let zero = |_| Given { number: Rational::zero().into(), line: file.status_line };
         Ok(Solution {
             writer: file.writer,
@@ -136,6 +136,18 @@ fn coarser(figure: &Figure) -> Figure {
     let value = printed.value.clone();
     // The digits that a text has beyond those that are printed are not there.
     Figure::Finite(Printed::by_writer("0", value, NumberFormat::HIGHS))
+}
+
+impl Entry {
+    /// The value and its line.
+    fn value_at(&self) -> Option<(&Figure, usize)> {
+        self.value.as_ref().map(|value| (value, self.line))
+    }
+
+    /// The price and its line.
+    fn price_at(&self) -> Option<(&Figure, usize)> {
+        self.price.as_ref().map(|price| (price, self.price_line))
+    }
 }
 
 fn given(figure: &Figure, line: usize) -> Option<Given> {
@@ -221,19 +233,19 @@ impl<'a> Names<'a> {
     fn fill<'e>(
         &self,
         entries: impl Iterator<Item = &'e Entry>,
-        figure: impl Fn(&Entry) -> Option<&Figure>,
+        figure: impl Fn(&Entry) -> Option<(&Figure, usize)>,
     ) -> Result<Vec<Slot>, SolutionError> {
         let mut slots = vec![Slot::Missing; self.names.len()];
         let mut lines: Vec<Option<usize>> = vec![None; self.names.len()];
         for entry in entries {
             let place = self.place(&entry.of).ok_or_else(|| self.unknown(entry))?;
             let (Some(slot), Some(line)) = (slots.get_mut(place), lines.get_mut(place)) else { continue };
-            let Some(figure) = figure(entry) else { continue };
-            if let Some(first) = line.replace(entry.line) {
+            let Some((figure, own)) = figure(entry) else { continue };
+            if let Some(first) = line.replace(own) {
                 let of = self.names.get(place).map(|name| quoted(name)).unwrap_or_default();
-                return Err(SolutionError::Twice { line: entry.line, of, first });
+                return Err(SolutionError::Twice { line: own, of, first });
             }
-            *slot = given(figure, entry.line).map_or(Slot::NotFinite, Slot::Given);
+            *slot = given(figure, own).map_or(Slot::NotFinite, Slot::Given);
         }
         Ok(slots)
     }
@@ -250,7 +262,7 @@ impl<'a> Names<'a> {
         }
         let has_any = file.has_duals || rows.iter().any(|row| row.price.is_some());
         let known = rows.iter().filter(|row| self.place(&row.of).is_some() || priced(row));
-        let filled = self.fill(known.copied(), |entry| entry.price.as_ref())?;
+        let filled = self.fill(known.copied(), Entry::price_at)?;
         // A program without rows has all its duals.
         Ok((has_any || self.names.is_empty()).then_some(filled))
     }

@@ -170,6 +170,7 @@ impl Kind {
             line: line.number,
             value: Some(value),
             price,
+            price_line: line.number,
         })
     }
 }
@@ -289,7 +290,7 @@ fn record(line: Line<'_>, words: &[&str], limits: &Limits) -> Result<(Entry, boo
         Figure::Finite(printed) if printed.value.is_zero() => left_out(),
         other => other,
     };
-    Ok((Entry { of, line: line.number, value: Some(value), price }, has_dual_place))
+    Ok((Entry { of, line: line.number, value: Some(value), price, price_line: line.number }, has_dual_place))
 }
 
 /// The 0 that stands for what is at most 10⁻⁹.

@@ -121,14 +121,14 @@ impl Raw {
         *place += 1;
         let is_name = |entry: &&mut Entry| matches!(&entry.of, Reference::Name(own) if own == name);
         match self.side().get_mut(next).filter(is_name) {
-            Some(entry) => entry.price = Some(price),
+            Some(entry) => (entry.price, entry.price_line) = (Some(price), line.number),
             None => self.side().push(entry(name, line, None, Some(price))),
         }
     }
 }
 
 fn entry(name: &str, line: Line<'_>, value: Option<Figure>, price: Option<Figure>) -> Entry {
-    Entry { of: Reference::Name(name.to_owned()), line: line.number, value, price }
+    Entry { of: Reference::Name(name.to_owned()), line: line.number, value, price, price_line: line.number }
 }
 
 fn raw_status(words: &str) -> SolverStatus {

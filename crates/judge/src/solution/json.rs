@@ -11,7 +11,7 @@ use super::{Entry, Reference, SolutionFile, SolverStatus};
 
 const JSON: &str = "JSON";
 const FIELDS: &str =
-    "source, status, objective, x, duals, reduced_costs, ray or farkas, see docs/linear-programs.md";
+    "source, status, objective, x, duals, reduced_costs, ray or farkas, see docs/solutions.md";
 const NUMBER: &str = "a number, or a text like \"1/3\"";
 
 pub(super) fn is_json(text: &str) -> bool {
@@ -33,11 +33,11 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
             "status" => {
                 let words =
                     value.as_str().ok_or_else(|| reader.expected(name, value, "a text like \"optimal\""))?;
-                (status, file.status_line) = (Some(status_of(words)), reader.line(name, None));
+                (status, file.status_line) = (Some(status_of(words)), reader.line(name));
             }
             "objective" if value.is_null() => {}
             "objective" => {
-                file.objective = Some((reader.figure(name, value)?, reader.line(name, None)));
+                file.objective = Some((reader.figure(name, value)?, reader.line(name)));
             }
             "x" => file.columns = reader.vector(name, value, false)?,
             "reduced_costs" => prices = Some(reader.vector(name, value, true)?),
@@ -50,7 +50,7 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
     // Values may be given in another order than prices.
     for price in prices.into_iter().flatten() {
         match file.columns.iter_mut().find(|entry| entry.of == price.of) {
-            Some(entry) => entry.price = price.price,
+            Some(entry) => (entry.price, entry.price_line) = (price.price, price.line),
             None => file.columns.push(price),
         }
     }
@@ -71,25 +71,45 @@ fn status_of(words: &str) -> SolverStatus {
     }
 }
 
+/// A place in a text, for the lines of names that follow each other.
+struct Cursor<'a> {
+    rest: &'a str,
+    line: usize,
+}
+
+impl<'a> Cursor<'a> {
+    /// Where a field is; the first line where it is not found.
+    fn at(text: &'a str, field: &str) -> Self {
+        let mut cursor = Cursor { rest: text, line: 1 };
+        cursor.next(field);
+        cursor
+    }
+
+    /// The line of the next place of a name. One that is spelled in another way ends the search, so that a text is looked at
+    /// once.
+    fn next(&mut self, name: &str) -> usize {
+        let quoted = Value::from(name).to_string();
+        let (before, rest) = self.rest.split_once(&quoted).unwrap_or_default();
+        self.line += before.bytes().filter(|byte| *byte == b'\n').count();
+        self.rest = rest;
+        self.line
+    }
+}
+
 struct Reader<'a> {
     text: &'a str,
     limits: &'a Limits,
 }
 
 impl Reader<'_> {
-    /// The line of a field, or of an entry of it; that of the field where the entry is not found.
-    fn line(&self, field: &str, entry: Option<&str>) -> usize {
-        let quoted = |name: &str| Value::from(name).to_string();
-        let start = self.text.find(&quoted(field)).unwrap_or_default();
-        let rest = self.text.get(start..).unwrap_or_default();
-        let within = entry.and_then(|entry| rest.get(1..)?.find(&quoted(entry)).map(|place| place + 1));
-        let end = start + within.unwrap_or_default();
-        self.text.bytes().take(end).filter(|byte| *byte == b'\n').count() + 1
+    /// The line of a field, from 1.
+    fn line(&self, field: &str) -> usize {
+        Cursor::at(self.text, field).line
     }
 
     fn expected(&self, field: &str, found: &Value, expected: &'static str) -> SolutionError {
         SolutionError::Field {
-            line: self.line(field, None),
+            line: self.line(field),
             field: quoted(field),
             found: quoted(&found.to_string()),
             expected,
@@ -107,7 +127,7 @@ impl Reader<'_> {
                 let number =
                     Reading::Decimal.read(text, self.limits).map_err(|error| SolutionError::NumberAt {
                         format: JSON,
-                        line: self.line(field, None),
+                        line: self.line(field),
                         text: quoted(text),
                         error,
                     })?;
@@ -121,17 +141,16 @@ impl Reader<'_> {
         let entry = |of, line, value: &Value| {
             let figure = Some(self.figure(field, value)?);
             let (value, price) = if is_price { (None, figure) } else { (figure, None) };
-            Ok(Entry { of, line, value, price })
+            Ok(Entry { of, line, value, price, price_line: line })
         };
+        let mut cursor = Cursor::at(self.text, field);
         match value {
             Value::Object(entries) => entries
                 .iter()
-                .map(|(name, value)| {
-                    entry(Reference::Name(name.clone()), self.line(field, Some(name)), value)
-                })
+                .map(|(name, value)| entry(Reference::Name(name.clone()), cursor.next(name), value))
                 .collect(),
             Value::Array(entries) => {
-                let line = self.line(field, None);
+                let line = self.line(field);
                 let places = entries.iter().enumerate();
                 places.map(|(place, value)| entry(Reference::Place(place), line, value)).collect()
             }

@@ -70,6 +70,8 @@ pub struct Entry {
     pub value: Option<Figure>,
     /// The column's reduced cost or the row's dual.
     pub price: Option<Figure>,
+    /// The line of the price, from 1.
+    pub price_line: usize,
 }
 
 /// A size that a file announces, and where.

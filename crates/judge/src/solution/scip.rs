@@ -33,6 +33,7 @@ pub(super) fn parse(text: &str, limits: &Limits) -> Result<SolutionFile, Solutio
                 line: line.number,
                 value: Some(line.figure(value, DIGITS, limits)?),
                 price: None,
+                price_line: line.number,
             }),
             _ => return Err(line.expected("\"NAME VALUE (obj:NUMBER)\"")),
         }
