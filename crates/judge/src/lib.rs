@@ -12,12 +12,18 @@ mod judging;
 mod plane;
 mod solution;
 mod solve;
+#[cfg(feature = "float-solvers")]
+mod solvers;
 
 pub use answer::{Answer, Basis, BasisStatus, Face, Item, Prices, Side, SideMultiplier};
 pub use error::SolveError;
-pub use judging::{Aspect, Excuse, Fault, Finding, Findings, Ground, JudgedSolution, Tolerances, Worth};
+pub use judging::{
+    Aspect, Excuse, Fault, Finding, Findings, Ground, JudgedSolution, JudgedSolver, Tolerances, Worth,
+};
 pub use plane::Plane;
 pub use solution::{
     Announced, Entry, Figure, Given, Reference, Solution, SolutionError, SolutionFile, SolverStatus, quoted,
     read_solution,
 };
+#[cfg(feature = "float-solvers")]
+pub use solvers::judge_solvers;

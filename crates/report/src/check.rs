@@ -1,4 +1,4 @@
-//! The report of a check, and the conformance table of many.
+//! The report of a check.
 
 use boundfit_check::{Approximation, Check, Directions, JudgedAnswer, ProgramRows};
 use boundfit_exact::english::counted;
@@ -96,37 +96,6 @@ fn proportion((size, unit): (Rational, Option<ToleranceUnit>)) -> String {
         Some(unit) => format!("{size} of the {}", unit.name()),
         None => size,
     }
-}
-
-/// A Markdown table of the worst verdict of each source on each case. Each case comes with its name and its check.
-pub fn conformance_table(cases: &[(String, Check)]) -> String {
-    let mut sources: Vec<&str> = Vec::new();
-    for answer in cases.iter().flat_map(|(_, check)| &check.answers) {
-        if !sources.contains(&answer.source.as_str()) {
-            sources.push(&answer.source);
-        }
-    }
-    let mut text = format!("| case | {} |\n|---|{}\n", sources.join(" | "), "---|".repeat(sources.len()));
-    let mut right = vec![0; sources.len()];
-    for (name, check) in cases {
-        let mut cells = Vec::new();
-        for (column, source) in sources.iter().enumerate() {
-            let mut of_source = check.answers.iter().filter(|answer| answer.source == *source);
-            let as_read = of_source.find(|answer| answer.reading == Reading::Decimal);
-            let received = of_source.find(|answer| answer.reading == Reading::Binary64).or(as_read);
-            let verdict = |answer: Option<&JudgedAnswer>| answer.map_or("-", |answer| answer.worst().name());
-            right[column] += usize::from(as_read.is_some_and(|answer| !answer.worst().is_refutation()));
-            cells.push(if verdict(as_read) == verdict(received) {
-                verdict(as_read).to_owned()
-            } else {
-                format!("{} ({} for the doubles it received)", verdict(as_read), verdict(received))
-            });
-        }
-        text.push_str(&format!("| `{name}` | {} |\n", cells.join(" | ")));
-    }
-    let totals: Vec<String> = right.iter().map(|count| format!("{count} of {}", cases.len())).collect();
-    text.push_str(&format!("| not refuted | {} |\n", totals.join(" | ")));
-    text
 }
 
 fn verdicts(answer: &JudgedAnswer) -> Vec<&'static str> {

@@ -117,42 +117,6 @@ fn worst(check: &Check, reading: Reading) -> Option<WorstJson> {
     Some(WorstJson { verdict: worst.name(), reading: reading.name(), refuted: worst.is_refutation() })
 }
 
-#[derive(Serialize)]
-struct ConformanceJson<'a> {
-    schema: &'static str,
-    cases: Vec<CaseJson<'a>>,
-}
-
-#[derive(Serialize)]
-struct CaseJson<'a> {
-    name: &'a str,
-    claims: Vec<VerdictJson<'a>>,
-}
-
-#[derive(Serialize)]
-struct VerdictJson<'a> {
-    source: &'a str,
-    reading: &'static str,
-    verdict: &'static str,
-}
-
-/// The worst verdict of each source on each case as JSON, schema `boundfit/bench-solvers/1`, with a line end.
-pub fn conformance_json(cases: &[(String, Check)]) -> String {
-    let cases = cases.iter().map(|(name, check)| CaseJson {
-        name,
-        claims: check
-            .answers
-            .iter()
-            .map(|answer| VerdictJson {
-                source: &answer.source,
-                reading: answer.reading.name(),
-                verdict: answer.worst().name(),
-            })
-            .collect(),
-    });
-    to_text(&ConformanceJson { schema: "boundfit/bench-solvers/1", cases: cases.collect() })
-}
-
 fn claim(answer: &JudgedAnswer, rows: &ProgramRows, style: &Style) -> ClaimJson {
     let bound_at = |end: PuiEnd| {
         let target = ["theta1", "theta2"][end.axis()];

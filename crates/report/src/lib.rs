@@ -26,6 +26,7 @@
 
 mod advice;
 mod align;
+mod cases;
 mod cdd;
 mod check;
 mod check_json;
@@ -58,9 +59,10 @@ mod verify;
 mod vertices_csv;
 mod wkt;
 
+pub use cases::{CaseVerdicts, cases_json, cases_table};
 pub use cdd::{h_representation, v_representation};
-pub use check::{check_document, conformance_table, verdict_line};
-pub use check_json::{check_json, conformance_json};
+pub use check::{check_document, verdict_line};
+pub use check_json::check_json;
 pub use document::Document;
 pub use findings::{SolutionJson, solutions_document, solutions_json, solutions_junit, solutions_sarif};
 pub use fit::{InverseLine, brief_document, fit_document};

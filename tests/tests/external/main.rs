@@ -2,6 +2,7 @@
 
 mod judge;
 mod latex;
+mod models;
 mod octave;
 mod polytopes;
 mod proportion;

@@ -81,13 +81,18 @@ pub(crate) enum Switch {
 }
 
 pub(super) const BENCH_NOTES: Notes = Notes {
-    examples: &[("The cases of this repository", "boundfit bench-solvers fixtures/hard-lp")],
+    examples: &[
+        ("The fits of this repository", "boundfit bench-solvers fixtures/hard-lp"),
+        ("Its linear programs", "boundfit bench-solvers fixtures/tiny-lp"),
+    ],
     statuses: &[],
 };
 
 /// Run every solver over a folder of cases and print who is right on which, as a Markdown table
 ///
-/// A case is NAME.csv with columns x and y, and NAME.json with the error bound as text under "eps".
+/// A case is NAME.csv with columns x and y, and NAME.json with the error bound as text under "eps"; or NAME.mps, a linear
+/// program with at most two columns that are not fixed, and NAME.json with its "status" and, if it is optimal, its exact
+/// "objective" as text.
 #[derive(Debug, Args)]
 #[command(after_help = BENCH_NOTES.to_string())]
 pub(crate) struct BenchSolversArguments {

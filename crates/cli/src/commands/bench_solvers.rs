@@ -7,11 +7,13 @@ use std::time::Duration;
 use boundfit_check::{Check, CheckOptions, check, source_names};
 use boundfit_estimation::{Columns, EpsilonColumn, LineForm, Measurements, Problem};
 use boundfit_exact::{Rational, Reading};
-use boundfit_formats::{ColumnSelector, Source, TableOptions};
-use boundfit_report::{conformance_json, conformance_table};
+use boundfit_formats::{ColumnSelector, Source, TableOptions, WholeFile};
+use boundfit_judge::{Answer, JudgedSolver, Plane, SolveError, Tolerances, judge_solvers};
+use boundfit_report::{CaseVerdicts, cases_json, cases_table};
 
+use super::judge::model_of;
 use crate::CommandResult;
-use crate::arguments::{BenchSolversArguments, Format, ending, number_problem};
+use crate::arguments::{BenchSolversArguments, Format, LimitArguments, ending, number_problem};
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
@@ -26,47 +28,132 @@ pub(crate) fn run(arguments: &BenchSolversArguments) -> CommandResult {
     };
     let entries = fs::read_dir(folder)
         .map_err(|error| Failure::data(format_args!("{folder}: cannot read: {error}")))?;
-    let mut names: Vec<String> = entries
+    let mut cases: Vec<(String, Kind)> = entries
         .filter_map(|entry| {
-            entry.ok()?.file_name().into_string().ok()?.strip_suffix(".csv").map(ToOwned::to_owned)
+            let file = entry.ok()?.file_name().into_string().ok()?;
+            let of_kind = |kind: Kind| Some((file.strip_suffix(kind.ending())?.to_owned(), kind));
+            of_kind(Kind::Fit).or_else(|| of_kind(Kind::Model))
         })
         .collect();
-    names.sort();
-    if names.is_empty() {
-        return Err(Failure::data(format_args!("{folder}: there is no case NAME.csv with NAME.json")));
+    cases.sort();
+    if cases.is_empty() {
+        let wanted = "there is no case NAME.csv or NAME.mps with NAME.json";
+        return Err(Failure::data(format_args!("{folder}: {wanted}")));
     }
     let path = |name: &String, ending: &str| {
-        Path::new(folder).join(format!("{name}.{ending}")).to_string_lossy().into_owned()
+        Path::new(folder).join(format!("{name}{ending}")).to_string_lossy().into_owned()
     };
-    let inputs: Vec<String> =
-        names.iter().flat_map(|name| ["csv", "json"].map(|ending| path(name, ending))).collect();
+    let inputs: Vec<String> = cases
+        .iter()
+        .flat_map(|(name, kind)| [kind.ending(), ".json"].map(|ending| path(name, ending)))
+        .collect();
     let guard = arguments.file.replace.guard(inputs.iter().map(String::as_str));
     let output = arguments.file.output.as_deref();
     guard.check(output)?;
     let limits = &arguments.limits;
     let table = TableOptions { limits: limits.number(), sizes: limits.sizes(), ..TableOptions::default() };
     let cases = while_working("solving", || {
-        let judged =
-            |name: String| judged_case(Path::new(folder), &name, &table).map(|judged| (name, judged));
-        names.into_iter().map(judged).collect::<Result<Vec<_>, Failure>>()
+        let judged = |(name, kind): (String, Kind)| match kind {
+            Kind::Fit => {
+                let check = judged_fit(Path::new(folder), &name, &table)?;
+                Ok(CaseVerdicts::of_fit(name, &check))
+            }
+            Kind::Model => {
+                let solvers = judged_model(Path::new(folder), &name, limits)?;
+                Ok(CaseVerdicts::of_model(name, &solvers))
+            }
+        };
+        cases.into_iter().map(judged).collect::<Result<Vec<_>, Failure>>()
     })?;
     let report = match format {
-        Format::Text => conformance_table(&cases),
-        Format::Json => conformance_json(&cases),
+        Format::Text => cases_table(&cases),
+        Format::Json => cases_json(&cases),
     };
     output::write(&report, output, &guard)?;
     Ok(Exit::Answer)
+}
+
+/// What a case is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Kind {
+    /// A line fit, whose four programs are solved.
+    Fit,
+    /// A linear program in a file.
+    Model,
+}
+
+impl Kind {
+    /// How the name of its file ends.
+    fn ending(self) -> &'static str {
+        match self {
+            Kind::Fit => ".csv",
+            Kind::Model => ".mps",
+        }
+    }
+}
+
+/// How long a solver may work on one program.
+const TIME_LIMIT: Duration = Duration::from_secs(60);
+
+/// A value that is JSON.
+fn json_of(path: &Path) -> Result<serde_json::Value, Failure> {
+    let fail = |problem: String| Failure::data(format_args!("{}: {problem}", path.display()));
+    let text = fs::read_to_string(path).map_err(|error| fail(format!("cannot read: {error}")))?;
+    serde_json::from_str(&text).map_err(|error| fail(error.to_string()))
+}
+
+/// A case: a linear program in `NAME.mps`, with its `"status"` and, if it is optimal, its `"objective"` in `NAME.json`. What is
+/// expected has to be the exact answer.
+fn judged_model(folder: &Path, name: &str, limits: &LimitArguments) -> Result<Vec<JudgedSolver>, Failure> {
+    let json = folder.join(format!("{name}.json"));
+    let case = json_of(&json)?;
+    let mps = folder.join(format!("{name}.mps")).to_string_lossy().into_owned();
+    let fail = |error: SolveError| Failure::data(format_args!("{mps}: {error}"));
+    let source = Source::open(&mps).map_err(Failure::data)?;
+    let file = WholeFile::read(source, &limits.sizes()).map_err(Failure::data)?;
+    let model = model_of(&file, limits)?;
+    let plane = Plane::new(&model).map_err(fail)?;
+    let answer = Answer::in_plane(&model, &plane).map_err(fail)?;
+    compare(&case, &answer, limits)
+        .map_err(|problem| Failure::data(format_args!("{}: {problem}", json.display())))?;
+    let tolerances = Tolerances { relative: Rational::ratio(1, 1_000_000), digits_as_printed: true };
+    judge_solvers(&plane, TIME_LIMIT, &tolerances).map_err(fail)
+}
+
+/// Whether what is expected is the exact answer.
+fn compare(case: &serde_json::Value, answer: &Answer, limits: &LimitArguments) -> Result<(), String> {
+    let text = |key: &str| {
+        let text = case.get(key).and_then(serde_json::Value::as_str);
+        text.ok_or_else(|| format!("there is no text \"{key}\""))
+    };
+    let (exact, value) = match answer {
+        Answer::Optimal { value, .. } => ("optimal", Some(value)),
+        Answer::Infeasible { .. } => ("infeasible", None),
+        Answer::Unbounded { .. } => ("unbounded", None),
+    };
+    let status = text("status")?;
+    if status != exact {
+        return Err(format!("\"status\" is {status:?}, but the program is {exact}"));
+    }
+    let Some(value) = value else { return Ok(()) };
+    let expected = Reading::Decimal.read(text("objective")?, &limits.number());
+    let expected = expected.map_err(|error| {
+        format!("\"objective\": {}", number_problem(&error, "expected a text such as \"2.5\" or \"5/2\""))
+    })?;
+    match expected == *value {
+        true => Ok(()),
+        false => Err(format!("\"objective\" is {expected}, but the exact optimum is {value}")),
+    }
 }
 
 /// What an error bound may look like.
 const EXPECTED: &str = "expected a text such as \"0.5e-3\" or \"1/2000\"";
 
 /// A case: `NAME.csv` with columns x and y, and `"eps"` in `NAME.json`.
-fn judged_case(folder: &Path, name: &str, table: &TableOptions) -> Result<Check, Failure> {
+fn judged_fit(folder: &Path, name: &str, table: &TableOptions) -> Result<Check, Failure> {
     let json = folder.join(format!("{name}.json"));
     let fail = |problem: String| Failure::data(format_args!("{}: {problem}", json.display()));
-    let text = fs::read_to_string(&json).map_err(|error| fail(format!("cannot read: {error}")))?;
-    let case: serde_json::Value = serde_json::from_str(&text).map_err(|error| fail(error.to_string()))?;
+    let case = json_of(&json)?;
     let epsilon = case.get("eps").and_then(serde_json::Value::as_str);
     let epsilon = epsilon.ok_or_else(|| fail("there is no text \"eps\"".to_owned()))?;
     let epsilon = Reading::Decimal.read(epsilon, &table.limits);
@@ -87,7 +174,7 @@ fn judged_case(folder: &Path, name: &str, table: &TableOptions) -> Result<Check,
         answers: Vec::new(),
         tolerance: Rational::ratio(1, 1_000_000),
         as_printed: true,
-        time_limit: Duration::from_secs(60),
+        time_limit: TIME_LIMIT,
         directions: None,
     };
     check(&problem, Reading::Decimal, &options).map_err(Failure::data)

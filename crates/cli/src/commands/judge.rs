@@ -161,7 +161,7 @@ fn read(arguments: &JudgeArguments) -> Result<WholeFile, Failure> {
 }
 
 /// The model in a file, in the format that its name or its first word tells.
-fn model_of(file: &WholeFile, limits: &LimitArguments) -> Result<Model, Failure> {
+pub(super) fn model_of(file: &WholeFile, limits: &LimitArguments) -> Result<Model, Failure> {
     let fail = |error| Failure::data(format_args!("{}: {error}", file.name));
     let text = model_text(&file.content).map_err(fail)?;
     let sizes = limits.sizes();

@@ -230,6 +230,17 @@ pub struct JudgedSolution {
     pub findings: Findings,
 }
 
+/// What a solver of this build is worth on a model.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct JudgedSolver {
+    /// The solver with its version; `exact-simplex` for the exact one.
+    pub source: String,
+    /// Judged by the program as it is.
+    pub as_read: Findings,
+    /// Judged by the program whose rows and costs are rounded to binary64, which is what the solver received.
+    pub received: Findings,
+}
+
 impl Findings {
     /// The worst of all; [`Worth::NoAnswer`] where there is none.
     pub fn worst(&self) -> Worth {

@@ -1,7 +1,7 @@
 //! Linear programs out of files, every number exactly as it is spelled.
 //!
 //! Sources: the MPS format as in the CPLEX, HiGHS and GLPK manuals, in free form and in the columns of the fixed one; the LP
-//! format as in "CPLEX file formats" (IBM). Where readers differ, `docs/linear-programs.md` says what is done here.
+//! format as in "CPLEX file formats" (IBM). Where readers differ, `docs/lp-files.md` says what is done here.
 
 mod bounds;
 mod error;

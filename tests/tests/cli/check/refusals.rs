@@ -109,7 +109,7 @@ fn folders_without_cases() {
     };
     refused(&format!("{name}/none"), &format!("{name}/none: cannot read: "));
     refused("README.md", "README.md: cannot read: ");
-    refused(&name, &format!("{name}: there is no case NAME.csv with NAME.json"));
+    refused(&name, &format!("{name}: there is no case NAME.csv or NAME.mps with NAME.json"));
     write("a.csv", "x,y\n1,2\n");
     refused(&name, &format!("{name}/a.json: cannot read: "));
     write("a.json", "eps: 1");

@@ -1,0 +1,79 @@
+//! GLPK reads the models of `fixtures/tiny-lp` as boundfit writes them, and answers them: `glpsol` has to be installed.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use boundfit_exact::Rational;
+use boundfit_lp::{ExchangeFormat, Model, ModelLimits, ObjectiveSense, read_model};
+use boundfit_tests::lp_cases::number;
+use boundfit_tests::program::root;
+use serde_json::Value;
+
+/// Groups in which GLPK's simplex errs on no program, once it reads it as it is meant.
+const GROUPS: [&str; 6] = ["bounds", "degenerate", "faces", "fixed", "format", "many-rows"];
+
+/// What GLPK finds: the status and the optimum.
+fn solved(model: &Path, format: &str, folder: &Path) -> (&'static str, Option<Rational>) {
+    let solution = folder.join("solution");
+    let output = Command::new("glpsol")
+        .args([format, &model.to_string_lossy(), "-w", &solution.to_string_lossy()])
+        .stdin(Stdio::null())
+        .output()
+        .expect("this test starts glpsol: install GLPK (on Debian glpk-utils)");
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(output.status.success() && !said.to_lowercase().contains("warning"), "{said}");
+    let text = fs::read_to_string(solution).unwrap();
+    let line = text.lines().find(|line| line.starts_with("s bas")).unwrap();
+    let words: Vec<&str> = line.split_whitespace().collect();
+    match (words[4], words[5]) {
+        ("f", "f") => ("optimal", Some(number(words[6]))),
+        ("f", "n") => ("unbounded", None),
+        _ if said.contains("NO PRIMAL FEASIBLE SOLUTION") || words[4] == "n" => ("infeasible", None),
+        _ => ("undecided", None),
+    }
+}
+
+#[test]
+fn glpk_answers_the_corpus_as_boundfit_writes_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let corpus = root().join("fixtures/tiny-lp");
+    let mut asked = [0; 2];
+    for entry in fs::read_dir(&corpus).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|ending| ending != "mps") {
+            continue;
+        }
+        let json = fs::read_to_string(path.with_extension("json")).unwrap();
+        let answer: Value = serde_json::from_str(&json).unwrap();
+        let text = fs::read_to_string(&path).unwrap();
+        let model = read_model(&text, ExchangeFormat::Mps, &ModelLimits::default()).unwrap();
+        let is_crossed = answer["features"].as_array().unwrap().iter().any(|name| name == "crossed-bounds");
+        // GLPK refuses an upper bound below the lower one, columns without rows, constants in LP, and OBJSENSE in MPS.
+        if !GROUPS.iter().any(|group| answer["group"] == *group)
+            || is_crossed
+            || model.rows.is_empty()
+            || !model.constant.is_zero()
+        {
+            continue;
+        }
+        let check = |format: ExchangeFormat, flag: &str, model: &Model| {
+            let file = folder.path().join(format!("model.{}", format.name()));
+            fs::write(&file, model.text(format)).unwrap();
+            let (status, optimum) = solved(&file, flag, folder.path());
+            let context = format!("{} as {}", path.display(), format.name());
+            assert!(answer["status"] == status || status == "undecided", "{context}: {status}");
+            if let Some(optimum) = optimum {
+                let [exact, scale] = ["objective", "scale"].map(|key| number(answer[key].as_str().unwrap()));
+                assert!((optimum - exact).abs() <= scale * number("1e-6"), "{context}");
+            }
+        };
+        check(ExchangeFormat::Lp, "--lp", &model);
+        asked[0] += 1;
+        if model.sense == ObjectiveSense::Minimize {
+            check(ExchangeFormat::Mps, "--freemps", &model);
+            asked[1] += 1;
+        }
+    }
+    assert!(asked[0] >= 90 && asked[1] >= 60, "{asked:?}");
+}
