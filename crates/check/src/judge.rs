@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use boundfit_estimation::Problem;
 use boundfit_exact::{Rational, Reading};
-use boundfit_lp::{Judgement, Referee, ToleranceUnit, Verdict};
+use boundfit_lp::{Judgement, Referee, Verdict};
 
 use crate::answer::{Answer, SourceError, answer_of};
 use crate::directions::{Directions, directions};
@@ -42,12 +42,6 @@ impl JudgedAnswer {
     /// The worst of the four verdicts.
     pub fn worst(&self) -> Verdict {
         self.bounds.iter().flatten().map(|judgement| judgement.verdict).max().unwrap_or(Verdict::NoAnswer)
-    }
-
-    /// The largest error of the ends with this verdict, in proportion; see [`Judgement::error`].
-    pub fn largest_error(&self, verdict: Verdict) -> Option<(Rational, Option<ToleranceUnit>)> {
-        let ends = self.bounds.iter().flatten().filter(|judgement| judgement.verdict == verdict);
-        ends.filter_map(Judgement::error).max_by(|(left, _), (right, _)| left.cmp(right))
     }
 }
 

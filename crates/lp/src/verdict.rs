@@ -134,6 +134,13 @@ impl Judgement {
             None => Some((self.excess.as_ref()?.abs(), None)),
         }
     }
+
+    /// The largest of the errors of these judgements, in proportion.
+    pub fn largest_error<'a>(
+        judgements: impl Iterator<Item = &'a Judgement>,
+    ) -> Option<(Rational, Option<ToleranceUnit>)> {
+        judgements.filter_map(Judgement::error).max_by(|(left, _), (right, _)| left.cmp(right))
+    }
 }
 
 #[cfg(test)]

@@ -71,7 +71,8 @@ fn worst_blocks(check: &Check, reading: Reading) -> Vec<Block> {
 pub fn verdict_line(check: &Check, reading: Reading) -> Option<String> {
     let answer = check.answers.iter().find(|answer| answer.reading == reading)?;
     let worst = answer.worst();
-    let error = answer.largest_error(worst).map(proportion);
+    let of_worst = answer.bounds.iter().flatten().filter(|judgement| judgement.verdict == worst);
+    let error = Judgement::largest_error(of_worst).map(proportion);
     let named = || {
         let ends = PuiEnd::ALL.into_iter().filter(|end| end.of(&answer.bounds).verdict == worst);
         let names: Vec<String> = ends.map(heading).collect();
@@ -117,8 +118,7 @@ fn rounded_ends(answer: &JudgedAnswer) -> Vec<Text> {
     }
     let sentence = |(to, ends): (RoundedTo, Vec<PuiEnd>)| {
         let judgements = ends.iter().map(|end| end.of(&answer.bounds));
-        let errors = judgements.clone().filter_map(Judgement::error);
-        let largest = errors.max_by(|(left, _), (right, _)| left.cmp(right)).map(proportion);
+        let largest = Judgement::largest_error(judgements.clone()).map(proportion);
         let ulps = judgements.filter_map(|judgement| judgement.excess_in_ulps.as_ref()).map(Rational::abs);
         let ulps = ulps.max().map(|ulps| format!(", {} ulp", ulps.to_decimal(2, Rounding::Up)));
         let names = match ends.as_slice() {

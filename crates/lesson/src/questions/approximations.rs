@@ -153,7 +153,7 @@ fn right_to(answer: &LpAnswer, verdict: Verdict) -> String {
 /// The largest error of the ends with this verdict.
 fn largest_error(answer: &LpAnswer, verdict: Verdict) -> Option<(Rational, Option<ToleranceUnit>)> {
     let ends = answer.judgements.iter().flatten().filter(|judgement| judgement.verdict == verdict);
-    ends.filter_map(Judgement::error).max_by(|(left, _), (right, _)| left.cmp(right))
+    Judgement::largest_error(ends)
 }
 
 /// The ends of both intervals, of which some may be infinite.

@@ -2,6 +2,7 @@
 
 mod claims;
 mod commands;
+mod proportion;
 mod refusals;
 mod report;
 mod solutions;
