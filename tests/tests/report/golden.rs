@@ -46,6 +46,17 @@ fn intervals_and_laws() {
 }
 
 #[test]
+fn lines_through_the_origin_and_from_another_origin() {
+    let steam = ["fit", "fixtures/steam-generator/steam_generator.csv", "--x", "x", "--y", "y"];
+    let through_origin = [&steam[..], &["--eps", "1.2*min", "--through-origin"]].concat();
+    check("steam-generator/fit-through-origin.txt", &through_origin, 0);
+    let transducer =
+        ["fit", "fixtures/transducer/transducer.csv", "--x", "Vz", "--y", "z", "--rows", "14..36"];
+    let x_origin = [&transducer[..], &["--eps", "0.5e-3", "--x-origin", "-3"]].concat();
+    check("transducer/fit-x-origin.txt", &x_origin, 0);
+}
+
+#[test]
 fn documents() {
     let transducer =
         ["fit", "fixtures/transducer/transducer.csv", "--x", "Vz", "--y", "z", "--rows", "14..36"];

@@ -177,7 +177,11 @@ impl<'a> Report<'a> {
             Reading::Binary64 => "binary64: the double nearest to each number, exactly",
         };
         let multiple = measurements.multiple_of_least();
-        let facts = [("model", self.model()), ("error", bound)]
+        let label = match measurements.error_bound() {
+            ErrorBound::Interval { .. } => "bounds",
+            _ => "error",
+        };
+        let facts = [("model", self.model()), (label, bound)]
             .into_iter()
             .chain(multiple.map(|multiple| ("assumes", assumption(multiple, self.style))))
             .chain([
