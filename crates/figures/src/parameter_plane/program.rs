@@ -41,7 +41,8 @@ pub(crate) fn drawing(
     };
     let improves = LegendEntry::new(Swatch::line(LEVEL), "the objective improves along the arrow");
     let mut legend = vec![LegendEntry::new(set, "feasible set")];
-    let note = match polyhedron.support(gain) {
+    // What the description says of the optimum, and whether that is to stand below the figure.
+    let (note, is_shown) = match polyhedron.support(gain) {
         Support::Bounded { proof, face } => {
             draw_face(&mut panel, &face);
             if let Some(along) = Direction::from_rational(gain) {
@@ -49,32 +50,31 @@ pub(crate) fn drawing(
             }
             legend.push(LegendEntry::new(Swatch::line_and_mark(OPTIMAL, OPTIMUM), "optimal"));
             legend.push(improves);
-            (face == Face::Whole).then(|| "Every feasible point is optimal.".to_owned())
+            (optimal_points(&face), face == Face::Whole)
         }
         Support::Unbounded(proof) => {
             let from = at(&panel, &proof.point.coordinates());
             let along = direction(&panel, &proof.ray);
             panel.ray(from, along, 0.0, LEVEL);
             legend.push(improves);
-            Some("The objective improves for ever along the arrow.".to_owned())
+            ("The objective improves for ever along the arrow.", true)
         }
-        Support::Empty(_) => None,
+        Support::Empty(_) => ("No point is feasible.", true),
     };
     let title = one_line(title, 90);
+    let subtitle = format!("feasible set: {}", polyhedron.region().kind().name());
     let main = panel.frame;
     Drawing {
         description: format!(
-            "{title}. Horizontal axis: {}. Vertical axis: {}. {}",
-            names[0],
-            names[1],
-            note.as_deref().unwrap_or_default()
+            "{title}, {subtitle}. Horizontal axis: {}. Vertical axis: {}. {note}",
+            names[0], names[1]
         ),
         title,
-        subtitle: format!("feasible set: {}", polyhedron.region().kind().name()),
+        subtitle,
         height: main.top + main.height + BOTTOM_LABELS + 8.0,
         panels: vec![panel],
         legend,
-        notes: note.into_iter().collect(),
+        notes: if is_shown { vec![note.to_owned()] } else { Vec::new() },
     }
 }
 
@@ -83,6 +83,17 @@ fn room_around(polyhedron: &Polyhedron) -> Option<[[Rational; 2]; 2]> {
     let [first, second] = polyhedron.region().vertices().first()?.point().coordinates();
     let size = |value: Rational| if value.is_zero() { Rational::one() } else { value.abs() };
     Some([[Rational::zero(), Rational::zero()], [size(first), size(second)]])
+}
+
+/// Which points are optimal, in words.
+fn optimal_points(face: &Face) -> &'static str {
+    match face {
+        Face::Vertex(_) => "One point is optimal.",
+        Face::Segment(_) => "An edge is optimal.",
+        Face::Ray { .. } => "A ray is optimal.",
+        Face::Line { .. } => "A line is optimal.",
+        Face::Whole => "Every feasible point is optimal.",
+    }
 }
 
 /// Marks the optimal points, unless all points are.
