@@ -219,7 +219,7 @@ fn independent(plane: &Plane, indices: impl Iterator<Item = usize>) -> Vec<usize
             let other = system.half_plane(other);
             other.is_some_and(|other| own.a1() * other.a2() == own.a2() * other.a1())
         };
-        if chosen.len() < 2 && !chosen.iter().any(|other| parallel(other)) {
+        if chosen.len() < 2 && !chosen.iter().any(parallel) {
             chosen.push(index);
         }
     }

@@ -31,7 +31,7 @@ pub fn judge_solvers(
     let program = Program { rows: &rows, objective };
     let float = FloatProgram::new(&program);
     let [model, rounded] = [Some(model_of(&rows, &program.objective)), rounded(&float)];
-    let answered = |model: Option<&Model>| model.map(|model| Answer::of(model)).transpose();
+    let answered = |model: Option<&Model>| model.map(Answer::of).transpose();
     let (answer, rounded_answer) = (answered(model.as_ref())?, answered(rounded.as_ref())?);
     let ground = |model, answer| Some(Ground::new(Option::as_ref(model)?, Option::as_ref(answer)?));
     let as_read = ground(&model, &answer);

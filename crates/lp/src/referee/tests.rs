@@ -136,7 +136,7 @@ fn rounding_excuses_points_too() {
         referee.judge(0, End::Upper, &claim)
     };
     let printed = Printed::typed("0.3335", Rational::ratio(3_335, 10_000));
-    assert_eq!(judged([printed.clone(), Printed::exact(Rational::zero())]).verdict, Verdict::InfeasiblePoint);
+    assert_eq!(judged([printed, Printed::exact(Rational::zero())]).verdict, Verdict::InfeasiblePoint);
     let printed = Printed::typed("0.3333", Rational::ratio(3_333, 10_000));
     let found = judged([printed.clone(), Printed::exact(Rational::zero())]);
     assert_eq!((found.verdict, found.tau), (Verdict::Exact, Some(Rational::scientific(1, -4))));
