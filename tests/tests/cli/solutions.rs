@@ -85,7 +85,7 @@ fn a_changed_number_is_refuted_at_its_line() {
     for (from, to, aspects, line) in [
         ("Objective 36", "Objective 36.01", vec!["objective"], 6),
         ("X2 6", "X2 5.9", vec!["optimality", "complementary-slackness", "duality-gap"], 8),
-        ("\nR1 0\n", "\nR1 -0.1\n", vec!["dual"], 19),
+        ("\nR1 0\n", "\nR1 -0.1\n", vec!["dual"], 21),
         ("Optimal", "Infeasible", vec!["status"], 2),
     ] {
         let (_folder, path) = changed("maximise", "highs-raw", from, to);
@@ -129,10 +129,9 @@ fn text_says_the_proportion_first_and_whose_tolerance_excuses_it() {
         assert!(text.contains(part), "{part}\n{text}");
     }
     let right = judge("vertex-third", &fixture("vertex-third", "cbc"), &[]).stdout;
-    assert!(
-        right.contains("written by CBC: right, but for rounding") && !right.contains("SoPlex"),
-        "{right}"
-    );
+    let right = right.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(right.contains("written by CBC: right, but for rounding"), "{right}");
+    assert!(!right.contains("SoPlex"), "{right}");
 }
 
 #[test]
