@@ -5,12 +5,12 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use boundfit_exact::Rational;
-use boundfit_lp::{ExchangeFormat, Model, ModelLimits, ObjectiveSense, read_model};
+use boundfit_lp::{ExchangeFormat, Model, ModelLimits, ModelRow, ObjectiveSense, read_model};
 use boundfit_tests::lp_cases::number;
 use boundfit_tests::program::root;
 use serde_json::Value;
 
-/// Groups in which GLPK's simplex errs on no program, once it reads it as it is meant.
+/// Groups in which GLPK's simplex errs on no program, once it reads it as it is meant, but for what its tolerance excuses.
 const GROUPS: [&str; 6] = ["bounds", "degenerate", "faces", "fixed", "format", "many-rows"];
 
 /// What GLPK finds: the status and the optimum.
@@ -38,7 +38,7 @@ fn solved(model: &Path, format: &str, folder: &Path) -> (&'static str, Option<Ra
 fn glpk_answers_the_corpus_as_boundfit_writes_it() {
     let folder = tempfile::tempdir().unwrap();
     let corpus = root().join("fixtures/tiny-lp");
-    let mut asked = [0; 2];
+    let (mut asked, mut wrong) = ([0; 2], Vec::new());
     for entry in fs::read_dir(&corpus).unwrap() {
         let path = entry.unwrap().path();
         if path.extension().is_none_or(|ending| ending != "mps") {
@@ -49,31 +49,39 @@ fn glpk_answers_the_corpus_as_boundfit_writes_it() {
         let text = fs::read_to_string(&path).unwrap();
         let model = read_model(&text, ExchangeFormat::Mps, &ModelLimits::default()).unwrap();
         let is_crossed = answer["features"].as_array().unwrap().iter().any(|name| name == "crossed-bounds");
-        // GLPK refuses an upper bound below the lower one, columns without rows, constants in LP, and OBJSENSE in MPS.
+        // GLPK refuses an upper bound below the lower one, programs without rows, constants and ranges in LP, OBJSENSE in MPS.
         if !GROUPS.iter().any(|group| answer["group"] == *group)
             || is_crossed
+            || answer["infeasible_by"].as_str().is_some_and(|by| number(by) <= number("1e-6"))
             || model.rows.is_empty()
             || !model.constant.is_zero()
         {
             continue;
         }
-        let check = |format: ExchangeFormat, flag: &str, model: &Model| {
+        let mut check = |format: ExchangeFormat, flag: &str, model: &Model| {
             let file = folder.path().join(format!("model.{}", format.name()));
             fs::write(&file, model.text(format)).unwrap();
             let (status, optimum) = solved(&file, flag, folder.path());
             let context = format!("{} as {}", path.display(), format.name());
-            assert!(answer["status"] == status || status == "undecided", "{context}: {status}");
-            if let Some(optimum) = optimum {
+            if answer["status"] != status && status != "undecided" {
+                wrong.push(format!("{context}: {status}"));
+            } else if let Some(optimum) = optimum {
                 let [exact, scale] = ["objective", "scale"].map(|key| number(answer[key].as_str().unwrap()));
-                assert!((optimum - exact).abs() <= scale * number("1e-6"), "{context}");
+                if (&optimum - exact).abs() > scale * number("1e-6") {
+                    wrong.push(format!("{context}: {optimum}"));
+                }
             }
         };
-        check(ExchangeFormat::Lp, "--lp", &model);
-        asked[0] += 1;
+        let is_ranged = |row: &ModelRow| row.bounds.lower.is_some() && row.bounds.upper.is_some();
+        if !model.rows.iter().any(|row| is_ranged(row) && row.bounds.fixed().is_none()) {
+            check(ExchangeFormat::Lp, "--lp", &model);
+            asked[0] += 1;
+        }
         if model.sense == ObjectiveSense::Minimize {
             check(ExchangeFormat::Mps, "--freemps", &model);
             asked[1] += 1;
         }
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert!(asked[0] >= 90 && asked[1] >= 60, "{asked:?}");
 }
