@@ -6,7 +6,7 @@
 //! let text = "maximize gain: 3 x + 2 y
 //! subject to
 //!  steel: x + y <= 4
-//!  work: x + 3 y <= 6
+//!  work: x + 3 y <= 9
 //! bounds
 //!  x <= 3
 //! end
