@@ -28,15 +28,20 @@ use crate::number::Number;
 use crate::observations::Error;
 
 /// Judges claimed intervals of both parameters, each from its lower to its upper end. Exact: the numbers are taken for what they
-/// are. A claim is within tolerance if it is off by at most 10⁻⁶ of the interval's width, to either side. Cost: four programs of as many rows as twice the readings.
+/// are, texts as precise to their last digit ([`Printed::typed`]). A claim is within tolerance if it is off by at most 10⁻⁶ of the
+/// interval's width, to either side. Cost: four programs of as many rows as twice the readings.
 ///
 /// # Errors
 /// When a claim has no exact value.
 pub fn check<N: Number>(problem: &Problem, claimed: &[[N; 2]; 2]) -> Result<[[Judgement; 2]; 2], Error> {
     let claims = PuiEnd::try_each(|end| {
-        let number = end.of(claimed).exact();
-        let value = number.map_err(|problem| Error::Claim { end: end.name(), problem })?;
-        Ok::<_, Error>(BoundClaim::bare(Claimed::Value(value.into())))
+        let number = end.of(claimed);
+        let value = number.exact().map_err(|problem| Error::Claim { end: end.name(), problem })?;
+        let printed = match number.text() {
+            Some(text) => Printed::typed(text, value),
+            None => Printed::exact(value),
+        };
+        Ok::<_, Error>(BoundClaim::bare(Claimed::Value(printed)))
     })?;
     Ok(judge(problem, &claims))
 }

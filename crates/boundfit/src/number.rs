@@ -21,6 +21,11 @@ pub trait Number {
     /// # Errors
     /// When a float is not finite, or a text is not a number or one of too many digits.
     fn exact(&self) -> Result<Rational, NumberError>;
+
+    /// The text of a number that is one, which tells how many digits were written.
+    fn text(&self) -> Option<&str> {
+        None
+    }
 }
 
 /// Why something has no exact value.
@@ -44,6 +49,10 @@ impl<N: Number + ?Sized> Number for &N {
     fn exact(&self) -> Result<Rational, NumberError> {
         (**self).exact()
     }
+
+    fn text(&self) -> Option<&str> {
+        (**self).text()
+    }
 }
 
 impl Number for str {
@@ -51,11 +60,19 @@ impl Number for str {
         let number = Reading::Decimal.read(self, &Limits::default());
         number.map_err(|problem| NumberError::Text { text: self.to_owned(), problem })
     }
+
+    fn text(&self) -> Option<&str> {
+        Some(self)
+    }
 }
 
 impl Number for String {
     fn exact(&self) -> Result<Rational, NumberError> {
         self.as_str().exact()
+    }
+
+    fn text(&self) -> Option<&str> {
+        Some(self)
     }
 }
 

@@ -299,7 +299,11 @@ fn what_fixed_bounds_do_not_serve_is_refused() {
             1,
             "a law with range(y) tells its bounds when all readings are known",
         ),
-        ("reduce whole.csv --x u --lower lo", 1, "row 1: the row has neither a lower nor an upper bound"),
+        (
+            "reduce whole.csv --x u --lower lo",
+            1,
+            "line 2, column 4 (lo): \"\": the row has neither a lower nor an upper bound",
+        ),
         ("reduce whole.csv --x u", 2, "--y <COL>"),
     ] {
         let run = run(line);

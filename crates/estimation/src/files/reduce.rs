@@ -82,6 +82,8 @@ impl ReducedTable {
         let mut options = ScanOptions { keep_text: true, hash: false, ..options.clone() };
         if let Some(reductions) = &reductions {
             options.table.header = reductions.header();
+            // Whether they fit together comes first.
+            options.unbounded_rows = true;
         }
         let rule = Rule::new(&unnamed);
         let mut all = Collected::default();

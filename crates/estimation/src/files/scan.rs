@@ -81,6 +81,8 @@ impl Measurements {
         let mut options = options.clone();
         if let Some(reductions) = &reductions {
             options.table.header = reductions.header();
+            // Whether the reduction serves these bounds comes first.
+            options.unbounded_rows = true;
         }
         let summarises = unnamed.is_open() || unnamed.are_bounds_known();
         // Of a reduction what was kept was kept for a reason.

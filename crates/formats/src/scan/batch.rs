@@ -109,6 +109,9 @@ pub struct ScanOptions {
     pub hash: bool,
     /// Whether it is told which rows were wanted: that may be as many ranges as half of the rows.
     pub list_rows: bool,
+    /// Whether rows are handed out that have a number in none of the columns that may lack one. They are refused otherwise, with
+    /// their place.
+    pub unbounded_rows: bool,
     /// About how many bytes a batch stands for, at least 1.
     pub chunk_bytes: usize,
     /// Who is told how far it is, and may stop it.
@@ -126,6 +129,7 @@ impl Default for ScanOptions {
             keep_text: false,
             hash: true,
             list_rows: true,
+            unbounded_rows: false,
             chunk_bytes: CHUNK_BYTES,
             progress: None,
         }

@@ -253,17 +253,22 @@ impl<'a> Layout<'a> {
                 Err(problem) => return Err(error(problem)),
             }
         }
-        if lacks.is_none() && !self.has_presence(&values) {
+        if lacks.is_none() && self.wants_presence() && !self.has_presence(&values) {
             return Err(self.no_bound(record, line));
         }
         Ok(lacks.map_or(Row::Values(values), Row::Lacks))
     }
 
-    /// Whether one of the columns that may lack a number has one, if there are such columns.
+    /// Whether a row needs a number in one of the columns that may lack one.
+    pub(super) fn wants_presence(&self) -> bool {
+        !self.options.unbounded_rows
+            && self.selectors.iter().any(|selector| selector.role() == Role::Presence)
+    }
+
+    /// Whether one of the columns that may lack a number has one.
     fn has_presence(&self, values: &[Value]) -> bool {
-        let mut told =
-            self.selectors.iter().zip(values).filter(|(selector, _)| selector.role() == Role::Presence);
-        told.clone().next().is_none() || told.any(|(_, value)| value.is_presence())
+        let mut told = self.selectors.iter().zip(values);
+        told.any(|(selector, value)| selector.role() == Role::Presence && value.is_presence())
     }
 
     /// The error for a row that has a number in none of the columns that may lack one.

@@ -22,8 +22,8 @@ pub(super) struct Route {
     steps: Vec<Step>,
     /// How many cells come after the last of these.
     behind: usize,
-    /// Whether there are columns that tell where others have numbers.
-    tells_presence: bool,
+    /// Whether a row needs a number in one of the columns that may lack one.
+    wants_presence: bool,
 }
 
 /// A cell that is wanted.
@@ -76,7 +76,7 @@ impl Route {
             conditions: way(conditions.collect()),
             steps: way(cells),
             behind: layout.shape.width - last.unwrap_or(1),
-            tells_presence: layout.selectors.iter().any(|selector| selector.role() == Role::Presence),
+            wants_presence: layout.wants_presence(),
         })
     }
 }
@@ -216,7 +216,7 @@ impl Lane<'_> {
     /// not as it should be.
     #[inline]
     fn row(&mut self, start: usize) -> Option<usize> {
-        self.is_bounded = !self.route.tells_presence;
+        self.is_bounded = !self.route.wants_presence;
         let at = self.walk(start, &self.route.steps)?;
         if !self.is_bounded {
             return None;
