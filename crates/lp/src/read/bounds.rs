@@ -4,6 +4,7 @@ use std::sync::LazyLock;
 
 use boundfit_exact::{Integer, Rational};
 
+use crate::claim::End;
 use crate::model::Bounds;
 
 /// From here on a bound is infinite: the least size that CPLEX, Gurobi, HiGHS and CBC agree on.
@@ -36,44 +37,27 @@ impl Extended {
         }
     }
 
+    /// The infinity that is no bound: −∞ below, +∞ above.
+    pub(super) fn none(end: End) -> Self {
+        match end {
+            End::Lower => Extended::Minus,
+            End::Upper => Extended::Plus,
+        }
+    }
+
+    /// The infinity that leaves no value: +∞ below, −∞ above.
+    pub(super) fn impossible(end: End) -> Self {
+        match end {
+            End::Lower => Extended::Plus,
+            End::Upper => Extended::Minus,
+        }
+    }
+
     /// The number, if it is one.
     pub(super) fn finite(self) -> Option<Rational> {
         match self {
             Extended::Finite(value) => Some(value),
             Extended::Minus | Extended::Plus => None,
-        }
-    }
-}
-
-/// One of the two bounds of a column.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Side {
-    Lower,
-    Upper,
-}
-
-impl Side {
-    /// The adjective in messages.
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            Side::Lower => "lower",
-            Side::Upper => "upper",
-        }
-    }
-
-    /// The infinity that is no bound: −∞ below, +∞ above.
-    pub(super) fn none(self) -> Extended {
-        match self {
-            Side::Lower => Extended::Minus,
-            Side::Upper => Extended::Plus,
-        }
-    }
-
-    /// The infinity that leaves no value: +∞ below, −∞ above.
-    pub(super) fn impossible(self) -> Extended {
-        match self {
-            Side::Lower => Extended::Plus,
-            Side::Upper => Extended::Minus,
         }
     }
 }
@@ -86,10 +70,10 @@ pub(super) struct StatedBounds {
 }
 
 impl StatedBounds {
-    pub(super) fn of(&mut self, side: Side) -> &mut Option<Extended> {
-        match side {
-            Side::Lower => &mut self.lower,
-            Side::Upper => &mut self.upper,
+    pub(super) fn of(&mut self, end: End) -> &mut Option<Extended> {
+        match end {
+            End::Lower => &mut self.lower,
+            End::Upper => &mut self.upper,
         }
     }
 

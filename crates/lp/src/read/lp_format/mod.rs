@@ -4,9 +4,10 @@ mod program;
 mod token;
 
 use super::ModelLimits;
-use super::bounds::{Extended, Side};
+use super::bounds::Extended;
 use super::error::{ModelError, ModelErrorKind};
 use super::text::{Field, Line};
+use crate::claim::End;
 use crate::model::{Model, ObjectiveSense};
 
 use program::Program;
@@ -312,8 +313,8 @@ impl<'a, I: Iterator<Item = Result<Line<'a>, ModelError>>> Reader<'a, I> {
             };
             if is_free {
                 self.tokens.next()?;
-                self.program.set_bound(column, Side::Lower, Side::Lower.none());
-                self.program.set_bound(column, Side::Upper, Side::Upper.none());
+                self.program.set_bound(column, End::Lower, Extended::none(End::Lower));
+                self.program.set_bound(column, End::Upper, Extended::none(End::Upper));
             } else if left.is_none() && right.is_none() {
                 return Err(unexpected(self.tokens.next()?, A_BOUND));
             }
@@ -330,23 +331,23 @@ impl<'a, I: Iterator<Item = Result<Line<'a>, ModelError>>> Reader<'a, I> {
 fn sides<'a>(
     left: Option<(Token<'a>, Value<'a>)>,
     right: Option<(Token<'a>, Value<'a>)>,
-) -> Result<Vec<(Side, Extended)>, ModelError> {
+) -> Result<Vec<(End, Extended)>, ModelError> {
     let is_range = left.is_some() && right.is_some();
-    let mut sides: Vec<(Side, Extended)> = Vec::new();
+    let mut sides: Vec<(End, Extended)> = Vec::new();
     for (is_left, (relation, Value { value, field })) in
         left.map(|side| (true, side)).into_iter().chain(right.map(|side| (false, side)))
     {
-        let stated: &[Side] = match relation.kind {
+        let stated: &[End] = match relation.kind {
             Kind::Equal if is_range => &[],
-            Kind::Equal => &[Side::Lower, Side::Upper],
-            kind if (kind == Kind::AtMost) == is_left => &[Side::Lower],
-            _ => &[Side::Upper],
+            Kind::Equal => &[End::Lower, End::Upper],
+            kind if (kind == Kind::AtMost) == is_left => &[End::Lower],
+            _ => &[End::Upper],
         };
         if stated.is_empty() || sides.iter().any(|(side, _)| stated.contains(side)) {
             return Err(relation.field.error(ModelErrorKind::Unexpected(A_RANGE)));
         }
         for side in stated {
-            if value == side.impossible() {
+            if value == Extended::impossible(*side) {
                 return Err(field.error(ModelErrorKind::Impossible(side.name())));
             }
             sides.push((*side, value.clone()));

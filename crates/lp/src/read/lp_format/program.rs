@@ -2,9 +2,10 @@
 
 use boundfit_exact::Rational;
 
+use crate::claim::End;
 use crate::model::{Bounds, Model, ModelColumn, ModelRow, ObjectiveSense};
 use crate::read::ModelLimits;
-use crate::read::bounds::{Extended, Side, StatedBounds};
+use crate::read::bounds::{Extended, StatedBounds};
 use crate::read::error::{ModelError, ModelErrorKind};
 use crate::read::names::Names;
 use crate::read::text::Field;
@@ -110,17 +111,17 @@ impl<'a> Program<'a> {
     }
 
     /// Sets a side of the last row.
-    pub(super) fn set_side(&mut self, side: Side, value: Extended) {
+    pub(super) fn set_side(&mut self, side: End, value: Extended) {
         if let Some(row) = self.rows.last_mut() {
             match side {
-                Side::Lower => row.bounds.lower = value.finite(),
-                Side::Upper => row.bounds.upper = value.finite(),
+                End::Lower => row.bounds.lower = value.finite(),
+                End::Upper => row.bounds.upper = value.finite(),
             }
         }
     }
 
     /// Sets a bound; of several the last one counts (CPLEX).
-    pub(super) fn set_bound(&mut self, column: usize, side: Side, value: Extended) {
+    pub(super) fn set_bound(&mut self, column: usize, side: End, value: Extended) {
         if let Some(column) = self.columns.get_mut(column) {
             *column.bounds.of(side) = Some(value);
         }

@@ -4,9 +4,10 @@ use boundfit_exact::Rational;
 
 use super::Section;
 use super::record::Record;
+use crate::claim::End;
 use crate::model::{Bounds, Model, ModelColumn, ModelRow, ObjectiveSense};
 use crate::read::ModelLimits;
-use crate::read::bounds::{Extended, Side, StatedBounds};
+use crate::read::bounds::{Extended, StatedBounds};
 use crate::read::error::{ModelError, ModelErrorKind};
 use crate::read::names::Names;
 use crate::read::text::Field;
@@ -241,10 +242,10 @@ impl<'a> Program<'a> {
         name: Field<'a>,
         number: Option<Field<'a>>,
     ) -> Result<(), ModelError> {
-        let sides: &[Side] = match code.text.to_ascii_uppercase().as_str() {
-            "LO" | "MI" => &[Side::Lower],
-            "UP" | "PL" => &[Side::Upper],
-            "FX" | "FR" => &[Side::Lower, Side::Upper],
+        let sides: &[End] = match code.text.to_ascii_uppercase().as_str() {
+            "LO" | "MI" => &[End::Lower],
+            "UP" | "PL" => &[End::Upper],
+            "FX" | "FR" => &[End::Lower, End::Upper],
             "BV" | "LI" | "UI" | "SI" => return Err(name.error(ModelErrorKind::Integer)),
             "SC" => return Err(name.error(ModelErrorKind::SemiContinuous)),
             _ => return Err(code.error(ModelErrorKind::BoundType)),
@@ -261,22 +262,22 @@ impl<'a> Program<'a> {
         let Some(column) = self.columns.get_mut(place) else { return Ok(()) };
         for &side in sides {
             let line = match side {
-                Side::Lower => &mut column.lower_line,
-                Side::Upper => &mut column.upper_line,
+                End::Lower => &mut column.lower_line,
+                End::Upper => &mut column.upper_line,
             };
             if let Some(first) = line.replace(name.line.number) {
                 return Err(name.error(ModelErrorKind::BoundTwice { side: side.name(), first }));
             }
             let stated = match (&value, number) {
                 (Some(value), Some(number)) if is_number => {
-                    if *value == side.impossible()
+                    if *value == Extended::impossible(side)
                         || sides.len() == 2 && !matches!(value, Extended::Finite(_))
                     {
                         return Err(number.error(ModelErrorKind::Impossible(side.name())));
                     }
                     value.clone()
                 }
-                _ => side.none(),
+                _ => Extended::none(side),
             };
             *column.bounds.of(side) = Some(stated);
         }
@@ -336,7 +337,7 @@ impl Row<'_> {
             Kind::Equal | Kind::Free => !matches!(side, Extended::Finite(_)),
         };
         if let Some(field) = side_field.filter(|_| impossible) {
-            let side = if side == Extended::Plus { Side::Lower } else { Side::Upper };
+            let side = if side == Extended::Plus { End::Lower } else { End::Upper };
             return Err(field.error(ModelErrorKind::Impossible(side.name())));
         }
         let side = side.finite();
