@@ -34,7 +34,7 @@ pub(super) const NOTES: Notes = Notes {
 /// The model is an MPS file (fixed or free) or an LP file as CPLEX writes it, packed by gzip or Zstandard or not; every number
 /// is what its text says. The answer is found by intersecting half-planes, confirmed by an exact simplex method, and
 /// multiplied out in the model as it was given: prices prove an optimum, Farkas multipliers that there is no feasible point,
-/// a ray that the objective improves for ever. docs/linear-programs.md says how files are meant where readers differ.
+/// a ray that the objective improves for ever. docs/lp-files.md says how files are meant where readers differ.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 pub(crate) struct JudgeArguments {

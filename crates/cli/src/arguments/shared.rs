@@ -188,11 +188,11 @@ pub(crate) struct LimitArguments {
     #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = value_parser!(u64).range(1..=1 << 32),
           help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_columns: u64,
-    /// Rows that an .ine or .ext file announces
+    /// Rows that an .ine or .ext file announces, or a linear program has
     #[arg(long, value_name = "N", default_value_t = 10_000_000, value_parser = value_parser!(u64).range(1..=1 << 32),
           help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_rows: u64,
-    /// Elements of one array in a .mat file
+    /// Elements of one array in a .mat file, coefficients of a linear program
     #[arg(long, value_name = "N", default_value_t = 100_000_000, value_parser = value_parser!(u64).range(1..=1 << 32),
           help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_elements: u64,

@@ -170,7 +170,7 @@ pub(super) fn model_of(file: &WholeFile, limits: &LimitArguments) -> Result<Mode
         line: sizes.line,
         rows: sizes.rows,
         columns: sizes.columns,
-        ..ModelLimits::default()
+        entries: sizes.elements,
     };
     let format = format_of_name(&file.name).unwrap_or_else(|| format_of_text(text));
     read_model(text, format, &limits).map_err(fail)
