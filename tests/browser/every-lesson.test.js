@@ -91,6 +91,16 @@ for (const colorScheme of ["light", "dark"]) {
   });
 }
 
+test("an error bound found from the readings says so", async () => {
+  const { page, complaints, close } = await openLesson(browser, SPECIAL.fromLeast);
+  assert.equal(
+    await page.locator("#epsilon-here").textContent(),
+    " = 0.9, 1.2 times the smallest bound under which any parameter fits, 0.75. It was found from these very readings, which cannot show that errors are no larger",
+  );
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test("long names and numbers fit onto a phone", async () => {
   const { page, complaints, close } = await openLesson(browser, SPECIAL.longNames, { width: 360 });
   for (const mode of MODES) {

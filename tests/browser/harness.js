@@ -34,6 +34,7 @@ export const SPECIAL = {
   ],
   badCondition: [straight, "--x", "x", "--y", "y", "--eps", "0.1", "--where", "theta1>=2"],
   tooTight: [csv("crooked", "x,y", "1,1", "2,3", "3,2"), "--x", "x", "--y", "y", "--eps", "0.1"],
+  fromLeast: [csv("crooked", "x,y", "1,1", "2,3", "3,2"), "--x", "x", "--y", "y", "--eps", "1.2*min"],
   noError: [straight, "--x", "x", "--y", "y", "--eps", "0"],
 };
 /** The options of `boundfit` for the data sets of the tests. */

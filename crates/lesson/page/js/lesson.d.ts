@@ -76,6 +76,10 @@ interface EstimateData {
 
 /** The parts of `boundfit fit --format json` that the page uses. */
 interface FitData {
+  input: {
+    /** There if the error bounds are a multiple of the least ones that leave any parameters. */
+    epsilon_from_least?: { factor: NumberData; epsilon_min: NumberData };
+  };
   least_squares: (EstimateData & { in_fps: boolean }) | null;
   eui: RangeData[] | null;
   fps: NamedRegionData<NumberData, NumberData> & {

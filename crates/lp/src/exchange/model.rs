@@ -32,20 +32,8 @@ impl Model {
         let mut remarks = Vec::new();
         let mut rows = vec![(self.objective_name.clone(), Form::Objective, Bounds::default())];
         for row in &self.rows {
-            let form = Form::Row(&row.coefficients);
-            let is_crossed =
-                matches!((&row.bounds.lower, &row.bounds.upper), (Some(low), Some(up)) if low > up);
-            if is_crossed && format == ExchangeFormat::Mps {
-                remarks.push(format!(
-                    "{}: its bounds, which leave no value, are those of two rows",
-                    escaped(&row.name)
-                ));
-                rows.push((row.name.clone(), form, Bounds { upper: None, ..row.bounds.clone() }));
-                let name = format!("{}_upper", row.name);
-                rows.push((name, form, Bounds { lower: None, ..row.bounds.clone() }));
-            } else {
-                rows.push((row.name.clone(), form, row.bounds.clone()));
-            }
+            let row = (row.name.clone(), Form::Row(&row.coefficients), row.bounds.clone());
+            rows.extend(sayable(row, format, &mut remarks));
         }
         let names = self.columns.iter().map(|column| column.name.clone()).collect();
         let mut columns = Vec::new();
@@ -65,7 +53,8 @@ impl Model {
                 });
             } else {
                 remarks.push(format!("{name}: its bounds are those of the row bound_{name}"));
-                rows.push((format!("bound_{name}"), Form::Column(place), column.bounds.clone()));
+                let row = (format!("bound_{name}"), Form::Column(place), column.bounds.clone());
+                rows.extend(sayable(row, format, &mut remarks));
                 columns.push(WrittenColumn { name, lower: None, upper: None });
             }
         }
@@ -75,7 +64,7 @@ impl Model {
     /// The file with these rows, the first of which is the objective.
     fn write(
         &self,
-        rows: Vec<(String, Form<'_>, Bounds)>,
+        rows: Vec<NamedRow<'_>>,
         columns: &[WrittenColumn],
         mut remarks: Vec<String>,
         format: ExchangeFormat,
@@ -113,6 +102,22 @@ impl Model {
         let program = Written { name, sense: self.sense, objective, constant, columns, rows, remarks };
         program.text(format)
     }
+}
+
+/// A row under its name, with its bounds.
+type NamedRow<'a> = (String, Form<'a>, Bounds);
+
+/// A row as rows that the format can say: the RANGES of MPS always leave values, so that bounds that cross need two.
+fn sayable<'a>(row: NamedRow<'a>, format: ExchangeFormat, remarks: &mut Vec<String>) -> Vec<NamedRow<'a>> {
+    let (name, form, bounds) = &row;
+    let is_crossed = matches!((&bounds.lower, &bounds.upper), (Some(lower), Some(upper)) if lower > upper);
+    if !is_crossed || format != ExchangeFormat::Mps {
+        return vec![row];
+    }
+    remarks.push(format!("{}: its bounds, which leave no value, are those of two rows", escaped(name)));
+    let lower = (name.clone(), *form, Bounds { upper: None, ..bounds.clone() });
+    let upper = (format!("{name}_upper"), *form, Bounds { lower: None, ..bounds.clone() });
+    vec![lower, upper]
 }
 
 /// Where the coefficients of a row are.

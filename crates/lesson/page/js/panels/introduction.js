@@ -3,6 +3,7 @@
 
 import { all, byId } from "../dom.js";
 import { counted, enumeration, kindText, plain, shortEnumeration } from "../model/format.js";
+import { Rational } from "../model/rational.js";
 
 const LONGEST_IN_FORMULA = 14;
 
@@ -34,7 +35,8 @@ export function fillIntroduction(lesson) {
     epsilon.column === null
       ? ", here half the distance between the two bounds that a reading states, about their middle; a reading that states one bound is one half-plane"
       : ", here one for each reading";
-  byId("epsilon-here").textContent = epsilon.uniform === null ? own : ` = ${uniform}${unit}`;
+  const stated = epsilon.uniform === null ? own : ` = ${uniform}${unit}`;
+  byId("epsilon-here").textContent = stated + foundFromReadings(data.fit.input.epsilon_from_least);
   byId("epsilon-label").textContent = lesson.epsilon === null ? "All error bounds times" : "Error bound";
   for (const place of all("[data-name]")) {
     const name = names[place.dataset.name ?? ""] ?? "";
@@ -70,6 +72,17 @@ export function fillIntroduction(lesson) {
     `Bars: readings ${epsilon.uniform === null && epsilon.column === null ? "between their bounds" : "± ε"}, strong where one of their ends, marked ▾ or ▴, shapes the set shown. ${shaded}${least}${faint}`;
   byId("residual-label").textContent =
     lesson.reference === null ? "residuals" : `relative to ${lesson.reference.noun}`;
+}
+
+/**
+ * What error bounds stand and fall with that were found from the readings.
+ * @param {FitData["input"]["epsilon_from_least"]} multiple
+ */
+function foundFromReadings(multiple) {
+  if (multiple === undefined) return "";
+  const [factor, least] = [multiple.factor, multiple.epsilon_min].map(({ exact }) => plain(Rational.parse(exact)));
+  const times = factor === "1" ? "" : `${factor} times `;
+  return `, ${times}the smallest bound under which any parameter fits, ${least}. It was found from these very readings, which cannot show that errors are no larger`;
 }
 
 /** @param {string} name */
