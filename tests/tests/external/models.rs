@@ -1,23 +1,29 @@
-//! GLPK reads the models of `fixtures/tiny-lp` as boundfit writes them, and answers them: `glpsol` has to be installed.
+//! GLPK reads the models of `fixtures/tiny-lp` and generated ones as boundfit writes them, and answers them: `glpsol` has to be
+//! installed.
 
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
 use boundfit_exact::Rational;
-use boundfit_lp::{ExchangeFormat, Model, ModelLimits, ModelRow, ObjectiveSense, read_model};
+use boundfit_judge::Answer;
+use boundfit_lp::{Bounds, ExchangeFormat, Model, ModelLimits, ModelRow, ObjectiveSense, read_model};
+use boundfit_tests::generate::seeded;
 use boundfit_tests::lp_cases::number;
+use boundfit_tests::models::model;
 use boundfit_tests::program::root;
+use boundfit_tests::shape::Tally;
 use serde_json::Value;
 
 /// Groups in which GLPK's simplex errs on no program, once it reads it as it is meant, but for what its tolerance excuses.
 const GROUPS: [&str; 6] = ["bounds", "degenerate", "faces", "fixed", "format", "many-rows"];
 
 /// What GLPK finds: the status and the optimum.
-fn solved(model: &Path, format: &str, folder: &Path) -> (&'static str, Option<Rational>) {
+fn solved(model: &Path, options: &[&str], folder: &Path) -> (&'static str, Option<Rational>) {
     let solution = folder.join("solution");
     let output = Command::new("glpsol")
-        .args([format, &model.to_string_lossy(), "-w", &solution.to_string_lossy()])
+        .args(options)
+        .args([&*model.to_string_lossy(), "-w", &solution.to_string_lossy()])
         .stdin(Stdio::null())
         .output()
         .expect("this test starts glpsol: install GLPK (on Debian glpk-utils)");
@@ -32,6 +38,58 @@ fn solved(model: &Path, format: &str, folder: &Path) -> (&'static str, Option<Ra
         _ if said.contains("NO PRIMAL FEASIBLE SOLUTION") || words[4] == "n" => ("infeasible", None),
         _ => ("undecided", None),
     }
+}
+
+/// GLPK reads no ranges in LP format.
+fn is_range(row: &ModelRow) -> bool {
+    row.bounds.lower.is_some() && row.bounds.upper.is_some() && row.bounds.fixed().is_none()
+}
+
+/// The 10³⁰ of a row without bounds is a number to GLPK.
+fn is_free(row: &ModelRow) -> bool {
+    row.bounds == Bounds::default()
+}
+
+#[test]
+fn glpk_exact_answers_generated_models() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("model.lp");
+    let mut rng = seeded(1_402);
+    let mut tally = Tally::default();
+    let mut asked = 0;
+    while asked < 1_000 {
+        let model = model(&mut rng);
+        let is_crossed =
+            |bounds: &Bounds| matches!((&bounds.lower, &bounds.upper), (Some(low), Some(up)) if low > up);
+        if model.rows.is_empty()
+            || model.rows.iter().any(|row| is_range(row) || is_free(row) || row.coefficients.is_empty())
+            || model.columns.iter().any(|column| is_crossed(&column.bounds))
+            || !model.constant.is_zero()
+        {
+            continue;
+        }
+        let text = model.text(ExchangeFormat::Lp);
+        // What has no decimals is written as another program.
+        if text.contains(" is multiplied by ") || text.contains("its bounds are those of the row") {
+            continue;
+        }
+        asked += 1;
+        fs::write(&file, &text).unwrap();
+        let (status, optimum) = solved(&file, &["--exact", "--nopresol", "--lp"], folder.path());
+        tally.count(status);
+        match (Answer::of(&model).unwrap(), status) {
+            (Answer::Optimal { value, .. }, "optimal") => {
+                let optimum = optimum.unwrap();
+                assert!(
+                    (&optimum - &value).abs() <= number("1e-12") * (value.abs() + Rational::one()),
+                    "{optimum}\n{text}"
+                );
+            }
+            (Answer::Infeasible { .. }, "infeasible") | (Answer::Unbounded { .. }, "unbounded") => {}
+            (answer, status) => panic!("{status}, but {answer:?}\n{text}"),
+        }
+    }
+    tally.assert_each(50, &["optimal", "infeasible", "unbounded"]);
 }
 
 #[test]
@@ -61,7 +119,7 @@ fn glpk_answers_the_corpus_as_boundfit_writes_it() {
         let mut check = |format: ExchangeFormat, flag: &str, model: &Model| {
             let file = folder.path().join(format!("model.{}", format.name()));
             fs::write(&file, model.text(format)).unwrap();
-            let (status, optimum) = solved(&file, flag, folder.path());
+            let (status, optimum) = solved(&file, &[flag], folder.path());
             let context = format!("{} as {}", path.display(), format.name());
             if answer["status"] != status && status != "undecided" {
                 wrong.push(format!("{context}: {status}"));
@@ -72,8 +130,7 @@ fn glpk_answers_the_corpus_as_boundfit_writes_it() {
                 }
             }
         };
-        let is_ranged = |row: &ModelRow| row.bounds.lower.is_some() && row.bounds.upper.is_some();
-        if !model.rows.iter().any(|row| is_ranged(row) && row.bounds.fixed().is_none()) {
+        if !model.rows.iter().any(is_range) {
             check(ExchangeFormat::Lp, "--lp", &model);
             asked[0] += 1;
         }
