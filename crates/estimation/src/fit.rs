@@ -9,7 +9,7 @@ use crate::grid::Grid;
 use crate::hulls::Extremes;
 use crate::inverse::Inverse;
 use crate::least_squares::{LeastSquares, NoLeastSquares};
-use crate::measurements::{ErrorBound, Model};
+use crate::meaning::{ErrorBound, Model};
 use crate::minimax::Minimax;
 use crate::problem::Problem;
 

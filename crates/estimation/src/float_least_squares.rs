@@ -4,7 +4,8 @@ use boundfit_exact::Rational;
 use nalgebra::{DMatrix, DVector, SVD};
 
 use crate::fit::Fit;
-use crate::measurements::{Measurement, Measurements};
+use crate::measurement::Measurement;
+use crate::measurements::Measurements;
 
 /// A binary64 estimate beside the exact one.
 #[derive(Debug, Clone, PartialEq)]

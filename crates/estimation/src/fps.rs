@@ -11,7 +11,8 @@ use boundfit_geometry::{Inequality, Polyhedron, System, envelope, touching_an_en
 use crate::condition::Condition;
 use crate::hulls::Extremes;
 use crate::least_growth::GrowingInequality;
-use crate::measurements::{Measurement, Measurements};
+use crate::measurement::Measurement;
+use crate::measurements::Measurements;
 
 /// The name of one half-plane of an FPS.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

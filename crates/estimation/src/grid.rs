@@ -2,7 +2,9 @@
 
 use boundfit_exact::{Rational, Scaled};
 
-use crate::measurements::{ErrorBound, Measurement, Measurements, Model};
+use crate::meaning::{ErrorBound, Model};
+use crate::measurement::Measurement;
+use crate::measurements::Measurements;
 
 /// The columns of the readings in memory, each on a unit of its own. What is the same for every reading, φ2 of a line and
 /// a uniform ε, has none.

@@ -12,7 +12,8 @@ use boundfit_geometry::predicates::{by_theta1, lexicographic, orientation};
 use boundfit_geometry::{Hull, HullSide, Point, Site};
 
 use crate::grid::Grid;
-use crate::measurements::{Measurement, Measurements};
+use crate::measurement::Measurement;
+use crate::measurements::Measurements;
 
 /// From so many readings on, those inside are discarded before the others are sorted.
 const FEWEST_TO_FILTER: usize = 64;

@@ -3,7 +3,7 @@
 use boundfit_exact::{Limits, Rational, Reading};
 
 use crate::asked_bound::{ParseBoundError, parse_terms};
-use crate::measurements::{Bounds, Measurement};
+use crate::measurement::{Bounds, Measurement};
 
 /// How far φ·θ may be from each y, as a sum of multiples of what is known of the reading.
 ///

@@ -7,7 +7,9 @@ use boundfit_geometry::Direction;
 use thiserror::Error;
 
 use crate::grid::Grid;
-use crate::measurements::{Bounds, ErrorBound, Measurement, Measurements, Readings};
+use crate::meaning::ErrorBound;
+use crate::measurement::{Bounds, Measurement};
+use crate::measurements::{Measurements, Readings};
 use crate::moments::{Moments, SUM_BITS, Solution, bits, widest};
 #[cfg(feature = "files")]
 use crate::summary::Sums;

@@ -2,7 +2,7 @@
 
 use boundfit_exact::Rational;
 
-use crate::measurements::Measurement;
+use crate::measurement::Measurement;
 #[cfg(feature = "files")]
 use crate::summary::{Spread, Sums};
 

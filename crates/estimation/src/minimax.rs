@@ -7,9 +7,11 @@ use crate::condition::Condition;
 use crate::fps::{BoundName, conditions_by_name, growing_half_planes};
 use crate::hulls::{Extremes, Gap, HullMinimum};
 use crate::least_growth::{GrowingInequality, LeastGrowth, least_growth};
+use crate::meaning::ErrorBound;
 #[cfg(feature = "files")]
-use crate::measurements::Meaning;
-use crate::measurements::{ErrorBound, Measurement, Measurements};
+use crate::meaning::Meaning;
+use crate::measurement::Measurement;
+use crate::measurements::Measurements;
 #[cfg(feature = "files")]
 use crate::summary::Scale;
 

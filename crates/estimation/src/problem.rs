@@ -5,7 +5,8 @@ use boundfit_exact::{Limits, Rational, Reading};
 use crate::condition::{Condition, ParseConditionError};
 use crate::fit::{Fit, fit};
 use crate::line_form::LineForm;
-use crate::measurements::{Measurements, Model, MultipleOfLeast};
+use crate::meaning::{Model, MultipleOfLeast};
+use crate::measurements::Measurements;
 use crate::minimax::Minimax;
 
 /// What is to be fitted.

@@ -5,7 +5,7 @@ use boundfit_formats::{Batch, ColumnSelector, InputError, InputErrorKind};
 
 use crate::law::Law;
 use crate::line_form::LineForm;
-use crate::measurements::{ErrorBound, Meaning, Model};
+use crate::meaning::{ErrorBound, Meaning, Model};
 
 /// The error bound as it is asked for.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -7,7 +7,8 @@ use boundfit_formats::{
 
 use super::kept_columns::{KeptColumns, KeptPart};
 use crate::condition::Condition;
-use crate::measurements::{Meaning, Measurement};
+use crate::meaning::Meaning;
+use crate::measurement::Measurement;
 use crate::minimax::Minimax;
 use crate::summary::{
     FixedBounds, FixedSupport, NoEui, Reach, Scale, SignedSums, Sums, Weights, column_totals,

@@ -14,7 +14,8 @@ pub use columns::{Columns, EpsilonColumn};
 pub use fleet::Fleet;
 pub use reduce::ReducedTable;
 
-use crate::measurements::{Measurement, Measurements, Origin, Readings};
+use crate::measurement::Measurement;
+use crate::measurements::{Measurements, Origin, Readings};
 use crate::selection::{FractionCells, Selection};
 use crate::summary::Keep;
 

@@ -10,7 +10,7 @@ use super::columns::Columns;
 use super::stated::{Stated, asked_by_reduction, refuse_late};
 use crate::least_squares::NoLeastSquares;
 use crate::line_form::LineForm;
-use crate::measurements::{ErrorBound, Meaning};
+use crate::meaning::{ErrorBound, Meaning};
 use crate::summary::{FixedBounds, FixedPart, FixedSummary, LineSummary, Scale, SharedSieve, Sums};
 
 /// Texts of rows that have meanwhile turned out to be superfluous are dropped when there are so many of them, so

@@ -12,7 +12,9 @@ use super::stated::{Stated, asked_by_fit, refuse_late};
 use crate::condition::Condition;
 use crate::least_squares::LeastSquares;
 use crate::line_form::LineForm;
-use crate::measurements::{Meaning, Measurement, Measurements, Origin, Readings};
+use crate::meaning::Meaning;
+use crate::measurement::Measurement;
+use crate::measurements::{Measurements, Origin, Readings};
 use crate::selection::{FractionCells, Selection};
 use crate::summary::{
     DecidingMinimax, FixedBounds, FixedPart, FixedSummary, Keep, LineSummary, NoEui, NoMinimax, Reach,

@@ -6,7 +6,7 @@ use boundfit_formats::{
 };
 
 use crate::least_squares::NoLeastSquares;
-use crate::measurements::{ErrorBound, Meaning, Model};
+use crate::meaning::{ErrorBound, Meaning, Model};
 use crate::summary::Sums;
 
 /// How many times as many digits as a reading a sum may have: that of squares has twice as many, and those of the

@@ -10,7 +10,8 @@ use super::rounded::{RoundedReadings, may_be_tightest};
 use super::scale::Scale;
 use super::sums::Sums;
 use crate::least_squares::NoLeastSquares;
-use crate::measurements::{Meaning, Measurement};
+use crate::meaning::Meaning;
+use crate::measurement::Measurement;
 
 /// Merging waits for at least this many new rows, so that small parts do not each pay for the whole.
 const LEAST_TO_MERGE: usize = 1024;

@@ -2,7 +2,7 @@
 
 use boundfit_exact::{Column, Scaled, Unit};
 
-use crate::measurements::{ErrorBound, Meaning};
+use crate::meaning::{ErrorBound, Meaning};
 
 /// Middles and half widths of readings that all have both bounds, as so many units each.
 pub(crate) struct Halves {

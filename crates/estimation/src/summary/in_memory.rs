@@ -4,7 +4,8 @@ use boundfit_exact::Column;
 use thiserror::Error;
 
 use super::{DecidingMinimax, Keep, LineSummary, NoEui, Reach, Reduction, SharedSieve, Thresholds};
-use crate::measurements::{ErrorBound, Meaning, Measurements, Model, Origin, Readings};
+use crate::meaning::{ErrorBound, Meaning, Model};
+use crate::measurements::{Measurements, Origin, Readings};
 
 /// How many readings are summarised at a time: few enough for sums in 128 bits, many enough for what is kept of them to
 /// be little.

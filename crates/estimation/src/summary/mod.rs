@@ -43,7 +43,8 @@ pub use sums::Sums;
 pub(crate) use sums::column_totals;
 
 use crate::least_squares::NoLeastSquares;
-use crate::measurements::{ErrorBound, Measurement};
+use crate::meaning::ErrorBound;
+use crate::measurement::Measurement;
 use support::SupportRows;
 
 /// How many readings are kept in memory.

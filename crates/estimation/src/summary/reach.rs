@@ -6,7 +6,7 @@ use boundfit_exact::{Column, Integer, Rational, Scaled, Sum};
 use super::halves::Halves;
 use super::sums::Sums;
 use super::{NoEui, Reach};
-use crate::measurements::Meaning;
+use crate::meaning::Meaning;
 
 /// A_jk times the determinant of ΦᵀΦ is p·φ_k1 + q·φ_k2, with (p, q) a row of the adjugate; then φ_k1 itself.
 #[derive(Debug, Clone)]

@@ -4,7 +4,8 @@ use boundfit_exact::{Column, Rational, Unit};
 use boundfit_geometry::grid::{RoundedStrip, in_range};
 
 use super::scale::Scale;
-use crate::measurements::{ErrorBound, Meaning, Measurement, Model};
+use crate::meaning::{ErrorBound, Meaning, Model};
+use crate::measurement::Measurement;
 
 /// Of a sum of two rounded numbers, more than it may be off: 2⁻⁴⁹.
 const MARGIN: f64 = 1.0 / (1_u64 << 49) as f64;

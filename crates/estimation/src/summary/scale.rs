@@ -3,7 +3,7 @@
 use boundfit_exact::Rational;
 use boundfit_geometry::{Constraint, Inequality};
 
-use crate::measurements::Measurement;
+use crate::measurement::Measurement;
 
 /// Which bounds of readings are meant.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -6,7 +6,7 @@ use boundfit_geometry::grid::{
 };
 
 use crate::hulls::touching_a_hull;
-use crate::measurements::Measurement;
+use crate::measurement::Measurement;
 
 /// Merging waits for at least this many new rows, so that small parts do not each pay for the whole; measured: the
 /// cost of merging vanishes beside that of reading from a few thousand on.

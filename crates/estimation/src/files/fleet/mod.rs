@@ -13,7 +13,9 @@ use std::ops::Range;
 use boundfit_formats::{Batch, ColumnSelector, InputError, RowNumbers, ScanOptions, Source, scan, threads};
 
 use crate::files::Columns;
-use crate::measurements::{Meaning, Measurement, Measurements};
+use crate::meaning::Meaning;
+use crate::measurement::Measurement;
+use crate::measurements::Measurements;
 use groups::Groups;
 use keys::Keys;
 use series::Series;

@@ -1,0 +1,227 @@
+//! What the numbers of a row mean: the model, and where the error bounds come from.
+
+#[cfg(feature = "files")]
+use std::borrow::Cow;
+
+#[cfg(feature = "files")]
+use boundfit_exact::Column;
+use boundfit_exact::Rational;
+
+use crate::law::Law;
+#[cfg(feature = "files")]
+use crate::law::range_of_y;
+#[cfg(feature = "files")]
+use crate::least_squares::NoLeastSquares;
+use crate::line_form::LineForm;
+use crate::measurement::{Bounds, Measurement};
+#[cfg(feature = "files")]
+use crate::summary::{Halves, Sums};
+
+/// How the regressors come from the columns.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Model {
+    /// y = θ1·x + θ2 + e.
+    Line {
+        /// The column of x.
+        x: String,
+    },
+    /// y = φ1·θ1 + φ2·θ2 + e.
+    TwoRegressors {
+        /// The columns of φ1 and φ2.
+        regressors: [String; 2],
+    },
+}
+
+/// Where the error bounds come from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[allow(clippy::large_enum_variant, reason = "one per fit")]
+pub enum ErrorBound {
+    /// One for all readings.
+    Uniform(Rational),
+    /// One per reading, from a column of this name.
+    PerRow(String),
+    /// The values between which φ·θ lies, from columns of these names, of which one may be left out.
+    Interval {
+        /// The column of lower bounds.
+        lower: Option<String>,
+        /// The column of upper bounds.
+        upper: Option<String>,
+    },
+    /// By a law that says of each reading another one.
+    Law(Law),
+}
+
+impl ErrorBound {
+    /// The bound on all errors, if there is one.
+    pub fn uniform(&self) -> Option<&Rational> {
+        match self {
+            ErrorBound::Uniform(epsilon) => Some(epsilon),
+            ErrorBound::PerRow(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => None,
+        }
+    }
+
+    /// Whether all errors have one bound.
+    pub fn is_uniform(&self) -> bool {
+        self.uniform().is_some()
+    }
+}
+
+/// What the numbers of a row mean.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Meaning {
+    pub(crate) model: Model,
+    pub(crate) response: String,
+    /// Whether there is a column of the response.
+    pub(crate) has_response: bool,
+    pub(crate) error_bound: ErrorBound,
+    /// The law by which the bound on all errors was stated.
+    pub(crate) uniform_law: Option<Law>,
+    pub(crate) form: LineForm,
+    pub(crate) multiple_of_least: Option<MultipleOfLeast>,
+}
+
+/// An error bound that was not known but taken from the readings themselves: a multiple of the least one that leaves anything.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MultipleOfLeast {
+    /// How many times ε_min the bound is.
+    pub factor: Rational,
+    /// ε_min of the readings under the conditions.
+    pub least: Rational,
+}
+
+impl Meaning {
+    /// Of numbers taken as they are.
+    pub(crate) fn new(model: Model, response: String, error_bound: ErrorBound) -> Self {
+        Meaning {
+            model,
+            response,
+            has_response: true,
+            error_bound,
+            uniform_law: None,
+            form: LineForm::default(),
+            multiple_of_least: None,
+        }
+    }
+
+    /// How many regressors are columns.
+    pub(crate) fn regressors(&self) -> usize {
+        if matches!(self.model, Model::Line { .. }) { 1 } else { 2 }
+    }
+
+    /// Whether every reading is given by y and an ε that is a number or a column.
+    #[cfg(feature = "files")]
+    pub(crate) fn is_around_y(&self) -> bool {
+        match self.error_bound {
+            ErrorBound::Uniform(_) | ErrorBound::PerRow(_) => true,
+            ErrorBound::Interval { .. } | ErrorBound::Law(_) => false,
+        }
+    }
+
+    /// Whether a summary of a line serves every error bound, since all have the same one.
+    #[cfg(feature = "files")]
+    pub(crate) fn is_open(&self) -> bool {
+        self.regressors() == 1 && self.error_bound.is_uniform()
+    }
+
+    /// Whether the bounds of each reading are known before all readings are.
+    #[cfg(feature = "files")]
+    pub(crate) fn are_bounds_known(&self) -> bool {
+        let law = match &self.error_bound {
+            ErrorBound::Law(law) => Some(law),
+            _ => self.uniform_law.as_ref(),
+        };
+        law.is_none_or(|law| !law.needs_range())
+    }
+
+    /// The reading in a row of columns, counted from 0, with this number in the file.
+    #[cfg(feature = "files")]
+    pub(crate) fn of_columns(&self, columns: &[Column], position: usize, row: usize) -> Measurement {
+        self.measurement(row, columns.iter().map(|column| column.get(position)))
+    }
+
+    /// Whether a reading in columns has two bounds, whose distance a factor may multiply.
+    #[cfg(feature = "files")]
+    pub(crate) fn have_widths(&self, columns: &[Column]) -> bool {
+        let count = columns.first().map_or(0, Column::len);
+        match &self.error_bound {
+            ErrorBound::Interval { lower: Some(_), upper: Some(_) } => {
+                let [.., lower, _, upper] = columns else { return false };
+                (0..count).any(|row| !lower.get(row).is_zero() && !upper.get(row).is_zero())
+            }
+            ErrorBound::Interval { .. } => false,
+            _ => count > 0,
+        }
+    }
+
+    /// The sums over all rows of columns. Exact. Cost: linear.
+    ///
+    /// # Errors
+    /// When a reading has nothing that least squares could take.
+    #[cfg(feature = "files")]
+    pub(crate) fn sums(&self, columns: &[Column]) -> Result<Sums, NoLeastSquares> {
+        let regressors = self.regressors();
+        let second = (regressors == 2).then(|| &columns[1]);
+        let form = |sums: Sums| if regressors == 1 { self.form.sums(sums) } else { sums };
+        if self.has_response {
+            return Ok(form(Sums::of_columns(&columns[0], second, &columns[regressors])));
+        }
+        if let Some(Halves { middles, .. }) = Halves::of_columns(self, columns) {
+            return Ok(form(Sums::of_columns(&columns[0], second, &Column::Narrow(middles))));
+        }
+        let value = |row: usize| self.of_columns(columns, row, 0).value().map(Cow::into_owned);
+        let values: Option<Column> = (0..columns[0].len()).map(value).collect();
+        let values = values.ok_or(NoLeastSquares::NoResponse)?;
+        Ok(form(Sums::of_columns(&columns[0], second, &values)))
+    }
+
+    /// The reading with these numbers: the regressors that are columns, the response, and the error bound if it is a
+    /// column.
+    pub(crate) fn measurement(&self, row: usize, mut numbers: impl Iterator<Item = Rational>) -> Measurement {
+        let mut next = || numbers.next().unwrap_or_default();
+        let regressor = match self.model {
+            Model::Line { .. } => [next(), Rational::one()],
+            Model::TwoRegressors { .. } => [next(), next()],
+        };
+        let response = self.has_response.then(&mut next);
+        let mut side = |column: &Option<String>| {
+            column.as_ref()?;
+            let value = next();
+            // Behind each bound stands whether it is there.
+            (!next().is_zero()).then_some(value)
+        };
+        let bounds = match &self.error_bound {
+            ErrorBound::Interval { lower, upper } => {
+                Bounds::Between { lower: side(lower), upper: side(upper), response }
+            }
+            ErrorBound::Law(law) => {
+                let written = if law.needs_written() { next() } else { Rational::zero() };
+                law.bounds(&regressor[0], response.unwrap_or_default(), &written)
+            }
+            ErrorBound::PerRow(_) => {
+                Bounds::Around { response: response.unwrap_or_default(), epsilon: next() }
+            }
+            ErrorBound::Uniform(epsilon) => {
+                Bounds::Around { response: response.unwrap_or_default(), epsilon: epsilon.clone() }
+            }
+        };
+        // A law is about x as it is.
+        let [first, second] = regressor;
+        let first = if matches!(self.model, Model::Line { .. }) { self.form.counted(first) } else { first };
+        Measurement { row, regressor: [first, second], bounds }
+    }
+
+    /// Adds to the bounds of readings what a law takes from all of them, when they are known: all, or of a uniform law those
+    /// that support a hull.
+    #[cfg(feature = "files")]
+    pub(crate) fn settle(&mut self, rows: &mut Vec<Measurement>) {
+        if let ErrorBound::Law(law) = &self.error_bound {
+            let range = range_of_y(rows);
+            law.widen(rows, &range);
+        }
+        if let Some(law) = &self.uniform_law {
+            let epsilon = law.uniform_bound(&range_of_y(rows));
+            *rows = std::mem::take(rows).into_iter().map(|row| row.within(epsilon.clone())).collect();
+            self.error_bound = ErrorBound::Uniform(epsilon);
+        }
+    }
+}
