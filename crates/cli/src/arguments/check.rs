@@ -4,6 +4,7 @@ use clap::{Args, ValueEnum, value_parser};
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::shared::LIMITS;
+use super::tolerance::ToleranceArguments;
 use super::{DataArguments, FileArguments, Format, LimitArguments, OutputArguments};
 
 pub(super) const NOTES: Notes = Notes {
@@ -36,7 +37,9 @@ pub(super) const NOTES: Notes = Notes {
 /// loose (too wide), infeasible point, unsafe (cuts off feasible parameters), wrong status or inverted interval, judged
 /// against the data as written, which decide the exit status, and against the doubles that a solver receives.
 #[derive(Debug, Args)]
-#[command(after_help = NOTES.to_string())]
+#[command(after_help = NOTES.to_string(), mut_arg("tolerance", |arg| arg.help(
+    "How far a bound may be off to either side, in widths of the interval, and how far outside a point, in units of eps"
+)))]
 pub(crate) struct CheckArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
@@ -57,15 +60,8 @@ pub(crate) struct CheckArguments {
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "16",
           value_parser = value_parser!(u16).range(3..=10000))]
     pub(crate) directions: Option<u16>,
-    /// How far a bound may be off to either side, in widths of the interval, and how far outside a point, in units of eps
-    #[arg(long, value_name = "NUM", default_value = "1e-6", allow_hyphen_values = true)]
-    pub(crate) tolerance: String,
-    /// Excuse nothing but rounding, for those who need safe bounds: a tolerance of 0
-    #[arg(long, conflicts_with = "tolerance")]
-    pub(crate) strict: bool,
-    /// Take numbers in texts to be as precise as they are printed; off: to be meant exactly
-    #[arg(long, value_name = "on|off", value_enum, default_value_t = Switch::On, hide_possible_values = true)]
-    pub(crate) digits_as_printed: Switch,
+    #[command(flatten)]
+    pub(crate) tolerance: ToleranceArguments,
     /// Seconds that a solver may work on one program
     #[arg(long, value_name = "SECONDS", default_value_t = 60, value_parser = value_parser!(u64).range(1..=86400))]
     pub(crate) time_limit: u64,

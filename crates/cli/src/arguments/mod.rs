@@ -14,6 +14,7 @@ mod reduce;
 mod rows;
 mod shared;
 mod solutions;
+mod tolerance;
 mod values;
 mod verify;
 

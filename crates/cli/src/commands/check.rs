@@ -7,12 +7,11 @@ use std::time::Duration;
 use boundfit_check::{
     CheckOptions, ClaimLimits, ClaimText, check, is_solution_name, parse_claim_pui, read_claims, source_names,
 };
-use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_lp::Verdict;
 use boundfit_report::{check_document, check_json};
 
 use crate::CommandResult;
-use crate::arguments::{CheckArguments, Format, Switch, number_problem};
+use crate::arguments::{CheckArguments, Format, Switch};
 use crate::exit::{Exit, Failure};
 use crate::input::read_text;
 use crate::output;
@@ -41,21 +40,6 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
     Ok(if check.worst(reading).is_some_and(Verdict::is_refutation) { Exit::Refuted } else { Exit::Answer })
 }
 
-/// How much a claim may be off. Limits that are lower than usual are meant for the data: they leave this alone.
-fn tolerance(arguments: &CheckArguments) -> Result<Rational, Failure> {
-    if arguments.strict {
-        return Ok(Rational::zero());
-    }
-    let refuse = |problem: String| Failure::value("--tolerance <NUM>", &arguments.tolerance, problem);
-    let (asked, usual) = (arguments.data.table.limits.number(), Limits::default());
-    let limits =
-        Limits { digits: asked.digits.max(usual.digits), exponent: asked.exponent.max(usual.exponent) };
-    let expected = "expected a number that is at least 0, such as 1e-6";
-    let tolerance = Reading::Decimal.read(&arguments.tolerance, &limits);
-    let tolerance = tolerance.map_err(|error| refuse(number_problem(&error, expected)))?;
-    if tolerance.is_negative() { Err(refuse("negative".to_owned())) } else { Ok(tolerance) }
-}
-
 fn options(arguments: &CheckArguments, claim_files: Vec<String>) -> Result<CheckOptions, Failure> {
     let limits = &arguments.data.table.limits;
     let limits = ClaimLimits { number: limits.number(), nesting: limits.sizes().nesting };
@@ -69,7 +53,7 @@ fn options(arguments: &CheckArguments, claim_files: Vec<String>) -> Result<Check
         let answer = parse_claim_pui(text);
         answers.push(answer.map_err(|error| Failure::value("--claim-pui <LO1,HI1,LO2,HI2>", text, error))?);
     }
-    let tolerance = tolerance(arguments)?;
+    let tolerance = arguments.tolerance.value(&limits.number)?;
     // Without a word about whom to judge, everybody is.
     let solvers = if arguments.solvers.is_empty() && answers.is_empty() && arguments.directions.is_none() {
         source_names()
@@ -80,7 +64,7 @@ fn options(arguments: &CheckArguments, claim_files: Vec<String>) -> Result<Check
         solvers,
         answers,
         tolerance,
-        as_printed: arguments.digits_as_printed == Switch::On,
+        as_printed: arguments.tolerance.digits_as_printed == Switch::On,
         time_limit: Duration::from_secs(arguments.time_limit),
         directions: arguments.directions.map(usize::from),
     })

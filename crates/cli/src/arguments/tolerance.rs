@@ -1,0 +1,38 @@
+//! How far an answer may be off before it is refuted.
+
+use boundfit_exact::{Limits, Rational, Reading};
+use clap::Args;
+
+use super::{Switch, number_problem};
+use crate::exit::Failure;
+
+/// How far an answer may be off.
+#[derive(Debug, Args)]
+pub(crate) struct ToleranceArguments {
+    /// How far an answer may be off to either side, as a part of its size: of an optimum's, a row's, a price's
+    #[arg(long, value_name = "NUM", default_value = "1e-6", allow_hyphen_values = true)]
+    tolerance: String,
+    /// Excuse nothing but rounding, for those who need safe bounds: a tolerance of 0
+    #[arg(long, conflicts_with = "tolerance")]
+    strict: bool,
+    /// Take numbers in texts to be as precise as they are printed; off: to be meant exactly
+    #[arg(long, value_name = "on|off", value_enum, default_value_t = Switch::On, hide_possible_values = true)]
+    pub(crate) digits_as_printed: Switch,
+}
+
+impl ToleranceArguments {
+    /// The tolerance, at least 0. Limits that are lower than usual are meant for the data: they leave this alone.
+    pub(crate) fn value(&self, asked: &Limits) -> Result<Rational, Failure> {
+        if self.strict {
+            return Ok(Rational::zero());
+        }
+        let refuse = |problem: String| Failure::value("--tolerance <NUM>", &self.tolerance, problem);
+        let usual = Limits::default();
+        let limits =
+            Limits { digits: asked.digits.max(usual.digits), exponent: asked.exponent.max(usual.exponent) };
+        let expected = "expected a number that is at least 0, such as 1e-6";
+        let tolerance = Reading::Decimal.read(&self.tolerance, &limits);
+        let tolerance = tolerance.map_err(|error| refuse(number_problem(&error, expected)))?;
+        if tolerance.is_negative() { Err(refuse("negative".to_owned())) } else { Ok(tolerance) }
+    }
+}
