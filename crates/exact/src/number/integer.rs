@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 use std::fmt;
 
 use super::gcd::gcd;
+use super::lehmer::long_gcd;
 use super::library::{BigInt, BigSign, DivisionAndGcd as _, ToPrimitive as _};
 use super::{Sign, number, operators};
 
@@ -184,7 +185,7 @@ impl Integer {
     fn long_gcd(&self, other: &Self) -> Self {
         match (self.word(), other.word()) {
             (Some(own), Some(other)) => Integer::from(gcd(own.unsigned_abs(), other.unsigned_abs())),
-            _ => Integer::from_big(self.to_big().gcd(&other.to_big())),
+            _ => Integer::from_big(long_gcd(self.to_big().magnitude(), other.to_big().magnitude()).into()),
         }
     }
 

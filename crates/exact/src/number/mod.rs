@@ -7,6 +7,7 @@ mod fraction;
 mod gcd;
 mod integer;
 mod interop;
+mod lehmer;
 mod library;
 mod rational;
 
