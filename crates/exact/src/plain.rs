@@ -133,7 +133,7 @@ fn leading_digits(text: &[u8], at: usize) -> (u64, usize) {
 
 /// The number that eight digits spell, the first one in the lowest byte (Lemire, *Quickly parsing eight digits*, 2018).
 #[inline]
-fn value_of_digits(values: u64) -> u64 {
+pub(crate) fn value_of_digits(values: u64) -> u64 {
     // Neighbours are joined: eight digits, four pairs, two fours. Every sum stays within its part of the word, and what
     // a product carries beyond the word is not needed.
     let pairs = (values.wrapping_mul(1 + (10 << 8)) >> 8) & 0x00ff_00ff_00ff_00ff;
@@ -143,7 +143,7 @@ fn value_of_digits(values: u64) -> u64 {
 
 /// Eight bytes as a word, the first one lowest; behind the end of the text there are zeros.
 #[inline]
-fn next_eight_bytes(text: &[u8], at: usize) -> u64 {
+pub(crate) fn next_eight_bytes(text: &[u8], at: usize) -> u64 {
     let rest = text.get(at..).unwrap_or_default();
     match rest.first_chunk() {
         Some(bytes) => u64::from_le_bytes(*bytes),

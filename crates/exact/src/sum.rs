@@ -1,6 +1,6 @@
 //! Long exact sums without a reduction to lowest terms at every step.
 
-use crate::{Integer, Rational};
+use crate::{Integer, Rational, Unit};
 
 /// A running sum of rational numbers, or of products of two.
 ///
@@ -29,6 +29,23 @@ impl Sum {
     pub fn add_product(&mut self, left: &Rational, right: &Rational) {
         let denominator = left.denominator() * right.denominator();
         self.add_fraction(left.numerator() * right.numerator(), &denominator);
+    }
+
+    /// Adds so many times the product of some units. Exact. Cost: a few products of long integers, without a common divisor where
+    /// the units are powers of ten.
+    pub fn add_units(&mut self, count: Integer, units: &[Unit]) {
+        let (mut numerator, mut denominator) = (count, Integer::one());
+        for unit in units {
+            let (above, below) = unit.terms();
+            numerator = numerator * above;
+            denominator = denominator * below;
+        }
+        self.add_fraction(numerator, &denominator);
+    }
+
+    /// Adds the terms of another sum. Exact.
+    pub fn merge(&mut self, other: Sum) {
+        self.add_fraction(other.numerator, &other.denominator);
     }
 
     /// The sum so far, in lowest terms. Exact.
@@ -71,5 +88,20 @@ mod tests {
         assert_eq!(sum.total(), terms.iter().cloned().sum());
         assert_eq!(squares.total(), terms.iter().map(|term| term * term).sum());
         assert_eq!(Sum::default().total(), Rational::zero());
+    }
+
+    #[test]
+    fn units_and_other_sums_are_added_for_what_they_are() {
+        let units = [Unit::TenTo(-3), Unit::TenTo(4), Unit::OneOver(60), Unit::Any, Unit::TenTo(-40)];
+        let (mut all, mut half, mut expected) = (Sum::default(), Sum::default(), Rational::zero());
+        for (count, one) in (-7..).step_by(5).zip(units) {
+            for other in units {
+                all.add_units(Integer::from(count), &[one, other]);
+                half.add_units(Integer::from(count), &[one]);
+                expected = expected + Rational::from(count) * one.value() * (other.value() + Rational::one());
+            }
+        }
+        all.merge(half);
+        assert_eq!(all.total(), expected);
     }
 }

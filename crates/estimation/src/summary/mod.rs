@@ -38,6 +38,7 @@ pub(crate) use sieve::SharedSieve;
 #[cfg(feature = "files")]
 pub(crate) use spread::Spread;
 pub(crate) use spread::Thresholds;
+use sums::RunningSums;
 pub use sums::Sums;
 #[cfg(feature = "files")]
 pub(crate) use sums::column_totals;
@@ -171,7 +172,7 @@ pub enum NoEui {
 /// What is kept of readings of a line, however many they are.
 #[derive(Debug, Default)]
 pub(crate) struct LineSummary {
-    pub(crate) sums: Sums,
+    pub(crate) sums: RunningSums,
     /// The readings that support a hull of those with the same error bound; under a uniform one, whatever it is, `None`
     /// stands for it.
     support: BTreeMap<Option<Rational>, SupportRows>,
@@ -199,12 +200,12 @@ impl LineSummary {
                 rows.into_iter().map(|(bound, rows)| (Some(bound), support(rows))).collect()
             }
         };
-        LineSummary { sums: Sums::of_columns(x, None, y), support }
+        LineSummary { sums: RunningSums::of_line(x, y), support }
     }
 
     /// Adds what is kept of other readings, and lets the sieve learn from it. Exact.
     pub(crate) fn merge(&mut self, other: LineSummary, sieve: &SharedSieve) {
-        self.sums = self.sums.merged(&other.sums);
+        self.sums.merge(other.sums);
         for (bound, support) in other.support {
             self.support.entry(bound).or_default().merge(support);
         }
@@ -224,6 +225,6 @@ impl LineSummary {
         let mut rows: Vec<Measurement> =
             self.support.into_values().flat_map(SupportRows::into_rows).collect();
         rows.sort_by_key(|reading| reading.row);
-        (self.sums, rows.into_iter().map(|reading| reading.within(epsilon.clone())).collect())
+        (self.sums.total(), rows.into_iter().map(|reading| reading.within(epsilon.clone())).collect())
     }
 }

@@ -1,6 +1,6 @@
 //! Where the x of a line lie, as the EUI needs it: only known when all readings have been seen.
 
-use boundfit_exact::{Column, Count, Rational, Scaled, Sum, Unit};
+use boundfit_exact::{Column, Count, Rational, Scaled, Sum, Unit, WideSum};
 
 use super::sums::Sums;
 use crate::line_form::LineForm;
@@ -53,10 +53,12 @@ impl Thresholds {
         let unit = x.unit().value();
         Spread::of_counts(self.in_units(x.unit()).map(|threshold| {
             let above = x.counts().iter().map(|&count| count.into()).filter(|count| *count > threshold);
-            // Integers of 92 bits leave room for more terms than memory has.
-            let (count, sum) =
-                above.fold((0, 0_i128), |(count, sum), term| (count + 1, sum.wrapping_add(term)));
-            (count, Rational::from(sum) * &unit)
+            let (mut count, mut sum) = (0, WideSum::default());
+            above.for_each(|term| {
+                count += 1;
+                sum.add(term);
+            });
+            (count, Rational::from(sum.total()) * &unit)
         }))
     }
 

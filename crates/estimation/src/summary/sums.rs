@@ -1,8 +1,6 @@
 //! What least squares needs to know about readings, in constant memory.
 
-#[cfg(feature = "files")]
-use boundfit_exact::Sum;
-use boundfit_exact::{Column, DoubleSum, Integer, Rational, Scaled, Unit};
+use boundfit_exact::{Column, Count, DoubleSum, Integer, Rational, Scaled, Sum, Unit, WideProducts, WideSum};
 
 use crate::moments::Moments;
 
@@ -20,7 +18,8 @@ pub(crate) fn column_totals(columns: &[Column]) -> Vec<Rational> {
             doubles.iter().for_each(|&double| sum.add(double));
             sum.total()
         }
-        Column::Wide(_) | Column::Fractions(_) => {
+        Column::Wide(scaled) => total_of_counts(scaled.counts()) * scaled.unit().value(),
+        Column::Fractions(_) => {
             let mut sum = Sum::default();
             (0..column.len()).for_each(|row| sum.add(&column.get(row)));
             sum.total()
@@ -29,8 +28,12 @@ pub(crate) fn column_totals(columns: &[Column]) -> Vec<Rational> {
     columns.iter().map(total).collect()
 }
 
-/// Bits of the lower part of a wide integer.
-const LOW_BITS: u32 = 40;
+#[cfg(feature = "files")]
+fn total_of_counts(counts: &[i128]) -> Rational {
+    let mut sum = WideSum::default();
+    counts.iter().for_each(|&count| sum.add(count));
+    Rational::from(sum.total())
+}
 
 /// N, Σu², Σuv, Σv², Σuy and Σvy over readings with regressors (u, v); of a line u is x and v is 1. Exact, whatever the order
 /// in which readings are added.
@@ -53,33 +56,22 @@ pub struct Sums {
 impl Sums {
     /// The sums over columns of equal length, without v those of a line. Exact. Cost: linear; on machine integers where their
     /// bits suffice.
+    #[cfg(feature = "files")]
     pub(crate) fn of_columns(u: &Column, v: Option<&Column>, y: &Column) -> Self {
         match v {
-            None => Sums::of_line(u, y),
+            None => RunningSums::of_line(u, y).total(),
             Some(v) => Sums::of_two(u, v, y),
         }
     }
 
-    fn of_line(x: &Column, y: &Column) -> Self {
-        let on_machine_numbers = match (x, y) {
-            (Column::Narrow(x), Column::Narrow(y)) => of_narrow(x, None, y),
-            (Column::Doubles(x), Column::Doubles(y)) => Some(of_doubles(x, y)),
-            _ => None,
-        };
-        // Where one column is wide, or both are narrow but not their sums.
-        let wide = || of_wide(x.wide()?.as_ref(), y.wide()?.as_ref());
-        let one = Rational::one();
-        on_machine_numbers
-            .or_else(wide)
-            .unwrap_or_else(|| of_numbers(x.len().min(y.len()), |row| [x.get(row), one.clone(), y.get(row)]))
-    }
-
+    #[cfg(feature = "files")]
     fn of_two(u: &Column, v: &Column, y: &Column) -> Self {
         let on_machine_numbers = match (u, v, y) {
             (Column::Narrow(u), Column::Narrow(v), Column::Narrow(y)) => of_narrow(u, Some(v), y),
             _ => None,
         };
-        on_machine_numbers.unwrap_or_else(|| of_numbers(u.len(), |row| [u.get(row), v.get(row), y.get(row)]))
+        let sums = on_machine_numbers.map(|sums| sums.total());
+        sums.unwrap_or_else(|| of_numbers(u.len(), |row| [u.get(row), v.get(row), y.get(row)]))
     }
 
     /// The sums that the normal equations are made of.
@@ -101,71 +93,90 @@ impl Sums {
     }
 }
 
-/// The sums on machine integers, unless one of them might not fit.
-fn of_narrow(u: &Scaled<i64>, v: Option<&Scaled<i64>>, y: &Scaled<i64>) -> Option<Sums> {
-    let Moments { uu, uv, vv, uy, vy } = Moments::of_integers(u.counts(), v.map(Scaled::counts), y.counts())?;
-    let one = Rational::one();
-    let (u_unit, y_unit) = (u.unit().value(), y.unit().value());
-    let v_unit = v.map_or(one, |v| v.unit().value());
-    Some(Sums {
-        count: u.counts().len().min(y.counts().len()),
-        uu: Rational::from(uu) * &u_unit * &u_unit,
-        uv: Rational::from(uv) * &u_unit * &v_unit,
-        vv: Rational::from(vv) * &v_unit * &v_unit,
-        uy: Rational::from(uy) * &u_unit * &y_unit,
-        vy: Rational::from(vy) * &v_unit * &y_unit,
-    })
+/// [`Sums`] in the making: over common denominators that nobody has reduced yet, which takes longer than to add up what a
+/// batch of readings comes to.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct RunningSums {
+    pub(crate) count: usize,
+    /// Σu², Σuv, Σv², Σuy and Σvy.
+    sums: [Sum; 5],
 }
 
-/// The sums on wide integers in two parts; `None` for so many rows that a sum of products might not fit.
-fn of_wide(x: &Scaled<i128>, y: &Scaled<i128>) -> Option<Sums> {
-    const MOST_ROWS: usize = 1 << 20;
-    let count = x.counts().len().min(y.counts().len());
-    if count > MOST_ROWS {
-        return None;
+impl RunningSums {
+    /// Those of a line over columns of equal length. Exact. Cost: linear.
+    pub(crate) fn of_line(x: &Column, y: &Column) -> Self {
+        match (x, y) {
+            (Column::Narrow(x), Column::Narrow(y)) => {
+                of_narrow(x, None, y).unwrap_or_else(|| of_counts(x, y))
+            }
+            (Column::Narrow(x), Column::Wide(y)) => of_counts(x, y),
+            (Column::Wide(x), Column::Narrow(y)) => of_counts(x, y),
+            (Column::Wide(x), Column::Wide(y)) => of_counts(x, y),
+            (Column::Doubles(x), Column::Doubles(y)) => RunningSums::from(of_doubles(x, y)),
+            _ => {
+                let one = Rational::one();
+                let reading = |row: usize| [x.get(row), one.clone(), y.get(row)];
+                RunningSums::from(of_numbers(x.len().min(y.len()), reading))
+            }
+        }
     }
-    let [mut sum_x, mut sum_y] = [0_i128; 2];
-    let [mut xx, mut xy] = [SumOfProducts::default(); 2];
+
+    /// So many units each.
+    fn new(count: usize, counts: [Integer; 5], [u, v, y]: [Unit; 3]) -> Self {
+        let mut sums: [Sum; 5] = Default::default();
+        for ((sum, count), units) in sums.iter_mut().zip(counts).zip([[u, u], [u, v], [v, v], [u, y], [v, y]])
+        {
+            sum.add_units(count, &units);
+        }
+        RunningSums { count, sums }
+    }
+
+    /// Adds those over other readings. Exact.
+    pub(crate) fn merge(&mut self, other: RunningSums) {
+        self.count += other.count;
+        self.sums.iter_mut().zip(other.sums).for_each(|(own, other)| own.merge(other));
+    }
+
+    /// In lowest terms. Exact.
+    pub(crate) fn total(&self) -> Sums {
+        let [uu, uv, vv, uy, vy] = self.sums.each_ref().map(Sum::total);
+        Sums { count: self.count, uu, uv, vv, uy, vy }
+    }
+}
+
+impl From<Sums> for RunningSums {
+    fn from(Sums { count, uu, uv, vv, uy, vy }: Sums) -> Self {
+        let sums = [uu, uv, vv, uy, vy].map(|total| {
+            let mut sum = Sum::default();
+            sum.add(&total);
+            sum
+        });
+        RunningSums { count, sums }
+    }
+}
+
+/// The sums on machine integers, unless one of them might not fit.
+fn of_narrow(u: &Scaled<i64>, v: Option<&Scaled<i64>>, y: &Scaled<i64>) -> Option<RunningSums> {
+    let Moments { uu, uv, vv, uy, vy } = Moments::of_integers(u.counts(), v.map(Scaled::counts), y.counts())?;
+    let count = u.counts().len().min(y.counts().len());
+    let units = [u.unit(), v.map_or(Unit::Any, Scaled::unit), y.unit()];
+    Some(RunningSums::new(count, [uu, uv, vv, uy, vy].map(Integer::from), units))
+}
+
+/// Those of a line on integers of up to 128 bits.
+fn of_counts<X: Count, Y: Count>(x: &Scaled<X>, y: &Scaled<Y>) -> RunningSums {
+    let count = x.counts().len().min(y.counts().len());
+    let [mut sum_x, mut sum_y] = [WideSum::default(); 2];
+    let [mut xx, mut xy] = [WideProducts::default(); 2];
     for (&x, &y) in x.counts().iter().zip(y.counts()) {
-        sum_x += x;
-        sum_y += y;
+        let (x, y): (i128, i128) = (x.into(), y.into());
+        sum_x.add(x);
+        sum_y.add(y);
         xx.add(x, x);
         xy.add(x, y);
     }
-    let [x_unit, y_unit] = [x.unit(), y.unit()].map(Unit::value);
-    Some(Sums {
-        count,
-        uu: Rational::from(xx.total()) * &x_unit * &x_unit,
-        uy: Rational::from(xy.total()) * &x_unit * &y_unit,
-        uv: Rational::from(sum_x) * x_unit,
-        vv: Rational::from(count),
-        vy: Rational::from(sum_y) * y_unit,
-    })
-}
-
-/// A sum of products of wide integers high·2^40 + low, apart for each power of two.
-#[derive(Debug, Clone, Copy, Default)]
-struct SumOfProducts {
-    high: i128,
-    middle: i128,
-    low: i128,
-}
-
-impl SumOfProducts {
-    fn add(&mut self, left: i128, right: i128) {
-        let parts = |count: i128| (count >> LOW_BITS, count & ((1 << LOW_BITS) - 1));
-        let ((left_high, left_low), (right_high, right_low)) = (parts(left), parts(right));
-        // High parts have 53 bits, low ones 40: with 2^20 terms none of these overflows.
-        self.high = self.high.wrapping_add(left_high.wrapping_mul(right_high));
-        let middle = left_high.wrapping_mul(right_low).wrapping_add(left_low.wrapping_mul(right_high));
-        self.middle = self.middle.wrapping_add(middle);
-        self.low = self.low.wrapping_add(left_low.wrapping_mul(right_low));
-    }
-
-    fn total(&self) -> Integer {
-        let shift = Integer::power_of_two(LOW_BITS.into());
-        (Integer::from(self.high) * &shift + Integer::from(self.middle)) * shift + Integer::from(self.low)
-    }
+    let counts = [xx.total(), sum_x.total(), Integer::from(count), xy.total(), sum_y.total()];
+    RunningSums::new(count, counts, [x.unit(), Unit::Any, y.unit()])
 }
 
 fn of_doubles(x: &[f64], y: &[f64]) -> Sums {

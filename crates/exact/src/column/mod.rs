@@ -146,7 +146,20 @@ impl Column {
         {
             return;
         }
+        if let Column::Wide(scaled) = self
+            && scaled.push_word(mantissa, exponent)
+        {
+            return;
+        }
         self.push_count(mantissa.into(), Unit::TenTo(exponent));
+    }
+
+    /// Adds `mantissa · 10^exponent` with a long mantissa.
+    pub fn push_long_decimal(&mut self, mantissa: i128, exponent: i32) {
+        match i64::try_from(mantissa) {
+            Ok(mantissa) => self.push_decimal(mantissa, exponent),
+            Err(_) => self.push_count(mantissa, Unit::TenTo(exponent)),
+        }
     }
 
     /// Adds a number.

@@ -2,6 +2,7 @@
 
 use super::unit::Unit;
 use crate::Rational;
+use crate::long_decimal::{WORD_DIGITS, power_of_ten};
 
 /// Integers on a common unit: number `i` is `counts[i]` units. How large they are is limited by [`Count`].
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -14,6 +15,8 @@ pub struct Scaled<I> {
 pub trait Count: Copy + Eq + Into<i128> {
     /// 1.
     const ONE: Self;
+    /// How many bits no magnitude goes beyond.
+    const BITS: u32;
 
     /// The integer with this value, if it is not too large.
     fn new(value: i128) -> Option<Self>;
@@ -32,6 +35,7 @@ macro_rules! count {
     ($integer:ty, $bits:literal, $parts:expr) => {
         impl Count for $integer {
             const ONE: Self = 1;
+            const BITS: u32 = $bits;
 
             #[inline]
             fn new(value: i128) -> Option<Self> {
@@ -58,9 +62,13 @@ macro_rules! count {
 
 // Differences of two integers of 62 bits fit into 64 bits, products of two differences into 127.
 count!(i64, 62, Rational::to_words);
-// Integers of 92 bits, in two parts, have sums of products in 128 bits: those of numbers with 17 digits, as other programs
-// print binary64, and exponents that differ by ten.
-count!(i128, 92, |number: &Rational| Some((number.numerator().to_i128()?, number.denominator().to_i128()?)));
+// Differences of two integers of 126 bits fit into 128: 37 digits, or the 17 with which other programs print binary64 and
+// exponents that differ by twenty.
+count!(i128, 126, |number: &Rational| Some((number.numerator().to_i128()?, number.denominator().to_i128()?)));
+
+fn bits(magnitude: u128) -> u32 {
+    u128::BITS - magnitude.leading_zeros()
+}
 
 impl<I> Default for Scaled<I> {
     fn default() -> Self {
@@ -161,7 +169,10 @@ impl<I: Count> Scaled<I> {
     fn refine(&mut self, unit: Unit) -> Option<()> {
         let common = self.unit.common(unit)?;
         let factor = I::new(self.unit.counted_in(common)?)?;
-        if self.counts.iter().any(|count| count.times(factor).is_none()) {
+        // The bits of all magnitudes together reach as far as those of the largest, whose product tells about all.
+        let all = self.counts.iter().fold(0, |all: u128, &count| all | count.into().unsigned_abs());
+        let is_short = bits(all) + bits(factor.into().unsigned_abs()) < I::BITS;
+        if !is_short && self.counts.iter().any(|count| count.times(factor).is_none()) {
             return None;
         }
         for count in &mut self.counts {
@@ -174,6 +185,22 @@ impl<I: Count> Scaled<I> {
     /// Some of the numbers; those that there are.
     pub(super) fn part(&self, range: std::ops::Range<usize>) -> Self {
         Scaled { counts: self.counts.get(range).unwrap_or_default().to_vec(), unit: self.unit }
+    }
+}
+
+impl Scaled<i128> {
+    /// Adds `mantissa · 10^exponent` where that is so many units that are counted already; gives `false` when it may not be.
+    /// Cost: a product of two words.
+    #[inline]
+    pub(super) fn push_word(&mut self, mantissa: i64, exponent: i32) -> bool {
+        let Unit::TenTo(own) = self.unit else { return false };
+        let finer = exponent.wrapping_sub(own) as usize;
+        if finer >= WORD_DIGITS || exponent < own {
+            return false;
+        }
+        // 63 bits and 60 are less than 126.
+        self.counts.push(i128::from(mantissa).wrapping_mul(i128::from(power_of_ten(finer))));
+        true
     }
 }
 
@@ -222,7 +249,7 @@ mod tests {
         let column = Scaled::<i128>::of_numbers(numbers.iter()).unwrap();
         let values: Vec<Rational> = column.counts().iter().map(|&count| column.unit().times(count)).collect();
         assert_eq!(values, numbers);
-        for too_wide in ["1e28", "1e-28"].map(|text| read(text) + Rational::ratio(1, 7)) {
+        for too_wide in ["1e38", "1e-38"].map(|text| read(text) + Rational::ratio(1, 7)) {
             assert!(Scaled::<i128>::of_numbers([too_wide].iter()).is_none());
         }
     }

@@ -56,6 +56,16 @@ impl Unit {
         }
     }
 
+    /// As a fraction that may not be in lowest terms.
+    pub(crate) fn terms(self) -> (Integer, Integer) {
+        match self {
+            Unit::Any => (Integer::one(), Integer::one()),
+            Unit::TenTo(exponent @ 0..) => (Integer::power_of_ten(exponent.unsigned_abs()), Integer::one()),
+            Unit::TenTo(exponent) => (Integer::one(), Integer::power_of_ten(exponent.unsigned_abs())),
+            Unit::OneOver(d) => (Integer::one(), Integer::from(d)),
+        }
+    }
+
     fn denominator(self) -> Option<i128> {
         match self {
             Unit::Any | Unit::TenTo(0..) => Some(1),

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use boundfit_exact::{DecimalMark, Reading, nearest_double, plain_prefix};
+use boundfit_exact::{DecimalMark, Reading, long_prefix, nearest_double, plain_prefix};
 use memchr::{memchr, memchr_iter, memchr2, memchr3};
 
 use super::builder::BatchBuilder;
@@ -287,6 +287,13 @@ impl Lane<'_> {
                 builder.push_double(double);
                 return Some(at + prefix.length);
             }
+        } else if self.is_decimal
+            && let Some(prefix) = long_prefix(self.numbers.get(at..)?)
+            && self.is_end_of_cell(at + prefix.length)
+            && !(non_negative && prefix.mantissa < 0)
+        {
+            self.batch.columns.get_mut(column)?.push_long_decimal(prefix.mantissa, prefix.exponent);
+            return Some(at + prefix.length);
         }
         self.long_number(at, column)
     }

@@ -90,7 +90,7 @@ mod tests {
         let mut series = Series::default();
         let ones = vec![1; SEGMENT - 1];
         series.push(&scaled(&ones, 0));
-        let tiny = Rational::ratio(1, 1 << 62) * Rational::ratio(1, 1 << 62);
+        let tiny = Rational::scientific(1, -40);
         series.push(&Column::Fractions(vec![tiny.clone()]));
         series.push(&scaled(&ones, 0));
         assert!(matches!(series.segments.as_slice(), [Column::Fractions(_), Column::Narrow(_)]));
