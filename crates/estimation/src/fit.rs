@@ -1,7 +1,7 @@
 //! The whole set-membership answer for a set of readings.
 
 use boundfit_exact::{Interval, Rational};
-use boundfit_geometry::{Inequality, Polyhedron, ProofError, System, verify_membership};
+use boundfit_geometry::{Inequality, Measure, Measures, Polyhedron, ProofError, System, verify_membership};
 
 use crate::bounds::{Central, ParameterInterval, central, guaranteed_error, parameter_intervals};
 use crate::fps::{BoundName, Fps, every_half_plane};
@@ -149,9 +149,24 @@ impl Fit {
     /// Area of the FPS over area of the PUI box, between 0 and 1; `None` when the box has no finite positive area.
     /// Exact.
     pub fn tightness(&self) -> Option<Rational> {
+        let measures = self.fps.polyhedron().region().measures();
+        Some(self.share_of_box(&measures)?.exact())
+    }
+
+    /// As [`Fit::tightness`], of the measures of the FPS.
+    pub fn share_of_box<'a>(&self, measures: &'a Measures) -> Option<Measure<'a>> {
+        measures.share_of(&self.box_area()?)
+    }
+
+    /// The area of the PUI box; `None` unless both PUI are bounded. Exact.
+    fn box_area(&self) -> Option<Rational> {
         let [first, second] = self.pui_intervals()?;
-        let box_area = first.width()? * second.width()?;
-        self.fps.polyhedron().region().area()?.checked_div(&box_area)
+        Some(first.width()? * second.width()?)
+    }
+
+    /// Whether the PUI box has a finite positive area.
+    pub fn has_box_with_area(&self) -> bool {
+        self.box_area().is_some_and(|area| area.is_positive())
     }
 
     /// For an empty FPS, at most three half-planes with positive multipliers whose sum is `0 ≤ negative`. Of a line under a

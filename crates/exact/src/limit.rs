@@ -23,6 +23,8 @@ pub enum Limit {
     Workbook,
     /// How deep arrays and objects of JSON may be nested.
     Nesting,
+    /// Digits of the fraction of a sum over all vertices that is printed.
+    Fraction,
 }
 
 impl Limit {
@@ -55,6 +57,7 @@ impl Limit {
             Limit::Unpacked => "--max-unpacked",
             Limit::Workbook => "--max-workbook",
             Limit::Nesting => "--max-nesting",
+            Limit::Fraction => "--max-fraction",
         }
     }
 }

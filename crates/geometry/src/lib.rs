@@ -48,6 +48,7 @@ pub use generators::{Generator, Generators};
 pub use half_plane::{Constraint, HalfPlane, Inequality};
 pub use hull::{Hull, HullSide, Hulls, Site};
 pub use invariants::InvariantViolation;
+pub use measures::{Measure, Measures};
 pub use point::{Direction, Point};
 pub use polyhedron::{Face, Membership, Polyhedron, Redundancy, Support};
 pub use projective::{Branch, inverse_line_image};

@@ -1,11 +1,16 @@
 //! Numbers as the page shows them: as reports do, with the usual digits.
 
 use boundfit_exact::Rational;
-use boundfit_report::{EndRounding, Number, Reader, Style};
+use boundfit_report::{EndRounding, LONGEST_FRACTION, Number, Reader, Style};
 
 /// How numbers are shown.
-pub(crate) const STYLE: Style =
-    Style { digits: None, ends: EndRounding::Outward, exact: false, reader: Reader::Person };
+pub(crate) const STYLE: Style = Style {
+    digits: None,
+    ends: EndRounding::Outward,
+    exact: false,
+    reader: Reader::Person,
+    longest_fraction: LONGEST_FRACTION,
+};
 
 /// Significant digits of decimals.
 pub(crate) const DIGITS: usize = 5;

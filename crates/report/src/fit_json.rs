@@ -8,10 +8,13 @@ use boundfit_estimation::{
     mending_rows,
 };
 use boundfit_exact::{Endpoint, Interval, Rational};
-use boundfit_geometry::Multiplier;
+use boundfit_geometry::{Measures, Multiplier};
 use serde::Serialize;
 
-use crate::json::{ActiveJson, BoundJson, IntervalJson, RangeJson, RegionJson, TermJson, to_text};
+use crate::json::{
+    ActiveJson, BoundJson, IntervalJson, RangeJson, RegionJson, TermJson, centroid_json, long_fractions,
+    to_text,
+};
 use crate::number::Number;
 use crate::origin::Origin;
 use crate::style::Style;
@@ -167,13 +170,21 @@ impl FitJson {
         origin: &Origin,
         style: &Style,
     ) -> Self {
-        let region = fit.fps.polyhedron().region();
+        let measures = fit.fps.polyhedron().region().measures();
+        let fps = fps(problem, fit, &measures, style);
+        let tightness = fit.share_of_box(&measures).map(|share| style.measure_number(&share));
+        let area_centroid = centroid_json(&measures, style);
+        let mut reasons = reasons(problem, fit);
+        reasons.extend(long_fractions("fps.area", fps.area(), area_centroid.as_ref(), style));
+        if tightness.as_ref().is_some_and(Number::lacks_fraction) {
+            reasons.insert("tightness", style.too_long());
+        }
         FitJson {
             schema: "boundfit/fit/1",
             input: input(problem, origin, style),
             least_squares: least_squares(problem, fit, style),
             eui: fit.eui().map(|eui| eui.each_ref().map(|eui| RangeJson::new(eui, style))),
-            fps: fps(problem, fit, style),
+            fps,
             pui: pui(fit, style),
             central: central(fit, style),
             epsilon_min: uniform_minimum(problem, fit).map(|epsilon| style.upper_number(epsilon)),
@@ -182,10 +193,10 @@ impl FitJson {
                 parameters.map(|(name, parameter)| (name, inverse_parameter(parameter, style))).into()
             }),
             minimax: minimax(problem, fit, style),
-            tightness: fit.tightness().map(|tightness| style.number(&tightness)),
-            area_centroid: region.area_centroid().map(|point| style.numbers(&point.coordinates())),
+            tightness,
+            area_centroid,
             mended_without: mending_rows(problem, fit),
-            reasons: reasons(problem, fit),
+            reasons,
             sweep: family.map(|family| SweepJson::new(problem, family, style)),
         }
     }
@@ -274,12 +285,12 @@ fn least_squares(problem: &Problem, fit: &Fit, style: &Style) -> Option<LeastSqu
     })
 }
 
-fn fps(problem: &Problem, fit: &Fit, style: &Style) -> RegionJson<ActiveJson> {
+fn fps(problem: &Problem, fit: &Fit, measures: &Measures, style: &Style) -> RegionJson<ActiveJson> {
     let contradiction = fit.contradiction(problem.measurements.error_bound());
     let farkas =
         contradiction.map(|terms| terms.iter().map(|(name, m)| TermJson::new(*name, m, style)).collect());
     let name = |indices: &[usize]| indices.iter().map(|&index| fit.fps.name(index).into()).collect();
-    RegionJson::new(fit.fps.polyhedron().region(), style, name, farkas)
+    RegionJson::new(fit.fps.polyhedron().region(), measures, style, name, farkas)
 }
 
 fn has_bounded_end(fit: &Fit) -> bool {
@@ -366,7 +377,7 @@ fn reasons(problem: &Problem, fit: &Fit) -> BTreeMap<&'static str, String> {
     if fit.central.is_none() {
         reasons.insert("central", without_fps());
     }
-    if fit.tightness().is_none() {
+    if !fit.has_box_with_area() {
         let flat = region.is_bounded() && !region.is_empty();
         reasons.insert("tightness", if flat { "the PUI box has no area".to_owned() } else { without_fps() });
     }

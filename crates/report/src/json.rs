@@ -2,7 +2,7 @@
 
 use boundfit_estimation::BoundName;
 use boundfit_exact::{Interval, Rational};
-use boundfit_geometry::{Direction, Point, Region, Vertex};
+use boundfit_geometry::{Direction, Measures, Point, Region, Vertex};
 use serde::Serialize;
 
 use crate::number::Number;
@@ -104,9 +104,11 @@ struct BoundaryJson<A> {
 }
 
 impl<A> RegionJson<A> {
-    /// A region; `name` gives the names of the half-planes active at a vertex or boundary, `farkas` the certificate.
+    /// A region with its measures; `name` gives the names of the half-planes active at a vertex or boundary, `farkas` the
+    /// certificate.
     pub(crate) fn new(
         region: &Region,
+        measures: &Measures,
         style: &Style,
         name: impl Fn(&[usize]) -> Vec<A>,
         farkas: Option<Vec<TermJson>>,
@@ -122,10 +124,35 @@ impl<A> RegionJson<A> {
             lines: region.lines().iter().map(direction).collect(),
             boundaries: boundaries.map(|b| BoundaryJson { active: name(b.active()) }).collect(),
             witness: region.witness().as_ref().map(point),
-            area: region.area().filter(|_| !region.is_empty()).map(|area| style.number(&area)),
+            area: measures.area().filter(|_| !region.is_empty()).map(|area| style.measure_number(&area)),
             certificate: farkas.map(|farkas| CertificateJson { farkas }),
         }
     }
+}
+
+impl<A> RegionJson<A> {
+    /// The area, if it is finite.
+    pub(crate) fn area(&self) -> Option<&Number> {
+        self.area.as_ref()
+    }
+}
+
+/// The centroid of an area with finite coordinates.
+pub(crate) fn centroid_json(measures: &Measures, style: &Style) -> Option<[Number; 2]> {
+    measures.centroid().map(|centroid| centroid.each_ref().map(|coordinate| style.measure_number(coordinate)))
+}
+
+/// Why each of these has no fraction, the area under the name that its part has.
+pub(crate) fn long_fractions(
+    area_name: &'static str,
+    area: Option<&Number>,
+    centroid: Option<&[Number; 2]>,
+    style: &Style,
+) -> impl Iterator<Item = (&'static str, String)> {
+    let centroid = centroid.is_some_and(|centroid| centroid.iter().any(Number::lacks_fraction));
+    let lacking = [(area_name, area.is_some_and(Number::lacks_fraction)), ("area_centroid", centroid)];
+    let reason = style.too_long();
+    lacking.into_iter().filter_map(move |(name, lacks)| lacks.then(|| (name, reason.clone())))
 }
 
 /// Indented JSON with a line end.

@@ -81,7 +81,7 @@ pub use polygon::{polygon_document, polygon_json};
 #[cfg(feature = "files")]
 pub use proof_json::proof_json;
 pub use script::region_script;
-pub use style::{EndRounding, Reader, Style};
+pub use style::{EndRounding, LONGEST_FRACTION, Reader, Style};
 pub use sweep::sweep_document;
 pub use sweep_json::SweepJson;
 pub use verify::{verify_json, verify_text};

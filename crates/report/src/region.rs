@@ -1,8 +1,7 @@
 //! A region in reports, whatever its half-planes are called.
 
-use boundfit_exact::Rational;
 use boundfit_exact::english::{counted, list};
-use boundfit_geometry::{Direction, Region, RegionKind, Vertex};
+use boundfit_geometry::{Direction, Measure, Region, RegionKind, Vertex};
 
 use crate::document::{Block, THETA, Table, Text};
 use crate::formula::pair;
@@ -56,7 +55,8 @@ pub(crate) fn endless(rays: &[Direction], lines: &[Direction]) -> Vec<Text> {
     rays.chain(lines).collect()
 }
 
-/// A point.
-pub(crate) fn point_text(coordinates: &[Rational; 2], scales: &[Scale; 2]) -> Text {
-    pair(scales[0].value(&coordinates[0]), scales[1].value(&coordinates[1]))
+/// A point that is a sum over all vertices.
+pub(crate) fn measured_point(coordinates: &[Measure; 2], scales: &[Scale; 2]) -> Text {
+    let [theta1, theta2] = [0, 1].map(|axis| scales[axis].measure(&coordinates[axis]));
+    Text::new().mark("(").then(theta1).mark(", ").then(theta2).mark(")")
 }

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use boundfit_exact::{Interval, Rational, Rounding};
-use boundfit_geometry::Vertex;
+use boundfit_geometry::{Measure, Vertex};
 
 use crate::document::{Symbol, Text};
 use crate::style::{Shown, Style};
@@ -101,6 +101,14 @@ impl Scale<'_> {
             Some(range) if is(range.upper().value()) => self.upper(value),
             _ => self.style.nearest(value),
         }
+    }
+
+    /// A sum over all vertices: as [`Scale::value`].
+    pub(crate) fn measure(&self, measure: &Measure) -> Text {
+        if self.style.exact {
+            return self.style.measure(measure);
+        }
+        Text::new().number(self.value(&measure.rounding_alike(self.style.significant())))
     }
 
     /// A lower end.

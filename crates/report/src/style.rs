@@ -2,13 +2,15 @@
 
 use std::fmt;
 
-use boundfit_exact::{Decimal, Interval, Rational, Rounding};
+use boundfit_exact::english::counted;
+use boundfit_exact::{Decimal, Interval, Limit, Rational, Rounding};
+use boundfit_geometry::Measure;
 
 use crate::document::{Inline, Symbol, Text};
 use crate::number::Number;
 
 /// The longest fraction that text reports show without being asked for exact numbers.
-const LONGEST_FRACTION: usize = 80;
+const LONGEST_READABLE: usize = 80;
 
 /// Significant digits up to which a given number is shown in full.
 const GIVEN_DIGITS: usize = 20;
@@ -52,7 +54,12 @@ pub struct Style {
     pub exact: bool,
     /// Who reads the numbers of JSON.
     pub reader: Reader,
+    /// Decimal digits that the fraction of a sum over all vertices may have; where it takes more, only its decimal is shown.
+    pub longest_fraction: usize,
 }
+
+/// The digits of the longest fraction of a sum where nothing else is asked for.
+pub const LONGEST_FRACTION: usize = 10_000;
 
 /// Who reads the numbers of JSON.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -67,7 +74,13 @@ pub enum Reader {
 impl Default for Style {
     /// Digits that follow the numbers, ends outward, decimals.
     fn default() -> Self {
-        Style { digits: None, ends: EndRounding::Outward, exact: false, reader: Reader::Program }
+        Style {
+            digits: None,
+            ends: EndRounding::Outward,
+            exact: false,
+            reader: Reader::Program,
+            longest_fraction: LONGEST_FRACTION,
+        }
     }
 }
 
@@ -128,6 +141,15 @@ impl Style {
         values.each_ref().map(|value| self.number(value))
     }
 
+    /// Both forms of a sum over all vertices, without the fraction where that is too long.
+    pub(crate) fn measure_number(&self, measure: &Measure) -> Number {
+        let digits = self.significant();
+        match measure.exact_within(self.longest_fraction) {
+            Some(exact) => self.number(&exact),
+            None => Number::without_fraction(measure.rounding_alike_in_binary64(digits), digits, self.reader),
+        }
+    }
+
     fn json_number(&self, value: &Rational, digits: usize, rounding: Rounding) -> Number {
         Number::rounded(value, digits, rounding, self.reader)
     }
@@ -156,6 +178,28 @@ impl Style {
     /// A number, to nearest.
     pub(crate) fn nearest<'a>(&self, value: &'a Rational) -> Shown<'a> {
         self.shown(value, Rounding::Nearest)
+    }
+
+    /// A sum over all vertices, to nearest.
+    pub(crate) fn measure(&self, measure: &Measure) -> Text {
+        if !self.exact {
+            return Text::new().number(self.nearest(&measure.rounding_alike(self.significant())));
+        }
+        match measure.exact_within(self.longest_fraction) {
+            Some(exact) => Text::new().number(exact),
+            None => {
+                let rounded = measure.rounding_alike(self.significant());
+                let decimal = rounded.decimal(self.significant(), Rounding::Nearest);
+                let beyond = format!(" ({})", self.too_long());
+                Text::from("about ").number(decimal).words(beyond)
+            }
+        }
+    }
+
+    /// Why the fraction of a sum over all vertices is not shown.
+    pub(crate) fn too_long(&self) -> String {
+        let digits = counted(self.longest_fraction, "digit", "digits");
+        format!("the exact fraction takes more than {digits}; {} raises that", Limit::Fraction.flag())
     }
 
     /// A lower end.
@@ -247,7 +291,7 @@ impl Style {
 
 /// Whether a fraction is short enough to be read.
 pub(crate) fn is_readable(value: &Rational) -> bool {
-    value.to_string().len() <= LONGEST_FRACTION
+    value.to_string().len() <= LONGEST_READABLE
 }
 
 /// An interval with these ends; infinite where there is none.

@@ -17,6 +17,7 @@ mod judge;
 mod large;
 mod limits;
 mod line_forms;
+mod long_sums;
 mod names;
 mod output;
 mod packed;

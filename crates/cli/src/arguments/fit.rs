@@ -6,7 +6,7 @@ use clap::builder::NonEmptyStringValueParser;
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::values::parse_column;
-use super::{DataArguments, FactorRange, OutputArguments, ReportFormat, ThreadArguments};
+use super::{DataArguments, FactorRange, FractionArguments, OutputArguments, ReportFormat, ThreadArguments};
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -94,6 +94,8 @@ pub(crate) struct FitArguments {
     pub(crate) proof: Option<String>,
     #[command(flatten)]
     pub(crate) threads: ThreadArguments,
+    #[command(flatten)]
+    pub(crate) fraction: FractionArguments,
     #[command(flatten)]
     pub(crate) output: OutputArguments<ReportFormat>,
 }

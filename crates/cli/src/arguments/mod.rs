@@ -34,8 +34,8 @@ pub(crate) use reading::Asked;
 pub(crate) use reduce::ReduceArguments;
 pub(crate) use rows::RowArguments;
 pub(crate) use shared::{
-    DataArguments, FileArguments, Format, LabelArguments, LimitArguments, OutputArguments, ReplaceArguments,
-    ReportFormat, TableArguments, ThreadArguments,
+    DataArguments, FileArguments, Format, FractionArguments, LabelArguments, LimitArguments, OutputArguments,
+    ReplaceArguments, ReportFormat, TableArguments, ThreadArguments,
 };
 pub(crate) use solutions::SolutionArguments;
 pub(crate) use values::{FactorRange, number_problem};

@@ -3,7 +3,7 @@
 use clap::Args;
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
-use super::{OutputArguments, ReportFormat, TableArguments};
+use super::{FractionArguments, OutputArguments, ReportFormat, TableArguments};
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -42,6 +42,8 @@ pub(crate) struct PolygonArguments {
     pub(crate) file: String,
     #[command(flatten)]
     pub(crate) table: TableArguments,
+    #[command(flatten)]
+    pub(crate) fraction: FractionArguments,
     #[command(flatten)]
     pub(crate) output: OutputArguments<ReportFormat>,
 }

@@ -12,8 +12,8 @@ use clap::ValueEnum;
 use super::shared::EpsilonArguments;
 use super::values::{number_problem, parse_factors};
 use super::{
-    DataArguments, FitArguments, LabelArguments, LimitArguments, OutputArguments, ReduceArguments,
-    RowArguments, TableArguments, ThreadArguments,
+    DataArguments, FitArguments, FractionArguments, LabelArguments, LimitArguments, OutputArguments,
+    ReduceArguments, RowArguments, TableArguments, ThreadArguments,
 };
 use crate::exit::Failure;
 use crate::memory;
@@ -427,6 +427,13 @@ impl ThreadArguments {
         let Some(threads) = self.threads else { return Ok(()) };
         let builder = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
         builder.build_global().map_err(Failure::data)
+    }
+}
+
+impl FractionArguments {
+    /// A style with this limit.
+    pub(crate) fn limited(&self, style: Style) -> Style {
+        Style { longest_fraction: size(self.max_fraction.into()), ..style }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use boundfit_exact::{DecimalMark, Reading, Thousands};
 use boundfit_formats::{ColumnSelector, CommentMark, Header, Missing};
-use boundfit_report::EndRounding;
+use boundfit_report::{EndRounding, LONGEST_FRACTION};
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ValueEnum, value_parser};
 
@@ -208,6 +208,16 @@ pub(crate) struct LimitArguments {
     #[arg(long, value_name = "N", default_value_t = 64, value_parser = value_parser!(u8).range(1..=120),
           help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_nesting: u8,
+}
+
+/// How much of a long exact number is written.
+#[derive(Debug, Args)]
+pub(crate) struct FractionArguments {
+    /// Digits of the fraction of an area or centroid, which takes as many as all vertices together; beyond, its decimal alone
+    /// is written
+    #[arg(long, value_name = "N", default_value_t = LONGEST_FRACTION as u32, value_parser = value_parser!(u32).range(1..=1_000_000),
+          help_heading = LIMITS, hide_short_help = true)]
+    pub(super) max_fraction: u32,
 }
 
 /// How the answer is written.

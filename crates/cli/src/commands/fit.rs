@@ -47,7 +47,7 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     let family = arguments.sweep.as_ref().map(|FactorRange { from, to }| {
         while_working("sweeping", || Family::new(&problem, from.clone(), to.clone()))
     });
-    let style = arguments.output.style();
+    let style = arguments.fraction.limited(arguments.output.style());
     let inverse = if arguments.inverse { InverseLine::Always } else { InverseLine::default() };
     let document = |lp_verdict: Option<String>| {
         if arguments.brief {

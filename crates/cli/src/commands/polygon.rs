@@ -28,7 +28,7 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
         let row = file.origins.get(index).map_or(0, |origin| origin.row);
         if file.generators.is_some() { format!("facet:{row}") } else { row.to_string() }
     };
-    let style = arguments.output.style();
+    let style = arguments.fraction.limited(arguments.output.style());
     let document = || polygon_document(&file, &polyhedron, &name, &style);
     let report = match format {
         ReportFormat::Text => document().to_text(),

@@ -34,6 +34,12 @@ impl Fraction {
     pub fn denominator(&self) -> &Integer {
         &self.denominator
     }
+
+    /// Numerator and denominator.
+    #[inline]
+    pub fn into_terms(self) -> (Integer, Integer) {
+        (self.numerator, self.denominator)
+    }
 }
 
 /// By value. Exact; two products.

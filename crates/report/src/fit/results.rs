@@ -7,7 +7,7 @@ use boundfit_exact::english::list;
 use super::Report;
 use crate::document::{Symbol, Text};
 use crate::fit_json::{NO_BINARY64, NO_WIDTHS};
-use crate::region::point_text;
+use crate::region::measured_point;
 use crate::style::Style;
 
 /// A label, blank where the line goes on with the result above, and the result.
@@ -15,16 +15,17 @@ pub(super) fn lines(report: &Report) -> Vec<(Text, Text)> {
     let (fit, style) = (report.fit, report.style);
     let mut lines: Vec<(Text, Text)> = report.least_error_bound();
     let region = fit.fps.polyhedron().region();
-    if let Some(area) = region.area().filter(|_| !region.is_empty()) {
-        let line = Text::new().number(style.nearest(&area));
-        let line = match fit.tightness() {
-            Some(tightness) => line.words(", ").number(style.nearest(&tightness)).words(" of its PUI box"),
+    let measures = region.measures();
+    if let Some(area) = measures.area().filter(|_| !region.is_empty()) {
+        let line = style.measure(&area);
+        let line = match fit.share_of_box(&measures) {
+            Some(share) => line.words(", ").then(style.measure(&share)).words(" of its PUI box"),
             None => line,
         };
         lines.push(("area".into(), line));
     }
-    if let Some(centroid) = region.area_centroid() {
-        lines.push(("centroid".into(), point_text(&centroid.coordinates(), &report.theta)));
+    if let Some(centroid) = measures.centroid() {
+        lines.push(("centroid".into(), measured_point(&centroid, &report.theta)));
     }
     lines.extend(report.least_squares());
     lines

@@ -258,7 +258,13 @@ impl Parts<'_> {
         let range = |interval: &Interval| RangeJson::new(interval, self.style);
         PlaneJson {
             columns: names.map(|column| column.name.clone()).collect(),
-            region: RegionJson::new(polyhedron.region(), self.style, active, None),
+            region: RegionJson::new(
+                polyhedron.region(),
+                &polyhedron.region().measures(),
+                self.style,
+                active,
+                None,
+            ),
             ranges: polyhedron.bounding_box().map(|both| both.iter().take(count).map(range).collect()),
         }
     }

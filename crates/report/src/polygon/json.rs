@@ -1,12 +1,14 @@
 //! The JSON report of any half-planes or generators, schema `boundfit/polygon/1`.
 
+use std::collections::BTreeMap;
+
 use boundfit_exact::{Rational, Reading};
 use boundfit_formats::{HalfPlaneFile, RowOrigin};
 use boundfit_geometry::{Inequality, Multiplier, Polyhedron, Support};
 use serde::Serialize;
 
 use super::rows::{redundant_rows, rows_of};
-use crate::json::{BoundJson, IntervalJson, RegionJson, TermJson, to_text};
+use crate::json::{BoundJson, IntervalJson, RegionJson, TermJson, centroid_json, long_fractions, to_text};
 use crate::number::Number;
 use crate::style::Style;
 
@@ -21,6 +23,8 @@ struct PolygonJson {
     bounds: Option<[IntervalJson; 2]>,
     area_centroid: Option<[Number; 2]>,
     squared_diameter: Option<Number>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    reasons: BTreeMap<&'static str, String>,
 }
 
 #[derive(Serialize)]
@@ -55,6 +59,10 @@ pub fn polygon_json(
     let farkas = region
         .certificate()
         .map(|certificate| certificate.multipliers().iter().map(|m| term(file, m, style)).collect());
+    let measures = region.measures();
+    let area_centroid = centroid_json(&measures, style);
+    let region_json = RegionJson::new(region, &measures, style, |indices| rows_of(file, indices), farkas);
+    let reasons = long_fractions("region.area", region_json.area(), area_centroid.as_ref(), style).collect();
     let report = PolygonJson {
         schema: "boundfit/polygon/1",
         input: InputJson {
@@ -63,12 +71,13 @@ pub fn polygon_json(
             reading: reading.name(),
             sha256: file.sha256.clone(),
         },
-        region: RegionJson::new(region, style, |indices| rows_of(file, indices), farkas),
+        region: region_json,
         facets: file.generators.is_some().then(|| facets(polyhedron, style)),
         redundant: redundant_rows(file, polyhedron),
         bounds: bounds(file, polyhedron, style),
-        area_centroid: region.area_centroid().map(|point| style.numbers(&point.coordinates())),
+        area_centroid,
         squared_diameter: region.squared_diameter().map(|diameter| style.number(&diameter)),
+        reasons,
     };
     to_text(&report)
 }

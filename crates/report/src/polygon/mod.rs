@@ -11,7 +11,7 @@ use boundfit_geometry::{Multiplier, Polyhedron};
 
 use crate::document::{Block, Document, Facts, THETA, Table, Text};
 use crate::formula::absurdity;
-use crate::region::{point_text, region_blocks};
+use crate::region::{measured_point, region_blocks};
 use crate::scale::{Scale, scales};
 use crate::style::Style;
 use rows::rows_of;
@@ -56,12 +56,12 @@ fn emptiness(file: &HalfPlaneFile, polyhedron: &Polyhedron, style: &Style) -> Op
 /// Area, centroid and diameter, where there are such.
 fn measures(polyhedron: &Polyhedron, style: &Style, scales: &[Scale; 2]) -> Vec<(Text, Text)> {
     let region = polyhedron.region();
-    let number = |words: &str, value: &Rational| Text::from(words).number(style.nearest(value));
-    let area = region.area().filter(|_| !region.is_empty()).map(|area| ("area", number("", &area)));
-    let centroid = region.area_centroid();
-    let centroid = centroid.map(|point| ("centroid", point_text(&point.coordinates(), scales)));
+    let measured = region.measures();
+    let area = measured.area().filter(|_| !region.is_empty()).map(|area| ("area", style.measure(&area)));
+    let centroid = measured.centroid().map(|centroid| ("centroid", measured_point(&centroid, scales)));
     let diameter = region.squared_diameter();
-    let diameter = diameter.map(|square| ("diameter", number("square root of ", &square)));
+    let square_root = |square: &Rational| Text::from("square root of ").number(style.nearest(square));
+    let diameter = diameter.map(|square| ("diameter", square_root(&square)));
     let measures = area.into_iter().chain(centroid).chain(diameter);
     measures.map(|(label, text)| (label.into(), text)).collect()
 }

@@ -2,6 +2,7 @@
 //! systems of half-planes.
 
 mod large;
+mod long_sums;
 mod measures;
 mod membership;
 mod projective;

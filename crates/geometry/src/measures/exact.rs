@@ -1,0 +1,90 @@
+//! Area and moments of a polygon as fractions.
+
+use std::cell::OnceCell;
+
+use boundfit_exact::{Fraction, Integer, LongSum};
+
+use crate::point::Point;
+use crate::region::Vertex;
+
+/// The sums of the shoelace formula: twice the area, six times the integrals of both coordinates.
+#[derive(Debug)]
+pub(super) struct ExactMoments {
+    doubled_area: LongSum,
+    sixfold_moments: [LongSum; 2],
+    total: OnceCell<Fraction>,
+}
+
+impl ExactMoments {
+    /// Of the corners of a polygon. Adds nothing yet.
+    pub(super) fn new(vertices: &[Vertex]) -> Self {
+        let edges = || {
+            let points = vertices.iter().map(Vertex::point);
+            let next = points.clone().cycle().skip(1);
+            points.zip(next).map(|(p, q)| doubled_triangle(p, q))
+        };
+        let moment = |axis: usize| {
+            let points = vertices.iter().map(Vertex::point);
+            let next = points.clone().cycle().skip(1);
+            edges().zip(points.zip(next)).filter_map(move |((doubled, weight), (p, q))| {
+                let (sum, _) = corners_sum(p, q, axis);
+                Fraction::new(doubled * sum, &weight * &weight)
+            })
+        };
+        ExactMoments {
+            doubled_area: edges().filter_map(|(doubled, weight)| Fraction::new(doubled, weight)).collect(),
+            sixfold_moments: [0, 1].map(|axis| moment(axis).collect()),
+            total: OnceCell::new(),
+        }
+    }
+
+    fn doubled_area(&self) -> &Fraction {
+        self.total.get_or_init(|| self.doubled_area.total())
+    }
+
+    pub(super) fn area(&self) -> Fraction {
+        halved(self.doubled_area())
+    }
+
+    pub(super) fn centroid(&self, axis: usize) -> Fraction {
+        quotient(&self.sixfold_moments[axis].total(), self.doubled_area())
+    }
+
+    /// As [`ExactMoments::area`], where the common denominator has at most so many bits.
+    pub(super) fn area_within(&self, bits: u64) -> Option<Fraction> {
+        Some(halved(&self.doubled_area.total_within(bits)?))
+    }
+
+    /// As [`ExactMoments::centroid`], where the common denominators have at most so many bits.
+    pub(super) fn centroid_within(&self, axis: usize, bits: u64) -> Option<Fraction> {
+        let moment = self.sixfold_moments[axis].total_within(bits)?;
+        Some(quotient(&moment, &self.doubled_area.total_within(bits)?))
+    }
+}
+
+/// Twice the area of the triangle of the origin and two points, as numerator and denominator.
+fn doubled_triangle(p: &Point, q: &Point) -> (Integer, Integer) {
+    let ((px, py, pw), (qx, qy, qw)) = (p.homogeneous(), q.homogeneous());
+    (px * qy - py * qx, pw * qw)
+}
+
+/// The sum of a coordinate of two points, as numerator and denominator.
+fn corners_sum(p: &Point, q: &Point, axis: usize) -> (Integer, Integer) {
+    let ((px, py, pw), (qx, qy, qw)) = (p.homogeneous(), q.homogeneous());
+    let (p, q) = if axis == 0 { (px, qx) } else { (py, qy) };
+    (p * qw + q * pw, pw * qw)
+}
+
+fn halved(doubled: &Fraction) -> Fraction {
+    fraction(doubled.numerator().clone(), doubled.denominator() + doubled.denominator())
+}
+
+/// Six times a moment over three times twice the area, which is not 0.
+fn quotient(moment: &Fraction, doubled_area: &Fraction) -> Fraction {
+    let weight = Integer::from(3) * doubled_area.numerator();
+    fraction(moment.numerator() * doubled_area.denominator(), moment.denominator() * weight)
+}
+
+fn fraction(numerator: Integer, denominator: Integer) -> Fraction {
+    Fraction::new(numerator, denominator).unwrap_or_else(|| Integer::zero().into())
+}

@@ -1,0 +1,216 @@
+//! Area and centroid: what they round to, and their fractions, which are as long as all vertices together.
+
+mod diameter;
+mod exact;
+mod rough;
+
+use std::cell::OnceCell;
+
+use boundfit_exact::{Fraction, Integer, Rational, Rounding};
+
+use crate::constructions::mean;
+use crate::point::Point;
+use crate::region::{Region, RegionKind, Vertex};
+use exact::ExactMoments;
+use rough::RoughMoments;
+
+impl Region {
+    /// The area: 0 for everything within a line, `None` when it is infinite. Exact. Its fraction has about as many digits as
+    /// all vertices together; [`Region::measures`] tells what it rounds to without it. Cost: some products of that length and
+    /// a common divisor.
+    pub fn area(&self) -> Option<Rational> {
+        Some(self.measures().area()?.exact())
+    }
+
+    /// The centroid of a bounded region: of the area for a polygon, the mid-point of a segment, the point itself;
+    /// `None` when the region is empty or unbounded. Exact. Cost: as of [`Region::area`].
+    pub fn area_centroid(&self) -> Option<Point> {
+        let measures = self.measures();
+        let [theta1, theta2] = measures.centroid()?;
+        Some(Point::new(&theta1.exact(), &theta2.exact()))
+    }
+
+    /// Area and centroid, of which nothing is computed before it is asked for, and nothing twice.
+    pub fn measures(&self) -> Measures<'_> {
+        Measures { region: self, rough: Default::default(), exact: OnceCell::new() }
+    }
+}
+
+/// Area and centroid of a region.
+#[derive(Debug)]
+pub struct Measures<'a> {
+    region: &'a Region,
+    /// Each with four times the bits of the one before.
+    rough: [OnceCell<Option<RoughMoments>>; MOST_LEVELS],
+    exact: OnceCell<ExactMoments>,
+}
+
+const MOST_LEVELS: usize = 6;
+
+/// Bits of the extent of a polygon. What is computed of the 40 of the first level fits into 128 bits.
+fn bits_of(level: usize) -> u64 {
+    40 << (2 * level)
+}
+
+impl Measures<'_> {
+    /// The area: 0 for everything within a line, `None` when it is infinite.
+    pub fn area(&self) -> Option<Measure<'_>> {
+        match self.region.kind() {
+            RegionKind::Polygon => Some(Measure(Kind::Area { of: self, unit: Rational::one() })),
+            RegionKind::UnboundedPolygon | RegionKind::Strip | RegionKind::HalfPlane | RegionKind::Plane => {
+                None
+            }
+            _ => Some(Measure(Kind::Short(Rational::zero()))),
+        }
+    }
+
+    /// How much the area is of another, positive one; `None` where either is not a finite positive number, except that no
+    /// area is 0 of any.
+    pub fn share_of(&self, whole: &Rational) -> Option<Measure<'_>> {
+        let area = self.area()?;
+        if !whole.is_positive() {
+            return None;
+        }
+        Some(match area.0 {
+            Kind::Area { of, .. } => Measure(Kind::Area { of, unit: whole.clone() }),
+            short => Measure(short),
+        })
+    }
+
+    /// The centroid of a bounded region: of the area for a polygon, the mid-point of a segment, the point itself;
+    /// `None` when the region is empty or unbounded.
+    pub fn centroid(&self) -> Option<[Measure<'_>; 2]> {
+        match self.region.kind() {
+            RegionKind::Point | RegionKind::Segment => {
+                let middle = mean(self.region.vertices().iter().map(Vertex::point));
+                Some(middle.coordinates().map(|coordinate| Measure(Kind::Short(coordinate))))
+            }
+            RegionKind::Polygon => Some([0, 1].map(|axis| Measure(Kind::Centroid { of: self, axis }))),
+            _ => None,
+        }
+    }
+
+    fn exact(&self) -> &ExactMoments {
+        self.exact.get_or_init(|| ExactMoments::new(self.region.vertices()))
+    }
+
+    fn rough(&self, level: usize) -> Option<&RoughMoments> {
+        let made = || RoughMoments::new(self.region.vertices(), bits_of(level));
+        self.rough.get(level)?.get_or_init(made).as_ref()
+    }
+}
+
+/// A number about a region: what it rounds to is found without its fraction, which may be long.
+#[derive(Debug)]
+pub struct Measure<'a>(Kind<'a>);
+
+#[derive(Debug)]
+enum Kind<'a> {
+    Short(Rational),
+    /// The area in a unit.
+    Area {
+        of: &'a Measures<'a>,
+        unit: Rational,
+    },
+    /// A coordinate of the centroid.
+    Centroid {
+        of: &'a Measures<'a>,
+        axis: usize,
+    },
+}
+
+impl Measure<'_> {
+    /// The number itself. Cost: as of [`Region::area`].
+    pub fn exact(&self) -> Rational {
+        match &self.0 {
+            Kind::Short(value) => value.clone(),
+            Kind::Area { of, unit } => divided(Rational::from(of.exact().area()), unit),
+            Kind::Centroid { of, axis } => Rational::from(of.exact().centroid(*axis)),
+        }
+    }
+
+    /// The number itself where neither its fraction nor the common denominator of the sums that it is made of has more than
+    /// so many decimal digits. Cost: common divisors of that length.
+    pub fn exact_within(&self, digits: usize) -> Option<Rational> {
+        let longest = Integer::power_of_ten(u32::try_from(digits).ok()?);
+        let bits = longest.bits();
+        let value = match &self.0 {
+            Kind::Short(value) => value.clone(),
+            Kind::Area { of, unit } => divided(Rational::from(of.exact().area_within(bits)?), unit),
+            Kind::Centroid { of, axis } => Rational::from(of.exact().centroid_within(*axis, bits)?),
+        };
+        let is_short = value.numerator().abs() < longest && value.denominator() < longest;
+        is_short.then_some(value)
+    }
+
+    /// A short number that is rounded to at most so many significant digits like this one, in every direction, and is itself
+    /// a decimal of so many digits exactly where this one is that decimal. Exact in this sense: the number is enclosed ever
+    /// more closely until no such decimal, nor the middle between two, is left within, and computed where one stays.
+    /// Cost: linear in the vertices, unless the number is a short decimal.
+    pub fn rounding_alike(&self, digits: usize) -> Rational {
+        self.standing_in(digits, |_, _| true)
+    }
+
+    /// As [`Measure::rounding_alike`], and also with the nearest binary64 of this number.
+    pub fn rounding_alike_in_binary64(&self, digits: usize) -> Rational {
+        const DIGITS_OF_BINARY64: usize = 17;
+        self.standing_in(digits.max(DIGITS_OF_BINARY64), |lower, upper| lower.to_f64() == upper.to_f64())
+    }
+
+    fn standing_in(&self, digits: usize, is_alike: impl Fn(&Rational, &Rational) -> bool) -> Rational {
+        // Of a middle between two decimals the next digit is 5.
+        let digits = digits.max(1) + 1;
+        let is_settled = |(lower, upper): &(Rational, Rational)| {
+            upper.rounded(digits, Rounding::Down) < *lower && is_alike(lower, upper)
+        };
+        let settled = self.enclosures(digits).find(is_settled);
+        settled.map_or_else(|| self.among_decimals(digits), |(lower, _)| lower)
+    }
+
+    /// Ends that enclose this number, of which the first tell about so many digits, and the last almost surely all that can be
+    /// told without the number itself.
+    fn enclosures(&self, digits: usize) -> impl Iterator<Item = (Rational, Rational)> {
+        const LEVELS: usize = 3;
+        let levels = match &self.0 {
+            Kind::Short(_) => 0..1,
+            Kind::Area { .. } | Kind::Centroid { .. } => {
+                // A decimal digit takes 3.33 bits; errors are a few units of the last one of these.
+                let needed = 4 * digits as u64 + 12;
+                let first = (0..=MOST_LEVELS).find(|level| bits_of(*level) >= needed).unwrap_or(MOST_LEVELS);
+                first..MOST_LEVELS.min(first + LEVELS)
+            }
+        };
+        levels.filter_map(|level| self.ends(level))
+    }
+
+    fn ends(&self, level: usize) -> Option<(Rational, Rational)> {
+        match &self.0 {
+            Kind::Short(value) => Some((value.clone(), value.clone())),
+            Kind::Area { of, unit } => {
+                let (lower, upper) = of.rough(level)?.area();
+                Some((divided(lower, unit), divided(upper, unit)))
+            }
+            Kind::Centroid { of, axis } => of.rough(level)?.centroid(*axis),
+        }
+    }
+
+    /// A short decimal that is this very number, or else the number.
+    fn among_decimals(&self, digits: usize) -> Rational {
+        let (value, unit) = match &self.0 {
+            Kind::Short(value) => return value.clone(),
+            Kind::Area { of, unit } => (of.exact().area(), unit),
+            Kind::Centroid { of, axis } => (of.exact().centroid(*axis), &Rational::one()),
+        };
+        let near = self.enclosures(digits).last().map(|(_, upper)| upper.rounded(digits, Rounding::Down));
+        let is = |short: &Rational| Fraction::from(&(short * unit)) == value;
+        near.into_iter()
+            .chain([Rational::zero()])
+            .find(is)
+            .unwrap_or_else(|| divided(Rational::from(value), unit))
+    }
+}
+
+/// A quotient by a number that is not 0.
+fn divided(value: Rational, unit: &Rational) -> Rational {
+    value.checked_div(unit).unwrap_or_default()
+}

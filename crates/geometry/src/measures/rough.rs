@@ -1,0 +1,134 @@
+//! Area and moments of a polygon between bounds, from vertices rounded to a grid.
+
+use boundfit_exact::{Integer, Rational};
+
+use crate::point::Point;
+use crate::region::Vertex;
+
+/// The moments of a polygon `Q` whose vertices are those of `P`, rounded down to a grid that is as fine as it was asked for,
+/// and how far those of `P` may be from them.
+///
+/// Each coordinate moves by less than a unit of the grid. While the vertices move from `Q` to `P`, each in a straight line,
+/// the integral of a function over the polygon changes at the rate of its integral over the boundary times the speed
+/// outwards (Reynolds), and so in all by at most its largest absolute value times the sum of `|dθ1| + |dθ2|` over the edges.
+/// An edge on the way is longer than that of `Q` by at most a unit in each coordinate.
+#[derive(Debug)]
+pub(super) struct RoughMoments {
+    /// The grid's units are `2^-scale`.
+    scale: [i64; 2],
+    /// Where the moments are taken about, in units.
+    origin: [Integer; 2],
+    /// Twice the area, and six times the integrals of both coordinates, in units.
+    doubled_area: Integer,
+    sixfold_moments: [Integer; 2],
+    /// The bound on what the integral of a function no larger than 1 changes by.
+    change: Integer,
+    /// The largest absolute value of each coordinate, rounded up.
+    reach: [Integer; 2],
+}
+
+impl RoughMoments {
+    /// On a grid on which the polygon is at least `2^bits` units wide and high. Exact but for the rounding that it bounds.
+    /// Cost: linear. `None` where there is no polygon.
+    pub(super) fn new(vertices: &[Vertex], bits: u64) -> Option<Self> {
+        let scale = [0, 1].map(|axis| scale(vertices, axis, bits));
+        let [Some(x_scale), Some(y_scale)] = scale else { return None };
+        let scale = [x_scale, y_scale];
+        let power = scale.map(|scale| Integer::power_of_two(scale.unsigned_abs()));
+        let on_grid = |point: &Point| {
+            let (x, y, w) = point.homogeneous();
+            let floor = |axis: usize, coordinate: &Integer| match scale[axis] {
+                0.. => (coordinate * &power[axis]).div_rem_floor(w).0,
+                _ => coordinate.div_rem_floor(&(w * &power[axis])).0,
+            };
+            [floor(0, x), floor(1, y)]
+        };
+        let origin = on_grid(vertices.first()?.point());
+        let corners = vertices.iter().map(|vertex| {
+            let [x, y] = on_grid(vertex.point());
+            [x - &origin[0], y - &origin[1]]
+        });
+        let corners: Vec<[Integer; 2]> = corners.collect();
+        let mut moments = RoughMoments {
+            scale,
+            origin,
+            doubled_area: Integer::zero(),
+            sixfold_moments: Default::default(),
+            change: Integer::from(2 * corners.len()),
+            reach: [Integer::one(), Integer::one()],
+        };
+        let next = corners.iter().cycle().skip(1);
+        corners.iter().zip(next).for_each(|(p, q)| moments.add_edge(p, q));
+        Some(moments)
+    }
+
+    /// The triangle of the origin and an edge.
+    fn add_edge(&mut self, p: &[Integer; 2], q: &[Integer; 2]) {
+        let doubled = &p[0] * &q[1] - &p[1] * &q[0];
+        for axis in [0, 1] {
+            self.change = &self.change + (&q[axis] - &p[axis]).abs();
+            // The third corner is the origin.
+            self.sixfold_moments[axis] = &self.sixfold_moments[axis] + (&p[axis] + &q[axis]) * &doubled;
+            let reach = p[axis].abs() + Integer::one();
+            if reach > self.reach[axis] {
+                self.reach[axis] = reach;
+            }
+        }
+        self.doubled_area = &self.doubled_area + doubled;
+    }
+
+    /// Bounds on twice the area, in units.
+    fn doubled_area(&self) -> (Integer, Integer) {
+        let error = &self.change + &self.change;
+        (&self.doubled_area - &error, &self.doubled_area + error)
+    }
+
+    /// Bounds on the area.
+    pub(super) fn area(&self) -> (Rational, Rational) {
+        let unit = -self.scale[0] - self.scale[1] - 1;
+        let (lower, upper) = self.doubled_area();
+        (times_power_of_two(lower, unit), times_power_of_two(upper, unit))
+    }
+
+    /// Bounds on a coordinate of the centroid; `None` where those on the area leave it without a sign.
+    pub(super) fn centroid(&self, axis: usize) -> Option<(Rational, Rational)> {
+        let (least, most) = self.doubled_area();
+        if !least.is_positive() {
+            return None;
+        }
+        let error = Integer::from(6) * &self.reach[axis] * &self.change;
+        let moment = &self.sixfold_moments[axis];
+        let end = |moment: Integer, weight: &Integer| {
+            let from_origin = Rational::new(moment, Integer::from(3) * weight)?;
+            let power = times_power_of_two(Integer::one(), -self.scale[axis]);
+            Some((from_origin + Rational::from(&self.origin[axis])) * power)
+        };
+        let (lower, upper) = (moment - &error, moment + &error);
+        let lower_weight = if lower.is_negative() { &least } else { &most };
+        let upper_weight = if upper.is_negative() { &most } else { &least };
+        Some((end(lower, lower_weight)?, end(upper, upper_weight)?))
+    }
+}
+
+/// The least scale on which two of three corners are at least `2^bits` units apart in a coordinate; the vertices of a polygon
+/// are on no line, so that not all three are at the same one.
+fn scale(vertices: &[Vertex], axis: usize, bits: u64) -> Option<i64> {
+    let first = vertices.first()?.point();
+    let third = vertices.len() / 3;
+    let apart = [third, 2 * third].into_iter().filter_map(|other| {
+        let ((px, py, pw), (qx, qy, qw)) = (first.homogeneous(), vertices.get(other)?.point().homogeneous());
+        let (p, q) = if axis == 0 { (px, qx) } else { (py, qy) };
+        let difference = q * pw - p * qw;
+        // It is at least 2^(exponent - 1).
+        (!difference.is_zero()).then(|| difference.bits() as i64 - (pw * qw).bits() as i64)
+    });
+    Some(bits as i64 + 1 - apart.max()?)
+}
+
+fn times_power_of_two(value: Integer, exponent: i64) -> Rational {
+    let power = Integer::power_of_two(exponent.unsigned_abs());
+    if exponent >= 0 {
+        return Rational::from(value * power);
+    }
+    Rational::new(value, power).unwrap_or_default()
+}
