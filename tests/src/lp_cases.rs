@@ -96,9 +96,9 @@ pub fn line_problem(readings: &[(Rational, Rational)], epsilon: &Rational) -> Pr
     let rows = readings.iter().zip(1..).map(|((x, y), row)| {
         Measurement::around(row, [x.clone(), Rational::one()], y.clone(), epsilon.clone())
     });
-    let model = Model::Line { x: "x".to_owned() };
+    let model = Model::Line { x: "x".into() };
     let bound = ErrorBound::Uniform(epsilon.clone());
-    let measurements = Measurements::new(model, "y".to_owned(), bound, rows.collect());
+    let measurements = Measurements::new(model, "y".into(), bound, rows.collect());
     Problem { measurements, conditions: Vec::new() }
 }
 

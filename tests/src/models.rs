@@ -21,15 +21,15 @@ pub fn model(rng: &mut ChaCha8Rng) -> Model {
     // Most bounds pass through one point.
     let point: Vec<Rational> = kinds.iter().map(|_| small(rng)).collect();
     let column = |(index, (left, at)): (usize, (&bool, &Rational))| ModelColumn {
-        name: format!("x{index}"),
+        name: format!("x{index}").into(),
         cost: coefficient(rng),
         bounds: if *left { column_bounds(rng, at) } else { equal(at.clone()) },
     };
     let columns = kinds.iter().zip(&point).enumerate().map(column).collect();
     let mut model = Model {
-        name: "generated".to_owned(),
+        name: "generated".into(),
         sense: if rng.random_bool(0.5) { ObjectiveSense::Minimize } else { ObjectiveSense::Maximize },
-        objective_name: "cost".to_owned(),
+        objective_name: "cost".into(),
         constant: if rng.random_bool(0.3) { small(rng) } else { Rational::zero() },
         columns,
         rows: Vec::new(),
@@ -114,7 +114,7 @@ fn row(rng: &mut ChaCha8Rng, model: &Model, point: &[Rational], index: usize) ->
     };
     let value: Rational = coefficients.iter().map(|(column, value)| value * &point[*column]).sum();
     let value = if rng.random_bool(0.2) { value + small(rng) } else { value };
-    ModelRow { name: format!("r{index}"), coefficients, bounds: bounds_at(rng, &value) }
+    ModelRow { name: format!("r{index}").into(), coefficients, bounds: bounds_at(rng, &value) }
 }
 
 /// What is true of a model, in the plane of the columns that bounds do not fix.

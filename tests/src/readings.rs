@@ -37,14 +37,13 @@ pub fn problem(rng: &mut ChaCha8Rng) -> Problem {
         rows.push(Measurement::around(row, regressor, response, epsilon));
     }
     let model = if line {
-        Model::Line { x: "x".to_owned() }
+        Model::Line { x: "x".into() }
     } else {
-        Model::TwoRegressors { regressors: ["u".to_owned(), "v".to_owned()] }
+        Model::TwoRegressors { regressors: ["u".into(), "v".into()] }
     };
-    let error_bound =
-        if uniform { ErrorBound::Uniform(epsilon) } else { ErrorBound::PerRow("eps".to_owned()) };
+    let error_bound = if uniform { ErrorBound::Uniform(epsilon) } else { ErrorBound::PerRow("eps".into()) };
     let conditions = (0..rng.random_range(0..=3_usize).saturating_sub(1)).map(|_| condition(rng)).collect();
-    Problem { measurements: Measurements::new(model, "y".to_owned(), error_bound, rows), conditions }
+    Problem { measurements: Measurements::new(model, "y".into(), error_bound, rows), conditions }
 }
 
 fn condition(rng: &mut ChaCha8Rng) -> Condition {
@@ -145,8 +144,8 @@ pub fn line(points: impl IntoIterator<Item = (Rational, Rational)>, epsilon: Rat
     let rows = (1..)
         .zip(points)
         .map(|(row, (x, y))| Measurement::around(row, [x, Rational::one()], y, epsilon.clone()));
-    let model = Model::Line { x: "x".to_owned() };
+    let model = Model::Line { x: "x".into() };
     let measurements =
-        Measurements::new(model, "y".to_owned(), ErrorBound::Uniform(epsilon.clone()), rows.collect());
+        Measurements::new(model, "y".into(), ErrorBound::Uniform(epsilon.clone()), rows.collect());
     Problem { measurements, conditions: Vec::new() }
 }

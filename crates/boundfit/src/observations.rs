@@ -91,7 +91,7 @@ impl Observations {
         let regressors = column("x", x)?.into_iter().map(|x| [x, Rational::one()]).collect();
         same_length(["x", "y"], [x.len(), y.len()])?;
         Ok(Observations {
-            model: Model::Line { x: "x".to_owned() },
+            model: Model::Line { x: "x".into() },
             regressors,
             responses: column("y", y)?,
             form: LineForm::default(),
@@ -111,7 +111,7 @@ impl Observations {
         same_length(["phi1", "y"], [phi1.len(), y.len()])?;
         let regressors = column("phi1", phi1)?.into_iter().zip(column("phi2", phi2)?);
         let regressors = regressors.map(|(phi1, phi2)| [phi1, phi2]).collect();
-        let model = Model::TwoRegressors { regressors: ["phi1".to_owned(), "phi2".to_owned()] };
+        let model = Model::TwoRegressors { regressors: ["phi1".into(), "phi2".into()] };
         Ok(Observations { model, regressors, responses: column("y", y)?, form: LineForm::default() })
     }
 
@@ -174,7 +174,7 @@ impl Observations {
         if let Some(index) = epsilons.iter().position(Rational::is_negative) {
             return Err(Error::NegativeBound { row: Some(index + 1) });
         }
-        Ok(self.problem(ErrorBound::PerRow("eps".to_owned()), epsilons))
+        Ok(self.problem(ErrorBound::PerRow("eps".into()), epsilons))
     }
 
     /// The problem in which theta1*x + theta2 (or theta1*phi1 + theta2*phi2) lies between two values at each reading, of
@@ -199,7 +199,7 @@ impl Observations {
         if let Some(index) = sides.iter().position(|(lower, upper)| lower.is_none() && upper.is_none()) {
             return Err(Error::NoBound { row: index + 1 });
         }
-        let bound = ErrorBound::Interval { lower: Some("lower".to_owned()), upper: Some("upper".to_owned()) };
+        let bound = ErrorBound::Interval { lower: Some("lower".into()), upper: Some("upper".into()) };
         let between = |response, (lower, upper)| Bounds::Between { lower, upper, response: Some(response) };
         Ok(self.with_bounds(bound, sides, between))
     }
@@ -223,7 +223,7 @@ impl Observations {
         };
         let rows = (1..).zip(parts).map(measurement).collect();
         let LineForm { x_origin, through_origin } = self.form;
-        let measurements = Measurements::new(self.model, "y".to_owned(), error_bound, rows);
+        let measurements = Measurements::new(self.model, "y".into(), error_bound, rows);
         let problem = Problem::new(measurements.with_form(LineForm { x_origin, through_origin: false }));
         if through_origin { problem.through_origin() } else { problem }
     }

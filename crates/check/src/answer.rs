@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use boundfit_exact::Foreign;
 use boundfit_lp::{BoundClaim, Claimed, ExactOutcome, Printed, Program, PuiEnd, exact_simplex};
 use thiserror::Error;
 
@@ -15,7 +16,7 @@ pub const EXACT_SIMPLEX: &str = "exact-simplex";
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
     /// Who claims it.
-    pub source: String,
+    pub source: Foreign,
     /// Whether the source worked on the exact rows, so that their rounding is no excuse.
     pub exact_input: bool,
     /// By parameter, then lower and upper.
@@ -36,7 +37,7 @@ impl Answer {
 #[error("there is no solver {name:?} in this build; it has {}", .available.join(", "))]
 pub struct SourceError {
     /// The name asked for.
-    pub name: String,
+    pub name: Foreign,
     /// The names there are.
     pub available: Vec<String>,
 }
@@ -58,9 +59,9 @@ pub fn answer_of(name: &str, rows: &ProgramRows, limit: Duration) -> Result<Answ
             let program = Program { rows: &plain, objective: end.objective() };
             exact_claim(end, exact_simplex(&program), plain.len())
         });
-        return Ok(Answer { source: name.to_owned(), exact_input: true, claims });
+        return Ok(Answer { source: name.into(), exact_input: true, claims });
     }
-    let unknown = || SourceError { name: name.to_owned(), available: source_names() };
+    let unknown = || SourceError { name: name.into(), available: source_names() };
     float::answer_of(name, &plain, limit).ok_or_else(unknown)
 }
 

@@ -24,7 +24,7 @@ pub(crate) fn answer_of(name: &str, rows: &[Row], limit: Duration) -> Option<Ans
         claim(end, solve_guarded(name, &program, limit))
     });
     let source = format!("{} {}", solver.name(), solver.version());
-    Some(Answer { source, exact_input: false, claims })
+    Some(Answer { source: source.into(), exact_input: false, claims })
 }
 
 fn claim(end: PuiEnd, outcome: Outcome) -> BoundClaim {

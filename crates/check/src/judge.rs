@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use boundfit_estimation::Problem;
-use boundfit_exact::{Rational, Reading};
+use boundfit_exact::{Foreign, Rational, Reading};
 use boundfit_lp::{Judgement, Referee, Verdict};
 
 use crate::answer::{Answer, SourceError, answer_of};
@@ -31,7 +31,7 @@ pub struct CheckOptions {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct JudgedAnswer {
     /// Who gave the answer.
-    pub source: String,
+    pub source: Foreign,
     /// The data that it is judged against.
     pub reading: Reading,
     /// By parameter, then lower and upper end.

@@ -1,6 +1,6 @@
 //! Error bounds as they are asked for: a number, a law of data sheets, or a multiple of ε_min.
 
-use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading};
+use boundfit_exact::{Foreign, Limits, ParseNumberErrorKind, Rational, Reading};
 use thiserror::Error;
 
 use crate::law::{Law, Terms};
@@ -36,7 +36,7 @@ pub enum ParseBoundErrorKind {
     #[error(
         "{0} of what? Write {0}*|y| for that share of each reading, {0}*range(y) for that share of the span of all readings"
     )]
-    PercentOfWhat(String),
+    PercentOfWhat(Foreign),
     /// Digits, as multimeters state them.
     #[error(
         "the digits of a data sheet are units of the last digit written, and 'written' is half of one: 3 digits are 6*written, \
@@ -201,7 +201,7 @@ impl Parser<'_> {
             Some(Quantity::Range) => &mut terms.of_range,
             Some(Quantity::Written) => &mut terms.written,
             None if is_percent && !is_product => {
-                let kind = ParseBoundErrorKind::PercentOfWhat(share.to_owned());
+                let kind = ParseBoundErrorKind::PercentOfWhat(share.into());
                 return Err(ParseBoundError { position: start, kind });
             }
             None if is_number && !is_product => &mut terms.constant,
@@ -260,14 +260,14 @@ mod tests {
             assert_eq!(parse(text), Ok(AskedBound::TimesLeast(factor)), "{text}");
         }
         for text in ["written", "2*|y|", "0.1 + 0.2", "+0.2/-0.1", "1%*range(y)", "2|x|"] {
-            assert!(matches!(parse(text), Ok(AskedBound::Law(law)) if law.text() == text), "{text}");
+            assert!(matches!(parse(text), Ok(AskedBound::Law(law)) if *law.text() == *text), "{text}");
         }
     }
 
     #[test]
     fn what_is_no_bound_is_refused_with_its_place_and_advice() {
         use ParseNumberErrorKind::{Comma, Empty, MissingDigit, NotFinite, UnexpectedCharacter};
-        let of_what = |text: &str| Kind::PercentOfWhat(text.to_owned());
+        let of_what = |text: &str| Kind::PercentOfWhat(text.into());
         for (text, position, kind) in [
             ("", 0, Kind::NotANumber(Empty)),
             ("nan", 0, Kind::NotANumber(NotFinite)),

@@ -1,6 +1,6 @@
 //! Prior knowledge of the parameters as linear inequalities and equations: `theta1 >= 0`, `2*theta1 - theta2 = 1/3`.
 
-use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading};
+use boundfit_exact::{Foreign, Limits, ParseNumberErrorKind, Rational, Reading};
 use boundfit_geometry::Inequality;
 use thiserror::Error;
 
@@ -9,7 +9,7 @@ use crate::scanner::{ParseTextError, Scanner, TextProblem};
 /// A linear inequality in θ1 and θ2 as text and in ≤ form, or an equation, which is two of them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Condition {
-    text: String,
+    text: Foreign,
     inequality: Inequality,
     is_equation: bool,
 }
@@ -68,17 +68,17 @@ impl Condition {
     pub fn parse(text: &str, reading: Reading, limits: &Limits) -> Result<Self, ParseConditionError> {
         let parser = Parser { scanner: Scanner::new(text, reading, limits) };
         let (inequality, is_equation) = parser.condition().map_err(|error| Scanner::place(text, error))?;
-        Ok(Condition { text: text.trim().to_owned(), inequality, is_equation })
+        Ok(Condition { text: text.trim().into(), inequality, is_equation })
     }
 
     /// `theta2 = 0`, as if it had been written: the condition of a line through the origin.
     pub fn no_intercept() -> Self {
         let inequality = Inequality::new(Rational::zero(), Rational::one(), Rational::zero());
-        Condition { text: "theta2 = 0".to_owned(), inequality, is_equation: true }
+        Condition { text: "theta2 = 0".into(), inequality, is_equation: true }
     }
 
     /// The condition as it was written.
-    pub fn text(&self) -> &str {
+    pub fn text(&self) -> &Foreign {
         &self.text
     }
 

@@ -1,6 +1,6 @@
 //! Laws by which data sheets state error bounds: `0.05%*|y| + 2e-3`, `1%*range(y)`, `written`, `+0.2/-0.1`.
 
-use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_exact::{Foreign, Limits, Rational, Reading};
 
 use crate::asked_bound::{ParseBoundError, parse_terms};
 use crate::measurement::{Bounds, Measurement};
@@ -10,7 +10,7 @@ use crate::measurement::{Bounds, Measurement};
 /// A law that is the same above and below y bounds |e|; `+a/-b` says that φ·θ lies in [y - b, y + a].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Law {
-    text: String,
+    text: Foreign,
     above: Terms,
     below: Option<Terms>,
 }
@@ -34,11 +34,11 @@ impl Law {
     /// With the position where the text stops making sense.
     pub fn parse(text: &str, reading: Reading, limits: &Limits) -> Result<Self, ParseBoundError> {
         let (above, below) = parse_terms(text, reading, limits)?;
-        Ok(Law { text: text.trim().to_owned(), above, below })
+        Ok(Law { text: text.trim().into(), above, below })
     }
 
     /// The law as it was written.
-    pub fn text(&self) -> &str {
+    pub fn text(&self) -> &Foreign {
         &self.text
     }
 

@@ -1,6 +1,6 @@
 //! How a line is written down: from which x its offset is told, and whether it has one.
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Foreign, Rational};
 
 use crate::measurement::Measurement;
 #[cfg(feature = "files")]
@@ -18,7 +18,7 @@ pub struct LineForm {
 
 impl LineForm {
     /// What x is called when it is counted from the origin: `year`, `year - 1980`, `x + 1/3`.
-    pub fn abscissa(&self, x: &str) -> String {
+    pub fn abscissa(&self, x: &Foreign) -> Foreign {
         /// Digits of a decimal that is still easier to read than a fraction.
         const MOST_DIGITS: usize = 17;
         let size = self.x_origin.abs();
@@ -26,8 +26,11 @@ impl LineForm {
             size.exact_decimal(MOST_DIGITS).map_or_else(|| size.to_string(), |decimal| decimal.to_string())
         };
         match self.x_origin.is_zero() {
-            true => x.to_owned(),
-            false => format!("{x} {} {}", if self.x_origin.is_negative() { "+" } else { "-" }, shown()),
+            true => x.clone(),
+            false => {
+                let sign = if self.x_origin.is_negative() { "+" } else { "-" };
+                Foreign::from(format!("{} {sign} {}", x.raw(), shown()))
+            }
         }
     }
 
@@ -71,7 +74,7 @@ mod tests {
     fn the_abscissa_has_a_name() {
         let named = |numerator, denominator| {
             let x_origin = Rational::ratio(numerator, denominator);
-            LineForm { x_origin, through_origin: false }.abscissa("x")
+            LineForm { x_origin, through_origin: false }.abscissa(&"x".into())
         };
         for (numerator, denominator, name) in
             [(0, 1, "x"), (1980, 1, "x - 1980"), (-5, 2, "x + 2.5"), (-1, 3, "x + 1/3"), (1, 4, "x - 0.25")]

@@ -3,9 +3,9 @@
 #[cfg(feature = "files")]
 use std::borrow::Cow;
 
-#[cfg(feature = "files")]
-use boundfit_exact::Column;
 use boundfit_exact::Rational;
+#[cfg(feature = "files")]
+use boundfit_exact::{Column, Foreign};
 
 use crate::law::Law;
 #[cfg(feature = "files")]
@@ -23,12 +23,12 @@ pub enum Model {
     /// y = θ1·x + θ2 + e.
     Line {
         /// The column of x.
-        x: String,
+        x: Foreign,
     },
     /// y = φ1·θ1 + φ2·θ2 + e.
     TwoRegressors {
         /// The columns of φ1 and φ2.
-        regressors: [String; 2],
+        regressors: [Foreign; 2],
     },
 }
 
@@ -39,13 +39,13 @@ pub enum ErrorBound {
     /// One for all readings.
     Uniform(Rational),
     /// One per reading, from a column of this name.
-    PerRow(String),
+    PerRow(Foreign),
     /// The values between which φ·θ lies, from columns of these names, of which one may be left out.
     Interval {
         /// The column of lower bounds.
-        lower: Option<String>,
+        lower: Option<Foreign>,
         /// The column of upper bounds.
-        upper: Option<String>,
+        upper: Option<Foreign>,
     },
     /// By a law that says of each reading another one.
     Law(Law),
@@ -70,7 +70,7 @@ impl ErrorBound {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Meaning {
     pub(crate) model: Model,
-    pub(crate) response: String,
+    pub(crate) response: Foreign,
     /// Whether there is a column of the response.
     pub(crate) has_response: bool,
     pub(crate) error_bound: ErrorBound,
@@ -91,7 +91,7 @@ pub struct MultipleOfLeast {
 
 impl Meaning {
     /// Of numbers taken as they are.
-    pub(crate) fn new(model: Model, response: String, error_bound: ErrorBound) -> Self {
+    pub(crate) fn new(model: Model, response: Foreign, error_bound: ErrorBound) -> Self {
         Meaning {
             model,
             response,
@@ -183,7 +183,7 @@ impl Meaning {
             Model::TwoRegressors { .. } => [next(), next()],
         };
         let response = self.has_response.then(&mut next);
-        let mut side = |column: &Option<String>| {
+        let mut side = |column: &Option<Foreign>| {
             column.as_ref()?;
             let value = next();
             // Behind each bound stands whether it is there.

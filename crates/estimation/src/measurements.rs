@@ -1,6 +1,6 @@
 //! The readings of a fit, and where they come from.
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Foreign, Rational};
 #[cfg(feature = "files")]
 use boundfit_formats::TextLayout;
 
@@ -42,7 +42,7 @@ pub(crate) struct Origin {
     /// What is unusual about how the file is written, in words.
     pub(crate) written: Option<String>,
     /// The units of regressors, response and error bound, where the file states them.
-    pub(crate) units: Vec<Option<String>>,
+    pub(crate) units: Vec<Option<Foreign>>,
     #[cfg(feature = "files")]
     pub(crate) layout: Option<TextLayout>,
     pub(crate) sha256: Option<String>,
@@ -60,7 +60,7 @@ pub struct Measurements {
 
 impl Measurements {
     /// Readings that do not come from a file.
-    pub fn new(model: Model, response: String, error_bound: ErrorBound, rows: Vec<Measurement>) -> Self {
+    pub fn new(model: Model, response: Foreign, error_bound: ErrorBound, rows: Vec<Measurement>) -> Self {
         Measurements::of_meaning(Meaning::new(model, response, error_bound), rows)
     }
 
@@ -122,7 +122,7 @@ impl Measurements {
     }
 
     /// The name of the response.
-    pub fn response(&self) -> &str {
+    pub fn response(&self) -> &Foreign {
         &self.meaning.response
     }
 
@@ -276,8 +276,8 @@ impl Measurements {
     }
 
     /// The unit that the file states for a column: regressors, response and, with one per row, error bound, from 0.
-    pub fn unit(&self, column: usize) -> Option<&str> {
-        self.origin.units.get(column)?.as_deref()
+    pub fn unit(&self, column: usize) -> Option<&Foreign> {
+        self.origin.units.get(column)?.as_ref()
     }
 
     /// Where in the file the numbers stand: regressors, response and, with one per row, error bound; `None` unless the

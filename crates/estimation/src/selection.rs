@@ -2,8 +2,9 @@
 
 use std::fmt;
 
+use boundfit_exact::Foreign;
 #[cfg(feature = "files")]
-use boundfit_formats::{Fractions, RowCondition, RowRange, TableOptions};
+use boundfit_formats::{Fractions, RowRange, TableOptions};
 
 /// Which rows of a file were asked for; by default all of them.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -13,7 +14,7 @@ pub struct Selection {
     /// Those left out, by number.
     pub without: Option<String>,
     /// What must hold for a row to be taken.
-    pub conditions: Vec<String>,
+    pub conditions: Vec<Foreign>,
 }
 
 impl Selection {
@@ -31,7 +32,7 @@ impl Selection {
         Selection {
             rows: ranges(options.rows.named()),
             without: ranges(options.rows.without()),
-            conditions: options.conditions.iter().map(RowCondition::text).map(ToOwned::to_owned).collect(),
+            conditions: options.conditions.iter().map(|condition| condition.text().clone()).collect(),
         }
     }
 }
@@ -40,17 +41,17 @@ impl Selection {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FractionCells {
     /// Its name.
-    pub column: String,
+    pub column: Foreign,
     /// How many cells.
     pub cells: usize,
     /// The first of them.
-    pub first: String,
+    pub first: Foreign,
 }
 
 #[cfg(feature = "files")]
 impl FractionCells {
     /// Of columns with these names; of those that are read in several ways only once.
-    pub(crate) fn of(names: &[String], fractions: &[Fractions]) -> Vec<Self> {
+    pub(crate) fn of(names: &[Foreign], fractions: &[Fractions]) -> Vec<Self> {
         let mut found: Vec<FractionCells> = Vec::new();
         for (column, Fractions { cells, first }) in names.iter().zip(fractions) {
             if let Some(first) = first
@@ -71,6 +72,7 @@ impl fmt::Display for Selection {
         rows.iter().try_for_each(|rows| write!(f, " {rows}"))?;
         without.iter().try_for_each(|without| write!(f, " without {without}"))?;
         if !conditions.is_empty() {
+            let conditions: Vec<String> = conditions.iter().map(Foreign::to_string).collect();
             write!(f, " where {}", conditions.join(" and "))?;
         }
         Ok(())

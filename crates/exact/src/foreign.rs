@@ -33,12 +33,22 @@ impl<'a> Foreign<&'a str> {
     pub fn of(text: &'a str) -> Self {
         Foreign(text)
     }
+
+    /// The text as it is, for as long as it stands there; see [`raw`](Foreign::raw).
+    pub fn into_inner(self) -> &'a str {
+        self.0
+    }
 }
 
 impl<T: AsRef<str>> Foreign<T> {
     /// The text as it is. Nothing prints it without escaping it by rules of its own.
     pub fn raw(&self) -> &str {
         self.0.as_ref()
+    }
+
+    /// Whether there is nothing.
+    pub fn is_empty(&self) -> bool {
+        self.raw().is_empty()
     }
 
     /// The text where it stands.
@@ -99,6 +109,36 @@ impl From<String> for Foreign {
 impl From<&str> for Foreign {
     fn from(text: &str) -> Self {
         Foreign(text.to_owned())
+    }
+}
+
+impl From<&String> for Foreign {
+    fn from(text: &String) -> Self {
+        Foreign(text.clone())
+    }
+}
+
+impl From<&Foreign> for Foreign {
+    fn from(text: &Foreign) -> Self {
+        text.clone()
+    }
+}
+
+impl From<Foreign<&str>> for Foreign {
+    fn from(text: Foreign<&str>) -> Self {
+        text.to_owned()
+    }
+}
+
+impl<T: AsRef<str>> PartialEq<str> for Foreign<T> {
+    fn eq(&self, other: &str) -> bool {
+        self.raw() == other
+    }
+}
+
+impl<T: AsRef<str>> PartialEq<&str> for Foreign<T> {
+    fn eq(&self, other: &&str) -> bool {
+        self.raw() == *other
     }
 }
 

@@ -1,7 +1,7 @@
 //! From a fit to a picture.
 
 use boundfit_estimation::{Fit, Problem};
-use boundfit_exact::Rational;
+use boundfit_exact::{Foreign, Rational};
 use boundfit_geometry::Polyhedron;
 
 use crate::figure::{Figure, PlotOptions};
@@ -54,8 +54,8 @@ pub fn draw(
 pub fn draw_program(
     polyhedron: &Polyhedron,
     gain: &[Rational; 2],
-    names: &[String; 2],
-    title: &str,
+    names: &[Foreign; 2],
+    title: &Foreign,
 ) -> Result<Picture, FigureError> {
     let mut drawing = parameter_plane::program(polyhedron, gain, names, title);
     drawing.keep_legend_of_drawn();

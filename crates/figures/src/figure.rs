@@ -1,5 +1,7 @@
 //! Which figures there are, and how they may be drawn.
 
+use boundfit_exact::Foreign;
+
 /// What to draw.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Figure {
@@ -51,11 +53,11 @@ impl Figure {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PlotOptions {
     /// Unit of x for the axes; with two regressors, of both.
-    pub x_unit: Option<String>,
+    pub x_unit: Option<Foreign>,
     /// Unit of y for the axes.
-    pub y_unit: Option<String>,
+    pub y_unit: Option<Foreign>,
     /// The line above the figure; a plain description when left out.
-    pub title: Option<String>,
+    pub title: Option<Foreign>,
     /// Whether the response runs along the horizontal axis of figures of the data plane.
     pub flip: bool,
     /// How many directions [`Figure::Directions`] has, at least 3.

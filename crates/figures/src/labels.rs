@@ -2,7 +2,7 @@
 
 use boundfit_estimation::{BoundName, ErrorBound, Fit, Model, Problem};
 use boundfit_exact::english::{counted, listed, sentence, split_unit};
-use boundfit_exact::{Rational, Rounding};
+use boundfit_exact::{Foreign, Rational, Rounding};
 
 use crate::axis::superscript;
 use crate::figure::PlotOptions;
@@ -22,7 +22,7 @@ fn with_unit(name: &str, unit: Option<&str>) -> String {
 }
 
 /// The given unit, fit for an axis.
-fn unit(text: &Option<String>) -> Option<String> {
+fn unit(text: &Option<Foreign>) -> Option<String> {
     text.as_ref().map(|text| one_line(text, LONGEST_NAME)).filter(|unit| !unit.is_empty())
 }
 
@@ -35,9 +35,9 @@ pub(crate) fn abscissa(problem: &Problem, options: &PlotOptions) -> String {
 }
 
 /// The name of x as it is counted: `year − 1980`.
-fn counted_x(problem: &Problem, x: &str) -> String {
+fn counted_x(problem: &Problem, x: &Foreign) -> String {
     let form = problem.measurements.line_form();
-    let name = form.abscissa(&one_line(x, LONGEST_NAME));
+    let name = form.abscissa(&one_line(x, LONGEST_NAME).into()).into_raw();
     // The sign before the origin only: a name may have hyphens of its own.
     match name.rsplit_once(" - ").filter(|_| !form.x_origin.is_zero()) {
         Some((x, origin)) if !form.x_origin.is_negative() => format!("{x} − {origin}"),
@@ -191,7 +191,8 @@ impl Conflict {
 }
 
 /// A condition as it was written, with indices as on the axes.
-pub(crate) fn condition(text: &str) -> String {
-    let pretty = text.replace("theta1", "θ₁").replace("theta2", "θ₂").replace("<=", "≤").replace(">=", "≥");
-    one_line(&pretty.replace('*', "·"), 40)
+pub(crate) fn condition(text: &Foreign) -> String {
+    let pretty =
+        text.raw().replace("theta1", "θ₁").replace("theta2", "θ₂").replace("<=", "≤").replace(">=", "≥");
+    one_line(&pretty.replace('*', "·").into(), 40)
 }

@@ -17,13 +17,13 @@ pub(crate) fn problem(model: &str, rows: &[&str], conditions: &[&str]) -> Proble
     };
     let rows = rows.iter().enumerate().map(row).collect();
     let kind = match model {
-        "line" => Model::Line { x: "x".to_owned() },
-        _ => Model::TwoRegressors { regressors: ["u".to_owned(), "v".to_owned()] },
+        "line" => Model::Line { x: "x".into() },
+        _ => Model::TwoRegressors { regressors: ["u".into(), "v".into()] },
     };
-    let bound = ErrorBound::PerRow("eps".to_owned());
+    let bound = ErrorBound::PerRow("eps".into());
     let condition = |text: &&str| Condition::parse(text, Reading::Decimal, &limits).unwrap();
     Problem {
-        measurements: Measurements::new(kind, "y".to_owned(), bound, rows),
+        measurements: Measurements::new(kind, "y".into(), bound, rows),
         conditions: conditions.iter().map(condition).collect(),
     }
 }

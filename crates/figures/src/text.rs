@@ -2,6 +2,7 @@
 
 use std::sync::Once;
 
+use boundfit_exact::Foreign;
 use plotters::style::{FontStyle, register_font};
 
 /// The family name inside [`FONT`].
@@ -18,19 +19,16 @@ pub(crate) fn register() {
     });
 }
 
-/// A text from outside, fit for one line of a figure: without control characters and not longer than `most` characters.
-pub(crate) fn one_line(text: &str, most: usize) -> String {
-    let printable = |c: char| if c.is_control() || is_forbidden_in_xml(c) { ' ' } else { c };
-    let cleaned: String = text.chars().map(printable).collect();
-    let words = cleaned.split_whitespace().collect::<Vec<_>>().join(" ");
+/// A text from outside, fit for one line of a figure: with all of it visible but the blanks between words, and not longer than
+/// `most` characters.
+pub(crate) fn one_line(text: &Foreign, most: usize) -> String {
+    // Where a cell of a spreadsheet has a line end, a label has a blank.
+    let words = text.raw().split([' ', '\n', '\r', '\t']).filter(|word| !word.is_empty());
+    let words = Foreign::from(words.collect::<Vec<_>>().join(" ")).to_string();
     if words.chars().count() <= most {
         return words;
     }
     words.chars().take(most.saturating_sub(1)).chain(['…']).collect()
-}
-
-fn is_forbidden_in_xml(c: char) -> bool {
-    matches!(c, '\u{fffe}' | '\u{ffff}')
 }
 
 /// The characters that [`FONT`] has.
@@ -90,8 +88,9 @@ mod tests {
 
     #[test]
     fn texts_from_outside_fit_on_one_line() {
-        assert_eq!(one_line("a\n\u{1}b  c", 9), "a b c");
-        assert_eq!(one_line("abcdef", 4), "abc…");
+        assert_eq!(one_line(&"a\nb \t c".into(), 9), "a b c");
+        assert_eq!(one_line(&"a\u{1}\u{ffff}\u{202e}b".into(), 99), r"a\u{1}\u{ffff}\u{202e}b");
+        assert_eq!(one_line(&"abcdef".into(), 4), "abc…");
         assert_eq!(escaped("a<b & c"), "a&lt;b &amp; c");
     }
 

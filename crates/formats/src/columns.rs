@@ -1,5 +1,6 @@
 //! Which columns of a table are meant: names in a header, or numbers.
 
+use boundfit_exact::Foreign;
 use boundfit_exact::english::split_unit;
 
 use crate::error::{InputError, InputErrorKind, Place};
@@ -8,7 +9,7 @@ use crate::roles::Role;
 /// How a column is asked for.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ColumnSelector {
-    text: String,
+    text: Foreign,
     /// Where the column is when there is no header, from 1.
     position: Option<usize>,
     role: Role,
@@ -17,22 +18,21 @@ pub struct ColumnSelector {
 impl ColumnSelector {
     /// A header name, or a number from 1.
     pub fn name_or_number(text: &str) -> Self {
-        let mut selector =
-            ColumnSelector { text: text.trim().to_owned(), position: None, role: Role::default() };
+        let mut selector = ColumnSelector { text: text.trim().into(), position: None, role: Role::default() };
         if selector.is_number() {
-            selector.position = Some(selector.text.parse().unwrap_or(usize::MAX));
+            selector.position = Some(selector.text.raw().parse().unwrap_or(usize::MAX));
         }
         selector
     }
 
     /// A header name, also where it looks like a number.
     pub fn name(text: &str) -> Self {
-        ColumnSelector { text: text.trim().to_owned(), position: None, role: Role::Number }
+        ColumnSelector { text: text.trim().into(), position: None, role: Role::Number }
     }
 
     /// A header name, or a position from 1 in a table without a header.
     pub fn name_at(name: &str, position: usize) -> Self {
-        ColumnSelector { text: name.to_owned(), position: Some(position), role: Role::default() }
+        ColumnSelector { text: name.into(), position: Some(position), role: Role::default() }
     }
 
     /// This column, with the demand that every number in it is at least 0.
@@ -66,7 +66,7 @@ impl ColumnSelector {
     }
 
     /// What was asked for.
-    pub fn text(&self) -> &str {
+    pub fn text(&self) -> &Foreign {
         &self.text
     }
 
@@ -76,7 +76,7 @@ impl ColumnSelector {
     }
 
     fn is_number(&self) -> bool {
-        !self.text.is_empty() && self.text.bytes().all(|byte| byte.is_ascii_digit())
+        !self.text.raw().is_empty() && self.text.raw().bytes().all(|byte| byte.is_ascii_digit())
     }
 }
 
@@ -111,7 +111,7 @@ pub(crate) struct Heading {
     /// Cells in every row.
     pub(crate) width: usize,
     /// The names, when the first record is a header.
-    pub(crate) names: Option<Vec<String>>,
+    pub(crate) names: Option<Vec<Foreign>>,
     line: u64,
 }
 
@@ -121,7 +121,7 @@ pub(crate) struct ColumnPlace {
     /// Its number, from 1.
     pub(crate) position: usize,
     /// Its name, when there is a header.
-    pub(crate) name: Option<String>,
+    pub(crate) name: Option<Foreign>,
 }
 
 impl Heading {
@@ -149,7 +149,7 @@ impl Heading {
             }
         };
         let names = cells.iter().enumerate().map(|(index, &cell)| {
-            decode(cell).map(|name| name.trim().to_owned()).map_err(|problem| {
+            decode(cell).map(|name| Foreign::from(name.trim())).map_err(|problem| {
                 let place = ColumnPlace { position: index + 1, name: None };
                 place.error(file, line, cell, problem)
             })
@@ -159,21 +159,21 @@ impl Heading {
     }
 
     /// Columns with these names, which a comment before the first record gives.
-    pub(crate) fn of_comment(names: Vec<String>, line: u64) -> Self {
+    pub(crate) fn of_comment(names: Vec<Foreign>, line: u64) -> Self {
         Heading { width: names.len(), names: Some(names), line }
     }
 
     /// This heading of a table whose first column is the names of rows, and has none.
     pub(crate) fn after_row_names(mut self) -> Self {
         self.width += 1;
-        self.names.iter_mut().for_each(|names| names.insert(0, String::new()));
+        self.names.iter_mut().for_each(|names| names.insert(0, Foreign::default()));
         self
     }
 
     /// The columns with the name that is asked for; else those whose name is that before a unit, or behind a comment mark.
-    fn named(names: &[String], wanted: &str) -> Vec<usize> {
+    fn named(names: &[Foreign], wanted: &str) -> Vec<usize> {
         let indices = |is_meant: &dyn Fn(&str) -> bool| -> Vec<usize> {
-            (0..).zip(names).filter(|(_, name)| is_meant(name)).map(|(index, _)| index).collect()
+            (0..).zip(names).filter(|(_, name)| is_meant(name.raw())).map(|(index, _)| index).collect()
         };
         let exact = indices(&|name| name == wanted);
         if !exact.is_empty() || wanted.is_empty() {
@@ -190,7 +190,7 @@ impl Heading {
     pub(crate) fn find(&self, file: &str, column: &ColumnSelector) -> Result<ColumnPlace, InputError> {
         let fail = |problem| InputError::of_line(file, self.line, problem);
         let names = self.names.as_deref().unwrap_or_default();
-        let position = match Heading::named(names, &column.text).as_slice() {
+        let position = match Heading::named(names, column.text.raw()).as_slice() {
             [_, _, ..] => Err(fail(InputErrorKind::AmbiguousColumn { wanted: column.text.clone() })),
             [index] => Ok(index + 1),
             [] => column
@@ -212,9 +212,9 @@ impl Heading {
 
 impl ColumnPlace {
     /// What to call the column: `col1` and so on where it has no name.
-    pub(crate) fn title(&self) -> String {
-        let given = self.name.clone().filter(|name| !name.is_empty());
-        given.unwrap_or_else(|| format!("col{}", self.position))
+    pub(crate) fn title(&self) -> Foreign {
+        let given = self.name.clone().filter(|name| !name.raw().is_empty());
+        given.unwrap_or_else(|| format!("col{}", self.position).into())
     }
 
     /// The error for a problem with a cell of this column.
@@ -222,7 +222,7 @@ impl ColumnPlace {
         let place = Place {
             line: Some(line),
             column: Some((self.position, self.name.clone())),
-            text: Some(String::from_utf8_lossy(cell).into_owned()),
+            text: Some(String::from_utf8_lossy(cell).into_owned().into()),
             ..Place::default()
         };
         InputError::new(file, place, problem)

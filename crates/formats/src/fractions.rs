@@ -1,6 +1,6 @@
 //! Cells that are written as fractions. They are numbers, but people are told of them: a spreadsheet may have meant something else.
 
-use boundfit_exact::is_missing;
+use boundfit_exact::{Foreign, is_missing};
 use memchr::memchr;
 
 /// How many cells of a column are fractions such as `3/4`.
@@ -9,7 +9,7 @@ pub struct Fractions {
     /// How many.
     pub cells: usize,
     /// The first of them.
-    pub first: Option<String>,
+    pub first: Option<Foreign>,
 }
 
 impl Fractions {
@@ -18,7 +18,7 @@ impl Fractions {
         // Some words for what is missing have a slash, too.
         if memchr(b'/', cell).is_some() && !std::str::from_utf8(cell).is_ok_and(is_missing) {
             self.cells += 1;
-            self.first.get_or_insert_with(|| String::from_utf8_lossy(cell).trim().to_owned());
+            self.first.get_or_insert_with(|| String::from_utf8_lossy(cell).trim().into());
         }
     }
 

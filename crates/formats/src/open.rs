@@ -1,5 +1,7 @@
 //! Which reader reads an input: the only place where formats are told apart.
 
+use boundfit_exact::Foreign;
+
 #[cfg(feature = "arrow")]
 use crate::arrow::scan_arrow;
 use crate::columns::ColumnSelector;
@@ -58,10 +60,10 @@ pub fn scan<T: Send>(
         wanted.append(rows);
         take(made);
     };
-    let scanned = scan_content(&name, content, columns, &inner, work, take)?;
+    let scanned = scan_content(name.raw(), content, columns, &inner, work, take)?;
     if wanted.count == 0 {
         let conditions =
-            options.table.conditions.iter().map(|condition| condition.text().to_owned()).collect();
+            options.table.conditions.iter().map(|condition| Foreign::from(condition.text())).collect();
         let problem = InputErrorKind::NoRowWanted { total: scanned.rows_total, conditions };
         return Err(InputError::of_file(&name, problem));
     }

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
-use boundfit_exact::{Limits, ParseNumberError, Rational, Reading};
+use boundfit_exact::{Foreign, Limits, ParseNumberError, Rational, Reading};
 use thiserror::Error;
 
 use crate::columns::ColumnSelector;
@@ -293,7 +293,7 @@ pub struct RowCondition {
     column: ColumnSelector,
     comparison: Comparison,
     number: Rational,
-    text: String,
+    text: Foreign,
 }
 
 /// Why a text is no condition on rows.
@@ -312,7 +312,7 @@ pub enum ParseRowConditionError {
     #[error("{text:?}: {}: {error}", if .error.kind.is_limit() { "refused" } else { "not a number" })]
     NotANumber {
         /// What stands there.
-        text: String,
+        text: Foreign,
         /// What is wrong with it.
         error: ParseNumberError,
     },
@@ -334,9 +334,9 @@ impl RowCondition {
         if column.text().is_empty() {
             return Err(ParseRowConditionError::NoColumn);
         }
-        let not_a_number = |error| ParseRowConditionError::NotANumber { text: number.to_owned(), error };
+        let not_a_number = |error| ParseRowConditionError::NotANumber { text: number.into(), error };
         let number = reading.read(number, limits).map_err(not_a_number)?;
-        Ok(RowCondition { column, comparison, number, text: text.trim().to_owned() })
+        Ok(RowCondition { column, comparison, number, text: text.trim().into() })
     }
 
     /// The column.
@@ -345,7 +345,7 @@ impl RowCondition {
     }
 
     /// The condition as it was written.
-    pub fn text(&self) -> &str {
+    pub fn text(&self) -> &Foreign {
         &self.text
     }
 
@@ -468,7 +468,7 @@ mod tests {
             let tiny = Rational::scientific(1, -40);
             let around = [&third - &tiny, third.clone(), &third + &tiny];
             assert_eq!(around.map(|number| condition.holds(&number)), holds, "{text}");
-            assert_eq!((condition.column().text(), condition.text()), ("x", text.trim()));
+            assert_eq!((condition.column().text().raw(), condition.text().raw()), ("x", text.trim()));
         }
     }
 

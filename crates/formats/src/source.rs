@@ -5,6 +5,8 @@ use std::fs::File;
 use std::io::Seek;
 use std::io::{self, Cursor, Read};
 
+use boundfit_exact::Foreign;
+
 use crate::binary::{self, BinaryFormat};
 use crate::error::{InputError, InputErrorKind, STANDARD_INPUT};
 use crate::reduction::record::REDUCTION_MARK;
@@ -12,7 +14,7 @@ use crate::unpack::Packed;
 
 /// An input that has been opened.
 pub struct Source {
-    name: String,
+    name: Foreign,
     content: Content,
     /// Of a compressed input, whose content is what it unpacks to.
     packed: Option<Packed>,
@@ -83,7 +85,7 @@ impl Source {
             let mut file = file.try_clone().map_err(fail)?;
             if let Some(format) = columns_of(&mut file).map_err(fail)? {
                 let content = Content::Columns(format, file);
-                let name = path.to_owned();
+                let name = path.into();
                 return Ok(Source { name, content, packed: None, length, is_file, is_reduction: false });
             }
         }
@@ -97,7 +99,7 @@ impl Source {
     }
 
     /// A stream of bytes with a name for messages. What is compressed by gzip or Zstandard is unpacked as it is read.
-    pub fn new(name: impl Into<String>, bytes: impl Read + 'static) -> Self {
+    pub fn new(name: impl Into<Foreign>, bytes: impl Read + 'static) -> Self {
         let (start, bytes) = peeked(Box::new(bytes));
         let (packed, start, bytes) = match Packed::unpacked(&start, bytes) {
             Err(bytes) => (None, start, bytes),
@@ -118,7 +120,7 @@ impl Source {
     ) -> Result<(Self, T), InputError> {
         match self.content {
             Content::Bytes(bytes) => {
-                let (bytes, found) = change(&self.name, bytes)?;
+                let (bytes, found) = change(self.name.raw(), bytes)?;
                 Ok((Source { content: Content::Bytes(bytes), ..self }, found))
             }
             content => Ok((Source { content, ..self }, T::default())),
@@ -135,7 +137,7 @@ impl Source {
     }
 
     /// The name that messages use.
-    pub fn name(&self) -> &str {
+    pub fn name(&self) -> &Foreign {
         &self.name
     }
 
@@ -146,7 +148,7 @@ impl Source {
 
     /// The path under which the same bytes can be read again; `None` unless this is a regular file.
     pub fn path(&self) -> Option<&str> {
-        self.is_file.then_some(&self.name)
+        self.is_file.then_some(self.name.raw())
     }
 
     /// Whether this is a reduction, or several of them: see [`open_reduction`](crate::open_reduction).
@@ -161,12 +163,12 @@ impl Source {
     }
 
     /// The name, what is in it, and what is known of it if it is compressed.
-    pub(crate) fn into_parts(self) -> (String, Content, Option<Packed>) {
+    pub(crate) fn into_parts(self) -> (Foreign, Content, Option<Packed>) {
         (self.name, self.content, self.packed)
     }
 
     /// The name and the bytes, whatever they are, and what is known of them if they were compressed.
-    pub(crate) fn into_bytes(self) -> (String, Box<dyn Read>, Option<Packed>) {
+    pub(crate) fn into_bytes(self) -> (Foreign, Box<dyn Read>, Option<Packed>) {
         (self.name, self.content.into_bytes(), self.packed)
     }
 }

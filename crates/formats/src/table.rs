@@ -2,7 +2,7 @@
 
 #[cfg(feature = "arrow")]
 use boundfit_exact::{DecimalMark, ParseNumberError, ParseNumberErrorKind};
-use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_exact::{Foreign, Limits, Rational, Reading};
 
 use crate::columns::{ColumnPlace, Header};
 #[cfg(feature = "arrow")]
@@ -77,11 +77,11 @@ pub struct TableRow {
 #[derive(Debug, Clone)]
 pub struct Table {
     /// The names of the columns asked for; `col1` and so on where there is none.
-    pub names: Vec<String>,
+    pub names: Vec<Foreign>,
     /// How many cells of each column asked for are fractions; empty where numbers are stored.
     pub fractions: Vec<Fractions>,
     /// The names of all columns, asked for or not; none without a header.
-    pub header: Vec<String>,
+    pub header: Vec<Foreign>,
     /// The rows wanted.
     pub rows: Vec<TableRow>,
     /// With `keep_others`, the rows that are not wanted but hold numbers.
@@ -91,7 +91,7 @@ pub struct Table {
     /// How many wanted rows were left out since they lack a number.
     pub rows_missing: usize,
     /// The units of the columns asked for, where the table states them.
-    pub units: Vec<Option<String>>,
+    pub units: Vec<Option<Foreign>>,
     /// First and last of the rows wanted that follow each other without a gap.
     pub ranges: Vec<[usize; 2]>,
     /// Where the numbers stand; `None` unless the table is delimited text.

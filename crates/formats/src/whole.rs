@@ -5,6 +5,7 @@ use crate::error::InputError;
 use crate::limits::SizeLimits;
 use crate::source::Source;
 use crate::unpack::Packed;
+use boundfit_exact::Foreign;
 
 /// How many bytes are read at a time.
 const CHUNK_BYTES: usize = 1 << 16;
@@ -13,7 +14,7 @@ const CHUNK_BYTES: usize = 1 << 16;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WholeFile {
     /// The name that messages use.
-    pub name: String,
+    pub name: Foreign,
     /// The text, which may have bytes that are no UTF-8.
     pub content: Vec<u8>,
     /// SHA-256 of the file's own bytes, in hexadecimal.
@@ -31,7 +32,7 @@ impl WholeFile {
             packed.set_limit(sizes.unpacked);
         }
         let mut reader = ChunkReader::new(bytes, CHUNK_BYTES, sizes.line, true);
-        let content = reader.read_to_end(&name)?;
+        let content = reader.read_to_end(name.raw())?;
         let of_text = || reader.sha256().unwrap_or_default();
         let sha256 = packed.as_ref().map_or_else(of_text, Packed::sha256);
         Ok(WholeFile { name, content, sha256 })

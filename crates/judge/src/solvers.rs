@@ -45,12 +45,12 @@ pub fn judge_solvers(
         let Some(as_read) = judge(&as_read, &solution) else { continue };
         let received = judge(&received, &solution).unwrap_or_else(|| as_read.clone());
         let source = format!("{} {}", solver.name(), solver.version());
-        judged.push(JudgedSolver { source, as_read, received });
+        judged.push(JudgedSolver { source: source.into(), as_read, received });
     }
     let solution = exact_solution(&exact_simplex(&program), rows.len());
     if let Some(as_read) = judge(&as_read, &solution) {
-        let source = "exact-simplex".to_owned();
-        judged.push(JudgedSolver { source, received: as_read.clone(), as_read });
+        let source = "exact-simplex";
+        judged.push(JudgedSolver { source: source.into(), received: as_read.clone(), as_read });
     }
     Ok(judged)
 }
@@ -58,12 +58,12 @@ pub fn judge_solvers(
 /// A program in two free variables as a model.
 fn model_of(rows: &[Row], objective: &[Rational; 2]) -> Model {
     let column = |(place, cost): (usize, &Rational)| ModelColumn {
-        name: format!("theta{}", place + 1),
+        name: format!("theta{}", place + 1).into(),
         cost: cost.clone(),
         bounds: Bounds::default(),
     };
     let row = |(place, row): (usize, &Row)| ModelRow {
-        name: format!("row{}", place + 1),
+        name: format!("row{}", place + 1).into(),
         coefficients: row.a.iter().cloned().enumerate().filter(|(_, value)| !value.is_zero()).collect(),
         bounds: Bounds { lower: None, upper: Some(row.b.clone()) },
     };

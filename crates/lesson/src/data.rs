@@ -1,7 +1,7 @@
 //! Everything that the page shows.
 
 use boundfit_estimation::{Fit, Model, Problem};
-use boundfit_exact::Reading;
+use boundfit_exact::{Foreign, Reading};
 use boundfit_report::{FitJson, Number, Origin, SweepJson};
 use serde::Serialize;
 
@@ -17,7 +17,7 @@ use crate::readings::{self, ConditionJson, EpsilonJson, ModelJson, ReadingJson};
 use crate::sweep::sweep;
 use crate::{LessonError, LessonOptions};
 
-/// The document of schema `boundfit/lesson/1`.
+/// The document of schema `boundfit/lesson/1`. Texts from outside are in it as they are shown.
 #[derive(Debug, Serialize)]
 pub(crate) struct LessonJson {
     schema: &'static str,
@@ -70,14 +70,17 @@ pub(crate) fn build(
     let mut points = Points::new(styles);
     let programs = programs(problem);
     let without = leave_one_out(problem, fit);
-    let file = file_name(&options.file);
+    let file = file_name(options.file.raw());
     let origin = Origin { file: Some(file), reading, is_stored: false };
     let facts = Facts { problem, fit, styles, programs: &programs, without: &without };
     Ok(LessonJson {
         schema: "boundfit/lesson/1",
-        title: options.title.clone().unwrap_or_else(|| default_title(file, problem)),
-        file: file.to_owned(),
-        units: UnitsJson { x: options.x_unit.clone(), y: options.y_unit.clone() },
+        title: options.title.as_ref().map_or_else(|| default_title(file, problem), Foreign::to_string),
+        file: file.to_string(),
+        units: UnitsJson {
+            x: options.x_unit.as_ref().map(Foreign::to_string),
+            y: options.y_unit.as_ref().map(Foreign::to_string),
+        },
         model: readings::model(measurements),
         epsilon: readings::epsilon(measurements.error_bound()),
         reading: reading.name(),
@@ -97,11 +100,12 @@ pub(crate) fn build(
 }
 
 /// What follows the last separator of a path.
-fn file_name(file: &str) -> &str {
-    file.rsplit(['/', '\\']).find(|name| !name.is_empty()).unwrap_or(file)
+fn file_name(file: &str) -> Foreign<&str> {
+    let name = file.rsplit(['/', '\\']).find(|name| !name.is_empty()).unwrap_or(file);
+    Foreign::of(name)
 }
 
-fn default_title(file: &str, problem: &Problem) -> String {
+fn default_title(file: Foreign<&str>, problem: &Problem) -> String {
     let y = problem.measurements.response();
     match problem.measurements.model() {
         Model::Line { x } => format!("{file}: {y} against {}", problem.measurements.line_form().abscissa(x)),

@@ -52,7 +52,7 @@ pub(crate) fn programs(problem: &Problem) -> Programs {
     let answers = source_names().into_iter().filter_map(|name| {
         let answer = answer_of(&name, &rows, TIME_LIMIT).ok()?;
         Some(LpAnswer {
-            source: answer.source,
+            source: answer.source.to_string(),
             is_exact: name == EXACT_SIMPLEX,
             judgements: [0, 1].map(|axis| referee.judge_interval(axis, &answer.claims[axis])),
             claims: answer.claims,

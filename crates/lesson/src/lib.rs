@@ -44,7 +44,7 @@ mod sweep;
 mod template;
 
 use boundfit_estimation::{Fit, Problem};
-use boundfit_exact::Reading;
+use boundfit_exact::{Foreign, Reading};
 use serde_json::Value;
 use thiserror::Error;
 
@@ -55,13 +55,13 @@ pub const MOST_ROWS: usize = 300;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LessonOptions {
     /// Where the readings come from; of a path only the file's name is shown.
-    pub file: String,
+    pub file: Foreign,
     /// The title; made of the file and the columns when `None`.
-    pub title: Option<String>,
+    pub title: Option<Foreign>,
     /// Unit of x, or of both regressors.
-    pub x_unit: Option<String>,
+    pub x_unit: Option<Foreign>,
     /// Unit of y.
-    pub y_unit: Option<String>,
+    pub y_unit: Option<Foreign>,
     /// The most readings that a page is made for.
     pub most_rows: usize,
 }
@@ -69,7 +69,13 @@ pub struct LessonOptions {
 impl Default for LessonOptions {
     /// No words but those that follow from the data, and at most [`MOST_ROWS`] readings.
     fn default() -> Self {
-        LessonOptions { file: String::new(), title: None, x_unit: None, y_unit: None, most_rows: MOST_ROWS }
+        LessonOptions {
+            file: Foreign::default(),
+            title: None,
+            x_unit: None,
+            y_unit: None,
+            most_rows: MOST_ROWS,
+        }
     }
 }
 

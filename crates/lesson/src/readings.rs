@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use boundfit_estimation::{Condition, ErrorBound, Measurement, Measurements, Model};
-use boundfit_exact::Rational;
+use boundfit_exact::{Foreign, Rational};
 use boundfit_report::Number;
 use serde::Serialize;
 
@@ -50,10 +50,12 @@ pub(crate) struct ConditionJson {
 }
 
 pub(crate) fn model(measurements: &Measurements) -> ModelJson {
-    let y = measurements.response().to_owned();
+    let y = measurements.response().to_string();
     match measurements.model() {
-        Model::Line { x } => ModelJson::Line { x: measurements.line_form().abscissa(x), y },
-        Model::TwoRegressors { regressors } => ModelJson::TwoRegressors { regressors: regressors.clone(), y },
+        Model::Line { x } => ModelJson::Line { x: measurements.line_form().abscissa(x).to_string(), y },
+        Model::TwoRegressors { regressors } => {
+            ModelJson::TwoRegressors { regressors: regressors.each_ref().map(Foreign::to_string), y }
+        }
     }
 }
 
@@ -62,8 +64,8 @@ pub(crate) fn epsilon(bound: &ErrorBound) -> EpsilonJson {
         ErrorBound::Uniform(epsilon) => {
             EpsilonJson { uniform: Some(STYLE.given_number(epsilon)), column: None }
         }
-        ErrorBound::PerRow(column) => EpsilonJson { uniform: None, column: Some(column.clone()) },
-        ErrorBound::Law(law) => EpsilonJson { uniform: None, column: Some(law.text().to_owned()) },
+        ErrorBound::PerRow(column) => EpsilonJson { uniform: None, column: Some(column.to_string()) },
+        ErrorBound::Law(law) => EpsilonJson { uniform: None, column: Some(law.text().to_string()) },
         ErrorBound::Interval { .. } => EpsilonJson { uniform: None, column: None },
     }
 }
@@ -82,7 +84,7 @@ pub(crate) fn others(measurements: &Measurements) -> Vec<ReadingJson> {
 
 pub(crate) fn conditions(conditions: &[Condition]) -> Vec<ConditionJson> {
     let numbered = (1..).zip(conditions);
-    numbered.map(|(number, condition)| ConditionJson { number, text: condition.text().to_owned() }).collect()
+    numbered.map(|(number, condition)| ConditionJson { number, text: condition.text().to_string() }).collect()
 }
 
 /// A reading with its bounds: as a distance from their middle where a factor on it moves them.

@@ -1,6 +1,6 @@
 //! Linear programs as files state them: named columns and rows, each with a lower and an upper bound or without.
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Foreign, Rational};
 
 /// Whether the objective is to be made small or large.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -33,7 +33,7 @@ impl Bounds {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ModelColumn {
     /// The name in the file.
-    pub name: String,
+    pub name: Foreign,
     /// The coefficient in the objective.
     pub cost: Rational,
     /// The values that it may have.
@@ -44,7 +44,7 @@ pub struct ModelColumn {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ModelRow {
     /// The name in the file.
-    pub name: String,
+    pub name: Foreign,
     /// Columns by their place in [`Model::columns`], in rising order, each at most once, none with a coefficient of 0.
     pub coefficients: Vec<(usize, Rational)>,
     /// The values that the form may have.
@@ -55,11 +55,11 @@ pub struct ModelRow {
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Model {
     /// The name that the file gives it; may be empty.
-    pub name: String,
+    pub name: Foreign,
     /// What is wanted of the objective.
     pub sense: ObjectiveSense,
     /// The name of the objective; may be empty.
-    pub objective_name: String,
+    pub objective_name: Foreign,
     /// What is added to the objective whatever the columns are.
     pub constant: Rational,
     /// The columns, in the order of the file.

@@ -1,7 +1,7 @@
 //! What every solver is worth on each of many cases: the table and the JSON of `bench-solvers`.
 
 use boundfit_check::Check;
-use boundfit_exact::Reading;
+use boundfit_exact::{Foreign, Reading};
 use boundfit_judge::{Findings, JudgedSolver, Worth};
 use serde::Serialize;
 
@@ -10,13 +10,13 @@ use crate::json::to_text;
 /// A case with the worst verdict of each source on it.
 #[derive(Debug, Clone)]
 pub struct CaseVerdicts {
-    name: String,
+    name: Foreign,
     claims: Vec<Claim>,
 }
 
 #[derive(Debug, Clone)]
 struct Claim {
-    source: String,
+    source: Foreign,
     /// What it is judged by: the numbers as they are, or the doubles that the solver received.
     reading: Reading,
     verdict: String,
@@ -25,7 +25,7 @@ struct Claim {
 
 impl CaseVerdicts {
     /// Of a fit, whose four programs the sources answered.
-    pub fn of_fit(name: String, check: &Check) -> Self {
+    pub fn of_fit(name: Foreign, check: &Check) -> Self {
         let claims = check.answers.iter().map(|answer| Claim {
             source: answer.source.clone(),
             reading: answer.reading,
@@ -36,7 +36,7 @@ impl CaseVerdicts {
     }
 
     /// Of a linear program in a file. What is refuted is named.
-    pub fn of_model(name: String, solvers: &[JudgedSolver]) -> Self {
+    pub fn of_model(name: Foreign, solvers: &[JudgedSolver]) -> Self {
         let claims = solvers.iter().flat_map(|solver| {
             let readings = [(Reading::Decimal, &solver.as_read), (Reading::Binary64, &solver.received)];
             readings.map(|(reading, findings)| Claim {
@@ -49,8 +49,8 @@ impl CaseVerdicts {
         CaseVerdicts { name, claims: claims.collect() }
     }
 
-    fn claim(&self, source: &str, reading: Reading) -> Option<&Claim> {
-        self.claims.iter().find(|claim| claim.source == source && claim.reading == reading)
+    fn claim(&self, source: &Foreign, reading: Reading) -> Option<&Claim> {
+        self.claims.iter().find(|claim| claim.source == *source && claim.reading == reading)
     }
 }
 
@@ -64,13 +64,14 @@ fn verdict(findings: &Findings) -> String {
 
 /// A Markdown table of the worst verdict of each source on each case.
 pub fn cases_table(cases: &[CaseVerdicts]) -> String {
-    let mut sources: Vec<&str> = Vec::new();
+    let mut sources: Vec<&Foreign> = Vec::new();
     for claim in cases.iter().flat_map(|case| &case.claims) {
-        if !sources.contains(&claim.source.as_str()) {
+        if !sources.contains(&&claim.source) {
             sources.push(&claim.source);
         }
     }
-    let mut text = format!("| case | {} |\n|---|{}\n", sources.join(" | "), "---|".repeat(sources.len()));
+    let names: Vec<String> = sources.iter().map(|source| source.to_string()).collect();
+    let mut text = format!("| case | {} |\n|---|{}\n", names.join(" | "), "---|".repeat(sources.len()));
     let mut right = vec![0; sources.len()];
     for case in cases {
         let mut cells = Vec::new();
@@ -100,13 +101,13 @@ struct CasesJson<'a> {
 
 #[derive(Serialize)]
 struct CaseJson<'a> {
-    name: &'a str,
+    name: &'a Foreign,
     claims: Vec<VerdictJson<'a>>,
 }
 
 #[derive(Serialize)]
 struct VerdictJson<'a> {
-    source: &'a str,
+    source: &'a Foreign,
     reading: &'static str,
     verdict: &'a str,
 }

@@ -2,7 +2,7 @@
 
 use boundfit_check::{Approximation, Check, Directions, JudgedAnswer, ProgramRows};
 use boundfit_exact::english::counted;
-use boundfit_exact::{Endpoint, Interval, Rational, Reading, Rounding};
+use boundfit_exact::{Endpoint, Foreign, Interval, Rational, Reading, Rounding};
 use boundfit_lp::{End, Judgement, Multiplier, PuiEnd, Refutation, RoundedTo, ToleranceUnit, Verdict};
 
 use crate::document::{Block, Document, Inline, Table, Text};
@@ -10,7 +10,7 @@ use crate::formula::{absurdity, pair, products};
 use crate::style::{Shown, Style};
 
 /// The report of a check about the data of this file. `reading` is that of the data.
-pub fn check_document(check: &Check, file: &str, reading: Reading, style: &Style) -> Document {
+pub fn check_document(check: &Check, file: Foreign<&str>, reading: Reading, style: &Style) -> Document {
     let styles = resolving(check, reading, style);
     let mut rows = Vec::new();
     let mut findings = Vec::new();

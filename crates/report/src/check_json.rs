@@ -1,7 +1,7 @@
 //! The JSON report of a check, schema `boundfit/check/2`.
 
 use boundfit_check::{Approximation, Check, Directions, JudgedAnswer, ProgramRows};
-use boundfit_exact::{Rational, Reading};
+use boundfit_exact::{Foreign, Rational, Reading};
 use boundfit_lp::{Judgement, Multiplier, PuiEnd, Refutation, RoundedTo, Verdict};
 use serde::Serialize;
 
@@ -24,7 +24,7 @@ struct CheckJson<'a> {
 /// What the answers are about.
 #[derive(Serialize)]
 struct InputJson<'a> {
-    file: Option<&'a str>,
+    file: Option<Foreign<&'a str>>,
 }
 
 /// The worst verdict against one reading of the data.
@@ -37,7 +37,7 @@ struct WorstJson {
 
 #[derive(Serialize)]
 struct ClaimJson {
-    source: String,
+    source: Foreign,
     reading: &'static str,
     bounds: Vec<EndJson>,
     verdict: &'static str,
@@ -98,7 +98,7 @@ struct ApproximationJson {
 
 /// The report as JSON, with a line end, about the data of this file; `None` for standard input. `reading` is that of the data;
 /// `worst` is against it.
-pub fn check_json(check: &Check, file: Option<&str>, reading: Reading, style: &Style) -> String {
+pub fn check_json(check: &Check, file: Option<Foreign<&str>>, reading: Reading, style: &Style) -> String {
     let report = CheckJson {
         schema: "boundfit/check/2",
         input: InputJson { file },

@@ -7,7 +7,7 @@ use boundfit_estimation::{
     MultipleOfLeast, ParameterBound, ParameterInterval, Problem, Selection, least_squares_is_feasible,
     mending_rows,
 };
-use boundfit_exact::{Endpoint, Interval, Rational};
+use boundfit_exact::{Endpoint, Foreign, Interval, Rational};
 use boundfit_geometry::{Measures, Multiplier};
 use serde::Serialize;
 
@@ -51,7 +51,7 @@ pub(crate) const NO_MENDING: &str = "since not every reading is kept in memory";
 
 #[derive(Debug, Serialize)]
 struct InputJson {
-    file: Option<String>,
+    file: Option<Foreign>,
     rows: usize,
     rows_total: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -65,13 +65,13 @@ struct InputJson {
     reading: &'static str,
     sha256: Option<String>,
     model: &'static str,
-    x: Vec<String>,
-    y: Option<String>,
+    x: Vec<Foreign>,
+    y: Option<Foreign>,
     epsilon: Option<Number>,
-    epsilon_column: Option<String>,
+    epsilon_column: Option<Foreign>,
     /// The law that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    epsilon_law: Option<String>,
+    epsilon_law: Option<Foreign>,
     /// The columns of bounds, of which one may be null.
     #[serde(skip_serializing_if = "Option::is_none")]
     interval: Option<IntervalColumnsJson>,
@@ -79,15 +79,15 @@ struct InputJson {
     epsilon_from_least: Option<FromLeastJson>,
     #[serde(skip_serializing_if = "Option::is_none")]
     x_origin: Option<Number>,
-    r#where: Vec<String>,
+    r#where: Vec<Foreign>,
 }
 
 /// A column with cells that are fractions.
 #[derive(Debug, Serialize)]
 struct FractionsJson {
-    column: String,
+    column: Foreign,
     cells: usize,
-    first: String,
+    first: Foreign,
 }
 
 /// Which rows were asked for.
@@ -95,7 +95,7 @@ struct FractionsJson {
 struct SelectionJson {
     rows: Option<String>,
     without: Option<String>,
-    where_row: Vec<String>,
+    where_row: Vec<Foreign>,
 }
 
 /// An error bound that was found from the readings themselves.
@@ -108,8 +108,8 @@ struct FromLeastJson {
 
 #[derive(Debug, Serialize)]
 struct IntervalColumnsJson {
-    lower: Option<String>,
-    upper: Option<String>,
+    lower: Option<Foreign>,
+    upper: Option<Foreign>,
 }
 
 #[derive(Debug, Serialize)]
@@ -236,7 +236,7 @@ fn input(problem: &Problem, origin: &Origin, style: &Style) -> InputJson {
         _ => None,
     };
     InputJson {
-        file: origin.file.map(ToOwned::to_owned),
+        file: origin.file.map(Foreign::from),
         rows: measurements.fitted(),
         rows_total: measurements.rows_total(),
         selection: selection(measurements.selection()),

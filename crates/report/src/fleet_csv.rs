@@ -6,6 +6,7 @@ use boundfit_estimation::ParameterInterval;
 use boundfit_exact::{Endpoint, Rational};
 use csv::Writer;
 
+use crate::csv_text::csv_text;
 use crate::fleet_summary::GroupReport;
 use crate::style::Style;
 
@@ -54,7 +55,7 @@ impl FleetCsv {
     /// that their interval takes.
     pub fn group(&mut self, group: &GroupReport<'_>, style: &Style) {
         let fit = group.fit;
-        self.writer.write_field(group.key).expect(WRITTEN);
+        self.writer.write_field(csv_text(group.key).as_bytes()).expect(WRITTEN);
         self.cell(group.rows());
         self.optional(group.first_row());
         self.cell(group.kind().name());

@@ -2,6 +2,7 @@
 //! same name and the same shape.
 
 use boundfit_estimation::least_squares_is_feasible;
+use boundfit_exact::Foreign;
 use serde::Serialize;
 
 use crate::fit_json::{CentralJson, central, pui, uniform_minimum};
@@ -13,7 +14,7 @@ use crate::style::Style;
 #[derive(Serialize)]
 struct GroupJson<'a> {
     schema: &'static str,
-    group: &'a str,
+    group: Foreign<&'a str>,
     rows: usize,
     first_row: Option<usize>,
     least_squares: Option<LeastSquaresJson>,

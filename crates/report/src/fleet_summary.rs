@@ -1,8 +1,8 @@
 //! A group of a fleet, and what a whole fleet comes to.
 
 use boundfit_estimation::{Fit, Problem};
-use boundfit_exact::Rational;
 use boundfit_exact::english::counted;
+use boundfit_exact::{Foreign, Rational};
 use boundfit_geometry::RegionKind;
 
 /// How many of the groups without an answer a summary names.
@@ -12,7 +12,7 @@ const MOST_NAMED: usize = 5;
 #[derive(Debug, Clone, Copy)]
 pub struct GroupReport<'a> {
     /// The text that its rows have in common.
-    pub key: &'a str,
+    pub key: Foreign<&'a str>,
     /// Its readings and the conditions.
     pub problem: &'a Problem,
     /// Their fit; the parts that fleets do not report may be missing.
@@ -110,11 +110,11 @@ impl FleetSummary {
 }
 
 /// A key on a line of its own: quoted where it is not plain to see.
-pub(crate) fn shown_key(key: &str) -> String {
-    let plain = !key.is_empty()
-        && key.trim() == key
-        && !key.contains(|c: char| c.is_control() || c == '"' || c == ',');
-    if plain { key.to_owned() } else { format!("{key:?}") }
+pub(crate) fn shown_key(key: Foreign<&str>) -> String {
+    let raw = key.raw();
+    let is_plain =
+        !raw.is_empty() && raw.trim() == raw && !raw.contains(['"', ',']) && key.to_string() == raw;
+    if is_plain { raw.to_owned() } else { format!("{key:?}") }
 }
 
 #[cfg(test)]
@@ -129,7 +129,7 @@ mod tests {
             empty: keys.len(),
             unbounded: 1,
             degenerate: 0,
-            first_empty: keys.iter().take(MOST_NAMED).map(|key| shown_key(key)).collect(),
+            first_empty: keys.iter().take(MOST_NAMED).map(|key| shown_key(Foreign::of(key))).collect(),
         };
         let mut whole = part(&["a", "", "b\n"], 9);
         whole.append(part(&["c", "d", "e", "f"], 7));

@@ -30,6 +30,7 @@ mod cases;
 mod cdd;
 mod check;
 mod check_json;
+mod csv_text;
 mod document;
 mod findings;
 mod fit;

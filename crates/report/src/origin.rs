@@ -1,12 +1,12 @@
 //! Where the readings of a report come from.
 
-use boundfit_exact::Reading;
+use boundfit_exact::{Foreign, Reading};
 
 /// Where the readings come from.
 #[derive(Debug, Clone, Copy)]
 pub struct Origin<'a> {
     /// The file, in the words of the user; `None` for standard input.
-    pub file: Option<&'a str>,
+    pub file: Option<Foreign<&'a str>>,
     /// How numbers were read.
     pub reading: Reading,
     /// Whether the file stores them in binary, so that they were not read from text.

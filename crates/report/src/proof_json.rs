@@ -1,7 +1,7 @@
 //! A fit as a proof that others can check, schema `boundfit/proof/1` (docs/proof.md).
 
 use boundfit_estimation::{BoundName, Condition, ErrorBound, Fit, Fps, Model, ParameterBound, Problem};
-use boundfit_exact::{Rational, Reading};
+use boundfit_exact::{Foreign, Rational, Reading};
 use boundfit_geometry::predicates::{Turn, normal_turn};
 use boundfit_geometry::{Multiplier, Polyhedron, Vertex};
 use serde::Serialize;
@@ -67,7 +67,7 @@ pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<Stri
         ErrorBound::Interval { lower, upper } => {
             // Behind each bound stands, from the same column, whether it is there.
             let mut columns = others.iter().step_by(2).copied();
-            let mut next = |side: &Option<String>| side.as_ref().and_then(|_| columns.next());
+            let mut next = |side: &Option<Foreign>| side.as_ref().and_then(|_| columns.next());
             interval = Some([next(lower), next(upper)]);
         }
         ErrorBound::Law(bound) => {

@@ -118,8 +118,8 @@ fn polygon(problem: &Problem, epsilon: &Rational, runs: usize) -> Result<Map<Str
 }
 
 fn line(rows: Vec<Measurement>, epsilon: &Rational) -> Measurements {
-    let model = Model::Line { x: "x".to_owned() };
-    Measurements::new(model, "y".to_owned(), ErrorBound::Uniform(epsilon.clone()), rows)
+    let model = Model::Line { x: "x".into() };
+    Measurements::new(model, "y".into(), ErrorBound::Uniform(epsilon.clone()), rows)
 }
 
 /// Everything that is known about the readings, with all proofs.

@@ -40,7 +40,7 @@ static MODELS: LazyLock<Vec<(Model, ModelAnswer)>> = LazyLock::new(|| {
 /// A claim, in JSON, as a solver's file or as four ends, is refused, or judged without a panic and the same way twice.
 pub fn claim_files(data: &[u8]) {
     let Ok(text) = std::str::from_utf8(data) else { return };
-    let file = ClaimText { file: "theta1-min.sol".to_owned(), text: text.to_owned() };
+    let file = ClaimText { file: "theta1-min.sol".into(), text: text.to_owned() };
     judge_as_solution(text);
     let answers = read_claims(&[file], &ClaimLimits::default()).unwrap_or_default();
     for answer in answers.into_iter().chain(parse_claim_pui(text)) {

@@ -1,6 +1,6 @@
 //! Linear programs from elsewhere.
 
-use boundfit_exact::Limits;
+use boundfit_exact::{Foreign, Limits};
 use boundfit_lp::{ExchangeFormat, Model, ModelLimits, model_text, read_model};
 
 /// A text is refused in either format, or what it states is written in both and read back equal.
@@ -32,8 +32,8 @@ fn check_written(model: &Model) {
 
 /// The program without names: not every name is one in every format.
 fn without_names(model: &Model) -> Model {
-    let mut model = Model { name: String::new(), objective_name: String::new(), ..model.clone() };
-    model.columns.iter_mut().for_each(|column| column.name.clear());
-    model.rows.iter_mut().for_each(|row| row.name.clear());
+    let mut model = Model { name: Foreign::default(), objective_name: Foreign::default(), ..model.clone() };
+    model.columns.iter_mut().for_each(|column| column.name = Foreign::default());
+    model.rows.iter_mut().for_each(|row| row.name = Foreign::default());
     model
 }

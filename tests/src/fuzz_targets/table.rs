@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Cursor;
 use std::sync::LazyLock;
 
-use boundfit_exact::{Limits, Reading};
+use boundfit_exact::{Foreign, Limits, Reading};
 use boundfit_formats::{
     AskedDialect, Batch, ColumnSelector, CommentMark, Header, Missing, RowCondition, RowRange, RowSet,
     ScanOptions, SizeLimits, Source, TableOptions, TableRow, scan,
@@ -118,7 +118,7 @@ fn by_scan(source: Source, columns: &[ColumnSelector], options: &ScanOptions) ->
     let scanned = scanned.map_err(|error| error.to_string())?;
     let numbered = |row: TableRow| (row.row, row.numbers);
     Ok(Found {
-        names: scanned.names,
+        names: scanned.names.into_iter().map(Foreign::into_raw).collect(),
         rows_total: scanned.rows_total,
         sha256: scanned.sha256.unwrap_or_default(),
         rows: batches.iter().flat_map(Batch::table_rows).map(numbered).collect(),

@@ -174,12 +174,12 @@ pub fn generated(rng: &mut ChaCha8Rng) -> Question {
         let _ = writeln!(text, "{u},{v},{response},{epsilon}");
     }
     let question = Question {
-        conditions: problem.conditions.iter().map(|condition| condition.text().to_owned()).collect(),
+        conditions: problem.conditions.iter().map(|condition| condition.text().raw().to_owned()).collect(),
         ..Question::line("generated", text.as_bytes(), ["u", "y"], "0").regressors(["u", "v"])
     };
     match problem.measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => Question { epsilon: Ok(epsilon.clone()), ..question },
-        ErrorBound::PerRow(column) => question.epsilon_column(column),
+        ErrorBound::PerRow(column) => question.epsilon_column(column.raw()),
         ErrorBound::Interval { .. } | ErrorBound::Law(_) => question,
     }
 }

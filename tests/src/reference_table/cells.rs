@@ -1,6 +1,6 @@
 //! The numbers in cells, and what is wrong with them.
 
-use boundfit_exact::{DecimalMark, Notation, ParseNumberError, Rational, is_missing};
+use boundfit_exact::{DecimalMark, Foreign, Notation, ParseNumberError, Rational, is_missing};
 use boundfit_formats::{InputError, InputErrorKind, Place};
 use csv::ByteRecord;
 
@@ -86,7 +86,7 @@ impl Reader<'_> {
 
 /// What is wrong, and on which line.
 pub(super) fn wrong(line: Option<u64>, kind: InputErrorKind) -> InputError {
-    InputError { file: NAME.to_owned(), place: Box::new(Place { line, ..Place::default() }), kind }
+    InputError { file: NAME.into(), place: Box::new(Place { line, ..Place::default() }), kind }
 }
 
 /// What is wrong with a cell.
@@ -99,11 +99,11 @@ pub(super) fn wrong_cell(
 ) -> InputError {
     let place = Place {
         line: Some(line),
-        column: Some((place, name.cloned())),
-        text: Some(String::from_utf8_lossy(cell).into_owned()),
+        column: Some((place, name.cloned().map(Foreign::from))),
+        text: Some(String::from_utf8_lossy(cell).into_owned().into()),
         ..Place::default()
     };
-    InputError { file: NAME.to_owned(), place: Box::new(place), kind: kind.into().0 }
+    InputError { file: NAME.into(), place: Box::new(place), kind: kind.into().0 }
 }
 
 /// What can be wrong with a cell.

@@ -149,9 +149,10 @@ impl Reader<'_> {
             shape[1] == 1 && self.options.dialect.delimiter.is_none() && detect(records.text).is_none();
         let first = header_text.clone();
         let undivided = |error: InputError| match error.kind {
-            InputErrorKind::UnknownColumn { wanted, .. } if is_undivided => {
-                InputError { kind: InputErrorKind::NoDelimiter { wanted, line: first.clone() }, ..error }
-            }
+            InputErrorKind::UnknownColumn { wanted, .. } if is_undivided => InputError {
+                kind: InputErrorKind::NoDelimiter { wanted, line: first.clone().into() },
+                ..error
+            },
             kind => InputError { kind, ..error },
         };
         let places = self.columns.iter().map(|column| find(column).map_err(&undivided));

@@ -1,5 +1,6 @@
 //! Which columns are meant.
 
+use boundfit_exact::Foreign;
 use boundfit_formats::{ColumnSelector, Header, InputError, InputErrorKind};
 use csv::ByteRecord;
 
@@ -77,8 +78,8 @@ pub(super) fn find(
     let named = |is_meant: &dyn Fn(&str) -> bool| -> Vec<usize> {
         (1..=names.len()).filter(|&place| is_meant(&names[place - 1])).collect()
     };
-    let mut places = named(&|name| name == wanted);
-    let bare = unmarked(&wanted);
+    let mut places = named(&|name| wanted == name);
+    let bare = unmarked(wanted.raw());
     if places.is_empty() && !bare.is_empty() {
         places =
             named(&|name| name == bare || before_unit(name) == bare || before_unit(unmarked(name)) == bare);
@@ -87,7 +88,7 @@ pub(super) fn find(
         ([place], _) => Ok(*place),
         ([], Some(number)) if (1..=width).contains(&number) => Ok(number),
         ([], _) => {
-            let available = if has_header { names.to_vec() } else { Vec::new() };
+            let available = if has_header { names.iter().map(Foreign::from).collect() } else { Vec::new() };
             let kind = InputErrorKind::UnknownColumn { wanted, available, numbers: Some(width) };
             Err(wrong(Some(line), kind))
         }

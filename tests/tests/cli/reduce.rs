@@ -99,11 +99,11 @@ fn what_does_not_belong_together_is_refused() {
         assert!(run.stderr.contains(message), "{input}\n{}", run.stderr);
     }
     let fits = [
-        ("fit - --x y --y x --eps 1", "the reduction is about the column of x x, not y"),
+        ("fit - --x y --y x --eps 1", "the column of x in the reduction is \"x\", not \"y\""),
         ("fit - --x x --y y --eps-column x", "error bounds from one bound for all readings, not x"),
         ("fit - --x x --y y --eps 10%*|y|", "error bounds from one bound for all readings, not 10%*|y|"),
         ("fit - --x x --y y --eps 1 --rows 1..2", "no rows of a reduction can be picked"),
-        ("fit - --x x,y --y y --eps 1", "the reduction is about the model a line, not two regressors"),
+        ("fit - --x x,y --y y --eps 1", "the model of the reduction is a line, not two regressors"),
         ("lesson - --x x --y y --eps 1", "this is a reduction, and here every reading is wanted"),
         ("fit - --x x --y y --eps 1 --by x", "this is a reduction, and here every reading is wanted"),
     ];
@@ -205,7 +205,7 @@ fn what_fixed_bounds_do_not_serve_is_refused() {
             "--x u --lower lo --upper up",
             "fit F --x u --y y --lower lo --upper up",
             1,
-            "the reduction is about the column of y none, not y",
+            "the column of y in the reduction is none, not \"y\"",
         ),
         (
             "--x u --lower lo --upper up",
@@ -217,7 +217,7 @@ fn what_fixed_bounds_do_not_serve_is_refused() {
             "--x u --lower lo --upper up",
             "fit F --x v --lower lo --upper up",
             1,
-            "the reduction is about the column of x u, not v",
+            "the column of x in the reduction is \"u\", not \"v\"",
         ),
         (
             "--x u --y y",
@@ -236,13 +236,13 @@ fn what_fixed_bounds_do_not_serve_is_refused() {
             "--x u,v --y y --eps 3",
             "fit F --x v,u --y y --eps 3",
             1,
-            "the reduction is about the first regressor u, not v",
+            "the first regressor of the reduction is \"u\", not \"v\"",
         ),
         (
             "--x u,v --y y --eps 3",
             "fit F --x u --y y --eps 3",
             1,
-            "the reduction is about the model two regressors, not a line",
+            "the model of the reduction is two regressors, not a line",
         ),
         (
             "--x u,v --y y --eps 3",

@@ -121,9 +121,9 @@ fn readings_in_line_and_repeated_ones_stay_active() {
             let regressor = [Rational::from(rng.random_range(-3..=3)), Rational::one()];
             Measurement::around(row, regressor, Rational::from(rng.random_range(0..=2)), epsilon.clone())
         });
-        let model = Model::Line { x: "x".to_owned() };
+        let model = Model::Line { x: "x".into() };
         let bound = ErrorBound::Uniform(epsilon.clone());
-        let measurements = Measurements::new(model, "y".to_owned(), bound, rows.collect());
+        let measurements = Measurements::new(model, "y".into(), bound, rows.collect());
         let problem = Problem { measurements, conditions: Vec::new() };
         let family = Family::new(&problem, Rational::zero(), Rational::from(3));
         check_structure(&family, case);

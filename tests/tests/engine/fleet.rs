@@ -7,7 +7,7 @@ use boundfit_estimation::{
     Bounds, Columns, EpsilonColumn, ErrorBound, Fleet, LineForm, Measurement, Measurements, Model, Problem,
     fit, fit_group, least_squares_is_feasible,
 };
-use boundfit_exact::{Rational, Reading};
+use boundfit_exact::{Foreign, Rational, Reading};
 use boundfit_formats::{ColumnSelector, RowRange, ScanOptions, Source, TableOptions};
 use boundfit_geometry::RegionKind;
 use boundfit_tests::generate::{seeded, shuffled};
@@ -67,7 +67,7 @@ impl Case {
         }
         let bound = match base.measurements.error_bound() {
             ErrorBound::Uniform(epsilon) => ErrorBound::Uniform(epsilon.clone()),
-            _ => ErrorBound::PerRow("eps".to_owned()),
+            _ => ErrorBound::PerRow("eps".into()),
         };
         let far = Rational::new(7.into(), boundfit_exact::Integer::power_of_ten(40)).unwrap();
         for (number, group) in groups.iter_mut().enumerate() {
@@ -121,11 +121,11 @@ impl Case {
 /// The problem under the names that the table's columns have.
 fn named(problem: Problem) -> Problem {
     let model = match problem.measurements.model() {
-        Model::Line { .. } => Model::Line { x: "a".to_owned() },
-        Model::TwoRegressors { .. } => Model::TwoRegressors { regressors: ["a".to_owned(), "b".to_owned()] },
+        Model::Line { .. } => Model::Line { x: "a".into() },
+        Model::TwoRegressors { .. } => Model::TwoRegressors { regressors: ["a".into(), "b".into()] },
     };
     let (bound, rows) = (problem.measurements.error_bound().clone(), problem.measurements.kept().to_vec());
-    Problem { measurements: Measurements::new(model, "y".to_owned(), bound, rows), ..problem }
+    Problem { measurements: Measurements::new(model, "y".into(), bound, rows), ..problem }
 }
 
 #[test]
@@ -172,7 +172,7 @@ fn every_group_is_fitted_as_it_would_be_alone() {
 fn doubles_are_taken_as_they_are() {
     let table = "key,a,y\ns,0.1,1e-310\nt,1/3,2\ns,0.3,0\n";
     let uniform = ErrorBound::Uniform(Rational::one());
-    let columns = columns(&Model::Line { x: String::new() }, &uniform);
+    let columns = columns(&Model::Line { x: Foreign::default() }, &uniform);
     let table_options = TableOptions { reading: Reading::Binary64, ..TableOptions::default() };
     let fleet = read(table, &columns, ScanOptions { table: table_options, ..ScanOptions::default() });
     let numbers = |group| -> Vec<[Rational; 2]> {
@@ -187,7 +187,7 @@ fn doubles_are_taken_as_they_are() {
 #[test]
 fn rows_left_out_are_no_group() {
     let table = "key,a,y\nx,1,1\ny,2,2\nz,3,3\ny,4,4\nw,5,5\n";
-    let columns = columns(&Model::Line { x: String::new() }, &ErrorBound::Uniform(Rational::one()));
+    let columns = columns(&Model::Line { x: Foreign::default() }, &ErrorBound::Uniform(Rational::one()));
     let rows = RowRange::new(2, 4).into();
     let options =
         ScanOptions { table: TableOptions { rows, ..TableOptions::default() }, ..ScanOptions::default() };
@@ -195,7 +195,7 @@ fn rows_left_out_are_no_group() {
     let rows =
         |group: usize| -> Vec<usize> { fleet.measurements(group).kept().iter().map(|row| row.row).collect() };
     let groups: Vec<(&str, Vec<usize>)> =
-        (0..fleet.len()).map(|group| (fleet.key(group), rows(group))).collect();
+        (0..fleet.len()).map(|group| (fleet.key(group).into_inner(), rows(group))).collect();
     assert_eq!(groups, [("y", vec![2, 4]), ("z", vec![3])]);
 }
 
@@ -205,7 +205,7 @@ fn groups_are_worked_on_in_order_for_any_number_of_threads() {
     for number in 0..5000 {
         writeln!(table, "s{number},1,{number}").unwrap();
     }
-    let columns = columns(&Model::Line { x: String::new() }, &ErrorBound::Uniform(Rational::one()));
+    let columns = columns(&Model::Line { x: Foreign::default() }, &ErrorBound::Uniform(Rational::one()));
     let fleet = read(&table, &columns, ScanOptions::default());
     let pieces = |threads: usize, stop_after: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();

@@ -46,16 +46,11 @@ fn readings(rng: &mut ChaCha8Rng, uniform: bool) -> Vec<Triple> {
 
 fn problem(rows: &[Triple], uniform: bool) -> Problem {
     let bound =
-        if uniform { ErrorBound::Uniform(rows[0][2].clone()) } else { ErrorBound::PerRow("eps".to_owned()) };
+        if uniform { ErrorBound::Uniform(rows[0][2].clone()) } else { ErrorBound::PerRow("eps".into()) };
     let measured = (1..).zip(rows.iter().cloned());
     let measured =
         measured.map(|(row, [x, y, epsilon])| Measurement::around(row, [x, Rational::one()], y, epsilon));
-    Problem::new(Measurements::new(
-        Model::Line { x: "x".to_owned() },
-        "y".to_owned(),
-        bound,
-        measured.collect(),
-    ))
+    Problem::new(Measurements::new(Model::Line { x: "x".into() }, "y".into(), bound, measured.collect()))
 }
 
 /// All θ with |y - θ·x| ≤ ε by one reading after the other: `None` when there are none, else both ends as far as they exist.

@@ -345,12 +345,11 @@ fn reductions_of_parts_put_together_and_reduced_are_the_reduction_of_the_whole()
 fn columns_that_are_not_those_of_a_model_are_refused() {
     let column = |numbers: &[i64]| numbers.iter().map(|&number| Rational::from(number)).collect::<Column>();
     let of = |bound: ErrorBound, columns: &[Column]| {
-        let model = Model::Line { x: "x".to_owned() };
-        let refused = Measurements::of_columns(model, "y".to_owned(), bound, columns, Keep::default());
+        let model = Model::Line { x: "x".into() };
+        let refused = Measurements::of_columns(model, "y".into(), bound, columns, Keep::default());
         refused.map(|measurements| measurements.fitted()).map_err(|error| error.to_string())
     };
-    let (uniform, per_row) =
-        (|bound: i64| ErrorBound::Uniform(bound.into()), ErrorBound::PerRow("e".to_owned()));
+    let (uniform, per_row) = (|bound: i64| ErrorBound::Uniform(bound.into()), ErrorBound::PerRow("e".into()));
     let (two, three) = (column(&[1, 2]), column(&[1, 2, -3]));
     assert_eq!(of(uniform(1), &[two.clone(), two.clone()]), Ok(2));
     assert_eq!(of(per_row.clone(), &[two.clone(), two.clone(), two.clone()]), Ok(2));

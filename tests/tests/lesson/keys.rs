@@ -79,7 +79,7 @@ fn with_intervals(seed: u64, count: usize) -> Vec<Lesson> {
             };
             row.bounds = Bounds::Between { lower, upper, response };
         }
-        let columns = ErrorBound::Interval { lower: Some("low".to_owned()), upper: Some("high".to_owned()) };
+        let columns = ErrorBound::Interval { lower: Some("low".into()), upper: Some("high".into()) };
         Lesson::of(&format!("seed {seed}, {number}"), rebuilt(&problem, rows, columns))
     };
     (0..count).map(lesson).collect()

@@ -72,7 +72,7 @@ fn verdicts_are_those_of_the_check() {
         let answers: Vec<&Value> = items(&data["layers"]["lp"]).collect();
         assert_eq!(answers.len(), source_names().len());
         for (expected, answer) in as_read.zip(answers) {
-            assert_eq!(answer["source"], expected.source.as_str());
+            assert_eq!(answer["source"], expected.source.raw());
             for (position, claim) in items(&answer["claims"]).enumerate() {
                 let judgement = &expected.bounds[position / 2][position % 2];
                 assert_eq!(claim["parameter"], ["theta1", "theta2"][position / 2]);

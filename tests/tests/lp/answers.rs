@@ -363,7 +363,7 @@ fn assert_same_face(face: &Face, expected: &Value) {
 
 fn column(name: &str, lower: Option<i64>, upper: Option<i64>) -> ModelColumn {
     let bounds = Bounds { lower: lower.map(Into::into), upper: upper.map(Into::into) };
-    ModelColumn { name: name.to_owned(), cost: Rational::one(), bounds }
+    ModelColumn { name: name.into(), cost: Rational::one(), bounds }
 }
 
 #[test]
@@ -378,9 +378,9 @@ fn more_than_two_columns_are_refused_by_name() {
 
 #[test]
 fn a_row_about_no_column_is_refused() {
-    let row = ModelRow { name: "r".to_owned(), coefficients: vec![(1, 1.into())], bounds: Bounds::default() };
+    let row = ModelRow { name: "r".into(), coefficients: vec![(1, 1.into())], bounds: Bounds::default() };
     let model = Model { columns: vec![column("a", None, None)], rows: vec![row], ..Model::default() };
-    assert_eq!(Answer::of(&model), Err(SolveError::NoSuchColumn { row: "r".to_owned() }));
+    assert_eq!(Answer::of(&model), Err(SolveError::NoSuchColumn { row: "r".into() }));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Foreign, Rational};
 use boundfit_judge::Answer;
 use boundfit_lp::Model;
 use boundfit_report::lean_theorems;
@@ -131,7 +131,7 @@ fn assert_holds(statements: &str, values: &BTreeMap<String, Rational>) {
 
 fn check(model: &Model) -> &'static str {
     let answer = Answer::of(model).unwrap();
-    let text = lean_theorems(model, &answer, "model.mps");
+    let text = lean_theorems(model, &answer, Foreign::of("model.mps"));
     let columns = model.columns.len();
     match answer {
         Answer::Optimal { .. } => {

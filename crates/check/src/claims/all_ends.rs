@@ -1,6 +1,6 @@
 //! Claims about all four ends at once: JSON files, and texts of the command line.
 
-use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_exact::{Foreign, Limits, Rational, Reading};
 use boundfit_lp::{BoundClaim, Claimed, Printed, PuiEnd};
 use serde::Deserialize;
 
@@ -11,7 +11,7 @@ use crate::answer::Answer;
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ClaimFile {
-    source: Option<String>,
+    source: Option<Foreign>,
     status: Option<String>,
     pui: Option<[[Option<NumberOrText>; 2]; 2]>,
     points: Option<[Option<[NumberOrText; 2]>; 4]>,
@@ -38,7 +38,7 @@ impl NumberOrText {
 
 fn number(text: &str, limits: &Limits) -> Result<Printed, ClaimError> {
     let read = Reading::Decimal.read(text, limits);
-    let value = read.map_err(|error| ClaimError::Number { text: text.to_owned(), error })?;
+    let value = read.map_err(|error| ClaimError::Number { text: text.into(), error })?;
     Ok(Printed::typed(text, value))
 }
 
@@ -48,18 +48,22 @@ fn number(text: &str, limits: &Limits) -> Result<Printed, ClaimError> {
 ///
 /// # Errors
 /// What is wrong with the file.
-pub(super) fn parse_claim_file(text: &str, name: &str, limits: &ClaimLimits) -> Result<Answer, ClaimError> {
+pub(super) fn parse_claim_file(
+    text: &str,
+    name: &Foreign,
+    limits: &ClaimLimits,
+) -> Result<Answer, ClaimError> {
     if let Some((line, column)) = nested_beyond(text, limits.nesting) {
         return Err(ClaimError::Nesting { limit: limits.nesting, line, column });
     }
     let file: ClaimFile = serde_json::from_str(text.trim_start_matches('\u{feff}'))?;
-    let source = file.source.clone().unwrap_or_else(|| name.to_owned());
+    let source = file.source.clone().unwrap_or_else(|| name.clone());
     let status = match file.status.as_deref() {
         None | Some("optimal") => None,
         Some("infeasible") => Some(Claimed::Infeasible),
         Some("unbounded") => Some(Claimed::Unbounded),
         Some("infeasible-or-unbounded") => Some(Claimed::InfeasibleOrUnbounded),
-        Some(other) => return Err(ClaimError::Status(other.to_owned())),
+        Some(other) => return Err(ClaimError::Status(other.into())),
     };
     if status.is_none() && file.pui.is_none() && file.points.is_none() {
         return Err(ClaimError::NoValue);
@@ -133,5 +137,5 @@ pub fn parse_claim_pui(text: &str) -> Result<Answer, ClaimError> {
     let lower = |text: &str| claim(text, &["-inf", "-infinity"]);
     let upper = |text: &str| claim(text, &["inf", "+inf", "infinity", "+infinity"]);
     let claims = [[lower(lower1)?, upper(upper1)?], [lower(lower2)?, upper(upper2)?]];
-    Ok(Answer { source: "claimed PUI".to_owned(), exact_input: false, claims })
+    Ok(Answer { source: "claimed PUI".into(), exact_input: false, claims })
 }

@@ -1,6 +1,6 @@
 //! What can be wrong with a claim.
 
-use boundfit_exact::ParseNumberError;
+use boundfit_exact::{Foreign, ParseNumberError};
 use boundfit_judge::SolutionError;
 use boundfit_lp::PuiEnd;
 use thiserror::Error;
@@ -11,7 +11,8 @@ use thiserror::Error;
 pub enum ClaimError {
     /// Not JSON, or not of the form of a claim.
     #[error(
-        "{0} (expected {{\"source\": \"...\", \"status\": \"optimal|infeasible|unbounded\", \"pui\": [[LO, HI], [LO, HI]]}})"
+        "{} (expected {{\"source\": \"...\", \"status\": \"optimal|infeasible|unbounded\", \"pui\": [[LO, HI], [LO, HI]]}})",
+        Foreign::from(.0.to_string())
     )]
     Json(#[from] serde_json::Error),
     /// JSON with arrays or objects too deep inside each other.
@@ -30,13 +31,13 @@ pub enum ClaimError {
     #[error("{text:?} is not a number: {error}")]
     Number {
         /// The text.
-        text: String,
+        text: Foreign,
         /// What is wrong with it.
         error: ParseNumberError,
     },
     /// A status that is none.
     #[error("{0:?} is not a status (expected optimal, infeasible, unbounded or infeasible-or-unbounded)")]
-    Status(String),
+    Status(Foreign),
     /// An optimum without a value.
     #[error("the status is optimal, but there is neither \"pui\" nor \"points\"")]
     NoValue,
@@ -70,7 +71,7 @@ pub enum ClaimError {
         /// The program.
         target: PuiEnd,
         /// The other file.
-        other: String,
+        other: Foreign,
     },
 }
 
@@ -79,7 +80,7 @@ pub enum ClaimError {
 #[error("{file}: {problem}")]
 pub struct ClaimFileError {
     /// The file, as it was named.
-    pub file: String,
+    pub file: Foreign,
     /// What is wrong with it.
     #[source]
     pub problem: ClaimError,

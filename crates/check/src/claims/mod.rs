@@ -7,6 +7,7 @@ mod solution;
 
 use std::path::Path;
 
+use boundfit_exact::Foreign;
 use boundfit_judge::SolutionFile;
 use boundfit_lp::{BoundClaim, PuiEnd};
 
@@ -22,7 +23,7 @@ use solution::parse_solution;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ClaimText {
     /// The file, as it was named.
-    pub file: String,
+    pub file: Foreign,
     /// What it says.
     pub text: String,
 }
@@ -43,7 +44,7 @@ pub fn read_claims(files: &[ClaimText], limits: &ClaimLimits) -> Result<Vec<Answ
             continue;
         }
         let solution = parse_solution(&file.text, &limits.number).map_err(|error| fail(error.into()))?;
-        let (target, key) = program_and_group(&file.file, &solution).map_err(fail)?;
+        let (target, key) = program_and_group(file.file.raw(), &solution).map_err(fail)?;
         let same = |draft: &&mut Draft| matches!(draft, Draft::Group(group) if group.key == key);
         if let Some(Draft::Group(group)) = drafts.iter_mut().find(same) {
             group.add(target, file, &solution).map_err(fail)?;
@@ -114,7 +115,7 @@ impl Draft {
 /// Solution files that answer one program each.
 struct SolutionGroup {
     key: GroupKey,
-    members: Vec<(PuiEnd, String, BoundClaim)>,
+    members: Vec<(PuiEnd, Foreign, BoundClaim)>,
 }
 
 impl SolutionGroup {
@@ -129,13 +130,13 @@ impl SolutionGroup {
     fn answer(self) -> Answer {
         let (before, after) = &self.key.path;
         let source = match self.members.as_slice() {
-            [(_, file, _)] => format!("{}, {file}", self.key.format),
+            [(_, file, _)] => format!("{}, {}", self.key.format, file.raw()),
             _ => format!("{}, {before}*{after}", self.key.format),
         };
         let claims = PuiEnd::each(|end| {
             let member = self.members.iter().find(|(member, ..)| *member == end);
             member.map_or_else(|| BoundClaim::nothing("no file given"), |(_, _, claim)| claim.clone())
         });
-        Answer { source, exact_input: false, claims }
+        Answer { source: source.into(), exact_input: false, claims }
     }
 }

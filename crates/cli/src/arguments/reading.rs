@@ -4,7 +4,7 @@ use boundfit_estimation::{
     AskedBound, Columns, Condition, EpsilonColumn, Keep, LineForm, Measurements, Model, ParseBoundErrorKind,
     ParseConditionError, ParseConditionErrorKind, ParseTextError, Problem, TextProblem,
 };
-use boundfit_exact::{Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading};
+use boundfit_exact::{Foreign, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading};
 use boundfit_formats::{AskedDialect, Header, ScanOptions, SizeLimits, Source, TableOptions};
 use boundfit_report::{Origin, Style};
 use clap::ValueEnum;
@@ -24,8 +24,8 @@ const LEAST_OF_FIXED: &str = "'--eps min' moves the error bounds, and the data a
 
 impl DataArguments {
     /// The file in the words of reports.
-    pub(crate) fn file_name(&self) -> &str {
-        if self.data == "-" { "standard input" } else { &self.data }
+    pub(crate) fn file_name(&self) -> Foreign<&str> {
+        Foreign::of(if self.data == "-" { "standard input" } else { &self.data })
     }
 
     /// The file as it was named on the command line.
@@ -38,7 +38,8 @@ impl DataArguments {
         let source = Source::open(&self.data).map_err(Failure::data);
         let is_stored = source.as_ref().is_ok_and(Source::is_stored);
         let reading = if is_stored { Reading::Binary64 } else { self.table.reading() };
-        let origin = Origin { file: (self.data != "-").then_some(self.data.as_str()), reading, is_stored };
+        let origin =
+            Origin { file: (self.data != "-").then_some(Foreign::of(&self.data)), reading, is_stored };
         Data { arguments: self, origin, source }
     }
 }
@@ -386,8 +387,8 @@ impl TableArguments {
 
 impl LabelArguments {
     /// The units of x, which two regressors share, and of y: those asked for, else those that the file states.
-    pub(crate) fn units(&self, measurements: &Measurements) -> [Option<String>; 2] {
-        let stated = |column| measurements.unit(column).map(str::to_owned);
+    pub(crate) fn units(&self, measurements: &Measurements) -> [Option<Foreign>; 2] {
+        let stated = |column| measurements.unit(column).cloned();
         let (x, y) = match measurements.model() {
             Model::Line { .. } => (stated(0), stated(1)),
             Model::TwoRegressors { .. } => (stated(0).filter(|_| stated(0) == stated(1)), stated(2)),

@@ -1,6 +1,6 @@
 //! The arguments of several commands.
 
-use boundfit_exact::{DecimalMark, Reading, Thousands};
+use boundfit_exact::{DecimalMark, Foreign, Reading, Thousands};
 use boundfit_formats::{ColumnSelector, CommentMark, Header, Missing};
 use boundfit_report::{EndRounding, LONGEST_FRACTION};
 use clap::builder::NonEmptyStringValueParser;
@@ -113,13 +113,13 @@ pub(crate) struct EpsilonArguments {
 pub(crate) struct LabelArguments {
     /// Unit of x, such as V; with two regressors, of both
     #[arg(long, value_name = "UNIT")]
-    pub(crate) x_unit: Option<String>,
+    pub(crate) x_unit: Option<Foreign>,
     /// Unit of y, such as m
     #[arg(long, value_name = "UNIT")]
-    pub(crate) y_unit: Option<String>,
+    pub(crate) y_unit: Option<Foreign>,
     /// Title; a plain one when left out
     #[arg(long, value_name = "TEXT")]
-    pub(crate) title: Option<String>,
+    pub(crate) title: Option<Foreign>,
 }
 
 /// How the input is read.

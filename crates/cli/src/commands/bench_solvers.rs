@@ -56,11 +56,11 @@ pub(crate) fn run(arguments: &BenchSolversArguments) -> CommandResult {
         let judged = |(name, kind): (String, Kind)| match kind {
             Kind::Fit => {
                 let check = judged_fit(Path::new(folder), &name, &table)?;
-                Ok(CaseVerdicts::of_fit(name, &check))
+                Ok(CaseVerdicts::of_fit(name.into(), &check))
             }
             Kind::Model => {
                 let solvers = judged_model(Path::new(folder), &name, limits)?;
-                Ok(CaseVerdicts::of_model(name, &solvers))
+                Ok(CaseVerdicts::of_model(name.into(), &solvers))
             }
         };
         cases.into_iter().map(judged).collect::<Result<Vec<_>, Failure>>()

@@ -46,7 +46,7 @@ fn options(arguments: &CheckArguments, claim_files: Vec<String>) -> Result<Check
     let mut claims = Vec::new();
     for file in claim_files {
         let text = read_text(&file, arguments.max_claim_size, "--max-claim-size")?;
-        claims.push(ClaimText { file, text });
+        claims.push(ClaimText { file: file.into(), text });
     }
     let mut answers = read_claims(&claims, &limits).map_err(Failure::data)?;
     for text in &arguments.claimed_pui {

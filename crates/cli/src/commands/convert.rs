@@ -4,7 +4,7 @@ use std::path::Path;
 
 use boundfit_check::{ExchangeRows, ProgramRows};
 use boundfit_estimation::{ErrorBound, Model, MultipleOfLeast, Problem};
-use boundfit_exact::Reading;
+use boundfit_exact::{Foreign, Reading};
 use boundfit_lp::{ExchangeFormat, PuiEnd};
 
 use crate::CommandResult;
@@ -100,7 +100,9 @@ fn heading(end: PuiEnd) -> String {
 fn comments(arguments: &ConvertArguments, reading: Reading, problem: &Problem) -> Vec<String> {
     let measurements = &problem.measurements;
     let y = measurements.response();
-    let column = |name: &Option<String>, none: &str| name.clone().unwrap_or_else(|| none.to_owned());
+    let column = |name: &Option<Foreign>, none: &str| {
+        name.as_ref().map_or_else(|| none.to_owned(), Foreign::to_string)
+    };
     let bound = match measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => format!("|e| <= {epsilon}"),
         ErrorBound::PerRow(name) => format!("|e| <= {name}"),
@@ -116,7 +118,7 @@ fn comments(arguments: &ConvertArguments, reading: Reading, problem: &Problem) -
         Model::Line { x } => {
             let form = measurements.line_form();
             let name = form.abscissa(x);
-            let shown = if form.x_origin.is_zero() { name } else { format!("({name})") };
+            let shown = if form.x_origin.is_zero() { name } else { format!("({})", name.raw()).into() };
             format!("theta1*{shown}{}", if form.through_origin { "" } else { " + theta2" })
         }
         Model::TwoRegressors { regressors: [first, second] } => format!("theta1*{first} + theta2*{second}"),

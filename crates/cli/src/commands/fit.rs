@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use boundfit_check::{CheckOptions, check, source_names};
 use boundfit_estimation::{Family, Fit, Keep, Problem, fit};
-use boundfit_exact::{Rational, Reading};
+use boundfit_exact::{Foreign, Rational, Reading};
 use boundfit_report::{
     Document, InverseLine, brief_document, fit_csv, fit_document, fit_json, h_representation, proof_json,
     region_script, region_wkt, sweep_document, v_representation, verdict_line, vertices_csv,
@@ -118,7 +118,7 @@ fn check_usage_of_proof(arguments: &FitArguments) -> Result<(), Failure> {
 }
 
 /// The proof of a fit.
-fn proof(problem: &Problem, fit: &Fit, reading: Reading, file: &str) -> Result<String, Failure> {
+fn proof(problem: &Problem, fit: &Fit, reading: Reading, file: Foreign<&str>) -> Result<String, Failure> {
     proof_json(problem, fit, reading).ok_or_else(|| {
         let (what, instead) = if problem.measurements.is_of_reductions() {
             ("is a reduction", "prove the fit of the table that it was made from")

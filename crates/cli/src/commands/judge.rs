@@ -1,5 +1,6 @@
 //! `boundfit judge`.
 
+use boundfit_exact::Foreign;
 use boundfit_exact::english::in_words;
 use boundfit_figures::{PictureFormat, draw_program};
 use boundfit_formats::{Source, WholeFile};
@@ -37,7 +38,7 @@ pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
     let judged = solutions::judged(&arguments.solutions, &arguments.limits, &model, &answer)?;
     let style = arguments.output.style();
     let document = || {
-        let mut document = judge_document(&model, &plane, &answer, &file.name, &style);
+        let mut document = judge_document(&model, &plane, &answer, file.name.borrowed(), &style);
         document.append(solutions_document(&model, &judged));
         document
     };
@@ -46,7 +47,7 @@ pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
         JudgeFormat::Latex => document().to_latex(),
         JudgeFormat::Markdown => document().to_markdown(),
         JudgeFormat::Json => {
-            let name = Some(arguments.model.as_str()).filter(|name| *name != "-");
+            let name = Some(Foreign::of(&arguments.model)).filter(|name| *name != "-");
             let json = JudgeJson::new(&model, &plane, &answer, name, &file.sha256, &style);
             judge_json(&json.with_solutions(solutions_json(&model, &judged, &style)))
         }
@@ -57,7 +58,7 @@ pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
     };
     let picture = plot.map(|format| picture(&model, &plane, &file.name, format)).transpose()?;
     if let Some(lean) = &arguments.lean {
-        output::write(lean_theorems(&model, &answer, &file.name), Some(lean), &guard)?;
+        output::write(lean_theorems(&model, &answer, file.name.borrowed()), Some(lean), &guard)?;
         guard.keep_written(lean);
     }
     if let (Some(plot), Some(picture)) = (&arguments.plot, picture) {
@@ -136,7 +137,7 @@ fn picture_format(file: &str) -> Result<PictureFormat, Failure> {
 }
 
 /// The feasible set with the objective, encoded.
-fn picture(model: &Model, plane: &Plane, file: &str, format: PictureFormat) -> Result<Vec<u8>, Failure> {
+fn picture(model: &Model, plane: &Plane, file: &Foreign, format: PictureFormat) -> Result<Vec<u8>, Failure> {
     let [first, second] = plane.columns() else {
         let count = in_words(plane.columns().len());
         return Err(Failure::data(format_args!(
@@ -148,9 +149,10 @@ fn picture(model: &Model, plane: &Plane, file: &str, format: PictureFormat) -> R
             "{file}: '--plot' has nothing to draw: the program is infeasible"
         )));
     }
-    let name = |column: &usize| model.columns.get(*column).map_or_else(String::new, |own| own.name.clone());
+    let name =
+        |column: &usize| model.columns.get(*column).map_or_else(Foreign::default, |own| own.name.clone());
     let names = [name(first), name(second)];
-    let title = format!("Linear program of {file}");
+    let title = Foreign::from(format!("Linear program of {}", file.raw()));
     let picture = while_working("drawing", || draw_program(plane.polyhedron(), plane.gain(), &names, &title));
     picture.map_err(Failure::data)?.encoded(format).map_err(Failure::data)
 }
@@ -172,7 +174,7 @@ pub(super) fn model_of(file: &WholeFile, limits: &LimitArguments) -> Result<Mode
         columns: sizes.columns,
         entries: sizes.elements,
     };
-    let format = format_of_name(&file.name).unwrap_or_else(|| format_of_text(text));
+    let format = format_of_name(file.name.raw()).unwrap_or_else(|| format_of_text(text));
     read_model(text, format, &limits).map_err(fail)
 }
 

@@ -1,5 +1,6 @@
 //! `boundfit polygon`.
 
+use boundfit_exact::Foreign;
 use boundfit_formats::{Source, read_half_planes};
 use boundfit_geometry::Polyhedron;
 use boundfit_report::{
@@ -29,13 +30,13 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
         if file.generators.is_some() { format!("facet:{row}") } else { row.to_string() }
     };
     let style = arguments.fraction.limited(arguments.output.style());
-    let document = || polygon_document(&file, &polyhedron, &name, &style);
+    let document = || polygon_document(&file, &polyhedron, name.borrowed(), &style);
     let report = match format {
         ReportFormat::Text => document().to_text(),
         ReportFormat::Json => polygon_json(
             &file,
             &polyhedron,
-            Some(arguments.file.as_str()).filter(|file| *file != "-"),
+            Some(Foreign::of(&arguments.file)).filter(|file| *file != "-"),
             reading,
             &style,
         ),

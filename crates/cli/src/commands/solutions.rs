@@ -28,7 +28,7 @@ pub(super) fn judged(
         let solution = Solution::new(&read_solution(&text, &limits.number()).map_err(fail)?, model);
         let solution = solution.map_err(fail)?;
         let findings = ground.judge(&solution, &tolerances);
-        Ok(JudgedSolution { file: file.clone(), solution, findings })
+        Ok(JudgedSolution { file: file.into(), solution, findings })
     };
     arguments.solutions.iter().map(one).collect()
 }

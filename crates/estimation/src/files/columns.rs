@@ -1,6 +1,6 @@
 //! Which columns of a table are what.
 
-use boundfit_exact::{Column, Rational};
+use boundfit_exact::{Column, Foreign, Rational};
 use boundfit_formats::{Batch, ColumnSelector, InputError, InputErrorKind};
 
 use crate::law::Law;
@@ -78,12 +78,12 @@ impl Columns {
     }
 
     /// Refuses a row without bounds, if there is one.
-    pub(crate) fn refuse_unbounded(&self, file: &str, row: Option<usize>) -> Result<(), InputError> {
+    pub(crate) fn refuse_unbounded(&self, file: &Foreign, row: Option<usize>) -> Result<(), InputError> {
         row.map_or(Ok(()), |row| Err(InputError::of_row(file, row, InputErrorKind::NoBound)))
     }
 
     /// What the numbers in those columns mean, whose names are given.
-    pub(crate) fn meaning(&self, names: &[String]) -> Meaning {
+    pub(crate) fn meaning(&self, names: &[Foreign]) -> Meaning {
         let mut names = names.iter().cloned();
         let mut name = || names.next().unwrap_or_default();
         let first = name();
@@ -115,7 +115,7 @@ impl Columns {
             _ => None,
         };
         let has_response = response.is_some();
-        let response = response.unwrap_or_else(|| "y".to_owned());
+        let response = response.unwrap_or_else(|| "y".into());
         let form = self.form.clone();
         Meaning { has_response, uniform_law, form, ..Meaning::new(model, response, error_bound) }
     }

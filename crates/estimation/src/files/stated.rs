@@ -1,6 +1,6 @@
 //! What reductions say about all their readings, and whether they serve what is asked for.
 
-use boundfit_exact::Limits;
+use boundfit_exact::{Foreign, Limits};
 use boundfit_formats::{
     AskedReduction, InputError, ReducedBounds, ReducedModel, ReductionError, Reductions, ScanOptions,
 };
@@ -32,7 +32,7 @@ impl Stated {
     /// The first thing in which one of them does not.
     pub(super) fn of(
         reductions: &Reductions,
-        file: &str,
+        file: &Foreign,
         asked: &AskedReduction,
         options: &ScanOptions,
     ) -> Result<Self, InputError> {
@@ -72,14 +72,14 @@ pub(super) fn asked_by_fit(meaning: &Meaning) -> AskedReduction {
     };
     let mut words = None;
     let bounds = match &meaning.error_bound {
-        ErrorBound::Uniform(epsilon) => ReducedBounds::Uniform(epsilon.to_string()),
+        ErrorBound::Uniform(epsilon) => ReducedBounds::Uniform(epsilon.to_string().into()),
         ErrorBound::PerRow(column) => ReducedBounds::Column(column.clone()),
         ErrorBound::Interval { lower, upper } => {
             ReducedBounds::Interval { lower: lower.clone(), upper: upper.clone() }
         }
         ErrorBound::Law(law) => {
             words = Some(law.text().to_owned());
-            ReducedBounds::Law(law.formula())
+            ReducedBounds::Law(law.formula().into())
         }
     };
     let response = meaning.has_response.then(|| meaning.response.clone());
@@ -101,7 +101,7 @@ pub(super) fn asked_by_reduction(meaning: &Meaning) -> AskedReduction {
 }
 
 /// Refuses bounds that are only known when all readings are: of a reading before no one can tell whether it decides.
-pub(super) fn refuse_late(file: &str, meaning: &Meaning) -> Result<(), InputError> {
+pub(super) fn refuse_late(file: &Foreign, meaning: &Meaning) -> Result<(), InputError> {
     if meaning.is_open() || meaning.are_bounds_known() {
         return Ok(());
     }

@@ -1,6 +1,6 @@
 //! Readings that are in memory already, as columns.
 
-use boundfit_exact::Column;
+use boundfit_exact::{Column, Foreign};
 use thiserror::Error;
 
 use super::{DecidingMinimax, Keep, LineSummary, NoEui, Reach, Reduction, SharedSieve, Thresholds};
@@ -71,7 +71,7 @@ impl Measurements {
     /// When the columns are not those of the model, differ in length, or an error bound is negative.
     pub fn of_columns(
         model: Model,
-        response: String,
+        response: Foreign,
         error_bound: ErrorBound,
         columns: &[Column],
         keep: Keep,

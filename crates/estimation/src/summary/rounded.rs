@@ -1,6 +1,6 @@
 //! Columns of readings as floats, for a filter that bears their roundings.
 
-use boundfit_exact::{Column, Rational, Unit};
+use boundfit_exact::{Column, Foreign, Rational, Unit};
 use boundfit_geometry::grid::{RoundedStrip, in_range};
 
 use super::scale::Scale;
@@ -93,7 +93,7 @@ impl<'a> RoundedReadings<'a> {
             _ if meaning.is_around_y() => around().map_or(RoundedBounds::Other, RoundedBounds::Around),
             ErrorBound::Interval { lower, upper } => {
                 let mut rest = columns.iter().skip(regressors + usize::from(meaning.has_response));
-                let mut side = |column: &Option<String>| {
+                let mut side = |column: &Option<Foreign>| {
                     column.as_ref()?;
                     Some([Floats::new(rest.next()?), Floats::new(rest.next()?)])
                 };

@@ -1,6 +1,6 @@
 //! A linear program: its feasible set, where the objective improves, and the optimal points.
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Foreign, Rational};
 use boundfit_geometry::{Direction, Face, Polyhedron, RegionKind, Support};
 
 use super::layout::{main_frame, panel};
@@ -26,8 +26,8 @@ const ACROSS: f64 = 4.0;
 pub(crate) fn drawing(
     polyhedron: &Polyhedron,
     gain: &[Rational; 2],
-    names: &[String; 2],
-    title: &str,
+    names: &[Foreign; 2],
+    title: &Foreign,
 ) -> Drawing {
     let names = names.each_ref().map(|name| one_line(name, 30));
     let window = view::of_region(polyhedron.region(), room_around(polyhedron), &[]);

@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use arrow_array::{ArrayRef, BooleanArray, RecordBatch};
 use arrow_select::filter::filter_record_batch;
-use boundfit_exact::Column;
+use boundfit_exact::{Column, Foreign};
 use sha2::{Digest, Sha256};
 
 use crate::binary::BinaryFormat;
@@ -94,12 +94,14 @@ pub(crate) fn scan_arrow<T: Send>(
     progress.at(bytes).map_err(fail)?;
     check_rows(name, rows_total, &options.table.rows)?;
     let ((), rows_missing) = lacking.settle(Ok(()), used, options.table.missing)?;
-    let titles: Vec<String> = layout.places.iter().map(ColumnPlace::title).collect();
+    let titles: Vec<Foreign> = layout.places.iter().map(ColumnPlace::title).collect();
     Ok(Scanned {
         header: names,
         fractions: Vec::new(),
         key_name: layout.key.as_ref().map(ColumnPlace::title),
-        header_line: options.keep_text.then(|| csv_line(each_once(titles.clone(), &titles))),
+        header_line: options
+            .keep_text
+            .then(|| csv_line(each_once(&titles, &titles).map(|title| title.raw().to_owned()))),
         names: titles,
         layout: None,
         units: vec![None; columns.len()],
@@ -133,7 +135,7 @@ struct Layout<'a> {
 impl<'a> Layout<'a> {
     fn new(
         file: &'a str,
-        names: &[String],
+        names: &[Foreign],
         selectors: &'a [ColumnSelector],
         options: &'a ScanOptions,
     ) -> Result<Self, InputError> {
@@ -141,7 +143,7 @@ impl<'a> Layout<'a> {
         let conditions = &options.table.conditions;
         let others: Vec<&ColumnSelector> =
             key.into_iter().chain(conditions.iter().map(RowCondition::column)).collect();
-        let cells: Vec<&[u8]> = names.iter().map(|name| name.as_bytes()).collect();
+        let cells: Vec<&[u8]> = names.iter().map(|name| name.raw().as_bytes()).collect();
         let heading = Heading::new(file, &cells, 1, Header::Present, selectors, &others)?;
         let find = |selector| {
             heading.find(file, selector).map_err(|mut error| {
@@ -264,7 +266,11 @@ impl<'a> Layout<'a> {
                 None => wanted.push(row),
                 Some((place, _, array)) => lacking.notice(|| {
                     let text = array.is_valid(index).then(|| text(array, index)).flatten();
-                    let bad = BadCell { index: Some(index), text, problem: InputErrorKind::Null };
+                    let bad = BadCell {
+                        index: Some(index),
+                        text: text.map(Foreign::from),
+                        problem: InputErrorKind::Null,
+                    };
                     self.error(place, Some(&numbers), bad)
                 }),
             }
@@ -282,7 +288,7 @@ impl<'a> Layout<'a> {
         };
         let keys = self.key.as_ref().map(key_column).transpose()?;
         let lines = if self.options.keep_text {
-            let titles: Vec<String> = self.places.iter().map(ColumnPlace::title).collect();
+            let titles: Vec<Foreign> = self.places.iter().map(ColumnPlace::title).collect();
             let arrays = each_once(&self.places, &titles).map(|place| self.array(place, batch));
             Some(lines(&arrays.collect::<Result<Vec<_>, _>>()?, self.options.table.reading))
         } else {

@@ -10,6 +10,7 @@ use arrow_array::{ArrayRef, RecordBatch};
 use arrow_ipc::reader::{FileReader, StreamReader};
 use arrow_schema::{ArrowError, Schema};
 use arrow_select::take::take;
+use boundfit_exact::Foreign;
 use parquet::arrow::ProjectionMask;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 
@@ -20,7 +21,7 @@ use crate::error::InputErrorKind;
 pub(super) const BATCH_ROWS: usize = 1 << 16;
 
 /// The names of all columns.
-pub(super) fn column_names(format: BinaryFormat, file: &File) -> Result<Vec<String>, InputErrorKind> {
+pub(super) fn column_names(format: BinaryFormat, file: &File) -> Result<Vec<Foreign>, InputErrorKind> {
     let fail = |error| unreadable(format, error);
     let schema: Arc<Schema> = match format {
         BinaryFormat::Parquet => {
@@ -31,7 +32,7 @@ pub(super) fn column_names(format: BinaryFormat, file: &File) -> Result<Vec<Stri
         BinaryFormat::ArrowStream => StreamReader::try_new(buffered(file)?, None).map_err(fail)?.schema(),
         BinaryFormat::Matlab | BinaryFormat::Archive => return Ok(Vec::new()),
     };
-    Ok(schema.fields().iter().map(|field| field.name().clone()).collect())
+    Ok(schema.fields().iter().map(|field| Foreign::from(field.name())).collect())
 }
 
 /// Lets a library work. Damaged files make the Parquet library crash in places; that is an error like the others.
@@ -39,7 +40,7 @@ pub(super) fn guarded<T>(
     format: BinaryFormat,
     work: impl FnOnce() -> Result<T, InputErrorKind>,
 ) -> Result<T, InputErrorKind> {
-    let crashed = || InputErrorKind::Unreadable { format: format.name(), reason: "it is damaged".to_owned() };
+    let crashed = || InputErrorKind::Unreadable { format: format.name(), reason: "it is damaged".into() };
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Err(crashed()))
 }
 
@@ -89,5 +90,5 @@ fn buffered(file: &File) -> Result<BufReader<File>, InputErrorKind> {
 }
 
 pub(super) fn unreadable(format: BinaryFormat, error: ArrowError) -> InputErrorKind {
-    InputErrorKind::Unreadable { format: format.name(), reason: error.to_string() }
+    InputErrorKind::Unreadable { format: format.name(), reason: error.to_string().into() }
 }

@@ -7,7 +7,7 @@ use arrow_array::types::{
 };
 use arrow_array::{Array, ArrayRef};
 use arrow_schema::DataType;
-use boundfit_exact::Reading;
+use boundfit_exact::{Foreign, Reading};
 
 use crate::error::InputErrorKind;
 use crate::scan::{Pieces, csv_line};
@@ -15,7 +15,7 @@ use crate::scan::{Pieces, csv_line};
 /// What is wrong with a column, and with which of its cells.
 pub(super) struct BadCell {
     pub(super) index: Option<usize>,
-    pub(super) text: Option<String>,
+    pub(super) text: Option<Foreign>,
     pub(super) problem: InputErrorKind,
 }
 
@@ -27,12 +27,12 @@ impl BadCell {
 
     /// A problem with one cell.
     pub(super) fn at(array: &dyn Array, index: usize, problem: InputErrorKind) -> Self {
-        BadCell { index: Some(index), text: text(array, index), problem }
+        BadCell { index: Some(index), text: text(array, index).map(Foreign::from), problem }
     }
 
     /// A column of another type than is wanted.
     pub(super) fn of_type(data_type: &DataType, expected: &'static str) -> Self {
-        BadCell::of_column(InputErrorKind::ColumnType { data_type: data_type.to_string(), expected })
+        BadCell::of_column(InputErrorKind::ColumnType { data_type: data_type.to_string().into(), expected })
     }
 }
 

@@ -31,7 +31,7 @@ impl Token<'_> {
         let place = Place {
             line: Some(self.line),
             column: Some((self.column, None)),
-            text: Some(self.text.to_owned()),
+            text: Some(self.text.into()),
             ..Place::default()
         };
         InputError::new(file, place, problem)

@@ -3,7 +3,7 @@
 use std::io;
 
 use boundfit_exact::english::counted;
-use boundfit_exact::{DecimalMark, Limit, ParseNumberError, ParseNumberErrorKind};
+use boundfit_exact::{DecimalMark, Foreign, Limit, ParseNumberError, ParseNumberErrorKind};
 use thiserror::Error;
 
 use crate::reduction::error::ReductionError;
@@ -11,7 +11,6 @@ use crate::selection::RowRange;
 use crate::unpack::UnpackError;
 
 use super::names::{advice, are_no_names};
-use super::quote::quote;
 
 /// As many names as a message lists.
 const MOST_NAMES: usize = 10;
@@ -43,7 +42,7 @@ pub enum InputErrorKind {
         /// The format, with its article.
         format: &'static str,
         /// The library's words.
-        reason: String,
+        reason: Foreign,
     },
     /// A cell of a binary table without a value.
     #[error("the cell is null")]
@@ -52,7 +51,7 @@ pub enum InputErrorKind {
     #[error("the column has the type {data_type}")]
     ColumnType {
         /// The type, as its library names it.
-        data_type: String,
+        data_type: Foreign,
         /// What the column is wanted for.
         expected: &'static str,
     },
@@ -66,15 +65,15 @@ pub enum InputErrorKind {
     #[error("the variable {variable:?} is {what}")]
     NoNumbers {
         /// The variable.
-        variable: String,
+        variable: Foreign,
         /// What it holds.
-        what: String,
+        what: Foreign,
     },
     /// A matrix of a MATLAB file where one column is wanted.
     #[error("the variable {variable:?} is a matrix of {rows} rows and {columns} columns")]
     WholeMatrix {
         /// The variable.
-        variable: String,
+        variable: Foreign,
         /// Its rows.
         rows: u64,
         /// Its columns.
@@ -84,15 +83,15 @@ pub enum InputErrorKind {
     #[error("the column {:?} has {} numbers, but {:?} has {}", .first.0, .first.1, .other.0, .other.1)]
     DifferentLengths {
         /// A column and how many numbers it has.
-        first: (String, u64),
+        first: (Foreign, u64),
         /// Another one.
-        other: (String, u64),
+        other: (Foreign, u64),
     },
     /// A variable of a MATLAB file beyond the limit.
     #[error("refused: the variable {variable:?} has {elements} elements, more than {limit} (the limit)")]
     TooManyElements {
         /// The variable.
-        variable: String,
+        variable: Foreign,
         /// How many elements it announces.
         elements: u64,
         /// The most that are read.
@@ -114,9 +113,9 @@ pub enum InputErrorKind {
     #[error("there is no sheet {wanted:?}")]
     UnknownSheet {
         /// The sheet asked for.
-        wanted: String,
+        wanted: Foreign,
         /// The sheets in their order.
-        available: Vec<String>,
+        available: Vec<Foreign>,
     },
     /// A sheet of what has none.
     #[error("'--sheet' is about workbooks (.xlsx, .ods), and this is none")]
@@ -180,9 +179,9 @@ pub enum InputErrorKind {
     #[error("there is no column {wanted:?}{}", advice(.wanted, .available, *.numbers))]
     UnknownColumn {
         /// The column asked for.
-        wanted: String,
+        wanted: Foreign,
         /// The names in the header; none without one.
-        available: Vec<String>,
+        available: Vec<Foreign>,
         /// How many columns there are, when a number may be given instead of a name.
         numbers: Option<usize>,
     },
@@ -190,15 +189,15 @@ pub enum InputErrorKind {
     #[error("there is no column {wanted:?}, and nothing was found that separates columns in {line:?}")]
     NoDelimiter {
         /// The column asked for.
-        wanted: String,
+        wanted: Foreign,
         /// The first line of the table.
-        line: String,
+        line: Foreign,
     },
     /// A column name that occurs more than once.
     #[error("there are several columns {wanted:?}")]
     AmbiguousColumn {
         /// The column asked for.
-        wanted: String,
+        wanted: Foreign,
     },
     /// Rows beyond the last one.
     #[error("{} asked for, but the file has {total} data rows", named(*.rows))]
@@ -214,7 +213,7 @@ pub enum InputErrorKind {
         /// Data rows in the file.
         total: usize,
         /// What must hold for a row to be wanted.
-        conditions: Vec<String>,
+        conditions: Vec<Foreign>,
     },
     /// A cell that is not a number, or one beyond a limit.
     #[error("{verdict}: {0}", verdict = if .0.kind.is_limit() { "refused" } else { "not a number" })]
@@ -278,7 +277,7 @@ pub enum InputErrorKind {
     #[error("there is a column {column:?}, so these are not half-planes of the plane")]
     MoreThanThePlane {
         /// The coefficient of another variable.
-        column: String,
+        column: Foreign,
     },
     /// More or fewer numbers than announced.
     #[error("{rows} rows of 3 numbers were announced, but there are {found} numbers before \"end\"")]
@@ -335,7 +334,9 @@ impl From<io::Error> for InputErrorKind {
             Ok(error) => InputErrorKind::Reduction(error),
             Err(error) => match error.downcast::<UnpackError>() {
                 Ok(UnpackError::TooLong { limit }) => InputErrorKind::TooMuchUnpacked { limit },
-                Ok(UnpackError::Damaged { format, reason }) => InputErrorKind::Unreadable { format, reason },
+                Ok(UnpackError::Damaged { format, reason }) => {
+                    InputErrorKind::Unreadable { format, reason: reason.into() }
+                }
                 Err(error) => InputErrorKind::Io(error),
             },
         }
@@ -373,7 +374,7 @@ impl InputErrorKind {
             InputErrorKind::UnknownColumn { available, .. } if are_no_names(available) => return None,
             InputErrorKind::UnknownColumn { available, numbers, .. } => {
                 let mut names: Vec<String> =
-                    available.iter().take(MOST_NAMES).map(|name| quote(name)).collect();
+                    available.iter().take(MOST_NAMES).map(Foreign::quoted).collect();
                 if available.len() > MOST_NAMES {
                     names.push(format!("{} more", available.len() - MOST_NAMES));
                 }
@@ -385,7 +386,7 @@ impl InputErrorKind {
                 "a workbook with sheets".to_owned()
             }
             InputErrorKind::UnknownSheet { available, .. } => {
-                let names: Vec<String> = available.iter().take(MOST_NAMES).map(|name| quote(name)).collect();
+                let names: Vec<String> = available.iter().take(MOST_NAMES).map(Foreign::quoted).collect();
                 format!("one of {} or a number from 1 to {}", names.join(", "), available.len())
             }
             InputErrorKind::Time => {
@@ -468,10 +469,13 @@ fn named(rows: RowRange) -> String {
 }
 
 /// What would make a row a wanted one.
-fn wanted_by(conditions: &[String]) -> String {
+fn wanted_by(conditions: &[Foreign]) -> String {
     match conditions {
         [] => "is left".to_owned(),
-        conditions => format!("satisfies {}", conditions.join(" and ")),
+        conditions => {
+            let conditions: Vec<String> = conditions.iter().map(Foreign::to_string).collect();
+            format!("satisfies {}", conditions.join(" and "))
+        }
     }
 }
 

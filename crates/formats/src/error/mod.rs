@@ -2,14 +2,13 @@
 
 mod kind;
 mod names;
-mod quote;
 
 use std::fmt;
 
+use boundfit_exact::Foreign;
 use thiserror::Error;
 
 pub use kind::InputErrorKind;
-use quote::quote;
 
 /// What messages call the input named `-`.
 pub(crate) const STANDARD_INPUT: &str = "standard input";
@@ -18,15 +17,15 @@ pub(crate) const STANDARD_INPUT: &str = "standard input";
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Place {
     /// The sheet of a workbook, whose rows are then the lines.
-    pub sheet: Option<String>,
+    pub sheet: Option<Foreign>,
     /// Line of the file, from 1.
     pub line: Option<u64>,
     /// Number of the data row, from 1, in a file without lines.
     pub row: Option<usize>,
     /// Column of the table, from 1, with its name when there is a header.
-    pub column: Option<(usize, Option<String>)>,
+    pub column: Option<(usize, Option<Foreign>)>,
     /// The text found there.
-    pub text: Option<String>,
+    pub text: Option<Foreign>,
 }
 
 /// An input file that cannot be used.
@@ -34,7 +33,7 @@ pub struct Place {
 #[error("{file}{place}: {kind}{}{}", Expected(.kind), RaisedBy(.kind))]
 pub struct InputError {
     /// The file, as it was named.
-    pub file: String,
+    pub file: Foreign,
     /// Where in the file.
     pub place: Box<Place>,
     /// What is wrong there.
@@ -44,17 +43,17 @@ pub struct InputError {
 
 impl InputError {
     /// The error for a file in which something is wrong as a whole.
-    pub fn of_file(file: &str, kind: impl Into<InputErrorKind>) -> Self {
+    pub fn of_file(file: impl Into<Foreign>, kind: impl Into<InputErrorKind>) -> Self {
         InputError::new(file, Place::default(), kind)
     }
 
     /// The error for something wrong on a line of a file, counted from 1.
-    pub(crate) fn of_line(file: &str, line: u64, kind: impl Into<InputErrorKind>) -> Self {
+    pub(crate) fn of_line(file: impl Into<Foreign>, line: u64, kind: impl Into<InputErrorKind>) -> Self {
         InputError::new(file, Place { line: Some(line), ..Place::default() }, kind)
     }
 
     /// The error for something wrong with a data row of a file, counted from 1.
-    pub fn of_row(file: &str, row: usize, kind: impl Into<InputErrorKind>) -> Self {
+    pub fn of_row(file: impl Into<Foreign>, row: usize, kind: impl Into<InputErrorKind>) -> Self {
         InputError::new(file, Place { row: Some(row), ..Place::default() }, kind)
     }
 
@@ -68,8 +67,9 @@ impl InputError {
     /// This error about the text of a sheet, as one about the sheet.
     #[cfg(feature = "spreadsheets")]
     pub(crate) fn in_sheet(mut self, sheet: &str) -> Self {
-        self.place.sheet = Some(sheet.to_owned());
-        let is_time = |text: &String| {
+        self.place.sheet = Some(sheet.into());
+        let is_time = |text: &Foreign| {
+            let text = text.raw();
             let digits = text.bytes().take_while(u8::is_ascii_digit).count();
             let rest = text.get(digits..).unwrap_or_default();
             (digits == 4 && rest.starts_with('-')) || (digits > 0 && rest.starts_with(':'))
@@ -82,8 +82,8 @@ impl InputError {
     }
 
     /// The error for something wrong at a place of a file.
-    pub(crate) fn new(file: &str, place: Place, kind: impl Into<InputErrorKind>) -> Self {
-        InputError { file: file.to_owned(), place: Box::new(place), kind: kind.into() }
+    pub(crate) fn new(file: impl Into<Foreign>, place: Place, kind: impl Into<InputErrorKind>) -> Self {
+        InputError { file: file.into(), place: Box::new(place), kind: kind.into() }
     }
 }
 
@@ -130,7 +130,7 @@ impl fmt::Display for Place {
             }
         }
         if let Some(text) = &self.text {
-            write!(f, ": {}", quote(text))?;
+            write!(f, ": {}", text.quoted())?;
         }
         Ok(())
     }
@@ -138,7 +138,7 @@ impl fmt::Display for Place {
 
 impl Place {
     /// The place as spreadsheets name it: `Sheet1!B7 (x)`.
-    fn write_in_sheet(&self, sheet: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn write_in_sheet(&self, sheet: &Foreign, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (&self.column, self.line) {
             (Some((column, name)), line) => {
                 let row = line.map(|line| line.to_string()).unwrap_or_default();
@@ -151,7 +151,7 @@ impl Place {
             (None, None) => write!(f, ": {sheet}")?,
         }
         match &self.text {
-            Some(text) => write!(f, ": {}", quote(text)),
+            Some(text) => write!(f, ": {}", text.quoted()),
             None => Ok(()),
         }
     }

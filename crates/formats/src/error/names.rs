@@ -1,11 +1,11 @@
 //! What a column that is not there may have been meant for.
 
-use boundfit_exact::{Limits, Reading};
+use boundfit_exact::{Foreign, Limits, Reading};
 use strsim::osa_distance;
 
 /// Behind the message that there is no such column: what to do.
-pub(super) fn advice(wanted: &str, available: &[String], numbers: Option<usize>) -> String {
-    match (nearest(wanted, available), numbers) {
+pub(super) fn advice(wanted: &Foreign, available: &[Foreign], numbers: Option<usize>) -> String {
+    match (nearest(wanted.raw(), available), numbers) {
         (Some(name), _) => format!("; did you mean {name:?}?"),
         (None, Some(columns)) if are_no_names(available) => {
             format!("; the file has no header: ask for columns by number, 1 to {columns}")
@@ -15,14 +15,14 @@ pub(super) fn advice(wanted: &str, available: &[String], numbers: Option<usize>)
 }
 
 /// Whether the cells of the first row are numbers: it was taken for a header only because a column was asked for by name.
-pub(super) fn are_no_names(available: &[String]) -> bool {
-    let is_number = |name: &String| Reading::Decimal.read(name, &Limits::default()).is_ok();
+pub(super) fn are_no_names(available: &[Foreign]) -> bool {
+    let is_number = |name: &Foreign| Reading::Decimal.read(name.raw(), &Limits::default()).is_ok();
     !available.is_empty() && available.iter().all(is_number)
 }
 
 /// The name that differs from the wanted one in upper and lower case, by what follows its first words (`r` and `r (Mpc)`),
 /// or in a third of its letters at most: of each kind the first, of the last kind the nearest.
-fn nearest<'a>(wanted: &str, available: &'a [String]) -> Option<&'a str> {
+fn nearest<'a>(wanted: &str, available: &'a [Foreign]) -> Option<&'a Foreign> {
     let lower = wanted.to_lowercase();
     let begins = |name: &str| {
         let rest = name.to_lowercase();
@@ -30,13 +30,15 @@ fn nearest<'a>(wanted: &str, available: &'a [String]) -> Option<&'a str> {
         !lower.is_empty() && rest.is_some_and(|rest| rest.starts_with(['(', '[', '/', ',', ':']))
     };
     let distance = |name: &str| osa_distance(&lower, &name.to_lowercase());
-    let names = || available.iter().map(String::as_str);
+    let names = || available.iter();
     let near = || {
-        names().min_by_key(|name| distance(name)).filter(|name| 3 * distance(name) <= lower.chars().count())
+        names()
+            .min_by_key(|name| distance(name.raw()))
+            .filter(|name| 3 * distance(name.raw()) <= lower.chars().count())
     };
     names()
-        .find(|name| name.to_lowercase() == lower)
-        .or_else(|| names().find(|name| begins(name)))
+        .find(|name| name.raw().to_lowercase() == lower)
+        .or_else(|| names().find(|name| begins(name.raw())))
         .or_else(near)
 }
 
@@ -46,7 +48,7 @@ mod tests {
 
     #[test]
     fn the_name_that_was_meant_is_found() {
-        let names = ["speed", "dist", "r (Mpc)", "v [km/s]", "Air.Flow", "x"].map(str::to_owned);
+        let names = ["speed", "dist", "r (Mpc)", "v [km/s]", "Air.Flow", "x"].map(Foreign::from);
         for (wanted, meant) in [
             ("Speed", Some("speed")),
             ("sped", Some("speed")),
@@ -60,21 +62,21 @@ mod tests {
             ("", None),
             ("temperature", None),
         ] {
-            assert_eq!(nearest(wanted, &names), meant, "{wanted}");
+            assert_eq!(nearest(wanted, &names).map(Foreign::raw), meant, "{wanted}");
         }
     }
 
     #[test]
     fn numbers_are_no_names() {
-        let names = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();
+        let names = |names: &[&str]| names.iter().map(|&name| Foreign::from(name)).collect::<Vec<_>>();
         assert!(
             are_no_names(&names(&["1", "2.5e3"])) && !are_no_names(&names(&["1", "x"])) && !are_no_names(&[])
         );
         assert_eq!(
-            advice("x", &names(&["1", "2"]), Some(2)),
+            advice(&"x".into(), &names(&["1", "2"]), Some(2)),
             "; the file has no header: ask for columns by number, 1 to 2"
         );
-        assert_eq!(advice("Y", &names(&["x", "y"]), Some(2)), "; did you mean \"y\"?");
-        assert_eq!(advice("z", &names(&["x", "y"]), Some(2)), "");
+        assert_eq!(advice(&"Y".into(), &names(&["x", "y"]), Some(2)), "; did you mean \"y\"?");
+        assert_eq!(advice(&"z".into(), &names(&["x", "y"]), Some(2)), "");
     }
 }

@@ -43,17 +43,17 @@ impl HalfPlaneFormat {
 /// # Errors
 /// The first thing wrong, with its place.
 pub fn read_half_planes(source: Source, options: &TableOptions) -> Result<HalfPlaneFile, InputError> {
-    let format = HalfPlaneFormat::of_name(source.name());
+    let format = HalfPlaneFormat::of_name(source.name().raw());
     let WholeFile { name, content, sha256 } = WholeFile::read(source, &options.sizes)?;
     let has_begin =
         || content.split(|&byte| byte == b'\n').any(|line| line.trim_ascii().starts_with(b"begin"));
     let is_ine = format.map_or_else(has_begin, |format| format == HalfPlaneFormat::Ine);
     if is_ine {
-        return parse_cdd(&name, &content, sha256, options);
+        return parse_cdd(name.raw(), &content, sha256, options);
     }
     let columns = [("a1", 1), ("a2", 2), ("b", 3)].map(|(name, at)| ColumnSelector::name_at(name, at));
     let table = read_table(Source::new(name.clone(), Cursor::new(content)), &columns, options)?;
-    if let Some(column) = table.header.iter().find(|column| is_coefficient_beyond_the_plane(column)) {
+    if let Some(column) = table.header.iter().find(|column| is_coefficient_beyond_the_plane(column.raw())) {
         let column = column.clone();
         return Err(InputError::of_file(&name, InputErrorKind::MoreThanThePlane { column }));
     }

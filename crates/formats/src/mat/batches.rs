@@ -3,7 +3,7 @@
 use std::io::Read;
 use std::ops::Range;
 
-use boundfit_exact::Column;
+use boundfit_exact::{Column, Foreign};
 
 use super::columns::{MatColumn, MatColumns};
 use super::numbers::BadNumber;
@@ -65,10 +65,12 @@ pub(crate) fn scan_mat<T: Send>(
         let others = unwanted.flat_map(|rows| readable_rows(rows, &|rows| rows_of.batch(&[rows]))).collect();
         take(work(Batch { others, ..rows_of.batch(&[])? }));
     }
-    let names: Vec<String> = numbers.iter().map(|column| column.place.title()).collect();
+    let names: Vec<Foreign> = numbers.iter().map(|column| column.place.title()).collect();
     Ok(Scanned {
         layout: None,
-        header_line: options.keep_text.then(|| csv_line(each_once(names.clone(), &names))),
+        header_line: options
+            .keep_text
+            .then(|| csv_line(each_once(&names, &names).map(|name| name.raw().to_owned()))),
         names,
         header: Vec::new(),
         fractions: Vec::new(),
@@ -184,7 +186,7 @@ impl Rows<'_> {
         });
         let lines = self.options.keep_text.then(|| {
             let mut lines = Pieces::<Vec<u8>>::default();
-            let titles: Vec<String> = self.columns.iter().map(|column| column.place.title()).collect();
+            let titles: Vec<Foreign> = self.columns.iter().map(|column| column.place.title()).collect();
             let columns: Vec<&MatColumn> = each_once(self.columns, &titles).collect();
             for row in rows() {
                 lines.push(&csv_line(columns.iter().map(|column| text(column, row))));
@@ -206,7 +208,7 @@ impl Rows<'_> {
         let place = Place {
             row: Some(bad.index + 1 - column.start),
             column: Some((position, name)),
-            text: Some(bad.text),
+            text: Some(bad.text.into()),
             ..Place::default()
         };
         InputError::new(self.file, place, bad.problem)

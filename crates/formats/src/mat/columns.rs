@@ -3,6 +3,7 @@
 use std::io::{self, Read};
 use std::sync::Arc;
 
+use boundfit_exact::Foreign;
 use flate2::read::ZlibDecoder;
 
 use super::elements::{COMPRESSED, Damage, Elements, MATRIX};
@@ -70,7 +71,10 @@ impl Found {
     fn size(&self) -> Result<(u64, u64), InputErrorKind> {
         match &self.variable.content {
             &Content::Numbers { rows, columns } => Ok((rows, columns)),
-            _ => Err(InputErrorKind::NoNumbers { variable: self.variable.name.clone(), what: self.what() }),
+            _ => Err(InputErrorKind::NoNumbers {
+                variable: self.variable.name.clone().into(),
+                what: self.what().into(),
+            }),
         }
     }
 }
@@ -85,7 +89,7 @@ struct Wanted<'a> {
 
 impl<'a> Wanted<'a> {
     fn new(selector: &'a ColumnSelector) -> Self {
-        let text = selector.text();
+        let text = selector.text().raw();
         let bare: String = text.split_whitespace().collect();
         let of_matrix = bare.strip_suffix(')').and_then(|bare| {
             let (name, column) = bare.split_once("(:,")?;
@@ -148,7 +152,7 @@ fn header(file: &mut MatFile) -> Result<ByteOrder, InputErrorKind> {
         }
         Some(MatKind::V5) | None => byte_order(&header).ok_or_else(|| {
             let reason = "its header of 128 bytes does not end with version and byte order".to_owned();
-            InputErrorKind::Unreadable { format: FORMAT, reason }
+            InputErrorKind::Unreadable { format: FORMAT, reason: reason.into() }
         }),
     }
 }
@@ -224,7 +228,7 @@ impl Search<'_> {
             let count = rows * columns;
             let limit = self.sizes.elements;
             if usize::try_from(count).map_or(true, |count| count > limit) {
-                let variable = found.variable.name;
+                let variable = found.variable.name.into();
                 return Err(Damage::Refused(InputErrorKind::TooManyElements {
                     variable,
                     elements: count,
@@ -283,7 +287,7 @@ impl Search<'_> {
         let is_other = |other: &Found| other.numbers.is_some() && other.variable.name == *name;
         if self.wanted.iter().any(|wanted| wanted.is_named(&found.variable)) && self.all.iter().any(is_other)
         {
-            return Err(Damage::Refused(InputErrorKind::AmbiguousColumn { wanted: name.clone() }));
+            return Err(Damage::Refused(InputErrorKind::AmbiguousColumn { wanted: name.into() }));
         }
         Ok(())
     }
@@ -294,7 +298,8 @@ fn resolve(wanted: &Wanted, all: &[Found]) -> Result<MatColumn, InputErrorKind> 
     if let Some(found) = only(wanted.text, wanted, all)? {
         let (rows, columns) = found.size()?;
         let is_matrix = found.variable.content.columns() > 1;
-        let whole = || InputErrorKind::WholeMatrix { variable: found.variable.name.clone(), rows, columns };
+        let whole =
+            || InputErrorKind::WholeMatrix { variable: found.variable.name.clone().into(), rows, columns };
         return if is_matrix { Err(whole()) } else { column(found, 1) };
     }
     if let Some((name, number)) = &wanted.of_matrix
@@ -317,7 +322,7 @@ fn resolve(wanted: &Wanted, all: &[Found]) -> Result<MatColumn, InputErrorKind> 
 fn only<'a>(name: &str, wanted: &Wanted, all: &'a [Found]) -> Result<Option<&'a Found>, InputErrorKind> {
     let mut named = all.iter().filter(|found| found.variable.name == name);
     match (named.next(), named.next()) {
-        (_, Some(_)) => Err(InputErrorKind::AmbiguousColumn { wanted: wanted.text.to_owned() }),
+        (_, Some(_)) => Err(InputErrorKind::AmbiguousColumn { wanted: wanted.text.into() }),
         (found, None) => Ok(found),
     }
 }
@@ -331,11 +336,14 @@ fn unknown(wanted: &Wanted, all: &[Found]) -> InputErrorKind {
     let total = all.last().map_or(0, |last| last.before.saturating_add(last.variable.content.columns()));
     // A file without any column has something else instead.
     if let Some(found) = all.iter().find(|found| !found.variable.name.is_empty()).filter(|_| total == 0) {
-        return InputErrorKind::NoNumbers { variable: found.variable.name.clone(), what: found.what() };
+        return InputErrorKind::NoNumbers {
+            variable: found.variable.name.clone().into(),
+            what: found.what().into(),
+        };
     }
     InputErrorKind::UnknownColumn {
-        wanted: wanted.text.to_owned(),
-        available: all.iter().filter_map(names).collect(),
+        wanted: wanted.text.into(),
+        available: all.iter().filter_map(names).map(Foreign::from).collect(),
         numbers: wanted.number.and(usize::try_from(total).ok()).filter(|total| *total > 0),
     }
 }
@@ -346,7 +354,7 @@ fn column(found: &Found, number: u64) -> Result<MatColumn, InputErrorKind> {
     let whole = |number: u64| usize::try_from(number).unwrap_or(usize::MAX);
     let place = ColumnPlace {
         position: whole(found.before + number),
-        name: Some(found.variable.column_name(number)),
+        name: Some(found.variable.column_name(number).into()),
     };
     match &found.numbers {
         Some(numbers) => {
@@ -381,5 +389,5 @@ fn unreadable(start: u64, damage: Damage) -> InputErrorKind {
             _ => return error.into(),
         },
     };
-    InputErrorKind::Unreadable { format: FORMAT, reason }
+    InputErrorKind::Unreadable { format: FORMAT, reason: reason.into() }
 }

@@ -1,6 +1,6 @@
 //! What can be wrong with a reduction.
 
-use boundfit_exact::ParseNumberError;
+use boundfit_exact::{Foreign, ParseNumberError};
 use thiserror::Error;
 
 /// What is wrong with a reduction.
@@ -8,10 +8,10 @@ use thiserror::Error;
 pub enum ReductionError {
     /// A line that begins as it should and goes on otherwise.
     #[error("the line in front of a reduction is not understood: {0}")]
-    BadRecord(String),
+    BadRecord(Foreign),
     /// A line that begins as that of another version of the program.
     #[error("a reduction of format {0:?}, which is not known here (expected 1 or 2)")]
-    UnknownFormat(String),
+    UnknownFormat(Foreign),
     /// A sum that is not a number, or one beyond a limit.
     #[error("a sum in the line in front of a reduction: {0}")]
     BadSum(#[from] ParseNumberError),
@@ -41,13 +41,13 @@ pub enum ReductionError {
     #[error("no rows of a reduction can be picked: it does not have the numbers that they had")]
     NoRowNumbers,
     /// A reduction of something else than what is asked for.
-    #[error("the reduction is about {what} {has}, not {asked}")]
+    #[error("{what} {has}, not {asked}")]
     NotAsked {
-        /// What is meant.
+        /// What is meant, as the sentence begins.
         what: &'static str,
-        /// What the reduction says.
+        /// What the reduction says, ready to be printed.
         has: String,
-        /// What is asked for.
+        /// What is asked for, ready to be printed.
         asked: String,
     },
     /// Reductions of different tables.

@@ -1,5 +1,6 @@
 //! What a reduction serves, and what is asked of it.
 
+use boundfit_exact::Foreign;
 use serde::{Deserialize, Serialize};
 
 use super::error::ReductionError;
@@ -8,9 +9,9 @@ use super::error::ReductionError;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReducedModel {
     /// The name of the column of x, or of both regressors.
-    pub regressors: Vec<String>,
+    pub regressors: Vec<Foreign>,
     /// The name of the column of y, if there is one.
-    pub response: Option<String>,
+    pub response: Option<Foreign>,
     /// The bounds.
     pub bounds: ReducedBounds,
 }
@@ -24,19 +25,19 @@ pub enum ReducedBounds {
     Any,
     /// Of a line any multiple of those in a column of this name.
     #[serde(skip)]
-    Multiples(String),
+    Multiples(Foreign),
     /// This one for all readings, as `p/q` or `n`.
-    Uniform(String),
+    Uniform(Foreign),
     /// Those in a column of this name.
-    Column(String),
+    Column(Foreign),
     /// Those of a law, in the only way in which [`AskedReduction`] writes it.
-    Law(String),
+    Law(Foreign),
     /// Those between the columns of these names, of which one may be left out.
     Interval {
         /// The column of lower bounds.
-        lower: Option<String>,
+        lower: Option<Foreign>,
         /// The column of upper bounds.
-        upper: Option<String>,
+        upper: Option<Foreign>,
     },
 }
 
@@ -47,7 +48,7 @@ pub struct AskedReduction {
     /// others for one.
     pub model: ReducedModel,
     /// The bounds as they were asked for, where they are written otherwise in a reduction.
-    pub bounds: Option<String>,
+    pub bounds: Option<Foreign>,
 }
 
 impl ReducedModel {
@@ -58,28 +59,32 @@ impl ReducedModel {
     /// Whether what was reduced serves what is asked for.
     pub(super) fn check(&self, asked: &AskedReduction) -> Result<(), ReductionError> {
         let AskedReduction { model, bounds } = asked;
-        let differ = |what, has: &str, asked: &str| {
-            Err(ReductionError::NotAsked { what, has: has.to_owned(), asked: asked.to_owned() })
-        };
+        let differ = |what, has: String, asked: String| Err(ReductionError::NotAsked { what, has, asked });
         if self.regressors.len() != model.regressors.len() {
-            return differ("the model", self.name(), model.name());
+            return differ("the model of the reduction is", self.name().to_owned(), model.name().to_owned());
         }
         let whats = match self.regressors.len() {
-            1 => ["the column of x", ""],
-            _ => ["the first regressor", "the second regressor"],
+            1 => ["the column of x in the reduction is", ""],
+            _ => ["the first regressor of the reduction is", "the second regressor of the reduction is"],
         };
         for (what, (has, asked)) in whats.into_iter().zip(self.regressors.iter().zip(&model.regressors)) {
             if has != asked {
-                return differ(what, has, asked);
+                return differ(what, has.quoted(), asked.quoted());
             }
         }
         if !self.bounds.serve(&model.bounds) {
-            let asked = bounds.clone().unwrap_or_else(|| model.bounds.words());
-            return differ("error bounds from", &self.bounds.words(), &asked);
+            let asked = bounds.as_ref().map_or_else(|| model.bounds.words(), Foreign::to_string);
+            return differ("the reduction is about error bounds from", self.bounds.words(), asked);
         }
         if self.response != model.response {
-            let name = |response: &Option<String>| response.clone().unwrap_or_else(|| "none".to_owned());
-            return differ("the column of y", &name(&self.response), &name(&model.response));
+            let name = |response: &Option<Foreign>| {
+                response.as_ref().map_or_else(|| "none".to_owned(), Foreign::quoted)
+            };
+            return differ(
+                "the column of y in the reduction is",
+                name(&self.response),
+                name(&model.response),
+            );
         }
         Ok(())
     }
@@ -117,13 +122,14 @@ impl ReducedBounds {
             ReducedBounds::Multiples(text)
             | ReducedBounds::Uniform(text)
             | ReducedBounds::Column(text)
-            | ReducedBounds::Law(text) => text.clone(),
+            | ReducedBounds::Law(text) => text.to_string(),
             ReducedBounds::Interval { lower: Some(lower), upper: Some(upper) } => {
                 format!("the columns {lower} and {upper}")
             }
             ReducedBounds::Interval { lower: Some(lower), .. } => format!("the lower bounds {lower} alone"),
             ReducedBounds::Interval { upper, .. } => {
-                format!("the upper bounds {} alone", upper.as_deref().unwrap_or_default())
+                let upper = upper.as_ref().map(Foreign::to_string).unwrap_or_default();
+                format!("the upper bounds {upper} alone")
             }
         }
     }

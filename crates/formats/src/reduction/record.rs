@@ -1,6 +1,6 @@
 //! The line in front of a reduction.
 
-use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_exact::{Foreign, Limits, Rational, Reading};
 use serde::{Deserialize, Serialize};
 
 use super::error::ReductionError;
@@ -37,9 +37,9 @@ struct Record1 {
     kept: usize,
     header: bool,
     reading: String,
-    x: String,
-    y: String,
-    epsilon: Option<String>,
+    x: Foreign,
+    y: Foreign,
+    epsilon: Option<Foreign>,
     /// Σx, Σy, Σx² and Σxy.
     sums: [String; 4],
 }
@@ -53,8 +53,8 @@ struct Record2 {
     header: bool,
     reading: String,
     /// x of a line, or two.
-    x: Vec<String>,
-    y: Option<String>,
+    x: Vec<Foreign>,
+    y: Option<Foreign>,
     bounds: ReducedBounds,
     widths: bool,
     sums: Option<[String; 5]>,
@@ -81,8 +81,8 @@ impl ReductionRecord {
     pub fn check(&self, asked: &AskedReduction, reading: Reading) -> Result<(), ReductionError> {
         self.model.check(asked)?;
         if self.reading != reading.name() {
-            let (has, asked) = (self.reading.clone(), reading.name().to_owned());
-            return Err(ReductionError::NotAsked { what: "the reading", has, asked });
+            let (has, asked) = (Foreign::of(&self.reading).to_string(), reading.name().to_owned());
+            return Err(ReductionError::NotAsked { what: "the reduction is about the reading", has, asked });
         }
         Ok(())
     }
@@ -106,7 +106,7 @@ impl ReductionRecord {
     }
 
     pub(super) fn parse(line: &[u8]) -> Result<Self, ReductionError> {
-        let bad = |error: serde_json::Error| ReductionError::BadRecord(error.to_string());
+        let bad = |error: serde_json::Error| ReductionError::BadRecord(error.to_string().into());
         let rest = line.strip_prefix(REDUCTION_MARK.as_bytes()).unwrap_or_default();
         let end = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
         let (format, json) = rest.split_at_checked(end).unwrap_or_default();
@@ -115,7 +115,7 @@ impl ReductionRecord {
             b"2" => serde_json::from_slice::<Record2>(json).map_err(bad)?.checked(),
             _ => {
                 let shown: String = String::from_utf8_lossy(format).chars().take(20).collect();
-                Err(ReductionError::UnknownFormat(shown))
+                Err(ReductionError::UnknownFormat(shown.into()))
             }
         }
     }
@@ -150,7 +150,7 @@ impl From<Record1> for ReductionRecord {
 impl Record2 {
     fn checked(self) -> Result<ReductionRecord, ReductionError> {
         let Record2 { rows, kept, header, reading, x, y, bounds, widths, sums } = self;
-        let bad = |problem: &str| Err(ReductionError::BadRecord(problem.to_owned()));
+        let bad = |problem: &str| Err(ReductionError::BadRecord(problem.into()));
         if !(1..=2).contains(&x.len()) {
             return bad("x has neither one name nor two");
         }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use boundfit_exact::Column;
+use boundfit_exact::{Column, Foreign};
 
 use crate::columns::ColumnSelector;
 use crate::fractions::Fractions;
@@ -151,17 +151,17 @@ pub trait Progress: Send + Sync {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Scanned {
     /// The names of the columns asked for; `col1` and so on where there is none.
-    pub names: Vec<String>,
+    pub names: Vec<Foreign>,
     /// How many cells of each column asked for are fractions; empty where numbers are stored.
     pub fractions: Vec<Fractions>,
     /// The names of all columns, asked for or not; none without a header.
-    pub header: Vec<String>,
+    pub header: Vec<Foreign>,
     /// The name of the key column.
-    pub key_name: Option<String>,
+    pub key_name: Option<Foreign>,
     /// With [`ScanOptions::keep_text`], the header as it stands in the file, without its line end.
     pub header_line: Option<Vec<u8>>,
     /// The units of the columns asked for, where the table states them.
-    pub units: Vec<Option<String>>,
+    pub units: Vec<Option<Foreign>>,
     /// Where the numbers stand; `None` unless the table is delimited text.
     pub layout: Option<TextLayout>,
     /// With [`ScanOptions::list_rows`], first and last of the wanted rows that follow each other without a gap.

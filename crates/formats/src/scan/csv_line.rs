@@ -1,5 +1,7 @@
 //! Rows of what is not text, as text.
 
+use boundfit_exact::Foreign;
+
 /// Cells, not all of them empty, as a line of CSV, without its end.
 pub(crate) fn csv_line(cells: impl IntoIterator<Item = String>) -> Vec<u8> {
     let quoted = |cell: String| match cell.contains([',', '"', '\r', '\n']) {
@@ -12,10 +14,10 @@ pub(crate) fn csv_line(cells: impl IntoIterator<Item = String>) -> Vec<u8> {
 /// Of columns with these titles each once, however often it is asked for.
 pub(crate) fn each_once<'a, T>(
     columns: impl IntoIterator<Item = T> + 'a,
-    titles: &'a [String],
+    titles: &'a [Foreign],
 ) -> impl Iterator<Item = T> + 'a {
     let is_first =
-        |position: usize, title: &String| !titles.iter().take(position).any(|other| other == title);
+        |position: usize, title: &Foreign| !titles.iter().take(position).any(|other| other == title);
     let columns = columns.into_iter().zip(titles).enumerate();
     columns.filter_map(move |(position, (column, title))| is_first(position, title).then_some(column))
 }

@@ -1,5 +1,6 @@
 //! The first records of a table: which of them name columns and units, and where the columns are.
 
+use boundfit_exact::Foreign;
 use memchr::memchr_iter;
 
 use crate::chunks::ChunkReader;
@@ -83,7 +84,7 @@ impl<'a> FirstRecord<'a> {
         let commented = start.commented(&preamble, &first);
         let is_commented = commented.is_some();
         let mut heading = match commented {
-            Some(names) => Heading::of_comment(names, first.line),
+            Some(names) => Heading::of_comment(names.into_iter().map(Foreign::from).collect(), first.line),
             None => start.heading(&first, columns).map_err(explained)?,
         };
         let has_header = heading.names.is_some() && !is_commented;
@@ -125,7 +126,7 @@ impl<'a> FirstRecord<'a> {
 fn no_delimiter(error: InputError, preamble: &Preamble, cells: &[Vec<u8>]) -> InputError {
     match (error.kind, cells) {
         (InputErrorKind::UnknownColumn { wanted, .. }, [only]) if !preamble.has_delimiter => {
-            let line = String::from_utf8_lossy(only).into_owned();
+            let line = String::from_utf8_lossy(only).into_owned().into();
             InputError { kind: InputErrorKind::NoDelimiter { wanted, line }, ..error }
         }
         (kind, _) => InputError { kind, ..error },

@@ -1,7 +1,7 @@
 //! What is taken from every row of a table.
 
 use boundfit_exact::english::split_unit;
-use boundfit_exact::{DecimalMark, Notation, Thousands, is_missing};
+use boundfit_exact::{DecimalMark, Foreign, Notation, Thousands, is_missing};
 
 use crate::columns::{ColumnPlace, ColumnSelector, Heading, decode};
 use crate::dialect::{BLANKS, CommentMark, Dialect, Encoding};
@@ -53,13 +53,13 @@ pub(super) struct Layout<'a> {
     pub(super) mark: Mark,
     pub(super) numbers: Numbers<'a>,
     /// The names of all columns; none without a header.
-    pub(super) header: Vec<String>,
+    pub(super) header: Vec<Foreign>,
     /// Where the columns asked for are.
     pub(super) places: Vec<ColumnPlace>,
     pub(super) key: Option<ColumnPlace>,
     /// What must hold for rows to be wanted, and where the columns are that it is about.
     pub(super) conditions: Vec<(ColumnPlace, &'a RowCondition)>,
-    pub(super) units: Vec<Option<String>>,
+    pub(super) units: Vec<Option<Foreign>>,
     encoding: Encoding,
     records_before: usize,
     /// Whether comments turned up between rows or after them.
@@ -120,7 +120,7 @@ impl<'a> Layout<'a> {
             let cell = units?.get(place.position - 1)?;
             unit_of_cell(&String::from_utf8_lossy(cell))
         };
-        let in_name = |place: &ColumnPlace| split_unit(place.name.as_deref()?).1.map(str::to_owned);
+        let in_name = |place: &ColumnPlace| split_unit(place.name.as_ref()?.raw()).1.map(Foreign::from);
         let units = self.places.iter().map(|place| in_row(place).or_else(|| in_name(place))).collect();
         Layout { encoding, records_before, units, ..self }
     }

@@ -3,6 +3,7 @@
 use std::fmt::Display;
 use std::io::Cursor;
 
+use boundfit_exact::Foreign;
 use calamine::{Data, ExcelDateTime, Ods, Reader, SheetType, Xlsx};
 
 use super::text::Lines;
@@ -69,8 +70,8 @@ where
         }),
     };
     let unknown = || InputErrorKind::UnknownSheet {
-        wanted: wanted.unwrap_or("1").to_owned(),
-        available: names.clone(),
+        wanted: wanted.unwrap_or("1").into(),
+        available: names.iter().map(Foreign::from).collect(),
     };
     found.cloned().ok_or_else(unknown)
 }

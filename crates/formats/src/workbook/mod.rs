@@ -91,5 +91,5 @@ fn guarded<T>(work: impl FnOnce() -> Result<T, InputErrorKind>) -> Result<T, Inp
 
 /// What a library says about a workbook that it cannot read.
 fn unreadable(reason: impl ToString) -> InputErrorKind {
-    InputErrorKind::Unreadable { format: FORMAT, reason: reason.to_string() }
+    InputErrorKind::Unreadable { format: FORMAT, reason: reason.to_string().into() }
 }

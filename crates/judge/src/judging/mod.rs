@@ -8,7 +8,7 @@ mod primal;
 #[cfg(test)]
 mod tests;
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Foreign, Rational};
 use boundfit_lp::Model;
 
 use crate::answer::{Answer, Item, Side};
@@ -129,7 +129,7 @@ pub enum Fault {
     /// The status is another one.
     Status {
         /// What is claimed, in the solver's words where it is no answer.
-        claimed: String,
+        claimed: Foreign,
         /// `optimal`, `infeasible` or `unbounded`.
         exact: &'static str,
     },
@@ -223,7 +223,7 @@ pub struct Findings {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct JudgedSolution {
     /// The file, as it was named.
-    pub file: String,
+    pub file: Foreign,
     /// What it says.
     pub solution: Solution,
     /// What that is worth.
@@ -234,7 +234,7 @@ pub struct JudgedSolution {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct JudgedSolver {
     /// The solver with its version; `exact-simplex` for the exact one.
-    pub source: String,
+    pub source: Foreign,
     /// Judged by the program as it is.
     pub as_read: Findings,
     /// Judged by the program whose rows and costs are rounded to binary64, which is what the solver received.
@@ -301,7 +301,7 @@ impl Ground<'_> {
             _ => Aspect::Dual,
         };
         let excuse = others.iter().find(|other| other.aspect == blamed && worth == Worth::Refuted);
-        let fault = (worth != Worth::Exact).then(|| Fault::Status { claimed: claimed.to_owned(), exact });
+        let fault = (worth != Worth::Exact).then(|| Fault::Status { claimed: claimed.into(), exact });
         Finding {
             aspect: Aspect::Status,
             worth,

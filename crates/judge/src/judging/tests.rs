@@ -14,12 +14,12 @@ fn bounds(lower: Option<&str>, upper: Option<&str>) -> Bounds {
 }
 
 fn column(name: &str, cost: &str, own: Bounds) -> ModelColumn {
-    ModelColumn { name: name.to_owned(), cost: number(cost), bounds: own }
+    ModelColumn { name: name.into(), cost: number(cost), bounds: own }
 }
 
 fn row(name: &str, coefficients: [&str; 2], own: Bounds) -> ModelRow {
     let coefficients = coefficients.iter().enumerate().map(|(place, value)| (place, number(value)));
-    ModelRow { name: name.to_owned(), coefficients: coefficients.collect(), bounds: own }
+    ModelRow { name: name.into(), coefficients: coefficients.collect(), bounds: own }
 }
 
 /// The largest 3 x + 5 y with x ≤ 4, 2 y ≤ 12, 3 x + 2 y ≤ 18: 36 at (2, 6), duals 0, 3/2 and 1.

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use boundfit_exact::{Limit, ParseNumberError};
+use boundfit_exact::{Foreign, Limit, ParseNumberError};
 use thiserror::Error;
 
 /// Why a solution file cannot be used.
@@ -22,7 +22,7 @@ pub enum SolutionError {
         /// From 1.
         line: usize,
         /// The line, cut where it is long.
-        text: String,
+        text: Foreign,
         /// What would be accepted.
         expected: Cow<'static, str>,
     },
@@ -34,7 +34,7 @@ pub enum SolutionError {
         /// From 1.
         line: usize,
         /// The number, cut where it is long.
-        text: String,
+        text: Foreign,
         /// What is wrong with it.
         error: ParseNumberError,
     },
@@ -48,7 +48,8 @@ pub enum SolutionError {
     },
     /// JSON that is none.
     #[error(
-        "{0} (expected {{\"status\": \"optimal\", \"objective\": 3, \"x\": {{NAME: VALUE}}, \"duals\": {{NAME: VALUE}}}})"
+        "{} (expected {{\"status\": \"optimal\", \"objective\": 3, \"x\": {{NAME: VALUE}}, \"duals\": {{NAME: VALUE}}}})",
+        Foreign::from(.0.to_string())
     )]
     Json(serde_json::Error),
     /// A field of JSON that is not understood.
@@ -57,9 +58,9 @@ pub enum SolutionError {
         /// Where it is, from 1.
         line: usize,
         /// Its name.
-        field: String,
+        field: Foreign,
         /// What is there, cut where it is long.
-        found: String,
+        found: Foreign,
         /// What would be accepted.
         expected: &'static str,
     },
@@ -69,7 +70,7 @@ pub enum SolutionError {
         /// Where it is, from 1.
         line: usize,
         /// What the file names.
-        of: String,
+        of: Foreign,
         /// Column or row.
         kind: &'static str,
         /// What would be accepted.
@@ -81,7 +82,7 @@ pub enum SolutionError {
         /// The second one, from 1.
         line: usize,
         /// The name.
-        of: String,
+        of: Foreign,
         /// The first one.
         first: usize,
     },
@@ -91,10 +92,10 @@ pub enum SolutionError {
         /// Who writes such files.
         format: &'static str,
         /// Its name.
-        column: String,
+        column: Foreign,
     },
     /// XML that is none.
-    #[error("{0} (expected a <CPLEXSolution>, as CPLEX writes it)")]
+    #[error("{} (expected a <CPLEXSolution>, as CPLEX writes it)", Foreign::from(.0.to_string()))]
     Xml(#[from] roxmltree::Error),
 }
 
@@ -104,11 +105,11 @@ fn flag(error: &ParseNumberError) -> String {
 }
 
 /// A text, cut where it is long.
-pub fn quoted(text: &str) -> String {
+pub fn quoted(text: &str) -> Foreign {
     const LONGEST: usize = 60;
     let text = text.trim();
     match text.char_indices().nth(LONGEST).and_then(|(end, _)| text.split_at_checked(end)) {
-        Some((start, _)) => format!("{start}..."),
-        None => text.to_owned(),
+        Some((start, _)) => format!("{start}...").into(),
+        None => text.into(),
     }
 }

@@ -50,12 +50,12 @@ impl Solution {
     pub fn new(file: &SolutionFile, model: &Model) -> Result<Self, SolutionError> {
         let by_highs = in_the_style_of_glpk(file, model);
         let file = by_highs.as_ref().unwrap_or(file);
-        let columns = Names::new("column", model.columns.iter().map(|column| column.name.as_str()));
-        let rows = Names::new("row", model.rows.iter().map(|row| row.name.as_str()));
+        let columns = Names::new("column", model.columns.iter().map(|column| column.name.raw()));
+        let rows = Names::new("row", model.rows.iter().map(|row| row.name.raw()));
         if let Some(announced) = file.announced.as_ref().filter(|own| own.columns != model.columns.len()) {
             return Err(SolutionError::Unknown {
                 line: announced.line,
-                of: format!("{:?}", quoted(&announced.text)),
+                of: format!("{:?}", quoted(&announced.text)).into(),
                 kind: "solution",
                 available: columns.available(),
             });
@@ -213,7 +213,8 @@ impl<'a> Names<'a> {
 
     fn available(&self) -> String {
         const FEW: usize = 5;
-        let some = self.names.iter().take(FEW).map(|name| quoted(name)).collect::<Vec<_>>().join(", ");
+        let some =
+            self.names.iter().take(FEW).map(|name| quoted(name).to_string()).collect::<Vec<_>>().join(", ");
         match self.names.len() {
             0 => "nothing, the model has none".to_owned(),
             count if count > FEW => format!("{some} or another of {count}"),
@@ -224,7 +225,7 @@ impl<'a> Names<'a> {
     fn unknown(&self, entry: &Entry) -> SolutionError {
         let of = match &entry.of {
             Reference::Name(name) => quoted(name),
-            Reference::Place(place) => format!("number {}", place + 1),
+            Reference::Place(place) => format!("number {}", place + 1).into(),
         };
         SolutionError::Unknown { line: entry.line, of, kind: self.kind, available: self.available() }
     }

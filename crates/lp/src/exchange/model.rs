@@ -30,12 +30,12 @@ impl Model {
     /// ```
     pub fn text(&self, format: ExchangeFormat) -> String {
         let mut remarks = Vec::new();
-        let mut rows = vec![(self.objective_name.clone(), Form::Objective, Bounds::default())];
+        let mut rows = vec![(self.objective_name.raw().to_owned(), Form::Objective, Bounds::default())];
         for row in &self.rows {
-            let row = (row.name.clone(), Form::Row(&row.coefficients), row.bounds.clone());
+            let row = (row.name.raw().to_owned(), Form::Row(&row.coefficients), row.bounds.clone());
             rows.extend(sayable(row, format, &mut remarks));
         }
-        let names = self.columns.iter().map(|column| column.name.clone()).collect();
+        let names = self.columns.iter().map(|column| column.name.raw().to_owned()).collect();
         let mut columns = Vec::new();
         for (place, (column, name)) in
             self.columns.iter().zip(legal(names, format, "column", &mut remarks)).enumerate()
@@ -96,7 +96,7 @@ impl Model {
         };
         remarks.extend(written.iter().flat_map(WrittenRow::remarks));
         let is_odd = |character: char| character.is_control() && character != '\t';
-        let name = if self.name.contains(is_odd) { "" } else { self.name.trim() };
+        let name = if self.name.raw().contains(is_odd) { "" } else { self.name.raw().trim() };
         let constant = [constant, opposite];
         let rows = rows.iter().collect();
         let program = Written { name, sense: self.sense, objective, constant, columns, rows, remarks };

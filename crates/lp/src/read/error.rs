@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use boundfit_exact::{Limit, ParseNumberError};
+use boundfit_exact::{Foreign, Limit, ParseNumberError};
 use thiserror::Error;
 
 use crate::format::ExchangeFormat;
@@ -15,7 +15,7 @@ pub struct ModelPlace {
     /// The character of the line, from 1.
     pub column: usize,
     /// The text found there.
-    pub text: String,
+    pub text: Foreign,
 }
 
 /// A file that states no linear program, or none that is read.
@@ -158,16 +158,16 @@ pub enum ModelErrorKind {
         last: u64,
     },
     /// A row that is none.
-    #[error("there is no such row{}", did_you_mean(.meant.as_deref()))]
+    #[error("there is no such row{}", did_you_mean(.meant.as_ref()))]
     UnknownRow {
         /// The one that may be meant.
-        meant: Option<String>,
+        meant: Option<Foreign>,
     },
     /// A column that is none.
-    #[error("there is no such column{}", did_you_mean(.meant.as_deref()))]
+    #[error("there is no such column{}", did_you_mean(.meant.as_ref()))]
     UnknownColumn {
         /// The one that may be meant.
-        meant: Option<String>,
+        meant: Option<Foreign>,
     },
     /// A coefficient for the second time.
     #[error("the column has a coefficient in this row on line {first} already")]
@@ -208,7 +208,7 @@ pub enum ModelErrorKind {
         /// The section.
         section: &'static str,
         /// The name of the first.
-        first: String,
+        first: Foreign,
     },
     /// Text that means one program in the columns of fixed MPS and another one in free MPS.
     #[error("names with blanks, as in fixed MPS, and yet another program as free MPS")]
@@ -305,7 +305,7 @@ impl fmt::Display for At<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0 {
             Some(ModelPlace { line, column, text }) => {
-                write!(f, "line {line}, column {column}: {}: ", quoted(text))
+                write!(f, "line {line}, column {column}: {}: ", text.quoted())
             }
             None => Ok(()),
         }
@@ -336,15 +336,6 @@ impl fmt::Display for RaisedBy<'_> {
     }
 }
 
-fn did_you_mean(meant: Option<&str>) -> String {
-    meant.map(|name| format!("; did you mean {}?", quoted(name))).unwrap_or_default()
-}
-
-/// A text in quotes, cut where it is long, with control characters made visible.
-fn quoted(text: &str) -> String {
-    const LONGEST: usize = 40;
-    match text.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{:?}...", text.get(..end).unwrap_or_default()),
-        None => format!("{text:?}"),
-    }
+fn did_you_mean(meant: Option<&Foreign>) -> String {
+    meant.map(|name| format!("; did you mean {}?", name.quoted())).unwrap_or_default()
 }

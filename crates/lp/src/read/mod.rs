@@ -88,7 +88,7 @@ pub fn model_text(bytes: &[u8]) -> Result<&str, ModelError> {
         let place = ModelPlace {
             line: valid.matches('\n').count() as u64 + 1,
             column: before.chars().count() + 1,
-            text: before.to_owned(),
+            text: before.into(),
         };
         ModelError { place: Some(Box::new(place)), kind: ModelErrorKind::NotUtf8 }
     })

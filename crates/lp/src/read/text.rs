@@ -80,7 +80,7 @@ impl Field<'_> {
         let place = ModelPlace {
             line: self.line.number,
             column: characters_before(self.line.text, self.start) + 1,
-            text: self.text.to_owned(),
+            text: self.text.into(),
         };
         ModelError { place: Some(Box::new(place)), kind }
     }

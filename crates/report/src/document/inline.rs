@@ -2,13 +2,15 @@
 
 use std::fmt;
 
+use boundfit_exact::Foreign;
+
 /// A piece of a line. Its [`Display`](fmt::Display) form is that of plain text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Inline {
     /// English.
     Words(String),
-    /// What the user wrote: names of columns and files, conditions.
-    Given(String),
+    /// What somebody else wrote: names of columns and files, conditions.
+    Given(Foreign),
     /// A number in digits, perhaps with a sign and a power of ten, or a fraction: `-1.8194e-3`, `21/11726`.
     Number(String),
     /// A letter of formulas.
@@ -59,7 +61,8 @@ pub(crate) enum Operator {
 impl fmt::Display for Inline {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Inline::Words(text) | Inline::Given(text) | Inline::Number(text) => text,
+            Inline::Given(text) => return text.fmt(f),
+            Inline::Words(text) | Inline::Number(text) => text,
             Inline::Mark(mark) => mark,
             Inline::Indent => "  ",
             Inline::Symbol(symbol) => symbol.forms().0,
@@ -114,7 +117,7 @@ impl Text {
         self.with(Inline::Words(words.into()))
     }
 
-    pub(crate) fn given(self, text: impl Into<String>) -> Self {
+    pub(crate) fn given(self, text: impl Into<Foreign>) -> Self {
         self.with(Inline::Given(text.into()))
     }
 

@@ -159,7 +159,7 @@ fn words(inline: &Inline, limit: Option<f64>) -> String {
     match inline {
         Inline::Indent => r"\quad ".to_owned(),
         Inline::Given(text) => {
-            breakable(text, limit, r"\allowbreak{}", |character, result| match character {
+            breakable(&text.to_string(), limit, r"\allowbreak{}", |character, result| match character {
                 // Two of these would be another character.
                 '-' | '\'' | '`' | ',' => result.extend(['{', character, '}']),
                 other => escape(other, result),

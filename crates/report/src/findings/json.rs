@@ -1,5 +1,6 @@
 //! What was found about solutions, for the schema `boundfit/judge/1`.
 
+use boundfit_exact::Foreign;
 use boundfit_judge::{Excuse, Fault, Finding, Item, JudgedSolution, Side, SolverStatus};
 use boundfit_lp::Model;
 use serde::Serialize;
@@ -11,7 +12,7 @@ use crate::style::Style;
 /// One solution.
 #[derive(Debug, Serialize)]
 pub struct SolutionJson {
-    file: String,
+    file: Foreign,
     writer: &'static str,
     status: String,
     verdict: &'static str,
@@ -25,8 +26,8 @@ struct FindingJson {
     line: usize,
     error: Option<Number>,
     relative: Option<Number>,
-    row: Option<String>,
-    column: Option<String>,
+    row: Option<Foreign>,
+    column: Option<Foreign>,
     bound: Option<&'static str>,
     claimed: Option<Number>,
     exact: Option<Number>,

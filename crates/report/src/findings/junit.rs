@@ -22,7 +22,7 @@ pub fn solutions_junit(model: &Model, solutions: &[JudgedSolution]) -> String {
     for judged in solutions {
         xml.push_str(&format!(
             "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" skipped=\"{}\">\n",
-            escaped(&judged.file),
+            escaped(&judged.file.to_string()),
             judged.findings.findings.len(),
             count(Worth::Refuted, judged),
             count(Worth::NoAnswer, judged)
@@ -42,7 +42,7 @@ fn case(model: &Model, judged: &JudgedSolution, finding: &Finding) -> String {
         "    <testcase classname=\"{}\" name=\"{}\" file=\"{}\" line=\"{}\"",
         escaped(judged.solution.writer),
         finding.aspect.name(),
-        escaped(&judged.file),
+        escaped(&judged.file.to_string()),
         finding.line
     );
     let inside = match finding.worth {

@@ -2,6 +2,7 @@
 //!
 //! Source: OASIS, "Static Analysis Results Interchange Format (SARIF) Version 2.1.0".
 
+use boundfit_exact::Foreign;
 use boundfit_judge::{Aspect, Finding, JudgedSolution, Worth};
 use boundfit_lp::Model;
 use serde_json::{Value, json};
@@ -38,7 +39,7 @@ fn rule(aspect: Aspect) -> Value {
     })
 }
 
-fn result(model: &Model, file: &str, finding: &Finding) -> Value {
+fn result(model: &Model, file: &Foreign, finding: &Finding) -> Value {
     // A level other than "none" is for what failed.
     let (kind, level) = match finding.worth {
         Worth::Refuted => ("fail", "error"),
@@ -53,7 +54,7 @@ fn result(model: &Model, file: &str, finding: &Finding) -> Value {
         "level": level,
         "message": {"text": format!("{}: {}.", finding.worth.name(), sentence(model, finding))},
         "locations": [{"physicalLocation": {
-            "artifactLocation": {"uri": uri(file)},
+            "artifactLocation": {"uri": uri(file.raw())},
             "region": {"startLine": finding.line.max(1)},
         }}],
     })

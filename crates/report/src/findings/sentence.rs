@@ -1,6 +1,6 @@
 //! What was found about one aspect, as a sentence.
 
-use boundfit_exact::{Rational, Rounding};
+use boundfit_exact::{Foreign, Rational, Rounding};
 use boundfit_judge::{Fault, Finding, Item, Side, Worth};
 use boundfit_lp::{End, Model};
 
@@ -72,18 +72,18 @@ pub(super) fn sentence(model: &Model, finding: &Finding) -> String {
 /// A row or a column by its name.
 fn name(model: &Model, side: Side) -> String {
     let name = match side.item {
-        Item::Row(row) => model.rows.get(row).map(|row| row.name.as_str()),
-        Item::Column(column) => model.columns.get(column).map(|column| column.name.as_str()),
+        Item::Row(row) => model.rows.get(row).map(|row| &row.name),
+        Item::Column(column) => model.columns.get(column).map(|column| &column.name),
     };
-    short(name.unwrap_or_default())
+    name.map(short).unwrap_or_default()
 }
 
 /// A text on one line, cut where it is long.
-pub(super) fn short(text: &str) -> String {
+pub(super) fn short(text: &Foreign) -> String {
     const LONGEST: usize = 60;
-    let shown: String = text.chars().take(LONGEST).collect();
-    let more = if shown.len() < text.len() { "..." } else { "" };
-    format!("{}{more}", shown.escape_debug())
+    let shown: String = text.raw().chars().take(LONGEST).collect();
+    let more = if shown.len() < text.raw().len() { "..." } else { "" };
+    format!("{}{more}", Foreign::from(shown))
 }
 
 /// A number in full where it is short, otherwise with the digits that tell doubles apart.

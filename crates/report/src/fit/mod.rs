@@ -11,7 +11,7 @@ use boundfit_estimation::{
     ParameterBound, ParameterInterval, Problem, mending_rows,
 };
 use boundfit_exact::english::{counted, listed};
-use boundfit_exact::{Interval, Rational, Reading};
+use boundfit_exact::{Foreign, Interval, Rational, Reading};
 
 use crate::advice::bounding_reading;
 use crate::document::{Block, Document, Facts, Operator, Symbol, THETA, Table, Text};
@@ -187,7 +187,9 @@ impl<'a> Report<'a> {
             .chain([
                 (
                     "data",
-                    Text::new().given(file.unwrap_or("standard input")).words(format!(", {rows}{missing}")),
+                    Text::new()
+                        .given(file.unwrap_or(Foreign::of("standard input")))
+                        .words(format!(", {rows}{missing}")),
                 ),
                 ("reading", reading.into()),
             ]);
@@ -201,13 +203,13 @@ impl<'a> Report<'a> {
     }
 
     fn model(&self) -> Text {
-        let term = |theta, regressor: &str| Text::from(theta).operator(Operator::Dot).given(regressor);
+        let term = |theta, regressor: &Foreign| Text::from(theta).operator(Operator::Dot).given(regressor);
         let measurements = &self.problem.measurements;
         let (first, second) = match measurements.model() {
             Model::Line { x } => {
                 let form = measurements.line_form();
                 let name = form.abscissa(x);
-                let shown = if form.x_origin.is_zero() { name } else { format!("({name})") };
+                let shown = if form.x_origin.is_zero() { name } else { format!("({})", name.raw()).into() };
                 (shown, (!form.through_origin).then(|| Text::from(Symbol::Theta2)))
             }
             Model::TwoRegressors { regressors: [first, second] } => {

@@ -1,6 +1,6 @@
 //! The JSON report of an exact answer, schema `boundfit/judge/1`.
 
-use boundfit_exact::{Interval, Rational};
+use boundfit_exact::{Foreign, Interval, Rational};
 use boundfit_judge::{Answer, Basis, Face, Item, Plane, Prices, Side, SideMultiplier};
 use boundfit_lp::{Bounds, Model, ObjectiveSense};
 use serde::Serialize;
@@ -32,11 +32,11 @@ pub struct JudgeJson {
 
 #[derive(Debug, Serialize)]
 struct InputJson {
-    file: Option<String>,
+    file: Option<Foreign>,
     sha256: String,
-    name: String,
+    name: Foreign,
     sense: &'static str,
-    objective: String,
+    objective: Foreign,
     constant: Number,
 }
 
@@ -51,7 +51,7 @@ struct FaceJson {
 
 #[derive(Debug, Serialize)]
 struct ColumnJson {
-    name: String,
+    name: Foreign,
     lower: Option<Number>,
     upper: Option<Number>,
     cost: Number,
@@ -62,7 +62,7 @@ struct ColumnJson {
 
 #[derive(Debug, Serialize)]
 struct RowJson {
-    name: String,
+    name: Foreign,
     lower: Option<Number>,
     upper: Option<Number>,
     value: Option<Number>,
@@ -73,8 +73,8 @@ struct RowJson {
 /// A bound of a row or of a column; the other one of both names is null.
 #[derive(Debug, Serialize)]
 struct SideJson {
-    row: Option<String>,
-    column: Option<String>,
+    row: Option<Foreign>,
+    column: Option<Foreign>,
     side: &'static str,
 }
 
@@ -88,7 +88,7 @@ struct TermJson {
 /// The feasible set in the plane of the columns that bounds do not fix.
 #[derive(Debug, Serialize)]
 struct PlaneJson {
-    columns: Vec<String>,
+    columns: Vec<Foreign>,
     region: RegionJson<SideJson>,
     ranges: Option<Vec<RangeJson>>,
 }
@@ -106,7 +106,7 @@ impl JudgeJson {
         model: &Model,
         plane: &Plane,
         answer: &Answer,
-        file: Option<&str>,
+        file: Option<Foreign<&str>>,
         sha256: &str,
         style: &Style,
     ) -> Self {
@@ -170,10 +170,10 @@ struct Solved<'a> {
 }
 
 impl Parts<'_> {
-    fn input(&self, file: Option<&str>, sha256: &str) -> InputJson {
+    fn input(&self, file: Option<Foreign<&str>>, sha256: &str) -> InputJson {
         let model = self.model;
         InputJson {
-            file: file.map(ToOwned::to_owned),
+            file: file.map(Foreign::from),
             sha256: sha256.to_owned(),
             name: model.name.clone(),
             sense: if model.sense == ObjectiveSense::Minimize { "min" } else { "max" },
@@ -233,7 +233,8 @@ impl Parts<'_> {
     }
 
     fn side(&self, side: Side) -> SideJson {
-        let name = |index: usize, name: Option<&String>| name.cloned().unwrap_or_else(|| index.to_string());
+        let name =
+            |index: usize, name: Option<&Foreign>| name.cloned().unwrap_or_else(|| index.to_string().into());
         let (row, column) = match side.item {
             Item::Row(index) => (Some(name(index, self.model.rows.get(index).map(|row| &row.name))), None),
             Item::Column(index) => {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Foreign, Rational};
 use boundfit_judge::{Answer, Item, Side};
 use boundfit_lp::{Bounds, End, Model, ObjectiveSense};
 
@@ -11,7 +11,7 @@ use super::priced;
 /// The answer to the model of a file of this name as a file for Lean 4 with Mathlib: that no feasible point is better than
 /// the optimum, and that one attains it; that the rows and bounds contradict each other; or that the objective improves for ever
 /// along a ray. Every multiplier is given, so that `linarith` has only to add up. Cost: linear in the size of the model.
-pub fn lean_theorems(model: &Model, answer: &Answer, name: &str) -> String {
+pub fn lean_theorems(model: &Model, answer: &Answer, name: Foreign<&str>) -> String {
     let lean = Lean { model };
     let mut text = lean.preamble(name);
     match answer {
@@ -43,20 +43,20 @@ struct Statement {
 
 impl Lean<'_> {
     /// What is imported, and which name stands for what.
-    fn preamble(&self, file: &str) -> String {
+    fn preamble(&self, file: Foreign<&str>) -> String {
         let mut text = "import Mathlib.Tactic\n\n".to_owned();
         // Writing to a String never fails.
         let _ = writeln!(
             text,
             "-- Written by boundfit from {}: exact, with every multiplier of the proof.",
-            file.escape_debug()
+            file
         );
         let columns = self.model.columns.iter().map(|column| &column.name);
         let rows = self.model.rows.iter().map(|row| &row.name);
         for (letter, names) in [("x", columns.collect::<Vec<_>>()), ("r", rows.collect())] {
             for (number, name) in (1..).zip(names) {
                 let what = if letter == "x" { "column" } else { "row" };
-                let _ = writeln!(text, "-- {letter}{number}: {what} {}", name.escape_debug());
+                let _ = writeln!(text, "-- {letter}{number}: {what} {}", name);
             }
         }
         text

@@ -4,8 +4,8 @@ mod json;
 mod lean;
 mod tables;
 
-use boundfit_exact::Rational;
 use boundfit_exact::english::counted;
+use boundfit_exact::{Foreign, Rational};
 use boundfit_judge::{Answer, BasisStatus, Item, Plane, Side};
 use boundfit_lp::{End, Model, ObjectiveSense};
 
@@ -18,7 +18,13 @@ pub use lean::lean_theorems;
 
 /// The report of an answer to the model of a file of this name: status, optimum, all optimal points, prices and basis, or the
 /// certificate; then the feasible set. Numbers are exact; `about` stands before those that are too long to read.
-pub fn judge_document(model: &Model, plane: &Plane, answer: &Answer, name: &str, style: &Style) -> Document {
+pub fn judge_document(
+    model: &Model,
+    plane: &Plane,
+    answer: &Answer,
+    name: Foreign<&str>,
+    style: &Style,
+) -> Document {
     let report = Report { model, plane, style };
     let sense = if model.sense == ObjectiveSense::Minimize { "minimize " } else { "maximize " };
     let size = format!(
@@ -50,8 +56,8 @@ struct Report<'a> {
 impl Report<'_> {
     /// The objective by its name.
     fn objective(&self) -> Text {
-        match self.model.objective_name.as_str() {
-            "" => "the objective".into(),
+        match &self.model.objective_name {
+            none if none.is_empty() => "the objective".into(),
             name => Text::new().given(name),
         }
     }
@@ -91,7 +97,7 @@ pub(crate) fn side_name(model: &Model, side: Side) -> String {
         Item::Row(row) => model.rows.get(row).map(|row| &row.name),
         Item::Column(column) => model.columns.get(column).map(|column| &column.name),
     };
-    format!("{} {end}", name.map_or("", String::as_str))
+    format!("{} {end}", name.map(Foreign::to_string).unwrap_or_default())
 }
 
 /// The bounds that prices are of, in the order of rows and columns, with the prices.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use boundfit_exact::{Rational, Reading};
+use boundfit_exact::{Foreign, Rational, Reading};
 use boundfit_formats::{HalfPlaneFile, RowOrigin};
 use boundfit_geometry::{Inequality, Multiplier, Polyhedron, Support};
 use serde::Serialize;
@@ -29,7 +29,7 @@ struct PolygonJson {
 
 #[derive(Serialize)]
 struct InputJson {
-    file: Option<String>,
+    file: Option<Foreign>,
     rows: usize,
     reading: &'static str,
     sha256: String,
@@ -51,7 +51,7 @@ struct HalfPlaneJson {
 pub fn polygon_json(
     file: &HalfPlaneFile,
     polyhedron: &Polyhedron,
-    name: Option<&str>,
+    name: Option<Foreign<&str>>,
     reading: Reading,
     style: &Style,
 ) -> String {
@@ -66,7 +66,7 @@ pub fn polygon_json(
     let report = PolygonJson {
         schema: "boundfit/polygon/1",
         input: InputJson {
-            file: name.map(ToOwned::to_owned),
+            file: name.map(Foreign::from),
             rows: file.rows,
             reading: reading.name(),
             sha256: file.sha256.clone(),

@@ -4,8 +4,8 @@ mod json;
 mod rows;
 mod tables;
 
-use boundfit_exact::Rational;
 use boundfit_exact::english::counted;
+use boundfit_exact::{Foreign, Rational};
 use boundfit_formats::HalfPlaneFile;
 use boundfit_geometry::{Multiplier, Polyhedron};
 
@@ -23,7 +23,7 @@ pub use json::polygon_json;
 pub fn polygon_document(
     file: &HalfPlaneFile,
     polyhedron: &Polyhedron,
-    name: &str,
+    name: Foreign<&str>,
     style: &Style,
 ) -> Document {
     let ranges = polyhedron.bounding_box();

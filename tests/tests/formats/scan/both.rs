@@ -3,6 +3,7 @@
 use std::io::Cursor;
 use std::sync::LazyLock;
 
+use boundfit_exact::Foreign;
 use boundfit_formats::{Batch, ColumnSelector, ScanOptions, Scanned, Source, TableRow, scan};
 pub use boundfit_tests::reference_table::Found;
 use boundfit_tests::reference_table::{self, NAME};
@@ -50,7 +51,13 @@ pub fn found(scanned: Scanned, batches: &[Batch]) -> Found {
     let rows = rows.collect();
     let others = batches.iter().flat_map(|batch| batch.others.clone()).map(numbered).collect();
     let sha256 = scanned.sha256.unwrap_or_default();
-    Found { names: scanned.names, rows_total: scanned.rows_total, sha256, rows, others }
+    Found {
+        names: scanned.names.into_iter().map(Foreign::into_raw).collect(),
+        rows_total: scanned.rows_total,
+        sha256,
+        rows,
+        others,
+    }
 }
 
 fn source(bytes: &[u8]) -> Source {

@@ -4,7 +4,7 @@ use std::io::Cursor;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use boundfit_exact::{Column, Rational, Reading, Unit};
+use boundfit_exact::{Column, Foreign, Rational, Reading, Unit};
 use boundfit_formats::{Batch, ColumnSelector, Progress, RowRange, ScanOptions, Source, TableOptions};
 
 use super::both::{POOLS, batches};
@@ -49,7 +49,7 @@ fn keys_and_lines_are_those_of_the_rows() {
             let (found_keys, found_lines) = texts(&batches);
             assert_eq!(found_keys, keys, "{table:?} in chunks of {chunk_bytes}");
             assert_eq!(found_lines, lines, "{table:?} in chunks of {chunk_bytes}");
-            assert_eq!(scanned.key_name.as_deref(), Some("s"));
+            assert_eq!(scanned.key_name.as_ref().map(Foreign::raw), Some("s"));
             assert_eq!(scanned.header_line.as_deref(), table.lines().next().map(str::as_bytes));
             let delimiter = scanned.layout.map(|layout| layout.dialect.delimiter);
             assert_eq!((scanned.bytes, delimiter), (table.len() as u64, Some(b',')));
@@ -76,7 +76,7 @@ fn a_key_is_text() {
     let number = ScanOptions { key: by_name(&["2"]).pop(), ..ScanOptions::default() };
     let (scanned, batches) = batches(source("7,8\n9,10\n"), &by_name(&["2"]), &number).unwrap();
     assert_eq!(
-        (texts(&batches).0, scanned.key_name.as_deref()),
+        (texts(&batches).0, scanned.key_name.as_ref().map(Foreign::raw)),
         (vec!["8".to_owned(), "10".to_owned()], Some("col2"))
     );
 }

@@ -128,7 +128,7 @@ fn check_infeasible(model: &Model, answer: &Value) {
             }
             &row.bounds
         } else {
-            let place = model.columns.iter().position(|column| part["column"] == column.name).unwrap();
+            let place = model.columns.iter().position(|column| part["column"] == column.name.raw()).unwrap();
             normal[place] = &normal[place] + &multiplier;
             &model.columns[place].bounds
         };
@@ -156,9 +156,9 @@ fn files_are_the_programs_of_their_answers() {
         let names = |value: &Value| -> Vec<String> {
             value.as_array().unwrap().iter().map(|name| name.as_str().unwrap().to_owned()).collect()
         };
-        assert_eq!(model.name, name);
-        assert_eq!(model.rows.iter().map(|row| row.name.clone()).collect::<Vec<_>>(), names(&answer["rows"]));
-        let columns: Vec<String> = model.columns.iter().map(|column| column.name.clone()).collect();
+        assert_eq!(model.name.raw(), name);
+        assert_eq!(model.rows.iter().map(|row| row.name.raw()).collect::<Vec<_>>(), names(&answer["rows"]));
+        let columns: Vec<String> = model.columns.iter().map(|column| column.name.raw().to_owned()).collect();
         assert_eq!(columns, names(&answer["columns"]));
         assert_eq!(answer["sense"] == "max", model.sense == ObjectiveSense::Maximize);
         match answer["status"].as_str().unwrap() {

@@ -77,7 +77,7 @@ pub(super) fn read(text: &str) -> Model {
         };
         let coefficients = names.iter().enumerate().map(|(place, column)| (place, coefficient(name, column)));
         let coefficients = coefficients.filter(|(_, value)| !value.is_zero()).collect();
-        ModelRow { name: (*name).to_owned(), coefficients, bounds }
+        ModelRow { name: (*name).into(), coefficients, bounds }
     };
     let column = |name: &String| {
         let stated = |kinds: &[&str]| {
@@ -91,7 +91,7 @@ pub(super) fn read(text: &str) -> Model {
         let default = (!is_negative).then(Rational::zero);
         let lower = stated(&["LO", "FX", "MI", "FR"]).unwrap_or(default);
         ModelColumn {
-            name: name.clone(),
+            name: name.clone().into(),
             cost: coefficient(objective, name),
             bounds: Bounds { lower, upper },
         }
@@ -100,9 +100,9 @@ pub(super) fn read(text: &str) -> Model {
         cards.iter().any(|(section, words)| section == "OBJSENSE" && words[0].starts_with("MAX"));
     let name = text.lines().find_map(|line| line.strip_prefix("NAME")).unwrap_or_default();
     Model {
-        name: name.trim().to_owned(),
+        name: name.trim().into(),
         sense: if is_maximum { ObjectiveSense::Maximize } else { ObjectiveSense::Minimize },
-        objective_name: objective.to_owned(),
+        objective_name: objective.into(),
         constant: -sides.get(objective).cloned().unwrap_or_else(Rational::zero),
         columns: names.iter().map(column).collect(),
         rows: types.iter().filter(|(kind, _)| *kind != "N").map(row).collect(),

@@ -100,7 +100,7 @@ fn answer(claims: &[[Claim; 2]; 2], point: Option<&[Claim; 2]>, are_texts: bool)
     let points = point.map_or("null".to_owned(), |point| vec![pair(point); 4].join(", "));
     let points = if point.is_some() { format!("[{points}]") } else { points };
     let text = format!("{{\"pui\": [{}, {}], \"points\": {points}}}", pair(&claims[0]), pair(&claims[1]));
-    let file = ClaimText { file: "claim.json".to_owned(), text };
+    let file = ClaimText { file: "claim.json".into(), text };
     read_claims(&[file], &ClaimLimits::default()).unwrap().remove(0)
 }
 

@@ -91,7 +91,7 @@ fn a_check_judges_each_reading_once() {
     }
     let case = &hard_cases()[0].problem;
     let unknown = check(case, Reading::Decimal, &options(&["glpk".to_owned()])).unwrap_err();
-    assert_eq!((unknown.name.as_str(), &unknown.available), ("glpk", &source_names()));
+    assert_eq!((unknown.name.raw(), &unknown.available), ("glpk", &source_names()));
 }
 
 #[test]

@@ -10,6 +10,7 @@ mod series;
 use std::io;
 use std::ops::Range;
 
+use boundfit_exact::Foreign;
 use boundfit_formats::{Batch, ColumnSelector, InputError, RowNumbers, ScanOptions, Source, scan, threads};
 
 use crate::files::Columns;
@@ -104,8 +105,8 @@ impl Fleet {
     ///
     /// # Panics
     /// When there are not that many groups.
-    pub fn key(&self, group: usize) -> &str {
-        self.keys.get(group)
+    pub fn key(&self, group: usize) -> Foreign<&str> {
+        Foreign::of(self.keys.get(group))
     }
 
     /// The readings of a group in the order of the file.

@@ -1,6 +1,6 @@
 //! The program that expressions add up to.
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Foreign, Rational};
 
 use crate::claim::End;
 use crate::model::{Bounds, Model, ModelColumn, ModelRow, ObjectiveSense};
@@ -130,7 +130,7 @@ impl<'a> Program<'a> {
     /// The place of a variable that has a term.
     pub(super) fn known_column(&self, name: Field<'a>) -> Result<usize, ModelError> {
         self.column_names.find(name.text).ok_or_else(|| {
-            let meant = self.column_names.nearest(name.text).map(str::to_owned);
+            let meant = self.column_names.nearest(name.text).map(Foreign::from);
             name.error(ModelErrorKind::UnknownColumn { meant })
         })
     }
@@ -175,7 +175,7 @@ impl<'a> Program<'a> {
     pub(super) fn finish(self) -> Model {
         let named = self.row_names;
         let column = |(name, column): (&str, Column)| ModelColumn {
-            name: name.to_owned(),
+            name: name.into(),
             cost: column.cost,
             bounds: column.bounds.meant(),
         };
@@ -186,12 +186,12 @@ impl<'a> Program<'a> {
             }
             let mut coefficients = row.coefficients;
             coefficients.sort_by_key(|(column, _)| *column);
-            ModelRow { name, coefficients, bounds: row.bounds }
+            ModelRow { name: name.into(), coefficients, bounds: row.bounds }
         };
         Model {
-            name: String::new(),
+            name: Foreign::default(),
             sense: self.sense,
-            objective_name: self.objective_name.to_owned(),
+            objective_name: self.objective_name.into(),
             constant: self.constant,
             columns: self.column_names.into_order().zip(self.columns).map(column).collect(),
             rows: (1..).zip(self.rows).map(row).collect(),

@@ -1,6 +1,6 @@
 //! The program that lines of data add up to.
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Foreign, Rational};
 
 use super::Section;
 use super::record::Record;
@@ -167,7 +167,7 @@ impl<'a> Program<'a> {
     }
 
     fn row(&mut self, name: Field<'a>) -> Result<&mut Row<'a>, ModelError> {
-        let meant = || self.row_names.nearest(name.text).map(str::to_owned);
+        let meant = || self.row_names.nearest(name.text).map(Foreign::from);
         let place = self.row_names.find(name.text);
         let place = place.ok_or_else(|| name.error(ModelErrorKind::UnknownRow { meant: meant() }))?;
         // Names and rows are added together.
@@ -212,7 +212,7 @@ impl<'a> Program<'a> {
         }
         let [pair, _] = record.pairs;
         let place = name.or(pair.map(|(row, _)| row)).or(record.code);
-        let kind = ModelErrorKind::SecondVector { section: section.name(), first: first.to_owned() };
+        let kind = ModelErrorKind::SecondVector { section: section.name(), first: first.into() };
         place.map_or(Ok(()), |place| Err(place.error(kind)))
     }
 
@@ -252,7 +252,7 @@ impl<'a> Program<'a> {
         };
         let value = number.map(|number| number.extended(self.limits)).transpose()?;
         let place = self.column_names.find(name.text).ok_or_else(|| {
-            let meant = self.column_names.nearest(name.text).map(str::to_owned);
+            let meant = self.column_names.nearest(name.text).map(Foreign::from);
             name.error(ModelErrorKind::UnknownColumn { meant })
         })?;
         let is_number = ["LO", "UP", "FX"].iter().any(|known| code.text.eq_ignore_ascii_case(known));
@@ -290,7 +290,7 @@ impl<'a> Program<'a> {
             None => self.rows.iter().position(|row| row.kind == Kind::Free),
             Some(name) => {
                 let place = self.row_names.find(name.text).ok_or_else(|| {
-                    let meant = self.row_names.nearest(name.text).map(str::to_owned);
+                    let meant = self.row_names.nearest(name.text).map(Foreign::from);
                     name.error(ModelErrorKind::UnknownRow { meant })
                 })?;
                 if self.rows.get(place).is_none_or(|row| row.kind != Kind::Free) {
@@ -300,12 +300,12 @@ impl<'a> Program<'a> {
             }
         };
         let column = |(name, column): (&str, Column)| ModelColumn {
-            name: name.to_owned(),
+            name: name.into(),
             cost: Rational::zero(),
             bounds: column.bounds.meant(),
         };
         let mut model = Model {
-            name: self.name.to_owned(),
+            name: self.name.into(),
             sense: self.sense.unwrap_or_default(),
             columns: self.column_names.into_order().zip(self.columns).map(column).collect(),
             ..Model::default()
@@ -313,7 +313,7 @@ impl<'a> Program<'a> {
         for (place, (name, row)) in self.row_names.into_order().zip(self.rows).enumerate() {
             if row.kind != Kind::Free {
                 let (coefficients, bounds) = row.finish()?;
-                model.rows.push(ModelRow { name: name.to_owned(), coefficients, bounds });
+                model.rows.push(ModelRow { name: name.into(), coefficients, bounds });
             } else if Some(place) == objective {
                 row.set_objective(name, &mut model)?;
             } else if let Some((_, range)) = row.range {
@@ -370,7 +370,7 @@ impl Row<'_> {
         if let Some((_, range)) = self.range {
             return Err(range.error(ModelErrorKind::RangeOfObjective));
         }
-        name.clone_into(&mut model.objective_name);
+        model.objective_name = name.into();
         let side = self.side.and_then(|(side, _)| side.finite());
         model.constant = -side.unwrap_or_else(Rational::zero);
         for (place, cost) in self.entries {

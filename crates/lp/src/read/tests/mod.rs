@@ -5,7 +5,7 @@ mod mps;
 
 use super::*;
 use crate::model::{Bounds, ModelColumn, ModelRow, ObjectiveSense};
-use boundfit_exact::{Limit, Rational, Reading};
+use boundfit_exact::{Foreign, Limit, Rational, Reading};
 
 fn number(text: &str) -> Rational {
     Reading::Decimal.read(text, &Limits::default()).unwrap()
@@ -37,10 +37,10 @@ fn read(text: &str, format: ExchangeFormat) -> Model {
 /// The program with names after places: not every name is one in every format.
 fn without_names(model: &Model) -> Model {
     let mut model = model.clone();
-    model.name.clear();
-    model.objective_name.clear();
-    model.columns.iter_mut().enumerate().for_each(|(place, column)| column.name = place.to_string());
-    model.rows.iter_mut().enumerate().for_each(|(place, row)| row.name = place.to_string());
+    model.name = Foreign::default();
+    model.objective_name = Foreign::default();
+    model.columns.iter_mut().enumerate().for_each(|(place, column)| column.name = place.to_string().into());
+    model.rows.iter_mut().enumerate().for_each(|(place, row)| row.name = place.to_string().into());
     model
 }
 
@@ -145,9 +145,9 @@ End
     let far = ModelRow {
         bounds: bounds("-3e30", "1"),
         coefficients: vec![(0, number("4e30"))],
-        name: "far".to_owned(),
+        name: "far".into(),
     };
-    let column = ModelColumn { name: "x".to_owned(), cost: Rational::one(), bounds: bounds("-1e35", "-") };
+    let column = ModelColumn { name: "x".into(), cost: Rational::one(), bounds: bounds("-1e35", "-") };
     let model = Model { columns: vec![column], rows: vec![far], ..Model::default() };
     let written = "\
 \\ x: its bounds are those of the row bound_x
@@ -165,7 +165,7 @@ End
     assert_eq!(model.text(ExchangeFormat::Lp), written);
     // Names that are there already, and long lines.
     let column =
-        |name: &str| ModelColumn { name: name.to_owned(), cost: Rational::one(), bounds: bounds("0", "-") };
+        |name: &str| ModelColumn { name: name.into(), cost: Rational::one(), bounds: bounds("0", "-") };
     let names = ["x", "x", "column2", "", "a b", "\u{e9}", "e1", "3x", "-"];
     let model = Model { columns: names.map(column).to_vec(), ..Model::default() };
     let written = model.text(ExchangeFormat::Lp);

@@ -88,7 +88,7 @@ fn the_frame_of_a_file_may_vary() {
     let plain = read(PLAIN, MPS);
     let objective = "OBJSENSE\n    MAX\nOBJNAME\n    second\nROWS\n N cost\n N second\nCOLUMNS\n x cost 1 second 2\nRHS\n second 3\nENDATA\n";
     let model = read(objective, MPS);
-    assert_eq!((model.sense, model.objective_name.as_str()), (ObjectiveSense::Maximize, "second"));
+    assert_eq!((model.sense, model.objective_name.raw()), (ObjectiveSense::Maximize, "second"));
     assert_eq!((model.constant, model.columns[0].cost.clone()), (number("-3"), number("2")));
     for line in ["OBJSENSE MAX", "objsense maximise", "OBJSENSE\n MAXIMIZE", "OBJSENSE\n\n* c\n max"] {
         let model = read(&PLAIN.replace("ROWS", &format!("{line}\nROWS")), MPS);
@@ -140,7 +140,7 @@ fn fixed_files_may_have_blanks_in_names() {
     let model = read(&text, MPS);
     assert_eq!(model.name, "a model");
     assert_eq!(model.objective_name, "the cost");
-    let names: Vec<&str> = model.columns.iter().map(|column| column.name.as_str()).collect();
+    let names: Vec<&str> = model.columns.iter().map(|column| column.name.raw()).collect();
     assert_eq!(names, ["col 1", "c 2"]);
     assert_eq!(model.rows[1].name, "row 2");
     assert_eq!(model.rows[1].coefficients, [(0, number("-1/2")), (1, number("1"))]);

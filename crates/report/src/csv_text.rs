@@ -1,0 +1,73 @@
+//! Texts from outside as cells of CSV that spreadsheets may open.
+
+use std::borrow::Cow;
+
+use boundfit_exact::Foreign;
+
+/// The text as a cell that no spreadsheet takes for a formula: what begins with `=`, `+`, `-`, `@`, a tab or a line end, and is no
+/// plain number such as `-5`, gets an apostrophe in front. So does what begins with apostrophes and goes on like that, so that
+/// one apostrophe less is always the text itself.
+///
+/// Source: OWASP, "CSV Injection", which names these characters, those of full width among them.
+pub(crate) fn csv_text<'a>(text: Foreign<&'a str>) -> Cow<'a, str> {
+    let raw: &'a str = text.into_inner();
+    let begins_formula = raw
+        .trim_start_matches('\'')
+        .starts_with(['=', '+', '-', '@', '\t', '\r', '\n', '\u{ff1d}', '\u{ff0b}', '\u{ff0d}', '\u{ff20}']);
+    if begins_formula && !is_number(raw) { Cow::Owned(format!("'{raw}")) } else { Cow::Borrowed(raw) }
+}
+
+/// Whether a text is a decimal with a sign or without, which no spreadsheet computes anything from.
+fn is_number(text: &str) -> bool {
+    let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
+    let (mantissa, exponent) = unsigned.split_once(['e', 'E']).unwrap_or((unsigned, "0"));
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let are_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    let exponent = exponent.strip_prefix(['+', '-']).unwrap_or(exponent);
+    are_digits(whole)
+        && are_digits(fraction)
+        && !(whole.is_empty() && fraction.is_empty())
+        && are_digits(exponent)
+        && !exponent.is_empty()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What stands before the cell was written.
+    fn read_back(cell: &str) -> &str {
+        let shorter = cell.strip_prefix('\'').filter(|text| csv_text(Foreign::of(text)) != *text);
+        shorter.unwrap_or(cell)
+    }
+
+    #[test]
+    fn no_text_is_a_formula_and_numbers_stay_numbers() {
+        for (text, cell) in [
+            ("=cmd|1", "'=cmd|1"),
+            ("+1+1", "'+1+1"),
+            ("-2+3", "'-2+3"),
+            ("@SUM(A1)", "'@SUM(A1)"),
+            ("\t=1", "'\t=1"),
+            ("\r=1", "'\r=1"),
+            ("\n=1", "'\n=1"),
+            ("＝1", "'＝1"),
+            ("'=1", "''=1"),
+            ("''=1", "'''=1"),
+            ("-", "'-"),
+            ("-1/2", "'-1/2"),
+            ("-.", "'-."),
+            ("-1e", "'-1e"),
+            ("-5", "-5"),
+            ("+1.5e-3", "+1.5e-3"),
+            ("-.5", "-.5"),
+            ("", ""),
+            ("a=b", "a=b"),
+            ("'tis", "'tis"),
+            ("sensor 7", "sensor 7"),
+        ] {
+            assert_eq!(csv_text(Foreign::of(text)), cell, "{text:?}");
+            assert_eq!(read_back(cell), text);
+        }
+    }
+}
