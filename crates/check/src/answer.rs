@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use boundfit_exact::Foreign;
-use boundfit_lp::{BoundClaim, Claimed, ExactOutcome, Printed, Program, PuiEnd, exact_simplex};
+use boundfit_lp::{BoundClaim, Claimed, ExactOutcome, Printed, PuiEnd};
 use thiserror::Error;
 
 use crate::float;
@@ -24,6 +24,11 @@ pub struct Answer {
 }
 
 impl Answer {
+    /// Whether the answer has multipliers, which are about rows by their place among all of them.
+    pub fn has_duals(&self) -> bool {
+        self.claims.iter().flatten().any(|claim| claim.duals.is_some())
+    }
+
     /// This answer with every number meant exactly, however it was printed.
     #[must_use]
     pub fn without_precision(self) -> Self {
@@ -53,16 +58,14 @@ pub fn source_names() -> Vec<String> {
 /// # Errors
 /// When this build has no such solver.
 pub fn answer_of(name: &str, rows: &ProgramRows, limit: Duration) -> Result<Answer, SourceError> {
-    let plain = rows.plain();
     if name == EXACT_SIMPLEX {
-        let claims = PuiEnd::each(|end| {
-            let program = Program { rows: &plain, objective: end.objective() };
-            exact_claim(end, exact_simplex(&program), plain.len())
-        });
+        let simplex = rows.exact_simplex();
+        let claims =
+            PuiEnd::each(|end| exact_claim(end, simplex.minimise(&end.objective()), rows.rows().len()));
         return Ok(Answer { source: name.into(), exact_input: true, claims });
     }
     let unknown = || SourceError { name: name.into(), available: source_names() };
-    float::answer_of(name, &plain, limit).ok_or_else(unknown)
+    float::answer_of(name, &rows.plain(), limit).ok_or_else(unknown)
 }
 
 fn exact_claim(end: PuiEnd, outcome: ExactOutcome, rows: usize) -> BoundClaim {

@@ -7,7 +7,7 @@ use boundfit_estimation::{Fps, Problem};
 use boundfit_exact::Rational;
 use boundfit_geometry::predicates::lexicographic;
 use boundfit_geometry::{Hulls, Inequality, Point, Polyhedron, System};
-use boundfit_lp::{ExactOutcome, Program, exact_simplex, spread_objectives};
+use boundfit_lp::{ExactOutcome, spread_objectives};
 
 use crate::rows::ProgramRows;
 
@@ -37,12 +37,12 @@ pub struct Directions {
 
 /// Solves a program in each of `count` directions spread around the circle. Cost: `count` exact simplex runs.
 pub fn directions(problem: &Problem, rows: &ProgramRows, count: usize) -> Directions {
-    let plain = rows.plain();
+    let simplex = rows.exact_simplex();
     let mut optimisers = Vec::new();
     let mut supporting = System::default();
     let (mut unbounded, mut empty) = (0, false);
     for objective in spread_objectives(count) {
-        match exact_simplex(&Program { rows: &plain, objective: objective.clone() }) {
+        match simplex.minimise(&objective) {
             ExactOutcome::Optimal { theta, value, .. } => {
                 optimisers.push(Point::new(&theta[0], &theta[1]));
                 let [a1, a2] = objective;

@@ -25,6 +25,21 @@ pub struct CheckOptions {
     pub time_limit: Duration,
     /// How many directions to compare the set in; none when `None`.
     pub directions: Option<usize>,
+    /// Whether the programs have the rows of all readings. Otherwise those of more than [`MOST_READINGS`] readings of a line
+    /// under a uniform error bound, of which most cannot bound anything, have the rows of the readings on a hull only.
+    pub all_rows: bool,
+}
+
+/// Of up to so many readings the programs have all rows in any case.
+pub const MOST_READINGS: usize = 1_000;
+
+/// How many readings the linear programs are about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct AskedReadings {
+    /// Those whose rows the programs have.
+    pub asked: usize,
+    /// All that are fitted.
+    pub fitted: usize,
 }
 
 /// One answer, judged against one reading of the data.
@@ -59,6 +74,8 @@ pub struct Check {
     pub tolerance: Rational,
     /// Whether numbers in texts were judged as precise as they are printed.
     pub as_printed: bool,
+    /// How many readings the programs are about.
+    pub readings: AskedReadings,
 }
 
 impl Check {
@@ -75,7 +92,13 @@ impl Check {
 /// # Errors
 /// When this build lacks a solver asked for.
 pub fn check(problem: &Problem, reading: Reading, options: &CheckOptions) -> Result<Check, SourceError> {
-    let rows = ProgramRows::new(problem);
+    let measurements = &problem.measurements;
+    let kept = measurements.kept();
+    let is_large = measurements.fitted() > MOST_READINGS && !options.all_rows;
+    let supporting = is_large.then(|| measurements.supporting()).flatten();
+    let asked = supporting.as_deref().unwrap_or(kept);
+    let readings = AskedReadings { asked: asked.len(), fitted: measurements.fitted() };
+    let rows = ProgramRows::of(asked, problem);
     let mut answers = options.answers.clone();
     for name in &options.solvers {
         answers.push(answer_of(name, &rows, options.time_limit)?);
@@ -109,5 +132,6 @@ pub fn check(problem: &Problem, reading: Reading, options: &CheckOptions) -> Res
         rows,
         tolerance: tolerance.clone(),
         as_printed: *as_printed,
+        readings,
     })
 }

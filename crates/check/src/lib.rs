@@ -31,6 +31,7 @@
 //!     as_printed: true,
 //!     time_limit: std::time::Duration::from_secs(60),
 //!     directions: None,
+//!     all_rows: false,
 //! };
 //! let judged = check(&problem, Reading::Decimal, &options)?.answers;
 //! let worst: Vec<_> = judged.iter().filter(|own| own.reading == Reading::Decimal).map(|own| own.worst()).collect();
@@ -57,5 +58,5 @@ pub use claims::{
 };
 pub use directions::{Approximation, Directions, directions};
 pub use exchange::ExchangeRows;
-pub use judge::{Check, CheckOptions, JudgedAnswer, check};
+pub use judge::{AskedReadings, Check, CheckOptions, JudgedAnswer, MOST_READINGS, check};
 pub use rows::ProgramRows;

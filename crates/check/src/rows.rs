@@ -2,10 +2,10 @@
 
 use std::borrow::Cow;
 
-use boundfit_estimation::{BoundName, Problem, conditions_by_name, half_planes};
+use boundfit_estimation::{BoundName, Measurement, Problem, conditions_by_name, half_planes};
 use boundfit_exact::Rational;
 use boundfit_geometry::Inequality;
-use boundfit_lp::{FloatProgram, Program, RefereeRow, Row};
+use boundfit_lp::{ExactSimplex, FloatProgram, Program, RefereeRow, Row};
 
 /// The rows of M·θ ≤ b with M = [Φ; -Φ] and b = [y; -y] + ε, then the conditions.
 #[derive(Debug, Clone)]
@@ -17,9 +17,13 @@ pub struct ProgramRows {
 impl ProgramRows {
     /// The rows of a problem: all upper bounds, all lower bounds, all conditions. Exact.
     pub fn new(problem: &Problem) -> Self {
+        ProgramRows::of(problem.measurements.kept(), problem)
+    }
+
+    /// The rows of some readings of a problem, and of its conditions.
+    pub(crate) fn of(readings: &[Measurement], problem: &Problem) -> Self {
         let row = |(name, Inequality { a, b }), epsilon| (name, RefereeRow { row: Row { a, b }, epsilon });
-        let readings = problem.measurements.kept().iter();
-        let bounds = readings.flat_map(|reading| {
+        let bounds = readings.iter().flat_map(|reading| {
             let epsilon = reading.half_width().map(Cow::into_owned);
             half_planes(reading).map(move |bound| row(bound, epsilon.clone()))
         });
@@ -43,6 +47,11 @@ impl ProgramRows {
     /// The names of the rows.
     pub fn names(&self) -> &[BoundName] {
         &self.names
+    }
+
+    /// The exact simplex over these rows.
+    pub(crate) fn exact_simplex(&self) -> ExactSimplex {
+        ExactSimplex::new(self.rows.iter().map(|row| &row.row))
     }
 
     /// The name of a row.

@@ -4,6 +4,7 @@ use boundfit_exact::{Foreign, Rational};
 #[cfg(feature = "files")]
 use boundfit_formats::TextLayout;
 
+use crate::hulls::touching_a_hull;
 use crate::law::{Law, range_of_y};
 use crate::line_form::LineForm;
 use crate::meaning::{ErrorBound, Meaning, Model, MultipleOfLeast};
@@ -218,6 +219,13 @@ impl Measurements {
         match &self.readings {
             Readings::All(rows) | Readings::Supporting { rows, .. } => rows,
         }
+    }
+
+    /// The readings in memory that touch a hull of all: under no uniform error bound can another one bound a line. `None`
+    /// unless these are readings of a line under a uniform error bound. Exact. Cost: O(N log N).
+    pub fn supporting(&self) -> Option<Vec<Measurement>> {
+        let rows = self.kept();
+        self.has_hulls().then(|| touching_a_hull(rows).into_iter().map(|k| rows[k].clone()).collect())
     }
 
     /// Whether the rows were read from reductions, which number them anew.

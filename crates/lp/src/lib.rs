@@ -37,7 +37,7 @@ pub use printed::{NumberFormat, Precision, Printed};
 pub use program::{FloatProgram, Program, Row, spread_objectives};
 pub use read::{ModelError, ModelErrorKind, ModelLimits, ModelPlace, model_text, read_model};
 pub use referee::{Referee, RefereeRow};
-pub use simplex::exact_simplex;
+pub use simplex::{ExactSimplex, exact_simplex};
 #[cfg(feature = "float-solvers")]
 pub use solvers::{Solver, solve_guarded, solver_named, solvers};
 pub use verdict::{Judgement, Refutation, Verdict, Violation};

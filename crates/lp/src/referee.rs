@@ -6,8 +6,8 @@ use crate::claim::{BoundClaim, Claimed, End, PuiEnd};
 use crate::closeness::{Closeness, Difference, MOST_ULPS, ToleranceUnit, ulp};
 use crate::outcome::{ExactOutcome, Multiplier};
 use crate::printed::Printed;
-use crate::program::{Program, Row};
-use crate::simplex::exact_simplex;
+use crate::program::Row;
+use crate::simplex::ExactSimplex;
 use crate::verdict::{Judgement, Refutation, Verdict, Violation};
 
 /// A row with the error bound that it contains.
@@ -58,8 +58,8 @@ impl Referee {
     /// Solves the four programs exactly. The tolerance is in units of the intervals' widths for bounds (see
     /// [`ToleranceUnit`] where there is none), of ε for points.
     pub fn new(rows: Vec<RefereeRow>, tolerance: Rational) -> Self {
-        let plain: Vec<Row> = rows.iter().map(|row| row.row.clone()).collect();
-        let truths = PuiEnd::each(|end| exact_simplex(&Program { rows: &plain, objective: end.objective() }));
+        let simplex = ExactSimplex::new(rows.iter().map(|row| &row.row));
+        let truths = PuiEnd::each(|end| simplex.minimise(&end.objective()));
         Referee { rows, tolerance, truths }
     }
 

@@ -21,9 +21,30 @@ use crate::standard_form::{Column, Ending, solve};
 /// assert!(matches!(outcome, ExactOutcome::Infeasible { multipliers } if multipliers.len() == 2));
 /// ```
 pub fn exact_simplex(program: &Program<'_>) -> ExactOutcome {
-    let columns: Vec<Column> = program.rows.iter().map(column).collect();
-    let [c1, c2] = &program.objective;
-    match solve(&columns, &[-c1, -c2]) {
+    ExactSimplex::new(program.rows).minimise(&program.objective)
+}
+
+/// Rows, ready to be asked about several objectives: see [`exact_simplex`].
+#[derive(Debug, Clone)]
+pub struct ExactSimplex {
+    columns: Vec<Column>,
+}
+
+impl ExactSimplex {
+    /// Brings each row over a denominator of its own. Cost: linear.
+    pub fn new<'a>(rows: impl IntoIterator<Item = &'a Row>) -> Self {
+        let column = |Row { a: [a1, a2], b }: &Row| Column::new([a1, a2], b);
+        ExactSimplex { columns: rows.into_iter().map(column).collect() }
+    }
+
+    /// Minimises a form over the rows, with a proof of the outcome. Exact. Cost: linear in the number of rows per pivot.
+    pub fn minimise(&self, objective: &[Rational; 2]) -> ExactOutcome {
+        outcome(&self.columns, objective)
+    }
+}
+
+fn outcome(columns: &[Column], [c1, c2]: &[Rational; 2]) -> ExactOutcome {
+    match solve(columns, &[-c1, -c2]) {
         Ending::Optimal { basis, prices } => {
             let value = c1 * &prices[0] + c2 * &prices[1];
             let rows = basis.iter().map(|(row, _)| *row).collect();
@@ -32,7 +53,7 @@ pub fn exact_simplex(program: &Program<'_>) -> ExactOutcome {
         Ending::Unbounded { combination } => ExactOutcome::Infeasible { multipliers: positive(combination) },
         // No multipliers: the objective falls along the prices. Whether there is a point to start from is a question
         // about the rows alone, which a zero objective asks.
-        Ending::OutOfReach { prices: ray } => match solve(&columns, &[Rational::zero(), Rational::zero()]) {
+        Ending::OutOfReach { prices: ray } => match solve(columns, &[Rational::zero(), Rational::zero()]) {
             Ending::Optimal { prices: theta, .. } => ExactOutcome::Unbounded { theta, ray },
             Ending::Unbounded { combination } => {
                 ExactOutcome::Infeasible { multipliers: positive(combination) }
@@ -41,12 +62,6 @@ pub fn exact_simplex(program: &Program<'_>) -> ExactOutcome {
             Ending::OutOfReach { .. } => ExactOutcome::Infeasible { multipliers: Vec::new() },
         },
     }
-}
-
-fn column(row: &Row) -> Column {
-    let Row { a: [a1, a2], b } = row;
-    let ([a1, a2, cost], scale) = Rational::over_common_denominator([a1, a2, b]);
-    Column { entries: [a1, a2], cost, scale }
 }
 
 /// The multipliers that are not 0, by row.

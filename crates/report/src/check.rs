@@ -1,6 +1,6 @@
 //! The report of a check.
 
-use boundfit_check::{Approximation, Check, Directions, JudgedAnswer, ProgramRows};
+use boundfit_check::{Approximation, AskedReadings, Check, Directions, JudgedAnswer, ProgramRows};
 use boundfit_exact::english::counted;
 use boundfit_exact::{Endpoint, Foreign, Interval, Rational, Reading, Rounding};
 use boundfit_lp::{End, Judgement, Multiplier, PuiEnd, Refutation, RoundedTo, ToleranceUnit, Verdict};
@@ -35,6 +35,13 @@ pub fn check_document(check: &Check, file: Foreign<&str>, reading: Reading, styl
     rows.extend(exact_row(check, reading, &styles));
     let title = Text::from("LP answers about ").given(file).words(", judged exactly");
     let mut blocks = vec![Block::Lead(title)];
+    let AskedReadings { asked, fitted } = check.readings;
+    if asked < fitted {
+        let about = format!(
+            "About the {asked} of {fitted} readings that lie on a hull: no other can bound anything (--all-rows asks about all)"
+        );
+        blocks.push(Block::Paragraph(about.into()));
+    }
     if !rows.is_empty() {
         let header = ["source", "judged by"].map(str::to_owned).into_iter().chain(PuiEnd::ALL.map(heading));
         blocks.extend([Block::Space, Block::Table(Table::new(header, rows))]);

@@ -15,10 +15,18 @@ struct CheckJson<'a> {
     input: InputJson<'a>,
     tolerance: Number,
     digits_as_printed: bool,
+    readings: ReadingsJson,
     claims: Vec<ClaimJson>,
     worst: Option<WorstJson>,
     worst_as_received: Option<WorstJson>,
     directions: Option<DirectionsJson>,
+}
+
+/// How many readings the programs are about, and how many are fitted.
+#[derive(Serialize)]
+struct ReadingsJson {
+    asked: usize,
+    fitted: usize,
 }
 
 /// What the answers are about.
@@ -104,6 +112,7 @@ pub fn check_json(check: &Check, file: Option<Foreign<&str>>, reading: Reading, 
         input: InputJson { file },
         tolerance: style.given_number(&check.tolerance),
         digits_as_printed: check.as_printed,
+        readings: ReadingsJson { asked: check.readings.asked, fitted: check.readings.fitted },
         claims: check.answers.iter().map(|answer| claim(answer, &check.rows, style)).collect(),
         worst: worst(check, reading),
         worst_as_received: worst(check, Reading::Binary64).filter(|_| reading != Reading::Binary64),

@@ -71,6 +71,7 @@ fn judge(problem: &Problem, answer: Answer) {
         as_printed: true,
         time_limit: Duration::from_secs(1),
         directions: None,
+        all_rows: true,
     };
     let judged = || check(problem, Reading::Decimal, &options).map(|check| check.answers);
     let (one, other) = (judged(), judged());

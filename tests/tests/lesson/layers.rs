@@ -66,6 +66,7 @@ fn verdicts_are_those_of_the_check() {
             as_printed: true,
             time_limit: std::time::Duration::from_secs(60),
             directions: None,
+            all_rows: true,
         };
         let check = check(&problem, Reading::Decimal, &options).unwrap();
         let as_read = check.answers.iter().filter(|answer| answer.reading == Reading::Decimal);

@@ -56,6 +56,10 @@ pub(crate) struct CheckArguments {
     /// Judge these ends of the intervals; inf and -inf claim an unbounded end; repeatable
     #[arg(long = "claim-pui", value_name = "LO1,HI1,LO2,HI2", allow_hyphen_values = true)]
     pub(crate) claimed_pui: Vec<String>,
+    /// Give solvers the rows of all readings. When left out, those of more than 1000 readings of a line under one error bound
+    /// are given to them, and judged on, only as far as they can bound anything, unless a claim has multipliers of all rows
+    #[arg(long)]
+    pub(crate) all_rows: bool,
     /// Compare the set with the optimisers of linear programs in N directions
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "16",
           value_parser = value_parser!(u16).range(3..=10000))]

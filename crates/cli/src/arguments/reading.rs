@@ -78,11 +78,27 @@ impl<'a> Data<'a> {
         moving: bool,
     ) -> Result<Problem, Failure> {
         let asked = self.asked()?;
-        let (source, options) = self.scan()?;
-        asked.check(&source)?;
-        let options = ScanOptions { hash, list_rows, ..options };
         let keeps_all = (moving || asked.multiple_of_least.is_some()) && !asked.columns.are_open();
         let keep = Keep { eui, ..if keeps_all { Keep::EVERY } else { Keep::default() } };
+        self.scanned(asked, keep, |options| ScanOptions { hash, list_rows, ..options })
+    }
+
+    /// Reads the problem with the readings that can bound anything under some error bound, others too where they are few.
+    pub(crate) fn supporting_problem(self) -> Result<Problem, Failure> {
+        let asked = self.asked()?;
+        let keep = if asked.columns.are_open() { Keep::default() } else { Keep::EVERY };
+        self.scanned(asked, Keep { eui: false, ..keep }, |options| options)
+    }
+
+    fn scanned(
+        self,
+        asked: Asked,
+        keep: Keep,
+        with: impl FnOnce(ScanOptions) -> ScanOptions,
+    ) -> Result<Problem, Failure> {
+        let (source, options) = self.scan()?;
+        asked.check(&source)?;
+        let options = with(options);
         let conditions = asked.all_conditions();
         let measurements = Measurements::scan(source, &asked.columns, &conditions, &options, keep);
         Ok(asked.problem(measurements.map_err(Failure::data)?))

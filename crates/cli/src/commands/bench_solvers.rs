@@ -176,6 +176,7 @@ fn judged_fit(folder: &Path, name: &str, table: &TableOptions) -> Result<Check, 
         as_printed: true,
         time_limit: TIME_LIMIT,
         directions: None,
+        all_rows: true,
     };
     check(&problem, Reading::Decimal, &options).map_err(Failure::data)
 }

@@ -5,7 +5,8 @@ use std::path::Path;
 use std::time::Duration;
 
 use boundfit_check::{
-    CheckOptions, ClaimLimits, ClaimText, check, is_solution_name, parse_claim_pui, read_claims, source_names,
+    Answer, CheckOptions, ClaimLimits, ClaimText, check, is_solution_name, parse_claim_pui, read_claims,
+    source_names,
 };
 use boundfit_lp::Verdict;
 use boundfit_report::{check_document, check_json};
@@ -28,7 +29,7 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
     let data = arguments.data.open();
     let boundfit_report::Origin { file, reading, .. } = data.origin();
     let options = options(arguments, claims)?;
-    let problem = data.problem()?;
+    let problem = if options.all_rows { data.problem()? } else { data.supporting_problem()? };
     let check = while_working("solving", || check(&problem, reading, &options));
     let check = check.map_err(|error| Failure::Usage(error.to_string()))?;
     let style = arguments.output.style();
@@ -60,6 +61,7 @@ fn options(arguments: &CheckArguments, claim_files: Vec<String>) -> Result<Check
     } else {
         arguments.solvers.clone()
     };
+    let all_rows = arguments.all_rows || answers.iter().any(Answer::has_duals);
     Ok(CheckOptions {
         solvers,
         answers,
@@ -67,6 +69,7 @@ fn options(arguments: &CheckArguments, claim_files: Vec<String>) -> Result<Check
         as_printed: arguments.tolerance.digits_as_printed == Switch::On,
         time_limit: Duration::from_secs(arguments.time_limit),
         directions: arguments.directions.map(usize::from),
+        all_rows,
     })
 }
 

@@ -18,7 +18,7 @@ fn fit(options: &str, input: &str) -> String {
 fn readings(count: usize) -> String {
     let mut table = "x,y\n".to_owned();
     for row in 0..count {
-        writeln!(table, "{},{}.{}", row % 1000, row % 1000, row % 7).unwrap();
+        writeln!(table, "{},{}.{:05}", row % 1000, row % 1000, row * 7919 % 99_991).unwrap();
     }
     table
 }
@@ -48,10 +48,74 @@ fn a_fit_ends_with_what_the_solver_makes_of_it() {
 
 #[test]
 fn a_fit_of_very_many_rows_does_not_wait_for_a_solver() {
-    let table = readings(10_001);
-    let expected = "LP solver      not asked above 10000 rows (see boundfit check)";
-    assert_eq!(fit("", &table).lines().last(), Some(expected));
-    assert!(!fit("--no-lp", &table).contains("LP solver"));
+    // Of very many readings it is asked about those on a hull.
+    for count in [1_000, 10_001] {
+        let table = readings(count);
+        let with = fit("", &table);
+        let (_, line) = with.split_once("LP solver      microlp 0.7: right ").unwrap();
+        let line = line.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(line.ends_with(&format!("of {count} readings that can bound the set")), "{line}");
+        assert!(!fit("--no-lp", &table).contains("LP solver"));
+    }
+    // All readings of a parabola are on a hull.
+    let parabola = (0..51).fold("x,y\n".to_owned(), |table, x| format!("{table}{x},{}\n", x * x));
+    let options = "fit - --x x --y y --eps 1000";
+    let of = |options: &str, table: &str| {
+        let words: Vec<&str> = options.split_whitespace().collect();
+        let run = run_with_input(&words, table.as_bytes());
+        assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{options}");
+        let (_, line) = run.stdout.rsplit_once("LP solver").unwrap();
+        line.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let expected =
+        "not asked about more than 50 readings that can bound the set, these are 51 (see boundfit check)";
+    assert_eq!(of(options, &parabola), expected);
+    // Under other bounds nobody knows beforehand which they are.
+    let bounds =
+        parabola.lines().skip(1).fold("x,y,e\n".to_owned(), |table, row| format!("{table}{row},1000\n"));
+    let expected = "not asked about more than 50 readings (see boundfit check)";
+    assert_eq!(of("fit - --x x --y y --eps-column e", &bounds), expected);
+}
+
+/// Without the readings that cannot bound anything, every verdict stays.
+#[test]
+fn solvers_get_the_readings_that_can_matter_or_all() {
+    let table = readings(1_001);
+    let check = |options: &str| {
+        let words = ["check", "-", "--x", "x", "--y", "y", "--eps", "1"];
+        let words: Vec<&str> = words.into_iter().chain(options.split_whitespace()).collect();
+        let run = run_with_input(&words, table.as_bytes());
+        assert!(matches!(run.status, 0 | 4) && run.stderr.is_empty(), "{options}: {}", run.stderr);
+        (run.status, run.stdout)
+    };
+    let claims =
+        "--claim-pui=0.99,1.01,-1,2 --claim-pui=0.5,1.5,-9,9 --claim-pui=1,1,0,0 --solver exact-simplex";
+    let json = |options: &str| -> serde_json::Value {
+        serde_json::from_str(&check(&format!("{claims} --format json {options}")).1).unwrap()
+    };
+    let (few, all) = (json(""), json("--all-rows"));
+    assert_eq!((&few["claims"], &few["worst"]), (&all["claims"], &all["worst"]));
+    assert_eq!(all["readings"], serde_json::json!({"asked": 1001, "fitted": 1001}));
+    assert_eq!(few["readings"]["fitted"], 1001);
+    let asked = few["readings"]["asked"].as_u64().unwrap();
+    assert!(asked < 50, "{asked}");
+    let (status, text) = check(claims);
+    let about = format!("About the {asked} of 1001 readings that lie on a hull");
+    assert!(text.lines().nth(1).is_some_and(|line| line.contains(&about)), "{text}");
+    let (status_of_all, text_of_all) = check(&format!("{claims} --all-rows"));
+    assert_eq!(status, status_of_all);
+    assert!(!text_of_all.contains("on a hull"));
+    assert_eq!(
+        text.lines().filter(|line| line.contains("theta")).collect::<Vec<_>>(),
+        text_of_all.lines().filter(|line| line.contains("theta")).collect::<Vec<_>>()
+    );
+    // Readings within an edge of a hull have an active bound where the edge has one.
+    let level = (0..1_100).fold("x,y\n".to_owned(), |table, x| format!("{table}{x},0\n"));
+    let words =
+        ["check", "-", "--x", "x", "--y", "y", "--eps", "1", "--solver", "microlp", "--format", "json"];
+    let run = run_with_input(&words, level.as_bytes());
+    let few: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!(few["readings"], serde_json::json!({"asked": 1100, "fitted": 1100}));
 }
 
 #[test]

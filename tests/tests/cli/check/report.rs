@@ -40,6 +40,7 @@ fn check_schema(found: &Value) {
         "input",
         "tolerance",
         "digits_as_printed",
+        "readings",
         "claims",
         "worst",
         "worst_as_received",
@@ -48,6 +49,7 @@ fn check_schema(found: &Value) {
     assert_eq!(keys(found), expected);
     assert!(is_number(&found["tolerance"]) && found["digits_as_printed"].is_boolean());
     assert_eq!(found["schema"], "boundfit/check/2");
+    assert_eq!(keys(&found["readings"]), ["asked", "fitted"]);
     for key in ["worst", "worst_as_received"] {
         assert!(or_null(&found[key], is_worst), "{key}: {found}");
     }

@@ -23,6 +23,7 @@ fn options(solvers: &[String]) -> CheckOptions {
         as_printed: true,
         time_limit: LIMIT,
         directions: None,
+        all_rows: true,
     }
 }
 
