@@ -3,11 +3,12 @@
 use crate::{Integer, Limits, Rational, Reading, plain_decimal};
 
 /// Binary exponent of the smallest positive binary64.
-const LEAST_EXPONENT: i64 = -1074;
+pub(crate) const LEAST_EXPONENT: i64 = -1074;
 /// Bits of a binary64 significand.
 const SIGNIFICAND_BITS: i64 = 53;
 
 /// Significand and exponent of a finite binary64: `significand * 2^exponent`, exactly. Of an infinity or NaN they mean nothing.
+#[inline]
 pub fn significand_and_exponent(value: f64) -> (i64, i32) {
     let bits = value.to_bits();
     let fraction = (bits & ((1 << 52) - 1)) as i64;
@@ -42,6 +43,18 @@ impl Rational {
     pub fn to_f64(&self) -> f64 {
         let magnitude = nearest_magnitude(&self.numerator().abs(), &self.denominator());
         if self.is_negative() { -magnitude } else { magnitude }
+    }
+
+    /// The largest binary64 that is not above this number; −∞ where every finite one is.
+    ///
+    /// A double is above the number when it is above this one. Exact.
+    pub fn floor_to_f64(&self) -> f64 {
+        let nearest = self.to_f64();
+        match Rational::from_f64(nearest) {
+            Some(exact) if exact <= *self => nearest,
+            None if nearest < 0.0 => nearest,
+            _ => nearest.next_down(),
+        }
     }
 
     /// The number that [`Rational::to_f64`] gives, if it is a finite one.
@@ -127,7 +140,7 @@ fn rounded_quotient(numerator: &Integer, denominator: &Integer, exponent: i64) -
 }
 
 /// 2 to a power from -1074 to 1023.
-fn power_of_two(exponent: i64) -> f64 {
+pub(crate) fn power_of_two(exponent: i64) -> f64 {
     if exponent >= -1022 {
         f64::from_bits(((exponent + 1023) as u64) << 52)
     } else {
@@ -221,6 +234,37 @@ mod tests {
             assert_eq!(exact(text).to_f64(), text.parse::<f64>().unwrap(), "{text}");
         }
         assert_eq!(Rational::ratio(1, 3).to_f64(), 1.0 / 3.0);
+    }
+
+    #[test]
+    fn a_double_is_above_a_number_when_it_is_above_its_floor() {
+        for text in [
+            "0",
+            "1",
+            "0.1",
+            "-0.1",
+            "0.3",
+            "1e-400",
+            "-1e-400",
+            "1e400",
+            "-1e400",
+            "1/3",
+            "-1/3",
+            "-5e-324",
+            "9007199254740993",
+            "-9007199254740993",
+            "1.7976931348623158e308",
+            "-1.7976931348623159e308",
+        ] {
+            let number = exact(text);
+            let floor = number.floor_to_f64();
+            let is_above = |double: f64| Rational::from_f64(double).is_some_and(|double| double > number);
+            assert!(!is_above(floor), "{text}");
+            assert!(floor.next_up() == f64::INFINITY || is_above(floor.next_up()), "{text}");
+        }
+        assert_eq!(exact("1e400").floor_to_f64(), f64::MAX);
+        assert_eq!(exact("-1e400").floor_to_f64(), f64::NEG_INFINITY);
+        assert_eq!(exact("-1e-400").floor_to_f64(), -f64::from_bits(1));
     }
 
     #[test]

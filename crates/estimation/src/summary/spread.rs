@@ -1,6 +1,6 @@
 //! Where the x of a line lie, as the EUI needs it: only known when all readings have been seen.
 
-use boundfit_exact::{Column, Count, Rational, Scaled, Sum, Unit, WideSum};
+use boundfit_exact::{Column, Count, DoubleSum, Dyadic, Rational, Scaled, Sum, Unit, WideSum};
 
 use super::sums::Sums;
 use crate::line_form::LineForm;
@@ -38,7 +38,8 @@ impl Thresholds {
         match x {
             Column::Narrow(x) => self.of_scaled(x),
             Column::Wide(x) => self.of_scaled(x),
-            Column::Doubles(_) | Column::Fractions(_) => Spread {
+            Column::Doubles(x) => self.of_doubles(x),
+            Column::Fractions(_) => Spread {
                 above: self.values.each_ref().map(|threshold| {
                     let mut total = Sum::default();
                     let above = (0..x.len()).map(|k| x.get(k)).filter(|x| x > threshold);
@@ -47,6 +48,19 @@ impl Thresholds {
                 }),
             },
         }
+    }
+
+    /// A double is above a threshold when it is above the largest double that is not.
+    fn of_doubles(&self, x: &[f64]) -> Spread {
+        let floors = self.values.each_ref().map(Rational::floor_to_f64);
+        let (mut counts, mut sums) = ([0; 3], std::array::from_fn::<_, 3, _>(|_| DoubleSum::default()));
+        for x in x.chunks(Dyadic::CHUNK).map(Dyadic::new) {
+            for ((count, sum), floor) in counts.iter_mut().zip(&mut sums).zip(floors) {
+                *count += sum.add_above(&x, floor);
+            }
+        }
+        let mut counts = counts.into_iter();
+        Spread::of_counts(sums.map(|sum| (counts.next().unwrap_or_default(), sum.total())))
     }
 
     fn of_scaled<I: Count>(&self, x: &Scaled<I>) -> Spread {

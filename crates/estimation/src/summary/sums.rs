@@ -1,6 +1,8 @@
 //! What least squares needs to know about readings, in constant memory.
 
-use boundfit_exact::{Column, Count, DoubleSum, Integer, Rational, Scaled, Sum, Unit, WideProducts, WideSum};
+use boundfit_exact::{
+    Column, Count, DoubleSum, Dyadic, Integer, Rational, Scaled, Sum, Unit, WideProducts, WideSum,
+};
 
 use crate::moments::Moments;
 
@@ -15,7 +17,7 @@ pub(crate) fn column_totals(columns: &[Column]) -> Vec<Rational> {
         }
         Column::Doubles(doubles) => {
             let mut sum = DoubleSum::default();
-            doubles.iter().for_each(|&double| sum.add(double));
+            doubles.chunks(Dyadic::CHUNK).for_each(|chunk| sum.add_all(&Dyadic::new(chunk)));
             sum.total()
         }
         Column::Wide(scaled) => total_of_counts(scaled.counts()) * scaled.unit().value(),
@@ -181,11 +183,12 @@ fn of_counts<X: Count, Y: Count>(x: &Scaled<X>, y: &Scaled<Y>) -> RunningSums {
 
 fn of_doubles(x: &[f64], y: &[f64]) -> Sums {
     let mut sums = std::array::from_fn::<_, 4, _>(|_| DoubleSum::default());
-    for (&x, &y) in x.iter().zip(y) {
-        sums[0].add(x);
-        sums[1].add(y);
-        sums[2].add_product(x, x);
-        sums[3].add_product(x, y);
+    for (x, y) in x.chunks(Dyadic::CHUNK).zip(y.chunks(Dyadic::CHUNK)) {
+        let (x, y) = (Dyadic::new(x), Dyadic::new(y));
+        sums[0].add_all(&x);
+        sums[1].add_all(&y);
+        sums[2].add_products(&x, &x);
+        sums[3].add_products(&x, &y);
     }
     let count = x.len().min(y.len());
     let [uv, vy, uu, uy] = sums.map(DoubleSum::total);

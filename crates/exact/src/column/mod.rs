@@ -1,5 +1,6 @@
 //! Columns of exact numbers, as compact as the numbers allow.
 
+mod decimals;
 mod scaled;
 mod unit;
 
@@ -179,6 +180,19 @@ impl Column {
             Column::Doubles(doubles) => doubles.push(double),
             empty if empty.is_empty() => *empty = Column::Doubles(vec![double]),
             _ => self.push(Rational::from_f64(double).unwrap_or_default()),
+        }
+    }
+
+    /// Finite doubles, each meant exactly; `Err` with the position of the first infinity or NaN.
+    pub fn of_doubles(doubles: &[f64]) -> Result<Self, usize> {
+        // Zero has one sign.
+        let column: Vec<f64> = doubles.iter().map(|double| double + 0.0).collect();
+        let are_finite = column.iter().fold(true, |all, double| all & double.is_finite());
+        let first = || doubles.iter().position(|double| !double.is_finite());
+        match if are_finite { None } else { first() } {
+            Some(position) => Err(position),
+            None if column.is_empty() => Ok(Column::default()),
+            None => Ok(Column::Doubles(column)),
         }
     }
 

@@ -82,6 +82,16 @@ impl<I: Count> Scaled<I> {
         Some(Scaled { counts: counts.into_iter().map(I::new).collect::<Option<_>>()?, unit })
     }
 
+    /// So many units each, where there are so many; `None` when one is missing or too large.
+    pub(super) fn of_options(counts: impl Iterator<Item = Option<i128>>, unit: Unit) -> Option<Self> {
+        Some(Scaled { counts: counts.map(|count| I::new(count?)).collect::<Option<_>>()?, unit })
+    }
+
+    /// So many units each, of which none is too large.
+    pub(super) fn of_counts(counts: Vec<I>, unit: Unit) -> Self {
+        Scaled { counts, unit }
+    }
+
     /// Numbers on their least common denominator; `None` when they are too large on it. Exact. Cost: linear, with few
     /// divisions where neighbours have the same denominator.
     pub fn of_numbers<'a>(numbers: impl ExactSizeIterator<Item = &'a Rational>) -> Option<Self> {
@@ -140,9 +150,9 @@ impl<I: Count> Scaled<I> {
     pub(super) fn push(&mut self, count: i128, unit: Unit) -> Option<()> {
         let count = I::new(count)?;
         let factor = match unit.counted_in(self.unit) {
-            Some(factor) => factor,
             // A zero needs no unit of its own.
-            None if count.into() == 0 => 1,
+            _ if count.into() == 0 => 1,
+            Some(factor) => factor,
             None => {
                 self.refine(unit)?;
                 unit.counted_in(self.unit)?

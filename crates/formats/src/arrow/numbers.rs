@@ -1,6 +1,6 @@
 //! Arrays as columns of exact numbers.
 
-use std::fmt::Write;
+use std::fmt::LowerExp;
 
 use arrow_array::cast::AsArray;
 use arrow_array::types::{
@@ -39,8 +39,29 @@ pub(super) fn numbers(
 
 /// Which cells have no number; `None` where all have one.
 pub(super) fn missing(array: &ArrayRef) -> Option<Vec<bool>> {
+    if !may_lack_numbers(array) {
+        return None;
+    }
     let missing: Vec<bool> = (0..array.len()).map(|index| is_missing(array, index)).collect();
     missing.contains(&true).then_some(missing)
+}
+
+/// Whether a look at each cell may find one without a number. Cost: a fraction of a nanosecond per cell.
+fn may_lack_numbers(array: &ArrayRef) -> bool {
+    array.null_count() > 0
+        || match array.data_type() {
+            // Not `any`, so that many are compared at a time.
+            DataType::Float32 => {
+                let floats = array.as_primitive::<Float32Type>().values();
+                floats.iter().fold(false, |found, float| found | float.is_nan())
+            }
+            DataType::Float64 => {
+                let floats = array.as_primitive::<Float64Type>().values();
+                floats.iter().fold(false, |found, float| found | float.is_nan())
+            }
+            DataType::Utf8 | DataType::LargeUtf8 | DataType::Utf8View => true,
+            _ => false,
+        }
 }
 
 /// The cells of text that are fractions.
@@ -133,11 +154,12 @@ fn given_numbers(
         }
         DataType::Float32 => {
             let floats = array.as_primitive::<Float32Type>().values();
-            reader.floats(floats, |&float| f64::from(float), |float, text| write!(text, "{float:e}"))?
+            let doubles = || floats.iter().map(|&float| f64::from(float)).collect::<Vec<f64>>();
+            reader.floats(floats, Column::of_shortest_f32, || Column::of_doubles(&doubles()))?
         }
         DataType::Float64 => {
-            let floats = array.as_primitive::<Float64Type>().values();
-            reader.floats(floats, |&float| float, |float, text| write!(text, "{float:e}"))?
+            let doubles = array.as_primitive::<Float64Type>().values();
+            reader.floats(doubles, Column::of_shortest, || Column::of_doubles(doubles))?
         }
         DataType::Utf8 => reader.texts(array.as_string::<i32>().iter().flatten())?,
         DataType::LargeUtf8 => reader.texts(array.as_string::<i64>().iter().flatten())?,
@@ -169,28 +191,23 @@ impl Reader<'_> {
         Column::of_counts(values.iter().map(|&value| value.into()), Unit::TenTo(exponent))
     }
 
-    /// Finite floats: themselves, or what their shortest text says.
-    fn floats<F>(
+    /// Finite floats: what their shortest text says, or themselves. Others are refused as the text that they would be.
+    fn floats<F: LowerExp>(
         &self,
         floats: &[F],
-        double: impl Fn(&F) -> f64,
-        write: impl Fn(&F, &mut String) -> std::fmt::Result,
+        decimals: impl FnOnce(&[F]) -> Result<Column, usize>,
+        doubles: impl FnOnce() -> Result<Column, usize>,
     ) -> Result<Column, BadCell> {
-        let mut column = Column::default();
-        let mut text = String::new();
-        for (index, float) in floats.iter().enumerate() {
-            let finite = double(float).is_finite();
-            if finite && self.options.reading == Reading::Binary64 {
-                column.push_double(double(float));
-                continue;
-            }
-            text.clear();
-            // Writing to a string does not fail; what is not finite is refused as text.
-            let written = write(float, &mut text);
-            debug_assert!(written.is_ok());
-            self.add(&text, &mut column).map_err(|problem| BadCell::at(self.array, index, problem))?;
-        }
-        Ok(column)
+        let column = match self.options.reading {
+            Reading::Binary64 => doubles(),
+            Reading::Decimal if self.is_plain() => decimals(floats),
+            // Limits this low are those of the text.
+            Reading::Decimal => return self.texts(floats.iter().map(|float| format!("{float:e}"))),
+        };
+        column.map_err(|index| {
+            let problem = floats.get(index).and_then(|float| self.exact(&format!("{float:e}")).err());
+            BadCell::at(self.array, index, problem.unwrap_or(InputErrorKind::NotFinite))
+        })
     }
 
     /// Numbers as text.
@@ -203,14 +220,21 @@ impl Reader<'_> {
         Ok(column)
     }
 
-    fn add(&self, text: &str, column: &mut Column) -> Result<(), InputErrorKind> {
+    /// Whether what `plain_decimal` reads keeps to the limits.
+    fn is_plain(&self) -> bool {
         let limits = &self.options.limits;
-        let plain = limits.digits >= PLAIN_DIGITS && limits.exponent >= PLAIN_EXPONENT;
-        let exact = || read_number(text.as_bytes(), self.selector, self.options);
-        match (self.options.reading, plain_decimal(text.as_bytes()).filter(|_| plain)) {
+        limits.digits >= PLAIN_DIGITS && limits.exponent >= PLAIN_EXPONENT
+    }
+
+    fn exact(&self, text: &str) -> Result<Rational, InputErrorKind> {
+        read_number(text.as_bytes(), self.selector, self.options)
+    }
+
+    fn add(&self, text: &str, column: &mut Column) -> Result<(), InputErrorKind> {
+        match (self.options.reading, plain_decimal(text.as_bytes()).filter(|_| self.is_plain())) {
             (Reading::Decimal, Some((mantissa, exponent))) => column.push_decimal(mantissa, exponent),
-            (Reading::Decimal, None) => column.push(exact()?),
-            (Reading::Binary64, _) => column.push_double(exact()?.to_f64()),
+            (Reading::Decimal, None) => column.push(self.exact(text)?),
+            (Reading::Binary64, _) => column.push_double(self.exact(text)?.to_f64()),
         }
         Ok(())
     }

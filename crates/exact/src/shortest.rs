@@ -1,0 +1,432 @@
+//! The shortest decimals of binary floats, without their text.
+//!
+//! A float c·2^q stands for all numbers that are nearer to it than to its neighbours. With the largest power of ten 10^k that
+//! is not longer than this interval, it contains a multiple of 10^k and at most one of 10^(k+1): that one, or else the nearer of
+//! the two multiples of 10^k beside the float, is the shortest decimal (R. Giulietti, *The Schubfach way to render doubles*,
+//! 2020). The float and the ends of its interval are compared with these multiples on integers, in quarters of 10^k: see
+//! [`Scale::quarters`], which tells where 192 bits are too few, so that nothing rests on how seldom that is.
+
+use crate::binary64::{LEAST_EXPONENT, significand_and_exponent};
+use crate::plain_decimal;
+
+/// Digits after the point up to which a power of ten is a double, so that a division by it rounds once.
+const MOST_PLACES: usize = 22;
+/// Powers of ten that are doubles.
+const DOUBLES: [f64; MOST_PLACES + 1] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18,
+    1e19, 1e20, 1e21, 1e22,
+];
+
+/// The shortest decimal that is read as this binary64, and of those that are equally short the nearest one, as
+/// `(mantissa, exponent)`, meaning `mantissa · 10^exponent`; `None` for an infinity or NaN. The mantissa has at most 17 digits,
+/// and no zero at its end unless it is 0.
+///
+/// ```
+/// # use boundfit_exact::shortest_decimal;
+/// assert_eq!(shortest_decimal(0.1), Some((1, -1)));
+/// assert_eq!(shortest_decimal(-2.0 / 3.0), Some((-6_666_666_666_666_666, -16)));
+/// ```
+pub fn shortest_decimal(value: f64) -> Option<(i64, i32)> {
+    let (significand, exponent) = significand_and_exponent(value);
+    let is_power = significand.unsigned_abs() == 1 << 52 && i64::from(exponent) > LEAST_EXPONENT;
+    let shortest = || signed(shortest_of(significand.unsigned_abs(), exponent, is_power)?, significand < 0);
+    value.is_finite().then(|| shortest().or_else(|| plain_decimal(format!("{value:e}").as_bytes()))).flatten()
+}
+
+/// The shortest decimal that is read as this float of 32 bits, like [`shortest_decimal`]; at most 9 digits.
+pub fn shortest_decimal_of_f32(value: f32) -> Option<(i64, i32)> {
+    const LEAST: i32 = -149;
+    let (fraction, biased) = (value.to_bits() & ((1 << 23) - 1), (value.to_bits() >> 23 & 0xff) as i32);
+    let (significand, exponent) =
+        if biased == 0 { (fraction, LEAST) } else { (fraction | 1 << 23, biased - 150) };
+    let is_power = significand == 1 << 23 && exponent > LEAST;
+    let shortest = || signed(shortest_of(significand.into(), exponent, is_power)?, value.is_sign_negative());
+    value.is_finite().then(|| shortest().or_else(|| plain_decimal(format!("{value:e}").as_bytes()))).flatten()
+}
+
+/// A mantissa of at most 17 digits with its sign.
+fn signed((mantissa, exponent): (u64, i32), is_negative: bool) -> Option<(i64, i32)> {
+    let mantissa = mantissa as i64;
+    Some((if is_negative { -mantissa } else { mantissa }, exponent))
+}
+
+/// The shortest decimal of `significand · 2^exponent`, whose neighbour below is half as far as the one above if it is a power of
+/// two; `None` where the integers below do not tell.
+#[inline]
+fn shortest_of(significand: u64, exponent: i32, is_power: bool) -> Option<(u64, i32)> {
+    if significand == 0 {
+        return Some((0, 0));
+    }
+    let scale = Scale::new(exponent, is_power);
+    let [lower, value, upper] = scale.quarters(significand, is_power)?;
+    // A number half way between two floats is read as the one whose significand is even.
+    let open = significand & 1;
+    let is_above = |multiple: u64| lower + open <= 4 * multiple;
+    let is_below = |multiple: u64| 4 * multiple + open <= upper;
+    let floor = value / 4;
+    let tens = floor / 10;
+    if tens > 0 {
+        match (is_above(10 * tens), is_below(10 * tens + 10)) {
+            (true, false) => return Some(without_zeros(tens, scale.power + 1)),
+            (false, true) => return Some(without_zeros(tens + 1, scale.power + 1)),
+            _ => {}
+        }
+    }
+    let multiple = match (is_above(floor), is_below(floor + 1)) {
+        (true, false) => floor,
+        (false, true) => floor + 1,
+        // Of two that are equally near the larger one, as the standard library writes it.
+        _ => floor + u64::from(value >= 4 * floor + 2),
+    };
+    Some(without_zeros(multiple, scale.power))
+}
+
+/// A power of ten, and how numbers are counted in quarters of it.
+struct Scale {
+    /// The unit is 10 to this power.
+    power: i32,
+    /// `10^-power` times a power of two, rounded down.
+    inverse: u128,
+    /// Whether it has not been rounded.
+    is_exact: bool,
+    shift: i32,
+}
+
+impl Scale {
+    /// The largest power of ten that is not longer than the interval of floats with this exponent: 2^exponent, and three quarters
+    /// of it at a power of two.
+    #[inline]
+    #[allow(
+        clippy::indexing_slicing,
+        reason = "exponents from -1074 to 971 have powers from -324 to 292, for which there is a table; a test asks for all"
+    )]
+    fn new(exponent: i32, is_power: bool) -> Self {
+        // floor(exponent · log10 2), also with log10 ¾ added, and floor(-power · log2 10): a test compares all with integers.
+        let power = (exponent * 1_262_611 - if is_power { 524_031 } else { 0 }) >> 22;
+        let shift = exponent + ((-power * 1_741_647) >> 19) + 1;
+        let inverse = INVERSES[(MOST_POWER - power) as usize];
+        Scale { power, inverse, is_exact: (0..=55).contains(&-power), shift }
+    }
+
+    /// A float with this significand and the ends of its interval, from below, in quarters of the power of ten: each is that
+    /// integer, or else the odd one of the two integers beside it. Both compare with an even integer alike. `None` where the
+    /// bits do not tell.
+    ///
+    /// The float is 4·significand quarters of 2^exponent, the ends are two more and two less, or one less. Each number n of these is
+    /// n·2^shift·g/2^128 quarters of the power of ten; g = `inverse` is too small by less than 1, and n·2^shift is less than
+    /// 2^60. The product is therefore too small by less than 2^60: where it is at all, the quotient is no integer as long as
+    /// the product does not come that close to the next one.
+    #[inline]
+    fn quarters(&self, significand: u64, is_power: bool) -> Option<[u64; 3]> {
+        let n = u128::from(significand << (self.shift + 2));
+        let low = n * u128::from(self.inverse as u64);
+        let value = (n * (self.inverse >> 64) + (low >> 64), low as u64);
+        // So many times g, which are shifts by 2 to 5 bits.
+        let times = |bits: i32| (self.inverse >> (64 - bits), (self.inverse << bits) as u64);
+        let (half, below) = (times(self.shift + 1), times(self.shift + i32::from(!is_power)));
+        let (rest, carries) = value.1.overflowing_add(half.1);
+        let upper = (value.0 + half.0 + u128::from(carries), rest);
+        let (rest, borrows) = value.1.overflowing_sub(below.1);
+        let lower = (value.0 - below.0 - u128::from(borrows), rest);
+        let quotients = [lower, value, upper];
+        if self.is_exact {
+            let odd = |(high, rest): (u128, u64)| (high >> 64) as u64 | u64::from(high as u64 | rest != 0);
+            return Some(quotients.map(odd));
+        }
+        let is_clear = quotients.iter().all(|(high, _)| *high as u64 != u64::MAX);
+        is_clear.then(|| quotients.map(|(high, _)| (high >> 64) as u64 | 1))
+    }
+}
+
+/// The same number with the least mantissa.
+#[inline]
+fn without_zeros(mut mantissa: u64, mut exponent: i32) -> (u64, i32) {
+    // From 17 digits none to 16 go.
+    for zeros in [8, 4, 2, 1] {
+        let power = 10_u64.pow(zeros);
+        while mantissa.is_multiple_of(power) {
+            mantissa /= power;
+            exponent += zeros as i32;
+        }
+    }
+    (mantissa, exponent)
+}
+
+/// The largest power of ten that is a scale.
+const MOST_POWER: i32 = 292;
+const LEAST_POWER: i32 = -324;
+const SCALES: usize = (MOST_POWER - LEAST_POWER) as usize + 1;
+
+/// The upper 128 bits of 10^-292 to 10^324.
+static INVERSES: [u128; SCALES] = upper_bits_of_powers();
+
+/// By integers of 18 words, the lowest first.
+#[allow(
+    clippy::indexing_slicing,
+    reason = "evaluated by the compiler, which would refuse an index out of range"
+)]
+const fn upper_bits_of_powers() -> [u128; SCALES] {
+    const WORDS: usize = 18;
+    let zero = MOST_POWER as usize;
+    let mut powers = [0; SCALES];
+    let mut number = [0; WORDS];
+    number[0] = 1_u64;
+    let mut exponent = zero;
+    while exponent < SCALES {
+        powers[exponent] = upper_bits(&number);
+        let (mut carry, mut word) = (0, 0);
+        while word < WORDS {
+            let product = number[word] as u128 * 10 + carry;
+            number[word] = product as u64;
+            carry = product >> 64;
+            word += 1;
+        }
+        exponent += 1;
+    }
+    // Of a power of two divided by tens; rounding down often is rounding down once.
+    number = [0; WORDS];
+    number[WORDS - 1] = 1 << 63;
+    exponent = zero;
+    while exponent > 0 {
+        let (mut remainder, mut word) = (0, WORDS);
+        while word > 0 {
+            word -= 1;
+            let dividend = remainder << 64 | number[word] as u128;
+            number[word] = (dividend / 10) as u64;
+            remainder = dividend % 10;
+        }
+        exponent -= 1;
+        powers[exponent] = upper_bits(&number);
+    }
+    powers
+}
+
+/// The 128 bits from the highest one that is set; with zeros below, where there are no more.
+#[allow(
+    clippy::indexing_slicing,
+    reason = "evaluated by the compiler, which would refuse an index out of range"
+)]
+const fn upper_bits(number: &[u64; 18]) -> u128 {
+    let mut top = number.len() - 1;
+    while number[top] == 0 {
+        top -= 1;
+    }
+    let zeros = number[top].leading_zeros();
+    let second = if top > 0 { number[top - 1] } else { 0 };
+    let third = if top > 1 { number[top - 2] } else { 0 };
+    let upper = (number[top] as u128) << 64 | second as u128;
+    if zeros == 0 { upper } else { upper << zeros | (third >> (64 - zeros)) as u128 }
+}
+
+/// Doubles as integers on the largest power of ten, 1 at most, that all their shortest decimals are multiples of, with the
+/// number of its places; `None` unless these integers have at most 15 digits, and there are at most 22 places. Exact. Cost:
+/// about a nanosecond each, a few times where the first numbers have fewer places than others.
+///
+/// Two decimals of at most 15 digits are never read as one double (W. Kahan's bound for binary64). So a double that such
+/// a decimal is read as has no other, and this is its shortest one: all that is shorter has at most 15 digits too.
+pub(crate) fn on_common_places(values: &[f64]) -> Option<(Vec<i64>, usize)> {
+    let mut counts = Vec::with_capacity(values.len());
+    let mut places = 0;
+    while let Some(first) = first_off_scale(values, places, &mut counts) {
+        let value = *values.get(first)?;
+        places = (places + 1..=MOST_PLACES).find(|&places| is_on_scale(value, places))?;
+    }
+    Some((counts, places))
+}
+
+/// Counts so many places after the point of each number, up to the first that has more: its position.
+fn first_off_scale(values: &[f64], places: usize, counts: &mut Vec<i64>) -> Option<usize> {
+    const BLOCK: usize = 64;
+    let scale = *DOUBLES.get(places)?;
+    counts.clear();
+    for (block, values) in values.chunks(BLOCK).enumerate() {
+        let mut are_on_scale = true;
+        counts.extend(values.iter().map(|&value| {
+            let (count, is_on_scale) = count(value, scale);
+            are_on_scale &= is_on_scale;
+            count
+        }));
+        if !are_on_scale {
+            let first = values.iter().position(|&value| !count(value, scale).1);
+            return first.map(|first| block * BLOCK + first);
+        }
+    }
+    None
+}
+
+fn is_on_scale(value: f64, places: usize) -> bool {
+    DOUBLES.get(places).is_some_and(|&scale| count(value, scale).1)
+}
+
+/// The integer of at most 15 digits that is divided by a power of ten the nearest to a double, and whether the double is the
+/// nearest to this quotient; the division of two doubles is rounded to the nearest.
+#[inline]
+fn count(value: f64, scale: f64) -> (i64, bool) {
+    /// Added to a number of at most 2^51, it leaves the nearest integer in the last bits of the sum.
+    const ROUNDING: f64 = (3_u64 << 51) as f64;
+    let sum = value * scale + ROUNDING;
+    let integer = sum - ROUNDING;
+    // Not `&&`, and no branch: many are looked at together.
+    let is_on_scale = (integer / scale == value) & (integer.abs() < 1e15);
+    (sum.to_bits().wrapping_sub(ROUNDING.to_bits()) as i64, is_on_scale)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Integer, Rational};
+
+    struct Random(u64);
+
+    impl Random {
+        fn next(&mut self) -> u64 {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (self.0 ^ self.0 >> 32).wrapping_mul(0x9e37_79b9_7f4a_7c15)
+        }
+    }
+
+    /// Mantissa and exponent of what the standard library writes.
+    fn written(text: &str) -> (i64, i32) {
+        let (digits, exponent) = text.split_once('e').unwrap();
+        let fraction = digits.split_once('.').map_or(0, |(_, fraction)| fraction.len() as i32);
+        let mantissa: i64 = digits.replace('.', "").parse().unwrap();
+        (mantissa, if mantissa == 0 { 0 } else { exponent.parse::<i32>().unwrap() - fraction })
+    }
+
+    #[track_caller]
+    fn check(value: f64) {
+        for value in [value, value.next_down(), value.next_up()].into_iter().filter(|value| value.is_finite())
+        {
+            let text = format!("{value:e}");
+            assert_eq!(shortest_decimal(value), Some(written(&text)), "{text}");
+        }
+    }
+
+    #[track_caller]
+    fn check_single(value: f32) {
+        for value in [value, value.next_down(), value.next_up()].into_iter().filter(|value| value.is_finite())
+        {
+            let text = format!("{value:e}");
+            assert_eq!(shortest_decimal_of_f32(value), Some(written(&text)), "{text}");
+        }
+    }
+
+    #[test]
+    fn shortest_decimals_are_those_that_the_standard_library_writes() {
+        let mut random = Random(1);
+        for _ in 0..300_000 {
+            check(f64::from_bits(random.next()));
+            check_single(f32::from_bits(random.next() as u32));
+            // Of usual sizes.
+            check((random.next() >> 11) as f64 / (1_u64 << (random.next() % 64)) as f64);
+            // Few digits, or one more than few.
+            let digits = random.next() >> (random.next() % 64);
+            let power = (random.next() % 44) as i32 - 22;
+            check(format!("{digits}e{power}").parse().unwrap());
+            check_single(format!("{}e{power}", digits >> 32).parse().unwrap());
+        }
+    }
+
+    #[test]
+    fn at_powers_of_two_and_ten_and_at_the_ends_they_are_too() {
+        for exponent in -1074..=1023 {
+            check(2_f64.powi(exponent));
+            check(-3.0 * 2_f64.powi(exponent.min(1021)));
+        }
+        for biased in 0..=254 {
+            check_single(f32::from_bits(biased << 23));
+        }
+        for power in -324..=308 {
+            for digit in 1..=99 {
+                check(format!("{digit}e{power}").parse().unwrap());
+            }
+        }
+        for power in -46..=38 {
+            check_single(format!("1e{power}").parse().unwrap());
+        }
+        for subnormal in 0..5000 {
+            check(f64::from_bits(subnormal));
+            check(f64::from_bits((1 << 52) - subnormal));
+            check(f64::from_bits(f64::MAX.to_bits() - subnormal));
+            check_single(f32::from_bits(subnormal as u32));
+        }
+        // Integers on both sides of those that all are doubles, also those that a power of ten divides.
+        for integer in
+            (0..200).flat_map(|k| [1 << 53, 10_u64.pow(16), 10_u64.pow(18), 1 << 62].map(|n| n + k * 128))
+        {
+            check(integer as f64);
+        }
+        for (value, decimal) in [(0.0, (0, 0)), (-0.0, (0, 0)), (5e-324, (5, -324)), (9e-324, (1, -323))] {
+            assert_eq!(shortest_decimal(value), Some(decimal));
+        }
+        assert_eq!([f64::NAN, f64::INFINITY].map(shortest_decimal), [None; 2]);
+        assert_eq!([f32::NAN, f32::NEG_INFINITY].map(shortest_decimal_of_f32), [None; 2]);
+    }
+
+    #[test]
+    fn scales_are_the_powers_of_ten_below_the_intervals() {
+        let ten = |power: i32| {
+            let power_of_ten = Rational::scientific(1, power.abs());
+            if power < 0 { Rational::one().checked_div(&power_of_ten).unwrap() } else { power_of_ten }
+        };
+        let two = |power: i32| {
+            let power_of_two = Rational::from(Integer::power_of_two(power.unsigned_abs().into()));
+            if power < 0 { Rational::one().checked_div(&power_of_two).unwrap() } else { power_of_two }
+        };
+        for exponent in -1074..=971 {
+            for is_power in [false, true] {
+                let scale = Scale::new(exponent, is_power);
+                let width = two(exponent) * if is_power { Rational::ratio(3, 4) } else { Rational::one() };
+                assert!(ten(scale.power) <= width && width < ten(scale.power + 1), "{exponent}");
+                // What is counted: 4·10^-power·2^exponent is 4·2^shift·inverse/2^128, rounded down in the last bit at most.
+                assert!((1..=4).contains(&scale.shift) && scale.inverse >> 127 == 1, "{exponent}");
+                let counted = |inverse: u128| {
+                    Rational::from(
+                        Integer::from(inverse >> 1) * Integer::from(2) + Integer::from((inverse & 1) as i64),
+                    ) * two(scale.shift - 128)
+                };
+                let exact = ten(-scale.power) * two(exponent);
+                assert!(
+                    counted(scale.inverse) <= exact && exact < counted(scale.inverse.saturating_add(1)),
+                    "{exponent}"
+                );
+                assert_eq!(counted(scale.inverse) == exact, scale.is_exact, "{exponent}");
+            }
+        }
+    }
+
+    #[test]
+    fn common_places_are_those_of_the_shortest_decimals() {
+        let mut random = Random(3);
+        for round in 0..20_000 {
+            let (digits, places) = (random.next() % 17, (random.next() % 24) as i32);
+            let count = 1 + random.next() % if round % 100 == 0 { 300 } else { 3 };
+            let values: Vec<f64> = (0..count)
+                .map(|_| {
+                    let sign = if random.next().is_multiple_of(2) { "-" } else { "" };
+                    format!("{sign}{}e-{places}", random.next() % 10_u64.pow(digits as u32)).parse().unwrap()
+                })
+                .collect();
+            let shortest: Vec<(i64, i32)> =
+                values.iter().map(|&value| shortest_decimal(value).unwrap()).collect();
+            let places = shortest.iter().map(|&(_, exponent)| (-exponent).max(0)).max().unwrap_or(0);
+            let counts = || -> Option<Vec<i64>> {
+                let count = |&(mantissa, exponent): &(i64, i32)| match mantissa {
+                    0 => Some(0),
+                    _ => mantissa.checked_mul(10_i64.checked_pow((exponent + places) as u32)?),
+                };
+                shortest
+                    .iter()
+                    .map(|decimal| count(decimal).filter(|count| count.unsigned_abs() < 10_u64.pow(15)))
+                    .collect()
+            };
+            let expected = if places <= 22 { counts().map(|counts| (counts, places as usize)) } else { None };
+            assert_eq!(on_common_places(&values), expected, "{values:?}");
+        }
+        assert_eq!(on_common_places(&[]), Some((vec![], 0)));
+        assert_eq!(on_common_places(&[-0.0, 0.0]), Some((vec![0, 0], 0)));
+        for value in [f64::NAN, f64::INFINITY, 1e300, 1e15, 0.1 + 0.2, 1e-23] {
+            assert_eq!(on_common_places(&[0.5, value]), None, "{value}");
+        }
+    }
+}
