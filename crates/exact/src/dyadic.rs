@@ -76,7 +76,7 @@ fn largest(values: &[f64]) -> f64 {
     // Four at a time, which the processor compares together.
     let mut most = [0.0; 4];
     for four in fours {
-        most = std::array::from_fn(|lane| larger(most[lane], four[lane]));
+        most.iter_mut().zip(four).for_each(|(most, &value)| *most = larger(*most, value));
     }
     most.iter().chain(rest).fold(0.0, |most, &value| larger(most, value))
 }

@@ -87,7 +87,8 @@ mod tests {
 
     #[test]
     fn columns_have_the_decimals_of_all_sizes() {
-        let columns: [(&[f64], fn(&Column) -> bool); 7] = [
+        type IsKept = fn(&Column) -> bool;
+        let columns: [(&[f64], IsKept); 7] = [
             (&[], |column| matches!(column, Column::Narrow(_))),
             (&[0.0, -0.0], |column| matches!(column, Column::Narrow(scaled) if scaled.unit() == Unit::Any)),
             (

@@ -3,6 +3,7 @@
 mod cli;
 mod errors;
 mod fixtures;
+mod floats;
 mod tables;
 mod types;
 
