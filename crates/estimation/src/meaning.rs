@@ -3,9 +3,9 @@
 #[cfg(feature = "files")]
 use std::borrow::Cow;
 
-use boundfit_exact::Rational;
 #[cfg(feature = "files")]
-use boundfit_exact::{Column, Foreign};
+use boundfit_exact::Column;
+use boundfit_exact::{Foreign, Rational};
 
 use crate::law::Law;
 #[cfg(feature = "files")]

@@ -1,6 +1,6 @@
 //! The one door between exact numbers and IEEE 754 binary64.
 
-use crate::{Integer, Limits, Rational, Reading, plain_decimal};
+use crate::{Fraction, Integer, Limits, Rational, Reading, plain_decimal};
 
 /// Binary exponent of the smallest positive binary64.
 pub(crate) const LEAST_EXPONENT: i64 = -1074;
@@ -76,6 +76,14 @@ impl Rational {
         // The text that is shortest comes from the standard library, with a power of ten.
         let shortest = || Reading::Decimal.read(&format!("{double:e}"), &Limits::default()).ok();
         is_exact.then(shortest).flatten()
+    }
+}
+
+impl Fraction {
+    /// The nearest binary64, as [`Rational::to_f64`] rounds, without a greatest common divisor.
+    pub fn to_f64(&self) -> f64 {
+        let magnitude = nearest_magnitude(&self.numerator().abs(), self.denominator());
+        if self.numerator().is_negative() { -magnitude } else { magnitude }
     }
 }
 

@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use boundfit_exact::{Integer, Rational};
+use boundfit_exact::{Fraction, Integer, Rational};
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 
 /// A common offset is taken out of the tick labels when that saves at least this many digits.
@@ -27,6 +27,8 @@ pub(crate) struct Tick {
 pub(crate) struct Axis {
     lower: Rational,
     width: Rational,
+    /// Integers a, b, c so that n/d falls at (n·a − d·b)/(d·c) of the view: what all readings are placed with.
+    terms: [Integer; 3],
     ticks: Vec<Tick>,
     scale: String,
     /// Name and unit of what is shown.
@@ -60,7 +62,10 @@ impl Axis {
         };
         let ticks =
             grid.multiples.iter().zip(labels).map(|(m, label)| Tick { at: place(m), label }).collect();
-        Axis { lower, width, ticks, scale, name }
+        let (below, part) =
+            ((lower.numerator(), lower.denominator()), (width.numerator(), width.denominator()));
+        let terms = [&below.1 * &part.1, below.0 * part.1, below.1 * part.0];
+        Axis { lower, width, terms, ticks, scale, name }
     }
 
     /// A view of numbers that count something: ticks stand at integers only. The view is wider than 1.
@@ -76,12 +81,9 @@ impl Axis {
 
     /// Where a number falls: 0 at the lower end of the view, 1 at the upper one. Rounded once.
     pub(crate) fn fraction(&self, value: &Rational) -> f64 {
-        self.exact_fraction(value).to_f64()
-    }
-
-    /// Where a number falls between the ends of the view, as 0 to 1. Exact.
-    pub(crate) fn exact_fraction(&self, value: &Rational) -> Rational {
-        (value - &self.lower).checked_div(&self.width).unwrap_or_default()
+        let (numerator, denominator) = (value.numerator(), value.denominator());
+        let above = &numerator * &self.terms[0] - &denominator * &self.terms[1];
+        Fraction::new(above, denominator * &self.terms[2]).map_or(0.0, |fraction| fraction.to_f64())
     }
 
     /// The lower end.

@@ -1,6 +1,6 @@
 //! Which part of the data plane a panel shows, and the lines on it.
 
-use boundfit_estimation::Measurement;
+use boundfit_estimation::{Bounds, Measurement};
 use boundfit_exact::Rational;
 
 use super::scene::{Reference, Scene, Shown};
@@ -31,6 +31,11 @@ impl View<'_> {
 
     /// The bounds of a reading as the panel shows them.
     pub(crate) fn ends(&self, shown: &Shown) -> [Option<Rational>; 2] {
+        if let Bounds::Around { epsilon, .. } = &shown.measurement.bounds {
+            // Around y, which is the level: no long fractions but the result.
+            let value = self.value(shown);
+            return [Some(value - epsilon), Some(value + epsilon)];
+        }
         let base = &shown.level - self.value(shown);
         [shown.measurement.lower(), shown.measurement.upper()].map(|end| end.map(|end| end - &base))
     }

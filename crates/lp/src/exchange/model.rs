@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use boundfit_exact::Rational;
 
-use super::number::finite_decimal;
+use super::number::has_finite_decimal;
 use super::written::{INFINITE, Written, WrittenColumn, WrittenRow, decimal};
 use super::{escaped, lp_format, mps};
 use crate::format::ExchangeFormat;
@@ -42,7 +42,7 @@ impl Model {
         {
             let Bounds { lower, upper } = &column.bounds;
             let is_readable = |bound: &Rational| {
-                finite_decimal(bound).is_some()
+                has_finite_decimal(bound)
                     && bound.decimal_exponent().is_none_or(|exponent| exponent < INFINITE)
             };
             if lower.iter().chain(upper).all(is_readable) {

@@ -1,15 +1,28 @@
 //! Exact numbers as decimal text.
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Decimal, Rational};
 
 /// The decimal that is the number, digit for digit, or `None` where no finite decimal is: `0.5`, `1.25e-20`. Exact.
 /// Cost: that of some divisions of numbers as long as the result.
 pub(super) fn finite_decimal(value: &Rational) -> Option<String> {
+    exact_decimal(value).map(|decimal| decimal.compact().to_string())
+}
+
+/// Whether a finite decimal is the number. Exact. Cost: as [`finite_decimal`].
+pub(super) fn has_finite_decimal(value: &Rational) -> bool {
+    exact_decimal(value).is_some()
+}
+
+fn exact_decimal(value: &Rational) -> Option<Decimal<'_>> {
+    /// What machine words can write, which is enough for nearly every number that was read.
+    const FEW: usize = 18;
+    if let Some(short) = value.exact_decimal(FEW) {
+        return Some(short);
+    }
     // A denominator that divides a power of ten divides that of its length in bits; of a whole number, three bits take less
     // than a digit.
     let digits = value.numerator().bits() / 3 + 1 + value.denominator().bits();
-    let decimal = value.exact_decimal(usize::try_from(digits).ok()?);
-    decimal.map(|decimal| decimal.compact().to_string())
+    value.exact_decimal(usize::try_from(digits).ok()?)
 }
 
 #[cfg(test)]

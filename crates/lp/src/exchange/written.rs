@@ -2,7 +2,7 @@
 
 use boundfit_exact::{Integer, Rational};
 
-use super::number::finite_decimal;
+use super::number::{finite_decimal, has_finite_decimal};
 use crate::model::{Bounds, ObjectiveSense};
 
 /// Bounds from this power of ten on are infinite for every reader.
@@ -153,7 +153,7 @@ struct Scale {
 
 /// The least number with which all of these become whole, unless all of them are finite decimals.
 fn scale_of<'a>(numbers: impl Iterator<Item = &'a Rational> + Clone) -> Option<Scale> {
-    if numbers.clone().all(|value| finite_decimal(value).is_some()) {
+    if numbers.clone().all(has_finite_decimal) {
         return None;
     }
     let by = numbers.fold(Integer::one(), |scale, value| scale.lcm(&value.denominator()));
