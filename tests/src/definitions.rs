@@ -109,7 +109,6 @@ pub fn section(fps: &Fps) -> Section {
         lines: region.lines(),
         boundaries: region.boundaries().iter().map(boundary).collect(),
         pui: polyhedron.bounding_box(),
-        area: region.area().filter(|_| !region.is_empty()),
     }
 }
 

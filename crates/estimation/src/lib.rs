@@ -64,7 +64,7 @@ pub use bounds::{Central, ParameterBound, ParameterInterval};
 pub use condition::{Condition, ParseConditionError, ParseConditionErrorKind};
 pub use corridor::{Corridor, CorridorEdge};
 pub use family::{
-    Breakpoint, Family, Linear, MovingBoundary, MovingVertex, Piece, Quadratic, Section, SectionBoundary,
+    Breakpoint, Family, Linear, MovingArea, MovingBoundary, MovingVertex, Piece, Section, SectionBoundary,
     SectionVertex,
 };
 #[cfg(feature = "files")]

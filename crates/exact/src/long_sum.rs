@@ -46,6 +46,15 @@ impl FromIterator<Fraction> for LongSum {
 }
 
 impl LongSum {
+    /// This sum and another, or less another. Adds nothing yet.
+    pub fn combined(&self, other: &LongSum, is_subtracted: bool) -> LongSum {
+        let others = other.terms.iter().filter_map(|term| {
+            let (numerator, denominator) = term.clone().into_terms();
+            Fraction::new(if is_subtracted { -numerator } else { numerator }, denominator)
+        });
+        self.terms.iter().cloned().chain(others).collect()
+    }
+
     /// The sum, not in lowest terms. Exact. Cost: some products of the length of the result.
     pub fn total(&self) -> Fraction {
         let effort = Effort { divided: LONG, longest: u64::MAX };
@@ -115,6 +124,16 @@ mod tests {
         let sum: LongSum = both.collect();
         assert!(sum.terms.is_empty());
         assert_eq!(sum.total(), fraction(0, 1));
+    }
+
+    #[test]
+    fn sums_are_added_and_subtracted_term_by_term() {
+        let [some, others]: [LongSum; 2] =
+            [fractions(40), fractions(70)].map(|terms| terms.into_iter().collect());
+        let [own, other] = [&some, &others].map(|sum| Rational::from(sum.total()));
+        assert_eq!(Rational::from(some.combined(&others, false).total()), &own + &other);
+        assert_eq!(Rational::from(some.combined(&others, true).total()), own - other);
+        assert!(some.combined(&some, true).terms.is_empty());
     }
 
     #[test]

@@ -132,14 +132,22 @@ impl NormalFan {
         Farkas::new(multipliers)
     }
 
-    /// The irredundant half-planes whose normals come last at or before, and first after, a direction.
+    /// The irredundant half-planes whose normals come last at or before, and first after, that of a half-plane.
+    pub(crate) fn around(&self, system: &System, half_plane: &HalfPlane) -> Option<(usize, usize)> {
+        self.around_direction(system, normal(half_plane))
+    }
+
     fn neighbours(&self, system: &System, form: &IntegerForm) -> Option<(usize, usize)> {
+        self.around_direction(system, form.vector())
+    }
+
+    fn around_direction(&self, system: &System, direction: (&Integer, &Integer)) -> Option<(usize, usize)> {
         let count = self.spokes.len();
         if count == 0 {
             return None;
         }
         let after = self.spokes.partition_point(|&index| {
-            angle_order(form.vector(), normal(normal_of(system, index))) != Ordering::Less
+            angle_order(direction, normal(normal_of(system, index))) != Ordering::Less
         });
         Some((self.spokes[(after + count - 1) % count], self.spokes[after % count]))
     }

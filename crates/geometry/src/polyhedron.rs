@@ -194,7 +194,15 @@ impl Polyhedron {
             .collect()
     }
 
-    fn reason(&self, index: usize) -> Redundancy {
+    /// The irredundant half-planes whose normals come last at or before that of an inequality, and first after it, by angle;
+    /// `None` where that has no normal, or there are none. They alone decide on what [`Polyhedron::reason`] says of it. Cost:
+    /// logarithmic.
+    pub fn neighbours(&self, index: usize) -> Option<(usize, usize)> {
+        self.fan.around(&self.system, self.system.half_plane(index)?)
+    }
+
+    /// Why an inequality, one that is redundant, could be left out. Exact. Cost: logarithmic.
+    pub fn reason(&self, index: usize) -> Redundancy {
         if self.region.is_empty() {
             return Redundancy::EmptyWithout;
         }

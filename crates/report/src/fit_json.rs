@@ -176,6 +176,10 @@ impl FitJson {
         let area_centroid = centroid_json(&measures, style);
         let mut reasons = reasons(problem, fit);
         reasons.extend(long_fractions("fps.area", fps.area(), area_centroid.as_ref(), style));
+        let sweep = family.map(|family| SweepJson::new(problem, family, style));
+        if sweep.as_ref().is_some_and(SweepJson::lacks_fraction) {
+            reasons.insert("sweep.area", style.too_long());
+        }
         if tightness.as_ref().is_some_and(Number::lacks_fraction) {
             reasons.insert("tightness", style.too_long());
         }
@@ -197,7 +201,7 @@ impl FitJson {
             area_centroid,
             mended_without: mending_rows(problem, fit),
             reasons,
-            sweep: family.map(|family| SweepJson::new(problem, family, style)),
+            sweep,
         }
     }
 }

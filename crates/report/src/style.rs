@@ -196,6 +196,20 @@ impl Style {
         }
     }
 
+    /// A sum over all vertices where people can read its fraction, or asked for it, and `true`; else a number that is rounded
+    /// like it.
+    pub(crate) fn readable_or_alike(&self, measure: &Measure) -> (Rational, bool) {
+        // What is readable in the end may come from terms that have more in common than can be foreseen.
+        let enough = 10 * LONGEST_READABLE;
+        match measure.exact_within(if self.exact { self.longest_fraction } else { enough }) {
+            Some(exact) => {
+                let is_whole = self.exact || is_readable(&exact.abs());
+                (exact, is_whole)
+            }
+            None => (measure.rounding_alike(self.significant()), false),
+        }
+    }
+
     /// Why the fraction of a sum over all vertices is not shown.
     pub(crate) fn too_long(&self) -> String {
         let digits = counted(self.longest_fraction, "digit", "digits");

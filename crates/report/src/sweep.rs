@@ -1,10 +1,10 @@
 //! The report of the family of sets over the error bound.
 
 use boundfit_estimation::{
-    BoundName, Breakpoint, Family, Linear, MovingBoundary, MovingVertex, Piece, Problem, Quadratic,
+    BoundName, Breakpoint, Family, Linear, MovingArea, MovingBoundary, MovingVertex, Piece, Problem,
 };
-use boundfit_exact::Rational;
 use boundfit_exact::english::list;
+use boundfit_exact::{Rational, Rounding};
 
 use crate::document::{Block, Document, Facts, Operator, Symbol, THETA, Table, Text};
 use crate::formula::{form_text, sum_text};
@@ -91,7 +91,7 @@ fn piece_blocks(piece: &Piece, style: &Style) -> Vec<Block> {
         let range = range(lower.as_ref().map(function), upper.as_ref().map(function));
         (Text::from("PUI ").symbol(theta), range)
     });
-    let area = piece.area.as_ref().map(|area| ("area".into(), quadratic_text(area, style)));
+    let area = piece.area().map(|area| ("area".into(), area_text(&area, style)));
     let facts = Facts { width: 10, rows: pui.chain(area).collect() };
     [Block::Title(title), vertices].into_iter().chain(lines).chain([Block::Facts(facts)]).collect()
 }
@@ -101,23 +101,34 @@ fn names_text(names: &[BoundName]) -> Text {
 }
 
 fn linear_text(Linear { constant, slope }: &Linear, style: &Style) -> Text {
-    polynomial_text(&[constant, slope], style)
+    let is_whole = |coefficient: &Rational| style.exact || is_readable(&coefficient.abs());
+    polynomial_text([constant, slope].map(|coefficient| (coefficient.clone(), is_whole(coefficient))), style)
 }
 
-fn quadratic_text(Quadratic { constant, slope, quadratic }: &Quadratic, style: &Style) -> Text {
-    polynomial_text(&[constant, slope, quadratic], style)
+fn area_text(area: &MovingArea, style: &Style) -> Text {
+    let coefficients = [area.constant(), area.slope(), area.quadratic()];
+    let shown = coefficients.map(|coefficient| style.readable_or_alike(&coefficient));
+    let lacks_fraction = style.exact && shown.iter().any(|(_, is_whole)| !is_whole);
+    let text = polynomial_text(shown, style);
+    if lacks_fraction { text.words(format!(" ({})", style.too_long())) } else { text }
 }
 
-/// A polynomial in s with these coefficients, from the constant on.
-fn polynomial_text(coefficients: &[&Rational], style: &Style) -> Text {
+/// A polynomial in s with these coefficients, from the constant on, each with whether all of it is shown.
+fn polynomial_text<const N: usize>(coefficients: [(Rational, bool); N], style: &Style) -> Text {
     let s = Text::from(Symbol::Factor);
     let powers = [None, Some(s.clone()), Some(s.mark("^2"))];
-    sum_text(coefficients.iter().zip(powers).map(|(&value, power)| {
+    sum_text(coefficients.into_iter().zip(powers).map(|((value, is_whole), power)| {
         let size = value.abs();
-        let shown = style.proof(&size);
-        let is_whole = style.exact || is_readable(&size);
-        let shown = if is_whole { shown } else { Text::new().mark("(").then(shown).mark(")") };
-        (value.clone(), shown, power)
+        let shown = if is_whole {
+            Text::new().number(&size)
+        } else {
+            Text::new()
+                .mark("(")
+                .words("about ")
+                .number(size.decimal(style.significant(), Rounding::Nearest))
+                .mark(")")
+        };
+        (value, shown, power)
     }))
 }
 
@@ -129,7 +140,10 @@ mod tests {
     fn functions_read_like_formulas() {
         let text = |coefficients: &[i64]| {
             let values: Vec<Rational> = coefficients.iter().map(|&value| Rational::ratio(value, 2)).collect();
-            polynomial_text(&values.iter().collect::<Vec<_>>(), &Style::default()).to_string()
+            let [constant, slope, quadratic] =
+                [0, 1, 2].map(|index| values.get(index).cloned().unwrap_or_default());
+            let whole = [constant, slope, quadratic].map(|value| (value, true));
+            polynomial_text(whole, &Style::default()).to_string()
         };
         for (coefficients, expected) in [
             (&[1, -3][..], "1/2 - 3/2*s"),

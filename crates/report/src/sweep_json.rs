@@ -1,10 +1,10 @@
 //! The family of sets over the error bound as JSON: part of `boundfit/fit/1`.
 
 use boundfit_estimation::{
-    BoundName, Breakpoint, Family, Linear, MovingVertex, Piece, Problem, Quadratic, Section,
+    BoundName, Breakpoint, Family, Linear, MovingArea, MovingVertex, Piece, Problem, Section,
 };
 use boundfit_exact::Rational;
-use boundfit_geometry::Direction;
+use boundfit_geometry::{Direction, RegionKind};
 use serde::Serialize;
 
 use crate::json::{ActiveJson, RangeJson, VertexJson};
@@ -64,12 +64,14 @@ struct LinearJson {
     slope: String,
 }
 
-/// `constant + slope·s + quadratic·s²`.
+/// `constant + slope·s + quadratic·s²`. A coefficient is null where its fraction is too long; then all three have decimals.
 #[derive(Debug, Serialize)]
 struct QuadraticJson {
-    constant: String,
-    slope: String,
-    quadratic: String,
+    constant: Option<String>,
+    slope: Option<String>,
+    quadratic: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    decimals: Option<[String; 3]>,
 }
 
 impl SweepJson {
@@ -90,8 +92,19 @@ impl SweepJson {
     }
 }
 
+impl SweepJson {
+    /// Whether the fraction of an area is too long to be written.
+    pub(crate) fn lacks_fraction(&self) -> bool {
+        let areas = self.breakpoints.iter().filter_map(|breakpoint| breakpoint.area.as_ref());
+        let mut functions = self.pieces.iter().filter_map(|piece| piece.area.as_ref());
+        areas.into_iter().any(Number::lacks_fraction) || functions.any(|area| area.decimals.is_some())
+    }
+}
+
 fn breakpoint_json(problem: &Problem, breakpoint: &Breakpoint, style: &Style) -> BreakpointJson {
-    let Section { kind, vertices, rays, lines, boundaries, pui, area } = &breakpoint.section;
+    let Section { kind, vertices, rays, lines, boundaries, pui } = &breakpoint.section;
+    let measures = breakpoint.section.measures();
+    let area = measures.area().filter(|_| *kind != RegionKind::Empty);
     let epsilon = problem.measurements.error_bound().uniform();
     let epsilon = epsilon.map(|epsilon| style.upper_number(&(epsilon * &breakpoint.s)));
     BreakpointJson {
@@ -113,7 +126,7 @@ fn breakpoint_json(problem: &Problem, breakpoint: &Breakpoint, style: &Style) ->
             })
             .collect(),
         pui: pui.as_ref().map(|pui| pui.each_ref().map(|interval| RangeJson::new(interval, style))),
-        area: area.as_ref().map(|area| style.number(area)),
+        area: area.map(|area| style.measure_number(&area)),
         entering: names(&breakpoint.entering),
         leaving: names(&breakpoint.leaving),
     }
@@ -145,7 +158,7 @@ fn piece_json(piece: &Piece, style: &Style) -> PieceJson {
             })
             .collect(),
         pui: piece.pui.as_ref().map(|pui| pui.each_ref().map(range)),
-        area: piece.area.as_ref().map(quadratic),
+        area: piece.area().map(|area| quadratic(&area, style)),
     }
 }
 
@@ -153,12 +166,14 @@ fn linear(Linear { constant, slope }: &Linear) -> LinearJson {
     LinearJson { constant: constant.to_string(), slope: slope.to_string() }
 }
 
-fn quadratic(Quadratic { constant, slope, quadratic }: &Quadratic) -> QuadraticJson {
-    QuadraticJson {
-        constant: constant.to_string(),
-        slope: slope.to_string(),
-        quadratic: quadratic.to_string(),
-    }
+fn quadratic(area: &MovingArea, style: &Style) -> QuadraticJson {
+    let coefficients = [area.constant(), area.slope(), area.quadratic()];
+    let exact = coefficients.each_ref().map(|coefficient| coefficient.exact_within(style.longest_fraction));
+    let decimal = |index: usize| coefficients[index].rounding_alike(style.significant());
+    let lacks = exact.iter().any(Option::is_none);
+    let decimals = lacks.then(|| [0, 1, 2].map(|index| style.nearest(&decimal(index)).compact().to_string()));
+    let [constant, slope, quadratic] = exact.map(|exact| exact.map(|exact| exact.to_string()));
+    QuadraticJson { constant, slope, quadratic, decimals }
 }
 
 fn names(names: &[BoundName]) -> Vec<ActiveJson> {

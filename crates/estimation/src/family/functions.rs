@@ -1,6 +1,6 @@
 //! Functions of the factor s on the error bounds.
 
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, Sub};
 
 use boundfit_exact::Rational;
 
@@ -11,17 +11,6 @@ pub struct Linear {
     pub constant: Rational,
     /// The growth per unit of s.
     pub slope: Rational,
-}
-
-/// `constant + slope·s + quadratic·s²`.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Quadratic {
-    /// The value at s = 0.
-    pub constant: Rational,
-    /// The coefficient of s.
-    pub slope: Rational,
-    /// The coefficient of s².
-    pub quadratic: Rational,
 }
 
 impl Linear {
@@ -41,26 +30,6 @@ impl Linear {
     }
 }
 
-impl Quadratic {
-    /// The value at s. Exact.
-    pub fn at(&self, s: &Rational) -> Rational {
-        &self.constant + (&self.slope + &self.quadratic * s) * s
-    }
-
-    /// The function that has one value everywhere.
-    pub(crate) fn constant(value: Rational) -> Self {
-        Quadratic { constant: value, ..Quadratic::default() }
-    }
-
-    pub(crate) fn times(&self, factor: &Rational) -> Quadratic {
-        Quadratic {
-            constant: &self.constant * factor,
-            slope: &self.slope * factor,
-            quadratic: &self.quadratic * factor,
-        }
-    }
-}
-
 impl Add for &Linear {
     type Output = Linear;
 
@@ -74,37 +43,5 @@ impl Sub for &Linear {
 
     fn sub(self, other: &Linear) -> Linear {
         Linear { constant: &self.constant - &other.constant, slope: &self.slope - &other.slope }
-    }
-}
-
-impl Mul for &Linear {
-    type Output = Quadratic;
-
-    fn mul(self, other: &Linear) -> Quadratic {
-        Quadratic {
-            constant: &self.constant * &other.constant,
-            slope: &self.constant * &other.slope + &self.slope * &other.constant,
-            quadratic: &self.slope * &other.slope,
-        }
-    }
-}
-
-impl Add for Quadratic {
-    type Output = Quadratic;
-
-    fn add(self, other: Quadratic) -> Quadratic {
-        Quadratic {
-            constant: self.constant + other.constant,
-            slope: self.slope + other.slope,
-            quadratic: self.quadratic + other.quadratic,
-        }
-    }
-}
-
-impl Sub for Quadratic {
-    type Output = Quadratic;
-
-    fn sub(self, other: Quadratic) -> Quadratic {
-        self + other.times(&-Rational::one())
     }
 }

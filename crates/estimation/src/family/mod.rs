@@ -5,22 +5,26 @@
 //! (Parametric linear programming in the right-hand side; Gal and Nedoma, "Multiparametric linear programming",
 //! *Management Science* 18, 1972.)
 
+mod area;
 mod functions;
 mod growing;
 mod piece;
 mod section;
+mod shape;
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Rational, Rounding};
 
 use crate::fps::BoundName;
 use crate::minimax::Minimax;
 use crate::problem::Problem;
 
-pub use functions::{Linear, Quadratic};
+pub use area::MovingArea;
+pub use functions::Linear;
 pub use piece::{MovingBoundary, MovingVertex, Piece};
 pub use section::{Section, SectionBoundary, SectionVertex};
 
 use growing::GrowingSystem;
+use shape::Shape;
 
 /// The sets FPS(s·ε) for all factors s of a range.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -118,19 +122,28 @@ impl Family {
     }
 }
 
+/// A decimal in the middle half between two numbers, with few digits: whatever is computed with it is then short.
+fn between(from: &Rational, to: &Rational) -> Rational {
+    let (middle, room) = ((from + to).half(), (to - from).half().half());
+    let is_near = |decimal: &Rational| (decimal - &middle).abs() <= room;
+    let mut decimals = (0..12).map(|power| middle.rounded(1 << power, Rounding::Nearest));
+    decimals.find(is_near).unwrap_or(middle)
+}
+
 /// The pieces from one factor to another, ascending. The sets between them must not be empty.
 ///
 /// A sample in the middle of a gap shows the shape there; its half-planes tell how far that shape reaches, and what is
 /// left on both sides are smaller gaps.
 fn pieces_between(system: &GrowingSystem, from: Rational, to: Rational) -> Vec<Piece> {
     let mut pieces = Vec::new();
+    let mut shape = Shape::default();
     let mut gaps = vec![(from, to)];
     while let Some((from, to)) = gaps.pop() {
         if from >= to {
             continue;
         }
-        let sample = (&from + &to).half();
-        let (piece, reach) = Piece::around(system, &sample);
+        let sample = between(&from, &to);
+        let (piece, reach) = Piece::around(system, &mut shape, &sample);
         let starts = reach.from.max(from.clone());
         let ends = reach.to.map_or_else(|| to.clone(), |end| end.min(to.clone()));
         // A sample that is itself a breakpoint has no piece around it: starts and ends are both there, or one is.

@@ -1,12 +1,13 @@
 //! What a family looks like between two breakpoints.
 
 use boundfit_exact::{Endpoint, Interval, Rational};
-use boundfit_geometry::predicates::{Turn, normal_turn};
-use boundfit_geometry::{Direction, Point, Polyhedron, Redundancy, Region, RegionKind, Support, System};
+use boundfit_geometry::{Direction, Point, Polyhedron, RegionKind, Support};
 
-use super::functions::{Linear, Quadratic};
+use super::area::MovingArea;
+use super::functions::Linear;
 use super::growing::GrowingSystem;
 use super::section::{Section, SectionBoundary, SectionVertex};
+use super::shape::Shape;
 use crate::fps::BoundName;
 
 /// The sets strictly between two factors: the same half-planes meet in the same order.
@@ -28,8 +29,6 @@ pub struct Piece {
     pub boundaries: Vec<MovingBoundary>,
     /// Lower and upper end of each parameter uncertainty interval, `None` where unbounded; `None` for empty sets.
     pub pui: Option<[[Option<Linear>; 2]; 2]>,
-    /// The area; `None` when it is infinite or the sets are empty.
-    pub area: Option<Quadratic>,
     /// A minimal set of bounds that describes the sets, sorted.
     pub shaped_by: Vec<BoundName>,
 }
@@ -72,26 +71,17 @@ impl Piece {
             lines: Vec::new(),
             boundaries: Vec::new(),
             pui: None,
-            area: None,
             shaped_by: Vec::new(),
         }
     }
 
     /// The shape at a sample, at which the set must not be empty, and how far it reaches. The ends of the piece are
     /// left to the caller; where the sample is an end of its own reach, the shape is that of a breakpoint, no piece.
-    pub(super) fn around(system: &GrowingSystem, sample: &Rational) -> (Self, Reach) {
+    pub(super) fn around(system: &GrowingSystem, shape: &mut Shape, sample: &Rational) -> (Self, Reach) {
         let polyhedron = system.polyhedron(sample);
-        let corners = corners(system, &polyhedron);
-        let reach = reach(system, &polyhedron, &corners, sample);
+        let reach = shape.reach(system, &polyhedron, sample);
         let region = polyhedron.region();
-        let vertices: Vec<MovingVertex> = region
-            .vertices()
-            .iter()
-            .filter_map(|vertex| {
-                let moving = corners.iter().flatten().find(|theta| at(theta, sample) == *vertex.point())?;
-                Some(MovingVertex { theta: moving.clone(), active: system.named(vertex.active()) })
-            })
-            .collect();
+        let vertices = moving_vertices(system, &polyhedron, shape);
         let boundaries = region.boundaries().iter().filter_map(|boundary| {
             let normal = boundary.half_plane().normal();
             let first = *boundary.active().first()?;
@@ -102,7 +92,6 @@ impl Piece {
             from: sample.clone(),
             to: sample.clone(),
             kind: region.kind(),
-            area: area(region, &vertices),
             vertices,
             rays: region.rays(),
             lines: region.lines(),
@@ -135,83 +124,31 @@ impl Piece {
             lines: self.lines.clone(),
             boundaries: self.boundaries.iter().map(boundary).collect(),
             pui: self.pui.as_ref().and_then(|[first, second]| Some([interval(first)?, interval(second)?])),
-            area: self.area.as_ref().map(|area| area.at(s)),
         }
     }
 }
 
-/// The moving corner of each irredundant half-plane with the next by angle; `None` where the set goes on between them.
-fn corners(system: &GrowingSystem, polyhedron: &Polyhedron) -> Vec<Option<[Linear; 2]>> {
+/// The moving corner at each vertex: that of two irredundant half-planes, next to each other by angle, which are both active
+/// there. Vertices and corners go around the set in the same way.
+fn moving_vertices(system: &GrowingSystem, polyhedron: &Polyhedron, shape: &mut Shape) -> Vec<MovingVertex> {
     let spokes = polyhedron.irredundant_by_angle();
-    let next = spokes.iter().cycle().skip(1);
-    spokes.iter().zip(next).map(|(&f, &g)| corner(system, polyhedron.system(), f, g)).collect()
-}
-
-/// The common point of two moving boundaries (Cramer's rule), unless the second is half a turn or more further on.
-fn corner(system: &GrowingSystem, at_sample: &System, f: usize, g: usize) -> Option<[Linear; 2]> {
-    if normal_turn(at_sample.half_plane(f)?, at_sample.half_plane(g)?) != Turn::Left {
-        return None;
+    let mut next = 0;
+    let mut found = Vec::with_capacity(spokes.len());
+    for vertex in polyhedron.region().vertices() {
+        let is_active = |index: usize| vertex.active().binary_search(&index).is_ok();
+        let theta = (next..next + spokes.len()).find_map(|number| {
+            let (f, g) = (spokes[number % spokes.len()], spokes[(number + 1) % spokes.len()]);
+            let theta = (is_active(f) && is_active(g)).then(|| shape.corner(system, f, g)).flatten()?;
+            next = number + 1;
+            Some(theta.clone())
+        });
+        found.extend(theta.map(|theta| MovingVertex { theta, active: system.named(vertex.active()) }));
     }
-    let ([f1, f2], [g1, g2]) = (system.form(f), system.form(g));
-    let reciprocal = (f1 * g2 - f2 * g1).recip()?;
-    let (bf, bg) = (system.bound(f), system.bound(g));
-    let theta1 = &bf.times(g2) - &bg.times(f2);
-    let theta2 = &bg.times(f1) - &bf.times(g1);
-    Some([theta1.times(&reciprocal), theta2.times(&reciprocal)])
-}
-
-/// How far the shape at a sample reaches: as far as no edge of it has shrunk to nothing, its parallel sides have not
-/// met, and every other half-plane still contains it. Each of these is a linear function of s that must not be negative.
-fn reach(
-    system: &GrowingSystem,
-    polyhedron: &Polyhedron,
-    corners: &[Option<[Linear; 2]>],
-    sample: &Rational,
-) -> Reach {
-    let mut reach = Reach { from: Rational::zero(), to: None };
-    let mut require = |slack: &Linear| {
-        let Some(root) = slack.root() else { return };
-        if slack.slope.is_positive() {
-            if root > reach.from {
-                reach.from = root;
-            }
-        } else if reach.to.as_ref().is_none_or(|to| root < *to) {
-            reach.to = Some(root);
-        }
-    };
-    let spokes = polyhedron.irredundant_by_angle();
-    for (number, &spoke) in spokes.iter().enumerate() {
-        let before = &corners[(number + spokes.len() - 1) % spokes.len()];
-        if let (Some(start), Some(end)) = (before, &corners[number]) {
-            // The boundary runs to the left of its normal.
-            let [a1, a2] = system.form(spoke);
-            let along = [&end[0] - &start[0], &end[1] - &start[1]];
-            require(&(&along[1].times(a1) - &along[0].times(a2)));
-        }
-        let next = spokes[(number + 1) % spokes.len()];
-        let opposite = system.form(next).each_ref().map(|coefficient| -coefficient);
-        if let Some(factor) = multiple_of(&opposite, system.form(spoke)) {
-            require(&(system.bound(next) + &system.bound(spoke).times(&factor)));
-        }
-    }
-    for (index, redundancy) in polyhedron.redundancies().into_iter().enumerate() {
-        let implied = match redundancy {
-            None => continue,
-            Some(Redundancy::Dominated { by, .. }) => system.combined(&by),
-            Some(Redundancy::SameAs(other)) => {
-                let factor = multiple_of(system.form(index), system.form(other)).unwrap_or_default();
-                system.bound(other).times(&factor)
-            }
-            Some(Redundancy::Always | Redundancy::EmptyWithout) => Linear::default(),
-        };
-        require(&(system.bound(index) - &implied));
-    }
-    debug_assert!(reach.from <= *sample, "a shape that is not there at its own sample");
-    reach
+    found
 }
 
 /// The positive factor with `vector = factor·other`, if there is one.
-fn multiple_of(vector: &[Rational; 2], other: &[Rational; 2]) -> Option<Rational> {
+pub(super) fn multiple_of(vector: &[Rational; 2], other: &[Rational; 2]) -> Option<Rational> {
     let parallel = &vector[0] * &other[1] == &vector[1] * &other[0];
     let factor = vector[0].checked_div(&other[0]).or_else(|| vector[1].checked_div(&other[1]))?;
     (parallel && factor.is_positive()).then_some(factor)
@@ -236,20 +173,23 @@ fn ends(system: &GrowingSystem, polyhedron: &Polyhedron, axis: usize) -> [Option
     })
 }
 
-/// The area of moving vertices (the shoelace formula).
-fn area(region: &Region, vertices: &[MovingVertex]) -> Option<Quadratic> {
-    if region.kind() != RegionKind::Polygon {
-        return region.area().map(Quadratic::constant);
+impl Piece {
+    /// The area as a function of s; `None` when it is infinite or the sets are empty.
+    pub fn area(&self) -> Option<MovingArea> {
+        let corners = match self.kind {
+            RegionKind::Polygon => self.vertices.as_slice(),
+            RegionKind::Point | RegionKind::Segment | RegionKind::Ray | RegionKind::Line => &[],
+            _ => return None,
+        };
+        let at = |theta: &[Linear; 2], value: fn(&Linear) -> Rational| {
+            Point::new(&value(&theta[0]), &value(&theta[1]))
+        };
+        let corners =
+            |value: fn(&Linear) -> Rational| corners.iter().map(move |vertex| at(&vertex.theta, value));
+        Some(MovingArea::new(
+            corners(|coordinate| coordinate.constant.clone()).collect(),
+            corners(|coordinate| &coordinate.constant + &coordinate.slope).collect(),
+            corners(|coordinate| coordinate.slope.clone()).collect(),
+        ))
     }
-    let next = vertices.iter().cycle().skip(1);
-    let doubled = vertices
-        .iter()
-        .zip(next)
-        .map(|(p, q)| &p.theta[0] * &q.theta[1] - &p.theta[1] * &q.theta[0])
-        .fold(Quadratic::default(), |total, term| total + term);
-    Some(doubled.times(&Rational::ratio(1, 2)))
-}
-
-fn at(theta: &[Linear; 2], s: &Rational) -> Point {
-    Point::new(&theta[0].at(s), &theta[1].at(s))
 }

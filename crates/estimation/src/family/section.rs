@@ -1,7 +1,9 @@
 //! One set of a family.
 
+use std::borrow::Cow;
+
 use boundfit_exact::{Interval, Rational};
-use boundfit_geometry::{Boundary, Direction, Polyhedron, RegionKind, Vertex};
+use boundfit_geometry::{Boundary, Direction, Measures, Point, Polyhedron, RegionKind, Vertex};
 
 use crate::fps::BoundName;
 
@@ -20,8 +22,6 @@ pub struct Section {
     pub boundaries: Vec<SectionBoundary>,
     /// The parameter uncertainty intervals; `None` when the set is empty.
     pub pui: Option<[Interval; 2]>,
-    /// The area; `None` when it is infinite or the set is empty.
-    pub area: Option<Rational>,
 }
 
 /// A vertex with the bounds that are active there.
@@ -45,6 +45,12 @@ pub struct SectionBoundary {
 }
 
 impl Section {
+    /// Its area and centroid.
+    pub fn measures(&self) -> Measures<'static> {
+        let corners = self.vertices.iter().map(|vertex| Point::new(&vertex.theta[0], &vertex.theta[1]));
+        Measures::of(self.kind, corners.map(Cow::Owned).collect())
+    }
+
     pub(super) fn of(polyhedron: &Polyhedron, named: impl Fn(&[usize]) -> Vec<BoundName>) -> Self {
         let region = polyhedron.region();
         let vertex = |vertex: &Vertex| SectionVertex {
@@ -63,7 +69,6 @@ impl Section {
             lines: region.lines(),
             boundaries: region.boundaries().iter().map(boundary).collect(),
             pui: polyhedron.bounding_box(),
-            area: region.area().filter(|_| !region.is_empty()),
         }
     }
 }

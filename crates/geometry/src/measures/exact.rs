@@ -1,11 +1,11 @@
 //! Area and moments of a polygon as fractions.
 
+use std::borrow::Cow;
 use std::cell::OnceCell;
 
 use boundfit_exact::{Fraction, Integer, LongSum};
 
 use crate::point::Point;
-use crate::region::Vertex;
 
 /// The sums of the shoelace formula: twice the area, six times the integrals of both coordinates.
 #[derive(Debug)]
@@ -17,14 +17,14 @@ pub(super) struct ExactMoments {
 
 impl ExactMoments {
     /// Of the corners of a polygon. Adds nothing yet.
-    pub(super) fn new(vertices: &[Vertex]) -> Self {
+    pub(super) fn new(corners: &[Cow<Point>]) -> Self {
         let edges = || {
-            let points = vertices.iter().map(Vertex::point);
+            let points = corners.iter().map(Cow::as_ref);
             let next = points.clone().cycle().skip(1);
             points.zip(next).map(|(p, q)| doubled_triangle(p, q))
         };
         let moment = |axis: usize| {
-            let points = vertices.iter().map(Vertex::point);
+            let points = corners.iter().map(Cow::as_ref);
             let next = points.clone().cycle().skip(1);
             edges().zip(points.zip(next)).filter_map(move |((doubled, weight), (p, q))| {
                 let (sum, _) = corners_sum(p, q, axis);
@@ -36,6 +36,11 @@ impl ExactMoments {
             sixfold_moments: [0, 1].map(|axis| moment(axis).collect()),
             total: OnceCell::new(),
         }
+    }
+
+    /// The terms of twice the area.
+    pub(super) fn doubled_area_terms(&self) -> &LongSum {
+        &self.doubled_area
     }
 
     fn doubled_area(&self) -> &Fraction {
@@ -50,12 +55,7 @@ impl ExactMoments {
         quotient(&self.sixfold_moments[axis].total(), self.doubled_area())
     }
 
-    /// As [`ExactMoments::area`], where the common denominator has at most so many bits.
-    pub(super) fn area_within(&self, bits: u64) -> Option<Fraction> {
-        Some(halved(&self.doubled_area.total_within(bits)?))
-    }
-
-    /// As [`ExactMoments::centroid`], where the common denominators have at most so many bits.
+    /// As [`ExactMoments::centroid`], where both common denominators have at most so many bits.
     pub(super) fn centroid_within(&self, axis: usize, bits: u64) -> Option<Fraction> {
         let moment = self.sixfold_moments[axis].total_within(bits)?;
         Some(quotient(&moment, &self.doubled_area.total_within(bits)?))
@@ -75,7 +75,7 @@ fn corners_sum(p: &Point, q: &Point, axis: usize) -> (Integer, Integer) {
     (p * qw + q * pw, pw * qw)
 }
 
-fn halved(doubled: &Fraction) -> Fraction {
+pub(super) fn halved(doubled: &Fraction) -> Fraction {
     fraction(doubled.numerator().clone(), doubled.denominator() + doubled.denominator())
 }
 

@@ -4,14 +4,15 @@ mod diameter;
 mod exact;
 mod rough;
 
+use std::borrow::Cow;
 use std::cell::OnceCell;
 
-use boundfit_exact::{Fraction, Integer, Rational, Rounding};
+use boundfit_exact::{Fraction, Integer, LongSum, Rational, Rounding, Sign};
 
 use crate::constructions::mean;
 use crate::point::Point;
-use crate::region::{Region, RegionKind, Vertex};
-use exact::ExactMoments;
+use crate::region::{Region, RegionKind};
+use exact::{ExactMoments, halved};
 use rough::RoughMoments;
 
 impl Region {
@@ -32,14 +33,18 @@ impl Region {
 
     /// Area and centroid, of which nothing is computed before it is asked for, and nothing twice.
     pub fn measures(&self) -> Measures<'_> {
-        Measures { region: self, rough: Default::default(), exact: OnceCell::new() }
+        Measures::of(
+            self.kind(),
+            self.vertices().iter().map(|vertex| Cow::Borrowed(vertex.point())).collect(),
+        )
     }
 }
 
 /// Area and centroid of a region.
 #[derive(Debug)]
 pub struct Measures<'a> {
-    region: &'a Region,
+    kind: RegionKind,
+    corners: Vec<Cow<'a, Point>>,
     /// Each with four times the bits of the one before.
     rough: [OnceCell<Option<RoughMoments>>; MOST_LEVELS],
     exact: OnceCell<ExactMoments>,
@@ -52,11 +57,19 @@ fn bits_of(level: usize) -> u64 {
     40 << (2 * level)
 }
 
-impl Measures<'_> {
+impl<'a> Measures<'a> {
+    /// Of a region of this kind with these corners, which go around it. Where they are those of no convex polygon, the area
+    /// counts each point as often as the corners go around it counter-clockwise.
+    pub fn of(kind: RegionKind, corners: Vec<Cow<'a, Point>>) -> Self {
+        Measures { kind, corners, rough: Default::default(), exact: OnceCell::new() }
+    }
+
     /// The area: 0 for everything within a line, `None` when it is infinite.
     pub fn area(&self) -> Option<Measure<'_>> {
-        match self.region.kind() {
-            RegionKind::Polygon => Some(Measure(Kind::Area { of: self, unit: Rational::one() })),
+        match self.kind {
+            RegionKind::Polygon => {
+                Some(Measure(Kind::Area { of: vec![(self, Sign::Positive)], unit: Rational::one() }))
+            }
             RegionKind::UnboundedPolygon | RegionKind::Strip | RegionKind::HalfPlane | RegionKind::Plane => {
                 None
             }
@@ -80,9 +93,9 @@ impl Measures<'_> {
     /// The centroid of a bounded region: of the area for a polygon, the mid-point of a segment, the point itself;
     /// `None` when the region is empty or unbounded.
     pub fn centroid(&self) -> Option<[Measure<'_>; 2]> {
-        match self.region.kind() {
+        match self.kind {
             RegionKind::Point | RegionKind::Segment => {
-                let middle = mean(self.region.vertices().iter().map(Vertex::point));
+                let middle = mean(self.corners.iter().map(Cow::as_ref));
                 Some(middle.coordinates().map(|coordinate| Measure(Kind::Short(coordinate))))
             }
             RegionKind::Polygon => Some([0, 1].map(|axis| Measure(Kind::Centroid { of: self, axis }))),
@@ -91,11 +104,11 @@ impl Measures<'_> {
     }
 
     fn exact(&self) -> &ExactMoments {
-        self.exact.get_or_init(|| ExactMoments::new(self.region.vertices()))
+        self.exact.get_or_init(|| ExactMoments::new(&self.corners))
     }
 
     fn rough(&self, level: usize) -> Option<&RoughMoments> {
-        let made = || RoughMoments::new(self.region.vertices(), bits_of(level));
+        let made = || RoughMoments::new(&self.corners, bits_of(level));
         self.rough.get(level)?.get_or_init(made).as_ref()
     }
 }
@@ -107,9 +120,9 @@ pub struct Measure<'a>(Kind<'a>);
 #[derive(Debug)]
 enum Kind<'a> {
     Short(Rational),
-    /// The area in a unit.
+    /// A sum of areas, each with its sign, in a unit.
     Area {
-        of: &'a Measures<'a>,
+        of: Vec<(&'a Measures<'a>, Sign)>,
         unit: Rational,
     },
     /// A coordinate of the centroid.
@@ -119,12 +132,17 @@ enum Kind<'a> {
     },
 }
 
-impl Measure<'_> {
+impl<'a> Measure<'a> {
+    /// Areas of polygons added up, each with its sign.
+    pub fn sum_of_areas(of: Vec<(&'a Measures<'a>, Sign)>) -> Self {
+        Measure(Kind::Area { of, unit: Rational::one() })
+    }
+
     /// The number itself. Cost: as of [`Region::area`].
     pub fn exact(&self) -> Rational {
         match &self.0 {
             Kind::Short(value) => value.clone(),
-            Kind::Area { of, unit } => divided(Rational::from(of.exact().area()), unit),
+            Kind::Area { of, unit } => divided(Rational::from(area(of)), unit),
             Kind::Centroid { of, axis } => Rational::from(of.exact().centroid(*axis)),
         }
     }
@@ -136,7 +154,10 @@ impl Measure<'_> {
         let bits = longest.bits();
         let value = match &self.0 {
             Kind::Short(value) => value.clone(),
-            Kind::Area { of, unit } => divided(Rational::from(of.exact().area_within(bits)?), unit),
+            Kind::Area { of, unit } => {
+                let doubled = doubled_area_terms(of).total_within(bits)?;
+                divided(Rational::from(halved(&doubled)), unit)
+            }
             Kind::Centroid { of, axis } => Rational::from(of.exact().centroid_within(*axis, bits)?),
         };
         let is_short = value.numerator().abs() < longest && value.denominator() < longest;
@@ -187,8 +208,15 @@ impl Measure<'_> {
         match &self.0 {
             Kind::Short(value) => Some((value.clone(), value.clone())),
             Kind::Area { of, unit } => {
-                let (lower, upper) = of.rough(level)?.area();
-                Some((divided(lower, unit), divided(upper, unit)))
+                let mut sum = (Rational::zero(), Rational::zero());
+                for (measures, sign) in of {
+                    let (lower, upper) = measures.rough(level)?.area();
+                    sum = match sign {
+                        Sign::Negative => (sum.0 - upper, sum.1 - lower),
+                        _ => (sum.0 + lower, sum.1 + upper),
+                    };
+                }
+                Some((divided(sum.0, unit), divided(sum.1, unit)))
             }
             Kind::Centroid { of, axis } => of.rough(level)?.centroid(*axis),
         }
@@ -198,7 +226,7 @@ impl Measure<'_> {
     fn among_decimals(&self, digits: usize) -> Rational {
         let (value, unit) = match &self.0 {
             Kind::Short(value) => return value.clone(),
-            Kind::Area { of, unit } => (of.exact().area(), unit),
+            Kind::Area { of, unit } => (area(of), unit),
             Kind::Centroid { of, axis } => (of.exact().centroid(*axis), &Rational::one()),
         };
         let near = self.enclosures(digits).last().map(|(_, upper)| upper.rounded(digits, Rounding::Down));
@@ -207,6 +235,25 @@ impl Measure<'_> {
             .chain([Rational::zero()])
             .find(is)
             .unwrap_or_else(|| divided(Rational::from(value), unit))
+    }
+}
+
+fn area(of: &[(&Measures, Sign)]) -> Fraction {
+    match of {
+        [(only, Sign::Positive)] => only.exact().area(),
+        _ => halved(&doubled_area_terms(of).total()),
+    }
+}
+
+fn doubled_area_terms<'a>(of: &[(&'a Measures, Sign)]) -> Cow<'a, LongSum> {
+    match of {
+        [(only, Sign::Positive)] => Cow::Borrowed(only.exact().doubled_area_terms()),
+        _ => {
+            let add = |sum: LongSum, (measures, sign): &(&Measures, Sign)| {
+                sum.combined(measures.exact().doubled_area_terms(), *sign == Sign::Negative)
+            };
+            Cow::Owned(of.iter().fold(LongSum::default(), add))
+        }
     }
 }
 

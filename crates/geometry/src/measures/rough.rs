@@ -1,11 +1,12 @@
 //! Area and moments of a polygon between bounds, from vertices rounded to a grid.
 
+use std::borrow::Cow;
+
 use boundfit_exact::{Integer, Rational};
 
 use crate::point::Point;
-use crate::region::Vertex;
 
-/// The moments of a polygon `Q` whose vertices are those of `P`, rounded down to a grid that is as fine as it was asked for,
+/// The moments of a closed polygon `Q` whose vertices are those of `P`, rounded down to a grid that is as fine as it was asked for,
 /// and how far those of `P` may be from them.
 ///
 /// Each coordinate moves by less than a unit of the grid. While the vertices move from `Q` to `P`, each in a straight line,
@@ -30,8 +31,8 @@ pub(super) struct RoughMoments {
 impl RoughMoments {
     /// On a grid on which the polygon is at least `2^bits` units wide and high. Exact but for the rounding that it bounds.
     /// Cost: linear. `None` where there is no polygon.
-    pub(super) fn new(vertices: &[Vertex], bits: u64) -> Option<Self> {
-        let scale = [0, 1].map(|axis| scale(vertices, axis, bits));
+    pub(super) fn new(corners: &[Cow<Point>], bits: u64) -> Option<Self> {
+        let scale = [0, 1].map(|axis| scale(corners, axis, bits));
         let [Some(x_scale), Some(y_scale)] = scale else { return None };
         let scale = [x_scale, y_scale];
         let power = scale.map(|scale| Integer::power_of_two(scale.unsigned_abs()));
@@ -43,12 +44,12 @@ impl RoughMoments {
             };
             [floor(0, x), floor(1, y)]
         };
-        let origin = on_grid(vertices.first()?.point());
-        let corners = vertices.iter().map(|vertex| {
-            let [x, y] = on_grid(vertex.point());
+        let origin = on_grid(corners.first()?);
+        let from_origin = corners.iter().map(|corner| {
+            let [x, y] = on_grid(corner);
             [x - &origin[0], y - &origin[1]]
         });
-        let corners: Vec<[Integer; 2]> = corners.collect();
+        let corners: Vec<[Integer; 2]> = from_origin.collect();
         let mut moments = RoughMoments {
             scale,
             origin,
@@ -110,17 +111,21 @@ impl RoughMoments {
     }
 }
 
-/// The least scale on which two of three corners are at least `2^bits` units apart in a coordinate; the vertices of a polygon
-/// are on no line, so that not all three are at the same one.
-fn scale(vertices: &[Vertex], axis: usize, bits: u64) -> Option<i64> {
-    let first = vertices.first()?.point();
-    let third = vertices.len() / 3;
-    let apart = [third, 2 * third].into_iter().filter_map(|other| {
-        let ((px, py, pw), (qx, qy, qw)) = (first.homogeneous(), vertices.get(other)?.point().homogeneous());
-        let (p, q) = if axis == 0 { (px, qx) } else { (py, qy) };
-        let difference = q * pw - p * qw;
+/// A scale on which some of the corners are at least `2^bits` units apart in a coordinate; `None` where those that are looked
+/// at are not apart. Three corners of a polygon that is strictly convex are on no line.
+fn scale(corners: &[Cow<Point>], axis: usize, bits: u64) -> Option<i64> {
+    const LOOKS: usize = 3;
+    let coordinate = |point: &Point| {
+        let (x, y, w) = point.homogeneous();
+        (if axis == 0 { x.clone() } else { y.clone() }, w.clone())
+    };
+    let (first, first_weight) = coordinate(corners.first()?);
+    let others = corners.iter().step_by(corners.len().div_ceil(LOOKS)).skip(1);
+    let apart = others.filter_map(|other| {
+        let (other, weight) = coordinate(other);
+        let difference = other * &first_weight - &first * &weight;
         // It is at least 2^(exponent - 1).
-        (!difference.is_zero()).then(|| difference.bits() as i64 - (pw * qw).bits() as i64)
+        (!difference.is_zero()).then(|| difference.bits() as i64 - (weight * &first_weight).bits() as i64)
     });
     Some(bits as i64 + 1 - apart.max()?)
 }

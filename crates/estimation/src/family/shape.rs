@@ -1,0 +1,134 @@
+//! How far the shape of a set reaches over the factors.
+//!
+//! What decides are linear functions of s that must not be negative. Each is about two or three half-planes, whichever others
+//! there are, so that it is the same one in every piece in which these are neighbours: it is kept.
+
+use std::collections::HashMap;
+
+use boundfit_exact::Rational;
+use boundfit_geometry::{Polyhedron, Redundancy};
+
+use super::functions::Linear;
+use super::growing::GrowingSystem;
+use super::piece::{Reach, multiple_of};
+
+/// What is known of the half-planes of a family, by their indices.
+#[derive(Default)]
+pub(super) struct Shape {
+    /// The moving corner of one with the next by angle; `None` where a set goes on between them.
+    corners: HashMap<(usize, usize), Option<[Linear; 2]>>,
+    /// Between one and the next in the opposite direction.
+    gaps: HashMap<(usize, usize), Option<Change>>,
+    /// Along the second between the first and the third.
+    edges: HashMap<[usize; 3], Option<Change>>,
+    /// Between the first, which is redundant, and the corner of its neighbours.
+    slacks: HashMap<[usize; 3], Option<Change>>,
+}
+
+/// Where a linear function changes its sign.
+struct Change {
+    at: Rational,
+    is_rising: bool,
+}
+
+impl Change {
+    fn of(function: &Linear) -> Option<Self> {
+        Some(Change { at: function.root()?, is_rising: function.slope.is_positive() })
+    }
+}
+
+impl Reach {
+    /// Where one more function is not negative.
+    fn require(&mut self, change: &Change) {
+        if change.is_rising {
+            if change.at > self.from {
+                self.from = change.at.clone();
+            }
+        } else if self.to.as_ref().is_none_or(|to| change.at < *to) {
+            self.to = Some(change.at.clone());
+        }
+    }
+}
+
+impl Shape {
+    /// The common point of two moving boundaries (Cramer's rule), unless the second is half a turn or more further on.
+    pub(super) fn corner(&mut self, system: &GrowingSystem, f: usize, g: usize) -> Option<&[Linear; 2]> {
+        let found = self.corners.entry((f, g)).or_insert_with(|| corner(system, f, g));
+        found.as_ref()
+    }
+
+    /// How far the shape at a sample reaches: as far as no edge of it has shrunk to nothing, its parallel sides have not
+    /// met, and every other half-plane still contains it.
+    pub(super) fn reach(
+        &mut self,
+        system: &GrowingSystem,
+        polyhedron: &Polyhedron,
+        sample: &Rational,
+    ) -> Reach {
+        let mut reach = Reach { from: Rational::zero(), to: None };
+        let spokes = polyhedron.irredundant_by_angle();
+        let mut is_irredundant = vec![false; polyhedron.system().len()];
+        for (number, &spoke) in spokes.iter().enumerate() {
+            is_irredundant[spoke] = true;
+            let before = spokes[(number + spokes.len() - 1) % spokes.len()];
+            let next = spokes[(number + 1) % spokes.len()];
+            if !self.edges.contains_key(&[before, spoke, next]) {
+                let change = self.edge(system, before, spoke, next).and_then(|edge| Change::of(&edge));
+                self.edges.insert([before, spoke, next], change);
+            }
+            let gap = self.gaps.entry((spoke, next)).or_insert_with(|| gap(system, spoke, next));
+            [&self.edges[&[before, spoke, next]], gap]
+                .into_iter()
+                .flatten()
+                .for_each(|change| reach.require(change));
+        }
+        for index in (0..is_irredundant.len()).filter(|&index| !is_irredundant[index]) {
+            let (before, after) = polyhedron.neighbours(index).unwrap_or((index, index));
+            let slack = self.slacks.entry([index, before, after]);
+            let slack =
+                slack.or_insert_with(|| Change::of(&slack_of(system, index, polyhedron.reason(index))));
+            slack.iter().for_each(|change| reach.require(change));
+        }
+        debug_assert!(reach.from <= *sample, "a shape that is not there at its own sample");
+        reach
+    }
+
+    /// The length of an edge, in a positive unit: its boundary runs to the left of its normal.
+    fn edge(&mut self, system: &GrowingSystem, before: usize, spoke: usize, next: usize) -> Option<Linear> {
+        let start = self.corner(system, before, spoke)?.clone();
+        let end = self.corner(system, spoke, next)?;
+        let [a1, a2] = system.form(spoke);
+        let along = [&end[0] - &start[0], &end[1] - &start[1]];
+        Some(&along[1].times(a1) - &along[0].times(a2))
+    }
+}
+
+fn corner(system: &GrowingSystem, f: usize, g: usize) -> Option<[Linear; 2]> {
+    let ([f1, f2], [g1, g2]) = (system.form(f), system.form(g));
+    let determinant = f1 * g2 - f2 * g1;
+    let reciprocal = determinant.recip().filter(|_| determinant.is_positive())?;
+    let (bf, bg) = (system.bound(f), system.bound(g));
+    let theta1 = &bf.times(g2) - &bg.times(f2);
+    let theta2 = &bg.times(f1) - &bf.times(g1);
+    Some([theta1.times(&reciprocal), theta2.times(&reciprocal)])
+}
+
+/// Between two sides, if they are parallel.
+fn gap(system: &GrowingSystem, spoke: usize, next: usize) -> Option<Change> {
+    let opposite = system.form(next).each_ref().map(|coefficient| -coefficient);
+    let factor = multiple_of(&opposite, system.form(spoke))?;
+    Change::of(&(system.bound(next) + &system.bound(spoke).times(&factor)))
+}
+
+/// What a redundant half-plane leaves.
+fn slack_of(system: &GrowingSystem, index: usize, reason: Redundancy) -> Linear {
+    let implied = match reason {
+        Redundancy::Dominated { by, .. } => system.combined(&by),
+        Redundancy::SameAs(other) => {
+            let factor = multiple_of(system.form(index), system.form(other)).unwrap_or_default();
+            system.bound(other).times(&factor)
+        }
+        Redundancy::Always | Redundancy::EmptyWithout => Linear::default(),
+    };
+    system.bound(index) - &implied
+}
