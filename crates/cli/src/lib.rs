@@ -12,6 +12,7 @@ mod memory;
 mod output;
 mod progress;
 mod usage;
+mod work;
 
 use std::process::ExitCode;
 

@@ -58,6 +58,7 @@ mod problem;
 mod scanner;
 mod selection;
 mod summary;
+mod work;
 
 pub use asked_bound::{AskedBound, ParseBoundError, ParseBoundErrorKind};
 pub use bounds::{Central, ParameterBound, ParameterInterval};

@@ -38,6 +38,7 @@ mod short_text;
 mod shortest;
 mod sum;
 mod wide_sum;
+mod work;
 mod written;
 
 pub use binary64::{nearest_double, plain_double, significand_and_exponent};
@@ -57,4 +58,5 @@ pub use plain::{PLAIN_DIGITS, PLAIN_EXPONENT, PlainPrefix, plain_decimal, plain_
 pub use shortest::{shortest_decimal, shortest_decimal_of_f32};
 pub use sum::Sum;
 pub use wide_sum::{WideProducts, WideSum};
+pub use work::{LongNumbers, MOST_WORK, TooMuchWork, Work, WorkMeter};
 pub use written::WrittenDigits;

@@ -21,6 +21,8 @@ pub enum Limit {
     Unpacked,
     /// Bytes of a workbook, packed or unpacked.
     Workbook,
+    /// Products of machine words that exact arithmetic on long numbers may take ([`Work`](crate::Work)).
+    Work,
     /// How deep arrays and objects of JSON may be nested.
     Nesting,
     /// Digits of the fraction of a sum over all vertices that is printed.
@@ -56,6 +58,7 @@ impl Limit {
             Limit::Elements => "--max-elements",
             Limit::Unpacked => "--max-unpacked",
             Limit::Workbook => "--max-workbook",
+            Limit::Work => "--max-work",
             Limit::Nesting => "--max-nesting",
             Limit::Fraction => "--max-fraction",
         }

@@ -1,5 +1,7 @@
 //! What a file as a whole may ask for.
 
+use boundfit_exact::MOST_WORK;
+
 /// The most that one file may ask for, beside what one of its numbers may ([`boundfit_exact::Limits`]). What passes a limit
 /// is refused before memory is taken for it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,12 +18,15 @@ pub struct SizeLimits {
     pub unpacked: u64,
     /// Bytes that a workbook may have, unpack to, and have as the text of one sheet.
     pub workbook: u64,
+    /// Products of machine words that exact arithmetic on its long numbers may take ([`boundfit_exact::Work`]).
+    pub work: u64,
     /// How deep arrays and objects of a JSON file may be nested.
     pub nesting: usize,
 }
 
 impl Default for SizeLimits {
-    /// 16,777,216 bytes, 100,000 columns, 10,000,000 rows, 100,000,000 elements, 68,719,476,736 and 1,073,741,824 bytes, 64 levels.
+    /// 16,777,216 bytes, 100,000 columns, 10,000,000 rows, 100,000,000 elements, 68,719,476,736 and 1,073,741,824 bytes,
+    /// [`MOST_WORK`], 64 levels.
     fn default() -> Self {
         SizeLimits {
             line: LONGEST_LINE,
@@ -30,6 +35,7 @@ impl Default for SizeLimits {
             elements: 100_000_000,
             unpacked: 1 << 36,
             workbook: 1 << 30,
+            work: MOST_WORK,
             nesting: 64,
         }
     }

@@ -1,5 +1,7 @@
 //! A system of linear inequalities: the input of both intersection algorithms.
 
+use boundfit_exact::Work;
+
 use crate::half_plane::{Constraint, HalfPlane, Inequality};
 
 /// Linear inequalities in a fixed order. Their indices, from 0, name them everywhere: in the active sets of
@@ -23,6 +25,15 @@ impl System {
         self.constraints.push(inequality.constraint());
         self.inequalities.push(inequality);
         self.inequalities.len() - 1
+    }
+
+    /// The work that intersecting takes as far as numbers are long; rows are counted from 1. Cost: linear.
+    pub fn work(&self) -> Work {
+        let mut work = Work::default();
+        for (row, Inequality { a, b }) in (1..).zip(&self.inequalities) {
+            work.add(row, a.iter().chain([b]));
+        }
+        work
     }
 
     /// Number of inequalities.

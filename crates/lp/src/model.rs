@@ -1,6 +1,6 @@
 //! Linear programs as files state them: named columns and rows, each with a lower and an upper bound or without.
 
-use boundfit_exact::{Foreign, Rational};
+use boundfit_exact::{Foreign, Rational, Work};
 
 /// Whether the objective is to be made small or large.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -66,4 +66,23 @@ pub struct Model {
     pub columns: Vec<ModelColumn>,
     /// The rows, in the order of the file, without the objective and other rows of type N.
     pub rows: Vec<ModelRow>,
+}
+
+impl Model {
+    /// The work that solving takes as far as numbers are long: those of the objective and of each row, where columns that bounds
+    /// fix become constants. Cost: linear.
+    pub fn work(&self) -> Work {
+        let mut work = Work::default();
+        let objective = self.columns.iter().flat_map(|column| [Some(&column.cost), column.bounds.fixed()]);
+        work.add(0, objective.flatten().chain([&self.constant]));
+        for column in &self.columns {
+            work.add(0, column.bounds.lower.iter().chain(&column.bounds.upper));
+        }
+        for (number, row) in (1..).zip(&self.rows) {
+            let fixed = |column: usize| self.columns.get(column).and_then(|column| column.bounds.fixed());
+            let terms = row.coefficients.iter().flat_map(|(column, value)| [Some(value), fixed(*column)]);
+            work.add(number, terms.flatten().chain(&row.bounds.lower).chain(&row.bounds.upper));
+        }
+        work
+    }
 }

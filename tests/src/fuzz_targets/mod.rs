@@ -7,6 +7,7 @@ mod half_planes;
 mod models;
 mod number;
 mod proofs;
+mod slow;
 mod table;
 
 pub use claims::claim_files;
@@ -14,6 +15,7 @@ pub use half_planes::{ine_parser, polygon_against_oracle};
 pub use models::model_files;
 pub use number::number_parser;
 pub use proofs::proof_files;
+pub use slow::slow_units;
 pub use table::{csv_reader, mat_reader};
 
 /// What is done with bytes, and where inputs to begin with are.
@@ -28,7 +30,7 @@ pub struct Target {
 }
 
 /// All targets.
-pub const TARGETS: [Target; 8] = [
+pub const TARGETS: [Target; 9] = [
     Target { name: "csv_reader", body: csv_reader, fixtures: &["bad-input", "steam-generator"] },
     Target { name: "number_parser", body: number_parser, fixtures: &[] },
     Target { name: "ine_parser", body: ine_parser, fixtures: &["polygon", "bad-input"] },
@@ -37,4 +39,5 @@ pub const TARGETS: [Target; 8] = [
     Target { name: "polygon_against_oracle", body: polygon_against_oracle, fixtures: &[] },
     Target { name: "proof_files", body: proof_files, fixtures: &[] },
     Target { name: "model_files", body: model_files, fixtures: &["tiny-lp"] },
+    Target { name: "slow_units", body: slow_units, fixtures: &[] },
 ];

@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Cursor;
 use std::sync::LazyLock;
 
-use boundfit_exact::{Foreign, Limits, Reading};
+use boundfit_exact::{Foreign, Limits, MOST_WORK, Reading};
 use boundfit_formats::{
     AskedDialect, Batch, ColumnSelector, CommentMark, Header, Missing, RowCondition, RowRange, RowSet,
     ScanOptions, SizeLimits, Source, TableOptions, TableRow, scan,
@@ -26,6 +26,7 @@ const SIZES: SizeLimits = SizeLimits {
     columns: 1_000,
     unpacked: 1 << 20,
     workbook: 1 << 20,
+    work: MOST_WORK,
 };
 
 /// One thread for everything: handing work from one to another would take most of the time.

@@ -149,6 +149,8 @@ fn smoke(target: Target) {
     seeds.iter().for_each(|seed| body(seed));
     let cases =
         std::env::var("FUZZ_CASES").map_or(CASES, |cases| cases.parse().expect("FUZZ_CASES is a number"));
+    // Each of these cases is a whole computation.
+    let cases = if name == "slow_units" { cases / 20 } else { cases };
     let config = Config { cases, failure_persistence: None, ..Config::default() };
     let mut runner = TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
     let input = (any::<Index>(), vec(mutation(), 0..6));
@@ -201,4 +203,9 @@ fn proofs() {
 #[test]
 fn models() {
     smoke(TARGETS[7]);
+}
+
+#[test]
+fn slow_units() {
+    smoke(TARGETS[8]);
 }

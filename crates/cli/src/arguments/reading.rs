@@ -4,7 +4,7 @@ use boundfit_estimation::{
     AskedBound, Columns, Condition, EpsilonColumn, Keep, LineForm, Measurements, Model, ParseBoundErrorKind,
     ParseConditionError, ParseConditionErrorKind, ParseTextError, Problem, TextProblem,
 };
-use boundfit_exact::{Foreign, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading};
+use boundfit_exact::{Foreign, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading, Work};
 use boundfit_formats::{AskedDialect, Header, ScanOptions, SizeLimits, Source, TableOptions};
 use boundfit_report::{Origin, Style};
 use clap::ValueEnum;
@@ -18,6 +18,7 @@ use super::{
 use crate::exit::Failure;
 use crate::memory;
 use crate::progress::ReadingProgress;
+use crate::work::{refuse_long_problem, times};
 
 const LEAST_OF_FIXED: &str = "'--eps min' moves the error bounds, and the data are a reduction under bounds that are fixed: fit the \
                               table that it was made from";
@@ -96,12 +97,13 @@ impl<'a> Data<'a> {
         keep: Keep,
         with: impl FnOnce(ScanOptions) -> ScanOptions,
     ) -> Result<Problem, Failure> {
+        let arguments = self.arguments;
         let (source, options) = self.scan()?;
         asked.check(&source)?;
         let options = with(options);
         let conditions = asked.all_conditions();
         let measurements = Measurements::scan(source, &asked.columns, &conditions, &options, keep);
-        Ok(asked.problem(measurements.map_err(Failure::data)?))
+        asked.short_problem(measurements.map_err(Failure::data)?, arguments)
     }
 
     /// The file, and how it is read in parts.
@@ -118,7 +120,7 @@ impl<'a> Data<'a> {
         let source = self.source?;
         asked.check(&source)?;
         let measurements = Measurements::read(source, &asked.columns, &options).map_err(Failure::data)?;
-        Ok(asked.problem(measurements))
+        asked.short_problem(measurements, self.arguments)
     }
 
     /// The columns, conditions and error bound asked for.
@@ -257,6 +259,24 @@ impl Asked {
         }
     }
 
+    /// The problem of some readings, whose numbers are not too long for a fit.
+    fn short_problem(&self, measurements: Measurements, data: &DataArguments) -> Result<Problem, Failure> {
+        let check = |problem: &Problem| {
+            refuse_long_problem(data.file_name(), problem, times::FIT, &data.table.limits)
+        };
+        // A multiple of the least bound is work too.
+        let stated = self.stated_problem(measurements);
+        check(&stated)?;
+        let problem = self.problem(stated.measurements);
+        check(&problem)?;
+        Ok(problem)
+    }
+
+    /// The problem of some readings under the bound that is stated, where that is no multiple of the least one.
+    pub(crate) fn stated_problem(&self, measurements: Measurements) -> Problem {
+        Problem { measurements, conditions: self.conditions.clone() }
+    }
+
     /// The problem of some readings.
     pub(crate) fn problem(&self, measurements: Measurements) -> Problem {
         let problem = Problem { measurements, conditions: self.conditions.clone() };
@@ -265,6 +285,12 @@ impl Asked {
             Some(factor) => problem.with_multiple_of_least(factor),
             None => problem,
         }
+    }
+
+    /// Whether a bound that is the same for all readings is so long that it counts in each.
+    pub(crate) fn has_long_bound(&self) -> bool {
+        let is_long = |number: &Rational| Work::of_numbers(&[number]) != Work::default();
+        matches!(&self.columns.epsilon, EpsilonColumn::Uniform(epsilon) if is_long(epsilon))
     }
 
     /// What the answers about many groups stand and fall with, as a line; nothing where the error bound is given.
@@ -428,6 +454,7 @@ impl LimitArguments {
             elements: size(self.max_elements),
             unpacked: self.max_unpacked,
             workbook: self.max_workbook,
+            work: self.max_work,
             nesting: usize::from(self.max_nesting),
         }
     }

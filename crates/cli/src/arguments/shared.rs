@@ -1,6 +1,6 @@
 //! The arguments of several commands.
 
-use boundfit_exact::{DecimalMark, Foreign, Reading, Thousands};
+use boundfit_exact::{DecimalMark, Foreign, MOST_WORK, Reading, Thousands};
 use boundfit_formats::{ColumnSelector, CommentMark, Header, Missing};
 use boundfit_report::{EndRounding, LONGEST_FRACTION};
 use clap::builder::NonEmptyStringValueParser;
@@ -204,6 +204,9 @@ pub(crate) struct LimitArguments {
     #[arg(long, value_name = "BYTES", default_value_t = 1 << 30, value_parser = value_parser!(u64).range(1..=1 << 40),
           help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_workbook: u64,
+    /// Products of machine words that exact arithmetic on numbers of more than a thousand digits may take
+    #[arg(long, value_name = "N", default_value_t = MOST_WORK, help_heading = LIMITS, hide_short_help = true)]
+    pub(super) max_work: u64,
     /// Depth of arrays and objects in a JSON file
     #[arg(long, value_name = "N", default_value_t = 64, value_parser = value_parser!(u8).range(1..=120),
           help_heading = LIMITS, hide_short_help = true)]

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use boundfit_check::{Check, CheckOptions, check, source_names};
 use boundfit_estimation::{Columns, EpsilonColumn, LineForm, Measurements, Problem};
-use boundfit_exact::{Rational, Reading};
+use boundfit_exact::{Foreign, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Source, TableOptions, WholeFile};
 use boundfit_judge::{Answer, JudgedSolver, Plane, SolveError, Tolerances, judge_solvers};
 use boundfit_report::{CaseVerdicts, cases_json, cases_table};
@@ -17,6 +17,7 @@ use crate::arguments::{BenchSolversArguments, Format, LimitArguments, ending, nu
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
+use crate::work::{refuse_long, refuse_long_problem, times};
 
 /// Runs every solver on every case of a folder and prints the worst verdict of each.
 pub(crate) fn run(arguments: &BenchSolversArguments) -> CommandResult {
@@ -55,7 +56,7 @@ pub(crate) fn run(arguments: &BenchSolversArguments) -> CommandResult {
     let cases = while_working("solving", || {
         let judged = |(name, kind): (String, Kind)| match kind {
             Kind::Fit => {
-                let check = judged_fit(Path::new(folder), &name, &table)?;
+                let check = judged_fit(Path::new(folder), &name, &table, limits)?;
                 Ok(CaseVerdicts::of_fit(name.into(), &check))
             }
             Kind::Model => {
@@ -112,6 +113,7 @@ fn judged_model(folder: &Path, name: &str, limits: &LimitArguments) -> Result<Ve
     let source = Source::open(&mps).map_err(Failure::data)?;
     let file = WholeFile::read(source, &limits.sizes()).map_err(Failure::data)?;
     let model = model_of(&file, limits)?;
+    refuse_long(Foreign::of(&mps), &model.work(), times::CHECK, limits)?;
     let plane = Plane::new(&model).map_err(fail)?;
     let answer = Answer::in_plane(&model, &plane).map_err(fail)?;
     compare(&case, &answer, limits)
@@ -150,7 +152,12 @@ fn compare(case: &serde_json::Value, answer: &Answer, limits: &LimitArguments) -
 const EXPECTED: &str = "expected a text such as \"0.5e-3\" or \"1/2000\"";
 
 /// A case: `NAME.csv` with columns x and y, and `"eps"` in `NAME.json`.
-fn judged_fit(folder: &Path, name: &str, table: &TableOptions) -> Result<Check, Failure> {
+fn judged_fit(
+    folder: &Path,
+    name: &str,
+    table: &TableOptions,
+    limits: &LimitArguments,
+) -> Result<Check, Failure> {
     let json = folder.join(format!("{name}.json"));
     let fail = |problem: String| Failure::data(format_args!("{}: {problem}", json.display()));
     let case = json_of(&json)?;
@@ -165,10 +172,11 @@ fn judged_fit(folder: &Path, name: &str, table: &TableOptions) -> Result<Check, 
         epsilon: EpsilonColumn::Uniform(epsilon),
         form: LineForm::default(),
     };
-    let csv = folder.join(format!("{name}.csv"));
-    let source = Source::open(&csv.to_string_lossy()).map_err(Failure::data)?;
+    let csv = folder.join(format!("{name}.csv")).to_string_lossy().into_owned();
+    let source = Source::open(&csv).map_err(Failure::data)?;
     let measurements = Measurements::read(source, &columns, table).map_err(Failure::data)?;
     let problem = Problem { measurements, conditions: Vec::new() };
+    refuse_long_problem(Foreign::of(&csv), &problem, times::CHECK, limits)?;
     let options = CheckOptions {
         solvers: source_names(),
         answers: Vec::new(),

@@ -8,6 +8,7 @@ use boundfit_check::{
     Answer, CheckOptions, ClaimLimits, ClaimText, check, is_solution_name, parse_claim_pui, read_claims,
     source_names,
 };
+use boundfit_exact::Foreign;
 use boundfit_lp::Verdict;
 use boundfit_report::{check_document, check_json};
 
@@ -17,6 +18,7 @@ use crate::exit::{Exit, Failure};
 use crate::input::read_text;
 use crate::output;
 use crate::progress::while_working;
+use crate::work::{refuse_long_problem, refuse_long_text, times};
 
 /// Reads the data and the claims, runs the solvers, judges and writes the report.
 pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
@@ -30,6 +32,8 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
     let boundfit_report::Origin { file, reading, .. } = data.origin();
     let options = options(arguments, claims)?;
     let problem = if options.all_rows { data.problem()? } else { data.supporting_problem()? };
+    let limits = &arguments.data.table.limits;
+    refuse_long_problem(arguments.data.file_name(), &problem, times::CHECK, limits)?;
     let check = while_working("solving", || check(&problem, reading, &options));
     let check = check.map_err(|error| Failure::Usage(error.to_string()))?;
     let style = arguments.output.style();
@@ -47,6 +51,7 @@ fn options(arguments: &CheckArguments, claim_files: Vec<String>) -> Result<Check
     let mut claims = Vec::new();
     for file in claim_files {
         let text = read_text(&file, arguments.max_claim_size, "--max-claim-size")?;
+        refuse_long_text(Foreign::of(&file), &text, &arguments.data.table.limits)?;
         claims.push(ClaimText { file: file.into(), text });
     }
     let mut answers = read_claims(&claims, &limits).map_err(Failure::data)?;

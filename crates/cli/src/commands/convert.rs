@@ -12,6 +12,7 @@ use crate::arguments::{ConvertArguments, told_by_name};
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
+use crate::work::{refuse_long_problem, times};
 
 /// Where programs go.
 enum Destination<'a> {
@@ -37,6 +38,8 @@ pub(crate) fn run(arguments: &ConvertArguments) -> CommandResult {
     let data = arguments.data.open();
     let reading = data.origin().reading;
     let problem = data.problem()?;
+    let limits = &arguments.data.table.limits;
+    refuse_long_problem(arguments.data.file_name(), &problem, times::CONVERT, limits)?;
     let rows = ExchangeRows::new(&ProgramRows::new(&problem));
     let about = comments(arguments, reading, &problem);
     let text = |end: PuiEnd| {

@@ -16,6 +16,7 @@ use crate::commands::fleet;
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
+use crate::work::refuse_long_sweep;
 
 const SWEEP_OF_FIXED: &str = "'--sweep' moves the error bounds, and the data are a reduction under bounds that are fixed: sweep \
                               the table that it was made from";
@@ -42,6 +43,10 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
         data.scanned_problem(!arguments.no_eui, is_hash_shown, arguments.proof.is_some(), is_sweep)?;
     if is_sweep && !problem.measurements.are_open() {
         return Err(Failure::Usage(SWEEP_OF_FIXED.to_owned()));
+    }
+    if let Some(FactorRange { to, .. }) = &arguments.sweep {
+        let limits = &arguments.data.table.limits;
+        refuse_long_sweep(arguments.data.file_name(), &problem, to, limits)?;
     }
     let fit = while_working("fitting", || fit(&problem));
     let family = arguments.sweep.as_ref().map(|FactorRange { from, to }| {

@@ -4,6 +4,7 @@ use std::io::{self, IsTerminal, Write};
 use std::ops::Range;
 
 use boundfit_estimation::{Fleet, fit_group};
+use boundfit_exact::Work;
 use boundfit_formats::{ColumnSelector, ScanOptions};
 use boundfit_report::{FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, Style, write_group_json};
 
@@ -12,6 +13,7 @@ use crate::arguments::{Asked, FitArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
 use crate::output::{Guard, Output, Stop};
 use crate::progress::while_working;
+use crate::work::{refuse_long, times};
 
 /// Reads the data, then fits group after group and writes what is ready.
 pub(crate) fn run(
@@ -31,6 +33,7 @@ pub(crate) fn run(
     let (source, options) = data.scan()?;
     let options = ScanOptions { hash: false, list_rows: false, ..options };
     let fleet = Fleet::read(source, &asked.columns, by, options).map_err(Failure::data)?;
+    refuse_long_groups(arguments, &asked, &fleet)?;
     let job = Job { fleet: &fleet, asked: &asked, style: arguments.output.style() };
     let mut output = Output::open(arguments.output.file.output.as_deref(), guard)?;
     let mut summary = FleetSummary::default();
@@ -50,6 +53,16 @@ pub(crate) fn run(
         Err(Stop::Failed(failure)) => return Err(failure),
     }
     Ok(if summary.has_empty() { Exit::Empty } else { Exit::Answer })
+}
+
+/// Refuses groups whose numbers are long. A multiple of the least bound is not looked for: it is work itself.
+fn refuse_long_groups(arguments: &FitArguments, asked: &Asked, fleet: &Fleet) -> Result<(), Failure> {
+    if !asked.has_long_bound() && !fleet.has_fractions() {
+        return Ok(());
+    }
+    let mut work = Work::default();
+    (0..fleet.len()).for_each(|group| work.append(asked.stated_problem(fleet.measurements(group)).work(&[])));
+    refuse_long(arguments.data.file_name(), &work, times::FIT, &arguments.data.table.limits)
 }
 
 /// What is to be fitted and how it is shown.

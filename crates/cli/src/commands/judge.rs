@@ -17,6 +17,7 @@ use crate::arguments::{JudgeArguments, JudgeFormat, LimitArguments, ending};
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
+use crate::work::{refuse_long, refuse_long_text, times};
 
 /// Reads the model, solves it and writes the report.
 pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
@@ -33,6 +34,7 @@ pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
     let file = read(arguments)?;
     let model = model_of(&file, &arguments.limits)?;
     let fail = |error| Failure::data(format_args!("{}: {error}", file.name));
+    refuse_long(file.name.borrowed(), &model.work(), times::POLYGON, &arguments.limits)?;
     let plane = Plane::new(&model).map_err(fail)?;
     let answer = while_working("solving", || Answer::in_plane(&model, &plane)).map_err(fail)?;
     let judged = solutions::judged(&arguments.solutions, &arguments.limits, &model, &answer)?;
@@ -166,6 +168,7 @@ fn read(arguments: &JudgeArguments) -> Result<WholeFile, Failure> {
 pub(super) fn model_of(file: &WholeFile, limits: &LimitArguments) -> Result<Model, Failure> {
     let fail = |error| Failure::data(format_args!("{}: {error}", file.name));
     let text = model_text(&file.content).map_err(fail)?;
+    refuse_long_text(file.name.borrowed(), text, limits)?;
     let sizes = limits.sizes();
     let limits = ModelLimits {
         number: limits.number(),

@@ -11,6 +11,7 @@ use crate::arguments::{Figures, PlotArguments, ending};
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
+use crate::work::{refuse_long_problem, times};
 
 /// Where pictures go.
 enum Destination<'a> {
@@ -30,6 +31,9 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
         Destination::All(folder) => guard.check_all(folder, Figure::ALL.map(name))?,
     }
     let problem = arguments.data.open().problem_with_others()?;
+    let limits = &arguments.data.table.limits;
+    let figures = if matches!(destination, Destination::All(_)) { 6 } else { 1 };
+    refuse_long_problem(arguments.data.file_name(), &problem, figures * times::PLOT, limits)?;
     let fit = fit(&problem);
     let [x_unit, y_unit] = arguments.labels.units(&problem.measurements);
     let options = PlotOptions {

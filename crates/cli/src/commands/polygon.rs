@@ -12,6 +12,7 @@ use crate::CommandResult;
 use crate::arguments::{PolygonArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
 use crate::output;
+use crate::work::{refuse_long, times};
 
 /// Reads the half-planes, or finds those of generators, intersects them and writes the report.
 pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
@@ -24,6 +25,7 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     let source = Source::open(&arguments.file).map_err(Failure::data)?;
     let name = source.name().to_owned();
     let file = read_half_planes(source, &options).map_err(Failure::data)?;
+    refuse_long(name.borrowed(), &file.system.work(), times::POLYGON, &arguments.table.limits)?;
     let polyhedron = Polyhedron::intersect(file.system.clone());
     let active = |index: usize| {
         let row = file.origins.get(index).map_or(0, |origin| origin.row);

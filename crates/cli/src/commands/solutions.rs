@@ -1,11 +1,13 @@
 //! The solutions that `boundfit judge` judges.
 
+use boundfit_exact::Foreign;
 use boundfit_judge::{Answer, Findings, Ground, JudgedSolution, Solution, Tolerances, read_solution};
 use boundfit_lp::Model;
 
 use crate::arguments::{LimitArguments, SolutionArguments, Switch};
 use crate::exit::Failure;
 use crate::input::read_text;
+use crate::work::refuse_long_text;
 
 /// Reads and judges all of them.
 pub(super) fn judged(
@@ -25,6 +27,7 @@ pub(super) fn judged(
     let one = |file: &String| {
         let text = read_text(file, arguments.max_solution_size, "--max-solution-size")?;
         let fail = |error| Failure::data(format_args!("{file}: {error}"));
+        refuse_long_text(Foreign::of(file), &text, limits)?;
         let solution = Solution::new(&read_solution(&text, &limits.number()).map_err(fail)?, model);
         let solution = solution.map_err(fail)?;
         let findings = ground.judge(&solution, &tolerances);

@@ -206,6 +206,12 @@ impl Rational {
         Rational { numerator: self.numerator.negated(), denominator: self.denominator.clone() }
     }
 
+    /// Bits of numerator and denominator together: how long the number is.
+    #[inline]
+    pub fn bits(&self) -> u64 {
+        self.numerator.bits() + self.denominator.bits()
+    }
+
     /// The numerator, which carries the sign.
     #[inline]
     pub fn numerator(&self) -> Integer {

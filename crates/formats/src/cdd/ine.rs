@@ -6,7 +6,7 @@
 //! `integer` too. Rows on lines `linearity` (or the older `equality`) are equations. Of the options, those that only ask for
 //! other output are passed over; those that mean another set are refused.
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Rational, WorkMeter};
 use boundfit_geometry::{Inequality, System};
 
 use crate::columns::readable;
@@ -142,6 +142,7 @@ impl<'a> Parser<'a> {
         let limit = self.options.sizes.rows;
         let mut rows: Vec<MatrixRow<'a>> = Vec::new();
         let mut pending: Vec<(Token<'a>, Rational)> = Vec::with_capacity(3);
+        let meter = WorkMeter::default();
         for token in tokens {
             if token.text == "end" {
                 let found = 3 * rows.len() + pending.len();
@@ -156,8 +157,11 @@ impl<'a> Parser<'a> {
                 };
             }
             let number = self.options.reading.read(token.text, &self.options.limits);
-            pending
-                .push((token, number.map_err(|error| self.error(token, InputErrorKind::NotANumber(error)))?));
+            let number = number.map_err(|error| self.error(token, InputErrorKind::NotANumber(error)))?;
+            // Each row is made whole on its own.
+            let metered = meter.add(&number, false, self.options.sizes.work);
+            metered.map_err(|problem| self.error(token, problem.into()))?;
+            pending.push((token, number));
             if pending.len() < 3 {
                 continue;
             }

@@ -3,7 +3,7 @@
 use std::io;
 
 use boundfit_exact::english::counted;
-use boundfit_exact::{DecimalMark, Foreign, Limit, ParseNumberError, ParseNumberErrorKind};
+use boundfit_exact::{DecimalMark, Foreign, Limit, ParseNumberError, ParseNumberErrorKind, TooMuchWork};
 use thiserror::Error;
 
 use crate::reduction::error::ReductionError;
@@ -109,6 +109,9 @@ pub enum InputErrorKind {
         /// The most bytes.
         limit: u64,
     },
+    /// Numbers so long, or denominators so many, that exact arithmetic on them takes more than the limit.
+    #[error("{0}")]
+    TooMuchWork(#[from] TooMuchWork),
     /// A sheet that a workbook does not have.
     #[error("there is no sheet {wanted:?}")]
     UnknownSheet {
@@ -358,6 +361,7 @@ impl InputErrorKind {
             InputErrorKind::TooManyElements { .. } => Some(Limit::Elements),
             InputErrorKind::TooMuchUnpacked { .. } => Some(Limit::Unpacked),
             InputErrorKind::WorkbookTooLarge { .. } => Some(Limit::Workbook),
+            InputErrorKind::TooMuchWork(_) => Some(Limit::Work),
             _ => None,
         }
     }

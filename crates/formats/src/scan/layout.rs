@@ -1,7 +1,7 @@
 //! What is taken from every row of a table.
 
 use boundfit_exact::english::split_unit;
-use boundfit_exact::{DecimalMark, Foreign, Notation, Thousands, is_missing};
+use boundfit_exact::{DecimalMark, Foreign, Notation, Thousands, TooMuchWork, WorkMeter, is_missing};
 
 use crate::columns::{ColumnPlace, ColumnSelector, Heading, decode};
 use crate::dialect::{BLANKS, CommentMark, Dialect, Encoding};
@@ -52,6 +52,8 @@ pub(super) struct Layout<'a> {
     /// What is known of decimal marks so far.
     pub(super) mark: Mark,
     pub(super) numbers: Numbers<'a>,
+    /// The work on the numbers that were read.
+    meter: WorkMeter,
     /// The names of all columns; none without a header.
     pub(super) header: Vec<Foreign>,
     /// Where the columns asked for are.
@@ -103,6 +105,7 @@ impl<'a> Layout<'a> {
             has_header: heading.names.is_some(),
             mark: Mark::of(dialect, syntax.delimiter),
             numbers: Numbers::new(&options.table),
+            meter: WorkMeter::default(),
             places: places.collect::<Result<_, _>>()?,
             key: key.map(|selector| heading.find(file, selector)).transpose()?,
             conditions: conditions.collect::<Result<_, InputError>>()?,
@@ -242,6 +245,7 @@ impl<'a> Layout<'a> {
                 Ok((value, found)) => {
                     tell(mark, found, &error);
                     value.check(selector).map_err(error)?;
+                    self.meter(&value, cell).map_err(|problem| error(problem.into()))?;
                     values.push(value);
                 }
                 Err(problem) if decode(cell).is_ok_and(is_missing) => {
@@ -257,6 +261,12 @@ impl<'a> Layout<'a> {
             return Err(self.no_bound(record, line));
         }
         Ok(lacks.map_or(Row::Values(values), Row::Lacks))
+    }
+
+    /// Adds a number to the work on all of them, and refuses what passes the limit.
+    fn meter(&self, value: &Value, cell: &[u8]) -> Result<(), TooMuchWork> {
+        let Value::Exact(number) = value else { return Ok(()) };
+        self.meter.add(number, cell.contains(&b'/'), self.options.table.sizes.work)
     }
 
     /// Whether a row needs a number in one of the columns that may lack one.

@@ -101,6 +101,11 @@ impl Fleet {
         !self.meaning.error_bound.is_uniform()
     }
 
+    /// Whether numbers may be long: some did not fit into machine words.
+    pub fn has_fractions(&self) -> bool {
+        self.columns.iter().any(Series::has_fractions)
+    }
+
     /// The text that the rows of a group have in common.
     ///
     /// # Panics

@@ -33,6 +33,11 @@ impl Series {
         }
     }
 
+    /// Whether some numbers did not fit into integers of machine words or doubles.
+    pub(super) fn has_fractions(&self) -> bool {
+        self.segments.iter().any(|segment| matches!(segment, Column::Fractions(_)))
+    }
+
     /// A number.
     pub(super) fn get(&self, index: usize) -> Rational {
         self.segments[index / SEGMENT].get(index % SEGMENT)

@@ -1,0 +1,67 @@
+//! Refusing what would take too much exact arithmetic, before it is done.
+
+use boundfit_estimation::Problem;
+use boundfit_exact::{Foreign, Limit, Rational, Work};
+
+use crate::arguments::LimitArguments;
+use crate::exit::Failure;
+
+/// How often a command does what a fit does, as far as long numbers are concerned: what it takes for readings of thousands of
+/// digits, divided by what `fit` takes.
+pub(crate) mod times {
+    /// A fit, or one answer about a linear program.
+    pub(crate) const FIT: u64 = 1;
+    /// Rows on a common denominator, written with all their digits.
+    pub(crate) const CONVERT: u64 = 2;
+    /// A region with its redundant rows; a model with judged solutions.
+    pub(crate) const POLYGON: u64 = 2;
+    /// The sets for a range of factors.
+    pub(crate) const SWEEP: u64 = 4;
+    /// Linear programs, and the exact simplex that judges their answers.
+    pub(crate) const CHECK: u64 = 4;
+    /// A figure; all of them are six.
+    pub(crate) const PLOT: u64 = 8;
+    /// A page; leaving out each reading comes on top.
+    pub(crate) const LESSON: u64 = 16;
+}
+
+/// Refuses a problem.
+pub(crate) fn refuse_long_problem(
+    file: Foreign<&str>,
+    problem: &Problem,
+    times: u64,
+    limits: &LimitArguments,
+) -> Result<(), Failure> {
+    refuse_long(file, &problem.work(&[]), times, limits)
+}
+
+/// Refuses the sets of a problem for factors up to this one.
+pub(crate) fn refuse_long_sweep(
+    file: Foreign<&str>,
+    problem: &Problem,
+    most: &Rational,
+    limits: &LimitArguments,
+) -> Result<(), Failure> {
+    refuse_long(file, &problem.work(&[most]), times::SWEEP, limits)
+}
+
+/// Refuses so many times this work.
+pub(crate) fn refuse_long(
+    file: Foreign<&str>,
+    work: &Work,
+    times: u64,
+    limits: &LimitArguments,
+) -> Result<(), Failure> {
+    let refused = work.check(times, limits.sizes().work);
+    refused
+        .map_err(|problem| Failure::data(format_args!("{file}: {problem}; {} raises it", Limit::Work.flag())))
+}
+
+/// Refuses a text that has more, or longer, numbers with exponents than can be computed with.
+pub(crate) fn refuse_long_text(
+    file: Foreign<&str>,
+    text: &str,
+    limits: &LimitArguments,
+) -> Result<(), Failure> {
+    refuse_long(file, &Work::of_text(text, limits.number().exponent), times::FIT, limits)
+}

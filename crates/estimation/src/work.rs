@@ -1,0 +1,30 @@
+//! How much work the long numbers of a problem make.
+
+use boundfit_exact::{Rational, Work};
+
+use crate::measurement::Bounds;
+use crate::problem::Problem;
+
+impl Problem {
+    /// The work that computing a fit takes as far as numbers are long, estimated from their lengths: each reading's regressors,
+    /// response and bounds, the conditions, and in each of these rows some other numbers that meet all of them. Cost: linear.
+    pub fn work(&self, others: &[&Rational]) -> Work {
+        let mut work = Work::default();
+        for reading in self.measurements.kept() {
+            let [first, second] = &reading.regressor;
+            let bounds: [Option<&Rational>; 3] = match &reading.bounds {
+                Bounds::Around { response, epsilon } => [Some(response), Some(epsilon), None],
+                Bounds::Between { lower, upper, response } => {
+                    [lower.as_ref(), upper.as_ref(), response.as_ref()]
+                }
+            };
+            let numbers = [first, second].into_iter().chain(bounds.into_iter().flatten());
+            work.add(reading.row, numbers.chain(others.iter().copied()));
+        }
+        for condition in &self.conditions {
+            let inequality = condition.inequality();
+            work.add(0, inequality.a.iter().chain([&inequality.b]));
+        }
+        work
+    }
+}

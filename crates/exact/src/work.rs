@@ -1,0 +1,283 @@
+//! How much work long numbers make, estimated from their lengths before it is done.
+//!
+//! The unit is a product of two words of 64 bits, of which a processor does about 10⁹ in a second. Sums, products, quotients
+//! and common divisors of numbers of w words take at most some w² of them. A computation combines the numbers of one reading
+//! with those of a few others, and this some tens of times for each reading; and it adds fractions of all readings, some tens
+//! of times, over a denominator that is at most the product of all that differ. So its work is within a constant of
+//!
+//! 40 · Σ w² over readings of w words + 64 · d² for different denominators of d words together,
+//!
+//! with factors that were measured: what they estimate as 10⁹ takes from a third of a second to two. Of both lengths
+//! [`FREE_WORDS`] are free, so that the estimate is 0 for numbers of up to a thousand digits, however many: what these cost is
+//! linear in the bytes of a file, and no limit is needed.
+
+use std::collections::HashSet;
+use std::sync::{Mutex, PoisonError};
+
+use thiserror::Error;
+
+use crate::english::counted;
+use crate::{Integer, Rational};
+
+/// The most products that are done unless more is asked for: about a second.
+pub const MOST_WORK: u64 = 1_000_000_000;
+
+/// So many words of a reading, and of all different denominators together, are free: 4,096 bits, two doubles at the ends of
+/// their range.
+const FREE_WORDS: u64 = 64;
+const WORK_OF_READING: u64 = 40;
+const WORK_OF_DENOMINATOR: u64 = 64;
+
+/// The work that numbers make, as far as they are long. The library's answers have no limit; a program that takes files from
+/// anybody adds up what it is about to compute with, and then [checks](Work::check).
+///
+/// ```
+/// use boundfit_exact::{MOST_WORK, Rational, Work};
+///
+/// let mut work = Work::default();
+/// (1..1_000_000).for_each(|row| work.add(row, [&Rational::ratio(1, 3)]));
+/// assert!(work.check(1, MOST_WORK).is_ok());
+/// let long = Rational::scientific(1, 10_000);
+/// (1..1_000).for_each(|row| work.add(row, [&long, &long]));
+/// assert!(work.check(1, MOST_WORK).unwrap_err().to_string().starts_with("refused: exact arithmetic on 999 rows of up to 20002 digits"));
+/// ```
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Work {
+    squares: u64,
+    long: usize,
+    /// Bits and number of the row with the longest numbers.
+    longest: (u64, usize),
+    denominators: usize,
+    denominator_bits: u64,
+}
+
+impl Work {
+    /// Adds the numbers of a row, which are combined with each other. Cost: constant for each.
+    pub fn add<'a>(&mut self, row: usize, numbers: impl IntoIterator<Item = &'a Rational>) {
+        self.add_bits(row, numbers.into_iter().map(Rational::bits).sum());
+    }
+
+    /// The work on these numbers as one row.
+    pub fn of_numbers(numbers: &[&Rational]) -> Self {
+        let mut work = Work::default();
+        work.add(0, numbers.iter().copied());
+        work
+    }
+
+    /// Adds other work of rows.
+    pub fn append(&mut self, other: Work) {
+        self.squares = self.squares.saturating_add(other.squares);
+        self.long += other.long;
+        self.longest = self.longest.max(other.longest);
+    }
+
+    fn add_bits(&mut self, row: usize, bits: u64) {
+        let words = bits.div_ceil(u64::BITS.into());
+        if words <= FREE_WORDS {
+            return;
+        }
+        self.squares = self.squares.saturating_add((words - FREE_WORDS).saturating_pow(2));
+        self.long += 1;
+        if bits > self.longest.0 {
+            self.longest = (bits, row);
+        }
+    }
+
+    /// The work on the numbers with exponents in a text, whatever else it is, before any of them is built: `1e9999` has six
+    /// characters and ten thousand digits. What is beyond `most_exponent` is refused anyway. Cost: linear.
+    pub fn of_text(text: &str, most_exponent: u32) -> Self {
+        let mut work = Work::default();
+        let bytes = text.as_bytes();
+        for (place, _) in text.match_indices(['e', 'E', 'd', 'D']) {
+            let (before, behind) = bytes.split_at(place);
+            let behind = behind.get(1..).unwrap_or_default();
+            let digits = behind.strip_prefix(b"-").or_else(|| behind.strip_prefix(b"+")).unwrap_or(behind);
+            if !before.last().is_some_and(|byte| byte.is_ascii_digit() || *byte == b'.') {
+                continue;
+            }
+            let digits = digits.iter().take_while(|byte| byte.is_ascii_digit());
+            let value =
+                |value: u64, digit: &u8| value.saturating_mul(10).saturating_add((digit - b'0').into());
+            let exponent = digits.fold(0, value).min(most_exponent.into());
+            // log2(10) is 3.3219.
+            work.add_bits(0, exponent.saturating_mul(3_322) / 1_000);
+        }
+        work
+    }
+
+    /// The estimate for a computation that does all of it so many times, in products of two words.
+    pub fn products(&self, times: u64) -> u64 {
+        let denominators = self.denominator_bits.div_ceil(u64::BITS.into()).saturating_sub(FREE_WORDS);
+        let of_denominators = denominators.saturating_pow(2).saturating_mul(WORK_OF_DENOMINATOR);
+        let of_readings = self.squares.saturating_mul(WORK_OF_READING);
+        of_readings.saturating_add(of_denominators).saturating_mul(times)
+    }
+
+    /// Refuses what takes more products than this.
+    ///
+    /// # Errors
+    /// With what is long.
+    pub fn check(&self, times: u64, limit: u64) -> Result<(), TooMuchWork> {
+        let products = self.products(times);
+        if products <= limit {
+            return Ok(());
+        }
+        let of_readings = self.squares.saturating_mul(WORK_OF_READING);
+        let what = if of_readings.saturating_mul(2) >= self.products(1) {
+            LongNumbers::Rows { count: self.long, digits: digits(self.longest.0), longest: self.longest.1 }
+        } else {
+            LongNumbers::Denominators { count: self.denominators, digits: digits(self.denominator_bits) }
+        };
+        Err(TooMuchWork { products, limit, what })
+    }
+}
+
+/// About how many digits numbers of so many bits have, not too few.
+fn digits(bits: u64) -> u64 {
+    // log10(2) is 0.30103.
+    bits.saturating_mul(30_103) / 100_000 + 1
+}
+
+/// The work on numbers that are being read, one after the other and on many threads. What is refused has not been kept: long
+/// numbers cost memory too, ten thousand digits of which are written in six characters.
+#[derive(Debug, Default)]
+pub struct WorkMeter(Mutex<Metered>);
+
+#[derive(Debug, Default)]
+struct Metered {
+    work: Work,
+    denominators: HashSet<Integer>,
+}
+
+impl WorkMeter {
+    /// Adds the number of a cell, if it is long or a fraction `p/q`: decimals share their denominators. Cost: constant.
+    ///
+    /// # Errors
+    /// When all numbers so far take more than `limit`.
+    pub fn add(&self, number: &Rational, is_fraction: bool, limit: u64) -> Result<(), TooMuchWork> {
+        let is_long = number.bits() > FREE_WORDS * u64::from(u64::BITS);
+        if !is_long && !is_fraction {
+            return Ok(());
+        }
+        // Counts are whole after every step.
+        let mut metered = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let Metered { work, denominators } = &mut *metered;
+        work.add(0, [number]);
+        if is_fraction && denominators.insert(number.denominator()) {
+            work.denominators += 1;
+            work.denominator_bits += number.denominator().bits();
+        }
+        work.check(1, limit)
+    }
+}
+
+/// More work than the limit allows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[error("refused: exact arithmetic on {what} takes about {} products of machine words, more than {limit} (the limit)", rounded(*.products))]
+pub struct TooMuchWork {
+    /// The estimate.
+    pub products: u64,
+    /// The most that is done.
+    pub limit: u64,
+    /// What is long.
+    pub what: LongNumbers,
+}
+
+/// Why there is much work.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LongNumbers {
+    /// Rows with long numbers.
+    Rows {
+        /// How many.
+        count: usize,
+        /// About how many digits the numbers of the longest have together, above and below the bar.
+        digits: u64,
+        /// Its number; 0 where rows are not counted.
+        longest: usize,
+    },
+    /// Fractions with denominators that differ.
+    Denominators {
+        /// How many denominators.
+        count: usize,
+        /// About how many digits they have together.
+        digits: u64,
+    },
+}
+
+impl std::fmt::Display for LongNumbers {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match *self {
+            LongNumbers::Rows { count, digits, longest: 0 } => {
+                write!(f, "{} of up to {digits} digits", counted(count, "number", "numbers"))
+            }
+            LongNumbers::Rows { count, digits, longest } => {
+                write!(f, "{} of up to {digits} digits (row {longest})", counted(count, "row", "rows"))
+            }
+            LongNumbers::Denominators { count, digits } => {
+                write!(f, "fractions with {count} different denominators, {digits} digits together,")
+            }
+        }
+    }
+}
+
+/// Two digits and a power of ten, such as `3.8e9`.
+fn rounded(products: u64) -> String {
+    format!("{:.1e}", products as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_usual_length_are_free_however_many() {
+        let mut work = Work::default();
+        let doubles = [f64::MAX, 5e-324].map(|double| Rational::from_f64(double).unwrap());
+        (1..100_000).for_each(|row| work.add(row, [&doubles[0], &doubles[1]]));
+        assert_eq!(work, Work::default());
+        let meter = WorkMeter::default();
+        let third = Rational::ratio(1, 3);
+        for number in &doubles {
+            assert_eq!(meter.add(number, false, 0), Ok(()));
+        }
+        (0..1_000).for_each(|_| assert_eq!(meter.add(&third, true, 0), Ok(())));
+    }
+
+    #[test]
+    fn long_numbers_count_by_the_square_of_their_length() {
+        let mut work = Work::default();
+        let long = Rational::from(Integer::power_of_two(64 * (FREE_WORDS + 10) - 2));
+        work.add(7, [&long]);
+        assert_eq!(work.products(1), 100 * WORK_OF_READING);
+        assert_eq!(work.products(3), 300 * WORK_OF_READING);
+        assert_eq!(work.check(1, 4_000), Ok(()));
+        let refused = work.check(1, 3_999).unwrap_err();
+        assert_eq!(refused.what, LongNumbers::Rows { count: 1, digits: 1426, longest: 7 });
+        assert_eq!(
+            refused.to_string(),
+            "refused: exact arithmetic on 1 row of up to 1426 digits (row 7) takes about 4.0e3 products of machine words, more than \
+             3999 (the limit)"
+        );
+    }
+
+    #[test]
+    fn exponents_in_a_text_count_before_they_are_numbers() {
+        let estimate = |text: &str| Work::of_text(text, 10_000).products(1);
+        assert_eq!(estimate("x 1e9 + 2E300 <= -1.e+999, made by e9999 and 1edge"), 0);
+        let one = estimate("1e10000");
+        assert_eq!(one, 40 * (33_220_u64.div_ceil(64) - FREE_WORDS).pow(2));
+        assert_eq!(estimate("{\"a\": 1.D-10000, \"b\": 7E+99999999999999999999}"), 2 * one);
+    }
+
+    #[test]
+    fn denominators_count_once_each() {
+        let meter = WorkMeter::default();
+        let fraction = |denominator: i64| Rational::ratio(1, denominator);
+        let mut added = (1_000_000..).map(|denominator| meter.add(&fraction(denominator), true, 1_000));
+        // 300 of 20 bits are 94 words, 30 more than are free.
+        let position = added.position(|added| added.is_err()).unwrap();
+        assert!((210..220).contains(&position), "{position}");
+        let refused = meter.add(&fraction(7), true, 1_000).unwrap_err();
+        assert!(refused.to_string().contains("different denominators"), "{refused}");
+    }
+}
