@@ -1,87 +1,161 @@
 """Checks proofs boundfit/proof/1 as docs/proof.md says: python3 tests/verify.py PROOF DATA [PROOF DATA]...
-Exit status: 0 every statement is true, 4 one is false, 1 no proof or unreadable; of several pairs the largest."""
-import bisect, csv, functools, hashlib, io, json, re, sys
+Exit status: 0 every statement is true, 4 one is false, 1 no proof, or unreadable or beyond a limit; of several pairs the largest."""
+import bisect, csv, functools, hashlib, io, json, re, sys, unicodedata
 from fractions import Fraction
-sys.set_int_max_str_digits(0), csv.field_size_limit(1 << 30)
+sys.set_int_max_str_digits(0), csv.field_size_limit(1 << 40)
+DIGITS, EXPONENT, ROW, COLUMNS, PROOF = 10_000, 10_000, 1 << 24, 100_000, 1 << 28  # the limits of section 2 and of a proof
 class Falsehood(Exception): pass
-TYPES = dict.fromkeys("schema sha256 delimiter reading".split(), str) | {"header": bool} | dict.fromkeys(
-    "rows model conditions vertices active sides farkas bounds".split(), list)
-OPTIONAL = {"interval": list, "law": list, "x_origin": str}
-MISSING = "na n/a #n/a nan null none - -- . ?".split() + [""]
+class NotAProof(Exception): pass
+class Refused(Exception): pass
 def must(truth, statement, error=Falsehood):
     if not truth: raise error(statement)
+def visible(text):  # on one line, with all of it visible
+    def shown(at, c):
+        nothing = re.match("[\u034f\u115f\u1160\u17b4\u17b5\u180b-\u180f\u2800\u3164\ufe00-\ufe0f\uffa0\U000e0100-\U000e01ef]", c)
+        if c.isprintable() and not nothing and (at or unicodedata.category(c) not in ("Mn", "Me")): return c
+        return {"\t": r"\t", "\n": r"\n", "\r": r"\r", "\0": r"\0"}.get(c) or f"\\u{{{ord(c):x}}}"
+    return "".join(map(shown, range(len(text)), text))
+# Section 1: the file.
+def is_text(value): return type(value) is str
+def is_index(value): return type(value) is int
+def is_number(value): return is_text(value) and re.fullmatch(r"-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?", value, re.ASCII)
+def is_one_of(*texts): return lambda value: is_text(value) and value in texts
+def is_null_or(shape): return lambda value: value is None or shape(value)
+def is_list(shape): return lambda value: type(value) is list and all(map(shape, value))
+def is_tuple(*shapes):
+    return lambda value: type(value) is list and len(value) == len(shapes) and all(shape(v) for shape, v in zip(shapes, value))
+PAIR, TERMS = is_tuple(is_number, is_number), is_list(is_tuple(is_text, is_number))
+CONDITION = [is_tuple(is_number, is_number, is_number), is_tuple(is_number, is_number, is_number, is_one_of("="))]
+LAW = is_list(is_tuple(is_one_of("abs", "written"), is_index, is_number))
+SHAPE = {"schema": is_one_of("boundfit/proof/1"), "sha256": is_text, "delimiter": is_one_of(",", ";", "\t", "|"),
+         "header": lambda value: type(value) is bool, "rows": is_list(is_index), "reading": is_one_of("decimal", "binary64"),
+         "model": is_tuple(*[is_tuple(is_index, is_number)] * 4),
+         "conditions": is_list(lambda value: any(shape(value) for shape in CONDITION)), "vertices": is_list(PAIR),
+         "active": is_list(is_tuple(is_index, is_text)), "sides": is_list(is_tuple(is_text, is_null_or(is_index))),
+         "farkas": TERMS, "bounds": is_list(is_tuple(TERMS, PAIR, PAIR))}
+OPTIONAL = {"interval": is_tuple(is_null_or(is_index), is_null_or(is_index)), "law": is_tuple(LAW, LAW), "x_origin": is_number}
+ABOUT = "rows reading header delimiter model interval law x_origin conditions".split()
+def index(text):
+    must(re.fullmatch("0|[1-9][0-9]{0,19}", text, re.ASCII) and int(text) < 1 << 64, f"{text} is no index", NotAProof)
+    return int(text)
+def fields(pairs):
+    must(len(dict(pairs)) == len(pairs), "a field twice", NotAProof)
+    return dict(pairs)
+def refuse(text): raise NotAProof(f"{text} is no index")
+def read_proof(data):
+    must(len(data) <= PROOF, f"more than {PROOF} bytes", NotAProof)
+    text = data.decode()
+    must(all(len(run) <= 10 * DIGITS for run in re.findall("[0-9]+", text, re.ASCII)), "a number with too many digits", NotAProof)
+    proof = json.loads(text, object_pairs_hook=fields, parse_int=index, parse_float=refuse, parse_constant=refuse)
+    must(type(proof) is dict and SHAPE.keys() <= proof.keys() <= (SHAPE | OPTIONAL).keys(), "other fields", NotAProof)
+    for field, shape in (SHAPE | OPTIONAL).items():
+        must(field not in proof or shape(proof[field]), f"{field}: another schema, or not as it says", NotAProof)
+    json.dumps(proof, ensure_ascii=False).encode()  # no half of a surrogate pair
+    return proof
+# Section 2: the data and their half-planes.
 SPACES = " \t\n\f\r\u00a0\u2007\u2009\u202f"
+MISSING = "na n/a #n/a nan null none - -- . ?".split() + [""]
 def plain(text): return re.sub("[dD]", "e", text.replace("\u2212", "-").strip(SPACES))
-def number(text):  # section 1: all else is no text, or no number
+def cell_number(text):
+    start = re.match(r"[+-]?([0-9]*)(?:/([0-9]*)|\.?([0-9]*)(?:[eE][+-]?([0-9]+))?)", plain(text), re.ASCII)
+    whole, below, places, exponent = (part or "" for part in start.groups())
+    fits = len(whole) <= DIGITS and len(below if whole else "") <= DIGITS and len(whole + places) <= DIGITS
+    must(fits, "a number with too many digits", Refused)
+    must(not whole + places or int(exponent.lstrip("0")[:9] or 0) <= EXPONENT, "too large an exponent", Refused)
     form = r"[+-]?((0|[1-9][0-9]*)/[1-9][0-9]*|([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)"
-    must(re.fullmatch(form, plain(text), re.ASCII), f"{text!r} is not a number")
+    must(re.fullmatch(form, plain(text), re.ASCII), f"{text[:40]!r} is not a number")
     return Fraction(plain(text))
-def pair(texts): return (lambda x, y: (number(x), number(y)))(*texts)
+class Data(io.RawIOBase):  # the bytes, hashed as they are read, without up to two byte order marks
+    def __init__(self, source): self.source, self.hash, self.start = source, hashlib.sha256(), b""
+    def readable(self): return True
+    def more(self, count):
+        data = self.source.read(count)
+        self.hash.update(data)
+        return data
+    def begin(self):
+        self.start = self.more(6)
+        for _ in range(2): self.start = self.start.removeprefix(b"\xef\xbb\xbf")
+    def readinto(self, buffer):
+        data = self.start[:len(buffer)] or self.more(len(buffer))
+        self.start = self.start[len(data):]
+        buffer[:len(data)] = data
+        return len(data)
+def records(text, delimiter):  # the rows that are not blank, each byte a character
+    length = 0
+    def lines():
+        nonlocal length
+        while line := text.readline(ROW + 2):
+            must(length + len(line.rstrip("\r\n")) <= ROW, "a row with too many bytes", Refused)
+            length += len(line)
+            yield line
+    for record in csv.reader(lines(), delimiter=delimiter):
+        length = 0
+        must(len(record) <= COLUMNS, "too many columns", Refused)
+        if len(record) > 1 or record and record[0].strip(" \t\n\f\r"): yield record
+def half_planes(proof, rows):  # name -> (a1, a2, b): a1*theta1 + a2*theta2 <= b
+    ends, planes = proof["rows"], {}
+    ranges, before = list(zip(ends[::2], ends[1::2])), [0] + ends[1::2]
+    is_ascending = all(end < first <= last for end, (first, last) in zip(before, ranges))
+    must(ends and len(ends) % 2 == 0 and is_ascending, "rows: are not in order")
+    model = [(column, Fraction(factor)) for column, factor in proof["model"]]
+    def cell(row, column):
+        must(column <= len(rows[row - 1]), f"row {row} has no column {column}")
+        return rows[row - 1][column - 1].encode("latin-1").decode(errors="surrogateescape")
+    def read(row, column):
+        if column == 0: return Fraction(1)
+        value = cell_number(cell(row, column))
+        return value if proof["reading"] == "decimal" else Fraction(float(value))
+    def side(row, column):  # a bound, or None where there is none
+        if column is None or column and cell(row, column).strip(SPACES).lower() in MISSING: return None
+        return read(row, column)
+    def quantity(row, kind, column):
+        if kind == "abs": return abs(read(row, column))
+        must(column > 0, f"row {row}: column 0 has no last digit")
+        text = cell(row, column)
+        read(row, column), must("/" not in text, f"row {row}: {text[:40]!r} has no last digit")
+        mantissa, _, exponent = plain(text).lower().partition("e")
+        return Fraction(10) ** (int(exponent or 0) - len(mantissa.partition(".")[2])) / 2
+    def law(row, terms): return sum(quantity(row, kind, column) * Fraction(times) for kind, column, times in terms)
+    for row in (row for first, last in ranges for row in range(first, min(last, len(rows) + 1) + 1)):
+        must(row <= len(rows), f"row {row} is not in the data")
+        origins = (Fraction(proof.get("x_origin", "0")), 0, 0, 0)
+        x1, x2, y, epsilon = [(read(row, c) - origin) * factor for (c, factor), origin in zip(model, origins)]
+        if "interval" in proof: lower, upper = [side(row, column) for column in proof["interval"]]
+        else:
+            above, below = [epsilon + law(row, terms) for terms in proof.get("law", ([], []))]
+            must(above >= 0 and below >= 0, f"row {row}: a negative error bound")
+            lower, upper = y - below, y + above
+        if upper is not None: planes[f"{row} upper"] = (x1, x2, upper)
+        if lower is not None: planes[f"{row} lower"] = (-x1, -x2, -lower)
+    for k, (*numbers, sign) in enumerate((numbers + [""])[:4] for numbers in proof["conditions"]):
+        upper = tuple(map(Fraction, numbers))
+        both = {f"where:{k + 1} upper": upper, f"where:{k + 1} lower": tuple(-part for part in upper)}
+        planes |= both if sign else {f"where:{k + 1}": upper}
+    return planes
+def pair(texts): return tuple(map(Fraction, texts))
 def dot(u, v): return u[0] * v[0] + u[1] * v[1]
 def cross(u, v): return u[0] * v[1] - u[1] * v[0]
 def is_low(u): return u[1] < 0 or (u[1] == 0 and u[0] < 0)
 @functools.cmp_to_key
 def angle(u, v): return is_low(u) - is_low(v) or (cross(u, v) < 0) - (cross(u, v) > 0)
-def half_planes(proof, data):  # section 2: name -> (a1, a2, b): a1*theta1 + a2*theta2 <= b
-    data = data.removeprefix(b"\xef\xbb\xbf").removeprefix(b"\xef\xbb\xbf")
-    text = io.StringIO(data.decode(errors="surrogateescape"), newline="")
-    records = [record for record in csv.reader(text, delimiter=proof["delimiter"])
-               if len(record) > 1 or record and record[0].strip(" \t\n\f\r")]
-    ends, rows, planes = proof["rows"], records[proof["header"]:], {}
-    is_known = proof["reading"] in ("decimal", "binary64") and len(proof["model"]) == 4
-    model = [(column, number(factor)) for column, factor in proof["model"]]
-    must(all(type(column) is int and column >= 0 for column, _ in model), "model", ValueError)
-    must(all(type(end) is int for end in ends) and is_known, "rows, reading or model", ValueError)
-    ranges, before = list(zip(ends[::2], ends[1::2])), [0] + ends[1::2]
-    must(ends and len(ends) % 2 == 0 and ends[-1] <= len(rows) and all(
-        end < first <= last for end, (first, last) in zip(before, ranges)), "rows: are not in the data")
-    def read(row, column):
-        if column == 0: return Fraction(1)
-        must(column <= len(rows[row - 1]), f"row {row} has no column {column}")
-        value = number(rows[row - 1][column - 1])
-        return value if proof["reading"] == "decimal" else Fraction(float(value))
-    def side(row, column):  # a bound, or None where there is none
-        if column is None: return None
-        cells = rows[row - 1]
-        text = cells[column - 1] if 0 < column <= len(cells) else "0"
-        return None if text.strip(SPACES).lower() in MISSING else read(row, column)
-    def quantity(row, kind, column):
-        if kind == "abs": return abs(read(row, column))
-        must(kind == "written", "law", ValueError)
-        must(0 < column <= len(rows[row - 1]), f"row {row} has no column {column}")
-        text = rows[row - 1][column - 1]
-        number(text), must("/" not in text, f"row {row}: {text!r} has no last digit")
-        mantissa, _, exponent = plain(text).lower().partition("e")
-        return Fraction(10) ** (int(exponent or 0) - len(mantissa.partition(".")[2])) / 2
-    def law(row, terms): return sum(quantity(row, kind, column) * number(times) for kind, column, times in terms)
-    for row in (row for first, last in ranges for row in range(first, last + 1)):
-        origins = (number(proof.get("x_origin", "0")), 0, 0, 0)
-        x1, x2, y, epsilon = ((read(row, c) - origin) * factor for (c, factor), origin in zip(model, origins))
-        if "interval" in proof: lower, upper = (side(row, column) for column in proof["interval"])
-        else:
-            above, below = (epsilon + law(row, terms) for terms in proof.get("law", ([], [])))
-            must(above >= 0 and below >= 0, f"row {row}: a negative error bound")
-            lower, upper = y - below, y + above
-        if upper is not None: planes[f"{row} upper"] = (x1, x2, upper)
-        if lower is not None: planes[f"{row} lower"] = (-x1, -x2, -lower)
-    for k, (a1, a2, b, *sign) in enumerate(proof["conditions"], 1):
-        must(sign in ([], ["="]), "conditions", ValueError)
-        upper, lower = (number(a1), number(a2), number(b)), (-number(a1), -number(a2), -number(b))
-        planes |= {f"where:{k} upper": upper, f"where:{k} lower": lower} if sign else {f"where:{k}": upper}
-    return planes
-def verify(proof, data):
-    must(proof["sha256"] == hashlib.sha256(data).hexdigest(), "sha256")
-    planes, points, bounds = half_planes(proof, data), [pair(theta) for theta in proof["vertices"]], proof["bounds"]
+def verify(proof, source):
+    data = Data(source)
+    data.begin()
+    text = io.TextIOWrapper(io.BufferedReader(data), encoding="latin-1", newline="")
+    rows = list(records(text, proof["delimiter"]))
+    must(proof["sha256"] == data.hash.hexdigest(), "sha256: is not that of the data")
+    planes = half_planes(proof, rows[proof["header"]:])
+    points, bounds = [pair(theta) for theta in proof["vertices"]], proof["bounds"]
     def find(name): return planes[name] if name in planes else must(False, f"{name} is no half-plane of the data")
     def add(terms, most):
-        found = [(find(name), number(times)) for name, times in terms]
+        found = [(find(name), Fraction(times)) for name, times in terms]
         must(len(found) <= most and all(times > 0 for _, times in found), "multipliers: too many, or not positive")
         return tuple(sum(times * plane[j] for plane, times in found) for j in range(3))
     if proof["farkas"]:  # section 3
         a1, a2, b = add(proof["farkas"], 3)
         return must(a1 == a2 == 0 > b and not (proof["sides"] or proof["active"] or points or bounds), "farkas")
     sides = [(find(name), end) for name, end in proof["sides"]]  # section 4
-    must(all(any(a[:2]) and (end is None or type(end) is int and 0 <= end < len(points)) for a, end in sides), "sides")
+    must(all(any(a[:2]) and (end is None or end < len(points)) for a, end in sides), "sides")
     angles = [angle(a) for a, _ in sides]
     must(all(u < v for u, v in zip(angles, angles[1:])), "sides: not in order of angle")
     for (a, end), (after, to) in zip(sides, sides[1:] + sides[:1]):
@@ -108,16 +182,17 @@ def verify(proof, data):
         must(all(dot(a, point) <= a[2] and dot(a, ray) <= 0 for a, _ in sides), f"bounds: in direction {e}: outside")
         is_end = add(terms, 2) == (*e, dot(e, point)) and ray == (0, 0) if terms != [] else dot(e, ray) > 0
         must(is_end, f"bounds: in direction {e}: not proved")
-def status(text, data):
+def status(proof, data):  # of the bytes of a proof, and of a file that is open
+    try: proof = read_proof(proof)
+    except (NotAProof, ValueError, RecursionError) as error: return 1, f"not a proof: {visible(str(error))}"
+    about = {field: proof[field] for field in SHAPE | OPTIONAL if field in proof and field in ABOUT}
+    try: return verify(proof, data) or 0, f"verified: {json.dumps(about)}"
+    except (Falsehood, OverflowError) as error: return 4, f"refuted: {visible(str(error))}"
+    except (Refused, OSError) as error: return 1, f"refused: {visible(str(error))}"
+def of_files(proof, data):
     try:
-        proof = json.loads(text)
-        types = {key: type(value) for key, value in proof.items()}
-        optional = {key: value for key, value in OPTIONAL.items() if key in types}
-        must(types == TYPES | optional and proof["schema"] == "boundfit/proof/1", "another schema or other fields", ValueError)
-        return verify(proof, data) or 0, "verified"
-    except (Falsehood, OverflowError, csv.Error) as error: return 4, f"refuted: {error}"
-    except (ValueError, TypeError, LookupError, AttributeError, RecursionError) as error:
-        return 1, f"not a proof: {error}"
+        with open(proof, "rb") as proof, open(data, "rb") as data: return status(proof.read(PROOF + 1), data)
+    except OSError as error: return 1, f"refused: {visible(str(error))}"
 if __name__ == "__main__":
-    results = [status(open(p, "rb").read(), open(d, "rb").read()) for p, d in zip(sys.argv[1::2], sys.argv[2::2])]
+    results = [of_files(*pair) for pair in zip(sys.argv[1::2], sys.argv[2::2])]
     sys.exit(print(*(line for _, line in results), sep="\n") or max(code for code, _ in results))

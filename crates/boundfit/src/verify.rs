@@ -5,8 +5,9 @@
 
 use boundfit_exact::Limits;
 use boundfit_verify::Proof;
-pub use boundfit_verify::{Extent, Falsehood, Statement};
-use sha2::{Digest, Sha256};
+pub use boundfit_verify::{
+    About, DataLimits, Extent, Failure, Falsehood, NotAProof, Quantity, Refusal, Statement,
+};
 use thiserror::Error;
 
 /// Why a text does not prove what it should.
@@ -15,16 +16,20 @@ use thiserror::Error;
 pub enum VerifyError {
     /// It is no JSON document of the schema `boundfit/proof/1`.
     #[error("not a proof: {0}")]
-    NotAProof(#[source] serde_json::Error),
+    NotAProof(#[source] NotAProof),
     /// A statement is not true of these data.
     #[error("{0}")]
-    False(Falsehood),
+    False(#[source] Falsehood),
+    /// The data are beyond a limit, which says nothing of the proof.
+    #[error("{0}")]
+    Data(#[source] Failure),
 }
 
-/// Checks every statement of a proof against the bytes of the table that it is about. Exact. Two passes over the data.
+/// Checks every statement of a proof against the bytes of the table that it is about, within the default limits. Exact. Two
+/// passes over the data.
 ///
 /// # Errors
-/// When the text is not a proof, or the first statement that is false.
+/// When the text is not a proof, or the first statement that is false, or what of the data is beyond a limit.
 ///
 /// ```
 /// use boundfit::verify::{VerifyError, verify};
@@ -32,7 +37,9 @@ pub enum VerifyError {
 /// assert!(matches!(verify("{}", b"x,y\n"), Err(VerifyError::NotAProof(_))));
 /// ```
 pub fn verify(proof: &str, data: &[u8]) -> Result<Statement, VerifyError> {
-    let proof: Proof = serde_json::from_str(proof).map_err(VerifyError::NotAProof)?;
-    let hash: String = Sha256::digest(data).iter().map(|byte| format!("{byte:02x}")).collect();
-    proof.verify(data, &hash, &Limits::default()).map_err(VerifyError::False)
+    let proof = Proof::read(proof.as_bytes(), &Limits::default()).map_err(VerifyError::NotAProof)?;
+    proof.verify(|| Ok(data), &DataLimits::default()).map_err(|failure| match failure {
+        Failure::False(falsehood) => VerifyError::False(falsehood),
+        other => VerifyError::Data(other),
+    })
 }

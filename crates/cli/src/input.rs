@@ -10,11 +10,6 @@ pub(crate) fn named(file: &str) -> &str {
     if file == "-" { "standard input" } else { file }
 }
 
-/// The bytes of a file, or of standard input for `-`.
-pub(crate) fn read_bytes(file: &str) -> Result<Vec<u8>, Failure> {
-    read_at_most(file, u64::MAX)
-}
-
 /// The text of a file, or of standard input for `-`, that has at most as many bytes as this option allows.
 pub(crate) fn read_text(file: &str, largest: u64, option: &str) -> Result<String, Failure> {
     let bytes = read_at_most(file, largest.saturating_add(1))?;

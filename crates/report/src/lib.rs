@@ -57,6 +57,7 @@ mod style;
 mod sweep;
 mod sweep_json;
 mod verify;
+mod verify_json;
 mod vertices_csv;
 mod wkt;
 
@@ -85,6 +86,7 @@ pub use script::region_script;
 pub use style::{EndRounding, LONGEST_FRACTION, Reader, Style};
 pub use sweep::sweep_document;
 pub use sweep_json::SweepJson;
-pub use verify::{verify_json, verify_text};
+pub use verify::{Verdict, condition as condition_text, rows as rows_text, verify_text};
+pub use verify_json::verify_json;
 pub use vertices_csv::vertices_csv;
 pub use wkt::region_wkt;

@@ -1,72 +1,216 @@
-//! The verdict on a proof, as text and as JSON of schema `boundfit/verify/1`.
+//! The verdict on a proof as text: what was verified, and of which question it is the answer.
 
-use boundfit_exact::english::{counted, listed};
-use boundfit_exact::{Endpoint, Interval};
-use boundfit_verify::{Extent, Falsehood, Statement};
-use serde::Serialize;
+use std::fmt::Display;
 
-use crate::json::to_text;
+use boundfit_exact::english::counted;
+use boundfit_exact::{Endpoint, Foreign, Interval, Rational, Reading};
+use boundfit_verify::{About, Extent, Falsehood, Quantity, Statement};
+
 use crate::style::Style;
 
-/// What a checker found: what the proof states, all of it true, or the first statement that is false.
-type Verdict = Result<Statement, Falsehood>;
-
-#[derive(Serialize)]
-struct VerifyJson {
-    schema: &'static str,
-    verified: bool,
-    half_planes: Option<usize>,
-    falsehood: Option<String>,
+/// What is to be said about a proof.
+#[derive(Debug)]
+pub struct Verdict {
+    /// What a checker found: what the proof states, all of it true, or the first statement that is false.
+    pub found: Result<Statement, Falsehood>,
+    /// How the question that it answers differs from the one that was asked, a sentence for each difference.
+    pub differences: Vec<String>,
 }
 
-/// The verdict as JSON, with a line end.
-pub fn verify_json(verdict: &Verdict) -> String {
-    to_text(&VerifyJson {
-        schema: "boundfit/verify/1",
-        verified: verdict.is_ok(),
-        half_planes: verdict.as_ref().ok().map(|statement| statement.half_planes),
-        falsehood: verdict.as_ref().err().map(ToString::to_string),
-    })
-}
+/// How many ranges of rows are listed.
+const MOST_RANGES: usize = 6;
+/// How many conditions are.
+const MOST_CONDITIONS: usize = 20;
 
-/// The verdict on the proof and the data of these names, and what a true proof states.
+/// The verdict on the proof and the data of these names; of a true proof also which question it answers, and what it states.
 pub fn verify_text(verdict: &Verdict, proof: &str, data: &str) -> String {
-    let statement = match verdict {
+    let (proof, data) = (Foreign::of(proof), Foreign::of(data));
+    let statement = match &verdict.found {
         Ok(statement) => statement,
         Err(falsehood) => return format!("refuted: {proof} is not true of {data}\n  {falsehood}\n"),
     };
-    let Statement { extent, vertices, sides, half_planes, rows, bounds } = statement;
-    let parts =
-        || format!("{} and {}", counted(*vertices, "vertex", "vertices"), counted(*sides, "side", "sides"));
-    let set = match extent {
-        Extent::Empty => "empty".to_owned(),
-        Extent::Bounded => format!("bounded, with {}", parts()),
-        Extent::Unbounded => format!("unbounded, with {}", parts()),
-    };
-    let style = Style::default();
-    let mut text = format!(
-        "verified: {proof} is true of {data}\n  set     {set}\n  from    {half_planes} half-planes, {}\n",
-        rows_read(rows)
+    if !verdict.differences.is_empty() {
+        let differences = verdict.differences.iter().map(|sentence| format!("  {sentence}\n"));
+        return format!(
+            "refuted: {proof} is not true of {data} as asked\n{}",
+            differences.collect::<String>()
+        );
+    }
+    let mut lines = question(statement);
+    let parts = format!(
+        "{} and {}",
+        counted(statement.vertices, "vertex", "vertices"),
+        counted(statement.sides, "side", "sides")
     );
-    for (parameter, [lower, upper]) in (1..).zip(bounds.iter().flatten()) {
-        let ends = [lower, upper].map(|end| Endpoint::from(end.clone()));
-        let [lower, upper] = ends;
+    lines.extend([
+        ("from", counted(statement.half_planes, "half-plane", "half-planes")),
+        ("proved", proved(statement.extent).to_owned()),
+        (
+            "set",
+            match statement.extent {
+                Extent::Empty => "empty".to_owned(),
+                Extent::Bounded => format!("bounded, with {parts}"),
+                Extent::Unbounded => format!("unbounded, with {parts}"),
+            },
+        ),
+    ]);
+    let style = Style::default();
+    for (name, ends) in ["theta1", "theta2"].into_iter().zip(statement.bounds.iter().flatten()) {
+        let [lower, upper] = ends.each_ref().map(|end| Endpoint::from(end.clone()));
         // What is verified is in order.
         let interval = Interval::new(lower, upper).map(|range| style.resolving(&range).interval(&range));
-        text.push_str(&format!("  theta{parameter}  {}\n", interval.unwrap_or_default()));
+        lines.push((name, interval.unwrap_or_default().to_string()));
     }
-    text
+    let lines = lines.into_iter().map(|(label, line)| format!("  {label:<7} {line}\n"));
+    format!("verified: {proof} is true of {data}\n{}", lines.collect::<String>())
 }
 
-/// `rows 14 to 36`, `rows 1 to 22 and 24`; of many ranges, how many there are.
-fn rows_read(rows: &[usize]) -> String {
-    let range = |range: &[usize]| match range {
-        [first, last] if first < last => format!("{first} to {last}"),
-        range => range.first().map_or_else(String::new, usize::to_string),
+/// What the checks have shown.
+fn proved(extent: Extent) -> &'static str {
+    match extent {
+        Extent::Empty => "no parameters agree with all of these rows and conditions",
+        Extent::Bounded | Extent::Unbounded => "the set is just this, what touches each vertex, both ranges",
+    }
+}
+
+/// The question that a proof answers, as lines with labels.
+fn question(Statement { about, names, rows_total, .. }: &Statement) -> Vec<(&'static str, String)> {
+    let named = |column: u64| match names.get(&column) {
+        Some(name) => format!("column {column} ({})", name.borrowed().quoted()),
+        None => format!("column {column}"),
     };
-    let ranges: Vec<String> = rows.chunks(2).map(range).collect();
-    match ranges.as_slice() {
-        [only] if !only.contains(' ') => format!("row {only}"),
-        ranges => format!("rows {}", listed(ranges)),
+    let (form, regressors) = form(about, &named);
+    let mut lines = Vec::new();
+    match (&about.interval, &about.law) {
+        (Some([lower, upper]), _) => {
+            lines.push(("model", format!("lower <= {form} <= upper")));
+            lines.extend(regressors);
+            let side = |side: &Option<u64>| side.map_or_else(|| "none".to_owned(), named);
+            lines.extend([("lower", side(lower)), ("upper", side(upper))]);
+        }
+        (None, None) => {
+            lines.push(("model", format!("y = {form} + e")));
+            lines.extend(regressors);
+            lines.push(("y", source(&about.model[2], &named)));
+            lines.push(("error", format!("|e| <= {}", source(&about.model[3], &named))));
+        }
+        (None, Some([above, below])) => {
+            lines.push(("model", format!("y - below <= {form} <= y + above")));
+            lines.extend(regressors);
+            lines.push(("y", source(&about.model[2], &named)));
+            lines.extend([("above", law(about, above)), ("below", law(about, below))]);
+        }
+    }
+    lines.extend(about.conditions.iter().take(MOST_CONDITIONS).map(|own| ("where", condition(own))));
+    if let Some(more @ 1..) = about.conditions.len().checked_sub(MOST_CONDITIONS) {
+        lines.push(("where", format!("and {more} more")));
+    }
+    lines.push(("rows", format!("{} of {rows_total}", rows(&about.rows))));
+    lines.push(("read", reading(about)));
+    lines
+}
+
+/// The sum that y is compared with, and what stands for its regressors.
+fn form(about: &About, named: &impl Fn(u64) -> String) -> (String, Vec<(&'static str, String)>) {
+    let [phi1, phi2, ..] = &about.model;
+    let (one, is_line) = (Rational::one(), phi2.0 == 0);
+    let mut first = source(phi1, named);
+    if !about.x_origin.is_zero() {
+        let origin = Style::default().given(&about.x_origin);
+        first = match phi1 {
+            (column, times) if *times == one => format!("{}, less {origin}", named(*column)),
+            (column, times) => format!("{times} times the number in {} less {origin}", named(*column)),
+        };
+    }
+    match (is_line, &phi2.1) {
+        (true, times) if *times == one => ("theta1*x + theta2".to_owned(), vec![("x", first)]),
+        (true, times) if times.is_zero() => ("theta1*x".to_owned(), vec![("x", first)]),
+        (true, times) => (format!("theta1*x + {times}*theta2"), vec![("x", first)]),
+        (false, _) => ("theta1*u + theta2*v".to_owned(), vec![("u", first), ("v", source(phi2, named))]),
+    }
+}
+
+/// A number of each row: a column, so many times; or the same number in all of them.
+fn source((column, times): &(u64, Rational), named: &impl Fn(u64) -> String) -> String {
+    match column {
+        0 => format!("{} in every row", exactly(times)),
+        column if *times == Rational::one() => named(*column),
+        column => format!("{times} times {}", named(*column)),
+    }
+}
+
+/// A number with its decimal beside it where that is another text.
+fn exactly(number: &Rational) -> String {
+    let (exact, given) = (number.to_string(), Style::default().given(number).to_string());
+    if exact == given { exact } else { format!("{exact} ({given})") }
+}
+
+fn law(about: &About, terms: &[(Quantity, u64, Rational)]) -> String {
+    let (column, times) = &about.model[3];
+    let constant = (Quantity::Number, *column, times.clone());
+    let terms = [constant].into_iter().chain(terms.iter().cloned()).filter(|(.., times)| !times.is_zero());
+    let term = |(quantity, column, times): (Quantity, u64, Rational)| match (quantity, column) {
+        (Quantity::Number | Quantity::Abs, 0) => times.to_string(),
+        (Quantity::Number, column) => format!("{times}*column {column}"),
+        (Quantity::Abs, column) => format!("{times}*|column {column}|"),
+        (Quantity::Written, column) => format!("{times}*half a unit of the last digit in column {column}"),
+    };
+    let terms: Vec<String> = terms.map(term).collect();
+    if terms.is_empty() { "0".to_owned() } else { terms.join(" + ") }
+}
+
+/// `2*theta1 - theta2 <= 1/3`, or with `=`.
+pub fn condition(([a1, a2, b], is_equation): &([Rational; 3], bool)) -> String {
+    let relation = if *is_equation { "=" } else { "<=" };
+    let times = |number: &Rational, name: &str| match *number == Rational::one() {
+        true => name.to_owned(),
+        false => format!("{number}*{name}"),
+    };
+    let sum = match (a1.is_zero(), a2.is_zero()) {
+        (_, true) => times(a1, "theta1"),
+        (true, false) => times(a2, "theta2"),
+        (false, false) => {
+            let sign = if a2.is_negative() { '-' } else { '+' };
+            format!("{} {sign} {}", times(a1, "theta1"), times(&a2.abs(), "theta2"))
+        }
+    };
+    format!("{sum} {relation} {b}")
+}
+
+/// `14 to 36`, `1 to 22 and 24`; of many ranges the first ones, and how many rows there are.
+pub fn rows(rows: &[u64]) -> String {
+    let range = |range: &[u64]| match range {
+        [first, last] if first < last => format!("{first} to {last}"),
+        range => range.first().map_or_else(String::new, u64::to_string),
+    };
+    let mut ranges: Vec<String> = rows.chunks(2).take(MOST_RANGES).map(range).collect();
+    let left = (rows.len() / 2).saturating_sub(MOST_RANGES);
+    if left > 0 {
+        let count: u64 =
+            rows.chunks_exact(2).map(|range| range[1].saturating_sub(range[0]).saturating_add(1)).sum();
+        return format!("{} and {left} more ranges, {count} rows", ranges.join(", "));
+    }
+    match ranges.pop() {
+        Some(last) if !ranges.is_empty() => format!("{} and {last}", ranges.join(", ")),
+        last => last.unwrap_or_default(),
+    }
+}
+
+fn reading(about: &About) -> String {
+    let numbers = match about.reading {
+        Reading::Decimal => "numbers as written (decimal)",
+        Reading::Binary64 => "numbers as the nearest doubles (binary64)",
+    };
+    let header = if about.header { "a header" } else { "no header" };
+    format!("{numbers}, {} between cells, {header}", delimiter(about.delimiter))
+}
+
+/// What separates cells, in a word.
+pub(crate) fn delimiter(delimiter: char) -> impl Display {
+    match delimiter {
+        ';' => "semicolons",
+        '\t' => "tabs",
+        '|' => "bars",
+        _ => "commas",
     }
 }

@@ -2,79 +2,69 @@
 
 use std::fmt;
 
-use boundfit_exact::ParseNumberError;
+use boundfit_exact::{Foreign, ParseNumberError};
 
-/// The first statement that is false: its place in the proof or the data, and what is wrong there. [`Falsehood::BeyondLimit`]
-/// alone says nothing of the proof: a number of the data was refused unread.
+use crate::name::Name;
+
+/// The first statement that is false: its place in the proof or the data, and what is wrong there.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Falsehood {
-    /// The schema is not `boundfit/proof/1`.
-    OtherSchema,
     /// The data have another SHA-256.
     OtherData,
     /// The wanted rows are not pairs of a first and a last row that ascend from row 1 on.
     NoRows,
     /// The data end before this wanted row.
-    MissingRow(usize),
+    MissingRow(u64),
     /// A wanted row does not have this column, from 1.
     MissingCell {
         /// The data row, from 1.
-        row: usize,
+        row: u64,
         /// The column, from 1.
         column: usize,
     },
     /// A cell of a wanted row is not a number.
     NotANumber {
         /// The data row, from 1.
-        row: usize,
+        row: u64,
         /// The column, from 1.
         column: usize,
         /// What is wrong with its text.
         error: ParseNumberError,
     },
-    /// A cell of a wanted row is a number beyond the caller's limits.
-    BeyondLimit {
-        /// The data row, from 1.
-        row: usize,
-        /// The column, from 1.
-        column: usize,
-        /// Which limit.
-        error: ParseNumberError,
-    },
     /// The error bound of this row is negative.
-    NegativeErrorBound(usize),
+    NegativeErrorBound(u64),
     /// A cell without a last digit, of which a law takes half a unit.
     NoLastDigit {
         /// The row, from 1.
-        row: usize,
+        row: u64,
         /// The column, from 1.
         column: usize,
     },
     /// The data and the conditions give no half-plane of this name.
-    UnknownHalfPlane(String),
+    UnknownHalfPlane(Foreign),
     /// A sum takes more half-planes than this.
     TooManyMultipliers(usize),
     /// The multiplier of this half-plane is not positive.
-    MultiplierNotPositive(String),
+    MultiplierNotPositive(Name),
     /// The sum that should show that the set is empty is true of some points, or the empty set has parts.
     NotEmpty,
     /// This side names a vertex that is not in the list.
-    UnknownVertex(String),
+    UnknownVertex(Name),
     /// The angle of this side is not larger than that of the side before it.
-    OutOfOrder(String),
+    OutOfOrder(Name),
     /// This side and the next one do not meet at the vertex, or in the gap, between them.
-    DoNotMeet(String),
+    DoNotMeet(Name),
     /// A vertex is named by no side, or two are one point.
     StrayVertex,
     /// This half-plane does not contain the whole set.
-    CutsOff(String),
+    CutsOff(Name),
     /// The lists of what touches a vertex miss this, or have it though it does not touch.
     NotTouching {
         /// The vertex, an index from 0.
-        vertex: usize,
+        vertex: u64,
         /// The half-plane.
-        half_plane: String,
+        half_plane: Foreign,
     },
     /// The set is not empty, and the bounds are not four.
     NotFourBounds,
@@ -85,14 +75,11 @@ pub enum Falsehood {
 impl fmt::Display for Falsehood {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Falsehood::OtherSchema => write!(f, "schema: is another one"),
             Falsehood::OtherData => write!(f, "sha256: is not that of the data"),
             Falsehood::NoRows => write!(f, "rows: are none"),
             Falsehood::MissingRow(row) => write!(f, "row {row}: is not in the data"),
             Falsehood::MissingCell { row, column } => write!(f, "row {row}, column {column}: is missing"),
-            Falsehood::NotANumber { row, column, error } | Falsehood::BeyondLimit { row, column, error } => {
-                write!(f, "row {row}, column {column}: {error}")
-            }
+            Falsehood::NotANumber { row, column, error } => write!(f, "row {row}, column {column}: {error}"),
             Falsehood::NoLastDigit { row, column } => {
                 write!(f, "row {row}, column {column}: has no last digit, of which the law takes half a unit")
             }
@@ -107,7 +94,7 @@ impl fmt::Display for Falsehood {
             Falsehood::StrayVertex => write!(f, "vertices: one is on no side, or there twice"),
             Falsehood::CutsOff(name) => write!(f, "{name}: cuts off a part of the set"),
             Falsehood::NotTouching { vertex, half_plane } => {
-                write!(f, "active: Some(({vertex}, {half_plane:?})) is missing or does not touch")
+                write!(f, "active: {half_plane} at vertex {vertex} is missing or does not touch")
             }
             Falsehood::NotFourBounds => write!(f, "bounds: are not four"),
             Falsehood::NotABound(direction) => write!(f, "bounds: in direction {direction:?}: is not proved"),

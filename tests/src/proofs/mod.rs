@@ -1,6 +1,7 @@
 //! Proofs of fits, made and judged without the program: what the tests of both checkers share.
 
 mod judge;
+mod mutations;
 mod questions;
 mod tampering;
 
@@ -10,11 +11,12 @@ use boundfit_estimation::{Columns, Condition, EpsilonColumn, LineForm, Measureme
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, InputError, RowRange, Source, TableOptions};
 use boundfit_report::proof_json;
-use serde_json::Value;
+use boundfit_verify::{DataLimits, Failure, Proof};
 use sha2::{Digest, Sha256};
 
 pub use judge::is_true;
-pub use questions::{generated, questions};
+pub use mutations::mutated;
+pub use questions::{bounded, generated, questions};
 pub use tampering::tampered;
 
 use crate::readings::parse_condition;
@@ -32,6 +34,10 @@ pub struct Question {
     pub y: String,
     /// The error bound, or else its column.
     pub epsilon: Result<Rational, String>,
+    /// Bounds in place of that.
+    pub bounds: Option<EpsilonColumn>,
+    /// Which lines.
+    pub form: LineForm,
     /// Conditions as text.
     pub conditions: Vec<String>,
     /// How the table is read.
@@ -50,6 +56,8 @@ impl Question {
             x: vec![x.to_owned()],
             y: y.to_owned(),
             epsilon: Ok(Reading::Decimal.read(epsilon, &Limits::default()).expect("a number")),
+            bounds: None,
+            form: LineForm::default(),
             conditions: Vec::new(),
             options: TableOptions::default(),
         }
@@ -63,6 +71,11 @@ impl Question {
     /// The same with an error bound per row.
     pub fn epsilon_column(self, column: &str) -> Self {
         Question { epsilon: Err(column.to_owned()), ..self }
+    }
+
+    /// The same between bounds, or under a law.
+    pub fn within(self, bounds: EpsilonColumn) -> Self {
+        Question { bounds: Some(bounds), ..self }
     }
 
     /// The same under conditions.
@@ -91,16 +104,18 @@ impl Question {
             first: column(&self.x[0]),
             second: self.x.get(1).map(column),
             response: Some(column(&self.y)),
-            epsilon: match &self.epsilon {
-                Ok(epsilon) => EpsilonColumn::Uniform(epsilon.clone()),
-                Err(name) => EpsilonColumn::Column(column(name)),
+            epsilon: match (&self.bounds, &self.epsilon) {
+                (Some(bounds), _) => bounds.clone(),
+                (None, Ok(epsilon)) => EpsilonColumn::Uniform(epsilon.clone()),
+                (None, Err(name)) => EpsilonColumn::Column(column(name)),
             },
-            form: LineForm::default(),
+            form: self.form.clone(),
         };
         let source = Source::new("data", Cursor::new(self.data.clone()));
         let measurements = Measurements::read(source, &columns, &self.options)?;
         let conditions: Vec<Condition> = self.conditions.iter().map(|text| parse_condition(text)).collect();
-        Ok(Problem { measurements, conditions })
+        let problem = Problem { measurements, conditions };
+        Ok(if self.form.through_origin { problem.through_origin() } else { problem })
     }
 
     /// The proof of the fit.
@@ -118,12 +133,12 @@ pub fn sha256(data: &[u8]) -> String {
     Sha256::digest(data).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// The exit status that the checker in Rust stands for: 0 true, 4 false, 1 no proof.
-pub fn verdict(proof: &str, data: &[u8]) -> i32 {
-    let value: Value = serde_json::from_str(proof).expect("JSON");
-    match serde_json::from_str::<boundfit_verify::Proof>(proof) {
+/// The exit status that the checker in Rust stands for: 0 true, 4 false, 1 no proof, or data beyond a limit.
+pub fn verdict(proof: &[u8], data: &[u8]) -> i32 {
+    let Ok(proof) = Proof::read(proof, &Limits::default()) else { return 1 };
+    match proof.verify(|| Ok(data), &DataLimits::default()) {
+        Ok(_) => 0,
+        Err(Failure::False(_)) => 4,
         Err(_) => 1,
-        Ok(_) if value["schema"] != "boundfit/proof/1" => 1,
-        Ok(proof) => proof.verify(data, &sha256(data), &Limits::default()).map_or(4, |_| 0),
     }
 }

@@ -3,8 +3,9 @@
 use std::fmt::Write;
 use std::fs;
 
-use boundfit_estimation::ErrorBound;
-use boundfit_exact::{Rational, Reading};
+use boundfit_estimation::{AskedBound, EpsilonColumn, ErrorBound, LineForm};
+use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_formats::ColumnSelector;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use serde_json::Value;
@@ -118,6 +119,46 @@ fn kinds() -> Vec<Question> {
         line("empty by three rows", "x,y,eps\n1,0,1\n2,9,1/2\n3,0,1/4\n", "0").epsilon_column("eps"),
         line("empty by conditions", "x,y\n1,2\n", "1").when(&["theta1 >= 1", "theta1 <= 0"]),
     ]
+}
+
+/// Fits between columns of bounds, under laws, from another origin and through the origin.
+///
+/// # Panics
+/// When a law cannot be read.
+pub fn bounded() -> Vec<Question> {
+    let law = |text: &str| match AskedBound::parse(text, Reading::Decimal, &Limits::default()) {
+        Ok(AskedBound::Law(law)) => EpsilonColumn::Law(*law),
+        other => panic!("{text}: {other:?}"),
+    };
+    let column = |name: &str| Some(ColumnSelector::name_or_number(name));
+    let between = |lower: Option<&str>, upper: Option<&str>| EpsilonColumn::Interval {
+        lower: lower.and_then(column),
+        upper: upper.and_then(column),
+    };
+    let table = b"x,y,lo,up\n1,2.10,1.5,2.5\n2,3.0,NA,3.25\n4,4.75,4,\n5,6.5e0,5.5,7/1\n";
+    let line = |name: &str| Question::line(name, table, ["x", "y"], "0");
+    let origin = LineForm { x_origin: Rational::ratio(7, 2), through_origin: false };
+    let mut bounded = vec![
+        line("between columns").within(between(Some("lo"), Some("up"))),
+        line("above a column").within(between(Some("lo"), None)),
+        line("below a column").within(between(None, Some("up"))).when(&["theta1 >= -5"]),
+        line("written and a share of y").within(law("10%*|y| + 3*written + 0.1")),
+        line("more above than below").within(law("+0.5/-5%*|x|")).when(&["theta2 = 1"]),
+        line("a share of the range").within(law("5%*range(y) + written")),
+        Question { form: origin.clone(), ..line("from another origin").within(law("1/3 + 1%*|y|")) },
+        Question {
+            epsilon: Ok(Rational::ratio(1, 2)),
+            form: origin,
+            ..line("from another origin, one bound")
+        },
+    ];
+    let through_origin = LineForm { through_origin: true, ..LineForm::default() };
+    bounded.push(Question {
+        form: through_origin,
+        epsilon: Ok(Rational::from(2)),
+        ..line("through the origin")
+    });
+    bounded
 }
 
 /// One table in every form that is accepted.

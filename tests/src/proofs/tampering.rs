@@ -35,7 +35,8 @@ fn element(place: &str) -> Value {
     }
 }
 
-fn collect(value: &Value, place: String, places: &mut Vec<String>) {
+/// Appends the place of every value within this one, and its own.
+pub(super) fn collect(value: &Value, place: String, places: &mut Vec<String>) {
     match value {
         Value::Array(items) => {
             items
@@ -51,14 +52,17 @@ fn collect(value: &Value, place: String, places: &mut Vec<String>) {
     places.push(place);
 }
 
-fn replacements(old: &Value) -> Vec<Value> {
+/// Values that might stand in place of this one.
+pub(super) fn replacements(old: &Value) -> Vec<Value> {
     match old {
         Value::Null => vec![json!(0), json!(1), json!("1")],
         Value::Bool(value) => vec![json!(!value), json!(1)],
         Value::Number(number) => {
-            let number = number.as_u64().expect("an index");
+            // What was an index may have been changed to something else.
+            let number = number.as_u64().unwrap_or(0);
             let less = number.checked_sub(1).map(|less| json!(less));
-            [json!(number + 1), json!(null), json!(number as f64 + 0.5)].into_iter().chain(less).collect()
+            let more = json!(number.saturating_add(1));
+            [more, json!(null), json!(number as f64 + 0.5)].into_iter().chain(less).collect()
         }
         Value::String(text) => match Reading::Decimal.read(text, &Limits::default()) {
             Ok(number) => {

@@ -106,7 +106,7 @@ fn proofs_state_the_bounds_as_they_were_asked_for() {
             .current_dir(directory.path())
             .output();
         if let Ok(judged) = judged {
-            assert_eq!(String::from_utf8_lossy(&judged.stdout), "verified\n", "{options}");
+            assert!(judged.stdout.starts_with(b"verified: {"), "{options}: {judged:?}");
         }
     }
 }

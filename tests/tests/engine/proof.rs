@@ -9,6 +9,7 @@ use boundfit_tests::generate::seeded;
 use boundfit_tests::program::root;
 use boundfit_tests::proofs::{Question, generated, is_true, questions, sha256, tampered, verdict};
 use boundfit_tests::readings::parse_condition;
+use boundfit_verify::{DataLimits, Proof};
 use rand::RngExt;
 use serde_json::Value;
 
@@ -31,14 +32,13 @@ fn half_planes_of(condition: &str) -> usize {
 
 fn accepts(question: &Question) -> Value {
     let text = question.proof();
-    let proof: boundfit_verify::Proof = serde_json::from_str(&text).unwrap();
-    let checked = proof.verify(&question.data, &sha256(&question.data), &question.options.limits);
+    let proof = Proof::read(text.as_bytes(), &question.options.limits).unwrap();
+    let checked = proof.verify(|| Ok(question.data.as_slice()), &DataLimits::default());
     let value = value(&text);
     let rows = [0, 1].map(|end| value["rows"][end].as_u64().unwrap() as usize);
     let half_planes = 2 * (rows[1] - rows[0] + 1)
         + question.conditions.iter().map(|text| half_planes_of(text)).sum::<usize>();
-    let checked = checked.map(|statement| statement.half_planes);
-    assert_eq!(checked, Ok(half_planes), "{}: {text}", question.name);
+    assert_eq!(checked.unwrap().half_planes, half_planes, "{}: {text}", question.name);
     value
 }
 
@@ -77,7 +77,7 @@ fn every_change_that_makes_a_proof_false_is_refused() {
             continue;
         }
         for (what, changed) in tampered(&proof) {
-            if verdict(&changed.to_string(), &question.data) != 0 {
+            if verdict(changed.to_string().as_bytes(), &question.data) != 0 {
                 refused += 1;
                 continue;
             }
@@ -112,10 +112,10 @@ fn changed_data_are_refused() {
         for position in (0..question.data.len()).step_by(1 + question.data.len() / 60) {
             let mut data = question.data.clone();
             data[position] ^= 1;
-            assert_eq!(verdict(&text, &data), 4, "{}: byte {position}", question.name);
+            assert_eq!(verdict(text.as_bytes(), &data), 4, "{}: byte {position}", question.name);
             // With the hash of the changed data, the other statements are judged.
             proof["sha256"] = sha256(&data).into();
-            if verdict(&proof.to_string(), &data) == 0 {
+            if verdict(proof.to_string().as_bytes(), &data) == 0 {
                 // The program wants as many cells in every row, which proves nothing.
                 let is_judged = is_true(&proof, &data) || !is_even(&data);
                 assert!(is_judged, "{}: byte {position}", question.name);

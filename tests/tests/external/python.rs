@@ -1,57 +1,65 @@
 //! `tests/verify.py`, the checker in Python, against the one in Rust: the same verdict on true and on changed proofs.
 
-use std::fs;
+use std::io::Write;
 use std::process::Command;
 
 use boundfit_tests::generate::seeded;
 use boundfit_tests::program::root;
-use boundfit_tests::proofs::{Question, generated, questions, sha256, tampered, verdict};
+use boundfit_tests::proofs::{Question, bounded, generated, mutated, questions, sha256, tampered, verdict};
+use rand::RngExt;
 use serde_json::Value;
-
-/// How many proofs one Python process is given.
-const AT_A_TIME: usize = 250;
 
 /// Which of the changes are tried: every so manyth. With 1 it takes minutes.
 const EVERY: usize = 4;
 
-/// What the checker in Python says about each proof: 0 true, 4 false, 1 no proof.
-fn verdicts_in_python(cases: &[(String, &[u8])]) -> Vec<i32> {
-    let directory = tempfile::tempdir().unwrap();
-    let mut verdicts = Vec::new();
-    for (batch, cases) in cases.chunks(AT_A_TIME).enumerate() {
-        let mut command = Command::new("python3");
-        command.arg(root().join("tests/verify.py"));
-        for (index, (proof, data)) in cases.iter().enumerate() {
-            let [proof_file, data_file] =
-                ["json", "csv"].map(|kind| directory.path().join(format!("{batch}-{index}.{kind}")));
-            fs::write(&proof_file, proof).unwrap();
-            fs::write(&data_file, data).unwrap();
-            command.args([proof_file, data_file]);
-        }
-        let output = command.output().expect("python3 is needed: install Python 3.11 or newer");
-        let text = String::from_utf8(output.stdout).unwrap();
-        let verdict = |line: &str| match line.split(':').next() {
-            Some("verified") => 0,
-            Some("refuted") => 4,
-            Some("not a proof") => 1,
-            _ => panic!("{line}"),
-        };
-        let own: Vec<i32> = text.lines().map(verdict).collect();
-        let error = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(own.len(), cases.len(), "{error}");
-        assert_eq!(output.status.code(), own.iter().max().copied(), "{error}");
-        verdicts.extend(own);
+/// How many mutated proofs are tried; `PROOF_CASES` sets another number.
+const MUTATED: usize = 6_000;
+
+/// How many proofs one Python process is given.
+const AT_A_TIME: usize = 5_000;
+
+/// Asks the checker about proofs and data, each after its length, in one process, and prints the statuses.
+const ASK: &str = "
+import io, sys
+sys.path.insert(0, sys.argv[1])
+import verify
+with open(sys.argv[2], 'rb') as cases:
+    def part(): return cases.read(int.from_bytes(cases.read(4), 'little'))
+    for _ in range(int(sys.argv[3])): print(verify.status(part(), io.BytesIO(part()))[0])
+";
+
+/// The status of the checker in Python for each proof: 0 true, 4 false, 1 no proof, or data beyond a limit.
+fn statuses_in_python(cases: &[(Vec<u8>, &[u8])]) -> Vec<i32> {
+    let mut file = tempfile::NamedTempFile::new().unwrap();
+    for part in cases.iter().flat_map(|(proof, data)| [proof.as_slice(), data]) {
+        file.write_all(&u32::try_from(part.len()).unwrap().to_le_bytes()).unwrap();
+        file.write_all(part).unwrap();
     }
-    verdicts
+    let mut command = Command::new("python3");
+    let output = command
+        .args(["-c", ASK])
+        .arg(root().join("tests"))
+        .arg(file.path())
+        .arg(cases.len().to_string())
+        .output();
+    let output = output.expect("python3 is needed: install Python 3.11 or newer");
+    let text = String::from_utf8(output.stdout).unwrap();
+    let statuses: Vec<i32> = text.lines().map(|line| line.parse().unwrap()).collect();
+    assert_eq!(statuses.len(), cases.len(), "{}", String::from_utf8_lossy(&output.stderr));
+    statuses
 }
 
-fn agree(cases: &[(String, &[u8])], names: &[String]) -> Vec<i32> {
-    let verdicts = verdicts_in_python(cases);
-    for (((proof, data), name), &python) in cases.iter().zip(names).zip(&verdicts) {
-        // What is no proof in the one may be a false one in the other.
-        assert_eq!(python == 0, verdict(proof, data) == 0, "{name}: {proof}");
+/// Has both checkers judge each proof: the statuses, which are the same.
+fn agree(cases: &[(Vec<u8>, &[u8])], names: &[String]) -> Vec<i32> {
+    let statuses: Vec<i32> = cases.chunks(AT_A_TIME).flat_map(statuses_in_python).collect();
+    for (((proof, data), name), &python) in cases.iter().zip(names).zip(&statuses) {
+        let shown = || {
+            let [proof, data] = [proof.as_slice(), data].map(|text| text.escape_ascii().to_string());
+            format!("{name}: Python says {python}\n{proof}\n{data}")
+        };
+        assert_eq!(verdict(proof, data), python, "{}", shown());
     }
-    verdicts
+    statuses
 }
 
 #[test]
@@ -59,7 +67,8 @@ fn every_proof_is_verified_in_python_too() {
     let mut rng = seeded(62);
     let mut all: Vec<Question> = questions();
     all.extend((0..500).map(|_| generated(&mut rng)));
-    let cases: Vec<(String, &[u8])> = all.iter().map(|own| (own.proof(), own.data.as_slice())).collect();
+    all.extend(bounded());
+    let cases: Vec<_> = all.iter().map(|own| (own.proof().into_bytes(), own.data.as_slice())).collect();
     let names: Vec<String> = all.iter().map(|own| own.name.clone()).collect();
     assert!(agree(&cases, &names).iter().all(|&verdict| verdict == 0));
 }
@@ -76,7 +85,7 @@ fn changed_proofs_and_data_get_the_same_verdict() {
         }
         // The test of the checker in Rust takes them all.
         for (what, changed) in tampered(&proof).into_iter().step_by(EVERY) {
-            cases.push((changed.to_string(), own.data.as_slice()));
+            cases.push((changed.to_string().into_bytes(), own.data.as_slice()));
             names.push(format!("{}: {what}", own.name));
         }
         for position in (0..own.data.len()).step_by(1 + own.data.len() / 5) {
@@ -88,9 +97,39 @@ fn changed_proofs_and_data_get_the_same_verdict() {
     }
     assert!(cases.len() > 1000);
     for (proof, data) in &changed_data {
-        cases.push((proof.clone(), data.as_slice()));
+        cases.push((proof.clone().into_bytes(), data.as_slice()));
         names.push("changed data".to_owned());
     }
     let verdicts = agree(&cases, &names);
     assert!(verdicts.contains(&0) && verdicts.contains(&1) && verdicts.contains(&4));
+}
+
+/// Bytes, texts, numbers, names, fields and cells in ways that the two languages read in ways of their own.
+#[test]
+fn mutated_proofs_and_data_get_the_same_status() {
+    let cases =
+        std::env::var("PROOF_CASES").map_or(MUTATED, |cases| cases.parse().expect("PROOF_CASES is a number"));
+    let mut rng = seeded(163);
+    let proved = |own: Question| (own.proof(), own);
+    let all: Vec<(String, Question)> = questions().into_iter().chain(bounded()).map(proved).collect();
+    let all: Vec<(String, Question)> = all.into_iter().filter(|(proof, _)| proof.len() <= 6000).collect();
+    let mut counts = [0_usize; 5];
+    for start in (0..cases).step_by(AT_A_TIME) {
+        let drawn: Vec<_> = (start..cases.min(start + AT_A_TIME))
+            .map(|_| {
+                let (proof, own) = &all[rng.random_range(0..all.len())];
+                (mutated(proof, &own.data, &mut rng), own.name.clone())
+            })
+            .collect();
+        let (asked, names): (Vec<_>, Vec<_>) = drawn
+            .iter()
+            .map(|((proof, data), name)| ((proof.clone(), data.as_slice()), name.clone()))
+            .unzip();
+        agree(&asked, &names).into_iter().for_each(|status| counts[status as usize] += 1);
+    }
+    println!(
+        "{cases} proofs: {} true, {} false, {} no proof or beyond a limit",
+        counts[0], counts[4], counts[1]
+    );
+    assert!(counts[0] * 50 > cases && counts[1] * 10 > cases && counts[4] * 10 > cases, "{counts:?}");
 }

@@ -9,6 +9,7 @@ mod lesson;
 mod notes;
 mod plot;
 mod polygon;
+mod question;
 mod reading;
 mod reduce;
 mod rows;

@@ -9,7 +9,7 @@ use boundfit_formats::{AskedDialect, Header, ScanOptions, SizeLimits, Source, Ta
 use boundfit_report::{Origin, Style};
 use clap::ValueEnum;
 
-use super::shared::EpsilonArguments;
+use super::shared::{EpsilonArguments, LineArguments};
 use super::values::{number_problem, parse_factors};
 use super::{
     DataArguments, FitArguments, FractionArguments, LabelArguments, LimitArguments, OutputArguments,
@@ -130,34 +130,36 @@ impl<'a> Data<'a> {
         let asked = arguments.epsilon.asked(reading, &limits, arguments.x.second.is_some())?;
         let AskedEpsilon { column: epsilon, multiple_of_least } =
             asked.ok_or_else(|| Failure::Usage("'--eps' or '--eps-column' is missing".to_owned()))?;
-        let condition = |text: &String| {
-            Condition::parse(text, reading, &limits)
-                .map_err(|error| Failure::value("--where <CONDITION>", text, condition_problem(&error)))
-        };
-        let conditions = arguments.conditions.iter().map(condition).collect::<Result<_, _>>()?;
+        let conditions = conditions(&arguments.conditions, reading, &limits)?;
         let columns = Columns {
             first: arguments.x.first.clone(),
             second: arguments.x.second.clone(),
             response: arguments.y.clone(),
             epsilon,
-            form: self.line_form(reading, &limits)?,
+            form: arguments.line.form(reading, &limits, arguments.x.second.is_some())?,
         };
         Ok(Asked { columns, conditions, multiple_of_least })
     }
+}
 
+impl LineArguments {
     /// Where x is counted from.
-    fn line_form(&self, reading: Reading, limits: &Limits) -> Result<LineForm, Failure> {
+    pub(super) fn form(
+        &self,
+        reading: Reading,
+        limits: &Limits,
+        two_regressors: bool,
+    ) -> Result<LineForm, Failure> {
         const EXPECTED: &str = "expected a number such as 1980 or -2.5";
-        let arguments = &self.arguments.line;
-        if self.arguments.x.second.is_some() {
-            if arguments.through_origin {
+        if two_regressors {
+            if self.through_origin {
                 return Err(Failure::Usage(
                     "'--through-origin' is about a line: with two regressors there is no offset, and the model passes \
                      through the origin as it is"
                         .to_owned(),
                 ));
             }
-            if arguments.x_origin.is_some() {
+            if self.x_origin.is_some() {
                 return Err(Failure::Usage(
                     "'--x-origin' is about a line: with two regressors there is no x to count from an origin"
                         .to_owned(),
@@ -169,21 +171,34 @@ impl<'a> Data<'a> {
                 .read(text, limits)
                 .map_err(|error| Failure::value("--x-origin <NUM>", text, number_problem(&error, EXPECTED)))
         };
-        let x_origin = arguments.x_origin.as_ref().map(number).transpose()?.unwrap_or_default();
-        Ok(LineForm { x_origin, through_origin: arguments.through_origin })
+        let x_origin = self.x_origin.as_ref().map(number).transpose()?.unwrap_or_default();
+        Ok(LineForm { x_origin, through_origin: self.through_origin })
     }
 }
 
+/// The conditions that are asked for.
+pub(super) fn conditions(
+    texts: &[String],
+    reading: Reading,
+    limits: &Limits,
+) -> Result<Vec<Condition>, Failure> {
+    let condition = |text: &String| {
+        Condition::parse(text, reading, limits)
+            .map_err(|error| Failure::value("--where <CONDITION>", text, condition_problem(&error)))
+    };
+    texts.iter().map(condition).collect()
+}
+
 /// The bounds on errors that are asked for.
-struct AskedEpsilon {
-    column: EpsilonColumn,
+pub(super) struct AskedEpsilon {
+    pub(super) column: EpsilonColumn,
     /// The factor of the least bound, which is not known yet, and has no say in what it follows from: 0 stands for it.
-    multiple_of_least: Option<Rational>,
+    pub(super) multiple_of_least: Option<Rational>,
 }
 
 impl EpsilonArguments {
     /// What is asked for; `None` where nothing is said about it.
-    fn asked(
+    pub(super) fn asked(
         &self,
         reading: Reading,
         limits: &Limits,

@@ -39,6 +39,16 @@ impl RowArguments {
         })
     }
 
+    /// Whether some rows are asked for or left out by number.
+    pub(super) fn are_asked(&self) -> bool {
+        self.rows.is_some() || self.without.is_some()
+    }
+
+    /// Whether rows are asked for by what stands in them.
+    pub(super) fn depend_on_cells(&self) -> bool {
+        !self.where_row.is_empty()
+    }
+
     /// What must hold for each of them.
     pub(super) fn conditions(&self, reading: Reading, limits: &Limits) -> Result<Vec<RowCondition>, Failure> {
         let condition = |text: &String| {

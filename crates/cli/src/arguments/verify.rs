@@ -2,9 +2,13 @@
 
 use clap::Args;
 
+use boundfit_exact::Reading;
+use boundfit_formats::{ColumnSelector, Header};
+
 use super::notes::{BAD_USAGE, Notes};
-use super::shared::LIMITS;
-use super::{FileArguments, Format, LimitArguments};
+use super::shared::{EpsilonArguments, LIMITS, LineArguments};
+use super::values::{DELIMITERS, IfAsked, Regressors, named, named_or_auto, parse_column, parse_regressors};
+use super::{FileArguments, Format, LimitArguments, RowArguments};
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -13,22 +17,32 @@ pub(super) const NOTES: Notes = Notes {
             "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --proof proof.json\n\
              boundfit verify proof.json transducer.csv",
         ),
-        ("The same without boundfit", "python3 tests/verify.py proof.json transducer.csv"),
+        (
+            "Is it about the question that was asked?",
+            "boundfit verify proof.json transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3",
+        ),
+        ("The check without boundfit", "python3 tests/verify.py proof.json transducer.csv"),
     ],
     statuses: &[
         (0, "every statement of the proof is true of these data"),
-        (1, "a file that cannot be read or written, or is not a proof"),
+        (1, "a file that cannot be read or written, is not a proof, or is beyond a limit"),
         BAD_USAGE,
-        (4, "a statement is false; the first one is named"),
+        (
+            4,
+            "a statement is false, or the proof answers another question than was asked; the first one is named",
+        ),
     ],
 };
 
 /// Check a proof that 'boundfit fit --proof' wrote: is every statement in it true of these data?
 ///
 /// The data are read anew and every statement is checked by exact arithmetic, with nothing of the program that found the
-/// answer but its numbers. docs/proof.md says what a proof states and why the checks suffice.
+/// answer but its numbers. Said is also which question the proof answers: model, columns, error bound, conditions and
+/// rows. With options of 'fit' this question must be the one that they ask; with --x and an error bound all of it, what is
+/// left out being as 'fit' takes it (every row, no conditions), otherwise what is given. docs/proof.md says what a proof
+/// states and why the checks suffice.
 #[derive(Debug, Args)]
-#[command(after_help = NOTES.to_string())]
+#[command(after_help = NOTES.to_string(), mut_group("EpsilonArguments", |group| group.required(false)))]
 pub(crate) struct VerifyArguments {
     /// The proof, or - for standard input
     pub(crate) proof: String,
@@ -44,4 +58,32 @@ pub(crate) struct VerifyArguments {
     pub(crate) max_proof_size: u64,
     #[command(flatten)]
     pub(crate) file: FileArguments,
+    /// Column of x by header name or number from 1; two for the model y = theta1*COL + theta2*COL2 + e
+    #[arg(long, value_name = "COL[,COL2]", value_parser = parse_regressors, help_heading = QUESTION)]
+    pub(super) x: Option<Regressors>,
+    /// Column of y
+    #[arg(long, value_name = "COL", value_parser = parse_column, help_heading = QUESTION)]
+    pub(super) y: Option<ColumnSelector>,
+    #[command(flatten, next_help_heading = QUESTION)]
+    pub(super) epsilon: EpsilonArguments,
+    #[command(flatten)]
+    pub(super) rows: RowArguments,
+    /// A linear inequality or equation that the parameters are known to satisfy; repeatable
+    #[arg(long = "where", value_name = "CONDITION", allow_hyphen_values = true)]
+    pub(super) conditions: Vec<String>,
+    #[command(flatten)]
+    pub(super) line: LineArguments,
+    /// Take numbers exactly as written, or as the nearest double, exactly
+    #[arg(long, value_parser = named(Reading::ALL.map(|reading| (reading.name(), reading))))]
+    pub(super) reading: Option<Reading>,
+    /// Whether the first row names the columns
+    #[arg(long, default_value = Header::Auto.name(),
+          value_parser = named(Header::ALL.map(|header| (header.name(), header))))]
+    pub(super) header: Header,
+    /// What separates the columns
+    #[arg(long, default_value = "auto", value_parser = named_or_auto(DELIMITERS))]
+    pub(super) delimiter: IfAsked<u8>,
 }
+
+/// The heading of what asks the question that the proof must answer.
+const QUESTION: &str = "The question that the proof must answer (options of 'fit')";

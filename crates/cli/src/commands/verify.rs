@@ -1,22 +1,23 @@
 //! `boundfit verify`.
 
+use std::fs::{self, File};
+use std::io::{self, Read, Seek, Write};
+
 use boundfit_check::nested_beyond;
-use boundfit_exact::Limit;
-use boundfit_report::{verify_json, verify_text};
-use boundfit_verify::{Falsehood, Proof};
-use serde_json::Value;
-use sha2::{Digest, Sha256};
+use boundfit_exact::Foreign;
+use boundfit_report::{Verdict, verify_json, verify_text};
+use boundfit_verify::{DataLimits, Failure as Unverified, Proof};
 
 use crate::CommandResult;
 use crate::arguments::{Format, LimitArguments, VerifyArguments};
 use crate::exit::{Exit, Failure};
-use crate::input::{named, read_bytes, read_text};
+use crate::input::{named, read_text};
 use crate::output;
 use crate::progress::while_working;
 
 /// Reads the proof and the data, checks one against the other and writes the verdict.
 pub(crate) fn run(arguments: &VerifyArguments) -> CommandResult {
-    let VerifyArguments { proof: proof_file, data: data_file, format, limits, max_proof_size, file } =
+    let VerifyArguments { proof: proof_file, data: data_file, format, limits, max_proof_size, file, .. } =
         arguments;
     let format = file.format(*format)?;
     if proof_file == "-" && data_file == "-" {
@@ -25,52 +26,104 @@ pub(crate) fn run(arguments: &VerifyArguments) -> CommandResult {
     let guard = file.replace.guard([proof_file.as_str(), data_file]);
     guard.check(file.output.as_deref())?;
     let text = read_proof(proof_file, limits, *max_proof_size)?;
-    let not_a_proof = |problem: &dyn std::fmt::Display| {
+    let proof = Proof::read(text.as_bytes(), &limits.number()).map_err(|problem| {
         Failure::data(format_args!(
             "{}: not a proof: {problem} (expected JSON of schema boundfit/proof/1)",
-            named(proof_file)
+            Foreign::of(named(proof_file))
         ))
+    })?;
+    let question = arguments.question(proof.about())?;
+    let mut data = Data::new(data_file);
+    let data_limits =
+        DataLimits { number: limits.number(), row: limits.sizes().line, columns: limits.sizes().columns };
+    let verdict = while_working("verifying", || proof.verify(|| data.open(), &data_limits));
+    let verdict = match verdict {
+        Ok(statement) => Ok(statement),
+        Err(Unverified::False(falsehood)) => Err(falsehood),
+        // What is refused says nothing of the proof.
+        Err(other) => {
+            let raised = match &other {
+                Unverified::Refused(refusal) => {
+                    refusal.limit().map(|limit| format!("; {} raises it", limit.flag()))
+                }
+                _ => None,
+            };
+            let data = Foreign::of(named(data_file));
+            return Err(Failure::data(format_args!("{data}: {other}{}", raised.unwrap_or_default())));
+        }
     };
-    let value: Value = serde_json::from_str(&text).map_err(|error| not_a_proof(&error))?;
-    if value.get("schema").and_then(Value::as_str) != Some("boundfit/proof/1") {
-        return Err(not_a_proof(&"another schema"));
-    }
-    let proof: Proof = serde_json::from_str(&text).map_err(|error| not_a_proof(&error))?;
-    let data = read_bytes(data_file)?;
-    let verdict = while_working("verifying", || {
-        let hash: String = Sha256::digest(&data).iter().map(|byte| format!("{byte:02x}")).collect();
-        proof.verify(&data, &hash, &limits.number())
-    });
-    // A number beyond the limits is refused, which says nothing of the proof.
-    if let Err(falsehood @ Falsehood::BeyondLimit { error, .. }) = &verdict
-        && let Some(limit) = Limit::of_number(&error.kind)
-    {
-        let (data, flag) = (named(data_file), limit.flag());
-        return Err(Failure::data(format_args!("{data}: {falsehood}; {flag} raises it")));
-    }
+    let differences =
+        verdict.as_ref().map_or_else(|_| Vec::new(), |statement| question.differences(statement));
+    let is_verified = verdict.is_ok() && differences.is_empty();
+    let verdict = Verdict { found: verdict, differences };
     let report = match format {
         Format::Text => verify_text(&verdict, named(proof_file), named(data_file)),
-        Format::Json => verify_json(&verdict),
+        Format::Json => verify_json(&verdict, proof.about(), file_name(proof_file), file_name(data_file)),
     };
     output::write(&report, file.output.as_deref(), &guard)?;
-    Ok(if verdict.is_ok() { Exit::Answer } else { Exit::Refuted })
+    Ok(if is_verified { Exit::Answer } else { Exit::Refuted })
+}
+
+fn file_name(file: &str) -> Option<&str> {
+    Some(file).filter(|file| *file != "-")
+}
+
+/// Data that are read twice, in memory that does not grow with them.
+enum Data<'a> {
+    /// A file, which can be opened again.
+    File(&'a str),
+    /// What can be read but once is kept in a temporary file without a name.
+    Once { source: &'a str, kept: Option<File> },
+}
+
+impl<'a> Data<'a> {
+    fn new(file: &'a str) -> Self {
+        match file != "-" && fs::metadata(file).is_ok_and(|metadata| metadata.is_file()) {
+            true => Data::File(file),
+            false => Data::Once { source: file, kept: None },
+        }
+    }
+
+    fn open(&mut self) -> io::Result<Box<dyn Read>> {
+        match self {
+            Data::File(file) => Ok(Box::new(File::open(file)?)),
+            Data::Once { kept: Some(kept), .. } => {
+                kept.rewind()?;
+                Ok(Box::new(kept.try_clone()?))
+            }
+            Data::Once { source, kept } => {
+                let from: Box<dyn Read> =
+                    if *source == "-" { Box::new(io::stdin()) } else { Box::new(File::open(source)?) };
+                let copy = kept.insert(tempfile::tempfile()?).try_clone()?;
+                Ok(Box::new(Copied { from, copy }))
+            }
+        }
+    }
+}
+
+/// Keeps what is read.
+struct Copied {
+    from: Box<dyn Read>,
+    copy: File,
+}
+
+impl Read for Copied {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let count = self.from.read(buffer)?;
+        self.copy.write_all(buffer.get(..count).unwrap_or_default())?;
+        Ok(count)
+    }
 }
 
 /// The text of a proof that keeps to the limits.
 fn read_proof(file: &str, limits: &LimitArguments, largest: u64) -> Result<String, Failure> {
-    let refuse = |what: String| Failure::data(format_args!("{}: not a proof: refused: {what}", named(file)));
     let text = read_text(file, largest, "--max-proof-size")?;
-    let (nesting, digits) = (limits.sizes().nesting, limits.number().digits);
+    let nesting = limits.sizes().nesting;
     if let Some((line, column)) = nested_beyond(&text, nesting) {
-        return Err(refuse(format!(
-            "nested deeper than {nesting} levels (the limit; --max-nesting raises it) at line {line} column {column}"
-        )));
-    }
-    // Its numbers are computed from several numbers of the data.
-    let digits = digits.saturating_mul(10);
-    if text.split(|character: char| !character.is_ascii_digit()).any(|run| run.len() > digits) {
-        return Err(refuse(format!(
-            "a number with more than {digits} digits (10 times the limit; --max-digits raises it)"
+        return Err(Failure::data(format_args!(
+            "{}: not a proof: refused: nested deeper than {nesting} levels (the limit; --max-nesting raises it) at line \
+             {line} column {column}",
+            Foreign::of(named(file))
         )));
     }
     Ok(text)

@@ -1,0 +1,352 @@
+//! The question that a proof must answer, from the options of `fit`.
+
+use std::collections::BTreeMap;
+
+use boundfit_estimation::{Condition, EpsilonColumn, Law, LineForm};
+use boundfit_exact::english::split_unit;
+use boundfit_exact::{Foreign, Rational, Reading};
+use boundfit_formats::{ColumnSelector, Header, RowSet};
+use boundfit_report::{condition_text, rows_text};
+use boundfit_verify::{About, Quantity, Statement};
+
+use super::VerifyArguments;
+use super::values::Regressors;
+use crate::exit::Failure;
+
+/// What is asked for; what is `None` is not compared.
+pub(crate) struct Question {
+    x: Option<Regressors>,
+    y: Option<ColumnSelector>,
+    bound: Option<EpsilonColumn>,
+    rows: Option<RowSet>,
+    conditions: Option<Vec<Condition>>,
+    form: Option<LineForm>,
+    reading: Option<Reading>,
+    header: Option<bool>,
+    delimiter: Option<char>,
+}
+
+impl VerifyArguments {
+    /// The question that the options ask. Numbers in them are read as the proof reads those of the data, unless something else is
+    /// asked for.
+    pub(crate) fn question(&self, about: &About) -> Result<Question, Failure> {
+        let limits = self.limits.number();
+        let reading = self.reading.unwrap_or(about.reading);
+        let two_regressors = match &self.x {
+            Some(regressors) => regressors.second.is_some(),
+            None => about.model[1].0 != 0,
+        };
+        let epsilon = self.epsilon.asked(reading, &limits, two_regressors)?;
+        if epsilon.as_ref().is_some_and(|asked| asked.multiple_of_least.is_some()) {
+            return Err(refuse("'--eps min'", "the number that it comes to, which 'fit' reports"));
+        }
+        if self.rows.depend_on_cells() {
+            return Err(refuse("'--where-row'", "the rows with '--rows' and '--without'"));
+        }
+        let is_whole = self.x.is_some() && epsilon.is_some();
+        let has_form = self.line.through_origin || self.line.x_origin.is_some();
+        let conditions = super::reading::conditions(&self.conditions, reading, &limits)?;
+        let form = self.line.form(reading, &limits, two_regressors)?;
+        let bound = epsilon.map(|asked| asked.column);
+        if let Some(EpsilonColumn::Law(law)) = &bound
+            && law.terms(&Rational::zero()) != law.terms(&Rational::one())
+        {
+            return Err(refuse("'range(y)'", "the number that it comes to"));
+        }
+        Ok(Question {
+            x: self.x.clone(),
+            y: self.y.clone(),
+            bound,
+            rows: (is_whole || self.rows.are_asked()).then(|| self.rows.set()).transpose()?,
+            conditions: (is_whole || !conditions.is_empty()).then_some(conditions),
+            form: (is_whole || has_form).then_some(form),
+            reading: if is_whole { Some(reading_or_default(self.reading)) } else { self.reading },
+            header: match self.header {
+                Header::Auto => None,
+                asked => Some(asked == Header::Present),
+            },
+            delimiter: self.delimiter.0.map(char::from),
+        })
+    }
+}
+
+fn reading_or_default(asked: Option<Reading>) -> Reading {
+    asked.unwrap_or_default()
+}
+
+fn refuse(what: &str, instead: &str) -> Failure {
+    Failure::Usage(format!(
+        "{what} depends on the readings, which are not asked about it here: give {instead}"
+    ))
+}
+
+impl Question {
+    /// How the question that a proof answers differs from this one, a sentence for each difference.
+    pub(crate) fn differences(&self, statement: &Statement) -> Vec<String> {
+        let about = &statement.about;
+        let mut differences = Vec::new();
+        let mut differ = |is_same: bool, what: &str, stated: String, asked: String| {
+            if !is_same {
+                differences.push(format!("the proof is about {what} {stated}, not {asked}"));
+            }
+        };
+        let columns = Columns(statement);
+        if let Some(Regressors { first, second }) = &self.x {
+            let [phi1, phi2, ..] = &about.model;
+            differ(columns.is(phi1, first), "x =", columns.shown(phi1), columns.asked(first));
+            match second {
+                Some(second) => {
+                    differ(
+                        columns.is(phi2, second),
+                        "the second x =",
+                        columns.shown(phi2),
+                        columns.asked(second),
+                    );
+                }
+                None => {
+                    let is_line = *phi2 == (0, Rational::one());
+                    differ(
+                        is_line,
+                        "the second x =",
+                        columns.shown(phi2),
+                        "a line with an offset".to_owned(),
+                    );
+                }
+            }
+        }
+        if let Some(y) = &self.y {
+            differ(columns.is(&about.model[2], y), "y =", columns.shown(&about.model[2]), columns.asked(y));
+        }
+        if let Some(bound) = &self.bound {
+            let (stated, asked) = (columns.bound(about), columns.asked_bound(bound));
+            let is_same = columns.is_bound(about, bound);
+            differ(is_same, &stated.0, stated.1, asked);
+        }
+        if let Some(form) = &self.form {
+            let is_same = about.x_origin == form.x_origin;
+            differ(is_same, "x counted from", given(&about.x_origin), given(&form.x_origin));
+        }
+        let through_origin = self.form.as_ref().is_some_and(|form| form.through_origin);
+        if let Some(conditions) = &self.conditions {
+            self.differ_in_conditions(about, conditions, through_origin, &mut differ);
+        } else if through_origin {
+            let no_intercept = normal(&terms(&Condition::no_intercept()));
+            let is_there = about.conditions.iter().any(|own| normal(own) == no_intercept);
+            differ(is_there, "a line with", "an offset".to_owned(), "one through the origin".to_owned());
+        }
+        if let Some(rows) = &self.rows {
+            let stated = format!("{} of {}", rows_text(&about.rows), statement.rows_total);
+            differ(
+                have_rows(about, rows, statement.rows_total),
+                "rows",
+                stated,
+                asked_rows(rows, statement.rows_total),
+            );
+        }
+        if let Some(reading) = self.reading {
+            differ(
+                about.reading == reading,
+                "the reading",
+                about.reading.name().to_owned(),
+                reading.name().to_owned(),
+            );
+        }
+        if let Some(header) = self.header {
+            let word = |header: bool| if header { "with a header" } else { "without a header" };
+            differ(about.header == header, "data", word(about.header).to_owned(), word(header).to_owned());
+        }
+        if let Some(delimiter) = self.delimiter {
+            let is_same = about.delimiter == delimiter;
+            differ(is_same, "cells between", format!("{:?}", about.delimiter), format!("{delimiter:?}"));
+        }
+        differences
+    }
+
+    fn differ_in_conditions(
+        &self,
+        about: &About,
+        conditions: &[Condition],
+        through_origin: bool,
+        differ: &mut impl FnMut(bool, &str, String, String),
+    ) {
+        let no_intercept = through_origin.then(Condition::no_intercept);
+        let asked: Vec<Terms> = conditions.iter().chain(&no_intercept).map(terms).collect();
+        let sorted = |conditions: &[Terms]| {
+            let mut all: Vec<Terms> = conditions.iter().map(normal).collect();
+            all.sort();
+            all
+        };
+        let shown = |conditions: &[Terms]| match conditions {
+            [] => "none".to_owned(),
+            [only] => format!("'{}'", condition_text(only)),
+            [first, more @ ..] => format!("'{}' and {} more", condition_text(first), more.len()),
+        };
+        let is_same = sorted(&about.conditions) == sorted(&asked);
+        differ(is_same, "the conditions", shown(&about.conditions), shown(&asked));
+    }
+}
+
+/// a1, a2 and b of a condition, and whether it is an equation.
+type Terms = ([Rational; 3], bool);
+
+fn terms(condition: &Condition) -> Terms {
+    let inequality = condition.inequality();
+    let [a1, a2] = &inequality.a;
+    ([a1.clone(), a2.clone(), inequality.b.clone()], condition.is_equation())
+}
+
+/// The one of all its positive multiples, of an equation of all its multiples, that begins with 1 or -1, or with 1.
+fn normal((numbers, is_equation): &Terms) -> Terms {
+    let first = numbers.iter().find(|number| !number.is_zero());
+    let scale = first.map(|first| if *is_equation { first.clone() } else { first.abs() });
+    let scaled = |number: &Rational| scale.as_ref().and_then(|scale| number.checked_div(scale));
+    (numbers.each_ref().map(|number| scaled(number).unwrap_or_default()), *is_equation)
+}
+
+/// Whether just these of so many rows are named.
+fn have_rows(about: &About, rows: &RowSet, total: u64) -> bool {
+    let mut asked = (1..=total).filter(|row| usize::try_from(*row).is_ok_and(|row| rows.contains(row)));
+    let mut stated = about.rows.chunks(2).flat_map(|range| match *range {
+        [first, last] => first..=last,
+        _ => 1..=0,
+    });
+    let rows_are_same = stated.by_ref().all(|row| asked.next() == Some(row));
+    rows_are_same && asked.next().is_none()
+}
+
+fn asked_rows(rows: &RowSet, total: u64) -> String {
+    let ranges = |ranges: &[boundfit_formats::RowRange]| {
+        ranges.iter().map(ToString::to_string).collect::<Vec<_>>().join(",")
+    };
+    let named = if rows.named().is_empty() { format!("all {total}") } else { ranges(rows.named()) };
+    if rows.without().is_empty() { named } else { format!("{named} without {}", ranges(rows.without())) }
+}
+
+/// The columns of the data by name and number.
+struct Columns<'a>(&'a Statement);
+
+impl Columns<'_> {
+    /// Whether a column is taken once, and is the one that is asked for.
+    fn is(&self, (column, times): &(u64, Rational), asked: &ColumnSelector) -> bool {
+        *times == Rational::one() && self.is_column(*column, asked)
+    }
+
+    /// By its name, with its unit or without, else by its number.
+    fn is_column(&self, column: u64, asked: &ColumnSelector) -> bool {
+        let wanted = asked.text();
+        let name = self.0.names.get(&column).map(Foreign::raw);
+        let has_name = name.is_some_and(|name| {
+            let plain = name.trim_start_matches(['#', '%']).trim_start();
+            [name, plain, split_unit(name).0, split_unit(plain).0].contains(&wanted)
+        });
+        has_name || asked.number().is_some_and(|number| number as u64 == column)
+    }
+
+    fn column(&self, column: u64) -> String {
+        match self.0.names.get(&column) {
+            Some(name) => format!("column {column} ({})", name.borrowed().quoted()),
+            None => format!("column {column}"),
+        }
+    }
+
+    fn shown(&self, (column, times): &(u64, Rational)) -> String {
+        match column {
+            0 => given(times),
+            column if *times == Rational::one() => self.column(*column),
+            column => format!("{times} times {}", self.column(*column)),
+        }
+    }
+
+    fn asked(&self, column: &ColumnSelector) -> String {
+        Foreign::of(column.text()).to_string()
+    }
+
+    /// What kind of bound a proof is about, and which.
+    fn bound(&self, about: &About) -> (String, String) {
+        let side =
+            |side: Option<u64>| side.map_or_else(|| "nothing".to_owned(), |column| self.column(column));
+        match (&about.interval, &about.law) {
+            (Some([lower, upper]), _) => {
+                ("values between".to_owned(), format!("{} and {}", side(*lower), side(*upper)))
+            }
+            (None, Some(_)) => ("an error bound that".to_owned(), "is a law".to_owned()),
+            (None, None) => ("eps =".to_owned(), self.shown(&about.model[3])),
+        }
+    }
+
+    fn asked_bound(&self, bound: &EpsilonColumn) -> String {
+        match bound {
+            EpsilonColumn::Uniform(epsilon) => given(epsilon),
+            EpsilonColumn::Column(column) => format!("column {}", self.asked(column)),
+            EpsilonColumn::Interval { lower, upper } => {
+                let side = |side: &Option<ColumnSelector>| {
+                    side.as_ref().map_or_else(|| "nothing".to_owned(), |own| self.asked(own))
+                };
+                format!("values between {} and {}", side(lower), side(upper))
+            }
+            EpsilonColumn::Law(law) => Foreign::of(law.text()).to_string(),
+        }
+    }
+
+    fn is_bound(&self, about: &About, asked: &EpsilonColumn) -> bool {
+        let epsilon = &about.model[3];
+        let is_plain = about.interval.is_none() && about.law.is_none();
+        match asked {
+            EpsilonColumn::Uniform(asked) => is_plain && epsilon.0 == 0 && epsilon.1 == *asked,
+            EpsilonColumn::Column(asked) => is_plain && self.is(epsilon, asked),
+            EpsilonColumn::Interval { lower, upper } => {
+                let is_side = |stated: Option<u64>, asked: &Option<ColumnSelector>| match (stated, asked) {
+                    (None, None) => true,
+                    (Some(column), Some(asked)) => self.is_column(column, asked),
+                    _ => false,
+                };
+                about.interval.is_some_and(|[own_lower, own_upper]| {
+                    is_side(own_lower, lower) && is_side(own_upper, upper)
+                })
+            }
+            EpsilonColumn::Law(law) => about.interval.is_none() && stated_law(about) == asked_law(law, about),
+        }
+    }
+}
+
+/// A number as a decimal, or as the fraction that it is.
+fn given(number: &Rational) -> String {
+    number.exact_decimal(17).map_or_else(|| number.to_string(), |decimal| decimal.to_string())
+}
+
+/// How many times each quantity of a column is taken.
+type Sum = BTreeMap<(&'static str, u64), Rational>;
+
+/// Above and below y.
+fn stated_law(about: &About) -> [Sum; 2] {
+    let (column, times) = &about.model[3];
+    let law = about.law.clone().unwrap_or_default();
+    law.map(|terms| sum([(Quantity::Number, *column, times.clone())].into_iter().chain(terms)))
+}
+
+fn asked_law(law: &Law, about: &About) -> [Sum; 2] {
+    law.terms(&Rational::zero()).map(|(constant, terms)| {
+        let term = |(name, times): (&'static str, Rational)| match name {
+            "x" => (Quantity::Abs, about.model[0].0, times),
+            "written" => (Quantity::Written, about.model[2].0, times),
+            _ => (Quantity::Abs, about.model[2].0, times),
+        };
+        sum([(Quantity::Abs, 0, constant)].into_iter().chain(terms.into_iter().map(term)))
+    })
+}
+
+fn sum(terms: impl Iterator<Item = (Quantity, u64, Rational)>) -> Sum {
+    let mut sum = Sum::new();
+    for (quantity, column, times) in terms.filter(|(.., times)| !times.is_zero()) {
+        let name = match quantity {
+            Quantity::Written => "written",
+            // 1 in every row.
+            Quantity::Number | Quantity::Abs if column == 0 => "constant",
+            Quantity::Number => "number",
+            Quantity::Abs => "abs",
+        };
+        let own = sum.entry((name, column)).or_default();
+        *own = &*own + times;
+    }
+    sum
+}

@@ -1,0 +1,121 @@
+//! The names of half-planes.
+
+use std::fmt;
+
+use boundfit_exact::Foreign;
+use serde::{Deserialize, Deserializer};
+
+/// A half-plane of the data or of a condition.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Name {
+    /// φ·θ ≤ the upper bound of this row, from 1: `14 upper`.
+    Upper(u64),
+    /// φ·θ ≥ the lower bound of this row: `14 lower`.
+    Lower(u64),
+    /// The inequality that is this condition, from 1: `where:1`.
+    Where(u64),
+    /// a·θ ≤ b of the equation that is this condition: `where:1 upper`.
+    WhereUpper(u64),
+    /// a·θ ≥ b of that equation: `where:1 lower`.
+    WhereLower(u64),
+}
+
+impl fmt::Display for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Name::Upper(row) => write!(f, "{row} upper"),
+            Name::Lower(row) => write!(f, "{row} lower"),
+            Name::Where(number) => write!(f, "where:{number}"),
+            Name::WhereUpper(number) => write!(f, "where:{number} upper"),
+            Name::WhereLower(number) => write!(f, "where:{number} lower"),
+        }
+    }
+}
+
+impl Name {
+    /// The half-plane of this very name; `None` for a text that is no name.
+    fn parse(text: &str) -> Option<Self> {
+        let (is_condition, rest) = match text.strip_prefix("where:") {
+            Some(rest) => (true, rest),
+            None => (false, text),
+        };
+        let (number, side) = rest.split_once(' ').map_or((rest, None), |(number, side)| (number, Some(side)));
+        // One text for each name: 07 and +7 are not row 7.
+        if !number.bytes().all(|byte| byte.is_ascii_digit()) || number.starts_with('0') {
+            return None;
+        }
+        let number = number.parse().ok()?;
+        Some(match (is_condition, side) {
+            (false, Some("upper")) => Name::Upper(number),
+            (false, Some("lower")) => Name::Lower(number),
+            (true, None) => Name::Where(number),
+            (true, Some("upper")) => Name::WhereUpper(number),
+            (true, Some("lower")) => Name::WhereLower(number),
+            _ => return None,
+        })
+    }
+}
+
+/// The name of a half-plane as it stands in a proof, where any text may stand.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Named {
+    A(Name),
+    NoHalfPlane(Foreign),
+}
+
+impl<'de> Deserialize<'de> for Named {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Text;
+        impl serde::de::Visitor<'_> for Text {
+            type Value = Named;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("the name of a half-plane")
+            }
+
+            fn visit_str<E>(self, text: &str) -> Result<Named, E> {
+                Ok(Name::parse(text).map_or_else(|| Named::NoHalfPlane(Foreign::from(text)), Named::A))
+            }
+        }
+        deserializer.deserialize_str(Text)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_half_plane_has_one_name() {
+        for text in [
+            "1 upper",
+            "14 lower",
+            "where:1",
+            "where:2 upper",
+            "where:30 lower",
+            "18446744073709551615 upper",
+        ] {
+            assert_eq!(Name::parse(text).map(|name| name.to_string()).as_deref(), Some(text));
+        }
+        for text in [
+            "",
+            "1",
+            "01 upper",
+            "0 upper",
+            "+1 upper",
+            " 1 upper",
+            "1 upper ",
+            "1  upper",
+            "1 Upper",
+            "where:0",
+            "where:",
+            "where:1 ",
+            "where: 1",
+            "18446744073709551616 upper",
+            "1\tupper",
+            "upper",
+        ] {
+            assert_eq!(Name::parse(text), None, "{text}");
+        }
+    }
+}

@@ -1,0 +1,234 @@
+//! A proof as it stands in its file (section 1).
+
+use std::fmt;
+
+use boundfit_exact::{Foreign, Limits, Rational, Reading};
+use serde::de::{Deserializer, Error, Visitor};
+use serde::{Deserialize, de};
+
+use crate::name::Named;
+
+/// The fields of the file, tuples included. What has another shape is no proof.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Shape {
+    pub(crate) schema: Foreign,
+    pub(crate) sha256: Foreign,
+    pub(crate) delimiter: Delimiter,
+    pub(crate) header: bool,
+    pub(crate) rows: Vec<u64>,
+    #[serde(deserialize_with = "reading")]
+    pub(crate) reading: Reading,
+    pub(crate) model: [(u64, Number); 4],
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) interval: Option<[Option<u64>; 2]>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) law: Option<[Vec<(Quantity, u64, Number)>; 2]>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) x_origin: Option<Number>,
+    pub(crate) conditions: Vec<Condition>,
+    pub(crate) vertices: Vec<[Number; 2]>,
+    pub(crate) active: Vec<(u64, Named)>,
+    pub(crate) sides: Vec<(Named, Option<u64>)>,
+    pub(crate) farkas: Vec<(Named, Number)>,
+    pub(crate) bounds: Vec<(Vec<(Named, Number)>, [Number; 2], [Number; 2])>,
+}
+
+/// Why a text is no proof.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct NotAProof(Foreign);
+
+impl NotAProof {
+    pub(crate) fn new(reason: impl fmt::Display) -> Self {
+        NotAProof(Foreign::from(reason.to_string()))
+    }
+}
+
+impl Shape {
+    /// Reads JSON: an object in UTF-8 without a byte order mark, no field twice, no number of more digits than this.
+    pub(crate) fn read(text: &[u8], most_digits: usize) -> Result<Self, NotAProof> {
+        let is_object = text.trim_ascii_start().starts_with(b"{");
+        if !is_object {
+            return Err(NotAProof::new("it does not begin with {"));
+        }
+        if text.split(|byte| !byte.is_ascii_digit()).any(|run| run.len() > most_digits) {
+            return Err(NotAProof::new(format_args!(
+                "refused: a number with more than {most_digits} digits (10 times the limit; --max-digits raises it)"
+            )));
+        }
+        let shape: Shape = serde_json::from_slice(text).map_err(NotAProof::new)?;
+        match shape.schema.raw() {
+            "boundfit/proof/1" => Ok(shape),
+            _ => Err(NotAProof::new("another schema")),
+        }
+    }
+}
+
+/// A number of a proof: a whole number or a fraction, in digits and with nothing else but a minus.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Number(pub(crate) Rational);
+
+impl<'de> Deserialize<'de> for Number {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        text(deserializer, "a whole number or a fraction as text", |text| {
+            let limits = Limits { digits: text.len(), exponent: 0 };
+            let has_only_digits =
+                text.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b'-' | b'/'));
+            let digits = text.strip_prefix('-').unwrap_or(text);
+            let has_zero_in_front =
+                digits.starts_with('0') && digits.as_bytes().get(1).is_some_and(u8::is_ascii_digit);
+            let is_plain = has_only_digits && !has_zero_in_front;
+            Reading::Decimal.read(text, &limits).ok().filter(|_| is_plain).map(Number)
+        })
+    }
+}
+
+/// What separates cells.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Delimiter(pub(crate) u8);
+
+impl<'de> Deserialize<'de> for Delimiter {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        text(deserializer, "\",\" \";\" \"\\t\" or \"|\"", |text| match text.as_bytes() {
+            [byte @ (b',' | b';' | b'\t' | b'|')] => Some(Delimiter(*byte)),
+            _ => None,
+        })
+    }
+}
+
+/// What is taken from a cell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// The number.
+    Number,
+    /// The number without its sign: `abs`.
+    Abs,
+    /// Half a unit of the last digit written: `written`.
+    Written,
+}
+
+/// What a law may take.
+impl<'de> Deserialize<'de> for Quantity {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        text(deserializer, "\"abs\" or \"written\"", |text| match text {
+            "abs" => Some(Quantity::Abs),
+            "written" => Some(Quantity::Written),
+            _ => None,
+        })
+    }
+}
+
+/// a1, a2 and b of a condition, and whether it is an equation: `["a1", "a2", "b"]`, or with a fourth text `"="`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Condition {
+    pub(crate) numbers: [Rational; 3],
+    pub(crate) is_equation: bool,
+}
+
+impl<'de> Deserialize<'de> for Condition {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Parts;
+        impl<'de> Visitor<'de> for Parts {
+            type Value = Condition;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("three numbers, and \"=\" behind them for an equation")
+            }
+
+            fn visit_seq<A: de::SeqAccess<'de>>(self, mut parts: A) -> Result<Condition, A::Error> {
+                let mut number = |count| {
+                    let number = parts.next_element::<Number>()?;
+                    number.map(|Number(number)| number).ok_or_else(|| A::Error::invalid_length(count, &Parts))
+                };
+                let numbers = [number(0)?, number(1)?, number(2)?];
+                let is_equation = parts.next_element::<Equals>()?.is_some();
+                Ok(Condition { numbers, is_equation })
+            }
+        }
+        deserializer.deserialize_seq(Parts)
+    }
+}
+
+struct Equals;
+
+impl<'de> Deserialize<'de> for Equals {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        text(deserializer, "\"=\"", |text| (text == "=").then_some(Equals))
+    }
+}
+
+fn reading<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Reading, D::Error> {
+    text(deserializer, "\"decimal\" or \"binary64\"", |text| {
+        Reading::ALL.into_iter().find(|reading| reading.name() == text)
+    })
+}
+
+/// A field that may be left out, but not be null.
+fn not_null<'de, T: Deserialize<'de>, D: Deserializer<'de>>(deserializer: D) -> Result<Option<T>, D::Error> {
+    T::deserialize(deserializer).map(Some)
+}
+
+/// What a text stands for.
+fn text<'de, T, D: Deserializer<'de>>(
+    deserializer: D,
+    expected: &'static str,
+    parse: impl Fn(&str) -> Option<T>,
+) -> Result<T, D::Error> {
+    struct Text<F>(&'static str, F);
+    impl<T, F: Fn(&str) -> Option<T>> Visitor<'_> for Text<F> {
+        type Value = T;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str(self.0)
+        }
+
+        fn visit_str<E: Error>(self, text: &str) -> Result<T, E> {
+            (self.1)(text).ok_or_else(|| E::invalid_value(de::Unexpected::Str(text), &self))
+        }
+    }
+    deserializer.deserialize_str(Text(expected, parse))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_proofs_are_whole_numbers_and_fractions() {
+        let read = |text: &str| {
+            serde_json::from_str::<Number>(&format!("{text:?}")).ok().map(|number| number.0.to_string())
+        };
+        for (text, number) in
+            [("0", "0"), ("-12", "-12"), ("6/4", "3/2"), ("-0", "0"), ("-1/3", "-1/3"), ("0/5", "0")]
+        {
+            assert_eq!(read(text).as_deref(), Some(number), "{text}");
+        }
+        for text in [
+            "",
+            "-",
+            "+1",
+            "0.5",
+            "1e1",
+            "1e1000000",
+            " 1",
+            "1 ",
+            "01",
+            "-01",
+            "1/0",
+            "1/02",
+            "01/2",
+            "1/-2",
+            "1/2/3",
+            "/2",
+            "1/",
+            "--1",
+            "\u{2212}1",
+            "\u{660}",
+            "1d0",
+            "1.",
+        ] {
+            assert_eq!(read(text), None, "{text:?}");
+        }
+    }
+}
