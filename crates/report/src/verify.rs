@@ -199,7 +199,7 @@ pub fn rows(rows: &[u64]) -> String {
 fn reading(about: &About) -> String {
     let numbers = match about.reading {
         Reading::Decimal => "numbers as written (decimal)",
-        Reading::Binary64 => "numbers as the nearest doubles (binary64)",
+        Reading::Binary64 => "nearest doubles (binary64)",
     };
     let header = if about.header { "a header" } else { "no header" };
     format!("{numbers}, {} between cells, {header}", delimiter(about.delimiter))

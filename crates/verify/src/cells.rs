@@ -29,6 +29,8 @@ pub(crate) struct Model {
     /// What was read from the row, and the same over one denominator.
     numbers: Vec<Option<Number>>,
     integers: Vec<Integer>,
+    /// That denominator.
+    one: Integer,
     /// The powers of ten that rows need again and again.
     powers: Vec<Integer>,
 }
@@ -53,28 +55,31 @@ enum Bounds {
     Between { lower: Option<usize>, upper: Option<usize> },
 }
 
-/// numerator / (divisor · 10^places).
-struct Number {
-    numerator: Integer,
-    places: u32,
-    divisor: Integer,
+/// What a cell spells.
+enum Number {
+    /// mantissa / 10^places.
+    Decimal { mantissa: i64, places: u32 },
+    /// Anything else.
+    Fraction(Rational),
 }
 
 impl Number {
     /// mantissa · 10^exponent.
-    fn decimal(mantissa: impl Into<Integer>, exponent: i64) -> Self {
-        let power = u32::try_from(exponent.unsigned_abs()).unwrap_or(u32::MAX);
-        let (numerator, places) = match exponent {
-            ..=0 => (mantissa.into(), power),
-            _ => (mantissa.into() * Integer::power_of_ten(power), 0),
-        };
-        Number { numerator, places, divisor: Integer::one() }
+    fn decimal(mantissa: i64, exponent: i64) -> Self {
+        match u32::try_from(-exponent) {
+            Ok(places) => Number::Decimal { mantissa, places },
+            Err(_) => Number::Fraction(Rational::scientific(mantissa, exponent)),
+        }
     }
-}
 
-impl From<Rational> for Number {
-    fn from(number: Rational) -> Self {
-        Number { numerator: number.numerator(), places: 0, divisor: number.denominator() }
+    fn abs(self) -> Self {
+        match self {
+            Number::Decimal { mantissa: mantissa @ 0.., places } => Number::Decimal { mantissa, places },
+            Number::Decimal { mantissa, places } => {
+                Number::Fraction(Rational::scientific(mantissa, -i64::from(places)).abs())
+            }
+            Number::Fraction(number) => Number::Fraction(number.abs()),
+        }
     }
 }
 
@@ -122,43 +127,69 @@ impl Model {
             denominator,
             numbers: Vec::new(),
             integers: Vec::new(),
+            one: Integer::one(),
             powers,
         }
     }
 
-    /// The half-planes of a row: what it says from below, and from above.
-    pub(crate) fn half_planes(
-        &mut self,
-        row: u64,
-        cells: Cells<'_>,
-    ) -> Result<[Option<HalfPlane>; 2], Failure> {
+    /// Reads a row. Nothing else is computed of it but that its error bound is not negative.
+    pub(crate) fn read_row(&mut self, row: u64, cells: Cells<'_>) -> Result<(), Failure> {
         let mut numbers = mem::take(&mut self.numbers);
         numbers.clear();
         for source in &self.sources {
             numbers.push(self.read(*source, row, cells)?);
         }
-        let one = over_one_denominator(&numbers, &self.powers, &mut self.integers);
-        let is_there = |index: &usize| numbers.get(*index).is_some_and(Option::is_some);
-        let phi = [self.sum(&self.phi[0]), self.sum(&self.phi[1])];
-        let [lower, upper] = match &self.bounds {
-            Bounds::Around { y, above, below } => {
-                let (y, above, below) = (self.sum(y), self.sum(above), self.sum(below));
-                if above.is_negative() || below.is_negative() {
-                    return Err(Falsehood::NegativeErrorBound(row).into());
-                }
-                [Some(&y - below), Some(y + above)]
-            }
-            Bounds::Between { lower, upper } => [lower, upper].map(|side| {
-                let integer = side.filter(is_there).and_then(|index| self.integers.get(index));
-                integer.map(|integer| integer * &self.denominator)
-            }),
-        };
         self.numbers = numbers;
-        let times = &self.denominator * &one;
-        let opposite = [-&phi[0], -&phi[1]];
-        let lower = lower.map(|b| HalfPlane { a: opposite, b: -b, times: times.clone() });
-        let upper = upper.map(|b| HalfPlane { a: phi, b, times });
-        Ok([lower, upper])
+        self.one = over_one_denominator(&self.numbers, &self.powers, &mut self.integers);
+        match &self.bounds {
+            Bounds::Around { above, below, .. }
+                if self.sum(above).is_negative() || self.sum(below).is_negative() =>
+            {
+                Err(Falsehood::NegativeErrorBound(row).into())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether the row that was read says something from below, and from above.
+    pub(crate) fn sides(&self) -> [bool; 2] {
+        let is_there = |index: usize| self.numbers.get(index).is_some_and(Option::is_some);
+        match &self.bounds {
+            Bounds::Around { .. } => [true; 2],
+            Bounds::Between { lower, upper } => [lower, upper].map(|side| side.is_some_and(is_there)),
+        }
+    }
+
+    /// -φ·θ ≤ -(what the row that was read says from below).
+    pub(crate) fn lower(&self) -> HalfPlane {
+        let b = match &self.bounds {
+            Bounds::Around { y, below, .. } => self.sum(below) - self.sum(y),
+            Bounds::Between { lower, .. } => -self.bound(*lower),
+        };
+        HalfPlane {
+            a: self.phi.each_ref().map(|form| -self.sum(form)),
+            b,
+            times: &self.denominator * &self.one,
+        }
+    }
+
+    /// φ·θ ≤ what the row that was read says from above.
+    pub(crate) fn upper(&self) -> HalfPlane {
+        let b = match &self.bounds {
+            Bounds::Around { y, above, .. } => self.sum(y) + self.sum(above),
+            Bounds::Between { upper, .. } => self.bound(*upper),
+        };
+        HalfPlane {
+            a: self.phi.each_ref().map(|form| self.sum(form)),
+            b,
+            times: &self.denominator * &self.one,
+        }
+    }
+
+    /// A bound that is read itself.
+    fn bound(&self, index: Option<usize>) -> Integer {
+        let integer = index.and_then(|index| self.integers.get(index));
+        integer.map_or_else(Integer::zero, |integer| integer * &self.denominator)
     }
 
     fn sum(&self, form: &Form) -> Integer {
@@ -188,7 +219,7 @@ impl Model {
         })?;
         Ok(Some(match quantity {
             Quantity::Number => number,
-            Quantity::Abs => Number { numerator: number.numerator.abs(), ..number },
+            Quantity::Abs => number.abs(),
             Quantity::Written => {
                 let digits = WrittenDigits::of(&String::from_utf8_lossy(cell), Some(DecimalMark::Point));
                 let digits = digits.ok_or(Falsehood::NoLastDigit { row, column })?;
@@ -205,7 +236,7 @@ impl Model {
             self.reading == Reading::Decimal && digits >= PLAIN_DIGITS && exponent >= PLAIN_EXPONENT;
         match plain_decimal(cell).filter(|_| is_fast) {
             Some((mantissa, exponent)) => Ok(Number::decimal(mantissa, exponent.into())),
-            None => self.reading.read(&String::from_utf8_lossy(cell), &self.limits).map(Number::from),
+            None => self.reading.read(&String::from_utf8_lossy(cell), &self.limits).map(Number::Fraction),
         }
     }
 }
@@ -236,14 +267,23 @@ fn over_one_denominator(
         Some(power) => Cow::Borrowed(power),
         None => Cow::Owned(Integer::power_of_ten(places)),
     };
-    let there = || numbers.iter().flatten();
-    let places = there().map(|number| number.places).max().unwrap_or(0);
-    let divisor = there().fold(Integer::one(), |all, number| all.lcm(&number.divisor));
+    let (mut places, mut divisor) = (0, Integer::one());
+    for number in numbers.iter().flatten() {
+        match number {
+            Number::Decimal { places: own, .. } => places = places.max(*own),
+            Number::Fraction(number) => divisor = divisor.lcm(&number.denominator()),
+        }
+    }
+    let is_whole = divisor == Integer::one();
     integers.clear();
     integers.extend(numbers.iter().map(|number| match number {
         None => Integer::zero(),
-        Some(Number { numerator, places: own, divisor: own_divisor }) => {
-            numerator * &*power(places - own) * divisor.quotient(own_divisor)
+        Some(Number::Decimal { mantissa, places: own }) => {
+            let integer = Integer::from(*mantissa) * &*power(places - own);
+            if is_whole { integer } else { integer * &divisor }
+        }
+        Some(Number::Fraction(number)) => {
+            number.numerator() * &*power(places) * divisor.quotient(&number.denominator())
         }
     }));
     &*power(places) * divisor

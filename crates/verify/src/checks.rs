@@ -87,7 +87,7 @@ impl Proof {
         let look = self.look(data, limits, |name, half_plane| {
             count += 1;
             if wanted.contains(&name) {
-                half_planes.insert(name, half_plane.clone());
+                half_planes.insert(name, half_plane());
             }
             Ok(())
         })?;
@@ -105,7 +105,7 @@ impl Proof {
         &self,
         data: R,
         limits: &DataLimits,
-        take: impl FnMut(Name, &HalfPlane) -> Result<(), Falsehood>,
+        take: impl FnMut(Name, &dyn Fn() -> HalfPlane) -> Result<(), Falsehood>,
     ) -> Result<Look, Failure> {
         let mut rows = self.about.open(data, limits)?;
         let has_header = self.about.header && rows.next()?;
@@ -139,7 +139,7 @@ impl Proof {
     ) -> Result<(), Failure> {
         let mut is_found = vec![false; self.active.len()];
         let look = self.look(data, limits, |name, half_plane| {
-            let support = sides.support(half_plane).filter(|support| support.against_b.is_le());
+            let support = sides.support(&half_plane()).filter(|support| support.against_b.is_le());
             let support = support.ok_or(Falsehood::CutsOff(name))?;
             if support.against_b.is_lt() {
                 return Ok(());

@@ -58,6 +58,10 @@ impl HalfPlane {
 
     /// Compares a·θ with b at a point: not greater where the point is in the half-plane.
     pub(crate) fn compare_at(&self, point: &Point) -> Ordering {
+        // Almost every half-plane of many.
+        if point.near.is_some_and(|near| near.is_surely_within(self)) {
+            return Ordering::Less;
+        }
         let [x, y] = &point.numerators;
         (&self.a[0] * x + &self.a[1] * y).cmp(&(&self.b * &point.denominator))
     }
@@ -74,12 +78,42 @@ impl HalfPlane {
 pub(crate) struct Point {
     numerators: [Integer; 2],
     denominator: Integer,
+    near: Option<Near>,
+}
+
+/// A point from below: each coordinate is at least this many units of 2^-shift, and less than one more.
+#[derive(Debug, Clone, Copy)]
+struct Near {
+    units: [i64; 2],
+    shift: u32,
+}
+
+impl Near {
+    /// With as many bits as there is room for.
+    fn new(numerators: &[Integer; 2], denominator: &Integer) -> Option<Self> {
+        let bits = numerators.iter().map(Integer::bits).max()?;
+        let shift = (denominator.bits() + 60).checked_sub(bits)?.min(60);
+        let unit = Integer::power_of_two(shift);
+        let units = numerators.each_ref().map(|own| (own * &unit).div_rem_floor(denominator).0.to_i64());
+        let [Some(x), Some(y)] = units else { return None };
+        Some(Near { units: [x, y], shift: u32::try_from(shift).ok()? })
+    }
+
+    /// Whether a·p < b for sure: where a·θ < b holds with a unit's worth of each coordinate to spare. Few integers are so long
+    /// that it cannot be told.
+    fn is_surely_within(&self, HalfPlane { a: [a1, a2], b, .. }: &HalfPlane) -> bool {
+        let (Some(a1), Some(a2), Some(b)) = (a1.to_i64(), a2.to_i64(), b.to_i64()) else { return false };
+        let [a1, a2, b, x, y] = [a1, a2, b, self.units[0], self.units[1]].map(i128::from);
+        // |a| is below 2^63 and |x| not above 2^61: nothing overflows.
+        a1 * x + a2 * y + a1.abs() + a2.abs() < b << self.shift
+    }
 }
 
 impl Point {
     pub(crate) fn new([x, y]: &Vector) -> Self {
         let (numerators, denominator) = Rational::over_common_denominator([x, y]);
-        Point { numerators, denominator }
+        let near = Near::new(&numerators, &denominator);
+        Point { numerators, denominator, near }
     }
 
     /// Compares u·self with u·other.

@@ -146,12 +146,12 @@ impl About {
         model.chain(interval).chain(law)
     }
 
-    /// Hands over each half-plane of the wanted rows, then of the conditions, with its name (section 2).
+    /// Hands over each half-plane of the wanted rows, then of the conditions, by its name and what computes it (section 2).
     pub(crate) fn for_each_half_plane<R: Read>(
         &self,
         rows: &mut Rows<R>,
         limits: &Limits,
-        mut take: impl FnMut(Name, &HalfPlane) -> Result<(), Falsehood>,
+        mut take: impl FnMut(Name, &dyn Fn() -> HalfPlane) -> Result<(), Falsehood>,
     ) -> Result<(), Failure> {
         let mut model = Model::new(self, limits);
         let start = rows.count();
@@ -165,22 +165,23 @@ impl About {
                 if !rows.next()? {
                     return Err(Falsehood::MissingRow(row).into());
                 }
-                let [lower, upper] = model.half_planes(row, rows.cells())?;
-                if let Some(lower) = lower {
-                    take(Name::Lower(row), &lower)?;
+                model.read_row(row, rows.cells())?;
+                let [lower, upper] = model.sides();
+                if lower {
+                    take(Name::Lower(row), &|| model.lower())?;
                 }
-                if let Some(upper) = upper {
-                    take(Name::Upper(row), &upper)?;
+                if upper {
+                    take(Name::Upper(row), &|| model.upper())?;
                 }
             }
         }
         for (number, (numbers, is_equation)) in (1..).zip(&self.conditions) {
             let half_plane = HalfPlane::new(numbers);
             if *is_equation {
-                take(Name::WhereUpper(number), &half_plane)?;
-                take(Name::WhereLower(number), &half_plane.opposite())?;
+                take(Name::WhereUpper(number), &|| half_plane.clone())?;
+                take(Name::WhereLower(number), &|| half_plane.opposite())?;
             } else {
-                take(Name::Where(number), &half_plane)?;
+                take(Name::Where(number), &|| half_plane.clone())?;
             }
         }
         Ok(())

@@ -135,13 +135,16 @@ pub fn bounded() -> Vec<Question> {
         lower: lower.and_then(column),
         upper: upper.and_then(column),
     };
-    let table = b"x,y,lo,up\n1,2.10,1.5,2.5\n2,3.0,NA,3.25\n4,4.75,4,\n5,6.5e0,5.5,7/1\n";
-    let line = |name: &str| Question::line(name, table, ["x", "y"], "0");
+    let table = "x,y,lo,up\n1,2.10,1.5,2.5\n2,3.0,NA,3.25\n4,4.75,4,\n5,6.5e0,5.5,7/1\n";
+    // Of a column alone every cell has a bound.
+    let whole = table.replace("NA", "-1").replace("4,\n", "4,1e1\n");
+    let line = |name: &str| Question::line(name, table.as_bytes(), ["x", "y"], "0");
+    let whole = |name: &str| Question::line(name, whole.as_bytes(), ["x", "y"], "0");
     let origin = LineForm { x_origin: Rational::ratio(7, 2), through_origin: false };
     let mut bounded = vec![
         line("between columns").within(between(Some("lo"), Some("up"))),
-        line("above a column").within(between(Some("lo"), None)),
-        line("below a column").within(between(None, Some("up"))).when(&["theta1 >= -5"]),
+        whole("above a column").within(between(Some("lo"), None)),
+        whole("below a column").within(between(None, Some("up"))).when(&["theta1 >= -5"]),
         line("written and a share of y").within(law("10%*|y| + 3*written + 0.1")),
         line("more above than below").within(law("+0.5/-5%*|x|")).when(&["theta2 = 1"]),
         line("a share of the range").within(law("5%*range(y) + written")),

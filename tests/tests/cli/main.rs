@@ -27,4 +27,5 @@ mod replacing;
 mod selection;
 mod solutions;
 mod sweep;
+mod verify;
 mod workbooks;

@@ -75,9 +75,7 @@ fn reading_or_default(asked: Option<Reading>) -> Reading {
 }
 
 fn refuse(what: &str, instead: &str) -> Failure {
-    Failure::Usage(format!(
-        "{what} depends on the readings, which are not asked about it here: give {instead}"
-    ))
+    Failure::Usage(format!("{what} depends on the readings, and cannot be compared: give {instead}"))
 }
 
 impl Question {
@@ -233,7 +231,7 @@ impl Columns<'_> {
 
     /// By its name, with its unit or without, else by its number.
     fn is_column(&self, column: u64, asked: &ColumnSelector) -> bool {
-        let wanted = asked.text();
+        let wanted = asked.text().raw();
         let name = self.0.names.get(&column).map(Foreign::raw);
         let has_name = name.is_some_and(|name| {
             let plain = name.trim_start_matches(['#', '%']).trim_start();
@@ -258,7 +256,7 @@ impl Columns<'_> {
     }
 
     fn asked(&self, column: &ColumnSelector) -> String {
-        Foreign::of(column.text()).to_string()
+        column.text().to_string()
     }
 
     /// What kind of bound a proof is about, and which.
@@ -284,7 +282,7 @@ impl Columns<'_> {
                 };
                 format!("values between {} and {}", side(lower), side(upper))
             }
-            EpsilonColumn::Law(law) => Foreign::of(law.text()).to_string(),
+            EpsilonColumn::Law(law) => law.text().to_string(),
         }
     }
 
