@@ -101,6 +101,6 @@ impl Shape {
 
 /// The rows of columns as points, numbered from 0.
 pub fn points((x, y): &Columns) -> Vec<GridPoint> {
-    let point = |(row, (&x, &y)): (usize, (&i64, &i64))| GridPoint { x, y, id: row as u64 };
+    let point = |(row, (&x, &y)): (usize, (&i64, &i64))| GridPoint::of_row(x, y, row as u64);
     x.iter().zip(y).enumerate().map(point).collect()
 }

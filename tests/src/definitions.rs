@@ -87,20 +87,16 @@ pub fn contains(outer: &Interval, inner: &Interval) -> bool {
 /// A set as one of a family.
 pub fn section(fps: &Fps) -> Section {
     let (polyhedron, region) = (fps.polyhedron(), fps.polyhedron().region());
-    let named = |indices: &[usize]| {
-        let mut names: Vec<BoundName> = indices.iter().map(|&index| fps.name(index)).collect();
-        names.sort_unstable();
-        names
-    };
+    let active = |indices: &[usize]| fps.active(indices, usize::MAX);
     let vertex = |vertex: &Vertex| SectionVertex {
         theta: vertex.point().coordinates(),
-        active: named(vertex.active()),
+        active: active(vertex.active()),
     };
     let boundary = |boundary: &Boundary| {
         let (half_plane, normal) = (boundary.half_plane(), boundary.half_plane().normal());
         let divisor = half_plane.a1().gcd(half_plane.a2());
         let offset = Rational::new(half_plane.b().clone(), divisor).expect("a normal that is not zero");
-        SectionBoundary { normal, offset, active: named(boundary.active()) }
+        SectionBoundary { normal, offset, active: active(boundary.active()) }
     };
     Section {
         kind: region.kind(),

@@ -6,13 +6,14 @@ use std::fmt;
 use std::ops::Range;
 
 use boundfit_exact::Rational;
-use boundfit_geometry::{Inequality, Polyhedron, System, envelope, touching_an_envelope};
+use boundfit_geometry::{Inequality, Polyhedron, System, Tally, envelope, touching_an_envelope};
 
 use crate::condition::Condition;
 use crate::hulls::Extremes;
 use crate::least_growth::GrowingInequality;
 use crate::measurement::Measurement;
 use crate::measurements::Measurements;
+use crate::ties::{ActiveBounds, Ties};
 
 /// The name of one half-plane of an FPS.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -45,6 +46,15 @@ impl BoundName {
         match self {
             BoundName::Upper(row) | BoundName::Lower(row) => Some(row),
             BoundName::Where(_) | BoundName::WhereUpper(_) | BoundName::WhereLower(_) => None,
+        }
+    }
+
+    /// The bound on the same side of another data row; a condition stays itself.
+    pub(crate) fn of_row(self, row: usize) -> Self {
+        match self {
+            BoundName::Upper(_) => BoundName::Upper(row),
+            BoundName::Lower(_) => BoundName::Lower(row),
+            of_condition => of_condition,
         }
     }
 
@@ -88,6 +98,8 @@ impl fmt::Display for BoundName {
 pub struct Fps {
     polyhedron: Polyhedron,
     names: Vec<BoundName>,
+    /// Which readings these half-planes stand for beside their own.
+    ties: Ties,
     /// Whether the readings are of a line under a uniform error bound.
     has_hulls: bool,
     /// Whether the half-plane with the least slack at the least-squares estimate is one of these.
@@ -96,9 +108,10 @@ pub struct Fps {
 
 impl Fps {
     /// The FPS of readings and conditions. Of a line under a uniform error bound it has the half-planes that can be active
-    /// only: the upper bounds of the readings on the lower hull of (x, y), the lower bounds of those on the upper one, and
-    /// the conditions. Vertices, active sets, bounds with their proofs and the tightest half-planes of a point are those of
-    /// [`Fps::of_every_half_plane`], by name; what may differ is which of several certificates proves that the set is empty.
+    /// only: the upper bounds of the readings on the lower hull of (x, y), the lower bounds of those on the upper one, of
+    /// readings at one corner or strictly within one edge those of the first, and the conditions. Vertices, the names that are
+    /// [active](Fps::active), bounds and the tightest half-planes of a point are those of
+    /// [`Fps::of_every_half_plane`]; what may differ is which of several proofs there is of a bound, or of emptiness.
     /// Exact. Cost: O(N log N).
     pub fn new(measurements: &Measurements, conditions: &[Condition]) -> Self {
         Fps::with_extremes(measurements, conditions, Extremes::of(measurements).as_ref())
@@ -110,6 +123,7 @@ impl Fps {
         Fps {
             polyhedron: Polyhedron::intersect(system),
             names,
+            ties: measurements.ties().cloned().unwrap_or_default(),
             has_hulls: measurements.has_hulls(),
             has_tightest: measurements.have_tightest(),
         }
@@ -134,8 +148,15 @@ impl Fps {
             names.push(name);
             inequalities.push(inequality);
         };
+        let (rows, known) = (measurements.kept(), measurements.ties());
+        let mut ties = Ties::default();
         for touching in &extremes.touching {
-            let measurement = &measurements.kept()[touching.position];
+            let measurement = &rows[touching.position];
+            let tied = touching.tied.rows().map(|position| {
+                let row = rows[position as usize].row;
+                known.map_or_else(|| Tally::one(row as u64), |known| known.of(row))
+            });
+            ties.insert(measurement.row, Tally::merged(tied, usize::MAX));
             let bounds = half_planes(measurement).filter(|(name, _)| match name {
                 BoundName::Upper(_) => touching.lower,
                 BoundName::Lower(_) => touching.upper,
@@ -147,6 +168,7 @@ impl Fps {
         Fps {
             polyhedron: Polyhedron::intersect(System::new(inequalities)),
             names,
+            ties,
             has_hulls: true,
             has_tightest: true,
         }
@@ -186,6 +208,15 @@ impl Fps {
     /// The names of the inequalities of the system, in order.
     pub fn names(&self) -> &[BoundName] {
         &self.names
+    }
+
+    /// The bounds that are active where these inequalities of the system are, those that they stand for included: at most so
+    /// many by name, sorted, and how many there are beside them.
+    ///
+    /// # Panics
+    /// When an index is out of range.
+    pub fn active(&self, indices: &[usize], most: usize) -> ActiveBounds {
+        self.ties.active(indices.iter().map(|&index| self.names[index]), most)
     }
 
     /// The name of an inequality of the system.

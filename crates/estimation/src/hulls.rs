@@ -7,13 +7,16 @@
 use std::cmp::Ordering;
 
 use boundfit_exact::{Fraction, Integer, Rational, Scaled, Sign};
-use boundfit_geometry::grid::{GridPoint, doubled_area, touching_of_columns};
+use boundfit_geometry::grid::{
+    GridPoint, doubled_area, touching, touching_of_columns, touching_places_of_columns,
+};
 use boundfit_geometry::predicates::{by_theta1, lexicographic, orientation};
-use boundfit_geometry::{Hull, HullSide, Point, Site};
+use boundfit_geometry::{Hull, HullSide, Point, Site, Tally, Tied, touching_as_one, touching_each};
 
 use crate::grid::Grid;
 use crate::measurement::Measurement;
 use crate::measurements::Measurements;
+use crate::ties::TiedReading;
 
 /// From so many readings on, those inside are discarded before the others are sorted.
 const FEWEST_TO_FILTER: usize = 64;
@@ -21,8 +24,8 @@ const FEWEST_TO_FILTER: usize = 64;
 /// The readings on the two hulls of (x, y), as positions among the rows.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Extremes {
-    /// The readings that can have an active bound: those on a hull, those within its edges and repeated ones included,
-    /// ascending. Under a uniform error bound, however large, no other reading has one.
+    /// The readings that can have an active bound: those on a hull, ascending, each with those that it stands for. Under a
+    /// uniform error bound, however large, no other reading has one.
     pub(crate) touching: Vec<Touching>,
     /// The largest vertical distance between the hulls; `None` without readings.
     pub(crate) widest: Option<Gap>,
@@ -30,10 +33,12 @@ pub(crate) struct Extremes {
     pub(crate) corners: Vec<usize>,
 }
 
-/// A reading on a hull.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// A reading on a hull: the first of those at one corner, or strictly within one edge.
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Touching {
     pub(crate) position: usize,
+    /// The positions of all that it stands for.
+    pub(crate) tied: Tally,
     /// On the lower hull: its upper bound can be active.
     pub(crate) lower: bool,
     /// On the upper hull: its lower bound can be active.
@@ -66,40 +71,33 @@ impl Extremes {
     }
 
     fn of_columns(x: &Scaled<i64>, y: &Scaled<i64>) -> Self {
-        let (x, y) = (x.counts(), y.counts());
-        if x.len() >= FEWEST_TO_FILTER {
-            return Extremes::of_sorted(&touching_of_columns(x, y, 0));
+        if x.counts().len() >= FEWEST_TO_FILTER {
+            let row = |row: usize| row as u64;
+            return Extremes::of_touching(touching_of_columns(x.counts(), y.counts(), &row, usize::MAX));
         }
-        let mut points: Vec<GridPoint> =
-            (0..).zip(x.iter().zip(y)).map(|(id, (&x, &y))| GridPoint { x, y, id }).collect();
-        points.sort_unstable();
-        Extremes::of_sorted(&points)
+        let points = (0..).zip(x.counts().iter().zip(y.counts()));
+        let points = points.map(|(row, (&x, &y))| GridPoint::of_row(x, y, row)).collect();
+        Extremes::of_touching(touching(points, usize::MAX))
     }
 
     /// For numbers of any size.
     pub(crate) fn in_general(rows: &[Measurement]) -> Self {
-        let at = |(position, row): (usize, &Measurement)| {
-            let point = Point::new(&row.regressor[0], row.y_and_epsilon().0);
-            ExactPlace { point, position }
-        };
-        let mut points: Vec<ExactPlace> = rows.iter().enumerate().map(at).collect();
-        points.sort_by(|p, q| lexicographic(&p.point, &q.point).then(p.position.cmp(&q.position)));
-        Extremes::of_sorted(&points)
+        Extremes::of_touching(touching_as_one(exact_places(rows), ExactPlace::orientation, usize::MAX))
     }
 
-    /// From at least the readings that touch a hull, sorted by x, then by y, then by position.
-    fn of_sorted<P: Place>(points: &[P]) -> Self {
+    /// From the readings that touch a hull, as one, sorted by x, then by y.
+    fn of_touching<P: Place>(points: Vec<P>) -> Self {
+        let points = points.as_slice();
         let [lower, upper] =
             [HullSide::Lower, HullSide::Upper].map(|side| Hull::new(side, points, P::orientation));
         let mut on = vec![[false; 2]; points.len()];
         lower.support(points).for_each(|place| on[place][0] = true);
         upper.support(points).for_each(|place| on[place][1] = true);
-        let mut touching: Vec<Touching> = points
-            .iter()
-            .zip(on)
-            .filter(|(_, on)| on.contains(&true))
-            .map(|(point, [lower, upper])| Touching { position: point.position(), lower, upper })
-            .collect();
+        let touching = |(point, [lower, upper]): (&P, [bool; 2])| {
+            let (position, tied) = (point.position(), point.rows().clone());
+            Touching { position, tied, lower, upper }
+        };
+        let mut touching: Vec<Touching> = points.iter().zip(on).map(touching).collect();
         touching.sort_unstable_by_key(|touching| touching.position);
         let lower: Vec<&P> = lower.corners().map(|place| &points[place]).collect();
         let upper: Vec<&P> = upper.corners().rev().map(|place| &points[place]).collect();
@@ -110,18 +108,56 @@ impl Extremes {
     }
 }
 
-/// Positions of the readings of a line on either hull of (x, y), ascending; see [`Extremes::touching`]. Exact.
-/// Cost: O(N log N).
-pub(crate) fn touching_a_hull(rows: &[Measurement]) -> Vec<usize> {
+/// Readings as points of any size, sorted by x, then by y.
+fn exact_places(rows: &[Measurement]) -> Vec<ExactPlace> {
+    let at = |(position, row): (usize, &Measurement)| {
+        let point = Point::new(&row.regressor[0], row.y_and_epsilon().0);
+        ExactPlace { point, tied: Tally::one(position as u64) }
+    };
+    let mut points: Vec<ExactPlace> = rows.iter().enumerate().map(at).collect();
+    points.sort_by(|p, q| lexicographic(&p.point, &q.point).then_with(|| p.tied.cmp(&q.tied)));
+    points
+}
+
+/// The readings of a line on either hull of (x, y), those of [`Extremes::touching`], or each place within an
+/// edge; at most so many numbers are listed of those that each stands for. Exact. Cost: O(N log N).
+pub(crate) fn touching_a_hull(
+    readings: Vec<TiedReading>,
+    most: usize,
+    edges_as_one: bool,
+) -> Vec<TiedReading> {
+    let (rows, tallies): (Vec<Measurement>, Vec<Tally>) =
+        readings.into_iter().map(|TiedReading { reading, rows }| (reading, rows)).unzip();
     let columns = Scaled::of_numbers(rows.iter().map(|row| &row.regressor[0]))
         .zip(Scaled::of_numbers(rows.iter().map(|row| row.y_and_epsilon().0)));
-    let extremes = columns.map_or_else(|| Extremes::in_general(rows), |(x, y)| Extremes::of_columns(&x, &y));
-    extremes.touching.iter().map(|touching| touching.position).collect()
+    let extremes = match columns {
+        Some((x, y)) if edges_as_one => Extremes::of_columns(&x, &y),
+        Some((x, y)) => {
+            let row = |row: usize| row as u64;
+            Extremes::of_touching(touching_places_of_columns(x.counts(), y.counts(), &row, usize::MAX))
+        }
+        None if edges_as_one => Extremes::in_general(&rows),
+        None => {
+            Extremes::of_touching(touching_each(exact_places(&rows), ExactPlace::orientation, usize::MAX))
+        }
+    };
+    let with_all = |Touching { tied, .. }: Touching| {
+        let tallies = || tied.rows().map(|position| &tallies[position as usize]);
+        let first = tied.rows().min_by_key(|&position| rows[position as usize].row).unwrap_or_default();
+        let reading = rows[first as usize].clone();
+        TiedReading { reading, rows: Tally::merged(tallies().cloned(), most) }
+    };
+    extremes.touching.into_iter().map(with_all).collect()
 }
 
 /// A reading of a line as a point of the plane of x and y.
-trait Place: Site {
-    fn position(&self) -> usize;
+trait Place: Tied {
+    /// Of the first reading here.
+    fn position(&self) -> usize {
+        // Positions in a list that is in memory.
+        self.rows().first() as usize
+    }
+
     fn by_x(&self, other: &Self) -> Ordering;
     /// On which side of the line through two points, in that order, a third lies.
     fn orientation(&self, second: &Self, third: &Self) -> Sign;
@@ -132,11 +168,6 @@ trait Place: Site {
 
 /// Coordinates of a grid are below 2⁶², so that areas are exact.
 impl Place for GridPoint {
-    fn position(&self) -> usize {
-        // Identifiers are positions in a list that is in memory.
-        self.id as usize
-    }
-
     fn by_x(&self, other: &Self) -> Ordering {
         self.x.cmp(&other.x)
     }
@@ -155,7 +186,7 @@ impl Place for GridPoint {
 /// A reading with numbers of any size.
 struct ExactPlace {
     point: Point,
-    position: usize,
+    tied: Tally,
 }
 
 impl Site for ExactPlace {
@@ -168,11 +199,17 @@ impl Site for ExactPlace {
     }
 }
 
-impl Place for ExactPlace {
-    fn position(&self) -> usize {
-        self.position
+impl Tied for ExactPlace {
+    fn rows(&self) -> &Tally {
+        &self.tied
     }
 
+    fn with_rows(self, tied: Tally) -> Self {
+        ExactPlace { tied, ..self }
+    }
+}
+
+impl Place for ExactPlace {
     fn by_x(&self, other: &Self) -> Ordering {
         by_theta1(&self.point, &other.point)
     }

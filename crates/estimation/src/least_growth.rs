@@ -5,7 +5,7 @@ use boundfit_exact::{Integer, Rational};
 use boundfit_geometry::{Inequality, Multiplier, Polyhedron, Support, System};
 
 /// `a·θ ≤ b + t·growth` with `growth ≥ 0`.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct GrowingInequality {
     /// The inequality at t = 0.
     pub at_zero: Inequality,

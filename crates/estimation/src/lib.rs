@@ -58,6 +58,7 @@ mod problem;
 mod scanner;
 mod selection;
 mod summary;
+mod ties;
 mod work;
 
 pub use asked_bound::{AskedBound, ParseBoundError, ParseBoundErrorKind};
@@ -91,3 +92,4 @@ pub use problem::Problem;
 pub use scanner::{ParseTextError, TextProblem};
 pub use selection::{FractionCells, Selection};
 pub use summary::{ColumnsError, DecidingMinimax, Keep, NoEui, NoMinimax, Reach, Reduction, Sums};
+pub use ties::{ActiveBounds, Ties};

@@ -16,7 +16,7 @@ pub struct Measurement {
 }
 
 /// What a reading says of φ·θ.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Bounds {
     /// It lies within ε of y.
     Around {

@@ -4,13 +4,14 @@ use boundfit_exact::{Foreign, Rational};
 #[cfg(feature = "files")]
 use boundfit_formats::TextLayout;
 
-use crate::hulls::touching_a_hull;
+use crate::hulls::Extremes;
 use crate::law::{Law, range_of_y};
 use crate::line_form::LineForm;
 use crate::meaning::{ErrorBound, Meaning, Model, MultipleOfLeast};
 use crate::measurement::{Bounds, Measurement};
 use crate::selection::{FractionCells, Selection};
 use crate::summary::{DecidingMinimax, NoEui, NoMinimax, Reduction};
+use crate::ties::Ties;
 
 /// The readings that are fitted, as far as they are in memory.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -21,9 +22,12 @@ pub enum Readings {
     /// Those that decide the feasible set.
     Supporting {
         /// Ascending by row: of a line under a uniform error bound the readings on the lower or the upper hull of (x, y), which
-        /// decide for every bound; otherwise those with a bound that touches an envelope, and the one that the least-squares
-        /// estimate misses most.
+        /// decide for every bound, of those at one corner or strictly within one edge the first; otherwise those with a bound
+        /// that touches an envelope, of those that say the same the first, and the one that the least-squares estimate misses
+        /// most.
         rows: Vec<Measurement>,
+        /// How many others each of these stands for.
+        ties: Ties,
         /// What else is known about all readings.
         reduction: Reduction,
     },
@@ -188,7 +192,7 @@ impl Measurements {
     pub fn deciding_minimax(&self) -> Result<&[Measurement], NoMinimax> {
         match &self.readings {
             Readings::All(rows) => Ok(rows),
-            Readings::Supporting { rows, reduction } => match &reduction.minimax {
+            Readings::Supporting { rows, reduction, .. } => match &reduction.minimax {
                 DecidingMinimax::Kept => Ok(rows),
                 DecidingMinimax::Own(rows) => Ok(rows),
                 DecidingMinimax::Unknown(reason) => Err(*reason),
@@ -221,11 +225,19 @@ impl Measurements {
         }
     }
 
-    /// The readings in memory that touch a hull of all: under no uniform error bound can another one bound a line. `None`
-    /// unless these are readings of a line under a uniform error bound. Exact. Cost: O(N log N).
+    /// The readings in memory that touch a hull of all, of those that are told as one the first: under no uniform error bound can
+    /// another one bound a line. `None` unless these are readings of a line under a uniform error bound. Exact. Cost: O(N log N).
     pub fn supporting(&self) -> Option<Vec<Measurement>> {
-        let rows = self.kept();
-        self.has_hulls().then(|| touching_a_hull(rows).into_iter().map(|k| rows[k].clone()).collect())
+        let extremes = Extremes::of(self)?;
+        Some(extremes.touching.iter().map(|touching| self.kept()[touching.position].clone()).collect())
+    }
+
+    /// Which of the readings in memory stand for more than themselves; `None` where all are in memory.
+    pub fn ties(&self) -> Option<&Ties> {
+        match &self.readings {
+            Readings::All(_) => None,
+            Readings::Supporting { ties, .. } => Some(ties),
+        }
     }
 
     /// Whether the rows were read from reductions, which number them anew.

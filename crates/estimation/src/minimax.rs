@@ -1,5 +1,7 @@
 //! ε_min, the smallest error bound for which the FPS is not empty, and its minimiser.
 
+use std::collections::HashMap;
+
 use boundfit_exact::Rational;
 use boundfit_geometry::{Inequality, Multiplier, RegionKind, System, envelope};
 
@@ -202,8 +204,16 @@ impl Growing {
             let GrowingInequality { at_zero, growth } = &self.inequalities[*index];
             at_zero.slack(&minimax.theta) + growth * &minimax.least == Rational::zero()
         };
-        let tight: Vec<usize> = (0..self.inequalities.len()).filter(is_tight).collect();
-        let multipliers = if tight.len() == found.len() {
+        // Of several that move alike the first is meant.
+        let mut first_of: HashMap<&GrowingInequality, usize> = HashMap::new();
+        let mut is_first = |index: &usize| {
+            let own = *first_of.entry(&self.inequalities[*index]).or_insert(*index);
+            own == *index
+        };
+        let tight: Vec<usize> =
+            (0..self.inequalities.len()).filter(is_tight).filter(|index| is_first(index)).collect();
+        let is_found = |Multiplier { index, .. }: &Multiplier| tight.binary_search(index).is_ok();
+        let multipliers = if tight.len() == found.len() && found.iter().all(is_found) {
             found
         } else {
             let own: Vec<GrowingInequality> =

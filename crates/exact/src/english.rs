@@ -45,10 +45,15 @@ pub fn split_unit(name: &str) -> (&str, Option<&str>) {
 
 /// A list in a table or behind a colon: `a, b, c`; of more than eight items the first ones, `…, and 3 more`.
 pub fn list(items: impl ExactSizeIterator<Item = String>) -> String {
-    let count = items.len();
-    let mut shown: Vec<String> = items.take(MOST).collect();
-    if count > MOST {
-        shown.push(format!("and {} more", count - MOST));
+    list_of(items, 0)
+}
+
+/// A [`list`] of the first of some items, beside which there are so many more.
+pub fn list_of(first: impl ExactSizeIterator<Item = String>, more: usize) -> String {
+    let beyond = first.len().saturating_sub(MOST) + more;
+    let mut shown: Vec<String> = first.take(MOST).collect();
+    if beyond > 0 {
+        shown.push(format!("and {beyond} more"));
     }
     shown.join(", ")
 }

@@ -8,6 +8,9 @@ use criterion::{Criterion, criterion_group, criterion_main};
 /// Two columns.
 type Columns = (Vec<i64>, Vec<i64>);
 
+/// How many numbers of rows are listed of each point.
+const MOST: usize = 1000;
+
 /// Pseudo-random numbers below 2³¹.
 fn numbers() -> impl FnMut() -> i64 {
     let mut state: u64 = 1;
@@ -82,7 +85,7 @@ fn round(rows: usize) -> Columns {
 }
 
 fn points((x, y): &Columns) -> Vec<GridPoint> {
-    let point = |(row, (&x, &y)): (usize, (&i64, &i64))| GridPoint { x, y, id: row as u64 };
+    let point = |(row, (&x, &y)): (usize, (&i64, &i64))| GridPoint::of_row(x, y, row as u64);
     x.iter().zip(y).enumerate().map(point).collect()
 }
 
@@ -106,13 +109,13 @@ fn reduction(criterion: &mut Criterion) {
         ("constant y", &(noise.0.clone(), vec![5; ROWS])),
     ] {
         group.bench_function(format!("touching points of columns, {name}, 10^6"), |bencher| {
-            bencher.iter(|| touching_of_columns(&columns.0, &columns.1, 0));
+            bencher.iter(|| touching_of_columns(&columns.0, &columns.1, &|row| row as u64, MOST));
         });
     }
     let doubles = |column: &[i64]| column.iter().map(|&value| value as f64 / 1e4).collect::<Vec<f64>>();
     let (x, y) = (doubles(&noise.0), doubles(&noise.1));
     group.bench_function("touching points of doubles, uniform noise, 10^6", |bencher| {
-        bencher.iter(|| touching_doubles(&x, &y));
+        bencher.iter(|| touching_doubles(&x, &y, &|row| row as u64, MOST));
     });
     group.finish();
 }
@@ -124,7 +127,7 @@ fn all_extreme(criterion: &mut Criterion) {
     for (name, columns) in [("parabola", parabola(ROWS)), ("round", round(ROWS as usize))] {
         let points = points(&columns);
         group.bench_function(format!("{name}, sorting and hulls"), |bencher| {
-            bencher.iter(|| touching(points.clone()));
+            bencher.iter(|| touching(points.clone(), MOST));
         });
     }
     group.finish();

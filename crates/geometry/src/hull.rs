@@ -71,6 +71,13 @@ impl Hull {
         self.links.iter().flat_map(|link| self.repetitions(sorted, link.position))
     }
 
+    /// Positions of the corners, each alone, and of the points strictly within each edge; of those that coincide only the first
+    /// on the way.
+    pub(crate) fn corners_and_edges(&self) -> impl Iterator<Item = impl Iterator<Item = usize> + Clone> {
+        let groups = self.links.chunk_by(|one, next| !one.is_corner && !next.is_corner);
+        groups.map(|links| links.iter().map(|link| link.position))
+    }
+
     /// All positions with the point of a link, in the order of the way.
     fn repetitions<P: Site>(&self, sorted: &[P], first: usize) -> impl Iterator<Item = usize> {
         let (ahead, behind) = match self.side {

@@ -42,6 +42,8 @@ mod projective;
 mod proof;
 mod region;
 mod system;
+mod tally;
+mod ties;
 mod touching;
 
 pub use generators::{Generator, Generators};
@@ -58,4 +60,6 @@ pub use region::{
     RegionKind, SegmentRegion, StripRegion, UnboundedPolygonRegion, Vertex,
 };
 pub use system::System;
+pub use tally::Tally;
+pub use ties::{Tied, touching_as_one, touching_each};
 pub use touching::touching_an_envelope;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use boundfit_estimation::{
     ErrorBound, Family, Fit, FloatEstimate, FractionCells, InverseParameter, LeastSquares, Model,
-    MultipleOfLeast, ParameterBound, ParameterInterval, Problem, Selection, least_squares_is_feasible,
+    MultipleOfLeast, ParameterBound, ParameterInterval, Problem, Selection, Ties, least_squares_is_feasible,
     mending_rows,
 };
 use boundfit_exact::{Endpoint, Foreign, Interval, Rational};
@@ -293,7 +293,7 @@ fn fps(problem: &Problem, fit: &Fit, measures: &Measures, style: &Style) -> Regi
     let contradiction = fit.contradiction(problem.measurements.error_bound());
     let farkas =
         contradiction.map(|terms| terms.iter().map(|(name, m)| TermJson::new(*name, m, style)).collect());
-    let name = |indices: &[usize]| indices.iter().map(|&index| fit.fps.name(index).into()).collect();
+    let name = |indices: &[usize]| (&fit.fps.active(indices, Ties::MOST_LISTED)).into();
     RegionJson::new(fit.fps.polyhedron().region(), measures, style, name, farkas)
 }
 

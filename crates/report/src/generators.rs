@@ -39,10 +39,12 @@ pub(crate) struct Generator<'a> {
 }
 
 impl Generator<'_> {
-    /// The names of the active half-planes, separated by `; `; one that is there for both directions of a row is named once.
-    pub(crate) fn active_names(&self, name: &dyn Fn(usize) -> String) -> String {
-        let mut names: Vec<String> = self.active.iter().map(|&index| name(index)).collect();
+    /// The names of the active half-planes, separated by `; `; one that is there for both directions of a row is named once. Of
+    /// more than are listed, `and 17 more` comes last.
+    pub(crate) fn active_names(&self, names: &dyn Fn(&[usize]) -> (Vec<String>, usize)) -> String {
+        let (mut names, more) = names(self.active);
         names.dedup();
+        names.extend((more > 0).then(|| format!("and {more} more")));
         names.join("; ")
     }
 }

@@ -1,6 +1,6 @@
 //! What the JSON documents have in common: numbers, names of half-planes, ends with their proofs, regions.
 
-use boundfit_estimation::BoundName;
+use boundfit_estimation::{ActiveBounds, BoundName};
 use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::{Direction, Measures, Point, Region, Vertex};
 use serde::Serialize;
@@ -42,6 +42,32 @@ impl From<BoundName> for ActiveJson {
     }
 }
 
+/// The first names of half-planes in JSON, and how many there are beside them: no key where there are none.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct ActiveListJson<A> {
+    active: Vec<A>,
+    #[serde(skip_serializing_if = "is_zero")]
+    active_more: usize,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "as serde asks")]
+fn is_zero(count: &usize) -> bool {
+    *count == 0
+}
+
+impl<A> From<Vec<A>> for ActiveListJson<A> {
+    fn from(active: Vec<A>) -> Self {
+        ActiveListJson { active, active_more: 0 }
+    }
+}
+
+impl From<&ActiveBounds> for ActiveListJson<ActiveJson> {
+    fn from(bounds: &ActiveBounds) -> Self {
+        let active = bounds.names.iter().map(|&name| name.into()).collect();
+        ActiveListJson { active, active_more: bounds.more }
+    }
+}
+
 /// A multiple of a named half-plane. `row` is null for a condition.
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct TermJson {
@@ -75,7 +101,8 @@ pub(crate) struct IntervalJson {
 #[derive(Debug, Serialize)]
 pub(crate) struct VertexJson<V, A> {
     pub(crate) theta: [V; 2],
-    pub(crate) active: Vec<A>,
+    #[serde(flatten)]
+    pub(crate) active: ActiveListJson<A>,
 }
 
 /// What proves that a set is empty.
@@ -100,7 +127,8 @@ pub(crate) struct RegionJson<A> {
 /// A whole line of the boundary of a region without vertices.
 #[derive(Debug, Serialize)]
 struct BoundaryJson<A> {
-    active: Vec<A>,
+    #[serde(flatten)]
+    active: ActiveListJson<A>,
 }
 
 impl<A> RegionJson<A> {
@@ -110,7 +138,7 @@ impl<A> RegionJson<A> {
         region: &Region,
         measures: &Measures,
         style: &Style,
-        name: impl Fn(&[usize]) -> Vec<A>,
+        name: impl Fn(&[usize]) -> ActiveListJson<A>,
         farkas: Option<Vec<TermJson>>,
     ) -> Self {
         let direction = |d: &Direction| [d.dx(), d.dy()].map(|c| style.number(&Rational::from(c)));

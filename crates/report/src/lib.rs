@@ -88,5 +88,5 @@ pub use sweep::sweep_document;
 pub use sweep_json::SweepJson;
 pub use verify::{Verdict, condition as condition_text, rows as rows_text, verify_text};
 pub use verify_json::verify_json;
-pub use vertices_csv::vertices_csv;
+pub use vertices_csv::{active_names, vertices_csv};
 pub use wkt::region_wkt;

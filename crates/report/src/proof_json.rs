@@ -91,8 +91,11 @@ pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<Stri
     let polyhedron = fit.fps.polyhedron();
     let name = |index: usize| fit.fps.name(index).to_string();
     let vertices = polyhedron.region().vertices();
-    let active =
-        (0..).zip(vertices).flat_map(|(index, vertex)| vertex.active().iter().map(move |&own| (index, own)));
+    // Every one of them: that none is missing is part of the proof.
+    let touching = |vertex: &Vertex| fit.fps.active(vertex.active(), usize::MAX).names;
+    let active = (0..)
+        .zip(vertices)
+        .flat_map(|(index, vertex)| touching(vertex).into_iter().map(move |own| (index, own.to_string())));
     let theta = |vertex: &Vertex| vertex.point().coordinates().map(|coordinate| coordinate.to_string());
     let sides = polyhedron.irredundant_by_angle().iter().zip(corners(polyhedron));
     let sides: Vec<_> = sides.map(|(&index, vertex)| (name(index), vertex)).collect();
@@ -113,7 +116,7 @@ pub fn proof_json(problem: &Problem, fit: &Fit, reading: Reading) -> Option<Stri
         x_origin: (!x_origin.is_zero()).then(|| x_origin.to_string()),
         conditions: problem.conditions.iter().map(condition).collect(),
         vertices: vertices.iter().map(theta).collect(),
-        active: active.map(|(index, own)| (index, name(own))).collect(),
+        active: active.collect(),
         sides,
         farkas,
         bounds,

@@ -1,6 +1,7 @@
 //! A region in reports, whatever its half-planes are called.
 
-use boundfit_exact::english::{counted, list};
+use boundfit_estimation::{ActiveBounds, BoundName};
+use boundfit_exact::english::{counted, list_of};
 use boundfit_geometry::{Direction, Measure, Region, RegionKind, Vertex};
 
 use crate::document::{Block, THETA, Table, Text};
@@ -8,25 +9,30 @@ use crate::formula::pair;
 use crate::scale::Scale;
 
 /// The region: its kind behind a word or two, its vertices, and where it goes on for ever. `scales` are those of the two
-/// coordinates; `name` gives the names of active half-planes.
+/// coordinates; `names` lists active half-planes.
 pub(crate) fn region_blocks(
     label: &str,
     region: &Region,
     scales: &[Scale; 2],
-    name: impl Fn(&[usize]) -> Vec<String>,
+    names: impl Fn(&[usize]) -> String,
 ) -> Vec<Block> {
     let row = |(number, vertex): (usize, &Vertex)| {
         let theta = vertex.point().coordinates();
         let [theta1, theta2] = [0, 1].map(|axis| Text::new().number(scales[axis].value(&theta[axis])));
-        vec![Text::new().number(number), theta1, theta2, list(name(vertex.active()).into_iter()).into()]
+        vec![Text::new().number(number), theta1, theta2, names(vertex.active()).into()]
     };
     let vertices = vertex_table((1..).zip(region.vertices()).map(row).collect());
-    let boundary = |active| Text::from(format!("bounded by {}", list(name(active).into_iter())));
+    let boundary = |active| Text::from(format!("bounded by {}", names(active)));
     let boundaries = region.boundaries().iter().map(|own| boundary(own.active()));
     let lines = endless(&region.rays(), &region.lines()).into_iter().chain(boundaries);
     let kind = kind_text(region.kind(), region.vertices().len());
     let title = Block::Title(format!("{label}: {kind}").into());
     [title, vertices].into_iter().chain(lines.map(Block::Paragraph)).collect()
+}
+
+/// Active bounds in a table: the first of them by name.
+pub(crate) fn names_of(active: &ActiveBounds) -> String {
+    list_of(active.names.iter().map(BoundName::to_string), active.more)
 }
 
 /// The table of vertices: number, both coordinates, active half-planes.

@@ -11,12 +11,12 @@ use crate::generators::{Generator, GeneratorKind, generators};
 /// - `kind`: which of the ten kinds;
 /// - `theta_exact` and `theta`: the vertices counter-clockwise, one per row, as exact text (`p/q` or `n`, n-by-2 cell
 ///   array) and as the nearest doubles (n-by-2 matrix);
-/// - `active`: for each vertex the names of the half-planes active there, by `name`, separated by `; `;
+/// - `active`: for each vertex the names of the half-planes active there, by `names`, separated by `; `;
 /// - `points_exact`, `points`: where there are no vertices, a point of each boundary;
 /// - `rays_exact`, `rays`, `lines_exact`, `lines`: the directions in which the region goes on, one way and both ways.
 ///
 /// What a region does not have is there with 0 rows. A number beyond the largest double is `Inf`.
-pub fn region_script(polyhedron: &Polyhedron, name: &dyn Fn(usize) -> String) -> String {
+pub fn region_script(polyhedron: &Polyhedron, names: &dyn Fn(&[usize]) -> (Vec<String>, usize)) -> String {
     let region = polyhedron.region();
     let generators = generators(region);
     let of = |kind| generators.iter().filter(move |generator| generator.kind == kind).collect::<Vec<_>>();
@@ -28,8 +28,8 @@ pub fn region_script(polyhedron: &Polyhedron, name: &dyn Fn(usize) -> String) ->
     text.push_str(&format!("kind = '{}';\n", region.kind().name()));
     let vertices = of(GeneratorKind::Vertex);
     text.push_str(&matrices("theta", &vertices));
-    let names = |generator: &&Generator| vec![quoted(&generator.active_names(name))];
-    text.push_str(&assignment("active", "cell(0, 1)", ['{', '}'], vertices.iter().map(names).collect()));
+    let active = |generator: &&Generator| vec![quoted(&generator.active_names(names))];
+    text.push_str(&assignment("active", "cell(0, 1)", ['{', '}'], vertices.iter().map(active).collect()));
     text.push_str(&matrices("points", &of(GeneratorKind::Point)));
     text.push_str(&matrices("rays", &of(GeneratorKind::Ray)));
     text.push_str(&matrices("lines", &of(GeneratorKind::Line)));

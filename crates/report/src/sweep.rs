@@ -8,7 +8,7 @@ use boundfit_exact::{Rational, Rounding};
 
 use crate::document::{Block, Document, Facts, Operator, Symbol, THETA, Table, Text};
 use crate::formula::{form_text, sum_text};
-use crate::region::{endless, kind_text, vertex_table};
+use crate::region::{endless, kind_text, names_of, vertex_table};
 use crate::scale::with_digits_that_differ;
 use crate::style::{Style, is_readable, range};
 
@@ -79,12 +79,12 @@ fn piece_blocks(piece: &Piece, style: &Style) -> Vec<Block> {
     let title = title.words(format!(": {}", kind_text(piece.kind, piece.vertices.len())));
     let vertex = |(number, vertex): (usize, &MovingVertex)| {
         let [theta1, theta2] = vertex.theta.each_ref().map(function);
-        vec![Text::new().number(number), theta1, theta2, names_text(&vertex.active)]
+        vec![Text::new().number(number), theta1, theta2, names_of(&vertex.active).into()]
     };
     let vertices = vertex_table((1..).zip(&piece.vertices).map(vertex).collect());
     let boundaries = piece.boundaries.iter().map(|MovingBoundary { normal, offset, active }| {
         let bound = form_text(normal).operator(Operator::AtMost).then(function(offset));
-        Text::from("bounded by ").then(bound).words(": ").then(names_text(active))
+        Text::from("bounded by ").then(bound).words(": ").words(names_of(active))
     });
     let lines = endless(&piece.rays, &piece.lines).into_iter().chain(boundaries).map(Block::Paragraph);
     let pui = piece.pui.iter().flatten().zip(THETA).map(|([lower, upper], theta)| {

@@ -1,13 +1,14 @@
 //! The family of sets over the error bound as JSON: part of `boundfit/fit/1`.
 
 use boundfit_estimation::{
-    BoundName, Breakpoint, Family, Linear, MovingArea, MovingVertex, Piece, Problem, Section,
+    ActiveBounds, BoundName, Breakpoint, Family, Linear, MovingArea, MovingVertex, Piece, Problem, Section,
+    Ties,
 };
 use boundfit_exact::Rational;
 use boundfit_geometry::{Direction, RegionKind};
 use serde::Serialize;
 
-use crate::json::{ActiveJson, RangeJson, VertexJson};
+use crate::json::{ActiveJson, ActiveListJson, RangeJson, VertexJson};
 use crate::number::Number;
 use crate::style::Style;
 
@@ -54,7 +55,8 @@ struct PieceJson {
 struct BoundaryJson<V> {
     normal: [String; 2],
     offset: V,
-    active: Vec<ActiveJson>,
+    #[serde(flatten)]
+    active: ActiveListJson<ActiveJson>,
 }
 
 /// `constant + slope·s`.
@@ -113,7 +115,7 @@ fn breakpoint_json(problem: &Problem, breakpoint: &Breakpoint, style: &Style) ->
         kind: kind.name(),
         vertices: vertices
             .iter()
-            .map(|vertex| VertexJson { theta: style.numbers(&vertex.theta), active: names(&vertex.active) })
+            .map(|vertex| VertexJson { theta: style.numbers(&vertex.theta), active: listed(&vertex.active) })
             .collect(),
         rays: directions(rays),
         lines: directions(lines),
@@ -122,7 +124,7 @@ fn breakpoint_json(problem: &Problem, breakpoint: &Breakpoint, style: &Style) ->
             .map(|boundary| BoundaryJson {
                 normal: direction(&boundary.normal),
                 offset: style.number(&boundary.offset),
-                active: names(&boundary.active),
+                active: listed(&boundary.active),
             })
             .collect(),
         pui: pui.as_ref().map(|pui| pui.each_ref().map(|interval| RangeJson::new(interval, style))),
@@ -135,7 +137,7 @@ fn breakpoint_json(problem: &Problem, breakpoint: &Breakpoint, style: &Style) ->
 fn piece_json(piece: &Piece, style: &Style) -> PieceJson {
     let vertex = |vertex: &MovingVertex| VertexJson {
         theta: vertex.theta.each_ref().map(linear),
-        active: names(&vertex.active),
+        active: listed(&vertex.active),
     };
     let range = |[lower, upper]: &[Option<Linear>; 2]| RangeJson {
         lower: lower.as_ref().map(linear),
@@ -154,7 +156,7 @@ fn piece_json(piece: &Piece, style: &Style) -> PieceJson {
             .map(|boundary| BoundaryJson {
                 normal: direction(&boundary.normal),
                 offset: linear(&boundary.offset),
-                active: names(&boundary.active),
+                active: listed(&boundary.active),
             })
             .collect(),
         pui: piece.pui.as_ref().map(|pui| pui.each_ref().map(range)),
@@ -174,6 +176,10 @@ fn quadratic(area: &MovingArea, style: &Style) -> QuadraticJson {
     let decimals = lacks.then(|| [0, 1, 2].map(|index| style.nearest(&decimal(index)).compact().to_string()));
     let [constant, slope, quadratic] = exact.map(|exact| exact.map(|exact| exact.to_string()));
     QuadraticJson { constant, slope, quadratic, decimals }
+}
+
+fn listed(active: &ActiveBounds) -> ActiveListJson<ActiveJson> {
+    (&active.clone().at_most(Ties::MOST_LISTED)).into()
 }
 
 fn names(names: &[BoundName]) -> Vec<ActiveJson> {

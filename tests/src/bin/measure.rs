@@ -9,7 +9,8 @@ use std::time::{Duration, Instant};
 
 use boundfit_check::ProgramRows;
 use boundfit_estimation::{
-    Columns, EpsilonColumn, ErrorBound, Fit, Fps, LineForm, Measurement, Measurements, Model, Problem, fit,
+    Columns, EpsilonColumn, ErrorBound, Fit, Fps, LineForm, Measurement, Measurements, Model, Problem, Ties,
+    fit,
 };
 use boundfit_exact::{Interval, Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, Source, TableOptions, read_table};
@@ -97,8 +98,9 @@ fn polygon(problem: &Problem, epsilon: &Rational, runs: usize) -> Result<Map<Str
     let (x, _) = on_grid(rows.iter().map(|row| &row.regressor[0]))?;
     let (y, _) = on_grid(rows.iter().map(|row| y_and_epsilon(row).0))?;
     let (mut times, (fps, _)) = timed(runs, || {
-        let touching = touching_of_columns(black_box(&x), black_box(&y), 0);
-        let mut kept: Vec<usize> = touching.iter().map(|point| point.id as usize).collect();
+        let touching =
+            touching_of_columns(black_box(&x), black_box(&y), &|row| row as u64, Ties::MOST_LISTED);
+        let mut kept: Vec<usize> = touching.iter().map(|point| point.rows.first() as usize).collect();
         kept.sort_unstable();
         let kept = line(kept.into_iter().map(|row| rows[row].clone()).collect(), epsilon);
         let fps = Fps::new(&kept, &[]);

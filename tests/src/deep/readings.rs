@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use boundfit_check::ProgramRows;
 use boundfit_estimation::{ErrorBound, Fit, Minimax, Model, Problem, fit, fit_bounds};
 use boundfit_exact::{Integer, Rational};
-use boundfit_geometry::{Inequality, System};
+use boundfit_geometry::{Inequality, System, Vertex};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
@@ -164,9 +164,9 @@ impl ReadingsCase {
         let own = fit.fps.polyhedron().region();
         same("the FPS and all half-planes", &shape(own), &shape(polyhedron.region()))?;
         let active = |fit: &Fit| -> Vec<BTreeSet<_>> {
-            let name = |&index: &usize| fit.fps.name(index);
             let vertices = fit.fps.polyhedron().region().vertices();
-            vertices.iter().map(|vertex| vertex.active().iter().map(name).collect()).collect()
+            let names = |vertex: &Vertex| fit.fps.active(vertex.active(), usize::MAX).names;
+            vertices.iter().map(|vertex| names(vertex).into_iter().collect()).collect()
         };
         same("active rows", &active(fit), &active(&every))?;
         same("PUI of all half-planes", &fit.pui_intervals(), &every.pui_intervals())?;

@@ -330,7 +330,7 @@ fn parts_of_different_wholes_and_unknown_formats_are_refused() {
         (format!("{one}{interval}"), "differs from the first one in the number of regressors"),
         (
             one.replace("reduced/2", "reduced/7"),
-            "a reduction of format \"7\", which is not known here (expected 1 or 2)",
+            "a reduction of format \"7\", which is not known here (expected 1 to 4)",
         ),
         (one.replace("reduced/2", "reduced/1"), "the line in front of a reduction is not understood"),
         (one.replace("[\"u\",\"v\"]", "[]"), "is not understood: x has neither one name nor two"),

@@ -123,11 +123,8 @@ fn the_order_of_rows_and_repeated_rows_change_no_set() {
         assert_eq!(shuffled.central, expected.central, "case {case}");
         // Row names go with the rows, so even the active sets agree.
         let active = |fit: &Fit| -> Vec<Vec<boundfit_estimation::BoundName>> {
-            let names = |vertex: &boundfit_geometry::Vertex| {
-                let mut names: Vec<_> = vertex.active().iter().map(|&index| fit.fps.name(index)).collect();
-                names.sort();
-                names
-            };
+            let names =
+                |vertex: &boundfit_geometry::Vertex| fit.fps.active(vertex.active(), usize::MAX).names;
             fit.fps.polyhedron().region().vertices().iter().map(names).collect()
         };
         assert_eq!(active(&shuffled), active(&expected), "case {case}");

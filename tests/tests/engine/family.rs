@@ -130,7 +130,7 @@ fn readings_in_line_and_repeated_ones_stay_active() {
         let middles = family.pieces().iter().map(|piece| (&piece.from + &piece.to).half());
         for s in middles.chain(family.breakpoints().iter().map(|breakpoint| breakpoint.s.clone())) {
             let expected = fresh(&problem, &s);
-            let active = expected.vertices.iter().map(|vertex| vertex.active.len());
+            let active = expected.vertices.iter().map(|vertex| vertex.active.names.len());
             longest = active.max().unwrap_or(0).max(longest);
             assert_eq!(family.at(&s), Some(expected), "case {case} at s = {s}");
         }

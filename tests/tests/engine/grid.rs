@@ -1,9 +1,7 @@
 //! Touching points on the integer grid: against the definition and against the general algorithms.
 
 use boundfit_exact::{Integer, Rational, Sign};
-use boundfit_geometry::grid::{
-    GridPoint, Sieve, candidates_of_columns, touching, touching_doubles, touching_of_columns,
-};
+use boundfit_geometry::grid::{self, GridPoint, Sieve, candidates_of_columns};
 use boundfit_geometry::predicates::{lexicographic, orientation};
 use boundfit_geometry::{Hulls, Point};
 use boundfit_tests::columns::{Columns, Shape, points};
@@ -13,7 +11,7 @@ use rand_chacha::ChaCha8Rng;
 
 /// The definition: a point is above the lower hull when another point is below it or the line from one point on its left
 /// to another on its right passes below it; mirrored for the upper hull.
-fn touching_by_definition(points: &[GridPoint]) -> Vec<GridPoint> {
+fn touching_by_definition(points: &[GridPoint]) -> Vec<u64> {
     let wide = |value: i64| Integer::from(value);
     // Positive when the line from p to q passes below r.
     let height = |p: &GridPoint, q: &GridPoint, r: &GridPoint| {
@@ -29,9 +27,35 @@ fn touching_by_definition(points: &[GridPoint]) -> Vec<GridPoint> {
                 .any(|p| points.iter().filter(|q| q.x > r.x).any(|q| height(p, q, r) == side))
     };
     let is_touching = |r: &&GridPoint| !(is_beyond(r, Sign::Positive) && is_beyond(r, Sign::Negative));
-    let mut touching: Vec<GridPoint> = points.iter().filter(is_touching).copied().collect();
+    let mut touching: Vec<u64> = points.iter().filter(is_touching).map(|point| point.rows.first()).collect();
     touching.sort_unstable();
     touching
+}
+
+/// The numbers of all rows that touching points stand for, each of which is there once.
+fn rows_of(touching: &[GridPoint]) -> Vec<u64> {
+    let mut rows: Vec<u64> = touching.iter().flat_map(|point| point.rows.rows()).collect();
+    rows.sort_unstable();
+    assert_eq!(rows.len() as u64, touching.iter().map(|point| point.rows.count()).sum::<u64>());
+    rows
+}
+
+/// The touching points of all, with all rows listed.
+fn touching(points: Vec<GridPoint>) -> Vec<GridPoint> {
+    grid::touching(points, usize::MAX)
+}
+
+fn touching_of_columns(x: &[i64], y: &[i64], first: u64) -> Vec<GridPoint> {
+    grid::touching_of_columns(x, y, &|row| first + row as u64, usize::MAX)
+}
+
+/// The positions of doubles that touch a hull.
+fn touching_doubles(x: &[f64], y: &[f64]) -> Vec<usize> {
+    let touching = grid::touching_doubles(x, y, &|row| row as u64, usize::MAX);
+    let mut rows: Vec<usize> =
+        touching.iter().flat_map(|place| place.rows.rows()).map(|row| row as usize).collect();
+    rows.sort_unstable();
+    rows
 }
 
 /// Positions, ascending, of the touching ones by the hulls of rational points.
@@ -67,7 +91,11 @@ fn cases(seed: u64, rounds: usize, largest: usize) -> impl Iterator<Item = (Shap
 fn touching_points_are_those_of_the_definition() {
     for (shape, columns, _) in cases(1, 2_000, 9) {
         let points = points(&columns);
-        assert_eq!(touching(points.clone()), touching_by_definition(&points), "{shape:?} {columns:?}");
+        assert_eq!(
+            rows_of(&touching(points.clone())),
+            touching_by_definition(&points),
+            "{shape:?} {columns:?}"
+        );
     }
 }
 
@@ -77,22 +105,20 @@ fn touching_points_are_those_of_the_general_hulls() {
         let points = points(&columns);
         let rational = |point: &GridPoint| Point::new(&point.x.into(), &point.y.into());
         let rationals: Vec<Point> = points.iter().map(rational).collect();
-        let mut expected: Vec<GridPoint> =
-            touching_by_rationals(&rationals).into_iter().map(|position| points[position]).collect();
-        expected.sort_unstable();
-        assert_eq!(touching(points), expected, "{shape:?} {columns:?}");
+        let expected: Vec<u64> =
+            touching_by_rationals(&rationals).into_iter().map(|position| position as u64).collect();
+        assert_eq!(rows_of(&touching(points)), expected, "{shape:?} {columns:?}");
     }
 }
 
 #[test]
 fn points_above_each_other_at_the_ends_touch_only_at_top_and_bottom() {
     let columns = (vec![0, 0, 0, 1, 1, 2, 2, 2, 2], vec![0, 5, 9, -4, 7, 3, 4, 4, 4]);
-    let ids: Vec<u64> = touching(points(&columns)).iter().map(|point| point.id).collect();
+    let ids = rows_of(&touching(points(&columns)));
     // In the middle, 7 is on the line from 9 to 4 only if that were lower; at the right end, 4 is there three times.
     assert_eq!(ids, [0, 2, 3, 4, 5, 6, 7, 8]);
     let above = (vec![3; 5], vec![2, 1, 2, 3, 1]);
-    let ids: Vec<u64> = touching(points(&above)).iter().map(|point| point.id).collect();
-    assert_eq!(ids, [1, 4, 3]);
+    assert_eq!(rows_of(&touching(points(&above))), [1, 3, 4]);
 }
 
 #[test]
@@ -137,10 +163,13 @@ fn wide_columns_keep_every_touching_point_and_few_others() {
         let grown = |column: &[i64], factor: i128| -> Vec<i128> {
             column.iter().map(|&value| i128::from(value) * factor + 12_345_678_901_234_567_890).collect()
         };
-        let candidates = candidates_of_columns(&grown(&x, factors[0]), &grown(&y, factors[1]));
-        assert!(candidates.is_sorted());
-        for point in touching_of_columns(&x, &y, 0) {
-            assert!(candidates.binary_search(&(point.id as usize)).is_ok(), "{shape:?} {point:?}");
+        let row = |row: usize| row as u64;
+        let candidates =
+            candidates_of_columns(&grown(&x, factors[0]), &grown(&y, factors[1]), &row, usize::MAX);
+        let mut candidates: Vec<u64> = candidates.iter().flat_map(|place| place.rows.rows()).collect();
+        candidates.sort_unstable();
+        for row in rows_of(&touching_of_columns(&x, &y, 0)) {
+            assert!(candidates.binary_search(&row).is_ok(), "{shape:?} {row}");
         }
         if shape == Shape::NoisyLine && x.len() > 1000 {
             rows += x.len();
@@ -161,7 +190,8 @@ fn a_sieve_of_the_first_rows_loses_nothing_of_the_others() {
         let Some(sieve) = Sieve::new(&known) else { continue };
         sieves += 1;
         let mut all = known;
-        all.extend(sieve.touching_of_columns(&x[first..], &y[first..], first as u64));
+        let row = |row: usize| (first + row) as u64;
+        all.extend(sieve.touching_of_columns(&x[first..], &y[first..], &row, usize::MAX));
         assert_eq!(touching(all), touching(points(&columns)), "{shape:?} {first} {columns:?}");
     }
     assert!(sieves > 300, "{sieves}");
@@ -184,11 +214,10 @@ fn coordinates_at_the_limit_of_narrow_arithmetic_are_exact() {
         (vec![-1, 0, 1], vec![i64::MIN, i64::MIN, i64::MAX], None),
     ] {
         let points = points(&(x, y));
-        let mut expected: Vec<GridPoint> =
-            points.iter().filter(|point| Some(point.id) != inner).copied().collect();
-        expected.sort_unstable();
+        let rows = points.iter().map(|point| point.rows.first());
+        let expected: Vec<u64> = rows.filter(|row| Some(*row) != inner).collect();
         assert_eq!(touching_by_definition(&points), expected, "{points:?}");
-        assert_eq!(touching(points.clone()), expected, "{points:?}");
+        assert_eq!(rows_of(&touching(points.clone())), expected, "{points:?}");
     }
     // As numbers of binary64, all in units of the last place of 1.
     let limit = LIMIT as f64;
@@ -212,9 +241,7 @@ fn a_turn_that_underflow_hides_is_found() {
 
 #[test]
 fn ids_count_from_the_first() {
-    let ids = |first: u64| {
-        touching_of_columns(&[0, 1, 2], &[0, 9, 0], first).iter().map(|p| p.id).collect::<Vec<_>>()
-    };
+    let ids = |first: u64| rows_of(&touching_of_columns(&[0, 1, 2], &[0, 9, 0], first));
     assert_eq!(ids(1 << 40), [1 << 40, (1 << 40) + 1, (1 << 40) + 2]);
 }
 
@@ -277,10 +304,8 @@ fn whole_numbers_touch_alike_as_integers_and_as_doubles() {
     for shape in [Shape::Levels, Shape::NoisyLine, Shape::Parabola, Shape::Outlier] {
         let (x, y) = shape.columns(&mut seeded(7), 100_000);
         let double = |column: &[i64]| column.iter().map(|&value| value as f64).collect::<Vec<f64>>();
-        let mut rows: Vec<usize> =
-            touching_of_columns(&x, &y, 0).iter().map(|point| point.id as usize).collect();
-        rows.sort_unstable();
-        assert_eq!(touching_doubles(&double(&x), &double(&y)), rows, "{shape:?}");
+        let rows = rows_of(&touching_of_columns(&x, &y, 0)).into_iter().map(|row| row as usize);
+        assert_eq!(touching_doubles(&double(&x), &double(&y)), rows.collect::<Vec<_>>(), "{shape:?}");
     }
 }
 

@@ -1,7 +1,6 @@
 //! Fits under bounds that differ from reading to reading, and of two regressors, from the few readings that decide them,
 //! against fits of all readings in memory.
 
-use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
@@ -19,7 +18,7 @@ use rand_chacha::ChaCha8Rng;
 use rayon::ThreadPool;
 
 use crate::reducing::{reduced, shuffled_parts};
-use crate::reduction::{essence, options, pools};
+use crate::reduction::{essence, essence_by, options, pools};
 
 /// A table with columns a, b, y, e, lo and up, and how it is to be fitted.
 pub(crate) struct Case {
@@ -162,8 +161,11 @@ impl Case {
 
         let ids = ids(&texts[0]);
         let found = self.of_reduction(&texts[0]);
+        let of_kept = |fitted: &(Problem, Fit), row: &dyn Fn(usize) -> usize| {
+            essence_by(fitted, row, &|row| ids.contains(&row))
+        };
         let (found_text, expected) =
-            (essence(&found, &|row| ids[row - 1]), essence(&(problem.clone(), whole.clone()), &|row| row));
+            (of_kept(&found, &|row| ids[row - 1]), of_kept(&(problem.clone(), whole.clone()), &|row| row));
         let lines = |text: &str| -> Vec<String> {
             let lines = text.lines().enumerate();
             // Least squares and its slack, and what decides under other bounds, stand in lines of their own.
@@ -182,13 +184,18 @@ impl Case {
         let again = reduced(&parts, &self.columns, &options(self.reading, 64));
         self.check_answers(&self.of_reduction(&again), (problem, whole));
         // Of rows without regressors the first one that nothing agrees with is kept, or the first one where no row decides.
-        let kept = |text: &str| -> BTreeSet<usize> {
+        // Which of several that are told as one depends on their order; how many stand for how many does not.
+        let kept = |text: &str| -> Vec<usize> {
             let regressors = |id: &usize| -> Vec<f64> {
                 let cells = self.text.lines().nth(*id).unwrap().split(',').take(2);
                 cells.map(|cell| cell.parse().unwrap_or(1.0)).collect()
             };
             let has_none = |id: &usize| self.columns.second.is_some() && regressors(id) == [0.0, 0.0];
-            self::ids(text).into_iter().filter(|id| !has_none(id)).collect()
+            let rows = self::ids(text).into_iter().zip(counts(text));
+            let mut counts: Vec<usize> =
+                rows.filter(|(id, _)| !has_none(id)).map(|(_, count)| count).collect();
+            counts.sort_unstable();
+            counts
         };
         assert_eq!(kept(&again), kept(&own), "{}", context());
     }
@@ -233,6 +240,19 @@ impl Case {
 fn ids(text: &str) -> Vec<usize> {
     let rows = text.lines().filter(|line| !line.starts_with(['#', 'a']));
     rows.map(|row| row.rsplit_once(',').unwrap().1.parse().unwrap()).collect()
+}
+
+/// How many readings the rows of reductions stand for.
+fn counts(text: &str) -> Vec<usize> {
+    let (mut counts, mut is_counted) = (Vec::new(), false);
+    for line in text.lines() {
+        if let Some(format) = line.strip_prefix("# boundfit/reduced/") {
+            is_counted = format.starts_with(['3', '4']);
+        } else if !line.starts_with('a') {
+            counts.push(if is_counted { line.split(' ').next().unwrap().parse().unwrap() } else { 1 });
+        }
+    }
+    counts
 }
 
 fn compare(

@@ -6,8 +6,8 @@ use boundfit_check::{CheckOptions, check, source_names};
 use boundfit_estimation::{Family, Fit, Measurements, Problem, fit};
 use boundfit_exact::{Foreign, Rational, Reading};
 use boundfit_report::{
-    Document, InverseLine, brief_document, fit_csv, fit_document, fit_json, h_representation, proof_json,
-    region_script, region_wkt, sweep_document, v_representation, verdict_line, vertices_csv,
+    Document, InverseLine, active_names, brief_document, fit_csv, fit_document, fit_json, h_representation,
+    proof_json, region_script, region_wkt, sweep_document, v_representation, verdict_line, vertices_csv,
 };
 
 use crate::CommandResult;
@@ -71,10 +71,10 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
         ReportFormat::Markdown => document(None).to_markdown(),
         ReportFormat::Csv if !arguments.vertices => fit_csv(&fit),
         ReportFormat::Csv => {
-            vertices_csv(fit.fps.polyhedron(), &|index| fit.fps.name(index).to_string(), &style)
+            vertices_csv(fit.fps.polyhedron(), &|indices| active_names(&fit, indices), &style)
         }
         ReportFormat::Wkt => region_wkt(fit.fps.polyhedron(), &style).map_err(Failure::data)?,
-        ReportFormat::M => region_script(fit.fps.polyhedron(), &|index| fit.fps.name(index).to_string()),
+        ReportFormat::M => region_script(fit.fps.polyhedron(), &|indices| active_names(&fit, indices)),
         ReportFormat::Ine => h_representation(fit.fps.polyhedron()),
         ReportFormat::Ext => v_representation(fit.fps.polyhedron()),
         ReportFormat::Text => {

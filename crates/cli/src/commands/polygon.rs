@@ -27,10 +27,11 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     let file = read_half_planes(source, &options).map_err(Failure::data)?;
     refuse_long(name.borrowed(), &file.system.work(), times::POLYGON, &arguments.table.limits)?;
     let polyhedron = Polyhedron::intersect(file.system.clone());
-    let active = |index: usize| {
+    let name_of = |&index: &usize| {
         let row = file.origins.get(index).map_or(0, |origin| origin.row);
         if file.generators.is_some() { format!("facet:{row}") } else { row.to_string() }
     };
+    let active = |indices: &[usize]| (indices.iter().map(name_of).collect(), 0);
     let style = arguments.fraction.limited(arguments.output.style());
     let document = || polygon_document(&file, &polyhedron, name.borrowed(), &style);
     let report = match format {

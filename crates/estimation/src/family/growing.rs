@@ -8,22 +8,31 @@ use super::section::Section;
 use crate::fps::{BoundName, conditions_by_name, growing_half_planes};
 use crate::hulls::touching_a_hull;
 use crate::least_growth::GrowingInequality;
+use crate::measurement::Measurement;
 use crate::problem::Problem;
+use crate::ties::{ActiveBounds, TiedReading, Ties};
 
 /// Half-planes a·θ ≤ b(s) with their names: the bounds of the readings move, conditions stay.
 pub(super) struct GrowingSystem {
     names: Vec<BoundName>,
     forms: Vec<[Rational; 2]>,
     bounds: Vec<Linear>,
+    ties: Ties,
 }
 
 impl GrowingSystem {
     pub(super) fn new(problem: &Problem) -> Self {
-        let mut system = GrowingSystem { names: Vec::new(), forms: Vec::new(), bounds: Vec::new() };
-        let rows = problem.measurements.kept();
-        let of_hulls = problem.measurements.has_hulls();
-        let positions = if of_hulls { touching_a_hull(rows) } else { (0..rows.len()).collect() };
-        for row in positions.into_iter().map(|position| &rows[position]) {
+        let mut system =
+            GrowingSystem { names: Vec::new(), forms: Vec::new(), bounds: Vec::new(), ties: Ties::default() };
+        let known = problem.measurements.ties().cloned().unwrap_or_default();
+        let tied = |row: &Measurement| TiedReading { reading: row.clone(), rows: known.of(row.row) };
+        let mut rows: Vec<TiedReading> = problem.measurements.kept().iter().map(tied).collect();
+        if problem.measurements.has_hulls() {
+            rows = touching_a_hull(rows, usize::MAX, true);
+        }
+        let (rows, ties) = TiedReading::by_row(rows);
+        system.ties = ties;
+        for row in &rows {
             for (name, GrowingInequality { at_zero, growth }) in growing_half_planes(row) {
                 system.push(name, at_zero, growth);
             }
@@ -64,6 +73,11 @@ impl GrowingSystem {
         names
     }
 
+    /// The bounds that are active where half-planes are, those that they stand for included.
+    pub(super) fn active(&self, indices: &[usize]) -> ActiveBounds {
+        self.ties.active(indices.iter().map(|&index| self.names[index]), usize::MAX)
+    }
+
     /// The set at a factor.
     pub(super) fn polyhedron(&self, s: &Rational) -> Polyhedron {
         let at = |(form, bound): (&[Rational; 2], &Linear)| {
@@ -74,6 +88,6 @@ impl GrowingSystem {
     }
 
     pub(super) fn section(&self, s: &Rational) -> Section {
-        Section::of(&self.polyhedron(s), |indices| self.named(indices))
+        Section::of(&self.polyhedron(s), |indices| self.active(indices))
     }
 }

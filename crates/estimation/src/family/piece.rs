@@ -9,6 +9,7 @@ use super::growing::GrowingSystem;
 use super::section::{Section, SectionBoundary, SectionVertex};
 use super::shape::Shape;
 use crate::fps::BoundName;
+use crate::ties::ActiveBounds;
 
 /// The sets strictly between two factors: the same half-planes meet in the same order.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -38,8 +39,8 @@ pub struct Piece {
 pub struct MovingVertex {
     /// Where it is.
     pub theta: [Linear; 2],
-    /// The bounds met with equality, sorted.
-    pub active: Vec<BoundName>,
+    /// The bounds met with equality.
+    pub active: ActiveBounds,
 }
 
 /// The line normal·θ = offset as a function of s, on the boundary of normal·θ ≤ offset.
@@ -49,8 +50,8 @@ pub struct MovingBoundary {
     pub normal: Direction,
     /// The right-hand side.
     pub offset: Linear,
-    /// The bounds met with equality, sorted.
-    pub active: Vec<BoundName>,
+    /// The bounds met with equality.
+    pub active: ActiveBounds,
 }
 
 /// The closed range of factors in which the shape found at a sample lasts; without end when `to` is `None`.
@@ -86,7 +87,7 @@ impl Piece {
             let normal = boundary.half_plane().normal();
             let first = *boundary.active().first()?;
             let offset = system.bound(first).times(&length(system.form(first), &normal)?.recip()?);
-            Some(MovingBoundary { normal, offset, active: system.named(boundary.active()) })
+            Some(MovingBoundary { normal, offset, active: system.active(boundary.active()) })
         });
         let piece = Piece {
             from: sample.clone(),
@@ -142,7 +143,7 @@ fn moving_vertices(system: &GrowingSystem, polyhedron: &Polyhedron, shape: &mut 
             next = number + 1;
             Some(theta.clone())
         });
-        found.extend(theta.map(|theta| MovingVertex { theta, active: system.named(vertex.active()) }));
+        found.extend(theta.map(|theta| MovingVertex { theta, active: system.active(vertex.active()) }));
     }
     found
 }

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::{Boundary, Direction, Measures, Point, Polyhedron, RegionKind, Vertex};
 
-use crate::fps::BoundName;
+use crate::ties::ActiveBounds;
 
 /// A set FPS(s·ε) at one s, all exact.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -29,8 +29,8 @@ pub struct Section {
 pub struct SectionVertex {
     /// Where it is.
     pub theta: [Rational; 2],
-    /// The bounds met with equality, sorted.
-    pub active: Vec<BoundName>,
+    /// The bounds met with equality.
+    pub active: ActiveBounds,
 }
 
 /// The line normal·θ = offset, on the boundary of normal·θ ≤ offset.
@@ -40,8 +40,8 @@ pub struct SectionBoundary {
     pub normal: Direction,
     /// The right-hand side.
     pub offset: Rational,
-    /// The bounds met with equality, sorted.
-    pub active: Vec<BoundName>,
+    /// The bounds met with equality.
+    pub active: ActiveBounds,
 }
 
 impl Section {
@@ -51,7 +51,7 @@ impl Section {
         Measures::of(self.kind, corners.map(Cow::Owned).collect())
     }
 
-    pub(super) fn of(polyhedron: &Polyhedron, named: impl Fn(&[usize]) -> Vec<BoundName>) -> Self {
+    pub(super) fn of(polyhedron: &Polyhedron, named: impl Fn(&[usize]) -> ActiveBounds) -> Self {
         let region = polyhedron.region();
         let vertex = |vertex: &Vertex| SectionVertex {
             theta: vertex.point().coordinates(),

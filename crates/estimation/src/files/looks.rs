@@ -89,7 +89,7 @@ impl Looks<'_> {
         meaning: &Meaning,
         theta: &[Rational; 2],
     ) -> Result<Option<Measurement>, InputError> {
-        let bounds = FixedBounds::new(meaning, &Scale::AsStated);
+        let bounds = FixedBounds::new(meaning, &Scale::AsStated, 1);
         let mut tightest: Option<(Rational, Measurement)> = None;
         let work = |columns: &[Column], rows: &RowNumbers| bounds.tightest(columns, &|k| rows.get(k), theta);
         self.look(work, |part| {
@@ -114,13 +114,13 @@ impl Looks<'_> {
         let mut known = some.to_vec();
         loop {
             let Some(scale) = Minimax::least_scale(&known, meaning, conditions) else { return Ok(known) };
-            let bounds = FixedBounds::new(meaning, &scale);
+            let bounds = FixedBounds::new(meaning, &scale, 1);
             let mut support = FixedSupport::default();
             let work = |columns: &[Column], rows: &RowNumbers| {
                 (rows.len(), bounds.of_columns(columns, &|k| rows.get(k)))
             };
             self.look(work, |(rows, part)| support.merge(part, rows, &bounds))?;
-            let touching = support.into_rows(&bounds);
+            let (touching, _) = support.into_rows(&bounds);
             if Minimax::is_enough(&touching, &scale, conditions) {
                 return Ok(touching);
             }

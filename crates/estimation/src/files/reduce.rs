@@ -7,10 +7,11 @@ use boundfit_exact::Rational;
 use boundfit_formats::{Batch, InputError, ReductionRecord, ScanOptions, Source, open_reduction, scan};
 
 use super::columns::Columns;
-use super::stated::{Stated, asked_by_reduction, refuse_late};
+use super::stated::{Stated, asked_by_reduction, counts_of, refuse_late};
 use crate::least_squares::NoLeastSquares;
 use crate::line_form::LineForm;
 use crate::meaning::{ErrorBound, Meaning};
+use crate::measurement::Measurement;
 use crate::summary::{FixedBounds, FixedPart, FixedSummary, LineSummary, Scale, SharedSieve, Sums};
 
 /// Texts of rows that have meanwhile turned out to be superfluous are dropped when there are so many of them, so
@@ -23,6 +24,8 @@ pub struct ReducedTable {
     record: ReductionRecord,
     header: Option<Vec<u8>>,
     rows: Vec<Vec<u8>>,
+    /// How many readings each of these stands for.
+    counts: Vec<usize>,
 }
 
 /// Which readings are kept.
@@ -85,7 +88,8 @@ impl ReducedTable {
             // Whether they fit together comes first.
             options.unbounded_rows = true;
         }
-        let rule = Rule::new(&unnamed);
+        // Of a reduction the rows stand for others by their numbers.
+        let rule = Rule::new(&unnamed, if reductions.is_some() { usize::MAX } else { 1 });
         let mut all = Collected::default();
         let mut unbounded = None;
         let digest = |batch: Batch| Digest {
@@ -98,32 +102,39 @@ impl ReducedTable {
         })?;
         let asked = asked_by_reduction(&columns.meaning(&scanned.names));
         let Collected { open, fixed, mut texts, first } = all;
-        let (mut own, kept) = if rule.open.is_some() {
-            let (sums, kept) = open.into_parts(&Rational::zero());
-            (Stated { count: sums.count, has_widths: true, sums: Ok(sums), is_open: true }, kept)
+        let (mut own, kept, mut ties) = if rule.open.is_some() {
+            let (sums, kept, ties) = open.into_parts(&Rational::zero(), &rule.sieve);
+            (Stated { count: sums.count, has_widths: true, sums: Ok(sums), is_open: true }, kept, ties)
         } else {
             let FixedSummary { support, sums, has_widths } = fixed;
             let count = support.count();
-            (Stated { count, has_widths, sums, is_open: false }, support.into_rows(&rule.fixed))
+            let (kept, ties) = support.into_rows(&rule.fixed);
+            (Stated { count, has_widths, sums, is_open: false }, kept, ties)
         };
         if let Some(reductions) = &reductions {
             own = Stated::of(reductions, &name, &asked, &options)?;
+            if let Some(counts) = counts_of(reductions, &name, scanned.rows_total)? {
+                ties = ties.weighted(&kept, &counts);
+            }
         }
         columns.refuse_unbounded(&name, unbounded)?;
-        let mut rows: Vec<Vec<u8>> = kept.iter().filter_map(|reading| texts.remove(&reading.row)).collect();
+        let text = |reading: &Measurement| Some((texts.remove(&reading.row)?, ties.count(reading.row)));
+        let (mut rows, mut counts): (Vec<Vec<u8>>, Vec<usize>) = kept.iter().filter_map(text).unzip();
         if rows.is_empty() {
             rows.extend(first);
+            counts = vec![1; rows.len()];
         }
         let record = ReductionRecord {
             rows: own.count,
             kept: rows.iter().map(|row| 1 + row.iter().filter(|&&byte| byte == b'\n').count()).sum(),
+            counted: counts.iter().any(|&count| count > 1),
             header: scanned.header_line.is_some(),
             reading: options.table.reading.name().to_owned(),
             model: asked.model,
             widths: own.has_widths,
             sums: written(&own.sums),
         };
-        Ok(ReducedTable { record, header: scanned.header_line, rows })
+        Ok(ReducedTable { record, header: scanned.header_line, rows, counts })
     }
 
     /// How many readings there were.
@@ -142,10 +153,24 @@ impl ReducedTable {
     /// Of the writer.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
         let record = self.record.line();
-        let lines = [record.as_bytes()].into_iter().chain(self.header.as_deref());
-        for line in lines.chain(self.rows.iter().map(Vec::as_slice)) {
+        for line in [record.as_bytes()].into_iter().chain(self.header.as_deref()) {
             out.write_all(line)?;
             out.write_all(b"\n")?;
+        }
+        for (row, &count) in self.rows.iter().zip(&self.counts) {
+            if !self.record.counted {
+                out.write_all(row)?;
+                out.write_all(b"\n")?;
+                continue;
+            }
+            // A row of several lines says on the first of them how many readings it stands for.
+            for (line, count) in
+                row.split(|&byte| byte == b'\n').zip([count].into_iter().chain([0].into_iter().cycle()))
+            {
+                write!(out, "{count} ")?;
+                out.write_all(line)?;
+                out.write_all(b"\n")?;
+            }
         }
         Ok(())
     }
@@ -158,13 +183,17 @@ fn written(sums: &Result<Sums, NoLeastSquares>) -> Option<[String; 5]> {
 }
 
 impl<'a> Rule<'a> {
-    fn new(meaning: &'a Meaning) -> Self {
+    fn new(meaning: &'a Meaning, most_listed: usize) -> Self {
         let open = match &meaning.error_bound {
             ErrorBound::Uniform(_) if meaning.regressors() == 1 => Some(None),
             ErrorBound::PerRow(_) if meaning.regressors() == 1 => Some(Some(2)),
             _ => None,
         };
-        Rule { open, sieve: SharedSieve::default(), fixed: FixedBounds::new(meaning, &Scale::AsStated) }
+        Rule {
+            open,
+            sieve: SharedSieve::listing(most_listed),
+            fixed: FixedBounds::new(meaning, &Scale::AsStated, most_listed),
+        }
     }
 }
 
@@ -180,7 +209,7 @@ impl Digest {
             }
             None => {
                 let part = rule.fixed.part(columns, &row);
-                let numbers = part.touching.iter().map(|reading| reading.row).collect();
+                let numbers = part.touching.iter().map(|own| own.reading.row).collect();
                 (Part::Fixed(part, batch.rows.len()), numbers)
             }
         };

@@ -8,7 +8,7 @@ use boundfit_formats::{
 use super::columns::Columns;
 use super::kept_columns::{KeptColumns, KeptPart};
 use super::looks::Looks;
-use super::stated::{Stated, asked_by_fit, refuse_late};
+use super::stated::{Stated, asked_by_fit, counts_of, refuse_late};
 use crate::condition::Condition;
 use crate::least_squares::LeastSquares;
 use crate::line_form::LineForm;
@@ -20,6 +20,7 @@ use crate::summary::{
     DecidingMinimax, FixedBounds, FixedPart, FixedSummary, Keep, LineSummary, NoEui, NoMinimax, Reach,
     Reduction, Scale, SharedSieve, Spread, Sums, Thresholds, column_totals,
 };
+use crate::ties::Ties;
 
 /// Bytes of numbers kept from a file before it is rather read again: twelve million x at four bytes each.
 const MOST_BYTES_OF_FILE: usize = 48 << 20;
@@ -78,7 +79,6 @@ impl Measurements {
         let mut all = Collected::new(keep.most_bytes.unwrap_or(usual));
         let unnamed = columns.meaning(&[]);
         let scale = Scale::AsStated;
-        let (sieve, bounds) = (SharedSieve::default(), FixedBounds::new(&unnamed, &scale));
         let (source, reductions) = open_reduction(source, &options.table.sizes)?;
         let mut options = options.clone();
         if let Some(reductions) = &reductions {
@@ -87,6 +87,11 @@ impl Measurements {
             options.unbounded_rows = true;
         }
         let summarises = unnamed.is_open() || unnamed.are_bounds_known();
+        // A proof names every row that touches; of a reduction the rows are few, and stand for others by their numbers.
+        let most_listed =
+            if options.list_rows || reductions.is_some() { usize::MAX } else { Ties::MOST_LISTED };
+        let (sieve, bounds) =
+            (SharedSieve::listing(most_listed), FixedBounds::new(&unnamed, &scale, most_listed));
         // Of a reduction what was kept was kept for a reason.
         let keeps_all = reductions.is_some() || !summarises;
         let most_rows = if keeps_all { usize::MAX } else { keep.most_rows };
@@ -105,29 +110,40 @@ impl Measurements {
             let stated = Stated::of(reductions, &name, &asked_by_fit(&meaning), &options)?;
             refuse_late(&name, &meaning)?;
             columns.refuse_unbounded(&name, unbounded)?;
-            let (mut rows, minimax) = match meaning.error_bound.uniform() {
+            let (mut rows, mut ties, minimax) = match meaning.error_bound.uniform() {
                 Some(epsilon) if meaning.is_open() => {
-                    let mut rows = all.open.into_parts(epsilon).1;
+                    let (_, mut rows, ties) = all.open.into_parts(epsilon, &sieve);
                     columns.form.count_rows(&mut rows);
-                    (rows, DecidingMinimax::Kept)
+                    (rows, ties, DecidingMinimax::Kept)
                 }
-                _ if stated.is_open => (rows_of(&all.batches, &meaning), DecidingMinimax::Kept),
+                _ if stated.is_open => {
+                    (rows_of(&all.batches, &meaning), Ties::default(), DecidingMinimax::Kept)
+                }
                 _ => {
                     // Without widths there is nothing that a factor could multiply.
                     let minimax = match stated.has_widths {
                         true => DecidingMinimax::Unknown(NoMinimax::Reduced),
                         false => DecidingMinimax::Kept,
                     };
-                    (all.fixed.support.into_rows(&bounds), minimax)
+                    let (rows, ties) = all.fixed.support.into_rows(&bounds);
+                    (rows, ties, minimax)
                 }
             };
+            if let Some(counts) = counts_of(reductions, &name, scanned.rows_total)? {
+                ties = ties.weighted(&rows, &counts);
+            }
             meaning.settle(&mut rows);
             let Stated { count, sums, has_widths, .. } = stated;
             let is_line = meaning.regressors() == 1;
             let sums = sums.map(|sums| if is_line { columns.form.sums(sums) } else { sums });
             let scanned = Scanned { rows_total: count, layout: None, ..scanned };
             let reduction = Reduction { count, sums, reach: Err(NoEui::Reduced), minimax, has_widths };
-            return Ok(measurements(meaning, selection, scanned, Readings::Supporting { rows, reduction }));
+            return Ok(measurements(
+                meaning,
+                selection,
+                scanned,
+                Readings::Supporting { rows, ties, reduction },
+            ));
         }
         columns.refuse_unbounded(&name, unbounded)?;
         if all.rows <= most_rows {
@@ -146,7 +162,7 @@ impl Measurements {
         };
         let readings = match meaning.error_bound.uniform().cloned() {
             Some(epsilon) if meaning.is_open() => {
-                let (sums, mut rows) = open.into_parts(&epsilon);
+                let (sums, mut rows, ties) = open.into_parts(&epsilon, &sieve);
                 columns.form.count_rows(&mut rows);
                 // A reading with the largest or the smallest y of all is on a hull.
                 meaning.settle(&mut rows);
@@ -158,11 +174,11 @@ impl Measurements {
                 let reach = reach_of_line(looks, &columns.form, &sums, keep.eui)?;
                 let (minimax, has_widths) = (DecidingMinimax::Kept, true);
                 let reduction = Reduction { count, sums: Ok(sums), reach, minimax, has_widths };
-                Readings::Supporting { rows, reduction }
+                Readings::Supporting { rows, ties, reduction }
             }
             _ => {
                 let FixedSummary { support, sums, has_widths } = fixed;
-                let mut rows = support.into_rows(&bounds);
+                let (mut rows, ties) = support.into_rows(&bounds);
                 let (reach, minimax) = if !keep.eui {
                     (Err(NoEui::NotAsked), DecidingMinimax::Unknown(NoMinimax::NotAsked))
                 } else if !looks.are_possible() {
@@ -183,6 +199,7 @@ impl Measurements {
                 };
                 Readings::Supporting {
                     rows,
+                    ties,
                     reduction: Reduction { count, sums, reach, minimax, has_widths },
                 }
             }

@@ -64,6 +64,18 @@ impl Stated {
     }
 }
 
+/// How many readings each row of reductions stands for, of so many rows; `None` where they do not say so.
+///
+/// # Errors
+/// When it is not known which row is which.
+pub(super) fn counts_of(
+    reductions: &Reductions,
+    file: &Foreign,
+    rows: usize,
+) -> Result<Option<Vec<u64>>, InputError> {
+    reductions.counts(rows).map_err(|error| InputError::of_file(file, error))
+}
+
 /// What a fit asks of a reduction.
 pub(super) fn asked_by_fit(meaning: &Meaning) -> AskedReduction {
     let regressors = match &meaning.model {

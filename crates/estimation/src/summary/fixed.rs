@@ -1,17 +1,20 @@
 //! The readings that decide a fit under bounds that are fixed, found part by part.
 
+use std::collections::hash_map::Entry;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::RwLock;
 
 use boundfit_exact::{Column, Rational};
 use boundfit_geometry::grid::{EnvelopeSieve, in_range};
-use boundfit_geometry::{Constraint, HalfPlane, Inequality, touching_an_envelope};
+use boundfit_geometry::{Constraint, HalfPlane, Inequality, Tally, touching_an_envelope};
 
 use super::rounded::{RoundedReadings, may_be_tightest};
 use super::scale::Scale;
 use super::sums::Sums;
 use crate::least_squares::NoLeastSquares;
 use crate::meaning::Meaning;
-use crate::measurement::Measurement;
+use crate::measurement::{Bounds, Measurement};
+use crate::ties::{TiedReading, Ties};
 
 /// Merging waits for at least this many new rows, so that small parts do not each pay for the whole.
 const LEAST_TO_MERGE: usize = 1024;
@@ -20,23 +23,49 @@ const LEAST_TO_SIEVE: usize = 256;
 /// Of so many rows one may pass a sieve; with more, another one is made from the rows themselves.
 const RARE: usize = 16;
 
-/// Of readings, those with a bound that touches an envelope, by row: they decide the feasible set, whatever other readings
-/// and conditions there are. They depend on the readings alone, not on how these are split. Exact. Cost: O(n log n).
-pub(crate) fn touching(mut readings: Vec<Measurement>, scale: &Scale) -> Vec<Measurement> {
-    readings.sort_by_key(|reading| reading.row);
-    let (of, constraints) = scale.constraints(&readings);
+/// Of readings, those with a bound that touches an envelope, by row, and of several that say the same only the first: they decide
+/// the feasible set, whatever other readings and conditions there are. They depend on the readings alone, not on how these
+/// are split. At most so many numbers are listed of those that say the same. Exact. Cost: O(n log n).
+pub(crate) fn touching(readings: Vec<TiedReading>, scale: &Scale, most: usize) -> Vec<TiedReading> {
+    let mut readings = told_once(readings, most);
+    let (of, constraints) = scale.constraints(readings.iter().map(|own| &own.reading));
     let mut touches = vec![false; readings.len()];
     touching_an_envelope(&constraints).into_iter().for_each(|index| touches[of[index]] = true);
     if *scale != Scale::AsStated {
         // Without regressors a reading asks for a factor all the same.
         let is_tight = |own: Inequality| own.b.is_zero() && own.a.iter().all(Rational::is_zero);
-        let without =
-            readings.iter().zip(&mut touches).filter(|(own, _)| own.regressor.iter().all(Rational::is_zero));
+        let without = readings
+            .iter()
+            .zip(&mut touches)
+            .map(|(own, touches)| (&own.reading, touches))
+            .filter(|(own, _)| own.regressor.iter().all(Rational::is_zero));
         without.for_each(|(own, touches)| *touches |= scale.half_planes(own).any(is_tight));
     }
     let mut touches = touches.into_iter();
     readings.retain(|_| touches.next().unwrap_or(false));
     readings
+}
+
+/// The readings by row, of several that say the same the first with the numbers of all. Exact. Cost: O(n log n).
+fn told_once(mut readings: Vec<TiedReading>, most: usize) -> Vec<TiedReading> {
+    readings.sort_by_key(|own| own.reading.row);
+    let mut of: HashMap<([Rational; 2], Bounds), usize> = HashMap::new();
+    let mut others: BTreeMap<usize, Vec<Tally>> = BTreeMap::new();
+    let mut once: Vec<TiedReading> = Vec::new();
+    for TiedReading { reading, rows } in readings {
+        match of.entry((reading.regressor.clone(), reading.bounds.clone())) {
+            Entry::Occupied(first) => others.entry(*first.get()).or_default().push(rows),
+            Entry::Vacant(place) => {
+                place.insert(once.len());
+                once.push(TiedReading { reading, rows });
+            }
+        }
+    }
+    for (position, tallies) in others {
+        let all = [once[position].rows.clone()].into_iter().chain(tallies);
+        once[position].rows = Tally::merged(all, most);
+    }
+    once
 }
 
 /// What is known of all readings, for those to come; all threads use it.
@@ -48,11 +77,13 @@ pub(crate) struct FixedBounds<'a> {
     pub(crate) meaning: &'a Meaning,
     pub(crate) scale: &'a Scale,
     pub(crate) sieve: SharedEnvelopeSieve,
+    /// How many numbers of rows are listed of readings that say the same.
+    most_listed: usize,
 }
 
 impl<'a> FixedBounds<'a> {
-    pub(crate) fn new(meaning: &'a Meaning, scale: &'a Scale) -> Self {
-        FixedBounds { meaning, scale, sieve: SharedEnvelopeSieve::default() }
+    pub(crate) fn new(meaning: &'a Meaning, scale: &'a Scale, most_listed: usize) -> Self {
+        FixedBounds { meaning, scale, sieve: SharedEnvelopeSieve::default(), most_listed }
     }
 
     /// What is to be kept of readings in columns, as far as the readings before leave it open. Exact.
@@ -65,9 +96,10 @@ impl<'a> FixedBounds<'a> {
     }
 
     /// The readings in columns that touch an envelope, as far as the readings before leave it open. Exact.
-    pub(crate) fn of_columns(&self, columns: &[Column], number: &dyn Fn(usize) -> usize) -> Vec<Measurement> {
+    pub(crate) fn of_columns(&self, columns: &[Column], number: &dyn Fn(usize) -> usize) -> Vec<TiedReading> {
         let count = columns.first().map_or(0, Column::len);
         let reading = |row: usize| self.meaning.of_columns(columns, row, number(row));
+        let tied = |row: usize| TiedReading::alone(reading(row));
         let rounded = RoundedReadings::new(self.meaning, self.scale, columns);
         let survivors = |sieve: &EnvelopeSieve| -> Vec<usize> {
             let passes = |row: &usize| {
@@ -83,12 +115,12 @@ impl<'a> FixedBounds<'a> {
         };
         let own = || {
             // About the square root of all rows, at equal distances.
-            let some = (0..count).step_by(count.isqrt().max(1)).map(reading).collect();
-            survivors(&self.sieve_of(&touching(some, self.scale)))
+            let some = (0..count).step_by(count.isqrt().max(1)).map(tied).collect();
+            survivors(&self.sieve_of(&touching(some, self.scale, 1)))
         };
         let left =
             shared().unwrap_or_else(|| if count < LEAST_TO_SIEVE { (0..count).collect() } else { own() });
-        touching(left.into_iter().map(reading).collect(), self.scale)
+        touching(left.into_iter().map(tied).collect(), self.scale, self.most_listed)
     }
 
     /// Of the readings in columns the first with the least slack at a point, with that slack. Exact. Cost: linear.
@@ -112,12 +144,12 @@ impl<'a> FixedBounds<'a> {
         candidates.reduce(|best, next| if next.0 < best.0 { next } else { best })
     }
 
-    fn sieve_of(&self, readings: &[Measurement]) -> EnvelopeSieve {
+    fn sieve_of(&self, readings: &[TiedReading]) -> EnvelopeSieve {
         let half_plane = |constraint: Constraint| match constraint {
             Constraint::HalfPlane(half_plane) => Some(half_plane),
             Constraint::Always | Constraint::Never => None,
         };
-        let (_, constraints) = self.scale.constraints(readings);
+        let (_, constraints) = self.scale.constraints(readings.iter().map(|own| &own.reading));
         let half_planes: Vec<HalfPlane> = constraints.into_iter().filter_map(half_plane).collect();
         EnvelopeSieve::new(&half_planes)
     }
@@ -139,7 +171,7 @@ impl<'a> FixedBounds<'a> {
 
 /// What is kept of the readings of one batch.
 pub(crate) struct FixedPart {
-    pub(crate) touching: Vec<Measurement>,
+    pub(crate) touching: Vec<TiedReading>,
     sums: Result<Sums, NoLeastSquares>,
     has_widths: bool,
 }
@@ -170,17 +202,18 @@ impl FixedSummary {
 /// The readings that touch an envelope of all readings so far.
 #[derive(Debug, Default)]
 pub(crate) struct FixedSupport {
-    merged: Vec<Measurement>,
-    pending: Vec<Measurement>,
+    merged: Vec<TiedReading>,
+    pending: Vec<TiedReading>,
     rows: usize,
 }
 
 impl FixedSupport {
     /// Adds what was kept of so many other readings. Exact. Cost: amortised O(log n) per reading that is kept.
-    pub(crate) fn merge(&mut self, readings: Vec<Measurement>, rows: usize, bounds: &FixedBounds) {
+    pub(crate) fn merge(&mut self, readings: Vec<TiedReading>, rows: usize, bounds: &FixedBounds) {
         self.rows += rows;
         self.pending.extend(readings);
-        if self.pending.len() >= self.merged.len().max(LEAST_TO_MERGE) {
+        let size = |readings: &[TiedReading]| readings.iter().map(|own| own.rows.listed()).sum::<usize>();
+        if size(&self.pending) >= size(&self.merged).max(LEAST_TO_MERGE) {
             self.settle(bounds);
         }
         bounds.learn(self);
@@ -193,18 +226,18 @@ impl FixedSupport {
 
     /// The rows of all readings that may turn out to be kept, in no order.
     pub(crate) fn row_numbers(&self) -> impl Iterator<Item = usize> + '_ {
-        self.merged.iter().chain(&self.pending).map(|reading| reading.row)
+        self.merged.iter().chain(&self.pending).map(|own| own.reading.row)
     }
 
-    /// The readings, by row.
-    pub(crate) fn into_rows(mut self, bounds: &FixedBounds) -> Vec<Measurement> {
+    /// The readings, by row, and what they stand for.
+    pub(crate) fn into_rows(mut self, bounds: &FixedBounds) -> (Vec<Measurement>, Ties) {
         self.settle(bounds);
-        self.merged
+        TiedReading::by_row(self.merged)
     }
 
     fn settle(&mut self, bounds: &FixedBounds) {
         let mut all = std::mem::take(&mut self.merged);
         all.append(&mut self.pending);
-        self.merged = touching(all, bounds.scale);
+        self.merged = touching(all, bounds.scale, bounds.most_listed);
     }
 }

@@ -6,6 +6,7 @@ use thiserror::Error;
 use super::{DecidingMinimax, Keep, LineSummary, NoEui, Reach, Reduction, SharedSieve, Thresholds};
 use crate::meaning::{ErrorBound, Meaning, Model};
 use crate::measurements::{Measurements, Origin, Readings};
+use crate::ties::Ties;
 
 /// How many readings are summarised at a time: few enough for sums in 128 bits, many enough for what is kept of them to
 /// be little.
@@ -81,14 +82,14 @@ impl Measurements {
         let rows_total = columns.first().map_or(0, Column::len);
         let readings = match (&meaning.model, &meaning.error_bound, columns) {
             (Model::Line { .. }, ErrorBound::Uniform(epsilon), [x, y]) if rows_total > keep.most_rows => {
-                let (mut summary, sieve) = (LineSummary::default(), SharedSieve::default());
+                let (mut summary, sieve) = (LineSummary::default(), SharedSieve::listing(Ties::MOST_LISTED));
                 for start in (0..rows_total).step_by(ROWS_PER_PART) {
                     let range = start..rows_total.min(start + ROWS_PER_PART);
                     let [x, y] = [x.part(range.clone()), y.part(range)];
                     summary
                         .merge(LineSummary::of_columns([&x, &y], None, &|k| start + 1 + k, &sieve), &sieve);
                 }
-                let (sums, rows) = summary.into_parts(epsilon);
+                let (sums, rows, ties) = summary.into_parts(epsilon, &sieve);
                 let reach = || {
                     let spread = Thresholds::of_form(&meaning.form, &sums).of_column(x);
                     let (radii, absolute) = (spread.absolute_weights(&sums), spread.absolute_x(&sums));
@@ -97,7 +98,7 @@ impl Measurements {
                 let reach = keep.eui.then(reach).ok_or(NoEui::NotAsked);
                 let (count, minimax, has_widths) = (rows_total, DecidingMinimax::Kept, true);
                 let reduction = Reduction { count, sums: Ok(sums), reach, minimax, has_widths };
-                Readings::Supporting { rows, reduction }
+                Readings::Supporting { rows, ties, reduction }
             }
             _ => {
                 let row = |k: usize| meaning.measurement(k + 1, columns.iter().map(|column| column.get(k)));

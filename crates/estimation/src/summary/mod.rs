@@ -46,6 +46,7 @@ pub(crate) use sums::column_totals;
 use crate::least_squares::NoLeastSquares;
 use crate::meaning::ErrorBound;
 use crate::measurement::Measurement;
+use crate::ties::{TiedReading, Ties};
 use support::SupportRows;
 
 /// How many readings are kept in memory.
@@ -195,7 +196,8 @@ impl LineSummary {
                     rows.entry(epsilon.get(k)).or_default().push(k);
                 }
                 let support = |rows: Vec<usize>| {
-                    SupportRows::of_readings(rows.into_iter().map(|k| (row(k), x.get(k), y.get(k))))
+                    let readings = rows.into_iter().map(|k| (row(k), x.get(k), y.get(k)));
+                    SupportRows::of_readings(readings, sieve.most_listed)
                 };
                 rows.into_iter().map(|(bound, rows)| (Some(bound), support(rows))).collect()
             }
@@ -207,7 +209,7 @@ impl LineSummary {
     pub(crate) fn merge(&mut self, other: LineSummary, sieve: &SharedSieve) {
         self.sums.merge(other.sums);
         for (bound, support) in other.support {
-            self.support.entry(bound).or_default().merge(support);
+            self.support.entry(bound).or_default().merge(support, sieve.most_listed);
         }
         if let Some(support) = self.support.get(&None) {
             sieve.learn(support, self.sums.count);
@@ -220,11 +222,15 @@ impl LineSummary {
         self.support.values().flat_map(SupportRows::row_numbers)
     }
 
-    /// The sums, and the readings that support a hull, by row, with this error bound.
-    pub(crate) fn into_parts(self, epsilon: &Rational) -> (Sums, Vec<Measurement>) {
-        let mut rows: Vec<Measurement> =
-            self.support.into_values().flat_map(SupportRows::into_rows).collect();
-        rows.sort_by_key(|reading| reading.row);
-        (self.sums.total(), rows.into_iter().map(|reading| reading.within(epsilon.clone())).collect())
+    /// The sums, and the readings that support a hull, by row, with this error bound and what they stand for.
+    pub(crate) fn into_parts(
+        self,
+        epsilon: &Rational,
+        sieve: &SharedSieve,
+    ) -> (Sums, Vec<Measurement>, Ties) {
+        let support = self.support.into_values();
+        let (rows, ties) =
+            TiedReading::by_row(support.flat_map(|own| own.into_rows(sieve.most_listed)).collect());
+        (self.sums.total(), rows.into_iter().map(|reading| reading.within(epsilon.clone())).collect(), ties)
     }
 }

@@ -42,10 +42,13 @@ impl Scale {
     }
 
     /// What the bounds of readings say about the plane, and for each which reading it is of, by position. Exact.
-    pub(super) fn constraints(&self, readings: &[Measurement]) -> (Vec<usize>, Vec<Constraint>) {
+    pub(super) fn constraints<'a>(
+        &self,
+        readings: impl Iterator<Item = &'a Measurement>,
+    ) -> (Vec<usize>, Vec<Constraint>) {
         let both = |(position, reading)| {
             self.half_planes(reading).map(move |inequality| (position, inequality.constraint()))
         };
-        readings.iter().enumerate().flat_map(both).unzip()
+        readings.enumerate().flat_map(both).unzip()
     }
 }

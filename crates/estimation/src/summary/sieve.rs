@@ -5,11 +5,12 @@ use std::sync::RwLock;
 use boundfit_exact::{Column, Unit};
 use boundfit_geometry::grid::Sieve;
 
-use super::support::{SupportRows, numbered};
+use super::support::SupportRows;
 
 /// A sieve that all threads use, and that becomes finer while readings are taken.
-#[derive(Default)]
 pub(crate) struct SharedSieve {
+    /// How many numbers of rows are listed of those that one reading stands for.
+    pub(super) most_listed: usize,
     current: RwLock<Option<Current>>,
 }
 
@@ -22,17 +23,23 @@ struct Current {
 }
 
 impl SharedSieve {
+    /// One that lists at most so many numbers of the rows that one reading stands for.
+    pub(crate) fn listing(most_listed: usize) -> Self {
+        SharedSieve { most_listed, current: RwLock::default() }
+    }
+
     /// Of two columns, those that may support a hull of all readings; see [`SupportRows::of_columns`].
     pub(super) fn support(&self, x: &Column, y: &Column, row: &dyn Fn(usize) -> usize) -> SupportRows {
+        let row = |position: usize| row(position) as u64;
         if let (Column::Narrow(x), Column::Narrow(y)) = (x, y)
             && let Ok(current) = self.current.read()
             && let Some(Current { units, sieve, .. }) = current.as_ref()
             && *units == [x.unit(), y.unit()]
         {
-            let points = sieve.touching_of_columns(x.counts(), y.counts(), 0);
-            return SupportRows::of_grid(*units, numbered(points, row));
+            let points = sieve.touching_of_columns(x.counts(), y.counts(), &row, self.most_listed);
+            return SupportRows::of_grid(*units, points);
         }
-        SupportRows::of_columns(x, y, row)
+        SupportRows::of_columns(x, y, &row, self.most_listed)
     }
 
     /// Learns from the support rows of so many readings, whenever these have doubled.

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-use boundfit_estimation::{Fit, Measurement, Model, Problem};
+use boundfit_estimation::{BoundName, Fit, Measurement, Model, Problem};
 use boundfit_exact::Rational;
 
 use crate::axis::Axis;
@@ -143,9 +143,11 @@ fn readings(
 
 /// The rows whose bounds pass through a vertex: the first of each vertex, when there are many.
 fn active_rows(fit: &Fit) -> BTreeSet<usize> {
-    let row = |&index: &usize| fit.fps.name(index).row();
     let vertices = fit.fps.polyhedron().region().vertices();
-    let all: BTreeSet<usize> = vertices.iter().flat_map(|vertex| vertex.active()).filter_map(row).collect();
+    // A row has two bounds.
+    let first = |active| fit.fps.active(active, 2 * MOST_KEPT_BY_NAME).names;
+    let bounds = vertices.iter().flat_map(|vertex| first(vertex.active()));
+    let all: BTreeSet<usize> = bounds.filter_map(BoundName::row).collect();
     all.into_iter().take(MOST_KEPT_BY_NAME).collect()
 }
 

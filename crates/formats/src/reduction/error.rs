@@ -10,7 +10,7 @@ pub enum ReductionError {
     #[error("the line in front of a reduction is not understood: {0}")]
     BadRecord(Foreign),
     /// A line that begins as that of another version of the program.
-    #[error("a reduction of format {0:?}, which is not known here (expected 1 or 2)")]
+    #[error("a reduction of format {0:?}, which is not known here (expected 1 to 4)")]
     UnknownFormat(Foreign),
     /// A sum that is not a number, or one beyond a limit.
     #[error("a sum in the line in front of a reduction: {0}")]
@@ -28,6 +28,31 @@ pub enum ReductionError {
         /// Lines found.
         found: usize,
     },
+    /// A line that should begin with a number of readings.
+    #[error(
+        "line {line} of a reduction does not begin with how many readings it stands for and a blank (expected a whole number \
+         from 1 on, or 0 where the row before goes on)"
+    )]
+    NoCount {
+        /// The line.
+        line: u64,
+    },
+    /// Rows that stand for more readings than there were.
+    #[error("the reduction from line {line} on has {rows} readings, but its rows stand for {counted}")]
+    CountsTooMany {
+        /// The line in front.
+        line: u64,
+        /// How many readings there were.
+        rows: usize,
+        /// How many the rows stand for.
+        counted: u64,
+    },
+    /// Rows of several lines in reductions of which only some count readings.
+    #[error(
+        "of reductions with and without counts of readings, those without must have a line for each row: reduce them once more \
+         before"
+    )]
+    RowsOfSeveralLines,
     /// A reduction where a table belongs.
     #[error("this is a reduction, and here every reading is wanted: name the table that it was made from")]
     NotHere,

@@ -13,13 +13,34 @@ use super::record::{REDUCTION_MARK, ReductionRecord};
 
 /// The records of a text, as far as it has been read.
 #[derive(Debug, Clone, Default)]
-pub struct Reductions(Arc<Mutex<Vec<ReductionRecord>>>);
+pub struct Reductions(Arc<Mutex<Seen>>);
+
+/// What has been read.
+#[derive(Debug, Default)]
+struct Seen {
+    records: Vec<ReductionRecord>,
+    /// How many readings each row stands for, in order.
+    counts: Vec<u64>,
+}
 
 impl Reductions {
     /// The records seen so far.
     pub fn records(&self) -> Vec<ReductionRecord> {
         // Nothing panics while it holds the lock.
-        self.0.lock().map(|records| records.clone()).unwrap_or_default()
+        self.0.lock().map(|seen| seen.records.clone()).unwrap_or_default()
+    }
+
+    /// How many readings each of so many rows stands for, in order; `None` where no reduction says so.
+    ///
+    /// # Errors
+    /// When it is not known which row is which.
+    pub fn counts(&self, rows: usize) -> Result<Option<Vec<u64>>, ReductionError> {
+        let Ok(mut seen) = self.0.lock() else { return Ok(None) };
+        if !seen.records.iter().any(|record| record.counted) {
+            return Ok(None);
+        }
+        let counts = std::mem::take(&mut seen.counts);
+        if counts.len() == rows { Ok(Some(counts)) } else { Err(ReductionError::RowsOfSeveralLines) }
     }
 
     /// Whether the table has a header.
@@ -63,6 +84,8 @@ struct ReductionReader<R> {
     /// Where the current reduction began, and the rows of it so far.
     begun: u64,
     found: usize,
+    /// How many readings the rows of the current reduction stand for so far; `None` where they do not say so.
+    counted: Option<u64>,
     awaits_header: bool,
     out: Vec<u8>,
     position: usize,
@@ -80,6 +103,7 @@ impl<R: Read> ReductionReader<R> {
             line: 0,
             begun: 0,
             found: 0,
+            counted: None,
             awaits_header: false,
             out: Vec::new(),
             position: 0,
@@ -113,16 +137,39 @@ impl<R: Read> ReductionReader<R> {
             self.out = if self.header.is_some() { b"\n".to_vec() } else { line.clone() };
             self.header = Some(text.to_vec());
         } else {
+            self.out = self.row(line)?;
             self.found += 1;
-            self.out = line;
         }
         Ok(true)
     }
 
+    /// A line of a row without how many readings it stands for, which is noted.
+    fn row(&mut self, line: Vec<u8>) -> io::Result<Vec<u8>> {
+        let mut seen = self.reductions.0.lock().map_err(|_| poisoned())?;
+        let Some(counted) = &mut self.counted else {
+            seen.counts.push(1);
+            return Ok(line);
+        };
+        let fail = || io::Error::other(ReductionError::NoCount { line: self.line });
+        let end = line.iter().position(|byte| !byte.is_ascii_digit()).ok_or_else(fail)?;
+        let (count, rest) = line.split_at_checked(end).ok_or_else(fail)?;
+        let count: u64 = str::from_utf8(count).ok().and_then(|count| count.parse().ok()).ok_or_else(fail)?;
+        let rest = rest.strip_prefix(b" ").ok_or_else(fail)?;
+        // A line within a row belongs to one that has begun.
+        if count > 0 {
+            seen.counts.push(count);
+            *counted = counted.saturating_add(count);
+        } else if self.found == 0 {
+            return Err(fail());
+        }
+        Ok(rest.to_vec())
+    }
+
     fn begin(&mut self, record: ReductionRecord) -> io::Result<()> {
+        self.counted = record.counted.then_some(0);
         (self.begun, self.found, self.awaits_header) = (self.line, 0, record.header);
         let difference = {
-            let mut records = self.reductions.0.lock().map_err(|_| poisoned())?;
+            let records = &mut self.reductions.0.lock().map_err(|_| poisoned())?.records;
             let difference = records.first().and_then(|first| first.difference(&record));
             records.push(record);
             difference
@@ -136,11 +183,15 @@ impl<R: Read> ReductionReader<R> {
 
     /// Whether as many rows as announced followed the last record.
     fn check_count(&self) -> io::Result<()> {
-        let records = self.reductions.0.lock().map_err(|_| poisoned())?;
-        match records.last() {
+        let seen = self.reductions.0.lock().map_err(|_| poisoned())?;
+        match seen.records.last() {
             Some(record) if record.kept != self.found => {
                 let (line, announced, found) = (self.begun, record.kept, self.found);
                 Err(io::Error::other(ReductionError::CountMismatch { line, announced, found }))
+            }
+            Some(record) if self.counted.is_some_and(|counted| counted > record.rows as u64) => {
+                let (line, rows, counted) = (self.begun, record.rows, self.counted.unwrap_or_default());
+                Err(io::Error::other(ReductionError::CountsTooMany { line, rows, counted }))
             }
             _ => Ok(()),
         }

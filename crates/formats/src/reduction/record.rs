@@ -16,6 +16,8 @@ pub struct ReductionRecord {
     pub rows: usize,
     /// How many lines of them follow.
     pub kept: usize,
+    /// Whether each of these lines begins with how many readings it stands for.
+    pub counted: bool,
     /// Whether the first line that follows is a header.
     pub header: bool,
     /// `decimal` or `binary64`: how numbers were read.
@@ -29,7 +31,7 @@ pub struct ReductionRecord {
     pub sums: Option<[String; 5]>,
 }
 
-/// Format 1: of a line under one bound for all readings, whatever it is, or under any multiple of a column of bounds.
+/// Format 1, or 3 with counts: of a line under one bound for all readings, whatever it is, or under any multiple of a column of bounds.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Record1 {
@@ -44,7 +46,7 @@ struct Record1 {
     sums: [String; 4],
 }
 
-/// Format 2: under bounds that are fixed.
+/// Format 2, or 4 with counts: under bounds that are fixed.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Record2 {
@@ -89,20 +91,24 @@ impl ReductionRecord {
 
     /// The line in front, without line end.
     pub fn line(&self) -> String {
-        let ReductionRecord { rows, kept, header, reading, model, widths, sums } = self.clone();
+        let ReductionRecord { rows, kept, counted, header, reading, model, widths, sums } = self.clone();
+        let of_counted = if counted { 2 } else { 0 };
         let epsilon = match &model.bounds {
             ReducedBounds::Any => None,
             ReducedBounds::Multiples(column) => Some(column.clone()),
             _ => {
                 let ReducedModel { regressors: x, response: y, bounds } = model;
-                return written(2, &Record2 { rows, kept, header, reading, x, y, bounds, widths, sums });
+                return written(
+                    2 + of_counted,
+                    &Record2 { rows, kept, header, reading, x, y, bounds, widths, sums },
+                );
             }
         };
         let [xx, x_sum, _, xy, y_sum] = sums.unwrap_or_default();
         let x = model.regressors.into_iter().next().unwrap_or_default();
         let y = model.response.unwrap_or_default();
         let sums = [x_sum, y_sum, xx, xy];
-        written(1, &Record1 { rows, kept, header, reading, x, y, epsilon, sums })
+        written(1 + of_counted, &Record1 { rows, kept, header, reading, x, y, epsilon, sums })
     }
 
     pub(super) fn parse(line: &[u8]) -> Result<Self, ReductionError> {
@@ -111,8 +117,14 @@ impl ReductionRecord {
         let end = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
         let (format, json) = rest.split_at_checked(end).unwrap_or_default();
         match format {
-            b"1" => Ok(serde_json::from_slice::<Record1>(json).map_err(bad)?.into()),
-            b"2" => serde_json::from_slice::<Record2>(json).map_err(bad)?.checked(),
+            b"1" | b"3" => {
+                let record: ReductionRecord = serde_json::from_slice::<Record1>(json).map_err(bad)?.into();
+                Ok(ReductionRecord { counted: format == b"3", ..record })
+            }
+            b"2" | b"4" => {
+                let record = serde_json::from_slice::<Record2>(json).map_err(bad)?.checked()?;
+                Ok(ReductionRecord { counted: format == b"4", ..record })
+            }
             _ => {
                 let shown: String = String::from_utf8_lossy(format).chars().take(20).collect();
                 Err(ReductionError::UnknownFormat(shown.into()))
@@ -143,7 +155,7 @@ impl From<Record1> for ReductionRecord {
         let bounds = epsilon.map_or(ReducedBounds::Any, ReducedBounds::Multiples);
         let model = ReducedModel { regressors: vec![x], response: Some(y), bounds };
         let sums = Some([xx, x_sum, rows.to_string(), xy, y_sum]);
-        ReductionRecord { rows, kept, header, reading, model, widths: rows > 0, sums }
+        ReductionRecord { rows, kept, counted: false, header, reading, model, widths: rows > 0, sums }
     }
 }
 
@@ -161,7 +173,7 @@ impl Record2 {
             (ReducedBounds::Interval { lower: None, upper: None }, _) => bad("neither lower nor upper"),
             (ReducedBounds::Interval { .. }, None) | (_, Some(_)) => {
                 let model = ReducedModel { regressors: x, response: y, bounds };
-                Ok(ReductionRecord { rows, kept, header, reading, model, widths, sums })
+                Ok(ReductionRecord { rows, kept, counted: false, header, reading, model, widths, sums })
             }
             (_, None) => bad("y is missing"),
         }

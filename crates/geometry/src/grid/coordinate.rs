@@ -10,10 +10,16 @@ pub(super) trait Coordinate: Copy + PartialOrd {
     fn reaches(self, end: Self) -> bool;
     /// Whether a number is from `origin` to `end`, one within its reach.
     fn is_within(self, origin: Self, end: Self) -> bool;
+    /// Bits that tell it from most others.
+    fn bits(self) -> u64;
+    /// The number as a word, if its type is one.
+    fn word(self) -> Option<i64> {
+        None
+    }
 }
 
 macro_rules! integer_coordinate {
-    ($integer:ty, $unsigned:ty) => {
+    ($integer:ty, $unsigned:ty, $word:expr) => {
         impl Coordinate for $integer {
             fn value(self) -> f64 {
                 self as f64
@@ -33,12 +39,22 @@ macro_rules! integer_coordinate {
                 // One comparison: what is before the origin wraps to beyond the end.
                 self.wrapping_sub(origin) as $unsigned <= end.wrapping_sub(origin) as $unsigned
             }
+
+            #[inline]
+            fn bits(self) -> u64 {
+                self as u64
+            }
+
+            #[inline]
+            fn word(self) -> Option<i64> {
+                $word(self)
+            }
         }
     };
 }
 
-integer_coordinate!(i64, u64);
-integer_coordinate!(i128, u128);
+integer_coordinate!(i64, u64, Some);
+integer_coordinate!(i128, u128, |_| None);
 
 impl Coordinate for f64 {
     fn value(self) -> f64 {
@@ -56,6 +72,11 @@ impl Coordinate for f64 {
     #[inline]
     fn is_within(self, origin: Self, end: Self) -> bool {
         (self >= origin) & (self <= end)
+    }
+
+    #[inline]
+    fn bits(self) -> u64 {
+        self.to_bits()
     }
 }
 

@@ -4,44 +4,33 @@ use std::cmp::Ordering;
 
 use boundfit_exact::{Integer, Sign, significand_and_exponent};
 
-use super::filter::candidates;
+use super::filter::{Listing, Place, places};
 use super::{GridPoint, doubled_area};
-use crate::hull::{Hull, HullSide, Site};
+use crate::hull::Site;
+use crate::tally::Tally;
+use crate::ties::{Tied, touching_as_one};
 
-/// Positions, ascending, of the points of two columns of equal length that [touch](super::touching) a hull.
+/// The places of two columns of equal length that [touch](super::touching) a hull, sorted by x, then y; `row` tells the number
+/// of the row at a position, and ascends. At most `most` numbers of each are listed.
 ///
 /// Exact for all finite numbers: floats discard only what is certainly strictly between the hulls. Rows with an infinity or NaN
-/// have no place in the plane; they are among the positions and change nothing else. Cost: linear when few rows are close
+/// have no place in the plane; they come last and change nothing else. Cost: linear when few places are close
 /// to the hulls, O(n log n) at worst.
-pub fn touching_doubles(x: &[f64], y: &[f64]) -> Vec<usize> {
-    touching_of_rows(x, y, candidates(x, y))
+pub fn touching_doubles(x: &[f64], y: &[f64], row: &dyn Fn(usize) -> u64, most: usize) -> Vec<Place<f64>> {
+    touching_of_places(places(x, y, Listing { row, most }), most)
 }
 
-/// The touching ones of some rows that every touching one is among.
-pub(super) fn touching_of_rows(x: &[f64], y: &[f64], rows: Vec<usize>) -> Vec<usize> {
-    let place = |row: usize| Place { x: x[row], y: y[row], row };
-    let (mut places, homeless): (Vec<Place>, Vec<Place>) =
-        rows.into_iter().map(place).partition(|place| place.x.is_finite() && place.y.is_finite());
+/// The touching ones of some places that every touching one is among.
+pub(super) fn touching_of_places(places: Vec<Place<f64>>, most: usize) -> Vec<Place<f64>> {
+    let (mut places, homeless): (Vec<Place<f64>>, Vec<Place<f64>>) =
+        places.into_iter().partition(|place| place.x.is_finite() && place.y.is_finite());
     places.sort_unstable_by(|p, q| order(p.x, q.x).then_with(|| order(p.y, q.y)));
-    let mut rows: Vec<usize> = homeless.iter().map(|place| place.row).collect();
-    for side in [HullSide::Lower, HullSide::Upper] {
-        let hull = Hull::new(side, &places, orientation);
-        rows.extend(hull.support(&places).map(|position| places[position].row));
-    }
-    rows.sort_unstable();
-    rows.dedup();
-    rows
+    let mut touching = touching_as_one(places, orientation, most);
+    touching.extend(homeless);
+    touching
 }
 
-/// A finite point with its row.
-#[derive(Debug, Clone, Copy)]
-struct Place {
-    x: f64,
-    y: f64,
-    row: usize,
-}
-
-impl Site for Place {
+impl Site for Place<f64> {
     fn is_above_or_below(&self, other: &Self) -> bool {
         self.x == other.x
     }
@@ -51,13 +40,23 @@ impl Site for Place {
     }
 }
 
+impl Tied for Place<f64> {
+    fn rows(&self) -> &Tally {
+        &self.rows
+    }
+
+    fn with_rows(self, rows: Tally) -> Self {
+        Place { rows, ..self }
+    }
+}
+
 /// Of finite numbers; both zeros are one number.
 fn order(left: f64, right: f64) -> Ordering {
     left.partial_cmp(&right).unwrap_or(Ordering::Equal)
 }
 
 /// On which side of the line through `p` and `q`, in that order, `r` lies: `Positive` is to the left. Exact.
-fn orientation(p: &Place, q: &Place, r: &Place) -> Sign {
+fn orientation(p: &Place<f64>, q: &Place<f64>, r: &Place<f64>) -> Sign {
     /// 2⁻¹⁰⁷⁰: more than all underflow.
     const UNDERFLOW: f64 = f64::from_bits(1 << 4);
     let (left, right) = ((q.x - p.x) * (r.y - p.y), (q.y - p.y) * (r.x - p.x));
@@ -69,7 +68,7 @@ fn orientation(p: &Place, q: &Place, r: &Place) -> Sign {
     }
     let (x, y) = ([p.x, q.x, r.x].map(Binary::of), [p.y, q.y, r.y].map(Binary::of));
     if let (Some([px, qx, rx]), Some([py, qy, ry])) = (narrow(&x), narrow(&y)) {
-        let point = |x: i64, y: i64| GridPoint { x, y, id: 0 };
+        let point = |x: i64, y: i64| GridPoint::of_row(x, y, 0);
         return doubled_area(&point(px, py), &point(qx, qy), &point(rx, ry)).cmp(&0).into();
     }
     let ([px, qx, rx], [py, qy, ry]) = (aligned(&x), aligned(&y));

@@ -7,7 +7,9 @@
 
 use super::cells::{Cell, Index, MOST_CELLS};
 use super::coordinate::Coordinate;
-use super::sample::Sample;
+use super::sample::{Sample, Sampled};
+use super::strip::Strip;
+use crate::tally::Tally;
 
 /// How the filter works. Results do not depend on it.
 #[derive(Debug, Clone, Copy)]
@@ -38,25 +40,80 @@ impl Plan {
     }
 }
 
-/// Positions of the rows of both columns that may be on a hull, ascending; every row on a hull is among them. Cost: linear.
-pub(super) fn candidates<C: Coordinate>(x: &[C], y: &[C]) -> Vec<usize> {
-    candidates_by(x, y, None)
+/// A place that may be on a hull, and the rows that have been seen there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Place<C> {
+    /// Abscissa.
+    pub x: C,
+    /// Ordinate.
+    pub y: C,
+    /// Numbers of rows.
+    pub rows: Tally,
+}
+
+/// What is to be known of the rows of columns.
+#[derive(Clone, Copy)]
+pub(super) struct Listing<'a> {
+    /// The number of the row at a position; ascends.
+    pub(super) row: &'a dyn Fn(usize) -> u64,
+    /// How many numbers are listed of each place.
+    pub(super) most: usize,
+}
+
+/// The places of the rows of both columns that may be on a hull; every one on a hull is among them, some more than once, with other
+/// rows. Cost: linear.
+pub(super) fn places<C: Coordinate>(x: &[C], y: &[C], listing: Listing) -> Vec<Place<C>> {
+    places_by(x, y, listing, None)
 }
 
 /// With a given plan in each round, or the one that suits the number of rows.
-fn candidates_by<C: Coordinate>(x: &[C], y: &[C], plan: Option<&Plan>) -> Vec<usize> {
+fn places_by<C: Coordinate>(x: &[C], y: &[C], listing: Listing, plan: Option<&Plan>) -> Vec<Place<C>> {
     let rows = x.len().min(y.len());
     let (x, y) = (&x[..rows], &y[..rows]);
-    let Some(mut positions) = survivors(x, y, plan) else { return (0..rows).collect() };
+    let mut places = match survivors(x, y, plan) {
+        Some(positions) => tied(x, y, positions.into_iter(), listing),
+        None => return tied(x, y, 0..rows, listing),
+    };
     let mut before = rows;
     // Another round has a better sample.
-    while 2 * positions.len() < before {
-        before = positions.len();
-        let [x, y] = [x, y].map(|column| positions.iter().map(|&row| column[row]).collect::<Vec<C>>());
+    while 2 * places.len() < before {
+        before = places.len();
+        let [x, y] = [|place: &Place<C>| place.x, |place: &Place<C>| place.y]
+            .map(|of| places.iter().map(of).collect::<Vec<C>>());
         let Some(kept) = survivors(&x, &y, plan) else { break };
-        positions = kept.into_iter().map(|kept| positions[kept]).collect();
+        let mut kept = kept.into_iter().peekable();
+        let mut position = 0..;
+        places.retain(|_| kept.next_if_eq(&position.next().unwrap_or_default()).is_some());
     }
-    positions
+    places
+}
+
+/// The places of some rows, ascending by position: rows at a place that was seen not long ago are counted there.
+pub(super) fn tied<C: Coordinate>(
+    x: &[C],
+    y: &[C],
+    positions: impl Iterator<Item = usize>,
+    Listing { row, most }: Listing,
+) -> Vec<Place<C>> {
+    /// Places that are remembered, as 2 to this power: few enough for a first-level cache.
+    const BITS: u32 = 10;
+    /// Odd numbers of which the products have no pattern: 2⁶⁴ over the golden ratio, and another.
+    const FACTORS: [u64; 2] = [0x9e37_79b9_7f4a_7c15, 0xc2b2_ae3d_27d4_eb4f];
+    let mut recent = vec![usize::MAX; 1 << BITS];
+    let mut places: Vec<Place<C>> = Vec::new();
+    for position in positions {
+        let (x, y) = (x[position], y[position]);
+        let mixed = x.bits().wrapping_mul(FACTORS[0]) ^ y.bits().wrapping_mul(FACTORS[1]);
+        let slot = &mut recent[(mixed.wrapping_mul(FACTORS[0]) >> (u64::BITS - BITS)) as usize];
+        match places.get_mut(*slot) {
+            Some(place) if place.x == x && place.y == y => place.rows.push(|| row(position), most),
+            _ => {
+                *slot = places.len();
+                places.push(Place { x, y, rows: Tally::one(row(position)) });
+            }
+        }
+    }
+    places
 }
 
 /// One round; `None` when it would hardly discard anything.
@@ -72,7 +129,7 @@ fn survivors<C: Coordinate>(x: &[C], y: &[C], plan: Option<&Plan>) -> Option<Vec
         let filter = Filter::new(&sample, sample.equal_cells()?);
         let kept = filter.count(&sample);
         if plan.division.is_some() || 32 * kept <= size {
-            return Some(filter.survivors(x, y));
+            return Some(filter.with_strip(&sample).survivors(x, y));
         }
     }
     // Finding one of these cells takes twice as long, but they follow the sample wherever it is.
@@ -82,6 +139,8 @@ fn survivors<C: Coordinate>(x: &[C], y: &[C], plan: Option<&Plan>) -> Option<Vec
 
 /// Cells from the least to the greatest x of a sample.
 pub(super) struct Filter<C, I> {
+    /// What most rows are discarded by, if there is such a thing.
+    strip: Option<Strip>,
     origin: C,
     end: C,
     index: I,
@@ -91,7 +150,19 @@ pub(super) struct Filter<C, I> {
 impl<C: Coordinate, I: Index<C>> Filter<C, I> {
     pub(super) fn new(sample: &Sample<C>, index: I) -> Self {
         let cells = sample.cells(&index);
-        Filter { origin: sample.origin, end: sample.end, index, cells }
+        Filter { strip: None, origin: sample.origin, end: sample.end, index, cells }
+    }
+
+    /// With a strip, if that discards most of a sample of the rows.
+    fn with_strip(self, sample: &Sample<C>) -> Self {
+        /// Of so many rows of the sample one may be left: more branches would not be foreseen.
+        const RARE: usize = 8;
+        let discards = |strip: &Strip| {
+            let is_left =
+                |point: &&Sampled<C>| !point.x.word().is_some_and(|x| strip.contains(x, point.y as i64));
+            RARE * sample.points.iter().filter(is_left).count() <= sample.points.len()
+        };
+        Filter { strip: Strip::of(sample).filter(discards), ..self }
     }
 
     #[inline]
@@ -104,6 +175,13 @@ impl<C: Coordinate, I: Index<C>> Filter<C, I> {
 
     /// Positions of the rows that may be on a hull, ascending.
     pub(super) fn survivors(&self, x: &[C], y: &[C]) -> Vec<usize> {
+        if let Some(strip) = &self.strip {
+            let is_within = |x: C, y: C| x.word().zip(y.word()).is_some_and(|(x, y)| strip.contains(x, y));
+            let rows = x.iter().zip(y).enumerate();
+            // Both comparisons are almost always true, so that a branch is foreseen.
+            let left = rows.filter(|(_, (x, y))| !is_within(**x, **y) && !self.discards(**x, y.value()));
+            return left.map(|(row, _)| row).collect();
+        }
         const BLOCK: usize = u64::BITS as usize;
         let ((x_blocks, x_rest), (y_blocks, y_rest)) = (x.as_chunks::<BLOCK>(), y.as_chunks::<BLOCK>());
         let mut survivors = Vec::new();

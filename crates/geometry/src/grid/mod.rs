@@ -1,7 +1,7 @@
 //! Readings of a line as points with integer coordinates, and the few of them that count.
 //!
 //! Decimal columns are integers on a common power of ten. Of such points only those on the lower or the upper hull
-//! bound the parameters of a line under a uniform error bound: [`touching`] finds them by exact integer arithmetic,
+//! bound the parameters of a line under a uniform error bound: [`touching`] finds them by exact integer arithmetic, each place once,
 //! [`touching_of_columns`] and [`touching_doubles`] after a float filter that discards only what is certainly strictly
 //! between the hulls.
 //!
@@ -9,8 +9,8 @@
 //! use boundfit_geometry::grid::touching_of_columns;
 //!
 //! // The second reading is on the line from the first to the fourth; the third is strictly between the hulls.
-//! let touching = touching_of_columns(&[10, 20, 30, 40, 30], &[50, 60, 75, 80, 90], 0);
-//! assert_eq!(touching.iter().map(|point| point.id).collect::<Vec<_>>(), [0, 1, 4, 3]);
+//! let touching = touching_of_columns(&[10, 20, 30, 40, 30], &[50, 60, 75, 80, 90], &|row| row as u64, 9);
+//! assert_eq!(touching.iter().map(|point| point.rows.first()).collect::<Vec<_>>(), [0, 1, 4, 3]);
 //! ```
 
 mod cells;
@@ -22,28 +22,22 @@ mod filter;
 mod point;
 mod sample;
 mod sieve;
+mod strip;
 
-pub use columns::{candidates_of_columns, touching_of_columns};
+pub use columns::{candidates_of_columns, touching_of_columns, touching_places_of_columns};
 pub use doubles::touching_doubles;
 pub use envelope_sieve::{EnvelopeSieve, RoundedStrip, in_range};
+pub use filter::Place;
 pub use point::{GridPoint, doubled_area};
 pub use sieve::Sieve;
 
-use crate::hull::HullSide;
-
-/// Of the points, those on the lower or the upper hull: corners, points within hull edges, points on the hull's vertical
-/// ends that are lowest or highest at their x, and every repetition of each; sorted by x, then y, then id. The others
-/// are strictly between the two hulls.
+/// Of the points, those on the lower or the upper hull: corners, and points on the hull's vertical ends that are lowest or highest
+/// at their x, each once for all readings there; and for the points strictly within a hull edge the one of them with the least
+/// number. Sorted by x, then y. The others are strictly between the two hulls. At most `most` numbers of each are listed.
 ///
 /// Exact for all coordinates. It depends on the set of points alone, so that parts can be reduced first:
 /// `touching(touching(A) ∪ touching(B)) == touching(A ∪ B)`. Cost: O(n log n); linear for sorted points.
-pub fn touching(mut points: Vec<GridPoint>) -> Vec<GridPoint> {
+pub fn touching(mut points: Vec<GridPoint>, most: usize) -> Vec<GridPoint> {
     points.sort_unstable();
-    let mut touches = vec![false; points.len()];
-    for side in [HullSide::Lower, HullSide::Upper] {
-        point::hull(side, &points).support(&points).for_each(|position| touches[position] = true);
-    }
-    let mut touches = touches.into_iter();
-    points.retain(|_| touches.next().unwrap_or(false));
-    points
+    point::touching_of_sorted(points, most, true)
 }

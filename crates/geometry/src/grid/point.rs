@@ -4,17 +4,26 @@ use std::cmp::Ordering;
 
 use boundfit_exact::Sign;
 
-use crate::hull::{Hull, HullSide, Site};
+use crate::hull::Site;
+use crate::tally::Tally;
+use crate::ties::{Tied, touching_as_one, touching_each};
 
-/// A point with integer coordinates that stands for a reading.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+/// A point with integer coordinates that stands for readings.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct GridPoint {
     /// Abscissa, in some unit.
     pub x: i64,
     /// Ordinate, in some unit.
     pub y: i64,
-    /// Which reading it is.
-    pub id: u64,
+    /// The readings.
+    pub rows: Tally,
+}
+
+impl GridPoint {
+    /// The point of one reading.
+    pub fn of_row(x: i64, y: i64, row: u64) -> Self {
+        GridPoint { x, y, rows: Tally::one(row) }
+    }
 }
 
 /// Below this in absolute value, differences of coordinates fit into 64 bits and orientations into 128.
@@ -30,13 +39,28 @@ impl Site for GridPoint {
     }
 }
 
-/// A hull of points with any coordinates, sorted by x, then y. Exact. Cost: linear.
-pub(super) fn hull(side: HullSide, sorted: &[GridPoint]) -> Hull {
+impl Tied for GridPoint {
+    fn rows(&self) -> &Tally {
+        &self.rows
+    }
+
+    fn with_rows(self, rows: Tally) -> Self {
+        GridPoint { rows, ..self }
+    }
+}
+
+/// The touching points of points with any coordinates, sorted by x, then y. Exact. Cost: linear.
+pub(super) fn touching_of_sorted(sorted: Vec<GridPoint>, most: usize, edges_as_one: bool) -> Vec<GridPoint> {
     let is_narrow = |point: &GridPoint| point.x.unsigned_abs() < NARROW && point.y.unsigned_abs() < NARROW;
-    if sorted.iter().all(is_narrow) {
-        Hull::new(side, sorted, |p, q, r| doubled_area(p, q, r).cmp(&0).into())
+    let orientation: fn(&GridPoint, &GridPoint, &GridPoint) -> Sign = if sorted.iter().all(is_narrow) {
+        |p, q, r| doubled_area(p, q, r).cmp(&0).into()
     } else {
-        Hull::new(side, sorted, wide_orientation)
+        wide_orientation
+    };
+    if edges_as_one {
+        touching_as_one(sorted, orientation, most)
+    } else {
+        touching_each(sorted, orientation, most)
     }
 }
 

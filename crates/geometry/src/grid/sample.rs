@@ -89,6 +89,16 @@ impl<C: Coordinate> Sample<C> {
         Some(Sample { points, origin, end, span, height, lower, upper })
     }
 
+    /// Points of the sample's lower hull from left to right, as far as floats see it.
+    pub(super) fn lower_hull(&self) -> &[Sampled<C>] {
+        &self.lower
+    }
+
+    /// Those of the upper hull, mirrored in the x-axis.
+    pub(super) fn mirrored_upper_hull(&self) -> &[Sampled<C>] {
+        &self.upper
+    }
+
     /// Cells of equal width; `None` when the sample is too narrow for the exponents of binary64.
     pub(super) fn equal_cells(&self) -> Option<Equal> {
         Equal::of_span(self.span)

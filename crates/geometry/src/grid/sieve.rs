@@ -1,8 +1,8 @@
 //! A filter from points that are known already, for many columns one after the other.
 
 use super::cells::Equal;
-use super::columns::touching_of_columns;
-use super::filter::Filter;
+use super::columns::{points, touching_of_columns};
+use super::filter::{Filter, Listing, tied};
 use super::sample::Sample;
 use super::{GridPoint, touching};
 
@@ -21,20 +21,24 @@ impl Sieve {
         Some(Sieve(Filter::new(&sample, cells)))
     }
 
-    /// The [`touching`](super::touching) points of two columns, with ids `first_id`, `first_id + 1`, …, perhaps without some
-    /// that do not touch the hulls of these and the sieve's points together. Exact in this sense: with the sieve's points,
-    /// they have the same touching points as all. Cost: linear when few rows are close to the hulls, O(n log n) at worst.
-    ///
-    /// # Panics
-    /// When an id does not fit into 64 bits.
-    pub fn touching_of_columns(&self, x: &[i64], y: &[i64], first_id: u64) -> Vec<GridPoint> {
+    /// The [`touching`](super::touching) points of two columns, perhaps without some that do not touch the hulls of these and the
+    /// sieve's points together. `row` and `most` are those of [`touching_of_columns`]. Exact in this sense: with the sieve's
+    /// points, they have the same touching points as all. Cost: linear when few rows are close to the hulls, O(n log n) at worst.
+    pub fn touching_of_columns(
+        &self,
+        x: &[i64],
+        y: &[i64],
+        row: &dyn Fn(usize) -> u64,
+        most: usize,
+    ) -> Vec<GridPoint> {
         /// Of so many rows one may be left; with more, the points were not those of these data.
         const RARE: usize = 16;
         let survivors = self.0.survivors(x, y);
-        if survivors.len() * RARE > x.len() {
-            return touching_of_columns(x, y, first_id);
+        let found = survivors.len();
+        let places = tied(x, y, survivors.into_iter(), Listing { row, most });
+        if found * RARE > x.len() && 2 * places.len() > found {
+            return touching_of_columns(x, y, row, most);
         }
-        let point = |row: usize| GridPoint { x: x[row], y: y[row], id: first_id + row as u64 };
-        touching(survivors.into_iter().map(point).collect())
+        touching(points(places), most)
     }
 }

@@ -8,7 +8,7 @@ pub use brief::brief_document;
 
 use boundfit_estimation::{
     BoundName, ErrorBound, Fit, FractionCells, Inverse, Model, MultipleOfLeast, NoLeastSquares,
-    ParameterBound, ParameterInterval, Problem, mending_rows,
+    ParameterBound, ParameterInterval, Problem, Ties, mending_rows,
 };
 use boundfit_exact::english::{counted, listed};
 use boundfit_exact::{Foreign, Interval, Rational, Reading};
@@ -18,7 +18,7 @@ use crate::document::{Block, Document, Facts, Operator, Symbol, THETA, Table, Te
 use crate::fit_json::NO_MENDING;
 use crate::formula::{absurdity, products};
 use crate::origin::Origin;
-use crate::region::region_blocks;
+use crate::region::{names_of, region_blocks};
 use crate::scale::{Scale, scales};
 use crate::style::Style;
 
@@ -55,7 +55,7 @@ pub fn fit_document(
     }
     blocks.extend(estimates::blocks(&report));
     if !region.is_empty() {
-        let names = |indices: &[usize]| indices.iter().map(|&index| report.name(index)).collect();
+        let names = |indices: &[usize]| names_of(&fit.fps.active(indices, Ties::MOST_LISTED));
         blocks.extend(region_blocks(SET, region, &report.theta, names));
     }
     let advice = bounding_reading(region, &problem.measurements, style);

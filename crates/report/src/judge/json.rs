@@ -254,7 +254,7 @@ impl Parts<'_> {
         let count = self.plane.columns().len();
         let active = |indices: &[usize]| {
             let sides = indices.iter().filter_map(|&index| self.plane.side(index));
-            sides.map(|side| self.side(side)).collect()
+            sides.map(|side| self.side(side)).collect::<Vec<_>>().into()
         };
         let range = |interval: &Interval| RangeJson::new(interval, self.style);
         PlaneJson {

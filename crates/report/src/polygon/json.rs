@@ -61,7 +61,8 @@ pub fn polygon_json(
         .map(|certificate| certificate.multipliers().iter().map(|m| term(file, m, style)).collect());
     let measures = region.measures();
     let area_centroid = centroid_json(&measures, style);
-    let region_json = RegionJson::new(region, &measures, style, |indices| rows_of(file, indices), farkas);
+    let region_json =
+        RegionJson::new(region, &measures, style, |indices| rows_of(file, indices).into(), farkas);
     let reasons = long_fractions("region.area", region_json.area(), area_centroid.as_ref(), style).collect();
     let report = PolygonJson {
         schema: "boundfit/polygon/1",

@@ -4,7 +4,7 @@ mod json;
 mod rows;
 mod tables;
 
-use boundfit_exact::english::counted;
+use boundfit_exact::english::{counted, list};
 use boundfit_exact::{Foreign, Rational};
 use boundfit_formats::HalfPlaneFile;
 use boundfit_geometry::{Multiplier, Polyhedron};
@@ -30,7 +30,7 @@ pub fn polygon_document(
     let scales = scales(style, ranges.as_ref(), &[], &[], polyhedron.region().vertices());
     let what = if file.generators.is_some() { "Generators of " } else { "Half-planes of " };
     let data = Text::from(what).given(name).words(format!(", {}", counted(file.rows, "row", "rows")));
-    let names = |indices: &[usize]| rows_of(file, indices).iter().map(ToString::to_string).collect();
+    let names = |indices: &[usize]| list(rows_of(file, indices).iter().map(ToString::to_string));
     let mut blocks = vec![Block::Lead(data)];
     blocks.extend(region_blocks("Region", polyhedron.region(), &scales, names));
     blocks.extend(emptiness(file, polyhedron, style).map(Block::Paragraph));

@@ -1,8 +1,11 @@
 //! Rows that the filter must keep, and how few it may.
 
-use super::super::doubles::touching_of_rows;
+use super::super::doubles::touching_of_places;
 use super::super::{GridPoint, touching};
 use super::*;
+
+/// All rows by their positions.
+const LISTING: Listing = Listing { row: &|row| row as u64, most: usize::MAX };
 
 /// Pseudo-random bits, of which the first are the best.
 fn numbers(seed: u64) -> impl FnMut() -> u64 {
@@ -51,7 +54,7 @@ fn of_rows_all_over_the_place_few_survive_whatever_their_type_and_unit() {
         }
     }
     // Another round, with a sample of what was left.
-    assert!(2 * candidates(&x, &y).len() < survivors(&x, &y, None).unwrap().len());
+    assert!(2 * places(&x, &y, LISTING).len() < survivors(&x, &y, None).unwrap().len());
 }
 
 #[test]
@@ -72,7 +75,8 @@ fn without_rows_between_the_hulls_there_is_nothing_to_filter() {
     let x: Vec<i64> = (0..10_000).collect();
     let parabola: Vec<i64> = x.iter().map(|x| x * x).collect();
     assert_eq!(survivors(&x, &parabola, None), None);
-    assert_eq!(candidates(&x, &parabola), (0..10_000).collect::<Vec<usize>>());
+    let all: Vec<u64> = places(&x, &parabola, LISTING).iter().map(|place| place.rows.first()).collect();
+    assert_eq!(all, (0..10_000).collect::<Vec<u64>>());
     // A third of them would not be worth it either.
     let third: Vec<i64> = x.iter().map(|&x| if x % 3 == 0 { x * x + 100_000 } else { x * x }).collect();
     assert_eq!(survivors(&x, &third, None), None);
@@ -124,13 +128,12 @@ fn by_every_plan_every_touching_point_is_left() {
     for round in 0..60 * STYLES {
         let count = (next() >> 33) as usize % 400;
         let (x, y) = integers(&mut next, round % STYLES, count);
-        let points = |rows: Vec<usize>| -> Vec<GridPoint> {
-            rows.into_iter().map(|row| GridPoint { x: x[row], y: y[row], id: row as u64 }).collect()
-        };
-        let expected = touching(points((0..count).collect()));
+        let points = (0..count).map(|row| GridPoint::of_row(x[row], y[row], row as u64)).collect();
+        let expected = touching(points, LISTING.most);
         for plan in plans(count) {
-            let left = candidates_by(&x, &y, Some(&plan));
-            assert_eq!(touching(points(left)), expected, "{plan:?} {x:?} {y:?}");
+            let left = places_by(&x, &y, LISTING, Some(&plan)).into_iter();
+            let left = left.map(|Place { x, y, rows }| GridPoint { x, y, rows }).collect();
+            assert_eq!(touching(left, LISTING.most), expected, "{plan:?} {x:?} {y:?}");
         }
     }
 }
@@ -176,10 +179,11 @@ fn by_every_plan_every_touching_double_is_left() {
     for round in 0..1_500 {
         let count = if round % 10 == 0 { 120 } else { 15 };
         let (x, y) = doubles(&mut next, round % 6, count);
-        let expected = touching_of_rows(&x, &y, (0..count).collect());
+        let place = |row: usize| Place { x: x[row], y: y[row], rows: Tally::one(row as u64) };
+        let expected = touching_of_places((0..count).map(place).collect(), LISTING.most);
         for plan in plans(count) {
-            let left = candidates_by(&x, &y, Some(&plan));
-            assert_eq!(touching_of_rows(&x, &y, left), expected, "{plan:?} {x:?} {y:?}");
+            let left = places_by(&x, &y, LISTING, Some(&plan));
+            assert_eq!(touching_of_places(left, LISTING.most), expected, "{plan:?} {x:?} {y:?}");
         }
     }
 }

@@ -1,0 +1,117 @@
+//! Readings that stand for others: those that say the same, or bound the same point of the feasible set and nothing else.
+
+use std::collections::BTreeMap;
+
+use boundfit_exact::Rational;
+use boundfit_geometry::Tally;
+
+use crate::fps::BoundName;
+use crate::measurement::Measurement;
+
+/// Which of the readings in memory stand for more than themselves, by row.
+///
+/// The bounds of the readings that one stands for are active exactly where its own are.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Ties(BTreeMap<usize, Tally>);
+
+/// Bounds that are met with equality.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct ActiveBounds {
+    /// The first of them, sorted.
+    pub names: Vec<BoundName>,
+    /// How many there are beside these.
+    pub more: usize,
+}
+
+/// A reading with all that it stands for.
+#[derive(Debug, Clone)]
+pub(crate) struct TiedReading {
+    /// The first of them.
+    pub(crate) reading: Measurement,
+    pub(crate) rows: Tally,
+}
+
+impl Ties {
+    /// How many readings a report lists where they are active, before it only counts them. Of more than are kept in memory, so many
+    /// are known by number.
+    pub const MOST_LISTED: usize = 1000;
+
+    /// Adds what the reading of a row stands for.
+    pub(crate) fn insert(&mut self, row: usize, rows: Tally) {
+        if rows.count() > 1 {
+            self.0.insert(row, rows);
+        }
+    }
+
+    /// Of readings from reductions those that all stand for, where the number of each row says how many it stands for.
+    pub(crate) fn weighted(&self, rows: &[Measurement], counts: &[u64]) -> Self {
+        let count = |row: u64| (row as usize).checked_sub(1).and_then(|row| counts.get(row)).copied();
+        let mut weighted = Ties::default();
+        for reading in rows {
+            weighted.insert(reading.row, self.of(reading.row).weighted(|row| count(row).unwrap_or(1)));
+        }
+        weighted
+    }
+
+    /// How many readings that of a row stands for, itself included.
+    pub fn count(&self, row: usize) -> usize {
+        self.0.get(&row).map_or(1, |rows| rows.count() as usize)
+    }
+
+    /// The readings that one stands for.
+    pub(crate) fn of(&self, row: usize) -> Tally {
+        self.0.get(&row).cloned().unwrap_or_else(|| Tally::one(row as u64))
+    }
+
+    /// Whose bounds are active where these are: at most so many names, sorted, and how many there are beside them.
+    pub(crate) fn active(&self, names: impl Iterator<Item = BoundName>, most: usize) -> ActiveBounds {
+        let (mut all, mut count) = (Vec::new(), 0);
+        for name in names {
+            match name.row().and_then(|row| self.0.get(&row)) {
+                Some(rows) => {
+                    count += rows.count() as usize;
+                    all.extend(rows.rows().map(|row| name.of_row(row as usize)));
+                }
+                None => {
+                    count += 1;
+                    all.push(name);
+                }
+            }
+        }
+        all.sort_unstable();
+        ActiveBounds { more: count - all.len(), names: all }.at_most(most)
+    }
+}
+
+impl ActiveBounds {
+    /// At most so many by name.
+    pub fn at_most(mut self, most: usize) -> Self {
+        self.more += self.names.len().saturating_sub(most);
+        self.names.truncate(most);
+        self
+    }
+}
+
+impl TiedReading {
+    /// A reading that stands for itself.
+    pub(crate) fn alone(reading: Measurement) -> Self {
+        TiedReading { rows: Tally::one(reading.row as u64), reading }
+    }
+
+    /// A reading of a line with an error bound of 0.
+    pub(crate) fn of_line(rows: Tally, x: Rational, y: Rational) -> Self {
+        let row = rows.first() as usize;
+        TiedReading { reading: Measurement::around(row, [x, Rational::one()], y, Rational::zero()), rows }
+    }
+
+    /// The readings by row, and what they stand for.
+    pub(crate) fn by_row(mut readings: Vec<Self>) -> (Vec<Measurement>, Ties) {
+        readings.sort_by_key(|own| own.reading.row);
+        let mut ties = Ties::default();
+        let apart = |TiedReading { reading, rows }: TiedReading| {
+            ties.insert(reading.row, rows);
+            reading
+        };
+        (readings.into_iter().map(apart).collect(), ties)
+    }
+}
