@@ -27,5 +27,6 @@ mod replacing;
 mod selection;
 mod solutions;
 mod sweep;
+mod ties;
 mod verify;
 mod workbooks;
