@@ -1,6 +1,8 @@
 //! How the program ends.
 
 use std::fmt::Display;
+
+use boundfit_exact::Foreign;
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -43,17 +45,19 @@ impl Failure {
             Some((end, _)) => format!("{}...", &value[..end]),
             None => value.to_owned(),
         };
-        Failure::Usage(format!("invalid value '{}' for '{option}': {problem}", shown.escape_debug()))
+        Failure::Usage(format!("invalid value '{}' for '{option}': {problem}", Foreign::from(shown)))
     }
 
-    /// Writes the message to standard error and gives the status.
+    /// Writes the message to standard error and gives the status. What names texts from outside has made them visible already; of
+    /// what has not, nothing but line ends is left as it is.
     pub(crate) fn report(self) -> ExitCode {
         let (message, hint, status) = match self {
             Failure::Data(message) => (message, "", 1),
             Failure::Usage(message) => (message, "\n\nFor more information, try '--help'.", 2),
         };
         // Nothing is left to do when even the message cannot be written.
-        let _ = writeln!(std::io::stderr(), "error: {message}{hint}");
+        let lines: Vec<String> = message.split('\n').map(|line| Foreign::of(line).to_string()).collect();
+        let _ = writeln!(std::io::stderr(), "error: {}{hint}", lines.join("\n"));
         ExitCode::from(status)
     }
 }

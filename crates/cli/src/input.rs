@@ -3,6 +3,8 @@
 use std::fs::File;
 use std::io::{self, Read};
 
+use boundfit_exact::Foreign;
+
 use crate::exit::Failure;
 
 /// The file in the words of messages.
@@ -13,7 +15,7 @@ pub(crate) fn named(file: &str) -> &str {
 /// The text of a file, or of standard input for `-`, that has at most as many bytes as this option allows.
 pub(crate) fn read_text(file: &str, largest: u64, option: &str) -> Result<String, Failure> {
     let bytes = read_at_most(file, largest.saturating_add(1))?;
-    let fail = |problem: String| Failure::data(format_args!("{}: {problem}", named(file)));
+    let fail = |problem: String| Failure::data(format_args!("{}: {problem}", Foreign::of(named(file))));
     if bytes.len() as u64 > largest {
         return Err(fail(format!("larger than {largest} bytes (the limit; {option} raises it)")));
     }
@@ -21,7 +23,8 @@ pub(crate) fn read_text(file: &str, largest: u64, option: &str) -> Result<String
 }
 
 fn read_at_most(file: &str, most: u64) -> Result<Vec<u8>, Failure> {
-    let unreadable = |error: io::Error| Failure::data(format_args!("{}: cannot read: {error}", named(file)));
+    let unreadable =
+        |error: io::Error| Failure::data(format_args!("{}: cannot read: {error}", Foreign::of(named(file))));
     let mut bytes = Vec::new();
     let read = if file == "-" {
         io::stdin().take(most).read_to_end(&mut bytes)

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use boundfit_exact::Foreign;
 use clap::Parser;
 use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
@@ -17,7 +18,33 @@ const PREDICTED: &str =
 
 /// The program's arguments; ends the program where they are not understood.
 pub(crate) fn parse() -> Arguments {
-    Arguments::try_parse().unwrap_or_else(|error| with_tips(error).exit())
+    Arguments::try_parse().unwrap_or_else(|error| visible(with_tips(error)).exit())
+}
+
+/// An error in which what was typed is on one line, with all of it visible.
+fn visible(mut error: clap::Error) -> clap::Error {
+    let typed = [
+        ContextKind::InvalidArg,
+        ContextKind::InvalidSubcommand,
+        ContextKind::InvalidValue,
+        ContextKind::PriorArg,
+        ContextKind::TrailingArg,
+    ];
+    let shown = |text: &String| Foreign::of(text).to_string();
+    // What clap suggests repeats it.
+    if matches!(error.get(ContextKind::InvalidArg), Some(ContextValue::String(text)) if shown(text) != *text)
+    {
+        error.remove(ContextKind::Suggested);
+    }
+    for kind in typed {
+        let value = match error.get(kind) {
+            Some(ContextValue::String(text)) => ContextValue::String(shown(text)),
+            Some(ContextValue::Strings(texts)) => ContextValue::Strings(texts.iter().map(shown).collect()),
+            _ => continue,
+        };
+        error.insert(kind, value);
+    }
+    error
 }
 
 /// An error with tips that lead on, in place of those that do not.
@@ -44,7 +71,10 @@ fn with_tips(mut error: clap::Error) -> clap::Error {
             let asked = asked(ContextKind::InvalidSubcommand).unwrap_or_default();
             if asked.contains(['.', '/', '\\']) || Path::new(&asked).exists() {
                 error.remove(ContextKind::SuggestedSubcommand);
-                let tip = format!("a table is fitted by 'boundfit fit {asked} --x COL --y COL --eps NUM'");
+                let tip = format!(
+                    "a table is fitted by 'boundfit fit {} --x COL --y COL --eps NUM'",
+                    Foreign::of(&asked)
+                );
                 error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![StyledStr::from(tip)]));
             }
         }

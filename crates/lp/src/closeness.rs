@@ -100,7 +100,10 @@ impl Difference {
         let size = by.abs();
         let in_ulps = ulp(exact).and_then(|ulp| size.checked_div(&ulp));
         let in_units = unit.and_then(|unit| size.checked_div(unit));
-        let is_double = in_ulps.as_ref().is_some_and(|ulps| *ulps <= Rational::from(MOST_ULPS));
+        // Binary64 has neither a truth nor a claim that is smaller than its smallest number: their difference is not its rounding.
+        let is_double = in_ulps.as_ref().is_some_and(|ulps| *ulps <= Rational::from(MOST_ULPS))
+            && !is_below_binary64(exact)
+            && !is_below_binary64(&claimed.value);
         let closeness = match &claimed.precision {
             _ if by.is_zero() => Closeness::Exact,
             _ if is_double => Closeness::Rounded(RoundedTo::Binary64),
@@ -112,6 +115,12 @@ impl Difference {
         };
         Difference { by, in_ulps, in_units, closeness }
     }
+}
+
+/// Whether a number is not 0 and yet smaller than the smallest positive binary64 number. Exact.
+pub fn is_below_binary64(value: &Rational) -> bool {
+    let least = ulp(&Rational::zero());
+    !value.is_zero() && least.is_some_and(|least| value.abs() < least)
 }
 
 /// The unit in the last place of binary64 at a number: the distance of neighbouring binary64 numbers between the powers of two

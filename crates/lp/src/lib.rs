@@ -28,7 +28,7 @@ mod standard_form;
 mod verdict;
 
 pub use claim::{BoundClaim, Claimed, End, PuiEnd};
-pub use closeness::{Closeness, Difference, MOST_ULPS, RoundedTo, ToleranceUnit, ulp};
+pub use closeness::{Closeness, Difference, MOST_ULPS, RoundedTo, ToleranceUnit, is_below_binary64, ulp};
 pub use exchange::{ExchangeProgram, ExchangeRow, Sense};
 pub use format::ExchangeFormat;
 pub use model::{Bounds, Model, ModelColumn, ModelRow, ObjectiveSense};

@@ -1,9 +1,10 @@
 //! The referee: compares claimed ends of the parameter uncertainty intervals with the exact ones.
 
 use boundfit_exact::Rational;
+use boundfit_exact::english::counted;
 
 use crate::claim::{BoundClaim, Claimed, End, PuiEnd};
-use crate::closeness::{Closeness, Difference, MOST_ULPS, ToleranceUnit, ulp};
+use crate::closeness::{Closeness, Difference, MOST_ULPS, ToleranceUnit, is_below_binary64, ulp};
 use crate::outcome::{ExactOutcome, Multiplier};
 use crate::printed::Printed;
 use crate::program::Row;
@@ -125,7 +126,7 @@ impl Referee {
             witness: None,
             proof: None,
             repairable: self.repairable(axis, end, claim.duals.as_deref()),
-            reason: None,
+            reason: claim.duals.as_deref().and_then(|duals| self.unusable(duals)),
         };
         match &claim.claimed {
             Claimed::Nothing(reason) => {
@@ -244,6 +245,22 @@ impl Referee {
         tolerated
     }
 
+    /// Why duals are not, or not all, looked at: they are not one for each row, or one of them is negative by more than
+    /// a solver's noise, a millionth of the largest one.
+    fn unusable(&self, duals: &[f64]) -> Option<String> {
+        const NOISE: f64 = 1e-6;
+        if duals.len() != self.rows.len() {
+            let (given, rows) = (duals.len(), counted(self.rows.len(), "row", "rows"));
+            return Some(format!(
+                "the {given} duals are not looked at: the program has {rows}, each with one"
+            ));
+        }
+        let largest = duals.iter().fold(0.0_f64, |largest, dual| largest.max(dual.abs()));
+        let row = duals.iter().position(|dual| *dual < -NOISE * largest)?;
+        let (dual, place) = (duals[row], row + 1);
+        Some(format!("dual {place} is {dual}, and none below 0 is looked at: each row says a*theta <= b"))
+    }
+
     /// Whether the one or two rows with the largest duals prove the true end when their multipliers are recomputed.
     fn repairable(&self, axis: usize, end: End, duals: Option<&[f64]>) -> Option<bool> {
         let duals = duals.filter(|duals| duals.len() == self.rows.len())?;
@@ -282,7 +299,8 @@ impl Referee {
 
 /// How far rounding may have moved a coordinate: printing, or the computation in binary64.
 fn reach_of_rounding(coordinate: &Printed) -> Rational {
-    let ulps = ulp(&coordinate.value).map(|ulp| ulp * Rational::from(MOST_ULPS));
+    let ulps = ulp(&coordinate.value).filter(|_| !is_below_binary64(&coordinate.value));
+    let ulps = ulps.map(|ulp| ulp * Rational::from(MOST_ULPS));
     coordinate.reach().max(ulps.unwrap_or_default())
 }
 

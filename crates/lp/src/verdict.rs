@@ -121,7 +121,7 @@ pub struct Judgement {
     /// Whether the rows with the largest duals prove the true end: the digits were wrong, the basis was not. `None`
     /// without duals.
     pub repairable: Option<bool>,
-    /// The solver's own reason for giving no answer.
+    /// The solver's own reason for giving no answer, or why its duals are not looked at.
     pub reason: Option<String>,
 }
 

@@ -6,12 +6,15 @@ use boundfit_exact::{Endpoint, Foreign, Interval, Rational, Reading, Rounding};
 use boundfit_lp::{End, Judgement, Multiplier, PuiEnd, Refutation, RoundedTo, ToleranceUnit, Verdict};
 
 use crate::document::{Block, Document, Inline, Table, Text};
+use crate::feasible::feasible_point;
 use crate::formula::{absurdity, pair, products};
 use crate::style::{Shown, Style};
 
 /// The report of a check about the data of this file. `reading` is that of the data.
 pub fn check_document(check: &Check, file: Foreign<&str>, reading: Reading, style: &Style) -> Document {
     let styles = resolving(check, reading, style);
+    // What is feasible for the doubles that a solver receives need not be so for the data.
+    let received = (reading != Reading::Binary64).then(|| check.rows.in_binary64()).flatten();
     let mut rows = Vec::new();
     let mut findings = Vec::new();
     for answer in &check.answers {
@@ -26,7 +29,8 @@ pub fn check_document(check: &Check, file: Foreign<&str>, reading: Reading, styl
         findings.extend(rounded_ends(answer));
         for end in PuiEnd::ALL {
             let (judgement, name) = (end.of(&answer.bounds), heading(end));
-            if let Some(reason) = reason(judgement, &check.rows, style) {
+            let judged_by = received.as_ref().filter(|_| answer.reading != reading).unwrap_or(&check.rows);
+            if let Some(reason) = reason(judgement, judged_by, style) {
                 let verdict = format!(", {}: {name}: {}: ", answer.reading.name(), judgement.verdict.name());
                 findings.push(Text::new().given(&answer.source).words(verdict).then(reason));
             }
@@ -236,12 +240,13 @@ fn exact_row(check: &Check, reading: Reading, styles: &[Style; 2]) -> Option<Vec
 fn reason(judgement: &Judgement, rows: &ProgramRows, style: &Style) -> Option<Text> {
     let point_text = || violation_text(judgement, rows, style);
     let main = match judgement.verdict {
-        Verdict::Exact | Verdict::Rounded => return None,
-        Verdict::NoAnswer => judgement.reason.clone().unwrap_or_default().into(),
+        Verdict::Exact | Verdict::Rounded if judgement.reason.is_none() => return None,
+        Verdict::Exact | Verdict::Rounded | Verdict::NoAnswer => Text::new(),
         Verdict::InvertedInterval => "the lower end is above the upper end".into(),
         Verdict::WrongStatus => judgement.proof.as_ref().map(|proof| contrary(proof, rows, style))?,
         Verdict::Unsafe => {
-            let witness = judgement.witness.as_ref().map(|theta| point(theta, style)).unwrap_or_default();
+            let witness = judgement.witness.as_ref();
+            let witness = witness.map(|theta| feasible_point(theta, rows.rows(), style)).unwrap_or_default();
             error_text(judgement, style).words("; ").then(witness).words(" is feasible")
         }
         Verdict::Loose | Verdict::WithinTolerance | Verdict::InfeasiblePoint => error_text(judgement, style),
@@ -251,6 +256,7 @@ fn reason(judgement: &Judgement, rows: &ProgramRows, style: &Style) -> Option<Te
     if judgement.verdict.is_refutation() && judgement.repairable == Some(true) {
         reasons.push("its basis is right, only the digits are wrong (repairable)".into());
     }
+    reasons.extend(judgement.reason.as_ref().map(|reason| Text::new().given(reason)));
     reasons.retain(|reason| !reason.is_empty());
     Some(Text::joined(reasons, &Inline::Words("; ".to_owned())))
 }
@@ -299,16 +305,13 @@ fn contrary(proof: &Refutation, rows: &ProgramRows, style: &Style) -> Text {
             absurdity(Text::from("the set is empty: ").then(products_of(multipliers)), &sum, style)
         }
         Refutation::Bound(multipliers) => Text::from("it is bounded, by ").then(products_of(multipliers)),
-        Refutation::FeasiblePoint(theta) => point(theta, style).words(" is feasible"),
+        Refutation::FeasiblePoint(theta) => feasible_point(theta, rows.rows(), style).words(" is feasible"),
         Refutation::Ray { theta, ray } => {
-            let from = Text::from("it is unbounded from ").then(point(theta, style));
-            from.words(" in direction ").then(point(ray, style))
+            let from = Text::from("it is unbounded from ").then(feasible_point(theta, rows.rows(), style));
+            // Rounded, it would be another direction.
+            from.words(" in direction ").then(pair(&ray[0], &ray[1]))
         }
     }
-}
-
-fn point([theta1, theta2]: &[Rational; 2], style: &Style) -> Text {
-    pair(style.nearest(theta1), style.nearest(theta2))
 }
 
 /// The set between its two approximations.

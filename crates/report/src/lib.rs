@@ -32,6 +32,7 @@ mod check;
 mod check_json;
 mod csv_text;
 mod document;
+mod feasible;
 mod findings;
 mod fit;
 mod fit_csv;

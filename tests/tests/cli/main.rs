@@ -11,6 +11,7 @@ mod dialects;
 mod exchange;
 mod fleet;
 mod help;
+mod honest;
 mod input_formats;
 mod json;
 mod judge;

@@ -21,14 +21,15 @@ use crate::work::{refuse_long, refuse_long_problem, times};
 
 /// Runs every solver on every case of a folder and prints the worst verdict of each.
 pub(crate) fn run(arguments: &BenchSolversArguments) -> CommandResult {
-    let folder = &arguments.folder;
+    let folder = arguments.folder.as_str();
+    let named = Foreign::of(folder);
     let format = match (arguments.format, arguments.file.output.as_deref().and_then(ending).as_deref()) {
         // The text is Markdown.
         (None, Some("md" | "markdown")) => Format::Text,
         (asked, _) => arguments.file.format(asked)?,
     };
-    let entries = fs::read_dir(folder)
-        .map_err(|error| Failure::data(format_args!("{folder}: cannot read: {error}")))?;
+    let entries =
+        fs::read_dir(folder).map_err(|error| Failure::data(format_args!("{named}: cannot read: {error}")))?;
     let mut cases: Vec<(String, Kind)> = entries
         .filter_map(|entry| {
             let file = entry.ok()?.file_name().into_string().ok()?;
@@ -39,7 +40,7 @@ pub(crate) fn run(arguments: &BenchSolversArguments) -> CommandResult {
     cases.sort();
     if cases.is_empty() {
         let wanted = "there is no case NAME.csv or NAME.mps with NAME.json";
-        return Err(Failure::data(format_args!("{folder}: {wanted}")));
+        return Err(Failure::data(format_args!("{named}: {wanted}")));
     }
     let path = |name: &String, ending: &str| {
         Path::new(folder).join(format!("{name}{ending}")).to_string_lossy().into_owned()
@@ -96,11 +97,16 @@ impl Kind {
 /// How long a solver may work on one program.
 const TIME_LIMIT: Duration = Duration::from_secs(60);
 
+/// A path in messages.
+fn shown(path: &Path) -> Foreign {
+    Foreign::from(path.to_string_lossy().into_owned())
+}
+
 /// A value that is JSON.
 fn json_of(path: &Path) -> Result<serde_json::Value, Failure> {
-    let fail = |problem: String| Failure::data(format_args!("{}: {problem}", path.display()));
+    let fail = |problem: String| Failure::data(format_args!("{}: {problem}", shown(path)));
     let text = fs::read_to_string(path).map_err(|error| fail(format!("cannot read: {error}")))?;
-    serde_json::from_str(&text).map_err(|error| fail(error.to_string()))
+    serde_json::from_str(&text).map_err(|error| fail(Foreign::from(error.to_string()).to_string()))
 }
 
 /// A case: a linear program in `NAME.mps`, with its `"status"` and, if it is optimal, its `"objective"` in `NAME.json`. What is
@@ -109,7 +115,7 @@ fn judged_model(folder: &Path, name: &str, limits: &LimitArguments) -> Result<Ve
     let json = folder.join(format!("{name}.json"));
     let case = json_of(&json)?;
     let mps = folder.join(format!("{name}.mps")).to_string_lossy().into_owned();
-    let fail = |error: SolveError| Failure::data(format_args!("{mps}: {error}"));
+    let fail = |error: SolveError| Failure::data(format_args!("{}: {error}", Foreign::of(&mps)));
     let source = Source::open(&mps).map_err(Failure::data)?;
     let file = WholeFile::read(source, &limits.sizes()).map_err(Failure::data)?;
     let model = model_of(&file, limits)?;
@@ -117,7 +123,7 @@ fn judged_model(folder: &Path, name: &str, limits: &LimitArguments) -> Result<Ve
     let plane = Plane::new(&model).map_err(fail)?;
     let answer = Answer::in_plane(&model, &plane).map_err(fail)?;
     compare(&case, &answer, limits)
-        .map_err(|problem| Failure::data(format_args!("{}: {problem}", json.display())))?;
+        .map_err(|problem| Failure::data(format_args!("{}: {problem}", shown(&json))))?;
     let tolerances = Tolerances { relative: Rational::ratio(1, 1_000_000), digits_as_printed: true };
     judge_solvers(&plane, TIME_LIMIT, &tolerances).map_err(fail)
 }
@@ -159,7 +165,7 @@ fn judged_fit(
     limits: &LimitArguments,
 ) -> Result<Check, Failure> {
     let json = folder.join(format!("{name}.json"));
-    let fail = |problem: String| Failure::data(format_args!("{}: {problem}", json.display()));
+    let fail = |problem: String| Failure::data(format_args!("{}: {problem}", shown(&json)));
     let case = json_of(&json)?;
     let epsilon = case.get("eps").and_then(serde_json::Value::as_str);
     let epsilon = epsilon.ok_or_else(|| fail("there is no text \"eps\"".to_owned()))?;

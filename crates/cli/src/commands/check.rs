@@ -86,7 +86,7 @@ fn claim_files(asked: &[String]) -> Result<Vec<String>, Failure> {
             files.push(name.clone());
             continue;
         }
-        let fail = |error| Failure::data(format_args!("{name}: cannot read: {error}"));
+        let fail = |error| Failure::data(format_args!("{}: cannot read: {error}", Foreign::of(name)));
         let entries = fs::read_dir(name).map_err(fail)?.collect::<Result<Vec<_>, _>>().map_err(fail)?;
         let paths = entries.into_iter().map(|entry| entry.path());
         let mut found: Vec<String> = paths
@@ -95,7 +95,8 @@ fn claim_files(asked: &[String]) -> Result<Vec<String>, Failure> {
             .collect();
         if found.is_empty() {
             return Err(Failure::data(format_args!(
-                "{name}: no solution is in this folder (expected files named after theta1-min, theta1-max, theta2-min, theta2-max)"
+                "{}: no solution is in this folder (expected files named after theta1-min, theta1-max, theta2-min, theta2-max)",
+                Foreign::of(name)
             )));
         }
         found.sort();

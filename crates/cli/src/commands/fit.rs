@@ -83,11 +83,13 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
             document(verdict).to_text()
         }
     };
-    if let Some(file) = &arguments.proof {
-        output::write(proof(&problem, &fit, reading, arguments.data.file_name())?, Some(file), &guard)?;
-        guard.keep_written(file);
-    }
-    output::write(&report, output, &guard)?;
+    let proof = match &arguments.proof {
+        Some(file) => Some((proof(&problem, &fit, reading, arguments.data.file_name())?, file)),
+        None => None,
+    };
+    let proof = proof.as_ref().map(|(text, file)| (text.as_bytes(), Some(file.as_str())));
+    let parts: Vec<_> = proof.into_iter().chain([(report.as_bytes(), output)]).collect();
+    output::write_together(&parts, &mut guard)?;
     Ok(if fit.fps.polyhedron().region().is_empty() { Exit::Empty } else { Exit::Answer })
 }
 

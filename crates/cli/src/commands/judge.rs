@@ -59,15 +59,12 @@ pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
         JudgeFormat::Ext => v_representation(plane.polyhedron()),
     };
     let picture = plot.map(|format| picture(&model, &plane, &file.name, format)).transpose()?;
-    if let Some(lean) = &arguments.lean {
-        output::write(lean_theorems(&model, &answer, file.name.borrowed()), Some(lean), &guard)?;
-        guard.keep_written(lean);
-    }
-    if let (Some(plot), Some(picture)) = (&arguments.plot, picture) {
-        output::write(picture, Some(plot), &guard)?;
-        guard.keep_written(plot);
-    }
-    output::write(&report, output, &guard)?;
+    let lean = arguments.lean.as_deref();
+    let theorems = lean.map(|lean| (lean_theorems(&model, &answer, file.name.borrowed()), lean));
+    let theorems = theorems.as_ref().map(|(text, file)| (text.as_bytes(), Some(*file)));
+    let picture = picture.as_deref().map(|picture| (picture, arguments.plot.as_deref()));
+    let parts: Vec<_> = theorems.into_iter().chain(picture).chain([(report.as_bytes(), output)]).collect();
+    output::write_together(&parts, &mut guard)?;
     Ok(match answer {
         _ if solutions::is_refuted(&judged) => Exit::Refuted,
         // Who asks about solutions is not asked to look at the status twice.

@@ -5,6 +5,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read};
 use std::path::Path;
 
+use boundfit_exact::Foreign;
 use same_file::Handle;
 
 use super::marks::{START, is_ours};
@@ -28,7 +29,7 @@ impl Guard {
                 "-" => guard.keep(Handle::stdin(), "standard input, which is read"),
                 // A pipe that is opened twice loses what is in it.
                 file if fs::metadata(file).is_ok_and(|metadata| metadata.is_file()) => {
-                    guard.keep(Handle::from_path(file), &format!("{file}, which is read"));
+                    guard.keep(Handle::from_path(file), &format!("{}, which is read", Foreign::of(file)));
                 }
                 _ => {}
             }
@@ -43,7 +44,7 @@ impl Guard {
     /// Keeps a file that was written from being replaced by what is written next.
     pub(crate) fn keep_written(&mut self, file: &str) {
         if fs::metadata(file).is_ok_and(|metadata| metadata.is_file()) {
-            self.keep(Handle::from_path(file), &format!("{file}, which was just written"));
+            self.keep(Handle::from_path(file), &format!("{}, which was just written", Foreign::of(file)));
         }
     }
 
@@ -66,7 +67,8 @@ impl Guard {
     }
 
     fn check_file(&self, file: &str) -> Result<(), Failure> {
-        let refuse = |why: String| Err(Failure::data(format_args!("{file}: not written: {why}")));
+        let refuse =
+            |why: String| Err(Failure::data(format_args!("{}: not written: {why}", Foreign::of(file))));
         // Devices and pipes are written to and stay what they are.
         let Some(metadata) = fs::metadata(file).ok().filter(fs::Metadata::is_file) else { return Ok(()) };
         if let Ok(handle) = Handle::from_path(file)

@@ -9,11 +9,49 @@ use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::{Mutex, PoisonError};
 
+use boundfit_exact::Foreign;
 use tempfile::{Builder, NamedTempFile};
 
 use crate::exit::Failure;
 
 pub(crate) use guard::Guard;
+
+/// Writes several answers, each to its own file that the guard lets be written, or to standard output without one or for `-`. All
+/// files are written whole and are on the disk before the first of them appears, and an interruption waits until the last one
+/// has: a new proof never stands beside an old report, unless the program is killed or the power fails between two renamings.
+/// What goes to standard output goes there last.
+pub(crate) fn write_together(parts: &[(&[u8], Option<&str>)], guard: &mut Guard) -> Result<(), Failure> {
+    let (mut files, mut streams) = (Vec::new(), Vec::new());
+    for &(bytes, file) in parts {
+        let mut output = Output::open(file, guard)?;
+        if !matches!(output.target, Target::Temporary { .. }) {
+            streams.push((output, bytes));
+            continue;
+        }
+        match output.write(bytes) {
+            Ok(()) => files.push(output.prepared()?),
+            Err(Stop::Closed) => {}
+            Err(Stop::Failed(failure)) => return Err(failure),
+        }
+    }
+    let mut unfinished = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
+    for file in files {
+        // Two names of a file that was not there when they were compared are found out here.
+        guard.check(Some(&file.name))?;
+        let name = file.name.clone();
+        file.appear(&mut unfinished)?;
+        guard.keep_written(&name);
+    }
+    drop(unfinished);
+    for (mut output, bytes) in streams {
+        match output.write(bytes) {
+            Ok(()) => output.finish()?,
+            Err(Stop::Closed) => {}
+            Err(Stop::Failed(failure)) => return Err(failure),
+        }
+    }
+    Ok(())
+}
 
 /// Writes an answer to a file that the guard lets be written, or to standard output without one or for `-`. A reader of
 /// standard output that has gone away is no error.
@@ -31,18 +69,20 @@ pub(crate) fn write(answer: impl AsRef<[u8]>, file: Option<&str>, guard: &Guard)
 pub(crate) fn write_all(folder: &str, files: &[(String, Vec<u8>)], guard: &Guard) -> Result<(), Failure> {
     guard.check_all(folder, files.iter().map(|(name, _)| name.clone()))?;
     fs::create_dir_all(folder)
-        .map_err(|error| Failure::data(format_args!("{folder}: cannot create: {error}")))?;
+        .map_err(|error| Failure::data(format_args!("{}: cannot create: {error}", Foreign::of(folder))))?;
     let path = |(name, _): &(String, _)| Path::new(folder).join(name).to_string_lossy().into_owned();
     let paths: Vec<String> = files.iter().map(path).collect();
     if let Some(path) = paths.iter().find(|path| Path::new(path).is_dir()) {
-        return Err(Failure::data(format_args!("{path}: cannot write: is a directory")));
+        return Err(Failure::data(format_args!("{}: cannot write: is a directory", Foreign::of(path))));
     }
-    tempfile::tempfile_in(folder)
-        .map_err(|error| Failure::data(format_args!("{folder}: cannot write: {}", error.kind())))?;
+    tempfile::tempfile_in(folder).map_err(|error| {
+        Failure::data(format_args!("{}: cannot write: {}", Foreign::of(folder), error.kind()))
+    })?;
     for (done, (path, (_, bytes))) in paths.iter().zip(files).enumerate() {
         write(bytes, Some(path), guard).map_err(|failure| match failure {
             Failure::Data(message) if done > 0 => {
-                let written: Vec<&str> = paths.iter().take(done).map(String::as_str).collect();
+                let written = paths.iter().take(done).map(|path| Foreign::of(path).to_string());
+                let written: Vec<String> = written.collect();
                 Failure::Data(format!("{message} (already written: {})", written.join(", ")))
             }
             other => other,
@@ -51,14 +91,14 @@ pub(crate) fn write_all(folder: &str, files: &[(String, Vec<u8>)], guard: &Guard
     Ok(())
 }
 
-/// The temporary file that would be left behind if the program ended now. There is never more than one.
-static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
+/// The temporary files that would be left behind if the program ended now.
+static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// Ends the program now, and lets no temporary file remain or come into being.
 pub(crate) fn end_without_unfinished(status: i32) -> ! {
     // Held until the end. Nothing panics while it holds the lock; if it did, there would be no more file to come.
     let unfinished = UNFINISHED.lock();
-    if let Ok(Some(path)) = unfinished.as_deref() {
+    for path in unfinished.as_deref().map(Vec::as_slice).unwrap_or_default() {
         // Nothing is left to do when it cannot be removed.
         let _ = fs::remove_file(path);
     }
@@ -117,12 +157,37 @@ impl Output {
 
     /// Lets the file appear.
     pub(crate) fn finish(self) -> Result<(), Failure> {
-        let finished = match self.target {
-            Target::Standard => return flush(),
+        match self.target {
+            Target::Standard => flush(),
             Target::Device(_) => Ok(()),
-            Target::Temporary { temporary, becomes, existing } => persist(temporary, &becomes, existing),
-        };
-        finished.map_err(|error| cannot_write(&self.name, &error))
+            Target::Temporary { .. } => {
+                let prepared = self.prepared()?;
+                prepared.appear(&mut UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner))
+            }
+        }
+    }
+
+    /// Has everything on the disk that is to appear, and nothing appear.
+    fn prepared(self) -> Result<Self, Failure> {
+        if let Target::Temporary { temporary, existing, .. } = &self.target {
+            // The user's mask was applied on creation; a file that is replaced keeps what it had.
+            let permissions = existing.as_ref().map(fs::Metadata::permissions);
+            let kept = permissions.map_or(Ok(()), |own| temporary.as_file().set_permissions(own));
+            kept.and_then(|()| temporary.as_file().sync_all())
+                .map_err(|error| cannot_write(&self.name, &error))?;
+        }
+        Ok(self)
+    }
+
+    /// Renames the temporary file, which is prepared, so that its target is never half written, not even when the power fails.
+    fn appear(self, unfinished: &mut Vec<PathBuf>) -> Result<(), Failure> {
+        let Target::Temporary { temporary, becomes, .. } = self.target else { return Ok(()) };
+        let path = temporary.path().to_owned();
+        let renamed = temporary.persist(&becomes).map_err(|error| error.error);
+        renamed.map_err(|error| cannot_write(&self.name, &error))?;
+        unfinished.retain(|other| *other != path);
+        sync_folder_of(&becomes);
+        Ok(())
     }
 
     fn stop(&self, error: &io::Error) -> Stop {
@@ -141,13 +206,17 @@ fn flush() -> Result<(), Failure> {
 }
 
 fn cannot_write(name: &str, error: &io::Error) -> Failure {
-    Failure::data(format_args!("{name}: cannot write: {error}"))
+    Failure::data(format_args!("{}: cannot write: {error}", Foreign::of(name)))
 }
 
 impl Target {
     fn open(file: &Path) -> io::Result<Self> {
-        // A link is written through, and a device or pipe is written to: neither may be replaced.
-        let existing = fs::metadata(file).ok();
+        // A link is written through, and a device or pipe is written to: neither may be replaced. A link that leads nowhere makes
+        // the file that it names; links in a circle name none.
+        let existing = match fs::metadata(file) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+            found => found.ok(),
+        };
         if existing.as_ref().is_some_and(fs::Metadata::is_dir) {
             return Err(io::Error::other("is a directory"));
         }
@@ -164,24 +233,10 @@ impl Target {
         // error does not name it: its name says nothing to the user.
         let temporary =
             Builder::new().prefix(".boundfit-").make_in(directory, |path| fs::File::create_new(path))?;
-        *unfinished = Some(temporary.path().to_owned());
+        unfinished.push(temporary.path().to_owned());
         drop(unfinished);
         Ok(Target::Temporary { temporary, becomes, existing })
     }
-}
-
-/// Renames a temporary file, so that its target is never half written, not even when the power fails: the contents are on
-/// the disk before the new name is.
-fn persist(temporary: NamedTempFile, becomes: &Path, existing: Option<fs::Metadata>) -> io::Result<()> {
-    if let Some(metadata) = existing {
-        // The user's mask was applied on creation; a file that is replaced keeps what it had.
-        temporary.as_file().set_permissions(metadata.permissions())?;
-    }
-    temporary.as_file().sync_all()?;
-    temporary.persist(becomes).map_err(|error| error.error)?;
-    *UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner) = None;
-    sync_folder_of(becomes);
-    Ok(())
 }
 
 /// Has the new name on the disk before the program says that all is well.

@@ -1,5 +1,6 @@
 //! Readings from files: whole tables, tables of any size, reductions and fleets. Nothing else in this crate reads.
 
+mod agreement;
 mod columns;
 mod fleet;
 mod kept_columns;

@@ -6,6 +6,7 @@ use std::io::{self, Write};
 use boundfit_exact::Rational;
 use boundfit_formats::{Batch, InputError, ReductionRecord, ScanOptions, Source, open_reduction, scan};
 
+use super::agreement::KeptRows;
 use super::columns::Columns;
 use super::stated::{Stated, asked_by_reduction, counts_of, refuse_late};
 use crate::least_squares::NoLeastSquares;
@@ -92,11 +93,13 @@ impl ReducedTable {
         let rule = Rule::new(&unnamed, if reductions.is_some() { usize::MAX } else { 1 });
         let mut all = Collected::default();
         let mut unbounded = None;
-        let digest = |batch: Batch| Digest {
-            unbounded: columns.first_unbounded(&batch),
-            ..Digest::new(&batch, &rule)
+        let digest = |batch: Batch| {
+            let rows = reductions.as_ref().map(|_| KeptRows::of_columns(&unnamed, &batch.columns));
+            (rows, Digest { unbounded: columns.first_unbounded(&batch), ..Digest::new(&batch, &rule) })
         };
-        let scanned = scan(source, &columns.selectors(), &options, digest, |digest| {
+        let mut kept_rows = KeptRows::default();
+        let scanned = scan(source, &columns.selectors(), &options, digest, |(rows, digest)| {
+            rows.into_iter().for_each(|rows| kept_rows.add(rows));
             unbounded = unbounded.or(digest.unbounded);
             all.take(digest, &rule);
         })?;
@@ -104,15 +107,20 @@ impl ReducedTable {
         let Collected { open, fixed, mut texts, first } = all;
         let (mut own, kept, mut ties) = if rule.open.is_some() {
             let (sums, kept, ties) = open.into_parts(&Rational::zero(), &rule.sieve);
-            (Stated { count: sums.count, has_widths: true, sums: Ok(sums), is_open: true }, kept, ties)
+            (
+                Stated { count: sums.count, has_widths: true, sums: Ok(sums), is_open: true, is_hull: true },
+                kept,
+                ties,
+            )
         } else {
             let FixedSummary { support, sums, has_widths } = fixed;
             let count = support.count();
             let (kept, ties) = support.into_rows(&rule.fixed);
-            (Stated { count, has_widths, sums, is_open: false }, kept, ties)
+            (Stated { count, has_widths, sums, is_open: false, is_hull: false }, kept, ties)
         };
         if let Some(reductions) = &reductions {
             own = Stated::of(reductions, &name, &asked, &options)?;
+            kept_rows.check(&own).map_err(|error| InputError::of_file(&name, error))?;
             if let Some(counts) = counts_of(reductions, &name, scanned.rows_total)? {
                 ties = ties.weighted(&kept, &counts);
             }

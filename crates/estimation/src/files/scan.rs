@@ -5,6 +5,7 @@ use boundfit_formats::{
     Batch, InputError, RowNumbers, ScanOptions, Scanned, Source, TableRow, open_reduction, scan,
 };
 
+use super::agreement::KeptRows;
 use super::columns::Columns;
 use super::kept_columns::{KeptColumns, KeptPart};
 use super::looks::Looks;
@@ -97,11 +98,16 @@ impl Measurements {
         let most_rows = if keeps_all { usize::MAX } else { keep.most_rows };
         let mut unbounded = None;
         let selectors = columns.selectors();
+        // Sums are told of x as it is.
+        let as_it_is = Columns { form: LineForm::default(), ..columns.clone() }.meaning(&[]);
         let digest = |batch: Batch| {
             let unbounded = columns.first_unbounded(&batch);
-            Digest { unbounded, ..Digest::new(batch, &sieve, &bounds, keep.eui && !keeps_all) }
+            let rows = reductions.as_ref().map(|_| KeptRows::of_columns(&as_it_is, &batch.columns));
+            (rows, Digest { unbounded, ..Digest::new(batch, &sieve, &bounds, keep.eui && !keeps_all) })
         };
-        let scanned = scan(source, &selectors, &options, digest, |digest| {
+        let mut kept_rows = KeptRows::default();
+        let scanned = scan(source, &selectors, &options, digest, |(rows, digest)| {
+            rows.into_iter().for_each(|rows| kept_rows.add(rows));
             unbounded = unbounded.or(digest.unbounded);
             all.take(digest, most_rows, &sieve, &bounds);
         })?;
@@ -110,6 +116,7 @@ impl Measurements {
             let stated = Stated::of(reductions, &name, &asked_by_fit(&meaning), &options)?;
             refuse_late(&name, &meaning)?;
             columns.refuse_unbounded(&name, unbounded)?;
+            kept_rows.check(&stated).map_err(|error| InputError::of_file(&name, error))?;
             let (mut rows, mut ties, minimax) = match meaning.error_bound.uniform() {
                 Some(epsilon) if meaning.is_open() => {
                     let (_, mut rows, ties) = all.open.into_parts(epsilon, &sieve);

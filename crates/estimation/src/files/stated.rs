@@ -23,6 +23,8 @@ pub(super) struct Stated {
     pub(super) has_widths: bool,
     /// Whether the rows decide under every multiple of the bounds.
     pub(super) is_open: bool,
+    /// Whether the rows decide under every bound that all readings have: then nothing lies beyond them.
+    pub(super) is_hull: bool,
 }
 
 impl Stated {
@@ -42,7 +44,8 @@ impl Stated {
         }
         let digits = options.table.limits.digits.saturating_mul(DIGITS_OF_SUMS);
         let limits = Limits { digits, exponent: 0 };
-        let mut total = Stated { count: 0, sums: Ok(Sums::default()), has_widths: false, is_open: false };
+        let mut total =
+            Stated { count: 0, sums: Ok(Sums::default()), has_widths: false, is_open: false, is_hull: false };
         for record in reductions.records() {
             record.check(asked, options.table.reading).map_err(fail)?;
             let count = total.count.checked_add(record.rows);
@@ -59,6 +62,7 @@ impl Stated {
             total.has_widths |= record.widths;
             // They do not differ in this.
             total.is_open = matches!(record.model.bounds, ReducedBounds::Any | ReducedBounds::Multiples(_));
+            total.is_hull = record.model.bounds == ReducedBounds::Any;
         }
         Ok(total)
     }

@@ -45,14 +45,14 @@ pub(super) fn refuse_nulls(array: &dyn Array) -> Result<(), BadCell> {
     Err(BadCell { index: null, text: None, problem: InputErrorKind::Null })
 }
 
-/// The cells as text, without the spaces and tabs around it.
+/// The cells as text, as it is stored.
 pub(super) fn keys(array: &ArrayRef) -> Result<Pieces<String>, BadCell> {
     refuse_nulls(array)?;
     let mut keys = Pieces::<String>::default();
     for index in 0..array.len() {
         let key = text(array, index)
             .ok_or_else(|| BadCell::of_type(array.data_type(), "a column of text or of numbers"))?;
-        keys.push(key.trim_matches([' ', '\t']));
+        keys.push(&key);
     }
     Ok(keys)
 }

@@ -18,6 +18,12 @@ pub enum ReductionError {
     /// More readings than can be counted.
     #[error("the reductions stand for more than {} readings", usize::MAX)]
     TooManyRows,
+    /// Something that cannot be true of any readings beside the rows that follow.
+    #[error("the reduction contradicts itself: {what} (was it edited? make it again from the table)")]
+    Contradiction {
+        /// What it says, and what shows that it is not so.
+        what: &'static str,
+    },
     /// More or fewer lines than announced.
     #[error("the reduction from line {line} on announces {announced} lines of readings, but {found} follow")]
     CountMismatch {

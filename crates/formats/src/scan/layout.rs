@@ -16,6 +16,7 @@ use super::batch::{Pieces, ScanOptions};
 use super::builder::BatchBuilder;
 use super::notes::Notes;
 use super::preamble::{Preamble, USUAL_MARKS};
+use super::quoting::is_quoted;
 use super::values::{Mark, Numbers, Value};
 
 /// How many cells rows have.
@@ -148,7 +149,9 @@ impl<'a> Layout<'a> {
     /// Records of bytes that start on this line.
     pub(super) fn records(&self, line: u64) -> Records<'a> {
         let longest = self.options.table.sizes.line;
-        Records::new(self.file, self.syntax, line, longest, self.options.keep_text)
+        // The text of a record tells whether a key stands in quotes.
+        let keeps_text = self.options.keep_text || self.key.is_some();
+        Records::new(self.file, self.syntax, line, longest, keeps_text)
     }
 
     /// An empty batch.
@@ -310,23 +313,29 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Adds the key of a record to a batch.
+    /// Adds the key of a record to a batch: what stands in quotes as it is written.
     pub(super) fn add_key_of(
         &self,
         record: &Record,
+        text: Option<&[u8]>,
         line: u64,
         batch: &mut BatchBuilder,
     ) -> Result<(), InputError> {
         if let (Some(place), Some(keys)) = (&self.key, &mut batch.keys) {
             let cell = record.cell(place.position - 1);
-            Layout::add_key(cell, keys).map_err(|problem| place.error(self.file, line, cell, problem))?;
+            let fail = |problem| place.error(self.file, line, cell, problem);
+            let key = decode(cell).map_err(fail)?;
+            let has_blanks = key.len() != unquoted_key(key).len();
+            let is_as_written = has_blanks
+                && text.is_some_and(|text| is_quoted(text, self.syntax.delimiter, place.position - 1));
+            keys.push(if is_as_written { key } else { unquoted_key(key) });
         }
         Ok(())
     }
 
-    /// Adds the text in a cell to the keys.
+    /// Adds the text in a cell without quotes to the keys.
     pub(super) fn add_key(cell: &[u8], keys: &mut Pieces<String>) -> Result<(), InputErrorKind> {
-        keys.push(decode(cell)?.trim_matches([' ', '\t']));
+        keys.push(unquoted_key(decode(cell)?));
         Ok(())
     }
 
@@ -334,4 +343,9 @@ impl<'a> Layout<'a> {
     pub(super) fn other(&self, values: Vec<Value>, row: usize) -> TableRow {
         TableRow { row, numbers: values.into_iter().map(Value::exact).collect() }
     }
+}
+
+/// The key in a cell without quotes: the blanks around it set columns off from each other.
+fn unquoted_key(cell: &str) -> &str {
+    cell.trim_matches([' ', '\t'])
 }

@@ -15,6 +15,7 @@ mod others;
 mod parallel;
 mod plain;
 mod preamble;
+mod quoting;
 mod rows;
 mod sequential;
 mod values;

@@ -101,7 +101,7 @@ impl<'a> RowReader<'a> {
         if is_wanted {
             match layout.row(record, line, self.total, true, &mut self.mark, &mut self.notes)? {
                 Row::Values(values) => {
-                    layout.add_key_of(record, line, batch)?;
+                    layout.add_key_of(record, self.records.text(), line, batch)?;
                     let columns = values.into_iter().zip(&mut batch.columns);
                     columns.for_each(|(value, column)| value.push_to(column));
                     let cells = layout.places.iter().map(|place| record.cell(place.position - 1));

@@ -54,7 +54,8 @@ impl Lines {
 
     /// A cell in quotes where it needs them. Line ends become spaces, so that a line is a row.
     fn add_cell(&mut self, text: &str) {
-        let is_plain = !text.contains(['\t', '"', '\n', '\r']);
+        // What stands in quotes keeps the blanks around it.
+        let is_plain = !text.contains(['\t', '"', '\n', '\r']) && text.trim_matches(' ') == text;
         if is_plain {
             self.text.extend_from_slice(text.as_bytes());
             return;

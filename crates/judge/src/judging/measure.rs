@@ -1,7 +1,7 @@
 //! The worst of many errors.
 
 use boundfit_exact::Rational;
-use boundfit_lp::{MOST_ULPS, Printed, ulp};
+use boundfit_lp::{MOST_ULPS, Printed, is_below_binary64, ulp};
 
 use super::{Aspect, Fault, Finding, Tolerances, Worth};
 
@@ -104,6 +104,8 @@ impl<'a> Measure<'a> {
 /// How far the number that was meant may be from the one that is given.
 pub(super) fn rounding(printed: &Printed, tolerances: &Tolerances) -> Rational {
     let reach = if tolerances.digits_as_printed { printed.reach() } else { Rational::zero() };
-    let ulps = ulp(&printed.value).map(|ulp| ulp * Rational::from(MOST_ULPS));
+    // Binary64 has no number that small: nothing was rounded to it.
+    let ulps = ulp(&printed.value).filter(|_| !is_below_binary64(&printed.value));
+    let ulps = ulps.map(|ulp| ulp * Rational::from(MOST_ULPS));
     reach.max(ulps.unwrap_or_default())
 }

@@ -62,7 +62,9 @@ impl fmt::Display for Inline {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Inline::Given(text) => return text.fmt(f),
-            Inline::Words(text) | Inline::Number(text) => text,
+            // Ours are plain to see; if a text from outside came to be among them, it is, too.
+            Inline::Words(text) => return Foreign::of(text).fmt(f),
+            Inline::Number(text) => text,
             Inline::Mark(mark) => mark,
             Inline::Indent => "  ",
             Inline::Symbol(symbol) => symbol.forms().0,

@@ -111,6 +111,21 @@ impl<'a> Judge<'a> {
         Some(second_judge::judge_end(&said(claimed), &truth, end == End::Upper))
     }
 
+    /// What is said of duals that are not one for each row, or of the first one that is negative beyond noise.
+    fn about_duals(&self, duals: &[f64]) -> Option<String> {
+        let rows = self.rows.len();
+        if duals.len() != rows {
+            let rows = if rows == 1 { "1 row".to_owned() } else { format!("{rows} rows") };
+            return Some(format!(
+                "the {} duals are not looked at: the program has {rows}, each with one",
+                duals.len()
+            ));
+        }
+        let noise = duals.iter().map(|dual| dual.abs()).max_by(f64::total_cmp)? * 1e-6;
+        let (place, dual) = (1..).zip(duals).find(|(_, dual)| **dual < -noise)?;
+        Some(format!("dual {place} is {dual}, and none below 0 is looked at: each row says a*theta <= b"))
+    }
+
     /// The smallest error bound that is not 0.
     pub fn epsilon(&self) -> Option<Rational> {
         let epsilons = self.rows.iter().filter_map(|row| row.epsilon.clone());
@@ -133,7 +148,7 @@ impl<'a> Judge<'a> {
             witness: None,
             proof: None,
             repairable: None,
-            reason: None,
+            reason: claim.duals.as_deref().and_then(|duals| self.about_duals(duals)),
         };
         if let Truth::At(exact) = &truth {
             found.exact = Some(exact.clone());

@@ -1,0 +1,267 @@
+//! Nothing that is printed deceives: not by what somebody else wrote into names and files, and not by rounding.
+
+use std::fs;
+use std::path::Path;
+
+use boundfit_exact::{Foreign, Limits, Rational, Reading};
+use boundfit_tests::cli::{Run, boundfit, boundfit_with_input, command, directory_with, finish, printed};
+
+/// Wipes the line above and begins a new one, turns text round, and shows nothing.
+const HOSTILE: &str = "y\u{1b}[1A\u{1b}[2K\rexact\nWorst verdict: exact\u{202e}\u{200b}\u{2028}";
+const DATA: &str = "x,y\n1,2\n2,3.1\n3,3.9\n4,5\n";
+
+/// Checks that every character that a program prints can be seen, but for line ends and spaces.
+fn is_plain(run: &Run, about: &str) {
+    for text in [&run.stdout, &run.stderr] {
+        for line in text.split('\n') {
+            assert_eq!(Foreign::of(line).to_string(), line, "{about}");
+        }
+    }
+}
+
+#[test]
+fn names_in_a_table_cannot_wipe_or_forge_lines() {
+    let cell = HOSTILE.replace('"', "\"\"");
+    let table = format!("x\u{1b}[31m,\"{cell}\",g\n1,2,\"{cell}\"\n2,3,b\n3,5,b\n");
+    let directory = directory_with(&[("data.csv", table.as_bytes()), ("other.csv", DATA.as_bytes())]);
+    for line in [
+        "fit data.csv --x 1 --y 2 --eps 1",
+        "fit data.csv --x 1 --y 2 --eps 1 --brief",
+        "fit data.csv --x 1 --y 2 --eps 1 --format latex",
+        "fit data.csv --x 1 --y 2 --eps 1 --format markdown",
+        "fit data.csv --x 1 --y 1 --eps-column 2",
+        "fit data.csv --x 1 --y 1 --lower 1 --upper 2",
+        "fit data.csv --x 1,2 --y 1 --eps 1",
+        "fit data.csv --x 1 --y 2 --eps 1 --by g",
+        "fit data.csv --x 1 --y g --eps 1",
+        "fit data.csv --x 1 --y nothing --eps 1",
+        "check data.csv --x 1 --y 2 --eps 1",
+        "convert data.csv --x 1 --y 2 --eps 1 --to mps --objective theta1-min",
+        "plot data.csv --x 1 --y 2 --eps 1",
+    ] {
+        is_plain(&boundfit(directory.path(), line), line);
+    }
+    let text = printed(directory.path(), "fit data.csv --x 1 --y 2 --eps 1 --no-lp");
+    let name = r"y\u{1b}[1A\u{1b}[2K\rexact\nWorst verdict: exact\u{202e}\u{200b}\u{2028}";
+    assert!(text.contains(&format!("{name} = theta1*x\\u{{1b}}[31m + theta2 + e\n")), "{text}");
+    // JSON has the name itself.
+    let json: serde_json::Value =
+        serde_json::from_str(&printed(directory.path(), "fit data.csv --x 1 --y 2 --eps 1 --format json"))
+            .unwrap();
+    assert_eq!(json["input"]["y"], HOSTILE);
+}
+
+#[test]
+fn what_was_typed_is_on_one_line() {
+    let directory = directory_with(&[("data.csv", DATA.as_bytes())]);
+    let with = |arguments: &[&str]| finish(command(directory.path()).args(arguments), b"");
+    for arguments in [
+        &["fit", HOSTILE, "--x", "x", "--y", "y", "--eps", "1"][..],
+        &["fit", "data.csv", "--x", HOSTILE, "--y", "y", "--eps", "1"],
+        &["fit", "data.csv", "--x", "x", "--y", "y", "--eps", HOSTILE],
+        &["fit", "data.csv", "--x", "x", "--y", "y", "--eps", "1", "--where", HOSTILE],
+        &["fit", "data.csv", "--x", "x", "--y", "y", "--eps", "1", "--where-row", HOSTILE],
+        &["fit", "data.csv", "--x", "x", "--y", "y", "--eps", "1", "--format", HOSTILE],
+        &["fit", "data.csv", "--x", "x", "--y", "y", "--eps", "1", &format!("--{HOSTILE}")],
+        &["fit", "data.csv", "--x", "x", "--y", "y", "--eps", "1", "-o", &format!("none/{HOSTILE}")],
+        &["fit", "data.csv", HOSTILE],
+        &[HOSTILE],
+        &["man", HOSTILE],
+        &["judge", HOSTILE],
+        &["polygon", HOSTILE],
+        &["reduce", HOSTILE, "--x", "x", "--y", "y"],
+        &["bench-solvers", HOSTILE],
+        &["check", "data.csv", "--x", "x", "--y", "y", "--eps", "1", "--claim", HOSTILE],
+        &["check", "data.csv", "--x", "x", "--y", "y", "--eps", "1", "--solver", HOSTILE],
+        &["check", "data.csv", "--x", "x", "--y", "y", "--eps", "1", "--claim-pui", HOSTILE],
+    ] {
+        let run = with(arguments);
+        assert!(matches!(run.status, 1 | 2) && run.stdout.is_empty(), "{arguments:?} {run:?}");
+        is_plain(&run, &format!("{arguments:?}"));
+        assert!(!run.stderr.contains("\nWorst verdict"), "{arguments:?} {run:?}");
+    }
+}
+
+#[test]
+fn a_claim_cannot_forge_its_verdict() {
+    let claim = serde_json::json!({"source": HOSTILE, "pui": [[0.9, 1.1], [0.8, 1.2]]});
+    let named = serde_json::json!({"status": HOSTILE});
+    let unknown = serde_json::json!({HOSTILE: 1});
+    let directory = directory_with(&[
+        ("data.csv", DATA.as_bytes()),
+        ("claim.json", claim.to_string().as_bytes()),
+        ("status.json", named.to_string().as_bytes()),
+        ("field.json", unknown.to_string().as_bytes()),
+    ]);
+    let check = "check data.csv --x x --y y --eps 0.2 --claim";
+    let run = boundfit(directory.path(), &format!("{check} claim.json"));
+    assert_eq!((run.status, run.stderr.as_str()), (4, ""));
+    is_plain(&run, "claim.json");
+    let worst: Vec<&str> = run.stdout.lines().filter(|line| line.starts_with("Worst verdict")).collect();
+    assert_eq!(worst, ["Worst verdict: unsafe; refuted"]);
+    for file in ["status.json", "field.json"] {
+        let run = boundfit(directory.path(), &format!("{check} {file}"));
+        assert_eq!((run.status, run.stderr.lines().count()), (1, 1), "{run:?}");
+        is_plain(&run, file);
+    }
+}
+
+fn number(text: &str) -> Rational {
+    Reading::Decimal.read(text, &Limits::default()).unwrap()
+}
+
+/// The points that a report calls feasible, as it prints them.
+fn feasible_points(report: &str) -> Vec<[Rational; 2]> {
+    let report = report.split_whitespace().collect::<Vec<_>>().join(" ");
+    let before = report.match_indices(") is feasible").map(|(end, _)| &report[..end]);
+    let points = before.map(|text| &text[text.rfind('(').unwrap() + 1..]);
+    points.map(|point| point.split_once(", ").unwrap()).map(|(one, two)| [number(one), number(two)]).collect()
+}
+
+#[test]
+fn points_called_feasible_are_feasible_as_printed() {
+    let directory = directory_with(&[("data.csv", DATA.as_bytes())]);
+    let readings = [("1", "2"), ("2", "3.1"), ("3", "3.9"), ("4", "5")].map(|(x, y)| [number(x), number(y)]);
+    for digits in ["", "--digits 1", "--digits 3", "--digits 9"] {
+        let line = format!("check data.csv --x x --y y --eps 0.2 --claim-pui=0.99,1,0.99,1 {digits}");
+        let run = boundfit(directory.path(), &line);
+        assert_eq!(run.status, 4, "{line} {run:?}");
+        let points = feasible_points(&run.stdout);
+        assert!(points.len() >= 4, "{line} {run:?}");
+        for [theta1, theta2] in points {
+            for [x, y] in &readings {
+                let error = y - &(x * &theta1 + &theta2);
+                assert!(error.abs() <= number("0.2"), "{line} ({theta1}, {theta2}) at {x}");
+            }
+        }
+    }
+}
+
+#[test]
+fn claims_below_the_smallest_double_are_compared_exactly() {
+    let directory = directory_with(&[("data.csv", b"x,y\n0,0\n1,0\n")]);
+    let check = |claimed: &str| {
+        boundfit(directory.path(), &format!("check data.csv --x x --y y --eps 1e-400 --claim-pui={claimed}"))
+    };
+    let run = check("-1e-400,2e-400,-1e-401,1e-330");
+    assert_eq!(run.status, 4, "{run:?}");
+    let rows: Vec<&str> =
+        run.stdout.lines().filter(|line| line.starts_with("claimed PUI  decimal")).collect();
+    assert_eq!(rows.len(), 1, "{}", run.stdout);
+    for verdict in ["unsafe", "exact", "loose"] {
+        assert!(rows[0].contains(verdict), "{}", run.stdout);
+    }
+    assert_eq!(check("-2e-400,2e-400,-1e-400,1e-400").status, 0);
+    assert_eq!(check("0,0,0,0").status, 4);
+}
+
+#[test]
+fn duals_that_are_none_are_said_to_be() {
+    let directory = directory_with(&[("data.csv", DATA.as_bytes())]);
+    for (duals, said) in [
+        ("[1, 2, 3]", "the 3 duals are not looked at: the program has 8 rows, each with one"),
+        ("[0, 0, -0.5, 0, 1, 0, 0, 0]", "dual 3 is -0.5, and none below 0 is looked at"),
+    ] {
+        let claim = format!("{{\"pui\": [[0.9, 1.1], [0.8, 1.2]], \"duals\": [{duals}, null, null, null]}}");
+        fs::write(directory.path().join("claim.json"), claim).unwrap();
+        let line = "check data.csv --x x --y y --eps 0.2 --claim claim.json";
+        let run = boundfit(directory.path(), line);
+        let text = run.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.contains(said), "{}", run.stdout);
+        let run = boundfit(directory.path(), &format!("{line} --format json"));
+        assert!(run.stdout.contains(said), "{}", run.stdout);
+    }
+}
+
+#[test]
+fn reductions_that_contradict_themselves_are_refused() {
+    let record = |rows: &str, sums: &str| {
+        format!(
+            "# boundfit/reduced/1 {{\"rows\":{rows},\"kept\":4,\"header\":true,\"reading\":\"decimal\",\"x\":\"x\",\"y\":\"y\",\
+             \"epsilon\":null,\"sums\":[{sums}]}}\nx,y\n1,2\n2,3.1\n3,3.9\n4,5\n"
+        )
+    };
+    let directory = directory_with(&[]);
+    let both = |text: &str| {
+        ["fit - --x x --y y --eps 1 --no-lp", "reduce - --x x --y y"]
+            .map(|line| boundfit_with_input(directory.path(), line, text.as_bytes()))
+    };
+    let is_true = [
+        record("4", "\"10\",\"14\",\"30\",\"399/10\""),
+        // Two more readings within those that are kept.
+        record("6", "\"15\",\"20.9\",\"42.5\",\"57.15\"")
+            .replace("20.9", "209/10")
+            .replace("42.5", "85/2")
+            .replace("57.15", "1143/20"),
+    ];
+    for text in is_true {
+        for run in both(&text) {
+            assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{text}");
+        }
+    }
+    let edited = record("4", "\"10\",\"14\",\"30\",\"399/10\"").replace("1,2\n", "1,2.05\n");
+    let every = "it keeps every reading, but its sums are not those of the rows that follow";
+    let beyond = "its sums are those of readings beyond the rows that it keeps, which none can be";
+    let none = "no readings beside those that it keeps have the sums that are left for them";
+    for (text, message) in [
+        (edited, every),
+        (record("4", "\"0\",\"0\",\"0\",\"0\""), every),
+        (record("4", "\"10\",\"14\",\"25\",\"1\""), every),
+        (record("3", "\"10\",\"14\",\"30\",\"399/10\""), "it keeps more readings than it says there were"),
+        (record("5", "\"12\",\"17\",\"33\",\"46\""), none),
+        (record("1000000000", "\"10\",\"14\",\"30\",\"399/10\""), beyond),
+        // x of the fifth reading is 2 and its y is 9; or its x is 5.
+        (record("5", "\"12\",\"23\",\"34\",\"579/10\""), beyond),
+        (record("5", "\"15\",\"17\",\"55\",\"549/10\""), beyond),
+    ] {
+        for run in both(&text) {
+            assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{text} {run:?}");
+            assert!(
+                run.stderr.contains(&format!("the reduction contradicts itself: {message}")),
+                "{text} {run:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn groups_are_told_apart_as_their_names_are_written() {
+    let table = "g,x,y\n\"a\",1,2\n\" a\",2,3\n\"a \",3,9\n\"a\n\",4,4\n a ,5,5\na,6,6\n";
+    let directory = directory_with(&[("data.csv", table.as_bytes())]);
+    let text = printed(directory.path(), "fit data.csv --x x --y y --eps 1 --by g --format csv");
+    let counts: Vec<(&str, &str)> = text
+        .split("\n")
+        .filter_map(|line| line.split_once(','))
+        .map(|(group, rest)| (group, rest.split(',').next().unwrap()))
+        .collect();
+    // The line end in a name is part of its cell.
+    assert_eq!(counts, [("group", "rows"), ("a", "3"), (" a", "1"), ("a ", "1"), ("\"", "1")], "{text}");
+}
+
+#[test]
+fn no_cell_of_csv_is_a_formula() {
+    let table = "g,x,y\n=cmd|1,1,2\n@SUM(A1),2,3\n-5,3,9\n'=1,4,4\n+1-2,5,5\n";
+    let directory = directory_with(&[("data.csv", table.as_bytes())]);
+    let text = printed(directory.path(), "fit data.csv --x x --y y --eps 1 --by g --format csv");
+    let groups: Vec<&str> = text.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();
+    assert_eq!(groups, ["'=cmd|1", "'@SUM(A1)", "-5", "''=1", "'+1-2"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn links_in_a_circle_are_not_replaced() {
+    let directory = directory_with(&[("data.csv", DATA.as_bytes())]);
+    let link = |from: &str, to: &str| std::os::unix::fs::symlink(to, directory.path().join(from)).unwrap();
+    link("one", "two");
+    link("two", "one");
+    for line in [
+        "fit data.csv --x x --y y --eps 1 -o one",
+        "fit data.csv --x x --y y --eps 1 --proof one",
+        "plot data.csv --x x --y y --eps 1 -o one",
+    ] {
+        let run = boundfit(directory.path(), line);
+        assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{line}");
+        assert!(run.stderr.starts_with("error: one: cannot write: "), "{line} {run:?}");
+        assert_eq!(fs::read_link(directory.path().join("one")).unwrap(), Path::new("two"), "{line}");
+    }
+}
