@@ -4,15 +4,15 @@ use std::fs;
 use std::path::Path;
 
 use boundfit_exact::{Foreign, Limits, Rational, Reading};
-use boundfit_tests::cli::{Run, boundfit, boundfit_with_input, command, directory_with, finish, printed};
+use boundfit_tests::cli::{boundfit, boundfit_with_input, command, directory_with, finish, printed};
 
 /// Wipes the line above and begins a new one, turns text round, and shows nothing.
 const HOSTILE: &str = "y\u{1b}[1A\u{1b}[2K\rexact\nWorst verdict: exact\u{202e}\u{200b}\u{2028}";
 const DATA: &str = "x,y\n1,2\n2,3.1\n3,3.9\n4,5\n";
 
 /// Checks that every character that a program prints can be seen, but for line ends and spaces.
-fn is_plain(run: &Run, about: &str) {
-    for text in [&run.stdout, &run.stderr] {
+fn is_plain([stdout, stderr]: [&str; 2], about: &str) {
+    for text in [stdout, stderr] {
         for line in text.split('\n') {
             assert_eq!(Foreign::of(line).to_string(), line, "{about}");
         }
@@ -39,7 +39,8 @@ fn names_in_a_table_cannot_wipe_or_forge_lines() {
         "convert data.csv --x 1 --y 2 --eps 1 --to mps --objective theta1-min",
         "plot data.csv --x 1 --y 2 --eps 1",
     ] {
-        is_plain(&boundfit(directory.path(), line), line);
+        let run = boundfit(directory.path(), line);
+        is_plain([&run.stdout, &run.stderr], line);
     }
     let text = printed(directory.path(), "fit data.csv --x 1 --y 2 --eps 1 --no-lp");
     let name = r"y\u{1b}[1A\u{1b}[2K\rexact\nWorst verdict: exact\u{202e}\u{200b}\u{2028}";
@@ -77,7 +78,7 @@ fn what_was_typed_is_on_one_line() {
     ] {
         let run = with(arguments);
         assert!(matches!(run.status, 1 | 2) && run.stdout.is_empty(), "{arguments:?} {run:?}");
-        is_plain(&run, &format!("{arguments:?}"));
+        is_plain([&run.stdout, &run.stderr], &format!("{arguments:?}"));
         assert!(!run.stderr.contains("\nWorst verdict"), "{arguments:?} {run:?}");
     }
 }
@@ -96,13 +97,13 @@ fn a_claim_cannot_forge_its_verdict() {
     let check = "check data.csv --x x --y y --eps 0.2 --claim";
     let run = boundfit(directory.path(), &format!("{check} claim.json"));
     assert_eq!((run.status, run.stderr.as_str()), (4, ""));
-    is_plain(&run, "claim.json");
+    is_plain([&run.stdout, &run.stderr], "claim.json");
     let worst: Vec<&str> = run.stdout.lines().filter(|line| line.starts_with("Worst verdict")).collect();
     assert_eq!(worst, ["Worst verdict: unsafe; refuted"]);
     for file in ["status.json", "field.json"] {
         let run = boundfit(directory.path(), &format!("{check} {file}"));
         assert_eq!((run.status, run.stderr.lines().count()), (1, 1), "{run:?}");
-        is_plain(&run, file);
+        is_plain([&run.stdout, &run.stderr], file);
     }
 }
 

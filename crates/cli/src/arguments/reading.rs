@@ -16,6 +16,7 @@ use super::{
     ReduceArguments, RowArguments, TableArguments, ThreadArguments,
 };
 use crate::exit::Failure;
+use crate::input;
 use crate::memory;
 use crate::progress::ReadingProgress;
 use crate::work::{refuse_long_problem, times};
@@ -36,7 +37,7 @@ impl DataArguments {
 
     /// Opens the file.
     pub(crate) fn open(&self) -> Data<'_> {
-        let source = Source::open(&self.data).map_err(Failure::data);
+        let source = input::open(&self.data).map_err(Failure::data);
         let is_stored = source.as_ref().is_ok_and(Source::is_stored);
         let reading = if is_stored { Reading::Binary64 } else { self.table.reading() };
         let origin =

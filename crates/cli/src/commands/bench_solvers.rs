@@ -7,7 +7,7 @@ use std::time::Duration;
 use boundfit_check::{Check, CheckOptions, check, source_names};
 use boundfit_estimation::{Columns, EpsilonColumn, LineForm, Measurements, Problem};
 use boundfit_exact::{Foreign, Rational, Reading};
-use boundfit_formats::{ColumnSelector, Source, TableOptions, WholeFile};
+use boundfit_formats::{ColumnSelector, TableOptions, WholeFile};
 use boundfit_judge::{Answer, JudgedSolver, Plane, SolveError, Tolerances, judge_solvers};
 use boundfit_report::{CaseVerdicts, cases_json, cases_table};
 
@@ -15,6 +15,7 @@ use super::judge::model_of;
 use crate::CommandResult;
 use crate::arguments::{BenchSolversArguments, Format, LimitArguments, ending, number_problem};
 use crate::exit::{Exit, Failure};
+use crate::input;
 use crate::output;
 use crate::progress::while_working;
 use crate::work::{refuse_long, refuse_long_problem, times};
@@ -116,7 +117,7 @@ fn judged_model(folder: &Path, name: &str, limits: &LimitArguments) -> Result<Ve
     let case = json_of(&json)?;
     let mps = folder.join(format!("{name}.mps")).to_string_lossy().into_owned();
     let fail = |error: SolveError| Failure::data(format_args!("{}: {error}", Foreign::of(&mps)));
-    let source = Source::open(&mps).map_err(Failure::data)?;
+    let source = input::open(&mps).map_err(Failure::data)?;
     let file = WholeFile::read(source, &limits.sizes()).map_err(Failure::data)?;
     let model = model_of(&file, limits)?;
     refuse_long(Foreign::of(&mps), &model.work(), times::CHECK, limits)?;
@@ -179,7 +180,7 @@ fn judged_fit(
         form: LineForm::default(),
     };
     let csv = folder.join(format!("{name}.csv")).to_string_lossy().into_owned();
-    let source = Source::open(&csv).map_err(Failure::data)?;
+    let source = input::open(&csv).map_err(Failure::data)?;
     let measurements = Measurements::read(source, &columns, table).map_err(Failure::data)?;
     let problem = Problem { measurements, conditions: Vec::new() };
     refuse_long_problem(Foreign::of(&csv), &problem, times::CHECK, limits)?;

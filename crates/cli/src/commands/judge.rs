@@ -3,7 +3,7 @@
 use boundfit_exact::Foreign;
 use boundfit_exact::english::in_words;
 use boundfit_figures::{PictureFormat, draw_program};
-use boundfit_formats::{Source, WholeFile};
+use boundfit_formats::WholeFile;
 use boundfit_judge::{Answer, Plane};
 use boundfit_lp::{ExchangeFormat, Model, ModelLimits, model_text, read_model};
 use boundfit_report::{
@@ -15,6 +15,7 @@ use super::solutions;
 use crate::CommandResult;
 use crate::arguments::{JudgeArguments, JudgeFormat, LimitArguments, ending};
 use crate::exit::{Exit, Failure};
+use crate::input;
 use crate::output;
 use crate::progress::while_working;
 use crate::work::{refuse_long, refuse_long_text, times};
@@ -157,7 +158,7 @@ fn picture(model: &Model, plane: &Plane, file: &Foreign, format: PictureFormat) 
 }
 
 fn read(arguments: &JudgeArguments) -> Result<WholeFile, Failure> {
-    let source = Source::open(&arguments.model).map_err(Failure::data)?;
+    let source = input::open(&arguments.model).map_err(Failure::data)?;
     WholeFile::read(source, &arguments.limits.sizes()).map_err(Failure::data)
 }
 

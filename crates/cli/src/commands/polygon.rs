@@ -1,7 +1,7 @@
 //! `boundfit polygon`.
 
 use boundfit_exact::Foreign;
-use boundfit_formats::{Source, read_half_planes};
+use boundfit_formats::read_half_planes;
 use boundfit_geometry::Polyhedron;
 use boundfit_report::{
     h_representation, polygon_document, polygon_json, region_script, region_wkt, v_representation,
@@ -11,6 +11,7 @@ use boundfit_report::{
 use crate::CommandResult;
 use crate::arguments::{PolygonArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
+use crate::input;
 use crate::output;
 use crate::work::{refuse_long, times};
 
@@ -22,7 +23,7 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     guard.check(output)?;
     let reading = arguments.table.reading();
     let options = arguments.table.options(reading, None)?;
-    let source = Source::open(&arguments.file).map_err(Failure::data)?;
+    let source = input::open(&arguments.file).map_err(Failure::data)?;
     let name = source.name().to_owned();
     let file = read_half_planes(source, &options).map_err(Failure::data)?;
     refuse_long(name.borrowed(), &file.system.work(), times::POLYGON, &arguments.table.limits)?;

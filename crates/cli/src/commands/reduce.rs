@@ -7,6 +7,7 @@ use boundfit_formats::{ScanOptions, Source};
 use crate::CommandResult;
 use crate::arguments::{ReduceArguments, told_by_name};
 use crate::exit::{Exit, Failure};
+use crate::input;
 use crate::output;
 
 /// Reads the data and writes those rows that decide every fit.
@@ -16,7 +17,7 @@ pub(crate) fn run(arguments: &ReduceArguments) -> CommandResult {
     let guard = arguments.file.replace.guard([arguments.data.as_str()]);
     guard.check(output)?;
     told_by_name(output, &[("csv", ()), ("tsv", ()), ("txt", ())], None)?;
-    let source = Source::open(&arguments.data).map_err(Failure::data);
+    let source = input::open(&arguments.data).map_err(Failure::data);
     let is_stored = source.as_ref().is_ok_and(Source::is_stored);
     let reading = if is_stored { Reading::Binary64 } else { arguments.table.reading() };
     let columns = arguments.columns(reading)?;

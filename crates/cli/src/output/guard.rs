@@ -4,12 +4,23 @@
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read};
 use std::path::Path;
+use std::sync::{Mutex, PoisonError};
 
 use boundfit_exact::Foreign;
 use same_file::Handle;
 
 use super::marks::{START, is_ours};
 use crate::exit::Failure;
+
+/// The files that this run has opened to read them. What a command forgets to tell its guard before it works is told here.
+static OPENED: Mutex<Vec<String>> = Mutex::new(Vec::new());
+
+/// Remembers that a file is read, so that nothing is written over it.
+pub(crate) fn is_read(file: &str) {
+    if file != "-" {
+        OPENED.lock().unwrap_or_else(PoisonError::into_inner).push(file.to_owned());
+    }
+}
 
 /// Stands between what a command writes and what is there already.
 #[derive(Default)]
@@ -71,10 +82,18 @@ impl Guard {
             |why: String| Err(Failure::data(format_args!("{}: not written: {why}", Foreign::of(file))));
         // Devices and pipes are written to and stay what they are.
         let Some(metadata) = fs::metadata(file).ok().filter(fs::Metadata::is_file) else { return Ok(()) };
-        if let Ok(handle) = Handle::from_path(file)
-            && let Some((_, name)) = self.kept.iter().find(|(kept, _)| *kept == handle)
-        {
-            return refuse(format!("it is {name}"));
+        if let Ok(handle) = Handle::from_path(file) {
+            if let Some((_, name)) = self.kept.iter().find(|(kept, _)| *kept == handle) {
+                return refuse(format!("it is {name}"));
+            }
+            let is_it = |opened: &&String| {
+                fs::metadata(opened).is_ok_and(|metadata| metadata.is_file())
+                    && Handle::from_path(opened).is_ok_and(|opened| opened == handle)
+            };
+            let opened = OPENED.lock().unwrap_or_else(PoisonError::into_inner);
+            if let Some(opened) = opened.iter().find(is_it) {
+                return refuse(format!("it is {}, which is read", Foreign::of(opened)));
+            }
         }
         if metadata.permissions().readonly() || is_denied(file) {
             return refuse("it is read-only (--force does not change that)".to_owned());

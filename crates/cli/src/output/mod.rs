@@ -14,7 +14,7 @@ use tempfile::{Builder, NamedTempFile};
 
 use crate::exit::Failure;
 
-pub(crate) use guard::Guard;
+pub(crate) use guard::{Guard, is_read};
 
 /// Writes several answers, each to its own file that the guard lets be written, or to standard output without one or for `-`. All
 /// files are written whole and are on the disk before the first of them appears, and an interruption waits until the last one

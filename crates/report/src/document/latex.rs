@@ -205,7 +205,6 @@ fn escape(character: char, result: &mut String) {
         '>' => result.push_str(r"\textgreater{}"),
         '|' => result.push_str(r"\textbar{}"),
         '"' => result.push_str("''"),
-        control if control.is_control() => result.push(' '),
         other => result.push(other),
     }
 }

@@ -51,7 +51,6 @@ fn line(text: &Text) -> String {
                     result.extend(['\\', character]);
                 }
                 '[' | ']' if is_given => result.extend(['\\', character]),
-                control if control.is_control() => result.push(' '),
                 other => result.push(other),
             }
         }
@@ -70,7 +69,7 @@ mod tests {
         let facts = Facts { width: 5, rows: vec![("error".into(), text)] };
         assert_eq!(
             written(&[Block::Facts(facts), Block::Title("A_b".into())]),
-            "|  |  |\n|---|---|\n| error | \\|e\\| \\<= a\\|b\\_c\\*\\[\\]  |\n\n### A\\_b\n"
+            "|  |  |\n|---|---|\n| error | \\|e\\| \\<= a\\|b\\_c\\*\\[\\]\\\\n |\n\n### A\\_b\n"
         );
     }
 }
