@@ -246,6 +246,6 @@ fn sides<N: Number>(name: &'static str, numbers: &[Option<N>]) -> Result<Vec<Opt
     (1..).zip(numbers).map(exact).collect()
 }
 
-fn same_length(columns: [&'static str; 2], rows: [usize; 2]) -> Result<(), Error> {
+pub(crate) fn same_length(columns: [&'static str; 2], rows: [usize; 2]) -> Result<(), Error> {
     if rows[0] == rows[1] { Ok(()) } else { Err(Error::Lengths { columns, rows }) }
 }

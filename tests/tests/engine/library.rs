@@ -5,7 +5,9 @@ use std::fs;
 use boundfit::check::check;
 use boundfit::num_rational::{BigRational, Ratio};
 use boundfit::verify::{Extent, Falsehood, VerifyError, verify};
-use boundfit::{Endpoint, Error, Fit, Interval, Number, NumberError, Observations, Problem, Rational};
+use boundfit::{
+    Endpoint, Error, Fit, Interval, Number, NumberError, Observations, Problem, Rational, Reading,
+};
 use boundfit_tests::cli::numbers::{exact, exact_or_null, pair, rational};
 use boundfit_tests::cli::report;
 use boundfit_tests::program::{root, run};
@@ -186,6 +188,55 @@ fn a_proof_of_the_program_is_true_of_its_table_alone() {
     assert!(matches!(other, Err(VerifyError::False(Falsehood::OtherData))), "{other:?}");
     let cut = verify(&proof[1..], &data);
     assert!(matches!(cut, Err(VerifyError::NotAProof(_))), "{cut:?}");
+}
+
+/// Few readings and more than are kept, of few digits and of all, with both readings.
+#[test]
+fn slices_of_doubles_are_fitted_like_their_texts_or_their_values() {
+    let mut state = 11_u64;
+    let mut next = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as f64
+    };
+    for (rows, divisor) in [(0, 10.0), (1, 10.0), (23, 1e3), (23, 3.0), (11_000, 1e3), (11_000, 7.0)] {
+        let x: Vec<f64> = (0..rows).map(|_| (next() % 10_000.0) / divisor).collect();
+        let y: Vec<f64> = x.iter().map(|x| (2.0 * x).round() + (next() % 800.0) / divisor / 1e3).collect();
+        for reading in [Reading::Decimal, Reading::Binary64] {
+            let problem = boundfit::problem_of_doubles(&x, &y, "1.25", reading).unwrap();
+            let fitted = problem.fit();
+            let expected = match reading {
+                Reading::Decimal => {
+                    let texts =
+                        |column: &[f64]| column.iter().map(|value| format!("{value:e}")).collect::<Vec<_>>();
+                    boundfit::fit(&texts(&x), &texts(&y), "1.25").unwrap()
+                }
+                Reading::Binary64 => boundfit::fit(&x, &y, "1.25").unwrap(),
+            };
+            assert_eq!(
+                Answer::of_library(&fitted),
+                Answer::of_library(&expected),
+                "{rows} {divisor} {reading:?}"
+            );
+            assert_eq!(problem.measurements.fitted(), rows);
+            assert_eq!(fitted.verify(&problem), Ok(()));
+        }
+    }
+}
+
+#[test]
+fn slices_of_doubles_that_are_no_readings_are_refused_with_their_place() {
+    let message = |x: &[f64], y: &[f64], epsilon: &str, reading| {
+        boundfit::fit_doubles(x, y, epsilon, reading).unwrap_err().to_string()
+    };
+    for reading in [Reading::Decimal, Reading::Binary64] {
+        assert_eq!(
+            message(&[0.0, f64::NAN], &[1.0; 2], "1", reading),
+            "row 2 of x: NaN is not a finite number"
+        );
+        assert_eq!(message(&[0.0], &[f64::INFINITY], "1", reading), "row 1 of y: inf is not a finite number");
+        assert_eq!(message(&[0.0, 1.0], &[1.0], "1", reading), "x has 2 rows, but y has 1");
+        assert_eq!(message(&[0.0], &[1.0], "-1/2", reading), "the error bound is negative");
+    }
 }
 
 #[test]
