@@ -34,56 +34,54 @@ pub struct PlainPrefix {
     pub length: usize,
 }
 
-/// Reads the digits, with or without a minus sign and a point, at the start of a text: from 1 to 18 of them, so that
+/// Reads the digits, with or without a minus sign and a point, at the start of a text: from 1 to 18 of them, or 19 where
 /// the mantissa fits. `None` when there are more or none. Exact. Cost: a few nanoseconds.
-#[inline]
+#[inline(always)]
 pub fn plain_prefix(text: &[u8]) -> Option<PlainPrefix> {
     let negative = text.first() == Some(&b'-');
     let start = usize::from(negative);
-    let (whole, whole_digits) = leading_digits(text, start);
+    let (mut magnitude, whole_digits) = digits(text, start, 0);
     let mut length = start + whole_digits;
-    let (mut fraction, mut fraction_digits) = (0, 0);
+    let mut fraction_digits = 0;
     if text.get(length) == Some(&b'.') {
-        (fraction, fraction_digits) = leading_digits(text, length + 1);
+        (magnitude, fraction_digits) = digits(text, length + 1, magnitude);
         length += 1 + fraction_digits;
     }
-    let digits = whole_digits + fraction_digits;
-    if digits > 8 || whole_digits == 8 || fraction_digits == 8 {
-        return longer_prefix(text, negative);
-    }
-    if digits == 0 {
+    if !(1..=MOST_DIGITS).contains(&(whole_digits + fraction_digits)) || magnitude > i64::MAX as u64 {
         return None;
     }
-    // The digits before the point move to where they stand before those after it.
-    let magnitude = value_of_digits(whole >> (8 * fraction_digits) | fraction) as i64;
-    let mantissa = if negative { -magnitude } else { magnitude };
+    let magnitude = magnitude as i64;
+    let mantissa = if negative { magnitude.wrapping_neg() } else { magnitude };
     Some(PlainPrefix { mantissa, fraction_digits: fraction_digits as i32, length })
 }
 
-/// [`plain_prefix`] for more than eight digits.
-#[inline(never)]
-#[allow(clippy::indexing_slicing, reason = "at most MOST_DIGITS digits, by the line before")]
-fn longer_prefix(text: &[u8], negative: bool) -> Option<PlainPrefix> {
-    let start = usize::from(negative);
-    let (whole, whole_digits) = digits(text, start)?;
-    let mut length = start + whole_digits;
-    let (mut magnitude, mut fraction_digits) = (whole, 0);
-    if text.get(length) == Some(&b'.') {
-        let fraction;
-        (fraction, fraction_digits) = digits(text, length + 1)?;
-        length += 1 + fraction_digits;
-        if whole_digits + fraction_digits > MOST_DIGITS {
+/// An exponent behind the digits, from its `e` on to the first byte that is no digit: its value, and how many bytes it has.
+/// `None` where there is none, or more than four digits. Exact.
+#[inline]
+pub fn exponent_prefix(text: &[u8]) -> Option<(i32, usize)> {
+    let [b'e' | b'E', rest @ ..] = text else { return None };
+    let (negative, rest) = match rest {
+        [b'-', rest @ ..] => (true, rest),
+        [b'+', rest @ ..] => (false, rest),
+        rest => (false, rest),
+    };
+    let (mut magnitude, mut digits) = (0_i32, 0);
+    while let Some(digit) = rest.get(digits).map(|byte| byte.wrapping_sub(b'0')).filter(|&digit| digit < 10) {
+        if digits == MOST_EXPONENT_DIGITS {
             return None;
         }
-        // Less than 10^18, by the line before.
-        magnitude = whole.wrapping_mul(POWERS_OF_TEN[fraction_digits]).wrapping_add(fraction);
+        magnitude = magnitude * 10 + i32::from(digit);
+        digits += 1;
     }
-    let mantissa = if negative { -(magnitude as i64) } else { magnitude as i64 };
-    Some(PlainPrefix { mantissa, fraction_digits: fraction_digits as i32, length })
+    let length = text.len() - rest.len() + digits;
+    (digits > 0).then_some((if negative { -magnitude } else { magnitude }, length))
 }
 
-/// So many digits always fit an `i64`.
-const MOST_DIGITS: usize = 18;
+/// So many digits of an exponent keep to [`PLAIN_EXPONENT`].
+const MOST_EXPONENT_DIGITS: usize = 4;
+
+/// So many digits always fit a `u64`.
+const MOST_DIGITS: usize = 19;
 
 #[allow(
     clippy::indexing_slicing,
@@ -99,40 +97,36 @@ const POWERS_OF_TEN: [u64; MOST_DIGITS + 1] = {
     powers
 };
 
-/// The number that the digits from a position on spell, and how many they are; `None` for more than 18.
-#[inline]
-#[allow(clippy::indexing_slicing, reason = "eight digits at a time, and nine powers or more")]
-fn digits(text: &[u8], at: usize) -> Option<(u64, usize)> {
-    let (mut value, mut count) = (0_u64, 0);
+/// The number that some digits spell when those from a position on follow them, and how many these are. Beyond 19 digits in
+/// all it is another number, and not all may have been counted.
+#[inline(always)]
+#[allow(clippy::indexing_slicing, reason = "fewer than eight digits, and nine powers or more")]
+fn digits(text: &[u8], at: usize, before: u64) -> (u64, usize) {
+    const LOW_BITS: u64 = 0x7f7f_7f7f_7f7f_7f7f;
+    let (mut value, mut count) = (before, 0);
     loop {
-        let (more, digits) = leading_digits(text, at + count);
-        count += digits;
-        if count > MOST_DIGITS {
-            return None;
+        // Digits become 0 to 9; every other byte becomes 10 or more.
+        let values = next_eight_bytes(text, at.wrapping_add(count)) ^ 0x3030_3030_3030_3030;
+        // 118 more sets the high bit of what is 10 to 127, and carries into no other byte; from 128 on it is set already.
+        let others = (((values & LOW_BITS) + 0x7676_7676_7676_7676) | values) & !LOW_BITS;
+        if others != 0 {
+            // The digits before the first other byte move to the high end, with zeros below: in two steps, as there may be none.
+            let last = others.trailing_zeros();
+            let more = (values << (63 - last)) << 8;
+            let digits = (last / 8) as usize;
+            value = value.wrapping_mul(POWERS_OF_TEN[digits]).wrapping_add(value_of_digits(more));
+            return (value, count + digits);
         }
-        // Less than 10^18, by the line before.
-        value = value.wrapping_mul(POWERS_OF_TEN[digits]).wrapping_add(value_of_digits(more));
-        if digits < 8 {
-            return Some((value, count));
+        value = value.wrapping_mul(POWERS_OF_TEN[8]).wrapping_add(value_of_digits(values));
+        count += 8;
+        if count > MOST_DIGITS {
+            return (value, count);
         }
     }
 }
 
-/// The digits among the next eight bytes, up to the first other byte: their values in the high bytes of a word, the last
-/// one highest, with zeros below, and how many they are.
-#[inline]
-fn leading_digits(text: &[u8], at: usize) -> (u64, usize) {
-    const LOW_BITS: u64 = 0x7f7f_7f7f_7f7f_7f7f;
-    // Digits become 0 to 9; every other byte becomes 10 or more.
-    let values = next_eight_bytes(text, at) ^ 0x3030_3030_3030_3030;
-    // 118 more sets the high bit of what is 10 to 127, and carries into no other byte; from 128 on it is set already.
-    let others = (((values & LOW_BITS) + 0x7676_7676_7676_7676) | values) & !LOW_BITS;
-    let count = others.trailing_zeros() / 8;
-    (values.unbounded_shl(64 - 8 * count), count as usize)
-}
-
 /// The number that eight digits spell, the first one in the lowest byte (Lemire, *Quickly parsing eight digits*, 2018).
-#[inline]
+#[inline(always)]
 pub(crate) fn value_of_digits(values: u64) -> u64 {
     // Neighbours are joined: eight digits, four pairs, two fours. Every sum stays within its part of the word, and what
     // a product carries beyond the word is not needed.
@@ -142,7 +136,7 @@ pub(crate) fn value_of_digits(values: u64) -> u64 {
 }
 
 /// Eight bytes as a word, the first one lowest; behind the end of the text there are zeros.
-#[inline]
+#[inline(always)]
 pub(crate) fn next_eight_bytes(text: &[u8], at: usize) -> u64 {
     let rest = text.get(at..).unwrap_or_default();
     match rest.first_chunk() {
@@ -265,16 +259,48 @@ mod tests {
     }
 
     #[test]
-    fn up_to_eighteen_digits_are_read_as_a_prefix() {
+    fn nineteen_digits_are_read_as_a_prefix_where_they_fit() {
         let prefix =
             |text: &str| plain_prefix(text.as_bytes()).map(|prefix| (prefix.mantissa, prefix.length));
         assert_eq!(prefix("12345678.12345678,"), Some((1_234_567_812_345_678, 17)));
         assert_eq!(prefix("-123456789.123456789x"), Some((-123_456_789_123_456_789, 20)));
         assert_eq!(prefix("1.99999999999999999"), Some((199_999_999_999_999_999, 19)));
-        for more in
-            ["1.999999999999999999", "9.999999999999999999", "1234567890123456789", "1234567890.123456789"]
-        {
+        assert_eq!(prefix("1.999999999999999999"), Some((1_999_999_999_999_999_999, 20)));
+        assert_eq!(prefix("1234567890.123456789"), Some((1_234_567_890_123_456_789, 20)));
+        assert_eq!(prefix("9223372036854775807,"), Some((i64::MAX, 19)));
+        assert_eq!(prefix("-9223372036854775807"), Some((-i64::MAX, 20)));
+        for more in [
+            "9223372036854775808",
+            "-9223372036854775808",
+            "9.999999999999999999",
+            "00000000000000000001",
+            "12345678901234567890",
+            "1234567890.1234567890",
+            "1.0000000000000000000000000000001",
+            "100000000000000000000000000000000.1",
+            "184467440737095516160",
+        ] {
             assert_eq!(prefix(more), None, "{more}");
+        }
+    }
+
+    #[test]
+    fn exponents_end_at_the_first_byte_that_is_no_digit() {
+        for (text, expected) in [
+            ("e5", Some((5, 2))),
+            ("E-01,", Some((-1, 4))),
+            ("e+9999\n", Some((9999, 6))),
+            ("e0000", Some((0, 5))),
+            ("e00001", None),
+            ("e12345", None),
+            ("e", None),
+            ("e-", None),
+            ("e+-1", None),
+            ("e 1", None),
+            ("5", None),
+            ("", None),
+        ] {
+            assert_eq!(exponent_prefix(text.as_bytes()), expected, "{text}");
         }
     }
 

@@ -240,7 +240,8 @@ impl RowNumbers {
         self.next = row + 1;
     }
 
-    fn push_all(&mut self, rows: Range<usize>) {
+    /// Adds later rows.
+    pub(crate) fn push_all(&mut self, rows: Range<usize>) {
         if !rows.is_empty() {
             self.push(rows.start);
             self.count += rows.len() - 1;

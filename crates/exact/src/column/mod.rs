@@ -105,6 +105,11 @@ impl Column {
         }
     }
 
+    /// The integers of 64 bits, if it is a column of these.
+    pub fn as_narrow_mut(&mut self) -> Option<&mut Scaled<i64>> {
+        if let Column::Narrow(scaled) = self { Some(scaled) } else { None }
+    }
+
     /// The numbers as wide integers, unless these do not hold them.
     pub fn wide(&self) -> Option<Cow<'_, Scaled<i128>>> {
         match self {
@@ -138,12 +143,11 @@ impl Column {
         }
     }
 
-    /// Adds `mantissa · 10^exponent`. Cost: a few nanoseconds when the exponent is that of the numbers before.
+    /// Adds `mantissa · 10^exponent`. Cost: a few nanoseconds when a number before has this exponent or a lower one.
     #[inline]
     pub fn push_decimal(&mut self, mantissa: i64, exponent: i32) {
         if let Column::Narrow(scaled) = self
-            && mantissa.unsigned_abs() >> 62 == 0
-            && scaled.push_same(mantissa, exponent)
+            && Scaled::push_row(&mut [scaled], [(mantissa, exponent)])
         {
             return;
         }

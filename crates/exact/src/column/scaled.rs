@@ -134,16 +134,6 @@ impl<I: Count> Scaled<I> {
         self.counts.reserve_exact(more);
     }
 
-    /// Adds so many of the units that are counted already; gives `false` when the unit is another one.
-    #[inline]
-    pub(super) fn push_same(&mut self, count: I, exponent: i32) -> bool {
-        let is_same = matches!(self.unit, Unit::TenTo(own) if own == exponent);
-        if is_same {
-            self.counts.push(count);
-        }
-        is_same
-    }
-
     /// Adds so many units of any kind. Afterwards the numbers are on the finer unit, or, when they would become too large,
     /// without the new one: `None`.
     #[inline]
@@ -215,6 +205,45 @@ impl Scaled<i128> {
 }
 
 impl Scaled<i64> {
+    /// How many units `count · 10^exponent` is, where the unit is that power of ten or a lower one and the integer is not too
+    /// large.
+    #[inline(always)]
+    fn on_unit(&self, count: i64, exponent: i32) -> Option<i64> {
+        const POWERS: [i64; 19] = {
+            let mut powers = [1; 19];
+            let mut exponent = 1;
+            while exponent < powers.len() {
+                #[allow(
+                    clippy::indexing_slicing,
+                    reason = "evaluated by the compiler, which would refuse an index out of range"
+                )]
+                {
+                    powers[exponent] = 10 * powers[exponent - 1];
+                }
+                exponent += 1;
+            }
+            powers
+        };
+        let Unit::TenTo(own) = self.unit else { return None };
+        // A finer unit wraps to what is no index.
+        count.times(*POWERS.get(exponent.wrapping_sub(own) as u32 as usize)?)
+    }
+
+    /// Adds a number `mantissa · 10^exponent` to each of some columns; none, and gives `false`, unless all of them are
+    /// integers of this size in units that the columns have already. Cost: some instructions for each.
+    #[inline(always)]
+    pub fn push_row<const N: usize>(columns: &mut [&mut Self; N], numbers: [(i64, i32); N]) -> bool {
+        let mut counts = [0; N];
+        for ((count, column), (mantissa, exponent)) in counts.iter_mut().zip(&*columns).zip(numbers) {
+            match column.on_unit(mantissa, exponent) {
+                Some(on_unit) => *count = on_unit,
+                None => return false,
+            }
+        }
+        columns.iter_mut().zip(counts).for_each(|(column, count)| column.counts.push(count));
+        true
+    }
+
     /// These numbers as wider integers.
     pub(super) fn widened(&self) -> Scaled<i128> {
         Scaled { counts: self.counts.iter().map(|&count| count.into()).collect(), unit: self.unit }

@@ -44,6 +44,11 @@ impl BatchBuilder {
         self.rows.push(row);
     }
 
+    /// Completes so many rows from this one on, of which the numbers have been added, when nothing else is kept of rows.
+    pub(super) fn end_rows(&mut self, first: usize, rows: usize) {
+        self.rows.push_all(first..first + rows);
+    }
+
     /// The batch, when it has rows, with so much added to their numbers.
     pub(super) fn finish(self, shift: usize) -> Option<Batch> {
         let BatchBuilder { columns, fractions, keys, lines, mut rows, mut others } = self;

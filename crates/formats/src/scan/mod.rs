@@ -18,6 +18,7 @@ mod preamble;
 mod quoting;
 mod rows;
 mod sequential;
+mod straight;
 mod values;
 
 use std::io::Read;

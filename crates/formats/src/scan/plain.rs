@@ -1,14 +1,18 @@
-//! The fast lane: chunks without quotes, in which line feeds end lines.
+//! The fast lane: chunks in which line feeds end lines, and quotes are around whole cells if there are any.
 
 use std::borrow::Cow;
+use std::ops::Range;
 
-use boundfit_exact::{DecimalMark, Reading, long_prefix, nearest_double, plain_prefix};
+use boundfit_exact::{
+    DecimalMark, PlainPrefix, Reading, exponent_prefix, long_prefix, nearest_double, plain_prefix,
+};
 use memchr::{memchr, memchr_iter, memchr2, memchr3};
 
 use super::builder::BatchBuilder;
 use super::layout::Layout;
 use super::notes::Notes;
 use super::rows::Rows;
+use super::straight::Straight;
 use crate::roles::Role;
 
 /// Separators that are no part of a number.
@@ -24,18 +28,20 @@ pub(super) struct Route {
     behind: usize,
     /// Whether a row needs a number in one of the columns that may lack one.
     wants_presence: bool,
+    /// The way through rows of which nothing but decimals is wanted.
+    straight: Option<Straight>,
 }
 
 /// A cell that is wanted.
-struct Step {
+pub(super) struct Step {
     /// How many separators come since the cell before; `None` for the same cell again.
-    separators: Option<usize>,
-    what: What,
+    pub(super) separators: Option<usize>,
+    pub(super) what: What,
 }
 
 /// What a cell is wanted for.
 #[derive(Clone, Copy)]
-enum What {
+pub(super) enum What {
     /// As a number of a column, which may have to be at least 0.
     Number { column: usize, non_negative: bool },
     /// For something else that a column takes from it.
@@ -72,12 +78,13 @@ impl Route {
         let conditions = conditions.map(|(index, (place, _))| (place.position, What::Condition(index)));
         let cells: Vec<(usize, What)> = numbers.chain(key).collect();
         let last = cells.iter().map(|(position, _)| *position).max();
-        Some(Route {
-            conditions: way(conditions.collect()),
-            steps: way(cells),
-            behind: layout.shape.width - last.unwrap_or(1),
-            wants_presence: layout.wants_presence(),
-        })
+        let (conditions, steps) = (way(conditions.collect()), way(cells));
+        let behind = layout.shape.width - last.unwrap_or(1);
+        let wants_all = !table.selects_rows() && !layout.options.keep_text;
+        let straight = (wants_all && table.reading == Reading::Decimal)
+            .then(|| Straight::of(&steps, layout.places.len(), behind))
+            .flatten();
+        Some(Route { conditions, steps, behind, wants_presence: layout.wants_presence(), straight })
     }
 }
 
@@ -95,6 +102,10 @@ fn way(mut cells: Vec<(usize, What)>) -> Vec<Step> {
     cells.into_iter().map(step).collect()
 }
 
+/// So often at least, and after a fourth of the rows, what reads many rows at once may stop at one that takes more, before it is
+/// left alone.
+const MOST_STOPS: usize = 100;
+
 /// Reads the rows of a chunk that comes after so many rows; `None` when it is not for the fast lane.
 pub(super) fn parse(chunk: &[u8], layout: &Layout, route: &Route, rows_before: usize) -> Option<Rows> {
     if !is_plain(chunk, layout) {
@@ -105,7 +116,24 @@ pub(super) fn parse(chunk: &[u8], layout: &Layout, route: &Route, rows_before: u
     let mut used = 0;
     lane.batch.reserve(likely_rows(chunk));
     let (mut total, mut lines, mut at) = (0, 0, 0);
+    let (mut straight, mut stops) = (route.straight.as_ref(), 0);
     while at < chunk.len() {
+        if let Some(way) = straight {
+            let (rows, next) = way.read(&mut lane, at).unwrap_or_else(|| {
+                straight = None;
+                (0, at)
+            });
+            at = next;
+            lane.batch.end_rows(rows_before + total + 1, rows);
+            (total, used, lines) = (total + rows, used + rows, lines + rows as u64);
+            if at == chunk.len() {
+                break;
+            }
+            stops += 1;
+            if stops > MOST_STOPS + total / 4 {
+                straight = None;
+            }
+        }
         lines += 1;
         if let Some(next) = lane.after_blank_line(at) {
             at = next;
@@ -162,15 +190,14 @@ pub(super) fn count(chunk: &[u8], layout: &Layout, route: &Route) -> Option<usiz
             return None;
         }
         total += usize::from(lane.after_blank_line(start).is_none());
-        start = lane.next_line(start);
+        start = if lane.is_quoted { lane.end_of_quoted_row(start)? } else { lane.next_line(start) };
     }
     Some(total)
 }
 
-/// Whether line feeds end lines, nothing else does, and there are no quotes or comments.
+/// Whether line feeds end lines, nothing else does, and there are no comments.
 fn is_plain(chunk: &[u8], layout: &Layout) -> bool {
-    memchr(b'"', chunk).is_none()
-        && layout.syntax.comment.is_none_or(|[one, other]| memchr2(one, other, chunk).is_none())
+    layout.syntax.comment.is_none_or(|[one, other]| memchr2(one, other, chunk).is_none())
         && memchr_iter(b'\r', chunk).all(|position| chunk.get(position + 1) == Some(&b'\n'))
 }
 
@@ -179,20 +206,29 @@ fn without_line_end(line: &[u8]) -> &[u8] {
     line.strip_suffix(b"\r").unwrap_or(line)
 }
 
+/// `mantissa · 10^exponent` in a cell that ends there.
+pub(super) struct Plain {
+    pub(super) mantissa: i64,
+    pub(super) exponent: i32,
+    pub(super) end: usize,
+}
+
 /// A plain chunk on the way into a batch. Positions are offsets in the chunk.
-struct Lane<'a> {
-    chunk: &'a [u8],
+pub(super) struct Lane<'a> {
+    pub(super) chunk: &'a [u8],
     /// The chunk with decimal points.
     numbers: &'a [u8],
     layout: &'a Layout<'a>,
     route: &'a Route,
     /// Whether numbers are read as they are written.
     is_decimal: bool,
+    /// Whether there are quotes.
+    is_quoted: bool,
     /// Whether the row looked at satisfies the conditions so far.
     is_satisfied: bool,
     /// Whether it has a number in one of the columns that may lack one, if there are such columns.
     is_bounded: bool,
-    batch: BatchBuilder,
+    pub(super) batch: BatchBuilder,
 }
 
 impl<'a> Lane<'a> {
@@ -204,6 +240,7 @@ impl<'a> Lane<'a> {
             layout,
             route,
             is_decimal,
+            is_quoted: memchr(b'"', chunk).is_some(),
             is_satisfied: true,
             is_bounded: true,
             batch: layout.batch(),
@@ -263,9 +300,9 @@ impl Lane<'_> {
 
     /// Looks whether the cell that starts here satisfies a condition; gives the end of the cell.
     fn condition(&mut self, at: usize, index: usize) -> Option<usize> {
-        let end = self.end_of_cell(at);
+        let (contents, end) = self.cell(at)?;
         let (_, condition) = self.layout.conditions.get(index)?;
-        let (holds, _) = self.layout.holds(condition, self.chunk.get(at..end)?, self.layout.mark).ok()?;
+        let (holds, _) = self.layout.holds(condition, self.chunk.get(contents)?, self.layout.mark).ok()?;
         self.is_satisfied &= holds;
         Some(end)
     }
@@ -273,37 +310,74 @@ impl Lane<'_> {
     /// Adds the number in the cell that starts here to a column; gives the end of the cell.
     #[inline]
     fn number(&mut self, at: usize, column: usize, non_negative: bool) -> Option<usize> {
-        if let Some(prefix) = plain_prefix(self.numbers.get(at..)?)
-            && self.is_end_of_cell(at + prefix.length)
-            && !(non_negative && prefix.mantissa < 0)
+        if let Some(Plain { mantissa, exponent, end }) = self.plain_number(at)
+            && !(non_negative && mantissa < 0)
         {
-            let exponent = -prefix.fraction_digits;
             let builder = self.batch.columns.get_mut(column)?;
             if self.is_decimal {
-                builder.push_decimal(prefix.mantissa, exponent);
-                return Some(at + prefix.length);
+                builder.push_decimal(mantissa, exponent);
+                return Some(end);
             }
-            if let Some(double) = nearest_double(prefix.mantissa, exponent) {
+            if let Some(double) = nearest_double(mantissa, exponent) {
                 builder.push_double(double);
-                return Some(at + prefix.length);
+                return Some(end);
             }
-        } else if self.is_decimal
-            && let Some(prefix) = long_prefix(self.numbers.get(at..)?)
-            && self.is_end_of_cell(at + prefix.length)
-            && !(non_negative && prefix.mantissa < 0)
-        {
-            self.batch.columns.get_mut(column)?.push_long_decimal(prefix.mantissa, prefix.exponent);
-            return Some(at + prefix.length);
+        } else if self.is_decimal {
+            let quotes = self.opening_quotes(at);
+            if let Some(prefix) = long_prefix(self.numbers.get(at + quotes..)?)
+                && let Some(end) = self.end_behind(at + quotes + prefix.length, quotes)
+                && !(non_negative && prefix.mantissa < 0)
+            {
+                self.batch.columns.get_mut(column)?.push_long_decimal(prefix.mantissa, prefix.exponent);
+                return Some(end);
+            }
         }
         self.long_number(at, column)
+    }
+
+    /// The number in the cell that starts here; `None` where it takes more to read it, or there is none.
+    #[inline(always)]
+    pub(super) fn plain_number(&self, at: usize) -> Option<Plain> {
+        let quotes = self.opening_quotes(at);
+        let PlainPrefix { mantissa, fraction_digits, length } =
+            plain_prefix(self.numbers.get(at + quotes..)?)?;
+        let end = at + quotes + length;
+        if quotes == 0 && self.is_end_of_cell(end) {
+            return Some(Plain { mantissa, exponent: -fraction_digits, end });
+        }
+        let (power, end) = self.end_of_number(end, quotes)?;
+        let exponent = if mantissa == 0 { 0 } else { power - fraction_digits };
+        Some(Plain { mantissa, exponent, end })
+    }
+
+    /// The exponent behind the digits of a number, 0 if there is none, and the end of the cell, which has so many quotes around
+    /// it; `None` where the cell goes on.
+    fn end_of_number(&self, at: usize, quotes: usize) -> Option<(i32, usize)> {
+        let (power, length) = exponent_prefix(self.numbers.get(at..)?).unwrap_or_default();
+        Some((power, self.end_behind(at + length, quotes)?))
+    }
+
+    /// How many quotes the cell that starts here starts with: one or none.
+    #[inline(always)]
+    fn opening_quotes(&self, at: usize) -> usize {
+        usize::from(self.is_quoted && self.chunk.get(at) == Some(&b'"'))
+    }
+
+    /// The end of the cell whose contents end here, with so many quotes around them; `None` where it goes on.
+    #[inline]
+    fn end_behind(&self, at: usize, quotes: usize) -> Option<usize> {
+        if quotes == 1 && self.chunk.get(at) != Some(&b'"') {
+            return None;
+        }
+        self.is_end_of_cell(at + quotes).then_some(at + quotes)
     }
 
     /// Adds any other number in the cell that starts here to a column; gives the end of the cell.
     #[inline(never)]
     fn long_number(&mut self, at: usize, column: usize) -> Option<usize> {
-        let end = self.end_of_cell(at);
+        let (contents, end) = self.cell(at)?;
         let selector = self.layout.selectors.get(column)?;
-        let (layout, cell) = (self.layout, self.chunk.get(at..end)?);
+        let (layout, cell) = (self.layout, self.chunk.get(contents)?);
         let (value, _) = layout.numbers.value(cell, selector, layout.mark).ok()?;
         value.check(selector).ok()?;
         self.is_bounded |= value.is_presence();
@@ -314,8 +388,8 @@ impl Lane<'_> {
 
     /// Adds the text of the cell that starts here to the keys; gives the end of the cell.
     fn key(&mut self, at: usize) -> Option<usize> {
-        let end = self.end_of_cell(at);
-        Layout::add_key(self.chunk.get(at..end)?, self.batch.keys.as_mut()?).ok()?;
+        let (contents, end) = self.cell(at)?;
+        Layout::add_key(self.chunk.get(contents)?, self.batch.keys.as_mut()?).ok()?;
         Some(end)
     }
 
@@ -327,16 +401,31 @@ impl Lane<'_> {
             .is_none_or(|&byte| byte == self.layout.syntax.delimiter || byte == b'\n' || byte == b'\r')
     }
 
-    /// The end of the cell in which this position is.
-    fn end_of_cell(&self, at: usize) -> usize {
-        let rest = self.chunk.get(at..).unwrap_or_default();
-        memchr3(self.layout.syntax.delimiter, b'\n', b'\r', rest)
-            .map_or(self.chunk.len(), |length| at + length)
+    /// The contents of the cell that starts here, and its end; `None` when it has quotes that are not just around it, or goes on
+    /// in another line.
+    fn cell(&self, at: usize) -> Option<(Range<usize>, usize)> {
+        let rest = self.chunk.get(at..)?;
+        if self.is_quoted && rest.first() == Some(&b'"') {
+            let length = memchr3(b'"', b'\n', b'\r', rest.get(1..)?)?;
+            let end = at + 1 + length;
+            return (self.chunk.get(end) == Some(&b'"') && self.is_end_of_cell(end + 1))
+                .then_some((at + 1..end, end + 1));
+        }
+        let end = memchr3(self.layout.syntax.delimiter, b'\n', b'\r', rest)
+            .map_or(self.chunk.len(), |length| at + length);
+        Some((at..end, end))
     }
 
-    /// The start of the next cell of the same row.
+    /// The end of the quotes around the cell that starts here; its start if there are none, and `None` as for [`Self::cell`].
     #[inline]
-    fn after_separator(&self, at: usize) -> Option<usize> {
+    fn after_quotes(&self, at: usize) -> Option<usize> {
+        if self.is_quoted && self.chunk.get(at) == Some(&b'"') { Some(self.cell(at)?.1) } else { Some(at) }
+    }
+
+    /// The start of the next cell of the same row, from the start or the end of a cell.
+    #[inline]
+    pub(super) fn after_separator(&self, at: usize) -> Option<usize> {
+        let at = self.after_quotes(at)?;
         let rest = self.chunk.get(at..)?;
         let length = if rest.first() == Some(&self.layout.syntax.delimiter) {
             0
@@ -348,7 +437,7 @@ impl Lane<'_> {
 
     /// The start of the next line, when exactly so many separators come before it.
     #[inline]
-    fn end_of_row(&self, at: usize, separators: usize) -> Option<usize> {
+    pub(super) fn end_of_row(&self, at: usize, separators: usize) -> Option<usize> {
         if separators == 0 && self.chunk.get(at) == Some(&b'\n') {
             return Some(at + 1);
         }
@@ -360,12 +449,21 @@ impl Lane<'_> {
         for _ in 0..separators {
             at = self.after_separator(at)?;
         }
+        let at = self.after_quotes(at)?;
         let rest = self.chunk.get(at..)?;
         match memchr2(self.layout.syntax.delimiter, b'\n', rest) {
             Some(length) if rest.get(length) == Some(&b'\n') => Some(at + length + 1),
             Some(_) => None,
             None => Some(self.chunk.len()),
         }
+    }
+
+    /// The start of the line after a row in which there may be quotes; `None` when it is not as it should be, or may be empty.
+    fn end_of_quoted_row(&self, start: usize) -> Option<usize> {
+        if self.after_blank_line(start).is_some() {
+            return Some(self.next_line(start));
+        }
+        if self.may_be_empty(start) { None } else { self.end_of_row(start, self.layout.shape.width - 1) }
     }
 
     /// The start of the line after this one.
@@ -376,7 +474,11 @@ impl Lane<'_> {
 
     /// Whether a row that starts here may have nothing but empty cells.
     fn may_be_empty(&self, at: usize) -> bool {
-        self.chunk.get(at).is_some_and(|&first| first == self.layout.syntax.delimiter || first <= b' ')
+        let is_empty = |&first: &u8| first == self.layout.syntax.delimiter || first <= b' ' || first == b'"';
+        match self.chunk.get(at) {
+            Some(b'"') => self.chunk.get(at + 1).is_some_and(is_empty),
+            first => first.is_some_and(is_empty),
+        }
     }
 
     /// The start of the line after this one, when this one is white space in one cell.

@@ -1,0 +1,108 @@
+//! Rows of which nothing but decimals is wanted: as many as possible in one loop.
+
+use boundfit_exact::{Column, Scaled};
+
+use super::plain::{Lane, Plain, Step, What};
+
+/// The way through a row to up to four numbers.
+pub(super) enum Straight {
+    One(Way<1>),
+    Two(Way<2>),
+    Three(Way<3>),
+    Four(Way<4>),
+}
+
+/// The way to so many numbers, in the order in which they stand in a row.
+pub(super) struct Way<const N: usize> {
+    cells: [Cell; N],
+    /// How many cells come after the last of these.
+    behind: usize,
+}
+
+/// A cell with a number.
+#[derive(Clone, Copy)]
+struct Cell {
+    /// How many separators come since the one before.
+    separators: usize,
+    column: usize,
+    non_negative: bool,
+}
+
+impl Straight {
+    /// The way of these steps, if they go to the cells of so many columns, each another one, with so many cells behind them.
+    pub(super) fn of(steps: &[Step], columns: usize, behind: usize) -> Option<Self> {
+        let cell = |step: &Step| match *step {
+            Step { separators: Some(separators), what: What::Number { column, non_negative } } => {
+                Some(Cell { separators, column, non_negative })
+            }
+            _ => None,
+        };
+        let cells: Vec<Cell> = steps.iter().map(cell).collect::<Option<_>>()?;
+        if cells.len() != columns {
+            return None;
+        }
+        Some(match *cells.as_slice() {
+            [a] => Straight::One(Way { cells: [a], behind }),
+            [a, b] => Straight::Two(Way { cells: [a, b], behind }),
+            [a, b, c] => Straight::Three(Way { cells: [a, b, c], behind }),
+            [a, b, c, d] => Straight::Four(Way { cells: [a, b, c, d], behind }),
+            _ => return None,
+        })
+    }
+
+    /// Adds the rows from a position on up to one that takes more than this; gives how many, and where that one starts. `None`
+    /// when a column has become one of other numbers than integers of 64 bits.
+    pub(super) fn read(&self, lane: &mut Lane, at: usize) -> Option<(usize, usize)> {
+        let mut columns = std::mem::take(&mut lane.batch.columns);
+        let read = match self {
+            Straight::One(way) => way.read(lane, at, &mut columns),
+            Straight::Two(way) => way.read(lane, at, &mut columns),
+            Straight::Three(way) => way.read(lane, at, &mut columns),
+            Straight::Four(way) => way.read(lane, at, &mut columns),
+        };
+        lane.batch.columns = columns;
+        read
+    }
+}
+
+impl<const N: usize> Way<N> {
+    /// As [`Straight::read`].
+    fn read(&self, lane: &Lane, start: usize, columns: &mut [Column]) -> Option<(usize, usize)> {
+        let columns = columns.get_disjoint_mut(self.cells.map(|cell| cell.column)).ok()?;
+        let columns = columns.into_iter().map(Column::as_narrow_mut);
+        let columns: Vec<&mut Scaled<i64>> = columns.collect::<Option<_>>()?;
+        let mut columns: [_; N] = columns.try_into().ok()?;
+        let (mut rows, mut at) = (0, start);
+        while let Some((numbers, next)) = self.row(lane, at) {
+            if !Scaled::push_row(&mut columns, numbers) {
+                break;
+            }
+            at = next;
+            rows += 1;
+        }
+        Some((rows, at))
+    }
+
+    /// The numbers of the row that starts here, as mantissas and exponents, and the start of the next line.
+    #[inline(always)]
+    fn row(&self, lane: &Lane, start: usize) -> Option<([(i64, i32); N], usize)> {
+        // A line that starts with white space may be blank.
+        if lane.chunk.get(start).is_none_or(|&first| first <= b' ') {
+            return None;
+        }
+        let mut numbers = [(0, 0); N];
+        let mut at = start;
+        for (cell, number) in self.cells.iter().zip(&mut numbers) {
+            for _ in 0..cell.separators {
+                at = lane.after_separator(at)?;
+            }
+            let Plain { mantissa, exponent, end } = lane.plain_number(at)?;
+            if cell.non_negative && mantissa < 0 {
+                return None;
+            }
+            *number = (mantissa, exponent);
+            at = end;
+        }
+        Some((numbers, lane.end_of_row(at, self.behind)?))
+    }
+}
