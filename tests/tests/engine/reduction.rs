@@ -214,8 +214,8 @@ fn a_scan_gives_the_fit_of_all_readings_for_any_parts_and_threads() {
         assert_eq!(essence(&in_memory, &|row| row), expected, "case {case_number}: {:?}", case.rows);
         assert_eq!(in_memory.1.eui(), whole.1.eui(), "case {case_number}: {:?}", case.rows);
         for (chunk_bytes, pool) in [1, 7, 4096].into_iter().zip(&pools) {
-            // The x in memory, and the file read a second time.
-            for most_bytes in [None, Some(0)] {
+            // The x in memory, the file read a second time, and those x in memory that may matter.
+            for most_bytes in [None, Some(0), Some(40)] {
                 let keep = Keep { most_rows: 0, eui: true, most_bytes };
                 let reduced = case.fitted(pool.install(|| case.scanned(&path, chunk_bytes, keep)));
                 let rows = &case.rows;
@@ -248,7 +248,7 @@ fn of_long_tables_too_only_the_rows_that_touch_a_hull_count() {
             let case = Case { rows, reading, epsilon: Rational::ratio(1, 3), conditions: Vec::new() };
             fs::write(&path, text(&case.rows)).unwrap();
             let whole = case.whole();
-            for (chunk_bytes, most_bytes) in [(1 << 18, None), (5000, Some(0))] {
+            for (chunk_bytes, most_bytes) in [(1 << 18, None), (5000, Some(0)), (5000, Some(4000))] {
                 let keep = Keep { most_rows: 0, eui: true, most_bytes };
                 let reduced = case.fitted(case.scanned(&path, chunk_bytes, keep));
                 assert_eq!(
@@ -263,6 +263,28 @@ fn of_long_tables_too_only_the_rows_that_touch_a_hull_count() {
             }
         }
     }
+}
+
+/// Of x in no order only those are kept that lie where the EUI may need them: it is known of a stream that is read once.
+#[test]
+fn the_eui_of_a_stream_beyond_the_memory_allowed_for_it() {
+    let mut rng = seeded(55);
+    let rows = TableKind::Noise.rows(&mut rng, 30_000);
+    let case = Case { rows, reading: Reading::Decimal, epsilon: Rational::one(), conditions: Vec::new() };
+    let whole = case.whole();
+    let streamed = |text: String, most_bytes| {
+        let keep = Keep { most_rows: 0, eui: true, most_bytes: Some(most_bytes) };
+        let source = Source::new("stream", std::io::Cursor::new(text.into_bytes()));
+        let options = options(Reading::Decimal, 5000);
+        let measurements = Measurements::scan(source, &columns(&case.epsilon), &[], &options, keep).unwrap();
+        case.fitted(measurements).1.eui().cloned()
+    };
+    assert_eq!(streamed(text(&case.rows), 60_000), whole.1.eui().cloned());
+    // In ascending order they lie elsewhere.
+    let mut ordered = case.rows.clone();
+    ordered.sort_by(|one, other| one[0].parse::<f64>().unwrap().total_cmp(&other[0].parse().unwrap()));
+    assert_eq!(streamed(text(&ordered), 60_000), None);
+    assert_eq!(streamed(text(&case.rows), 0), None);
 }
 
 /// Replaces a file when all of it has been read once: the next part is read before one is reported.

@@ -1,17 +1,34 @@
 //! Columns of all readings in little memory, for further looks at them.
 
 use boundfit_exact::{Column, Rational, Scaled, Unit};
-use boundfit_formats::RowNumbers;
+use boundfit_formats::{RowNumbers, threads};
 
-use crate::summary::{Spread, Thresholds};
+use std::sync::Arc;
+
+use crate::summary::{Brackets, Narrowed, Spread, Thresholds};
 
 /// All numbers of some columns seen so far, at four bytes each where those of a part lie within 32 bits of each other, until
-/// they would take more memory than allowed; from then on none.
+/// they would take more memory than allowed; from then on those x that may matter, or none.
 #[derive(Debug)]
 pub(super) struct KeptColumns {
-    parts: Vec<KeptPart>,
+    kept: Kept,
     bytes: usize,
     most_bytes: usize,
+}
+
+#[derive(Debug)]
+enum Kept {
+    Parts(Vec<KeptPart>),
+    Narrowed(Arc<Brackets>, Narrowed),
+    Nothing,
+}
+
+/// What is kept of some rows.
+pub(super) enum KeptNumbers {
+    /// All of it.
+    Part(KeptPart),
+    /// Those x that may matter.
+    Narrowed(Narrowed),
 }
 
 /// Consecutive rows.
@@ -48,10 +65,7 @@ impl StoredColumn {
     fn bytes(&self) -> usize {
         match self {
             StoredColumn::Offsets { offsets, .. } => size_of_val(offsets.as_slice()),
-            StoredColumn::Any(Column::Narrow(scaled)) => size_of_val(scaled.counts()),
-            StoredColumn::Any(Column::Wide(scaled)) => size_of_val(scaled.counts()),
-            StoredColumn::Any(Column::Doubles(doubles)) => size_of_val(doubles.as_slice()),
-            StoredColumn::Any(Column::Fractions(numbers)) => size_of_val(numbers.as_slice()),
+            StoredColumn::Any(column) => bytes_of(column),
         }
     }
 
@@ -86,9 +100,28 @@ impl StoredColumn {
     }
 }
 
+/// How many bytes the numbers of a column take.
+fn bytes_of(column: &Column) -> usize {
+    match column {
+        Column::Narrow(scaled) => size_of_val(scaled.counts()),
+        Column::Wide(scaled) => size_of_val(scaled.counts()),
+        Column::Doubles(doubles) => size_of_val(doubles.as_slice()),
+        Column::Fractions(numbers) => size_of_val(numbers.as_slice()),
+    }
+}
+
 impl KeptPart {
     pub(super) fn new(columns: &[Column], rows: RowNumbers) -> Self {
         KeptPart { rows, columns: columns.iter().map(StoredColumn::new).collect() }
+    }
+
+    fn bytes(&self) -> usize {
+        self.columns.iter().map(StoredColumn::bytes).sum()
+    }
+
+    /// What is kept of the first column within brackets.
+    fn narrowed(&self, brackets: &Brackets) -> Narrowed {
+        self.columns.first().map(|x| brackets.narrow(&x.column())).unwrap_or_default()
     }
 
     /// The columns as they were read.
@@ -99,28 +132,63 @@ impl KeptPart {
 
 impl KeptColumns {
     pub(super) fn new(most_bytes: usize) -> Self {
-        KeptColumns { parts: Vec::new(), bytes: 0, most_bytes }
+        KeptColumns { kept: Kept::Parts(Vec::new()), bytes: 0, most_bytes }
     }
 
-    /// Keeps one more part.
-    pub(super) fn push(&mut self, part: KeptPart) {
-        let bytes = part.columns.iter().map(StoredColumn::bytes).sum();
-        self.bytes = self.bytes.saturating_add(bytes);
-        if self.bytes > self.most_bytes {
-            self.parts = Vec::new();
-        } else {
-            self.parts.push(part);
+    /// Keeps some more rows. When that becomes too much, `guess` tells which x of all rows may matter, if anything does.
+    pub(super) fn push(&mut self, rows: KeptNumbers, guess: impl FnOnce() -> Option<Arc<Brackets>>) {
+        match (&mut self.kept, rows) {
+            (Kept::Parts(parts), KeptNumbers::Part(part)) => {
+                self.bytes = self.bytes.saturating_add(part.bytes());
+                let is_first = parts.is_empty();
+                parts.push(part);
+                if self.bytes > self.most_bytes {
+                    let parts = std::mem::take(parts);
+                    self.kept = Kept::Nothing;
+                    // A single part is no ground for a guess.
+                    if let Some(brackets) = (!is_first).then(guess).flatten() {
+                        self.narrow(parts, brackets);
+                    }
+                }
+            }
+            (Kept::Narrowed(brackets, _), KeptNumbers::Part(part)) => {
+                let narrowed = part.narrowed(brackets);
+                self.add(narrowed);
+            }
+            (Kept::Narrowed(..), KeptNumbers::Narrowed(narrowed)) => self.add(narrowed),
+            (Kept::Nothing, _) | (Kept::Parts(_), KeptNumbers::Narrowed(_)) => {}
+        }
+    }
+
+    /// Keeps of these parts only what lies within brackets.
+    fn narrow(&mut self, parts: Vec<KeptPart>, brackets: Arc<Brackets>) {
+        let narrowed = threads::map(parts, |part: KeptPart| part.narrowed(&brackets));
+        self.bytes = 0;
+        self.kept = Kept::Narrowed(brackets, Narrowed::default());
+        narrowed.into_iter().for_each(|narrowed| self.add(narrowed));
+    }
+
+    fn add(&mut self, narrowed: Narrowed) {
+        self.bytes = self.bytes.saturating_add(narrowed.kept().iter().map(bytes_of).sum());
+        match &mut self.kept {
+            Kept::Narrowed(_, all) if self.bytes <= self.most_bytes => all.merge(narrowed),
+            kept => *kept = Kept::Nothing,
         }
     }
 
     /// Every part; `None` unless all were kept.
     pub(super) fn parts(&self) -> Option<&[KeptPart]> {
-        (self.bytes <= self.most_bytes).then_some(&self.parts)
+        if let Kept::Parts(parts) = &self.kept { Some(parts) } else { None }
     }
 
-    /// What of the first columns lies above each threshold; `None` unless all parts were kept.
+    /// What of the first columns lies above each threshold; `None` unless enough was kept.
     pub(super) fn spread(&self, thresholds: &Thresholds) -> Option<Spread> {
-        let spreads = self.parts()?.iter().filter_map(|part| part.columns.first());
+        let parts = match &self.kept {
+            Kept::Parts(parts) => parts,
+            Kept::Narrowed(brackets, narrowed) => return narrowed.spread(brackets, thresholds),
+            Kept::Nothing => return None,
+        };
+        let spreads = parts.iter().filter_map(|part| part.columns.first());
         let spreads = spreads.map(|x| x.spread(thresholds));
         Some(spreads.fold(Spread::default(), |total, part| total.merged(&part)))
     }

@@ -1,5 +1,7 @@
 //! Tables of any size.
 
+use std::sync::Arc;
+
 use boundfit_exact::{Column, Rational};
 use boundfit_formats::{
     Batch, InputError, RowNumbers, ScanOptions, Scanned, Source, TableRow, open_reduction, scan,
@@ -7,7 +9,7 @@ use boundfit_formats::{
 
 use super::agreement::KeptRows;
 use super::columns::Columns;
-use super::kept_columns::{KeptColumns, KeptPart};
+use super::kept_columns::{KeptColumns, KeptNumbers, KeptPart};
 use super::looks::Looks;
 use super::stated::{Stated, asked_by_fit, counts_of, refuse_late};
 use crate::condition::Condition;
@@ -18,8 +20,8 @@ use crate::measurement::Measurement;
 use crate::measurements::{Measurements, Origin, Readings};
 use crate::selection::{FractionCells, Selection};
 use crate::summary::{
-    DecidingMinimax, FixedBounds, FixedPart, FixedSummary, Keep, LineSummary, NoEui, NoMinimax, Reach,
-    Reduction, Scale, SharedSieve, Spread, Sums, Thresholds, column_totals,
+    Brackets, DecidingMinimax, FixedBounds, FixedPart, FixedSummary, Keep, LineSummary, NoEui, NoMinimax,
+    Reach, Reduction, Scale, SharedBrackets, SharedSieve, Spread, Sums, Thresholds, column_totals,
 };
 use crate::ties::Ties;
 
@@ -34,7 +36,7 @@ struct Digest {
     /// The first row without bounds.
     unbounded: Option<usize>,
     part: Part,
-    kept: Option<KeptPart>,
+    kept: Option<KeptNumbers>,
 }
 
 /// What is kept of the readings of a batch.
@@ -80,6 +82,7 @@ impl Measurements {
         let mut all = Collected::new(keep.most_bytes.unwrap_or(usual));
         let unnamed = columns.meaning(&[]);
         let scale = Scale::AsStated;
+        let brackets = SharedBrackets::default();
         let (source, reductions) = open_reduction(source, &options.table.sizes)?;
         let mut options = options.clone();
         if let Some(reductions) = &reductions {
@@ -103,13 +106,18 @@ impl Measurements {
         let digest = |batch: Batch| {
             let unbounded = columns.first_unbounded(&batch);
             let rows = reductions.as_ref().map(|_| KeptRows::of_columns(&as_it_is, &batch.columns));
-            (rows, Digest { unbounded, ..Digest::new(batch, &sieve, &bounds, keep.eui && !keeps_all) })
+            let keeps = (keep.eui && !keeps_all).then_some(&brackets);
+            (rows, Digest { unbounded, ..Digest::new(batch, &sieve, &bounds, keeps) })
         };
         let mut kept_rows = KeptRows::default();
         let scanned = scan(source, &selectors, &options, digest, |(rows, digest)| {
             rows.into_iter().for_each(|rows| kept_rows.add(rows));
             unbounded = unbounded.or(digest.unbounded);
-            all.take(digest, most_rows, &sieve, &bounds);
+            let guess = |sums: &Sums| {
+                let guess = Brackets::of_form(&columns.form, &columns.form.sums(sums.clone()))?;
+                Some(brackets.set(guess))
+            };
+            all.take(digest, most_rows, &sieve, &bounds, guess);
         })?;
         let (mut meaning, selection) = (columns.meaning(&scanned.names), Selection::of(&options.table));
         if let Some(reductions) = &reductions {
@@ -242,7 +250,7 @@ fn reach_of_line(
 }
 
 impl Digest {
-    fn new(batch: Batch, sieve: &SharedSieve, bounds: &FixedBounds, keeps: bool) -> Self {
+    fn new(batch: Batch, sieve: &SharedSieve, bounds: &FixedBounds, keeps: Option<&SharedBrackets>) -> Self {
         let (columns, meaning) = (&batch.columns, bounds.meaning);
         let row = |k| batch.rows.get(k);
         let is_open = meaning.is_open();
@@ -253,9 +261,12 @@ impl Digest {
         } else {
             Part::Nothing
         };
-        let kept = keeps.then(|| {
-            let wanted = if is_open { &columns[..1] } else { columns };
-            KeptPart::new(wanted, batch.rows.clone())
+        let kept = keeps.map(|brackets| match brackets.get() {
+            Some(brackets) => KeptNumbers::Narrowed(brackets.narrow(&columns[0])),
+            None => {
+                let wanted = if is_open { &columns[..1] } else { columns };
+                KeptNumbers::Part(KeptPart::new(wanted, batch.rows.clone()))
+            }
         });
         Digest { batch, unbounded: None, part, kept }
     }
@@ -279,6 +290,7 @@ impl Collected {
         most_rows: usize,
         sieve: &SharedSieve,
         bounds: &FixedBounds,
+        guess: impl FnOnce(&Sums) -> Option<Arc<Brackets>>,
     ) {
         let rows = batch.rows.len();
         self.rows += rows;
@@ -297,7 +309,8 @@ impl Collected {
             }
         }
         if let Some(kept) = kept {
-            self.kept.push(kept);
+            let is_open = bounds.meaning.is_open();
+            self.kept.push(kept, || is_open.then(|| guess(&self.open.sums.total())).flatten());
         }
     }
 }

@@ -6,4 +6,5 @@ mod bytes;
 mod dialects;
 mod handing_out;
 mod numbers;
+mod quotes;
 mod tables;
