@@ -19,6 +19,7 @@ mod coordinate;
 mod doubles;
 mod envelope_sieve;
 mod filter;
+mod known_hulls;
 mod point;
 mod sample;
 mod sieve;

@@ -49,14 +49,15 @@ impl Tied for GridPoint {
     }
 }
 
+/// Whether the [`doubled_area`] of any three points is exact.
+pub(super) fn are_narrow(points: &[GridPoint]) -> bool {
+    points.iter().all(|point| point.x.unsigned_abs() < NARROW && point.y.unsigned_abs() < NARROW)
+}
+
 /// The touching points of points with any coordinates, sorted by x, then y. Exact. Cost: linear.
 pub(super) fn touching_of_sorted(sorted: Vec<GridPoint>, most: usize, edges_as_one: bool) -> Vec<GridPoint> {
-    let is_narrow = |point: &GridPoint| point.x.unsigned_abs() < NARROW && point.y.unsigned_abs() < NARROW;
-    let orientation: fn(&GridPoint, &GridPoint, &GridPoint) -> Sign = if sorted.iter().all(is_narrow) {
-        |p, q, r| doubled_area(p, q, r).cmp(&0).into()
-    } else {
-        wide_orientation
-    };
+    let orientation: fn(&GridPoint, &GridPoint, &GridPoint) -> Sign =
+        if are_narrow(&sorted) { |p, q, r| doubled_area(p, q, r).cmp(&0).into() } else { wide_orientation };
     if edges_as_one {
         touching_as_one(sorted, orientation, most)
     } else {

@@ -95,3 +95,46 @@ impl Line {
         Some(Line(at(x0), at(x1)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{GridPoint, touching};
+    use super::*;
+
+    /// In a strip of a part of the points there is none that touches a hull of all, however steep and high they are.
+    #[test]
+    fn nothing_that_touches_is_within() {
+        let mut seed = 5_u64;
+        let mut below = |size: i64| {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 2) as i64 % size
+        };
+        let (mut strips, mut within, mut all) = (0, 0, 0);
+        for round in 0..3_000_u32 {
+            let width = [3, 40, 1 << 20, 1 << 40, 1 << 61][round as usize % 5];
+            let slope =
+                [0, 1, -7, 1 << 10][below(4) as usize].min(i64::MAX / 4 / width).max(-(i64::MAX / 4 / width));
+            let noise = [2, 9, 1000, 1 << 30][below(4) as usize];
+            let (x, y): (Vec<i64>, Vec<i64>) = (0..200)
+                .map(|_| {
+                    let x = below(width) - width / 2;
+                    (x, (slope * x + below(noise)).clamp(-(1 << 53), 1 << 53))
+                })
+                .unzip();
+            let Some(sample) = Sample::of(&x, &y, [200, 60, 15][below(3) as usize]) else { continue };
+            let Some(strip) = Strip::of(&sample) else { continue };
+            strips += 1;
+            let points = x.iter().zip(&y).map(|(&x, &y)| GridPoint::of_row(x, y, 0)).collect();
+            for point in touching(points, 1) {
+                assert!(!strip.contains(point.x, point.y), "{round} {point:?} {strip:?} {x:?} {y:?}");
+            }
+            within += x.iter().zip(&y).filter(|(x, y)| strip.contains(**x, **y)).count();
+            all += x.len();
+            // Far above and below, where differences wrap.
+            for x in [i64::MIN, strip.x0, strip.x0.wrapping_add(strip.width as i64), i64::MAX] {
+                assert!(!strip.contains(x, i64::MIN) && !strip.contains(x, i64::MAX), "{round} {strip:?}");
+            }
+        }
+        assert!(strips > 1000 && 3 * within > all, "{strips} strips, {within} of {all}");
+    }
+}

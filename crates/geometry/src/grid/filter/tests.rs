@@ -39,7 +39,11 @@ fn of_rows_all_over_the_place_few_survive_whatever_their_type_and_unit() {
         let kept = survivors(&x, &y, Some(&plan(division))).unwrap();
         assert!(kept.len() < 300, "{division:?}: {}", kept.len());
         let wide = [&x, &y].map(|column| column.iter().map(|&value| value.into()).collect::<Vec<i128>>());
-        assert!(survivors(&wide[0], &wide[1], Some(&plan(division))).unwrap() == kept);
+        let of_words = kept;
+        let kept = survivors(&wide[0], &wide[1], Some(&plan(division))).unwrap();
+        // Where a cell has a corner in it, a strip, which only words have, may know better.
+        assert!(of_words.iter().all(|row| kept.binary_search(row).is_ok()), "{division:?}");
+        assert!(kept.len() < 300 && kept.len() - of_words.len() < 10, "{division:?}: {}", kept.len());
         // Products with powers of two are exact.
         for (x_power, y_power) in [(0, 0), (-60, -60), (0, -60), (-60, 0), (300, 0), (0, 300)] {
             let doubles = |column: &[i64], power: i32| -> Vec<f64> {
