@@ -30,9 +30,12 @@ pub(crate) struct Shape {
     pub(crate) vertices: Vec<[Number; 2]>,
     pub(crate) active: Vec<(u64, Named)>,
     pub(crate) sides: Vec<(Named, Option<u64>)>,
-    pub(crate) farkas: Vec<(Named, Number)>,
-    pub(crate) bounds: Vec<(Vec<(Named, Number)>, [Number; 2], [Number; 2])>,
+    pub(crate) farkas: Multiples,
+    pub(crate) bounds: Vec<(Multiples, [Number; 2], [Number; 2])>,
 }
+
+/// Names and multipliers.
+pub(crate) type Multiples = Vec<(Named, Number)>;
 
 /// Why a text is no proof.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
