@@ -7,6 +7,7 @@ pub mod deep;
 pub mod definitions;
 pub mod fuzz_targets;
 pub mod generate;
+pub mod hostile;
 pub mod lp_cases;
 pub mod models;
 pub mod oracle;

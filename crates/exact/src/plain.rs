@@ -3,7 +3,7 @@
 /// The most digits of a text that [`plain_decimal`] reads, zeros included.
 pub const PLAIN_DIGITS: usize = 40;
 /// The largest absolute value of an exponent in a text that [`plain_decimal`] reads.
-pub const PLAIN_EXPONENT: u32 = 9_999;
+pub const PLAIN_EXPONENT: u32 = 999;
 
 /// A decimal (digits with an optional sign, point and exponent, in blanks or not) as `(mantissa, exponent)`, meaning
 /// `mantissa · 10^exponent`, when the mantissa fits an `i64` and the text keeps to [`PLAIN_DIGITS`] and
@@ -78,7 +78,7 @@ pub fn exponent_prefix(text: &[u8]) -> Option<(i32, usize)> {
 }
 
 /// So many digits of an exponent keep to [`PLAIN_EXPONENT`].
-const MOST_EXPONENT_DIGITS: usize = 4;
+const MOST_EXPONENT_DIGITS: usize = 3;
 
 /// So many digits always fit a `u64`.
 const MOST_DIGITS: usize = 19;
@@ -215,8 +215,8 @@ mod tests {
             ("1.999999999999999999", Some((1_999_999_999_999_999_999, -18))),
             ("0.000000000000000000000000000000000000001", Some((1, -39))),
             ("0.0000000000000000000000000000000000000001", None),
-            ("1e9999", Some((1, 9999))),
-            ("1e10000", None),
+            ("1e999", Some((1, 999))),
+            ("1e1000", None),
             ("1e-00000009", Some((1, -9))),
             ("", None),
             ("-", None),
@@ -289,8 +289,8 @@ mod tests {
         for (text, expected) in [
             ("e5", Some((5, 2))),
             ("E-01,", Some((-1, 4))),
-            ("e+9999\n", Some((9999, 6))),
-            ("e0000", Some((0, 5))),
+            ("e+999\n", Some((999, 5))),
+            ("e000", Some((0, 4))),
             ("e00001", None),
             ("e12345", None),
             ("e", None),

@@ -7,7 +7,7 @@
 //!
 //! 40 · Σ w² over readings of w words + 64 · d² for different denominators of d words together,
 //!
-//! with factors that were measured: what they estimate as 10⁹ takes from a third of a second to two. Of both lengths
+//! with factors that were measured: what they estimate as 10⁹ takes from a third of a second to four. Of both lengths
 //! [`FREE_WORDS`] are free, so that the estimate is 0 for numbers of up to a thousand digits, however many: what these cost is
 //! linear in the bytes of a file, and no limit is needed.
 
@@ -20,7 +20,7 @@ use crate::english::counted;
 use crate::{Integer, Rational};
 
 /// The most products that are done unless more is asked for: about a second.
-pub const MOST_WORK: u64 = 1_000_000_000;
+pub const MOST_WORK: u64 = 250_000_000;
 
 /// So many words of a reading, and of all different denominators together, are free: 4,096 bits, two doubles at the ends of
 /// their range.

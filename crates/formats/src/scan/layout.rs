@@ -267,7 +267,7 @@ impl<'a> Layout<'a> {
     }
 
     /// Adds a number to the work on all of them, and refuses what passes the limit.
-    fn meter(&self, value: &Value, cell: &[u8]) -> Result<(), TooMuchWork> {
+    pub(super) fn meter(&self, value: &Value, cell: &[u8]) -> Result<(), TooMuchWork> {
         let Value::Exact(number) = value else { return Ok(()) };
         self.meter.add(number, cell.contains(&b'/'), self.options.table.sizes.work)
     }

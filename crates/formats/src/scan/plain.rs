@@ -380,6 +380,8 @@ impl Lane<'_> {
         let (layout, cell) = (self.layout, self.chunk.get(contents)?);
         let (value, _) = layout.numbers.value(cell, selector, layout.mark).ok()?;
         value.check(selector).ok()?;
+        // What is too long is refused with its place by the rules of CSV in full.
+        layout.meter(&value, cell).ok()?;
         self.is_bounded |= value.is_presence();
         value.push_to(self.batch.columns.get_mut(column)?);
         self.batch.fractions.get_mut(column)?.count(cell);

@@ -1,0 +1,56 @@
+//! The program under limits on time and memory.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+use crate::program::binary;
+
+/// What a run may cost.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cost {
+    /// Processor time of all threads.
+    pub cpu: Duration,
+    /// Bytes of data: what is allocated, and the stacks of threads.
+    pub data: u64,
+}
+
+/// What a small input may cost.
+pub const LIMITS: Cost = Cost { cpu: Duration::from_secs(2), data: 64 << 20 };
+
+/// How a run ended.
+#[derive(Debug)]
+pub struct Ended {
+    /// Exit status; `None` where a signal ended it: for the processor time, or for memory that could not be had.
+    pub status: Option<i32>,
+    /// Standard error, and behind it what the shell says of the time.
+    pub messages: String,
+}
+
+impl Ended {
+    /// Whether the program came to an end of its own, with an answer or a message.
+    pub fn is_well(&self) -> bool {
+        self.status.is_some_and(|status| (0..=4).contains(&status)) && !self.messages.contains("panicked")
+    }
+}
+
+/// Runs the program in a folder under limits that the system enforces. What it prints is passed over.
+///
+/// The limit on memory is one on data: that on addresses would count what threads and the allocator put by and never use.
+pub fn run_limited(folder: &Path, words: &[String], limits: Cost) -> Ended {
+    let kilobytes = limits.data >> 10;
+    let seconds = limits.cpu.as_secs();
+    let script = format!("ulimit -t {seconds}; ulimit -d {kilobytes}; ulimit -c 0; exec \"$0\" \"$@\"");
+    let run = Command::new("sh")
+        .args(["-c", &script])
+        .arg(binary())
+        .args(words)
+        .current_dir(folder)
+        .env("RAYON_NUM_THREADS", "2")
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .output()
+        .expect("a shell starts");
+    Ended { status: run.status.code(), messages: String::from_utf8_lossy(&run.stderr).into_owned() }
+}

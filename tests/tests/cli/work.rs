@@ -1,0 +1,166 @@
+//! What long numbers take is estimated before it is done: what is refused and what never is, and that the option which the
+//! message names raises the limit.
+
+use std::fmt::Write;
+
+use boundfit_tests::cli::refusals::check_refusal;
+use boundfit_tests::cli::{boundfit, directory_with, printed};
+use boundfit_tests::hostile::{LIMITS, run_limited};
+
+/// A table of powers of ten that are far apart: 14 characters and 20,000 digits a row.
+fn far_apart(rows: usize) -> String {
+    let exponent = |row: usize| (row * 7_919) % 20_000;
+    (0..rows).fold("x,y\n".to_owned(), |mut table, row| {
+        let (x, y) = (exponent(row) as i64 - 10_000, exponent(3 * row + 1) as i64 - 10_000);
+        let _ = writeln!(table, "{}e{x},{}e{y}", row % 9 + 1, (row + 4) % 9 + 1);
+        table
+    })
+}
+
+/// A table of fractions with denominators that differ.
+fn fractions(rows: usize) -> String {
+    (0..rows).fold("x,y\n".to_owned(), |mut table, row| {
+        let denominator = |k: usize| 500_000 + (row * 104_729 + k * 15_485_863) % 499_979;
+        let _ = writeln!(table, "{}/{},{}/{}", row + 1, denominator(0), 3 * row + 2, denominator(1));
+        table
+    })
+}
+
+const COMMANDS: [&str; 9] = [
+    "fit data.csv --x x --y y --eps 1",
+    "fit data.csv --x x --y y --eps 1 --format csv",
+    "fit data.csv --x x --y y --eps 1 --by x",
+    "fit data.csv --x x --y y --eps 2*min",
+    "fit data.csv --x x --y y --eps 1 --sweep 0..2",
+    "reduce data.csv --x x --y y",
+    "check data.csv --x x --y y --eps 1",
+    "plot data.csv --x x --y y --eps 1 --figure all -o figures",
+    "lesson data.csv --x x --y y --eps 1",
+];
+
+#[test]
+fn powers_of_ten_far_apart_are_refused_where_they_pass_the_limit() {
+    let directory = directory_with(&[("data.csv", far_apart(5_000).as_bytes())]);
+    for line in COMMANDS {
+        let run = boundfit(directory.path(), line);
+        let place = "error: data.csv: line ";
+        assert!(run.status == 1 && run.stderr.starts_with(place), "{line}: {run:?}");
+        let problem = "refused: exact arithmetic on ";
+        let limit = " products of machine words, more than 250000000 (the limit); --max-work raises it\n";
+        assert!(run.stderr.contains(problem) && run.stderr.ends_with(limit), "{line}: {run:?}");
+    }
+}
+
+#[test]
+fn a_long_bound_counts_in_every_row() {
+    let directory = directory_with(&[("data.csv", far_apart(15).as_bytes())]);
+    let line = "fit data.csv --x x --y y --eps 1e9999 --no-lp --format csv";
+    let run = boundfit(directory.path(), line);
+    let start = "error: data.csv: refused: exact arithmetic on 15 rows of up to ";
+    assert!(run.status == 1 && run.stderr.starts_with(start), "{run:?}");
+    assert!(run.stderr.ends_with(" (the limit); --max-work raises it\n"), "{run:?}");
+    for line in [
+        &format!("{line} --max-work 100000000000"),
+        "fit data.csv --x x --y y --eps 1e400 --no-lp --format csv",
+    ] {
+        let run = boundfit(directory.path(), line);
+        assert!([0, 3].contains(&run.status), "{line}: {run:?}");
+    }
+}
+
+#[test]
+fn many_different_denominators_are_refused_and_few_in_many_rows_are_not() {
+    let directory = directory_with(&[("data.csv", fractions(20_000).as_bytes())]);
+    let line = "fit data.csv --x x --y y --eps 1000000 --no-lp --format csv";
+    let run = boundfit(directory.path(), line);
+    assert!(
+        run.status == 1 && run.stderr.contains(": refused: exact arithmetic on fractions with "),
+        "{run:?}"
+    );
+    assert!(run.stderr.ends_with(" (the limit); --max-work raises it\n"), "{run:?}");
+    let inches = (0..20_000)
+        .fold("x,y\n".to_owned(), |table, row| table + &format!("{row},{}/{}\n", row, 1 + row % 64));
+    let directory = directory_with(&[("data.csv", inches.as_bytes())]);
+    printed(directory.path(), "fit data.csv --x x --y y --eps 1000000 --no-lp --max-work 0");
+}
+
+#[test]
+fn numbers_of_usual_length_need_no_work() {
+    let wide: String =
+        (1..500).map(|row| format!("{row}.{},-{}e-300\n", "7".repeat(200), row * row)).collect();
+    let directory = directory_with(&[("data.csv", format!("x,y\n{wide}").as_bytes())]);
+    for line in [COMMANDS[0], COMMANDS[1], COMMANDS[5]] {
+        printed(directory.path(), &format!("{line} --max-work 0"));
+    }
+}
+
+#[test]
+fn half_planes_models_and_claims_count_too() {
+    let rows = |line: &str, count: usize| line.repeat(count);
+    let ine = format!("begin\n300 3 rational\n{}end\n", rows("1e9000 1e-8000 7e-9000\n", 300));
+    let lp = format!("min x + y\nst\n{}end\n", rows("1e9000 x + 7e-8000 y >= 1\n", 300));
+    let claims = format!("{{\"pui\": [{}1]}}", rows("1e9000,", 400));
+    let directory = directory_with(&[
+        ("data.ine", ine.as_bytes()),
+        ("data.csv", b"x,y\n1,2\n2,3\n3,5\n"),
+        ("model.lp", lp.as_bytes()),
+        ("short.lp", b"min x + y\nst\n x + y >= 1\n x - y >= 1\nend\n"),
+        ("claims.json", claims.as_bytes()),
+    ]);
+    for (line, place) in [
+        ("polygon data.ine", "data.ine: line "),
+        ("judge model.lp", "model.lp: refused: exact arithmetic on "),
+        (
+            "judge short.lp --solution claims.json",
+            "claims.json: refused: exact arithmetic on 400 numbers of up to 9001 digits",
+        ),
+        (
+            "check data.csv --x x --y y --eps 1 --claim claims.json",
+            "claims.json: refused: exact arithmetic on 400 numbers of up to 9001 digits",
+        ),
+    ] {
+        let run = boundfit(directory.path(), line);
+        assert!(run.status == 1 && run.stderr.starts_with(&format!("error: {place}")), "{line}: {run:?}");
+        assert!(run.stderr.ends_with(" (the limit); --max-work raises it\n"), "{line}: {run:?}");
+    }
+}
+
+#[test]
+fn a_case_for_solvers_counts_as_a_check() {
+    let directory =
+        directory_with(&[("case.csv", far_apart(15).as_bytes()), ("case.json", b"{\"eps\": \"1e9999\"}")]);
+    let run = boundfit(directory.path(), "bench-solvers .");
+    assert!(
+        run.status == 1 && run.stderr.starts_with("error: ./case.csv: refused: exact arithmetic on 15 rows"),
+        "{run:?}"
+    );
+}
+
+/// A word of the limit that is none.
+#[test]
+fn the_limit_is_a_number() {
+    let directory = directory_with(&[("data.csv", b"x,y\n1,2\n")]);
+    let line = "fit data.csv --x x --y y --eps 1 --max-work lots";
+    check_refusal(
+        &boundfit(directory.path(), line),
+        line,
+        2,
+        "invalid value 'lots' for '--max-work <N>': invalid digit found in string",
+    );
+}
+
+/// Every command about long numbers that are just allowed or just refused ends in time.
+#[cfg(target_os = "linux")]
+#[test]
+fn what_is_not_refused_is_done_in_time() {
+    for table in [far_apart(3), far_apart(150), fractions(200)] {
+        let directory = directory_with(&[("data.csv", table.as_bytes())]);
+        for line in COMMANDS {
+            for epsilon in ["1", "1e9999"] {
+                let line = line.replace("--eps 1", &format!("--eps {epsilon}"));
+                let ended = run_limited(directory.path(), &boundfit_tests::cli::words(&line), LIMITS);
+                assert!(ended.is_well(), "{line}: {ended:?}\n{}", &table[..60]);
+            }
+        }
+    }
+}
