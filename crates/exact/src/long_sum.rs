@@ -2,11 +2,11 @@
 
 use std::collections::HashMap;
 
-use crate::{Fraction, Integer};
+use crate::{Fraction, Integer, Rational};
 
 /// Fractions to be added. Their sum has about as many digits as all of them together, so that it is only made where it is
 /// asked for, by halves: added one after the other, `n` fractions cost `n` products and common divisors of such length.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct LongSum {
     terms: Vec<Fraction>,
 }
@@ -46,13 +46,25 @@ impl FromIterator<Fraction> for LongSum {
 }
 
 impl LongSum {
-    /// This sum and another, or less another. Adds nothing yet.
-    pub fn combined(&self, other: &LongSum, is_subtracted: bool) -> LongSum {
-        let others = other.terms.iter().filter_map(|term| {
-            let (numerator, denominator) = term.clone().into_terms();
-            Fraction::new(if is_subtracted { -numerator } else { numerator }, denominator)
-        });
-        self.terms.iter().cloned().chain(others).collect()
+    /// Bounds on the sum: for each term they are apart by at most `2^-bits` of the largest one. Cost: a division for each term.
+    pub fn between(&self, bits: u64) -> (Rational, Rational) {
+        // The quotient is less than two to this power, and at least a quarter of that.
+        let exponent =
+            |term: &Fraction| term.numerator().bits() as i64 - term.denominator().bits() as i64 + 1;
+        let Some(largest) = self.terms.iter().map(exponent).max() else { return Default::default() };
+        let scale = bits as i64 + 2 - largest;
+        let power = Integer::power_of_two(scale.unsigned_abs());
+        let (mut lower, mut rounded) = (Integer::zero(), 0_usize);
+        for term in &self.terms {
+            let (floor, rest) = match scale {
+                0.. => (term.numerator() * &power).div_rem_floor(term.denominator()),
+                _ => term.numerator().div_rem_floor(&(term.denominator() * &power)),
+            };
+            lower = lower + floor;
+            rounded += usize::from(!rest.is_zero());
+        }
+        let upper = &lower + Integer::from(rounded);
+        (Rational::binary(lower, -scale), Rational::binary(upper, -scale))
     }
 
     /// The sum, not in lowest terms. Exact. Cost: some products of the length of the result.
@@ -94,7 +106,6 @@ impl Effort {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Rational;
 
     fn fraction(numerator: i64, denominator: i64) -> Fraction {
         Fraction::new(numerator.into(), denominator.into()).unwrap()
@@ -127,13 +138,21 @@ mod tests {
     }
 
     #[test]
-    fn sums_are_added_and_subtracted_term_by_term() {
-        let [some, others]: [LongSum; 2] =
-            [fractions(40), fractions(70)].map(|terms| terms.into_iter().collect());
-        let [own, other] = [&some, &others].map(|sum| Rational::from(sum.total()));
-        assert_eq!(Rational::from(some.combined(&others, false).total()), &own + &other);
-        assert_eq!(Rational::from(some.combined(&others, true).total()), own - other);
-        assert!(some.combined(&some, true).terms.is_empty());
+    fn bounds_enclose_the_sum_and_close_in() {
+        for count in [1, 2, 50, 700] {
+            let sum: LongSum = fractions(count).into_iter().collect();
+            let exact = Rational::from(sum.total());
+            let largest = sum.terms.iter().map(|term| Rational::from(term.clone()).abs()).max().unwrap();
+            for bits in [0, 1, 40, 640] {
+                let (lower, upper) = sum.between(bits);
+                assert!(lower <= exact && exact <= upper, "{count} {bits}");
+                let power = Rational::binary(Integer::from(sum.terms.len()), -(bits as i64));
+                assert!(upper - lower <= power * &largest, "{count} {bits}");
+            }
+        }
+        let whole: LongSum = [fraction(3, 8), fraction(-1, 2)].into_iter().collect();
+        assert_eq!(whole.between(10), (Rational::ratio(-1, 8), Rational::ratio(-1, 8)));
+        assert_eq!(LongSum::default().between(10), Default::default());
     }
 
     #[test]

@@ -2,46 +2,53 @@
 
 use std::borrow::Cow;
 
-use boundfit_exact::{Rational, Sign};
+use boundfit_exact::{Fraction, LongSum, Rational};
 use boundfit_geometry::{Measure, Measures, Point, RegionKind};
 
 /// The area of a polygon whose corners move along lines, as `constant + slope·s + quadratic·s²`. Each coefficient is a sum over
-/// all corners, which is added up only as far as it is asked for.
-///
-/// That of s² is the area that the slopes of the corners go around, the constant that of the corners at s = 0; and all three add
-/// up to that of the corners at s = 1.
+/// corners, which is added up only as far as it is asked for.
 #[derive(Debug)]
-pub struct MovingArea {
+pub struct MovingArea<'a> {
     at_zero: Measures<'static>,
-    at_one: Measures<'static>,
-    of_slopes: Measures<'static>,
+    growth: &'a Growth,
 }
 
-impl MovingArea {
-    pub(super) fn new(at_zero: Vec<Point>, at_one: Vec<Point>, slopes: Vec<Point>) -> Self {
-        let [at_zero, at_one, of_slopes] = [at_zero, at_one, slopes]
-            .map(|corners| Measures::of(RegionKind::Polygon, corners.into_iter().map(Cow::Owned).collect()));
-        MovingArea { at_zero, at_one, of_slopes }
+/// By how much an area grows with s: `slope + 2·quadratic·s`.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub(super) struct Growth {
+    slope: LongSum,
+    quadratic: LongSum,
+}
+
+impl Growth {
+    /// The sum of multiples of coordinates, each given with their value at s = 0 and their growth per unit of s.
+    pub(super) fn sum(terms: &[(Rational, Rational)]) -> Self {
+        Growth {
+            slope: terms.iter().map(|(constant, _)| Fraction::from(constant)).collect(),
+            quadratic: terms.iter().map(|(_, slope)| Fraction::from(&slope.half())).collect(),
+        }
+    }
+}
+
+impl<'a> MovingArea<'a> {
+    /// Of corners at s = 0, which go around a polygon.
+    pub(super) fn new(at_zero: Vec<Point>, growth: &'a Growth) -> Self {
+        let corners = at_zero.into_iter().map(Cow::Owned).collect();
+        MovingArea { at_zero: Measures::of(RegionKind::Polygon, corners), growth }
     }
 
     /// The value at s = 0.
     pub fn constant(&self) -> Measure<'_> {
-        Measure::sum_of_areas(vec![(&self.at_zero, Sign::Positive)])
+        self.at_zero.polygon_area()
     }
 
     /// The coefficient of s.
     pub fn slope(&self) -> Measure<'_> {
-        let others = [&self.at_zero, &self.of_slopes].map(|measures| (measures, Sign::Negative));
-        Measure::sum_of_areas([(&self.at_one, Sign::Positive)].into_iter().chain(others).collect())
+        Measure::of(&self.growth.slope)
     }
 
     /// The coefficient of s².
     pub fn quadratic(&self) -> Measure<'_> {
-        Measure::sum_of_areas(vec![(&self.of_slopes, Sign::Positive)])
-    }
-
-    /// The area at s. Exact.
-    pub fn at(&self, s: &Rational) -> Rational {
-        self.constant().exact() + (self.slope().exact() + self.quadratic().exact() * s) * s
+        Measure::of(&self.growth.quadratic)
     }
 }

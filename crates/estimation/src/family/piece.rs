@@ -3,7 +3,7 @@
 use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::{Direction, Point, Polyhedron, RegionKind, Support};
 
-use super::area::MovingArea;
+use super::area::{Growth, MovingArea};
 use super::functions::Linear;
 use super::growing::GrowingSystem;
 use super::section::{Section, SectionBoundary, SectionVertex};
@@ -32,6 +32,8 @@ pub struct Piece {
     pub pui: Option<[[Option<Linear>; 2]; 2]>,
     /// A minimal set of bounds that describes the sets, sorted.
     pub shaped_by: Vec<BoundName>,
+    /// Of the area of a polygon.
+    pub(super) growth: Growth,
 }
 
 /// A vertex as a function of s.
@@ -73,6 +75,7 @@ impl Piece {
             boundaries: Vec::new(),
             pui: None,
             shaped_by: Vec::new(),
+            growth: Growth::default(),
         }
     }
 
@@ -99,6 +102,10 @@ impl Piece {
             boundaries: boundaries.collect(),
             pui: Some([0, 1].map(|axis| ends(system, &polyhedron, axis))),
             shaped_by: system.named(polyhedron.irredundant_by_angle()),
+            growth: match region.kind() {
+                RegionKind::Polygon => shape.growth(system, polyhedron.irredundant_by_angle()),
+                _ => Growth::default(),
+            },
         };
         (piece, reach)
     }
@@ -176,21 +183,15 @@ fn ends(system: &GrowingSystem, polyhedron: &Polyhedron, axis: usize) -> [Option
 
 impl Piece {
     /// The area as a function of s; `None` when it is infinite or the sets are empty.
-    pub fn area(&self) -> Option<MovingArea> {
+    pub fn area(&self) -> Option<MovingArea<'_>> {
         let corners = match self.kind {
             RegionKind::Polygon => self.vertices.as_slice(),
             RegionKind::Point | RegionKind::Segment | RegionKind::Ray | RegionKind::Line => &[],
             _ => return None,
         };
-        let at = |theta: &[Linear; 2], value: fn(&Linear) -> Rational| {
-            Point::new(&value(&theta[0]), &value(&theta[1]))
-        };
-        let corners =
-            |value: fn(&Linear) -> Rational| corners.iter().map(move |vertex| at(&vertex.theta, value));
-        Some(MovingArea::new(
-            corners(|coordinate| coordinate.constant.clone()).collect(),
-            corners(|coordinate| &coordinate.constant + &coordinate.slope).collect(),
-            corners(|coordinate| coordinate.slope.clone()).collect(),
-        ))
+        let at_zero = corners.iter().map(|MovingVertex { theta: [theta1, theta2], .. }| {
+            Point::new(&theta1.constant, &theta2.constant)
+        });
+        Some(MovingArea::new(at_zero.collect(), &self.growth))
     }
 }

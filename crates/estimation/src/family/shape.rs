@@ -8,6 +8,7 @@ use std::collections::HashMap;
 use boundfit_exact::Rational;
 use boundfit_geometry::{Polyhedron, Redundancy};
 
+use super::area::Growth;
 use super::functions::Linear;
 use super::growing::GrowingSystem;
 use super::piece::{Reach, multiple_of};
@@ -91,6 +92,34 @@ impl Shape {
         }
         debug_assert!(reach.from <= *sample, "a shape that is not there at its own sample");
         reach
+    }
+
+    /// By how much the area of a polygon grows: for each edge by its length times the speed of its boundary. In the units of the
+    /// half-plane these are the change of a coordinate along the edge over a coefficient of its form, times the growth of its
+    /// bound. As a sum over corners there is no term where the boundaries that meet move alike, as they do nearly everywhere
+    /// for a line under one bound.
+    pub(super) fn growth(&mut self, system: &GrowingSystem, spokes: &[usize]) -> Growth {
+        let speed = |spoke: usize| {
+            let [a1, a2] = system.form(spoke);
+            let growth = &system.bound(spoke).slope;
+            // The boundary runs along (-a2, a1).
+            match growth.checked_div(a2) {
+                Some(quotient) => [-quotient, Rational::zero()],
+                None => [Rational::zero(), growth.checked_div(a1).unwrap_or_default()],
+            }
+        };
+        let mut terms = Vec::new();
+        for (&spoke, &next) in spokes.iter().zip(spokes.iter().cycle().skip(1)) {
+            let Some(corner) = self.corner(system, spoke, next) else { continue };
+            // Where one edge ends, the next one starts.
+            for ((own, others), coordinate) in speed(spoke).iter().zip(&speed(next)).zip(corner) {
+                if own != others {
+                    let factor = own - others;
+                    terms.push((&coordinate.constant * &factor, &coordinate.slope * &factor));
+                }
+            }
+        }
+        Growth::sum(&terms)
     }
 
     /// The length of an edge, in a positive unit: its boundary runs to the left of its normal.

@@ -164,6 +164,15 @@ impl Rational {
         Rational::new(mantissa, power).unwrap_or_default()
     }
 
+    /// `mantissa · 2^exponent`. Exact. Cost: the size of the power.
+    pub fn binary(mantissa: Integer, exponent: i64) -> Self {
+        let power = Integer::power_of_two(exponent.unsigned_abs());
+        if exponent >= 0 {
+            return Rational::from(mantissa * power);
+        }
+        Rational::new(mantissa, power).unwrap_or_default()
+    }
+
     /// `mantissa / 10^places`, for at most 18 places. Only 2 and 5 divide a power of ten, which takes a tenth of the time of
     /// a greatest common divisor.
     #[allow(clippy::indexing_slicing, reason = "there are 19 powers for at most 18 places")]

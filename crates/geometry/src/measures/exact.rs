@@ -38,11 +38,6 @@ impl ExactMoments {
         }
     }
 
-    /// The terms of twice the area.
-    pub(super) fn doubled_area_terms(&self) -> &LongSum {
-        &self.doubled_area
-    }
-
     fn doubled_area(&self) -> &Fraction {
         self.total.get_or_init(|| self.doubled_area.total())
     }
@@ -53,6 +48,11 @@ impl ExactMoments {
 
     pub(super) fn centroid(&self, axis: usize) -> Fraction {
         quotient(&self.sixfold_moments[axis].total(), self.doubled_area())
+    }
+
+    /// As [`ExactMoments::area`], where the common denominator has at most so many bits.
+    pub(super) fn area_within(&self, bits: u64) -> Option<Fraction> {
+        Some(halved(&self.doubled_area.total_within(bits)?))
     }
 
     /// As [`ExactMoments::centroid`], where both common denominators have at most so many bits.
@@ -75,7 +75,7 @@ fn corners_sum(p: &Point, q: &Point, axis: usize) -> (Integer, Integer) {
     (p * qw + q * pw, pw * qw)
 }
 
-pub(super) fn halved(doubled: &Fraction) -> Fraction {
+fn halved(doubled: &Fraction) -> Fraction {
     fraction(doubled.numerator().clone(), doubled.denominator() + doubled.denominator())
 }
 

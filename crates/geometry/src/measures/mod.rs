@@ -7,12 +7,12 @@ mod rough;
 use std::borrow::Cow;
 use std::cell::OnceCell;
 
-use boundfit_exact::{Fraction, Integer, LongSum, Rational, Rounding, Sign};
+use boundfit_exact::{Fraction, Integer, LongSum, Rational, Rounding};
 
 use crate::constructions::mean;
 use crate::point::Point;
 use crate::region::{Region, RegionKind};
-use exact::{ExactMoments, halved};
+use exact::ExactMoments;
 use rough::RoughMoments;
 
 impl Region {
@@ -59,7 +59,7 @@ fn bits_of(level: usize) -> u64 {
 
 impl<'a> Measures<'a> {
     /// Of a region of this kind with these corners, which go around it. Where they are those of no convex polygon, the area
-    /// counts each point as often as the corners go around it counter-clockwise.
+    /// counts each point as often as they go around it counter-clockwise.
     pub fn of(kind: RegionKind, corners: Vec<Cow<'a, Point>>) -> Self {
         Measures { kind, corners, rough: Default::default(), exact: OnceCell::new() }
     }
@@ -67,14 +67,17 @@ impl<'a> Measures<'a> {
     /// The area: 0 for everything within a line, `None` when it is infinite.
     pub fn area(&self) -> Option<Measure<'_>> {
         match self.kind {
-            RegionKind::Polygon => {
-                Some(Measure(Kind::Area { of: vec![(self, Sign::Positive)], unit: Rational::one() }))
-            }
+            RegionKind::Polygon => Some(Measure(Kind::Area { of: self, unit: Rational::one() })),
             RegionKind::UnboundedPolygon | RegionKind::Strip | RegionKind::HalfPlane | RegionKind::Plane => {
                 None
             }
             _ => Some(Measure(Kind::Short(Rational::zero()))),
         }
+    }
+
+    /// The area that the corners go around, as of a polygon.
+    pub fn polygon_area(&self) -> Measure<'_> {
+        Measure(Kind::Area { of: self, unit: Rational::one() })
     }
 
     /// How much the area is of another, positive one; `None` where either is not a finite positive number, except that no
@@ -120,9 +123,10 @@ pub struct Measure<'a>(Kind<'a>);
 #[derive(Debug)]
 enum Kind<'a> {
     Short(Rational),
-    /// A sum of areas, each with its sign, in a unit.
+    Sum(&'a LongSum),
+    /// The area in a unit.
     Area {
-        of: Vec<(&'a Measures<'a>, Sign)>,
+        of: &'a Measures<'a>,
         unit: Rational,
     },
     /// A coordinate of the centroid.
@@ -133,16 +137,17 @@ enum Kind<'a> {
 }
 
 impl<'a> Measure<'a> {
-    /// Areas of polygons added up, each with its sign.
-    pub fn sum_of_areas(of: Vec<(&'a Measures<'a>, Sign)>) -> Self {
-        Measure(Kind::Area { of, unit: Rational::one() })
+    /// Any other sum.
+    pub fn of(sum: &'a LongSum) -> Self {
+        Measure(Kind::Sum(sum))
     }
 
     /// The number itself. Cost: as of [`Region::area`].
     pub fn exact(&self) -> Rational {
         match &self.0 {
             Kind::Short(value) => value.clone(),
-            Kind::Area { of, unit } => divided(Rational::from(area(of)), unit),
+            Kind::Sum(sum) => sum.total().into(),
+            Kind::Area { of, unit } => divided(of.exact().area().into(), unit),
             Kind::Centroid { of, axis } => Rational::from(of.exact().centroid(*axis)),
         }
     }
@@ -154,10 +159,8 @@ impl<'a> Measure<'a> {
         let bits = longest.bits();
         let value = match &self.0 {
             Kind::Short(value) => value.clone(),
-            Kind::Area { of, unit } => {
-                let doubled = doubled_area_terms(of).total_within(bits)?;
-                divided(Rational::from(halved(&doubled)), unit)
-            }
+            Kind::Sum(sum) => sum.total_within(bits)?.into(),
+            Kind::Area { of, unit } => divided(of.exact().area_within(bits)?.into(), unit),
             Kind::Centroid { of, axis } => Rational::from(of.exact().centroid_within(*axis, bits)?),
         };
         let is_short = value.numerator().abs() < longest && value.denominator() < longest;
@@ -194,7 +197,7 @@ impl<'a> Measure<'a> {
         const LEVELS: usize = 3;
         let levels = match &self.0 {
             Kind::Short(_) => 0..1,
-            Kind::Area { .. } | Kind::Centroid { .. } => {
+            Kind::Sum(_) | Kind::Area { .. } | Kind::Centroid { .. } => {
                 // A decimal digit takes 3.33 bits; errors are a few units of the last one of these.
                 let needed = 4 * digits as u64 + 12;
                 let first = (0..=MOST_LEVELS).find(|level| bits_of(*level) >= needed).unwrap_or(MOST_LEVELS);
@@ -207,16 +210,10 @@ impl<'a> Measure<'a> {
     fn ends(&self, level: usize) -> Option<(Rational, Rational)> {
         match &self.0 {
             Kind::Short(value) => Some((value.clone(), value.clone())),
+            Kind::Sum(sum) => Some(sum.between(bits_of(level))),
             Kind::Area { of, unit } => {
-                let mut sum = (Rational::zero(), Rational::zero());
-                for (measures, sign) in of {
-                    let (lower, upper) = measures.rough(level)?.area();
-                    sum = match sign {
-                        Sign::Negative => (sum.0 - upper, sum.1 - lower),
-                        _ => (sum.0 + lower, sum.1 + upper),
-                    };
-                }
-                Some((divided(sum.0, unit), divided(sum.1, unit)))
+                let (lower, upper) = of.rough(level)?.area();
+                Some((divided(lower, unit), divided(upper, unit)))
             }
             Kind::Centroid { of, axis } => of.rough(level)?.centroid(*axis),
         }
@@ -226,7 +223,8 @@ impl<'a> Measure<'a> {
     fn among_decimals(&self, digits: usize) -> Rational {
         let (value, unit) = match &self.0 {
             Kind::Short(value) => return value.clone(),
-            Kind::Area { of, unit } => (area(of), unit),
+            Kind::Sum(sum) => (sum.total(), &Rational::one()),
+            Kind::Area { of, unit } => (of.exact().area(), unit),
             Kind::Centroid { of, axis } => (of.exact().centroid(*axis), &Rational::one()),
         };
         let near = self.enclosures(digits).last().map(|(_, upper)| upper.rounded(digits, Rounding::Down));
@@ -235,25 +233,6 @@ impl<'a> Measure<'a> {
             .chain([Rational::zero()])
             .find(is)
             .unwrap_or_else(|| divided(Rational::from(value), unit))
-    }
-}
-
-fn area(of: &[(&Measures, Sign)]) -> Fraction {
-    match of {
-        [(only, Sign::Positive)] => only.exact().area(),
-        _ => halved(&doubled_area_terms(of).total()),
-    }
-}
-
-fn doubled_area_terms<'a>(of: &[(&'a Measures, Sign)]) -> Cow<'a, LongSum> {
-    match of {
-        [(only, Sign::Positive)] => Cow::Borrowed(only.exact().doubled_area_terms()),
-        _ => {
-            let add = |sum: LongSum, (measures, sign): &(&Measures, Sign)| {
-                sum.combined(measures.exact().doubled_area_terms(), *sign == Sign::Negative)
-            };
-            Cow::Owned(of.iter().fold(LongSum::default(), add))
-        }
     }
 }
 

@@ -88,7 +88,7 @@ impl RoughMoments {
     pub(super) fn area(&self) -> (Rational, Rational) {
         let unit = -self.scale[0] - self.scale[1] - 1;
         let (lower, upper) = self.doubled_area();
-        (times_power_of_two(lower, unit), times_power_of_two(upper, unit))
+        (Rational::binary(lower, unit), Rational::binary(upper, unit))
     }
 
     /// Bounds on a coordinate of the centroid; `None` where those on the area leave it without a sign.
@@ -101,7 +101,7 @@ impl RoughMoments {
         let moment = &self.sixfold_moments[axis];
         let end = |moment: Integer, weight: &Integer| {
             let from_origin = Rational::new(moment, Integer::from(3) * weight)?;
-            let power = times_power_of_two(Integer::one(), -self.scale[axis]);
+            let power = Rational::binary(Integer::one(), -self.scale[axis]);
             Some((from_origin + Rational::from(&self.origin[axis])) * power)
         };
         let (lower, upper) = (moment - &error, moment + &error);
@@ -128,12 +128,4 @@ fn scale(corners: &[Cow<Point>], axis: usize, bits: u64) -> Option<i64> {
         (!difference.is_zero()).then(|| difference.bits() as i64 - (weight * &first_weight).bits() as i64)
     });
     Some(bits as i64 + 1 - apart.max()?)
-}
-
-fn times_power_of_two(value: Integer, exponent: i64) -> Rational {
-    let power = Integer::power_of_two(exponent.unsigned_abs());
-    if exponent >= 0 {
-        return Rational::from(value * power);
-    }
-    Rational::new(value, power).unwrap_or_default()
 }
