@@ -1,6 +1,6 @@
 //! Which single row an empty set would have to lose.
 
-use crate::{BoundName, Fit, Fps, Measurements, Problem};
+use crate::{BoundName, Fit, Fps, Measurements, Minimax, Problem};
 
 /// Of an empty FPS every row without which alone, with both of its bounds, some parameter is feasible, in ascending order.
 /// `None` when the set is not empty, or when not every reading is in memory, since those that are not could take the place
@@ -25,7 +25,11 @@ pub fn mending_rows(problem: &Problem, fit: &Fit) -> Option<Vec<usize>> {
         let rest = all.iter().filter(|measurement| measurement.row != *row).cloned().collect();
         let (model, bound) = (measurements.model().clone(), measurements.error_bound().clone());
         let rest = Measurements::new(model, measurements.response().to_owned(), bound, rest);
-        !Fps::new(&rest, conditions).polyhedron().region().is_empty()
+        match rest.error_bound().uniform().filter(|_| rest.has_hulls()) {
+            // Two hulls and no polygon.
+            Some(bound) => Minimax::new(&rest, conditions).is_some_and(|minimax| minimax.least <= *bound),
+            None => !Fps::new(&rest, conditions).polyhedron().region().is_empty(),
+        }
     });
     Some(rows)
 }
