@@ -66,8 +66,8 @@ pub use bounds::{Central, ParameterBound, ParameterInterval};
 pub use condition::{Condition, ParseConditionError, ParseConditionErrorKind};
 pub use corridor::{Corridor, CorridorEdge};
 pub use family::{
-    Breakpoint, Family, Linear, MovingArea, MovingBoundary, MovingVertex, Piece, Section, SectionBoundary,
-    SectionVertex,
+    AreaGrowth, Breakpoint, Family, Linear, MovingArea, MovingBoundary, MovingVertex, Piece, Section,
+    SectionBoundary, SectionVertex,
 };
 #[cfg(feature = "files")]
 pub use files::{Columns, EpsilonColumn, Fleet, ReducedTable};

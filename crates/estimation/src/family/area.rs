@@ -10,20 +10,20 @@ use boundfit_geometry::{Measure, Measures, Point, RegionKind};
 #[derive(Debug)]
 pub struct MovingArea<'a> {
     at_zero: Measures<'static>,
-    growth: &'a Growth,
+    growth: &'a AreaGrowth,
 }
 
 /// By how much an area grows with s: `slope + 2·quadratic·s`.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub(super) struct Growth {
+pub struct AreaGrowth {
     slope: LongSum,
     quadratic: LongSum,
 }
 
-impl Growth {
+impl AreaGrowth {
     /// The sum of multiples of coordinates, each given with their value at s = 0 and their growth per unit of s.
     pub(super) fn sum(terms: &[(Rational, Rational)]) -> Self {
-        Growth {
+        AreaGrowth {
             slope: terms.iter().map(|(constant, _)| Fraction::from(constant)).collect(),
             quadratic: terms.iter().map(|(_, slope)| Fraction::from(&slope.half())).collect(),
         }
@@ -32,7 +32,7 @@ impl Growth {
 
 impl<'a> MovingArea<'a> {
     /// Of corners at s = 0, which go around a polygon.
-    pub(super) fn new(at_zero: Vec<Point>, growth: &'a Growth) -> Self {
+    pub(super) fn new(at_zero: Vec<Point>, growth: &'a AreaGrowth) -> Self {
         let corners = at_zero.into_iter().map(Cow::Owned).collect();
         MovingArea { at_zero: Measures::of(RegionKind::Polygon, corners), growth }
     }

@@ -18,7 +18,7 @@ use crate::fps::BoundName;
 use crate::minimax::Minimax;
 use crate::problem::Problem;
 
-pub use area::MovingArea;
+pub use area::{AreaGrowth, MovingArea};
 pub use functions::Linear;
 pub use piece::{MovingBoundary, MovingVertex, Piece};
 pub use section::{Section, SectionBoundary, SectionVertex};

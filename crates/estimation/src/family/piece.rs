@@ -3,7 +3,7 @@
 use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::{Direction, Point, Polyhedron, RegionKind, Support};
 
-use super::area::{Growth, MovingArea};
+use super::area::{AreaGrowth, MovingArea};
 use super::functions::Linear;
 use super::growing::GrowingSystem;
 use super::section::{Section, SectionBoundary, SectionVertex};
@@ -32,8 +32,8 @@ pub struct Piece {
     pub pui: Option<[[Option<Linear>; 2]; 2]>,
     /// A minimal set of bounds that describes the sets, sorted.
     pub shaped_by: Vec<BoundName>,
-    /// Of the area of a polygon.
-    pub(super) growth: Growth,
+    /// By how much the area of a polygon grows with s.
+    pub growth: AreaGrowth,
 }
 
 /// A vertex as a function of s.
@@ -75,7 +75,7 @@ impl Piece {
             boundaries: Vec::new(),
             pui: None,
             shaped_by: Vec::new(),
-            growth: Growth::default(),
+            growth: AreaGrowth::default(),
         }
     }
 
@@ -104,7 +104,7 @@ impl Piece {
             shaped_by: system.named(polyhedron.irredundant_by_angle()),
             growth: match region.kind() {
                 RegionKind::Polygon => shape.growth(system, polyhedron.irredundant_by_angle()),
-                _ => Growth::default(),
+                _ => AreaGrowth::default(),
             },
         };
         (piece, reach)

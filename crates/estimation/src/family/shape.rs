@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use boundfit_exact::Rational;
 use boundfit_geometry::{Polyhedron, Redundancy};
 
-use super::area::Growth;
+use super::area::AreaGrowth;
 use super::functions::Linear;
 use super::growing::GrowingSystem;
 use super::piece::{Reach, multiple_of};
@@ -98,7 +98,7 @@ impl Shape {
     /// half-plane these are the change of a coordinate along the edge over a coefficient of its form, times the growth of its
     /// bound. As a sum over corners there is no term where the boundaries that meet move alike, as they do nearly everywhere
     /// for a line under one bound.
-    pub(super) fn growth(&mut self, system: &GrowingSystem, spokes: &[usize]) -> Growth {
+    pub(super) fn growth(&mut self, system: &GrowingSystem, spokes: &[usize]) -> AreaGrowth {
         let speed = |spoke: usize| {
             let [a1, a2] = system.form(spoke);
             let growth = &system.bound(spoke).slope;
@@ -119,7 +119,7 @@ impl Shape {
                 }
             }
         }
-        Growth::sum(&terms)
+        AreaGrowth::sum(&terms)
     }
 
     /// The length of an edge, in a positive unit: its boundary runs to the left of its normal.
