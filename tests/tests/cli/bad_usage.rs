@@ -75,7 +75,7 @@ fn options_that_say_nothing_sensible() {
         (format!("{base} --where-row '> 3'"), compared("> 3", "there is no column before the comparison")),
         (
             format!("{base} --where-row '\"z > 3'"),
-            compared("\"z > 3", "the quote before the column's name is not closed").replace("'\"z", "'\\\"z"),
+            compared("\"z > 3", "the quote before the column's name is not closed"),
         ),
         (
             format!("{base} --where-row 'z > three'"),

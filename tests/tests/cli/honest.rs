@@ -231,7 +231,7 @@ fn reductions_that_contradict_themselves_are_refused() {
 fn groups_are_told_apart_as_their_names_are_written() {
     let table = "g,x,y\n\"a\",1,2\n\" a\",2,3\n\"a \",3,9\n\"a\n\",4,4\n a ,5,5\na,6,6\n";
     let directory = directory_with(&[("data.csv", table.as_bytes())]);
-    let text = printed(directory.path(), "fit data.csv --x x --y y --eps 1 --by g --format csv");
+    let text = boundfit(directory.path(), "fit data.csv --x x --y y --eps 1 --by g --format csv").stdout;
     let counts: Vec<(&str, &str)> = text
         .split("\n")
         .filter_map(|line| line.split_once(','))
@@ -245,7 +245,7 @@ fn groups_are_told_apart_as_their_names_are_written() {
 fn no_cell_of_csv_is_a_formula() {
     let table = "g,x,y\n=cmd|1,1,2\n@SUM(A1),2,3\n-5,3,9\n'=1,4,4\n+1-2,5,5\n";
     let directory = directory_with(&[("data.csv", table.as_bytes())]);
-    let text = printed(directory.path(), "fit data.csv --x x --y y --eps 1 --by g --format csv");
+    let text = boundfit(directory.path(), "fit data.csv --x x --y y --eps 1 --by g --format csv").stdout;
     let groups: Vec<&str> = text.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();
     assert_eq!(groups, ["'=cmd|1", "'@SUM(A1)", "-5", "''=1", "'+1-2"]);
 }

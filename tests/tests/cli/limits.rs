@@ -222,7 +222,8 @@ fn a_sum_in_a_reduction_may_have_ten_times_the_digits_of_a_reading() {
         format!(
             "# boundfit/reduced/1 {{\"rows\":2,\"kept\":2,\"header\":true,\"reading\":\"decimal\",\"x\":\"x\",\"y\":\"y\",\
              \"epsilon\":null,\"sums\":[\"3\",\"{}\",\"5\",\"8\"]}}\nx,y\n1,2\n2,3\n",
-            "5".repeat(digits)
+            // Σy is 5, in so many digits.
+            format!("5{0}/1{0}", "0".repeat(digits - 1))
         )
     };
     let directory = directory_with(&[("data.csv", record(30).as_bytes())]);
@@ -277,9 +278,12 @@ fn counts_near_the_end_of_what_can_be_counted_overflow_nothing() {
     }
     // Two reductions whose readings together cannot be counted.
     let part = |rows: usize| {
+        // All but the second one are at (1, 2).
+        let more = rows.saturating_sub(2) as u128;
+        let [x, y, xx, xy] = [3 + more, 5 + 2 * more, 5 + more, 8 + 2 * more];
         format!(
             "# boundfit/reduced/1 {{\"rows\":{rows},\"kept\":2,\"header\":true,\"reading\":\"decimal\",\"x\":\"x\",\"y\":\"y\",\
-             \"epsilon\":null,\"sums\":[\"3\",\"5\",\"5\",\"8\"]}}\nx,y\n1,2\n2,3\n"
+             \"epsilon\":null,\"sums\":[\"{x}\",\"{y}\",\"{xx}\",\"{xy}\"]}}\nx,y\n1,2\n2,3\n"
         )
     };
     let directory = directory_with(&[("data.csv", format!("{}{}", part(most), part(1)).as_bytes())]);
