@@ -20,6 +20,8 @@ pub enum TableKind {
     MixedDecimals,
     /// A line with noise, all 16 or 17 digits of binary64 numbers printed.
     LongDecimals,
+    /// A band of decimals of 3 to 70 digits, which no machine integers hold together.
+    ManyDigits,
     /// Integers of 18 to 20 digits around the powers of two from 2^61 to 2^64.
     WideIntegers,
     /// 1e300 beside 1e-300.
@@ -30,7 +32,7 @@ pub enum TableKind {
 
 impl TableKind {
     /// All of them.
-    pub const ALL: [TableKind; 10] = [
+    pub const ALL: [TableKind; 11] = [
         TableKind::Noise,
         TableKind::Ties,
         TableKind::Collinear,
@@ -38,6 +40,7 @@ impl TableKind {
         TableKind::Extreme,
         TableKind::MixedDecimals,
         TableKind::LongDecimals,
+        TableKind::ManyDigits,
         TableKind::WideIntegers,
         TableKind::FarApart,
         TableKind::Fractions,
@@ -71,6 +74,7 @@ impl TableKind {
                 let power = if row % 7 == 0 { 1e-4 } else { 1.0 };
                 [(x * power).to_string(), (y * power).to_string()]
             }
+            TableKind::ManyDigits => [many_digits(rng, 20), many_digits(rng, 3)],
             TableKind::WideIntegers => [wide_integer(rng), wide_integer(rng)],
             TableKind::FarApart => {
                 let exponent = [300, -300, 0, 299][rng.random_range(0..4)];
@@ -92,6 +96,14 @@ fn mixed_decimal(rng: &mut ChaCha8Rng) -> String {
         2 => format!("{whole}.{}e{}", part % 10, rng.random_range(-4..=4)),
         _ => format!("{whole}.5"),
     }
+}
+
+/// Near the whole numbers up to one of them, more or less.
+fn many_digits(rng: &mut ChaCha8Rng, most: i64) -> String {
+    let digits = [3, 15, 17, 19, 25, 37, 40, 70][rng.random_range(0..8)];
+    let part: String = (0..digits).map(|_| char::from(b'0' + rng.random_range(0..=9_u8))).collect();
+    let sign = if rng.random_bool(0.5) { "-" } else { "" };
+    format!("{sign}{}.{part}{}", rng.random_range(0..=most), ["", "e0", "E-3"][rng.random_range(0..3)])
 }
 
 fn wide_integer(rng: &mut ChaCha8Rng) -> String {

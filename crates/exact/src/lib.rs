@@ -42,7 +42,7 @@ mod work;
 mod written;
 
 pub use binary64::{nearest_double, plain_double, significand_and_exponent};
-pub use column::{Column, Count, Scaled, Unit};
+pub use column::{Column, Count, Long, LongProducts, LongTotal, Scaled, Unit, compare_words};
 pub use decimal::{Decimal, Rounding};
 pub use double_sum::DoubleSum;
 pub use dyadic::Dyadic;

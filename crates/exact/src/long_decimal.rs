@@ -136,7 +136,7 @@ pub(crate) fn power_of_ten(exponent: usize) -> u64 {
 
 /// The exponent after the `e`, and how many bytes it takes with that.
 #[inline]
-fn written_exponent(text: &[u8]) -> Option<(i32, usize)> {
+pub(crate) fn written_exponent(text: &[u8]) -> Option<(i32, usize)> {
     let (negative, start) = match text.first()? {
         b'-' => (true, 1),
         b'+' => (false, 1),

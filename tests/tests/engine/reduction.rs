@@ -241,8 +241,13 @@ fn of_long_tables_too_only_the_rows_that_touch_a_hull_count() {
     let mut rng = seeded(53);
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("table.csv");
-    for kind in [TableKind::Noise, TableKind::LongDecimals, TableKind::MixedDecimals, TableKind::WideIntegers]
-    {
+    for kind in [
+        TableKind::Noise,
+        TableKind::LongDecimals,
+        TableKind::ManyDigits,
+        TableKind::MixedDecimals,
+        TableKind::WideIntegers,
+    ] {
         for reading in [Reading::Decimal, Reading::Binary64] {
             let rows = kind.rows(&mut rng, 3000);
             let case = Case { rows, reading, epsilon: Rational::ratio(1, 3), conditions: Vec::new() };

@@ -105,6 +105,7 @@ fn bytes_of(column: &Column) -> usize {
     match column {
         Column::Narrow(scaled) => size_of_val(scaled.counts()),
         Column::Wide(scaled) => size_of_val(scaled.counts()),
+        Column::Long(long) => long.len() * long.width() * size_of::<i64>(),
         Column::Doubles(doubles) => size_of_val(doubles.as_slice()),
         Column::Fractions(numbers) => size_of_val(numbers.as_slice()),
     }

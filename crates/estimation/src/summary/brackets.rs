@@ -91,6 +91,7 @@ impl Brackets {
                 let ends = self.ends(f64::NEG_INFINITY, f64::INFINITY, number);
                 Column::Doubles(x.iter().copied().filter(|x| is_within(&ends, x)).collect())
             }
+            Column::Long(_) => (0..x.len()).map(|k| x.get(k)).filter(|x| self.is_within(x)).collect(),
             Column::Fractions(x) => x.iter().filter(|x| self.is_within(x)).cloned().collect(),
         };
         Narrowed { above: self.upper_ends().of_column(x), kept: vec![kept] }

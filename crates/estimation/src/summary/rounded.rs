@@ -26,7 +26,7 @@ impl<'a> Floats<'a> {
             Column::Narrow(scaled) => Floats::Narrow(scaled.counts(), unit(scaled.unit())),
             Column::Wide(scaled) => Floats::Wide(scaled.counts(), unit(scaled.unit())),
             Column::Doubles(doubles) => Floats::Doubles(doubles),
-            Column::Fractions(_) => Floats::Any(column),
+            Column::Long(_) | Column::Fractions(_) => Floats::Any(column),
         }
     }
 

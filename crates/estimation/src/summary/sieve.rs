@@ -3,7 +3,7 @@
 use std::sync::RwLock;
 
 use boundfit_exact::{Column, Unit};
-use boundfit_geometry::grid::Sieve;
+use boundfit_geometry::grid::{RoundedSieve, Sieve};
 
 use super::support::SupportRows;
 
@@ -15,10 +15,11 @@ pub(crate) struct SharedSieve {
 }
 
 struct Current {
-    /// Of the grid that it is for.
-    units: [Unit; 2],
-    sieve: Sieve,
-    /// How many readings it was made from.
+    /// With the grid that it is for; `None` where there is none.
+    on_grid: Option<([Unit; 2], Sieve)>,
+    /// For readings on other grids, or on none.
+    rounded: Option<RoundedSieve>,
+    /// How many readings these were made from.
     rows: usize,
 }
 
@@ -33,13 +34,26 @@ impl SharedSieve {
         let row = |position: usize| row(position) as u64;
         if let (Column::Narrow(x), Column::Narrow(y)) = (x, y)
             && let Ok(current) = self.current.read()
-            && let Some(Current { units, sieve, .. }) = current.as_ref()
+            && let Some(Current { on_grid: Some((units, sieve)), .. }) = current.as_ref()
             && *units == [x.unit(), y.unit()]
         {
             let points = sieve.touching_of_columns(x.counts(), y.counts(), &row, self.most_listed);
             return SupportRows::of_grid(*units, points);
         }
-        SupportRows::of_columns(x, y, &row, self.most_listed)
+        match self.by_leading_digits(x, y) {
+            Some(positions) => SupportRows::of_positions(x, y, positions, &row),
+            None => SupportRows::of_columns(x, y, &row, self.most_listed),
+        }
+    }
+
+    /// The positions of the readings that may support a hull, by what binary64 tells of them; `None` where that leaves many.
+    fn by_leading_digits(&self, x: &Column, y: &Column) -> Option<Vec<usize>> {
+        /// Of so many readings one may be left.
+        const RARE: usize = 16;
+        let current = self.current.read().ok()?;
+        let sieve = current.as_ref()?.rounded.as_ref()?;
+        let survivors = sieve.survivors(&x.rounded()?, &y.rounded()?);
+        (survivors.len() * RARE <= x.len()).then_some(survivors)
     }
 
     /// Learns from the support rows of so many readings, whenever these have doubled.
@@ -49,11 +63,10 @@ impl SharedSieve {
         if self.current.read().is_ok_and(|current| is_fresh(&current)) {
             return;
         }
-        if let Some((units, points)) = support.grid_points()
-            && let Some(sieve) = Sieve::new(&points)
-            && let Ok(mut current) = self.current.write()
-        {
-            *current = Some(Current { units, sieve, rows });
+        let on_grid = support.grid_points().and_then(|(units, points)| Some((units, Sieve::new(&points)?)));
+        let rounded = support.rounded().and_then(|[x, y]| RoundedSieve::new(&x, &y));
+        if let Ok(mut current) = self.current.write() {
+            *current = Some(Current { on_grid, rounded, rows });
         }
     }
 }

@@ -1,6 +1,8 @@
 //! Where the x of a line lie, as the EUI needs it: only known when all readings have been seen.
 
-use boundfit_exact::{Column, Count, DoubleSum, Dyadic, Rational, Scaled, Sum, Unit, WideSum};
+use boundfit_exact::{
+    Column, Count, DoubleSum, Dyadic, Long, LongTotal, Rational, Scaled, Sum, Unit, WideSum, compare_words,
+};
 
 use super::sums::Sums;
 use crate::line_form::LineForm;
@@ -49,6 +51,7 @@ impl Thresholds {
         match x {
             Column::Narrow(x) => self.of_scaled(x),
             Column::Wide(x) => self.of_scaled(x),
+            Column::Long(x) => self.of_long(x),
             Column::Doubles(x) => self.of_doubles(x),
             Column::Fractions(_) => Spread {
                 above: self.values.each_ref().map(|threshold| {
@@ -84,6 +87,18 @@ impl Thresholds {
                 sum.add(term);
             });
             (count, Rational::from(sum.total()) * &unit)
+        }))
+    }
+
+    fn of_long(&self, x: &Long) -> Spread {
+        Spread::of_counts(self.values.each_ref().map(|threshold| {
+            let floor = x.floor_of(threshold);
+            let (mut count, mut sum) = (0, LongTotal::new(x.width()));
+            for words in x.numbers().filter(|words| compare_words(words, &floor).is_gt()) {
+                count += 1;
+                sum.add(words);
+            }
+            (count, Rational::from(sum.total()) * x.unit().value())
         }))
     }
 

@@ -1,7 +1,8 @@
 //! What least squares needs to know about readings, in constant memory.
 
 use boundfit_exact::{
-    Column, Count, DoubleSum, Dyadic, Integer, Rational, Scaled, Sum, Unit, WideProducts, WideSum,
+    Column, Count, DoubleSum, Dyadic, Integer, Long, LongProducts, LongTotal, Rational, Scaled, Sum, Unit,
+    WideProducts, WideSum,
 };
 
 use crate::moments::Moments;
@@ -21,6 +22,11 @@ pub(crate) fn column_totals(columns: &[Column]) -> Vec<Rational> {
             sum.total()
         }
         Column::Wide(scaled) => total_of_counts(scaled.counts()) * scaled.unit().value(),
+        Column::Long(long) => {
+            let mut sum = LongTotal::new(long.width());
+            long.numbers().for_each(|words| sum.add(words));
+            Rational::from(sum.total()) * long.unit().value()
+        }
         Column::Fractions(_) => {
             let mut sum = Sum::default();
             (0..column.len()).for_each(|row| sum.add(&column.get(row)));
@@ -115,11 +121,14 @@ impl RunningSums {
             (Column::Wide(x), Column::Narrow(y)) => of_counts(x, y),
             (Column::Wide(x), Column::Wide(y)) => of_counts(x, y),
             (Column::Doubles(x), Column::Doubles(y)) => RunningSums::from(of_doubles(x, y)),
-            _ => {
-                let one = Rational::one();
-                let reading = |row: usize| [x.get(row), one.clone(), y.get(row)];
-                RunningSums::from(of_numbers(x.len().min(y.len()), reading))
-            }
+            _ => match (x.long(), y.long()) {
+                (Some(x), Some(y)) => of_long(&x, &y),
+                _ => {
+                    let one = Rational::one();
+                    let reading = |row: usize| [x.get(row), one.clone(), y.get(row)];
+                    RunningSums::from(of_numbers(x.len().min(y.len()), reading))
+                }
+            },
         }
     }
 
@@ -172,6 +181,21 @@ fn of_counts<X: Count, Y: Count>(x: &Scaled<X>, y: &Scaled<Y>) -> RunningSums {
     let [mut xx, mut xy] = [WideProducts::default(); 2];
     for (&x, &y) in x.counts().iter().zip(y.counts()) {
         let (x, y): (i128, i128) = (x.into(), y.into());
+        sum_x.add(x);
+        sum_y.add(y);
+        xx.add(x, x);
+        xy.add(x, y);
+    }
+    let counts = [xx.total(), sum_x.total(), Integer::from(count), xy.total(), sum_y.total()];
+    RunningSums::new(count, counts, [x.unit(), Unit::Any, y.unit()])
+}
+
+/// Those of a line on decimals of any number of digits.
+fn of_long(x: &Long, y: &Long) -> RunningSums {
+    let count = x.len().min(y.len());
+    let [mut sum_x, mut sum_y] = [x, y].map(|column| LongTotal::new(column.width()));
+    let [mut xx, mut xy] = [x, y].map(|other| LongProducts::new(x.width(), other.width()));
+    for (x, y) in x.numbers().zip(y.numbers()) {
         sum_x.add(x);
         sum_y.add(y);
         xx.add(x, x);

@@ -3,7 +3,8 @@
 use boundfit_exact::{Column, Rational, Unit};
 use boundfit_geometry::Tally;
 use boundfit_geometry::grid::{
-    GridPoint, Place, candidates_of_columns, touching, touching_doubles, touching_of_columns,
+    GridPoint, Place, candidates_of_columns, candidates_of_rounded, touching, touching_doubles,
+    touching_of_columns,
 };
 
 use crate::hulls::touching_a_hull;
@@ -53,8 +54,8 @@ impl SupportRows {
             }
             _ => {
                 let read = |k: usize| TiedReading::of_line(Tally::one(row(k)), x.get(k), y.get(k));
-                let candidates = match (x.wide(), y.wide()) {
-                    (Some(x), Some(y)) => {
+                let candidates = match (x.wide(), y.wide(), x.rounded().zip(y.rounded())) {
+                    (Some(x), Some(y), _) => {
                         let [x_unit, y_unit] = [x.unit(), y.unit()];
                         let places = candidates_of_columns(x.counts(), y.counts(), row, most).into_iter();
                         let reading = |Place { x, y, rows }: Place<i128>| {
@@ -62,9 +63,32 @@ impl SupportRows {
                         };
                         places.map(reading).collect()
                     }
+                    (.., Some((x, y))) => candidates_of_rounded(&x, &y).into_iter().map(read).collect(),
                     _ => (0..x.len().min(y.len())).map(read).collect(),
                 };
                 Rows::General(candidates).reduced(most)
+            }
+        };
+        SupportRows { merged: vec![rows], ..SupportRows::default() }
+    }
+
+    /// Those among some positions of two columns, of which few are not.
+    pub(super) fn of_positions(
+        x: &Column,
+        y: &Column,
+        positions: Vec<usize>,
+        row: &dyn Fn(usize) -> u64,
+    ) -> Self {
+        let positions = positions.into_iter();
+        let rows = |k: usize| Tally::one(row(k));
+        let rows = match (x, y) {
+            (Column::Narrow(x), Column::Narrow(y)) => {
+                let point = |k: usize| GridPoint { x: x.counts()[k], y: y.counts()[k], rows: rows(k) };
+                Rows::Grid { units: [x.unit(), y.unit()], points: positions.map(point).collect() }
+            }
+            _ => {
+                let reading = |k: usize| TiedReading::of_line(rows(k), x.get(k), y.get(k));
+                Rows::General(positions.map(reading).collect())
             }
         };
         SupportRows { merged: vec![rows], ..SupportRows::default() }
@@ -75,8 +99,23 @@ impl SupportRows {
         SupportRows { merged: vec![Rows::Grid { units, points }], ..SupportRows::default() }
     }
 
+    /// The rounded coordinates of all points that may turn out to be extreme; `None` where binary64 has no such numbers.
+    pub(super) fn rounded(&self) -> Option<[Vec<f64>; 2]> {
+        let parts = || self.merged.iter().chain(&self.pending);
+        let [mut x, mut y] = [Vec::new(), Vec::new()];
+        for part in parts() {
+            let [xs, ys] = part.columns();
+            x.extend(xs.rounded()?);
+            y.extend(ys.rounded()?);
+        }
+        Some([x, y])
+    }
+
     /// All points that may turn out to be extreme, on the finest of their grids; `None` when some are on none.
     pub(super) fn grid_points(&self) -> Option<([Unit; 2], Vec<GridPoint>)> {
+        if self.merged.iter().chain(&self.pending).any(|part| !matches!(part, Rows::Grid { .. })) {
+            return None;
+        }
         match united(self.merged.iter().chain(&self.pending).cloned().collect()) {
             Rows::Grid { units, points } => Some((units, points)),
             Rows::General(_) | Rows::Places(_) => None,
@@ -124,6 +163,13 @@ impl SupportRows {
     }
 }
 
+/// The x and y of readings.
+fn columns_of(rows: &[TiedReading]) -> [Column; 2] {
+    let [x, y]: [fn(&TiedReading) -> &Rational; 2] =
+        [|own| &own.reading.regressor[0], |own| own.reading.y_and_epsilon().0];
+    [x, y].map(|of| Column::Fractions(rows.iter().map(|own| of(own).clone()).collect()))
+}
+
 /// All readings of all parts, on one grid if there is one.
 fn united(parts: Vec<Rows>) -> Rows {
     let on_grid = || {
@@ -150,6 +196,17 @@ impl Rows {
         }
     }
 
+    /// The numbers of all.
+    fn columns(&self) -> [Column; 2] {
+        match self {
+            Rows::Grid { units: [x, y], points } => [
+                Column::of_counts(points.iter().map(|point| point.x.into()), *x),
+                Column::of_counts(points.iter().map(|point| point.y.into()), *y),
+            ],
+            Rows::General(rows) | Rows::Places(rows) => columns_of(rows),
+        }
+    }
+
     #[cfg(feature = "files")]
     fn row_numbers(&self) -> Vec<usize> {
         match self {
@@ -158,12 +215,21 @@ impl Rows {
         }
     }
 
+    /// Without most of the readings strictly between the hulls, which leading digits tell.
+    fn near_a_hull(rows: Vec<TiedReading>) -> Vec<TiedReading> {
+        let [x, y] = columns_of(&rows);
+        let (Some(x), Some(y)) = (x.rounded(), y.rounded()) else { return rows };
+        let mut near = candidates_of_rounded(&x, &y).into_iter().peekable();
+        let is_near = |(position, own)| near.next_if_eq(&position).is_some().then_some(own);
+        rows.into_iter().enumerate().filter_map(is_near).collect()
+    }
+
     /// Without the readings strictly between the hulls, and those that others stand for.
     fn reduced(self, most: usize) -> Self {
         match self {
             Rows::Grid { units, points } => Rows::Grid { units, points: touching(points, most) },
-            Rows::General(rows) => Rows::General(touching_a_hull(rows, most, true)),
-            Rows::Places(rows) => Rows::Places(touching_a_hull(rows, most, false)),
+            Rows::General(rows) => Rows::General(touching_a_hull(Rows::near_a_hull(rows), most, true)),
+            Rows::Places(rows) => Rows::Places(touching_a_hull(Rows::near_a_hull(rows), most, false)),
         }
     }
 

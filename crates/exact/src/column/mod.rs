@@ -1,6 +1,8 @@
 //! Columns of exact numbers, as compact as the numbers allow.
 
 mod decimals;
+mod long;
+mod rounded;
 mod scaled;
 mod unit;
 
@@ -8,11 +10,13 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use crate::Rational;
+use long::long_number;
 
+pub use long::{Long, LongProducts, LongTotal, compare_words};
 pub use scaled::{Count, Scaled};
 pub use unit::Unit;
 
-/// Exact numbers in the order in which they were added. How they are kept follows from their values alone, and no answer
+/// Exact numbers in the order in which they were added. How they are kept follows from how long they are, and no answer
 /// depends on it.
 ///
 /// ```
@@ -30,6 +34,8 @@ pub enum Column {
     Narrow(Scaled<i64>),
     /// Integers of 128 bits on a common unit.
     Wide(Scaled<i128>),
+    /// Decimals of more digits, in words.
+    Long(Long),
     /// Finite doubles, each meant exactly; zero is never negative. They are a kind of their own because no integers of
     /// these sizes hold numbers whose exponents differ by 2000, and because floats compare and add them faster.
     Doubles(Vec<f64>),
@@ -68,6 +74,7 @@ impl Column {
         match self {
             Column::Narrow(scaled) => scaled.counts().len(),
             Column::Wide(scaled) => scaled.counts().len(),
+            Column::Long(long) => long.len(),
             Column::Doubles(doubles) => doubles.len(),
             Column::Fractions(numbers) => numbers.len(),
         }
@@ -90,6 +97,7 @@ impl Column {
         match self {
             Column::Narrow(scaled) => scaled.unit().times(scaled.counts()[index].into()),
             Column::Wide(scaled) => scaled.unit().times(scaled.counts()[index]),
+            Column::Long(long) => long.get(index),
             Column::Doubles(doubles) => Rational::from_f64(doubles[index]).unwrap_or_default(),
             Column::Fractions(numbers) => numbers[index].clone(),
         }
@@ -100,6 +108,7 @@ impl Column {
         match self {
             Column::Narrow(scaled) => scaled.counts().iter().position(|&count| count < 0),
             Column::Wide(scaled) => scaled.counts().iter().position(|&count| count < 0),
+            Column::Long(long) => long.numbers().position(|words| words.iter().any(|&word| word < 0)),
             Column::Doubles(doubles) => doubles.iter().position(|&double| double < 0.0),
             Column::Fractions(numbers) => numbers.iter().position(Rational::is_negative),
         }
@@ -115,6 +124,22 @@ impl Column {
         match self {
             Column::Narrow(scaled) => Some(Cow::Owned(scaled.widened())),
             Column::Wide(scaled) => Some(Cow::Borrowed(scaled)),
+            Column::Long(_) | Column::Doubles(_) | Column::Fractions(_) => None,
+        }
+    }
+
+    /// The numbers in words, unless these do not hold them.
+    pub fn long(&self) -> Option<Cow<'_, Long>> {
+        let of_counts = |counts: &mut dyn Iterator<Item = i128>, unit| Long::of_counts(counts, unit);
+        match self {
+            Column::Narrow(scaled) => {
+                of_counts(&mut scaled.counts().iter().map(|&count| count.into()), scaled.unit())
+                    .map(Cow::Owned)
+            }
+            Column::Wide(scaled) => {
+                of_counts(&mut scaled.counts().iter().copied(), scaled.unit()).map(Cow::Owned)
+            }
+            Column::Long(long) => Some(Cow::Borrowed(long)),
             Column::Doubles(_) | Column::Fractions(_) => None,
         }
     }
@@ -128,6 +153,7 @@ impl Column {
         match self {
             Column::Narrow(scaled) => Column::Narrow(scaled.part(range)),
             Column::Wide(scaled) => Column::Wide(scaled.part(range)),
+            Column::Long(long) => Column::Long(long.part(range)),
             Column::Doubles(doubles) => Column::Doubles(doubles[range].to_vec()),
             Column::Fractions(numbers) => Column::Fractions(numbers[range].to_vec()),
         }
@@ -138,6 +164,7 @@ impl Column {
         match self {
             Column::Narrow(scaled) => scaled.reserve(more),
             Column::Wide(scaled) => scaled.reserve(more),
+            Column::Long(long) => long.reserve(more),
             Column::Doubles(doubles) => doubles.reserve_exact(more),
             Column::Fractions(numbers) => numbers.reserve_exact(more),
         }
@@ -165,6 +192,21 @@ impl Column {
             Ok(mantissa) => self.push_decimal(mantissa, exponent),
             Err(_) => self.push_count(mantissa, Unit::TenTo(exponent)),
         }
+    }
+
+    /// Adds the decimal that is all of a text, when that has more digits than other columns take: a sign or none, digits with or
+    /// without a point, an exponent or none. Gives `false` for other texts, and for numbers so long that only fractions hold
+    /// them beside the others.
+    pub fn push_text(&mut self, text: &[u8]) -> bool {
+        let Some(number) = long_number(text) else { return false };
+        if !matches!(self, Column::Long(_)) {
+            match self.long() {
+                Some(long) => *self = Column::Long(long.into_owned()),
+                None => return false,
+            }
+        }
+        let Column::Long(long) = self else { return false };
+        long.push(&number).is_some()
     }
 
     /// Adds a number.
@@ -215,6 +257,13 @@ impl Column {
             (_, Column::Wide(other)) => {
                 self.append_counts(other.counts()[range].iter().copied(), other.unit());
             }
+            (own, Column::Long(other)) => {
+                let mut long = own.long().map(Cow::into_owned);
+                match long.as_mut().and_then(|long| long.append(other, range.clone())).and(long) {
+                    Some(long) => *own = Column::Long(long),
+                    None => range.for_each(|index| own.push(other.get(index))),
+                }
+            }
             _ => range.for_each(|index| self.push(other.get(index))),
         }
     }
@@ -236,8 +285,16 @@ impl Column {
             }
             *self = Column::Wide(scaled.widened());
         }
-        if let Column::Wide(scaled) = self
-            && scaled.push(count, unit).is_some()
+        if let Column::Wide(scaled) = self {
+            if scaled.push(count, unit).is_some() {
+                return;
+            }
+            if let Some(long) = Long::of_counts(scaled.counts().iter().copied(), scaled.unit()) {
+                *self = Column::Long(long);
+            }
+        }
+        if let Column::Long(long) = self
+            && long.push_count(count, unit).is_some()
         {
             return;
         }

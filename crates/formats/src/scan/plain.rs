@@ -4,7 +4,8 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use boundfit_exact::{
-    DecimalMark, PlainPrefix, Reading, exponent_prefix, long_prefix, nearest_double, plain_prefix,
+    DecimalMark, LONG_DIGITS, PlainPrefix, Reading, exponent_prefix, long_prefix, nearest_double,
+    plain_prefix,
 };
 use memchr::{memchr, memchr_iter, memchr2, memchr3};
 
@@ -13,6 +14,7 @@ use super::layout::Layout;
 use super::notes::Notes;
 use super::rows::Rows;
 use super::straight::Straight;
+use crate::columns::ColumnSelector;
 use crate::roles::Role;
 
 /// Separators that are no part of a number.
@@ -377,6 +379,11 @@ impl Lane<'_> {
     fn long_number(&mut self, at: usize, column: usize) -> Option<usize> {
         let (contents, end) = self.cell(at)?;
         let selector = self.layout.selectors.get(column)?;
+        if self.takes_long(selector, contents.len())
+            && self.batch.columns.get_mut(column)?.push_text(self.numbers.get(contents.clone())?)
+        {
+            return Some(end);
+        }
         let (layout, cell) = (self.layout, self.chunk.get(contents)?);
         let (value, _) = layout.numbers.value(cell, selector, layout.mark).ok()?;
         value.check(selector).ok()?;
@@ -386,6 +393,14 @@ impl Lane<'_> {
         value.push_to(self.batch.columns.get_mut(column)?);
         self.batch.fractions.get_mut(column)?.count(cell);
         Some(end)
+    }
+
+    /// Whether the number of a cell of this length goes into a column as it is, however many digits it has.
+    fn takes_long(&self, selector: &ColumnSelector, length: usize) -> bool {
+        let limits = &self.layout.options.table.limits;
+        self.is_decimal
+            && selector.role() == Role::Number
+            && (LONG_DIGITS + 1..=limits.digits).contains(&length)
     }
 
     /// Adds the text of the cell that starts here to the keys; gives the end of the cell.

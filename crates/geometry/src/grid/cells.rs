@@ -54,13 +54,16 @@ pub(super) trait Index<C> {
 /// Cells of equal width.
 pub(super) struct Equal {
     scale: f64,
+    span: f64,
+    /// What is so far from another is certainly on that side of it.
+    blur: f64,
 }
 
 impl Equal {
-    /// For offsets from 0 to `span`.
-    pub(super) fn of_span(span: f64) -> Option<Self> {
+    /// For offsets from 0 to `span`, which tell how what they are of is ordered where they differ by `blur` or more.
+    pub(super) fn of_span(span: f64, blur: f64) -> Option<Self> {
         let scale = if span > 0.0 { (MOST_CELLS - 1) as f64 / span } else { 0.0 };
-        scale.is_finite().then_some(Equal { scale })
+        scale.is_finite().then_some(Equal { scale, span, blur })
     }
 }
 
@@ -76,11 +79,11 @@ impl<C> Index<C> for Equal {
     }
 
     fn is_before(&self, x: C, offset: f64, cell: usize) -> bool {
-        self.cell(x, offset) < cell
+        self.cell(x, (offset + self.blur).min(self.span)) < cell
     }
 
     fn is_after(&self, x: C, offset: f64, cell: usize) -> bool {
-        self.cell(x, offset) > cell
+        self.cell(x, (offset - self.blur).max(0.0)) > cell
     }
 }
 

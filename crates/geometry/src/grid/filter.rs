@@ -5,7 +5,7 @@
 //! all points is convex, it is nowhere above the chord there, and likewise for the upper hull. A point that is certainly
 //! above the one chord and below the other is strictly between the hulls. (The idea is that of Akl and Toussaint 1978.)
 
-use super::cells::{Cell, Index, MOST_CELLS};
+use super::cells::{Cell, Equal, Index, MOST_CELLS};
 use super::coordinate::Coordinate;
 use super::sample::{Sample, Sampled};
 use super::strip::Strip;
@@ -142,15 +142,27 @@ pub(super) struct Filter<C, I> {
     /// What most rows are discarded by, if there is such a thing.
     strip: Option<Strip>,
     origin: C,
-    end: C,
+    /// From the one to the other, rows are certainly between the ends of the sample.
+    least: C,
+    greatest: C,
     index: I,
     cells: Box<[Cell; MOST_CELLS]>,
+}
+
+impl Filter<f64, Equal> {
+    /// Of numbers that are rounded already.
+    pub(super) fn of_rounded(sample: &Sample<f64>) -> Option<Self> {
+        let filter = Filter::new(sample, sample.equal_cells()?);
+        let (least, greatest) = (filter.least + sample.blur(), filter.greatest - sample.blur());
+        Some(Filter { least, greatest, ..filter })
+    }
 }
 
 impl<C: Coordinate, I: Index<C>> Filter<C, I> {
     pub(super) fn new(sample: &Sample<C>, index: I) -> Self {
         let cells = sample.cells(&index);
-        Filter { strip: None, origin: sample.origin, end: sample.end, index, cells }
+        let (origin, end) = (sample.origin, sample.end);
+        Filter { strip: None, origin, least: origin, greatest: end, index, cells }
     }
 
     /// With a strip, if that discards most of a sample of the rows.
@@ -170,7 +182,7 @@ impl<C: Coordinate, I: Index<C>> Filter<C, I> {
         let offset = x.offset(self.origin);
         let Cell { above, below } = &self.cells[self.index.cell(x, offset) % MOST_CELLS];
         // Not `&&`: a branch on each of these would be mispredicted too often.
-        x.is_within(self.origin, self.end) & (y > above.at(offset)) & (y < below.at(offset))
+        x.is_within(self.least, self.greatest) & (y > above.at(offset)) & (y < below.at(offset))
     }
 
     /// Positions of the rows that may be on a hull, ascending.

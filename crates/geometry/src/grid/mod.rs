@@ -21,6 +21,7 @@ mod envelope_sieve;
 mod filter;
 mod known_hulls;
 mod point;
+mod rounded_sieve;
 mod sample;
 mod sieve;
 mod strip;
@@ -30,6 +31,7 @@ pub use doubles::touching_doubles;
 pub use envelope_sieve::{EnvelopeSieve, RoundedStrip, in_range};
 pub use filter::Place;
 pub use point::{GridPoint, doubled_area};
+pub use rounded_sieve::{RoundedSieve, candidates_of_rounded};
 pub use sieve::Sieve;
 
 /// Of the points, those on the lower or the upper hull: corners, and points on the hull's vertical ends that are lowest or highest

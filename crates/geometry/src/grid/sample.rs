@@ -10,6 +10,15 @@
 //! therefore no less than any rounded y that is not above the chord, as soon as m ≥ r + 12u·B + 6u·m, where 6u·m is the
 //! rounding that the larger c brings. m = 2r + 32u·B + 2⁻¹⁰⁶⁸ is more. What overflows becomes infinite or NaN, and
 //! comparisons with these discard nothing.
+//!
+//! # Numbers that are rounded already
+//!
+//! Numbers of any length come within a relative 8u of what they are. Let X bound |x| in the sample, of which a row within
+//! its ends is none the farther. The chord between two rounded points then is within 8u·(|s|·X + Y) of that between the true
+//! ones, at any x between these; the x at which it is evaluated is off by 8u·X more; and a y below twice what bounds the
+//! chord, which it must be to be near it, is within 16u·B. All that is less than 2⁻⁴⁵·(|s|·X + B), by which m is larger.
+//! For two x to be ordered like the true ones their offsets must differ by more than 16u·X and their own rounding, 4u·X:
+//! 2⁻⁴⁷·X is more.
 
 use std::cmp::Ordering;
 
@@ -18,6 +27,9 @@ use boundfit_exact::Sign;
 use super::cells::{Between, Cell, Chord, Equal, Index, MOST_CELLS};
 use super::coordinate::Coordinate;
 use crate::hull::{Hull, HullSide, Site};
+
+/// 2⁻⁴⁷.
+const BLUR: f64 = f64::EPSILON * 32.0;
 
 /// A row of the sample.
 #[derive(Debug, Clone, Copy)]
@@ -51,10 +63,24 @@ pub(super) struct Sample<C> {
     span: f64,
     /// The greatest |y|.
     height: f64,
+    /// The greatest |x| if all numbers are rounded already; 0 where they are exact.
+    blurred: f64,
     /// From left to right.
     lower: Vec<Sampled<C>>,
     /// From left to right, mirrored in the x-axis: a lower hull too.
     upper: Vec<Sampled<C>>,
+}
+
+impl Sample<f64> {
+    /// Of rows whose numbers are within 2^-50, relatively, of those meant; `None` when the x are too near to each other for
+    /// that.
+    pub(super) fn of_rounded(x: &[f64], y: &[f64], size: usize) -> Option<Self> {
+        let sample = Sample::of(x, y, size)?;
+        let blurred = sample.origin.abs().max(sample.end.abs());
+        let sample = Sample { blurred, ..sample };
+        // Most cells are far wider.
+        (sample.blur() * 4096.0 < sample.span).then_some(sample)
+    }
 }
 
 impl<C: Coordinate> Sample<C> {
@@ -86,7 +112,7 @@ impl<C: Coordinate> Sample<C> {
         upper.iter_mut().for_each(|point| point.y = -point.y);
         let height = points.iter().map(|point| point.y.abs()).fold(0.0, f64::max);
         let span = end.offset(origin);
-        Some(Sample { points, origin, end, span, height, lower, upper })
+        Some(Sample { points, origin, end, span, height, blurred: 0.0, lower, upper })
     }
 
     /// Points of the sample's lower hull from left to right, as far as floats see it.
@@ -101,7 +127,13 @@ impl<C: Coordinate> Sample<C> {
 
     /// Cells of equal width; `None` when the sample is too narrow for the exponents of binary64.
     pub(super) fn equal_cells(&self) -> Option<Equal> {
-        Equal::of_span(self.span)
+        Equal::of_span(self.span, self.blur())
+    }
+
+    /// How far apart two x have to be for their order to be that of what they are rounded from.
+    pub(super) fn blur(&self) -> f64 {
+        // Each is within 2^-50 of the greatest, and so are offsets and sums: eight times that is more.
+        BLUR * self.blurred
     }
 
     /// Cells between the corners of both hulls.
@@ -162,7 +194,9 @@ impl<C: Coordinate> Sample<C> {
         const UNDERFLOW: f64 = f64::from_bits(1 << 6);
         let [p, q] = ends.map(|end| end.y - chord.at(end.offset));
         let bound = chord.slope.abs() * self.span + chord.intercept.abs() + self.height;
-        2.0 * p.max(q).max(0.0) + 16.0 * f64::EPSILON * bound + UNDERFLOW
+        let blur = BLUR * 4.0 * (chord.slope.abs() * self.blurred + bound);
+        let rounding = 2.0 * p.max(q).max(0.0) + 16.0 * f64::EPSILON * bound + UNDERFLOW;
+        if self.blurred > 0.0 { rounding + blur } else { rounding }
     }
 }
 

@@ -1,0 +1,469 @@
+//! Long decimals in words of eighteen digits.
+
+use std::cmp::Ordering;
+use std::ops::Range;
+
+use super::unit::Unit;
+use crate::wide_sum::WideSum;
+use crate::{Integer, Rational};
+
+/// Digits of a word.
+const WORD_DIGITS: i32 = 18;
+/// What a word counts up to.
+const RADIX: i64 = 10_i64.pow(WORD_DIGITS as u32);
+/// No number of a column takes more words, so that one long number among many short ones costs little memory.
+pub(crate) const MOST_WORDS: usize = 16;
+
+/// Decimals whose digits are kept in words of eighteen, the place of each word the same for all: word `j` of a number counts
+/// `10^(18·(place + j))`, and all words of a number have its sign. Numbers of different length are in line without a product,
+/// their sums have no carries before the end, and they compare word by word.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Long {
+    words: Vec<i64>,
+    width: usize,
+    place: i32,
+}
+
+/// The words of one number, the lowest first.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LongNumber {
+    words: [i64; MOST_WORDS],
+    width: usize,
+    place: i32,
+}
+
+impl LongNumber {
+    /// From the words that count `10^(18·place)` and so on; `None` when there are too many.
+    pub(crate) fn new(of: impl Iterator<Item = i64>, place: i32) -> Option<Self> {
+        let (mut words, mut width) = ([0; MOST_WORDS], 0);
+        for word in of {
+            *words.get_mut(width)? = word;
+            width += 1;
+        }
+        // Zeros in front need no room.
+        let width = words.iter().rposition(|&word| word != 0).map_or(0, |top| top + 1);
+        Some(LongNumber { words, width, place: if width == 0 { 0 } else { place } })
+    }
+
+    /// `count · 10^exponent`.
+    fn of_count(count: i128, exponent: i32) -> Option<Self> {
+        let radix = i128::from(RADIX);
+        let place = exponent.div_euclid(WORD_DIGITS);
+        let shift = i128::from(10_i64.pow(exponent.rem_euclid(WORD_DIGITS).unsigned_abs()));
+        // In words before they move: three for the count, and one more for what moves beyond.
+        let mut rest = count;
+        let mut carry = 0;
+        let words = std::iter::from_fn(|| {
+            if rest == 0 && carry == 0 {
+                return None;
+            }
+            // Less than 10^18 times 10^17 and what the word before left over.
+            let moved = (rest % radix).wrapping_mul(shift).wrapping_add(carry);
+            rest /= radix;
+            carry = moved / radix;
+            Some((moved % radix) as i64)
+        });
+        LongNumber::new(words, place)
+    }
+
+    fn words(&self) -> &[i64] {
+        self.words.get(..self.width).unwrap_or_default()
+    }
+}
+
+impl Long {
+    fn new() -> Self {
+        Long { words: Vec::new(), width: 0, place: 0 }
+    }
+
+    /// So many units each; `None` when one is too long, or the unit no power of ten.
+    pub(super) fn of_counts(counts: impl Iterator<Item = i128>, unit: Unit) -> Option<Self> {
+        let exponent = match unit {
+            Unit::Any => 0,
+            Unit::TenTo(exponent) => exponent,
+            Unit::OneOver(1) => 0,
+            Unit::OneOver(_) => return None,
+        };
+        let mut column = Long::new();
+        for count in counts {
+            column.push(&LongNumber::of_count(count, exponent)?)?;
+        }
+        Some(column)
+    }
+
+    /// How many numbers there are.
+    pub fn len(&self) -> usize {
+        self.words.len().checked_div(self.width).unwrap_or(0)
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.words.is_empty()
+    }
+
+    /// The words of each number, the lowest first.
+    pub fn numbers(&self) -> impl ExactSizeIterator<Item = &[i64]> + Clone {
+        self.words.chunks_exact(self.width.max(1))
+    }
+
+    /// The words of a number, the lowest first; none where there are not that many numbers.
+    pub fn words(&self, index: usize) -> &[i64] {
+        let start = index.saturating_mul(self.width);
+        self.words.get(start..start.saturating_add(self.width)).unwrap_or_default()
+    }
+
+    /// What the lowest words count.
+    pub fn unit(&self) -> Unit {
+        Unit::TenTo(self.place * WORD_DIGITS)
+    }
+
+    /// How many words each number has.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// A number. Exact.
+    pub(super) fn get(&self, index: usize) -> Rational {
+        Rational::scientific(total(self.words(index)), self.place * WORD_DIGITS)
+    }
+
+    pub(super) fn part(&self, range: Range<usize>) -> Self {
+        let range = range.start.saturating_mul(self.width)..range.end.saturating_mul(self.width);
+        Long { words: self.words.get(range).unwrap_or_default().to_vec(), ..*self }
+    }
+
+    pub(super) fn reserve(&mut self, more: usize) {
+        self.words.reserve_exact(more.saturating_mul(self.width));
+    }
+
+    /// Adds a number; `None` when the numbers would take too many words.
+    pub(crate) fn push(&mut self, number: &LongNumber) -> Option<()> {
+        let words = number.words();
+        if self.width == 0 {
+            (self.width, self.place) = (words.len().max(1), number.place);
+        }
+        // Where the number has words that the column does not.
+        let below = self.place.saturating_sub(number.place).max(0);
+        let top = |place: i32, width: usize| i64::from(place).saturating_add(width as i64);
+        let above = top(number.place, words.len()).saturating_sub(top(self.place, self.width)).max(0);
+        if (below > 0 || above > 0) && !words.is_empty() {
+            self.widen(usize::try_from(below).ok()?, usize::try_from(above).ok()?)?;
+        }
+        let at = usize::try_from(number.place.saturating_sub(self.place)).unwrap_or(0);
+        let start = self.words.len();
+        self.words.resize(start + self.width, 0);
+        if let Some(room) = self.words.get_mut(start + at..).and_then(|room| room.get_mut(..words.len())) {
+            room.copy_from_slice(words);
+        }
+        Some(())
+    }
+
+    /// Adds so many units.
+    pub(super) fn push_count(&mut self, count: i128, unit: Unit) -> Option<()> {
+        match unit {
+            Unit::Any | Unit::OneOver(1) => self.push(&LongNumber::of_count(count, 0)?),
+            Unit::TenTo(exponent) => self.push(&LongNumber::of_count(count, exponent)?),
+            Unit::OneOver(_) if count == 0 => self.push(&LongNumber::of_count(0, 0)?),
+            Unit::OneOver(_) => None,
+        }
+    }
+
+    /// Adds some of the numbers of another column; `None`, and none of them, when they would take too many words.
+    pub(super) fn append(&mut self, other: &Long, range: Range<usize>) -> Option<()> {
+        let before = self.len();
+        for words in range.map(|index| other.words(index)) {
+            let number = LongNumber::new(words.iter().copied(), other.place)?;
+            if self.push(&number).is_none() {
+                self.words.truncate(before * self.width);
+                return None;
+            }
+        }
+        Some(())
+    }
+
+    /// Makes room for so many more words of each number.
+    #[cold]
+    fn widen(&mut self, below: usize, above: usize) -> Option<()> {
+        let width = self.width.checked_add(below)?.checked_add(above).filter(|&width| width <= MOST_WORDS)?;
+        let mut words = vec![0; self.len() * width];
+        for (room, own) in words.chunks_exact_mut(width).zip(self.numbers()) {
+            if let Some(room) = room.get_mut(below..below + own.len()) {
+                room.copy_from_slice(own);
+            }
+        }
+        *self = Long { words, width, place: self.place - i32::try_from(below).ok()? };
+        Some(())
+    }
+
+    /// Each number within 2^-50 of it, relatively; `None` where binary64 has no such numbers.
+    pub(super) fn rounded(&self) -> Option<Vec<f64>> {
+        let scales: Option<Vec<f64>> =
+            (0..self.width as i32).map(|j| scale((self.place + j) * WORD_DIGITS)).collect();
+        let scales = scales?;
+        let round = |words: &[i64]| {
+            let Some(top) = words.iter().rposition(|&word| word != 0) else { return 0.0 };
+            let word = |j: usize| words.get(j).map_or(0.0, |&word| word as f64);
+            // What is further below is less than 10^-18 of the number.
+            let Some(next) = top.checked_sub(1) else { return word(0) * scales.first().unwrap_or(&0.0) };
+            (word(top) * RADIX as f64 + word(next)) * scales.get(next).unwrap_or(&0.0)
+        };
+        Some(self.numbers().map(round).collect())
+    }
+
+    /// The words of the largest number of units that is not above a threshold, cut to those that the column has.
+    pub fn floor_of(&self, threshold: &Rational) -> Vec<i64> {
+        let Some(count) = threshold.checked_div(&self.unit().value()) else { return Vec::new() };
+        let (mut rest, _) = count.numerator().div_rem_floor(&count.denominator());
+        let is_negative = rest.is_negative();
+        let radix = Integer::from(RADIX);
+        let mut words = Vec::with_capacity(self.width);
+        for _ in 0..self.width {
+            let (quotient, remainder) = rest.abs().div_rem_floor(&radix);
+            let word = remainder.to_i64().unwrap_or(0);
+            words.push(if is_negative { -word } else { word });
+            rest = if is_negative { -quotient } else { quotient };
+        }
+        if !rest.is_zero() {
+            // Beyond all numbers of the column, on the side of its sign.
+            words.fill(if is_negative { -RADIX } else { RADIX });
+        }
+        words
+    }
+}
+
+/// `10^exponent` as the nearest binary64, unless products with it could overflow or underflow.
+pub(super) fn scale(exponent: i32) -> Option<f64> {
+    (-240..=200).contains(&exponent).then(|| Rational::scientific(1, exponent).to_f64())
+}
+
+/// Compares two numbers by their words, the lowest first, of which there are as many.
+#[inline]
+pub fn compare_words(left: &[i64], right: &[i64]) -> Ordering {
+    left.iter().rev().cmp(right.iter().rev())
+}
+
+fn total(words: &[i64]) -> Integer {
+    let radix = Integer::from(RADIX);
+    words.iter().rev().fold(Integer::zero(), |total, &word| total * &radix + Integer::from(word))
+}
+
+/// A running sum of numbers of a [`Long`], word by word. Exact.
+#[derive(Debug, Clone)]
+pub struct LongTotal(Vec<WideSum>);
+
+impl LongTotal {
+    /// Of numbers with so many words.
+    pub fn new(width: usize) -> Self {
+        LongTotal(vec![WideSum::default(); width])
+    }
+
+    /// Adds a number. Cost: an addition for each word.
+    #[inline]
+    pub fn add(&mut self, words: &[i64]) {
+        self.0.iter_mut().zip(words).for_each(|(sum, &word)| sum.add(word.into()));
+    }
+
+    /// How many of the units of the lowest words. Exact.
+    pub fn total(&self) -> Integer {
+        in_radix(&self.0)
+    }
+}
+
+/// A running sum of products of two numbers of [`Long`]s. Exact.
+#[derive(Debug, Clone)]
+pub struct LongProducts(Vec<WideSum>);
+
+impl LongProducts {
+    /// Of numbers with so many words.
+    pub fn new(left: usize, right: usize) -> Self {
+        LongProducts(vec![WideSum::default(); (left + right).saturating_sub(1)])
+    }
+
+    /// Adds `left * right`. Cost: a product for each pair of words.
+    #[inline]
+    pub fn add(&mut self, left: &[i64], right: &[i64]) {
+        for (j, &own) in left.iter().enumerate() {
+            let own = i128::from(own);
+            for (sum, &other) in self.0.iter_mut().skip(j).zip(right) {
+                sum.add(own.wrapping_mul(other.into()));
+            }
+        }
+    }
+
+    /// How many of the product of the units of the lowest words. Exact.
+    pub fn total(&self) -> Integer {
+        in_radix(&self.0)
+    }
+}
+
+fn in_radix(sums: &[WideSum]) -> Integer {
+    let radix = Integer::from(RADIX);
+    sums.iter().rev().fold(Integer::zero(), |total, sum| total * &radix + sum.total())
+}
+
+/// The digits of a decimal in words: a sign or none, digits with or without a point, an exponent or none, and nothing
+/// else. `None` for everything else, and for what takes more than [`MOST_WORDS`] words.
+pub(crate) fn long_number(text: &[u8]) -> Option<LongNumber> {
+    /// So many digits are in `MOST_WORDS` words, wherever the point is.
+    const MOST_DIGITS: usize = (MOST_WORDS - 1) * WORD_DIGITS as usize;
+    let (negative, text) = match text {
+        [b'-', rest @ ..] => (true, rest),
+        [b'+', rest @ ..] => (false, rest),
+        _ => (false, text),
+    };
+    let of_digits = |text: &[u8]| text.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let (whole, rest) = text.split_at_checked(of_digits(text))?;
+    let (fraction, rest) = match rest {
+        [b'.', rest @ ..] => rest.split_at_checked(of_digits(rest))?,
+        _ => (<&[u8]>::default(), rest),
+    };
+    let written = match rest {
+        [] => 0,
+        [b'e' | b'E', rest @ ..] => {
+            let (exponent, length) = crate::long_decimal::written_exponent(rest)?;
+            (length == rest.len() + 1).then_some(exponent)?
+        }
+        _ => return None,
+    };
+    let count = whole.len() + fraction.len();
+    if count == 0 || count > MOST_DIGITS {
+        return None;
+    }
+    let mut digits = [b'0'; MOST_DIGITS];
+    digits.get_mut(..whole.len())?.copy_from_slice(whole);
+    digits.get_mut(whole.len()..count)?.copy_from_slice(fraction);
+    let digits = digits.get(..count)?;
+    let exponent = written - i32::try_from(fraction.len()).ok()?;
+    let place = exponent.div_euclid(WORD_DIGITS);
+    // The lowest word has the digits up to the next place only, in front of zeros.
+    let zeros = exponent.rem_euclid(WORD_DIGITS).unsigned_abs();
+    let (front, last) =
+        digits.split_at_checked(count.saturating_sub((WORD_DIGITS as usize) - zeros as usize))?;
+    let sign = if negative { -1 } else { 1 };
+    let value = |digits: &[u8]| -> i64 {
+        digits.iter().fold(0_i64, |value, digit| value.wrapping_mul(10).wrapping_add(i64::from(digit - b'0')))
+    };
+    let lowest = sign * value(last) * 10_i64.pow(zeros);
+    let words =
+        std::iter::once(lowest).chain(front.rchunks(WORD_DIGITS as usize).map(|own| sign * value(own)));
+    LongNumber::new(words, place)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Column;
+    use super::*;
+    use crate::{Limits, Reading};
+
+    fn read(text: &str) -> Rational {
+        Reading::Decimal.read(text, &Limits::default()).unwrap()
+    }
+
+    /// Texts of 1 to 100 digits with the point anywhere, and small and large exponents.
+    fn texts() -> Vec<String> {
+        let mut state = 7_u64;
+        let mut below = |most: u64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) % most
+        };
+        (0..400)
+            .map(|_| {
+                let count = 1 + below(100);
+                let digits: String = (0..count).map(|_| char::from(b'0' + below(10) as u8)).collect();
+                let (whole, fraction) = digits.split_at(below(count + 1) as usize);
+                let sign = ["", "-", "+"][below(3) as usize];
+                let exponent = ["", "", "e-5", "E17", "e-40"][below(5) as usize];
+                format!("{sign}{whole}.{fraction}{exponent}")
+            })
+            .collect()
+    }
+
+    fn column(texts: &[String]) -> Long {
+        let mut column = Long::new();
+        texts.iter().for_each(|text| column.push(&long_number(text.as_bytes()).unwrap()).unwrap());
+        column
+    }
+
+    #[test]
+    fn numbers_keep_their_values_order_and_sums() {
+        let texts = texts();
+        let column = column(&texts);
+        let values: Vec<Rational> = texts.iter().map(|text| read(text)).collect();
+        assert_eq!((0..column.len()).map(|index| column.get(index)).collect::<Vec<_>>(), values);
+        let (mut total, mut products) =
+            (LongTotal::new(column.width()), LongProducts::new(column.width(), column.width()));
+        let mut expected = [Rational::zero(), Rational::zero()];
+        for (index, pair) in values.windows(2).enumerate() {
+            let [words, next] = [column.words(index), column.words(index + 1)];
+            assert_eq!(compare_words(words, next), pair[0].cmp(&pair[1]), "{pair:?}");
+            total.add(words);
+            products.add(words, next);
+            let [sum, of_products] = &expected;
+            expected = [sum + &pair[0], of_products + &pair[0] * &pair[1]];
+        }
+        let unit = column.unit().value();
+        assert_eq!(Rational::from(total.total()) * &unit, expected[0]);
+        assert_eq!(Rational::from(products.total()) * &unit * unit, expected[1]);
+    }
+
+    #[test]
+    fn what_is_above_a_threshold_is_above_its_words() {
+        let texts = texts();
+        let column = column(&texts);
+        for threshold in ["0", "1/3", "-1/7", "5", "-5e-39", "1e300", "-1e300", &texts[3], &texts[4]] {
+            let threshold = read(threshold);
+            let floor = column.floor_of(&threshold);
+            for (index, text) in texts.iter().enumerate() {
+                let is_above = compare_words(column.words(index), &floor).is_gt();
+                assert_eq!(is_above, read(text) > threshold, "{text} {threshold}");
+            }
+        }
+    }
+
+    #[test]
+    fn columns_leave_one_width_for_another_in_any_order() {
+        let texts = texts();
+        for start in 0..20 {
+            let mut column = Column::default();
+            let mut expected = Vec::new();
+            for (index, text) in texts.iter().skip(19 * start).take(30).enumerate() {
+                let value = read(text);
+                match (index + start) % 4 {
+                    0 => column.push_decimal(index as i64 - 3, -(index as i32)),
+                    1 => column.push_long_decimal(i128::MAX - 7, index as i32 - 20),
+                    2 => assert!(column.push_text(text.as_bytes()), "{text}"),
+                    _ => {
+                        let mut other = Column::default();
+                        assert!(other.push_text(text.as_bytes()));
+                        column.append(&other, 0..1);
+                    }
+                }
+                expected.push(match (index + start) % 4 {
+                    0 => Rational::scientific(index as i64 - 3, -(index as i32)),
+                    1 => Rational::scientific(i128::MAX - 7, index as i32 - 20),
+                    _ => value,
+                });
+            }
+            assert!(matches!(column, Column::Long(_)));
+            let values: Vec<Rational> = (0..column.len()).map(|index| column.get(index)).collect();
+            assert_eq!(values, expected);
+            let part: Vec<Rational> = (0..9).map(|index| column.part(5..14).get(index)).collect();
+            assert_eq!(part, expected[5..14]);
+        }
+    }
+
+    #[test]
+    fn numbers_too_far_apart_are_left_to_fractions() {
+        let mut column = Column::default();
+        assert!(column.push_text(b"1e200"));
+        assert!(!column.push_text(b"1e-200"));
+        assert_eq!((column.len(), column.get(0)), (1, read("1e200")));
+        column.push(read("1e-200"));
+        assert!(matches!(column, Column::Fractions(_)));
+        assert_eq!([column.get(0), column.get(1)], [read("1e200"), read("1e-200")]);
+        for text in ["", "-", ".", "1e", "1 ", "1/3", "0x1", "1e10000", "nan", "1.2.3", &"1".repeat(271)] {
+            assert!(!Column::default().push_text(text.as_bytes()), "{text}");
+        }
+        assert!(Column::default().push_text("1".repeat(270).as_bytes()));
+    }
+}

@@ -1,0 +1,107 @@
+//! A filter of numbers of any length by their leading digits.
+
+use super::cells::Equal;
+use super::filter::Filter;
+use super::sample::Sample;
+
+/// Discards rows that are certainly strictly between the hulls of some points, of whose numbers and of those of the rows only
+/// binary64 within 2^-50, relatively, is known: leading digits decide about almost all rows, and on no unit in particular.
+pub struct RoundedSieve(Filter<f64, Equal>);
+
+impl RoundedSieve {
+    /// From the rounded coordinates of points of the whole, best those that [touch](super::touching) its hulls so far; `None`
+    /// when their x are too near to each other for numbers so rounded. Cost: O(n log n).
+    pub fn new(x: &[f64], y: &[f64]) -> Option<Self> {
+        RoundedSieve::of_sample(x, y, x.len())
+    }
+
+    fn of_sample(x: &[f64], y: &[f64], size: usize) -> Option<Self> {
+        Some(RoundedSieve(Filter::of_rounded(&Sample::of_rounded(x, y, size)?)?))
+    }
+
+    /// Positions, ascending, of the rows of two rounded columns of equal length that are not certainly strictly between the
+    /// hulls. Cost: linear.
+    pub fn survivors(&self, x: &[f64], y: &[f64]) -> Vec<usize> {
+        self.0.survivors(x, y)
+    }
+}
+
+/// Positions, ascending, of the rows of two rounded columns of equal length that may [touch](super::touching) a hull: every
+/// one that does is among them, and of data with some width few others. Cost: linear.
+pub fn candidates_of_rounded(x: &[f64], y: &[f64]) -> Vec<usize> {
+    /// Up to so many rows are not filtered.
+    const FEW: usize = 64;
+    let mut positions: Vec<usize> = (0..x.len().min(y.len())).collect();
+    let (mut xs, mut ys) = (x.to_vec(), y.to_vec());
+    // Another round has a better sample.
+    while positions.len() > FEW {
+        let Some(sieve) = RoundedSieve::of_sample(&xs, &ys, 4 * xs.len().isqrt()) else { break };
+        let kept = sieve.survivors(&xs, &ys);
+        let is_enough = 2 * kept.len() > xs.len();
+        positions = kept.iter().map(|&kept| positions[kept]).collect();
+        if is_enough {
+            break;
+        }
+        [xs, ys] = [xs, ys].map(|column| kept.iter().map(|&kept| column[kept]).collect());
+    }
+    positions
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::{GridPoint, touching};
+    use crate::tally::Tally;
+
+    fn word(state: &mut u64) -> u64 {
+        *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        *state >> 33
+    }
+
+    /// Whole numbers of up to 62 bits, far from 0 or not, with many near the hulls.
+    fn points(state: &mut u64) -> Vec<GridPoint> {
+        let shift = word(state) % 40;
+        let (far, wide) = (word(state) % 3 * (1 << 40), 1 + (word(state) % 1000 << shift));
+        let curve = word(state) % 3;
+        let point = |id: u64, x: u64, noise: u64| {
+            let x = x % wide;
+            let y = match curve {
+                0 => noise % 1000,
+                1 => x / 3 + noise % 5,
+                _ => (x >> 20) * (x >> 20) + noise % 2,
+            };
+            GridPoint { x: (x + far) as i64, y: y as i64 - 7, rows: Tally::one(id) }
+        };
+        let count = 65 + word(state) % 3000;
+        (0..count).map(|id| point(id, word(state) << 20 ^ word(state), word(state))).collect()
+    }
+
+    #[test]
+    fn nothing_that_touches_is_discarded() {
+        let mut state = 5;
+        let mut discarded = 0;
+        for _ in 0..300 {
+            let points = points(&mut state);
+            let near = |value: i64, state: &mut u64| {
+                // The farthest that is allowed, on either side.
+                let double = value as f64;
+                let error = f64::EPSILON * 3.5 * [-1.0, 0.0, 1.0][word(state) as usize % 3];
+                double + double * error
+            };
+            let x: Vec<f64> = points.iter().map(|point| near(point.x, &mut state)).collect();
+            let y: Vec<f64> = points.iter().map(|point| near(point.y, &mut state)).collect();
+            let kept = candidates_of_rounded(&x, &y);
+            discarded += points.len() - kept.len();
+            let expected: Vec<u64> =
+                touching(points.clone(), usize::MAX).iter().flat_map(|point| point.rows.rows()).collect();
+            assert!(expected.iter().all(|id| kept.binary_search(&(*id as usize)).is_ok()));
+            // Of the first half, for all.
+            let half = points.len() / 2;
+            let Some(sieve) = RoundedSieve::new(&x[..half], &y[..half]) else { continue };
+            let left = sieve.survivors(&x[half..], &y[half..]);
+            let is_left = |id: usize| id < half || left.binary_search(&(id - half)).is_ok();
+            assert!(expected.iter().all(|id| is_left(*id as usize)));
+        }
+        assert!(discarded > 200_000, "only {discarded}");
+    }
+}
