@@ -38,6 +38,62 @@ pub struct PlainPrefix {
 /// the mantissa fits. `None` when there are more or none. Exact. Cost: a few nanoseconds.
 #[inline(always)]
 pub fn plain_prefix(text: &[u8]) -> Option<PlainPrefix> {
+    text.first_chunk().and_then(short_prefix).or_else(|| any_prefix(text))
+}
+
+/// [`plain_prefix`] of up to seven digits on either side of the point; `None` for all others. Most numbers are such ones, and to
+/// know that none of them leaves these bytes halves the instructions.
+#[inline(always)]
+#[allow(clippy::indexing_slicing, reason = "at most seven digits, which the compiler sees")]
+fn short_prefix(text: &[u8; 32]) -> Option<PlainPrefix> {
+    let negative = text[0] == b'-';
+    // Both are at hand before the sign is known.
+    let words = [text.first_chunk()?, text[1..].first_chunk()?].map(|bytes| u64::from_le_bytes(*bytes));
+    let (whole, whole_digits, next) = short_digits(if negative { words[1] } else { words[0] })?;
+    let mut length = usize::from(negative).wrapping_add(whole_digits);
+    let (mut magnitude, mut fraction_digits) = (whole, 0);
+    if next == b'.' {
+        let start = length.wrapping_add(1);
+        let fraction;
+        (fraction, fraction_digits, _) =
+            short_digits(u64::from_le_bytes(*text.get(start..)?.first_chunk()?))?;
+        magnitude = whole.wrapping_mul(POWERS_OF_TEN[fraction_digits]).wrapping_add(fraction);
+        length = start.wrapping_add(fraction_digits);
+    }
+    if whole_digits + fraction_digits == 0 {
+        return None;
+    }
+    let magnitude = magnitude as i64;
+    let mantissa = if negative { magnitude.wrapping_neg() } else { magnitude };
+    Some(PlainPrefix { mantissa, fraction_digits: fraction_digits as i32, length })
+}
+
+/// The number that the digits at the start of eight bytes spell, how many these are, and the first other byte, if there is one.
+#[inline(always)]
+fn short_digits(bytes: u64) -> Option<(u64, usize, u8)> {
+    let (values, others) = digits_and_others(bytes);
+    if others == 0 {
+        return None;
+    }
+    // The digits before the first other byte move to the high end, with zeros below: in two steps, as there may be none.
+    let last = others.trailing_zeros();
+    let digits = (values << (63 - last)) << 8;
+    Some((value_of_digits(digits), (last / 8) as usize, (bytes >> (last - 7)) as u8))
+}
+
+/// Eight bytes in which digits have become their values, and a word with the high bit of every other byte.
+#[inline(always)]
+fn digits_and_others(bytes: u64) -> (u64, u64) {
+    const LOW_BITS: u64 = 0x7f7f_7f7f_7f7f_7f7f;
+    // Digits become 0 to 9; every other byte becomes 10 or more.
+    let values = bytes ^ 0x3030_3030_3030_3030;
+    // 118 more sets the high bit of what is 10 to 127, and carries into no other byte; from 128 on it is set already.
+    (values, ((values & LOW_BITS).wrapping_add(0x7676_7676_7676_7676) | values) & !LOW_BITS)
+}
+
+/// [`plain_prefix`] in all cases.
+#[inline(never)]
+fn any_prefix(text: &[u8]) -> Option<PlainPrefix> {
     let negative = text.first() == Some(&b'-');
     let start = usize::from(negative);
     let (mut magnitude, whole_digits) = digits(text, start, 0);
@@ -102,21 +158,14 @@ const POWERS_OF_TEN: [u64; MOST_DIGITS + 1] = {
 #[inline(always)]
 #[allow(clippy::indexing_slicing, reason = "fewer than eight digits, and nine powers or more")]
 fn digits(text: &[u8], at: usize, before: u64) -> (u64, usize) {
-    const LOW_BITS: u64 = 0x7f7f_7f7f_7f7f_7f7f;
     let (mut value, mut count) = (before, 0);
     loop {
-        // Digits become 0 to 9; every other byte becomes 10 or more.
-        let values = next_eight_bytes(text, at.wrapping_add(count)) ^ 0x3030_3030_3030_3030;
-        // 118 more sets the high bit of what is 10 to 127, and carries into no other byte; from 128 on it is set already.
-        let others = (((values & LOW_BITS) + 0x7676_7676_7676_7676) | values) & !LOW_BITS;
-        if others != 0 {
-            // The digits before the first other byte move to the high end, with zeros below: in two steps, as there may be none.
-            let last = others.trailing_zeros();
-            let more = (values << (63 - last)) << 8;
-            let digits = (last / 8) as usize;
-            value = value.wrapping_mul(POWERS_OF_TEN[digits]).wrapping_add(value_of_digits(more));
+        let word = next_eight_bytes(text, at.wrapping_add(count));
+        if let Some((more, digits, _)) = short_digits(word) {
+            value = value.wrapping_mul(POWERS_OF_TEN[digits]).wrapping_add(more);
             return (value, count + digits);
         }
+        let (values, _) = digits_and_others(word);
         value = value.wrapping_mul(POWERS_OF_TEN[8]).wrapping_add(value_of_digits(values));
         count += 8;
         if count > MOST_DIGITS {

@@ -442,13 +442,17 @@ impl Lane<'_> {
     /// The start of the next cell of the same row, from the start or the end of a cell.
     #[inline]
     pub(super) fn after_separator(&self, at: usize) -> Option<usize> {
+        if self.chunk.get(at) == Some(&self.layout.syntax.delimiter) {
+            return Some(at + 1);
+        }
+        self.after_cell(at)
+    }
+
+    /// The start of the next cell of the same row, from the start of a cell that is not empty.
+    fn after_cell(&self, at: usize) -> Option<usize> {
         let at = self.after_quotes(at)?;
         let rest = self.chunk.get(at..)?;
-        let length = if rest.first() == Some(&self.layout.syntax.delimiter) {
-            0
-        } else {
-            memchr2(self.layout.syntax.delimiter, b'\n', rest)?
-        };
+        let length = memchr2(self.layout.syntax.delimiter, b'\n', rest)?;
         (rest.get(length) == Some(&self.layout.syntax.delimiter)).then_some(at + length + 1)
     }
 
