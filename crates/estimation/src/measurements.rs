@@ -225,11 +225,13 @@ impl Measurements {
         }
     }
 
-    /// The readings in memory that touch a hull of all, of those that are told as one the first: under no uniform error bound can
-    /// another one bound a line. `None` unless these are readings of a line under a uniform error bound. Exact. Cost: O(N log N).
+    /// The readings in memory that touch a hull of all: under no uniform error bound can another one bound a line. `None` unless these are readings of a line under a uniform error bound. Exact. Cost: O(N log N).
     pub fn supporting(&self) -> Option<Vec<Measurement>> {
         let extremes = Extremes::of(self)?;
-        Some(extremes.touching.iter().map(|touching| self.kept()[touching.position].clone()).collect())
+        let mut positions: Vec<u64> =
+            extremes.touching.iter().flat_map(|touching| touching.tied.rows()).collect();
+        positions.sort_unstable();
+        Some(positions.into_iter().map(|position| self.kept()[position as usize].clone()).collect())
     }
 
     /// Which of the readings in memory stand for more than themselves; `None` where all are in memory.

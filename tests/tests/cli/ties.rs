@@ -30,14 +30,14 @@ fn counts(vertex: &Value) -> (usize, u64) {
 
 #[test]
 fn active_rows_are_listed_up_to_a_limit_and_counted() {
-    let found = report(Path::new("."), &format!("{FIT} --format json"), stuck(20_000).as_bytes());
+    let found = report(Path::new("."), FIT, stuck(20_000).as_bytes());
     for vertex in found["fps"]["vertices"].as_array().unwrap() {
         assert_eq!(counts(vertex), (1000, 40_000), "{vertex}");
         let first = &vertex["active"][0];
         assert!(first["row"] == 1 || first["row"] == 2, "{first}");
     }
     // The same of readings that are all in memory.
-    let small = report(Path::new("."), &format!("{FIT} --format json"), stuck(3000).as_bytes());
+    let small = report(Path::new("."), FIT, stuck(3000).as_bytes());
     assert!(small["fps"]["vertices"].as_array().unwrap().iter().all(|own| counts(own) == (1000, 6000)));
     let text = printed_with_input(Path::new("."), FIT, stuck(20_000).as_bytes());
     assert!(text.contains("8 upper, and 39992 more"), "{text}");
@@ -54,7 +54,7 @@ fn active_rows_are_listed_up_to_a_limit_and_counted() {
 fn what_is_counted_is_what_would_be_listed() {
     let (few, many) = (quantised(8_800), quantised(88_000));
     let [few, many] =
-        [few, many].map(|text| report(Path::new("."), &format!("{FIT} --format json"), text.as_bytes()));
+        [few, many].map(|text| report(Path::new("."), FIT, text.as_bytes()));
     // Rows repeat after 176, of which both have a whole number.
     let vertices = |report: &Value| report["fps"]["vertices"].as_array().unwrap().clone();
     assert_eq!(vertices(&few).len(), vertices(&many).len());
@@ -85,7 +85,7 @@ fn a_reduction_has_a_row_for_many_and_says_for_how_many() {
     let both = reduce(&format!("{alone}{reduced}{reduced}"));
     assert!(both.ends_with("\nx,y\n100001 1,1\n100001 2,1\n"), "{both}");
     let [whole, of_reduction] = [stuck(100_001), both]
-        .map(|text| report(Path::new("."), &format!("{FIT} --no-eui --format json"), text.as_bytes()));
+        .map(|text| report(Path::new("."), &format!("{FIT} --no-eui"), text.as_bytes()));
     for key in ["least_squares", "pui", "central", "minimax", "tightness"] {
         assert_eq!(whole[key], of_reduction[key], "{key}");
     }
