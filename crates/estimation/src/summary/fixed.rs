@@ -54,6 +54,8 @@ fn told_once(mut readings: Vec<TiedReading>, most: usize) -> Vec<TiedReading> {
     let mut once: Vec<TiedReading> = Vec::new();
     for TiedReading { reading, rows } in readings {
         match of.entry((reading.regressor.clone(), reading.bounds.clone())) {
+            // Without regressors none is ever active: of those only the first counts, whatever else was in its part.
+            Entry::Occupied(_) if reading.regressor.iter().all(Rational::is_zero) => {}
             Entry::Occupied(first) => others.entry(*first.get()).or_default().push(rows),
             Entry::Vacant(place) => {
                 place.insert(once.len());
