@@ -146,7 +146,7 @@ def verify(proof, source):
     must(proof["sha256"] == data.hash.hexdigest(), "sha256: is not that of the data")
     planes = half_planes(proof, rows[proof["header"]:])
     points, bounds = [pair(theta) for theta in proof["vertices"]], proof["bounds"]
-    def find(name): return planes[name] if name in planes else must(False, f"{name} is no half-plane of the data")
+    def find(name): return planes[name] if name in planes else must(False, f"{name[:40]} is no half-plane of the data")
     def add(terms, most):
         found = [(find(name), Fraction(times)) for name, times in terms]
         must(len(found) <= most and all(times > 0 for _, times in found), "multipliers: too many, or not positive")

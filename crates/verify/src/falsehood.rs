@@ -84,7 +84,7 @@ impl fmt::Display for Falsehood {
                 write!(f, "row {row}, column {column}: has no last digit, of which the law takes half a unit")
             }
             Falsehood::NegativeErrorBound(row) => write!(f, "row {row}: the error bound is negative"),
-            Falsehood::UnknownHalfPlane(name) => write!(f, "{name}: is no half-plane of the data"),
+            Falsehood::UnknownHalfPlane(name) => write!(f, "{}: is no half-plane of the data", name.quoted()),
             Falsehood::TooManyMultipliers(most) => write!(f, "multipliers: more than {most}"),
             Falsehood::MultiplierNotPositive(name) => write!(f, "multipliers: {name}: is not positive"),
             Falsehood::NotEmpty => write!(f, "farkas: the sum is true, or the set has parts"),
@@ -94,7 +94,7 @@ impl fmt::Display for Falsehood {
             Falsehood::StrayVertex => write!(f, "vertices: one is on no side, or there twice"),
             Falsehood::CutsOff(name) => write!(f, "{name}: cuts off a part of the set"),
             Falsehood::NotTouching { vertex, half_plane } => {
-                write!(f, "active: {half_plane} at vertex {vertex} is missing or does not touch")
+                write!(f, "active: {} at vertex {vertex} is missing or does not touch", half_plane.quoted())
             }
             Falsehood::NotFourBounds => write!(f, "bounds: are not four"),
             Falsehood::NotABound(direction) => write!(f, "bounds: in direction {direction:?}: is not proved"),
