@@ -13,7 +13,7 @@ use crate::observations::{Error, same_length};
 ///
 /// The answers are those of [`Observations::line`](crate::Observations::line) and
 /// [`error_bound`](crate::Observations::error_bound). Of more than 10,000 readings only those are kept that decide the feasible
-/// set, whatever the error bound, so that 10⁶ of them take some ten milliseconds and little memory; proofs
+/// set, whatever the error bound, so that 10⁶ of them take some twenty milliseconds (a tenth of a second where 17 digits are read as decimals); proofs
 /// name rows all the same, counted from 1. Exact. Cost: linear where few readings are close to the hulls of all, O(n log n) at
 /// worst.
 ///

@@ -41,7 +41,7 @@
 //! # Ok::<(), boundfit::Error>(())
 //! ```
 //!
-//! Many readings in slices of doubles are best handed over as such: [`fit_doubles`] takes 10⁶ of them in some ten milliseconds,
+//! Many readings in slices of doubles are best handed over as such: [`fit_doubles`] takes 10⁶ of them in a few hundredths of a second,
 //! each for itself or for the shortest decimal that is read as it.
 //!
 //! # Models, bounds and prior knowledge
