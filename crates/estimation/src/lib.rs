@@ -22,8 +22,8 @@
 //!     Measurement::around(row, regressor, Rational::from(y), Rational::ratio(1, 2))
 //! });
 //! let bound = ErrorBound::Uniform(Rational::ratio(1, 2));
-//! let model = Model::Line { x: "x".to_owned() };
-//! let measurements = Measurements::new(model, "y".to_owned(), bound, rows.collect());
+//! let model = Model::Line { x: "x".into() };
+//! let measurements = Measurements::new(model, "y".into(), bound, rows.collect());
 //! let fit = fit(&Problem { measurements, conditions: Vec::new() });
 //! assert_eq!(fit.minimax.as_ref().unwrap().least, Rational::ratio(1, 4));
 //! ```

@@ -46,8 +46,8 @@ pub fn draw(
 ///
 /// let row = |a1: i64, a2: i64, b: i64| Inequality::new(a1.into(), a2.into(), b.into());
 /// let triangle = Polyhedron::intersect([row(-1, 0, 0), row(0, -1, 0), row(2, 3, 6)].into_iter().collect());
-/// let names = ["x".to_owned(), "y".to_owned()];
-/// let picture = draw_program(&triangle, &[Rational::one(), Rational::one()], &names, "a triangle")?;
+/// let names = ["x".into(), "y".into()];
+/// let picture = draw_program(&triangle, &[Rational::one(), Rational::one()], &names, &"a triangle".into())?;
 /// assert!(picture.svg().contains("optimal"));
 /// # Ok::<(), boundfit_figures::FigureError>(())
 /// ```

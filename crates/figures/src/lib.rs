@@ -14,8 +14,8 @@
 //!     let regressor = [Rational::from(x), Rational::one()];
 //!     Measurement::around(row, regressor, Rational::from(y), bound.clone())
 //! });
-//! let (model, rows) = (Model::Line { x: "x".to_owned() }, rows.collect());
-//! let measurements = Measurements::new(model, "y".to_owned(), ErrorBound::Uniform(bound.clone()), rows);
+//! let (model, rows) = (Model::Line { x: "x".into() }, rows.collect());
+//! let measurements = Measurements::new(model, "y".into(), ErrorBound::Uniform(bound.clone()), rows);
 //! let problem = Problem { measurements, conditions: Vec::new() };
 //! let picture = draw(&problem, &fit(&problem), Figure::Fps, &PlotOptions::default())?;
 //! assert!(picture.svg().starts_with("<svg"));

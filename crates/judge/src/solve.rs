@@ -23,14 +23,14 @@ impl Answer {
     ///
     /// // The least x + 2·y with x + y ≥ 3, 0 ≤ x ≤ 2 and y ≥ 0.
     /// let column = |name: &str, cost: i64, upper: Option<i64>| ModelColumn {
-    ///     name: name.to_owned(),
+    ///     name: name.into(),
     ///     cost: cost.into(),
     ///     bounds: Bounds { lower: Some(0.into()), upper: upper.map(Into::into) },
     /// };
     /// let model = Model {
     ///     columns: vec![column("x", 1, Some(2)), column("y", 2, None)],
     ///     rows: vec![ModelRow {
-    ///         name: "need".to_owned(),
+    ///         name: "need".into(),
     ///         coefficients: vec![(0, 1.into()), (1, 1.into())],
     ///         bounds: Bounds { lower: Some(3.into()), upper: None },
     ///     }],

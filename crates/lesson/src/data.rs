@@ -75,7 +75,10 @@ pub(crate) fn build(
     let facts = Facts { problem, fit, styles, programs: &programs, without: &without };
     Ok(LessonJson {
         schema: "boundfit/lesson/1",
-        title: options.title.as_ref().map_or_else(|| default_title(file, problem), Foreign::to_string),
+        title: options
+            .title
+            .as_ref()
+            .map_or_else(|| default_title(file, problem), |title| title.raw().to_owned()),
         file: file.to_string(),
         units: UnitsJson {
             x: options.x_unit.as_ref().map(Foreign::to_string),

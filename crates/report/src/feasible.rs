@@ -88,7 +88,7 @@ mod tests {
         };
         let style = Style::default();
         assert_eq!(shown(&corner, &[], &style), "(0.86667, 1.3333)");
-        assert_eq!(shown(&corner, &touching, &style), "(0.86667, 1.3334)");
+        assert_eq!(shown(&corner, &touching, &style), "(0.86666, 1.3334)");
         // Nothing but the corner itself, or what has few decimals.
         let point = rows(&[
             ["1", "0", "13/15"].map(number),

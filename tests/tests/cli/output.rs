@@ -205,6 +205,7 @@ mod unix {
             "fit: group              rows  kind     theta1              theta2                 eps_min",
             "verify: Set-membership fit",
             "verify: verified: proof.json is true of transducer.csv",
+            "verify: verified: proof.json is true of transducer.csv",
             "polygon: Half-planes of square.ine, 4 rows",
             "polygon: ",
             "polygon: Generators of corners.ext, 4 rows",

@@ -53,8 +53,7 @@ fn active_rows_are_listed_up_to_a_limit_and_counted() {
 #[test]
 fn what_is_counted_is_what_would_be_listed() {
     let (few, many) = (quantised(8_800), quantised(88_000));
-    let [few, many] =
-        [few, many].map(|text| report(Path::new("."), FIT, text.as_bytes()));
+    let [few, many] = [few, many].map(|text| report(Path::new("."), FIT, text.as_bytes()));
     // Rows repeat after 176, of which both have a whole number.
     let vertices = |report: &Value| report["fps"]["vertices"].as_array().unwrap().clone();
     assert_eq!(vertices(&few).len(), vertices(&many).len());

@@ -55,10 +55,10 @@ impl Measurements {
     ///
     /// let x = Column::of_counts(1..=100_000, Unit::TenTo(-3));
     /// let y = Column::of_counts((1..=100_000).map(|k| 2 * k + k * k % 1009), Unit::TenTo(-3));
-    /// let model = Model::Line { x: "x".to_owned() };
+    /// let model = Model::Line { x: "x".into() };
     /// let bound = ErrorBound::Uniform(Rational::one());
     /// let measurements =
-    ///     Measurements::of_columns(model, "y".to_owned(), bound, &[x, y], Keep::default())?;
+    ///     Measurements::of_columns(model, "y".into(), bound, &[x, y], Keep::default())?;
     /// assert_eq!(measurements.fitted(), 100_000);
     /// assert!(measurements.kept().len() < 1000);
     /// let fit = fit(&Problem { measurements, conditions: Vec::new() });

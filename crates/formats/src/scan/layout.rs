@@ -333,9 +333,14 @@ impl<'a> Layout<'a> {
         Ok(())
     }
 
-    /// Adds the text in a cell without quotes to the keys.
-    pub(super) fn add_key(cell: &[u8], keys: &mut Pieces<String>) -> Result<(), InputErrorKind> {
-        keys.push(unquoted_key(decode(cell)?));
+    /// Adds the text in a cell to the keys, what stood in quotes as it is written.
+    pub(super) fn add_key(
+        cell: &[u8],
+        is_quoted: bool,
+        keys: &mut Pieces<String>,
+    ) -> Result<(), InputErrorKind> {
+        let key = decode(cell)?;
+        keys.push(if is_quoted { key } else { unquoted_key(key) });
         Ok(())
     }
 

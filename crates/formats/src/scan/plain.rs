@@ -406,7 +406,8 @@ impl Lane<'_> {
     /// Adds the text of the cell that starts here to the keys; gives the end of the cell.
     fn key(&mut self, at: usize) -> Option<usize> {
         let (contents, end) = self.cell(at)?;
-        Layout::add_key(self.chunk.get(contents)?, self.batch.keys.as_mut()?).ok()?;
+        let is_quoted = contents.start > at;
+        Layout::add_key(self.chunk.get(contents)?, is_quoted, self.batch.keys.as_mut()?).ok()?;
         Some(end)
     }
 

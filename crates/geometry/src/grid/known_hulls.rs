@@ -61,7 +61,7 @@ impl KnownHulls {
             match &mut edges[side][edge] {
                 Some(place) => place.rows.push(|| (listing.row)(position), listing.most),
                 none => {
-                    *none = Some(Place { x: point.x, y: point.y, rows: Tally::one((listing.row)(position)) })
+                    *none = Some(Place { x: point.x, y: point.y, rows: Tally::one((listing.row)(position)) });
                 }
             }
             false

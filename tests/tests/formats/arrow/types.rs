@@ -138,7 +138,7 @@ fn keys_are_the_text_of_their_cells() {
     let mut arrays: Vec<(&str, ArrayRef, [&str; 3])> =
         types.into_iter().filter(|(name, _, _)| chosen.contains(name)).collect();
     arrays.push(("flags", flags, ["true", "false", "true"]));
-    arrays.push(("spaces", spaces, ["a b", "ü", "c"]));
+    arrays.push(("spaces", spaces, [" a b ", "ü", "\tc"]));
     let batch = RecordBatch::try_from_iter(arrays.iter().map(|(name, array, _)| (*name, array.clone())));
     let folder = tempfile::tempdir().expect("a temporary folder");
     write_all(folder.path(), &[batch.expect("columns of equal length")], 2);
