@@ -44,6 +44,7 @@ impl Ties {
     }
 
     /// Of readings from reductions those that all stand for, where the number of each row says how many it stands for.
+    #[cfg(feature = "files")]
     pub(crate) fn weighted(&self, rows: &[Measurement], counts: &[u64]) -> Self {
         let count = |row: u64| (row as usize).checked_sub(1).and_then(|row| counts.get(row)).copied();
         let mut weighted = Ties::default();
@@ -94,6 +95,7 @@ impl ActiveBounds {
 
 impl TiedReading {
     /// A reading that stands for itself.
+    #[cfg(feature = "files")]
     pub(crate) fn alone(reading: Measurement) -> Self {
         TiedReading { rows: Tally::one(reading.row as u64), reading }
     }

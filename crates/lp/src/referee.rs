@@ -22,7 +22,7 @@ pub struct RefereeRow {
 
 /// Judges claims about the intervals of θ1 and θ2 over a set of rows.
 ///
-/// Everything is exact: the truth comes from [`exact_simplex`], claims are the numbers that their texts spell, and what is
+/// Everything is exact: the truth comes from the [`ExactSimplex`], claims are the numbers that their texts spell, and what is
 /// excused is counted in proportion: rounding in units of the last digit, everything else in widths of the interval. With a
 /// tolerance of 0 a bound that cuts off feasible parameters by more than rounding is unsafe, however little it cuts off.
 ///

@@ -112,8 +112,8 @@ impl FleetSummary {
 /// A key on a line of its own: quoted where it is not plain to see.
 pub(crate) fn shown_key(key: Foreign<&str>) -> String {
     let raw = key.raw();
-    let is_plain =
-        !raw.is_empty() && raw.trim() == raw && !raw.contains(['"', ',']) && key.to_string() == raw;
+    let shown = key.to_string();
+    let is_plain = !raw.is_empty() && raw.trim() == raw && !raw.contains(['"', ',']) && shown == raw;
     if is_plain { raw.to_owned() } else { format!("{key:?}") }
 }
 

@@ -38,10 +38,13 @@ pub(crate) struct Generator<'a> {
     pub(crate) active: &'a [usize],
 }
 
+/// The names of the first of the half-planes with some indices, and how many there are beside them.
+pub type ActiveNames<'a> = dyn Fn(&[usize]) -> (Vec<String>, usize) + 'a;
+
 impl Generator<'_> {
     /// The names of the active half-planes, separated by `; `; one that is there for both directions of a row is named once. Of
     /// more than are listed, `and 17 more` comes last.
-    pub(crate) fn active_names(&self, names: &dyn Fn(&[usize]) -> (Vec<String>, usize)) -> String {
+    pub(crate) fn active_names(&self, names: &ActiveNames<'_>) -> String {
         let (mut names, more) = names(self.active);
         names.dedup();
         names.extend((more > 0).then(|| format!("and {more} more")));

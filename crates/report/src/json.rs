@@ -180,7 +180,7 @@ pub(crate) fn long_fractions(
     let centroid = centroid.is_some_and(|centroid| centroid.iter().any(Number::lacks_fraction));
     let lacking = [(area_name, area.is_some_and(Number::lacks_fraction)), ("area_centroid", centroid)];
     let reason = style.too_long();
-    lacking.into_iter().filter_map(move |(name, lacks)| lacks.then(|| (name, reason.clone())))
+    lacking.into_iter().filter(|(_, lacks)| *lacks).map(move |(name, _)| (name, reason.clone()))
 }
 
 /// Indented JSON with a line end.

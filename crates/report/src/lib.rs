@@ -75,6 +75,7 @@ pub use fleet_csv::FleetCsv;
 pub use fleet_json::write_group_json;
 pub use fleet_summary::{FleetSummary, GroupReport};
 pub use fleet_text::{FleetTable, GroupCells};
+pub use generators::ActiveNames;
 pub use json::{ActiveJson, RangeJson};
 pub use judge::{JudgeJson, judge_document, judge_json, lean_theorems};
 pub use number::Number;

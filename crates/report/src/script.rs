@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use boundfit_geometry::Polyhedron;
 
-use crate::generators::{Generator, GeneratorKind, generators};
+use crate::generators::{ActiveNames, Generator, GeneratorKind, generators};
 
 /// A script that defines the region in MATLAB and in Octave:
 ///
@@ -16,7 +16,7 @@ use crate::generators::{Generator, GeneratorKind, generators};
 /// - `rays_exact`, `rays`, `lines_exact`, `lines`: the directions in which the region goes on, one way and both ways.
 ///
 /// What a region does not have is there with 0 rows. A number beyond the largest double is `Inf`.
-pub fn region_script(polyhedron: &Polyhedron, names: &dyn Fn(&[usize]) -> (Vec<String>, usize)) -> String {
+pub fn region_script(polyhedron: &Polyhedron, names: &ActiveNames<'_>) -> String {
     let region = polyhedron.region();
     let generators = generators(region);
     let of = |kind| generators.iter().filter(move |generator| generator.kind == kind).collect::<Vec<_>>();

@@ -5,7 +5,7 @@ use boundfit_exact::Rounding;
 use boundfit_geometry::Polyhedron;
 use csv::WriterBuilder;
 
-use crate::generators::generators;
+use crate::generators::{ActiveNames, generators};
 use crate::style::Style;
 
 /// The first of the bounds of a fit that are active where these half-planes are, by name, and how many there are beside them.
@@ -17,16 +17,12 @@ pub fn active_names(fit: &Fit, indices: &[usize]) -> (Vec<String>, usize) {
 /// The region as a table: a header `kind,theta1,theta2,theta1_decimal,theta2_decimal,active`, then one row for each
 /// `vertex` (counter-clockwise), `ray` and `line`; a region without vertices has a `point` of each of its boundaries
 /// instead. The region is the convex hull of the points, plus the cone of the rays, plus the span of the lines; no row
-/// means that it is empty. `names` names the first of the half-planes with some indices, and tells how many there are beside them; the names of those
-/// active at a point are separated by `; `.
+/// means that it is empty. `names` names the first of the half-planes with some indices, and tells how many there are beside
+/// them; the names of those active at a point are separated by `; `.
 ///
 /// `theta1` and `theta2` are exact (`p/q` or `n`), the decimals rounded to nearest with the style's digits, where it
 /// has none with those that the region's ranges take.
-pub fn vertices_csv(
-    polyhedron: &Polyhedron,
-    names: &dyn Fn(&[usize]) -> (Vec<String>, usize),
-    style: &Style,
-) -> String {
+pub fn vertices_csv(polyhedron: &Polyhedron, names: &ActiveNames<'_>, style: &Style) -> String {
     let styles = style.resolving_both(polyhedron.bounding_box().as_ref());
     let mut writer = WriterBuilder::new().from_writer(Vec::new());
     let header = ["kind", "theta1", "theta2", "theta1_decimal", "theta2_decimal", "active"];

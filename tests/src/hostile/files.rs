@@ -190,8 +190,9 @@ pub(super) fn model(rng: &mut ChaCha8Rng) -> (String, Vec<u8>) {
     let cells = |line: &str| -> Vec<String> { line.split(',').map(ToOwned::to_owned).collect() };
     let parsed: Vec<Vec<String>> = rows.lines().map(cells).collect();
     if rng.random_bool(0.5) {
-        let term = |cell: &str| {
-            if cell.starts_with('-') { format!("- {}", &cell[1..]) } else { format!("+ {cell}") }
+        let term = |cell: &str| match cell.strip_prefix('-') {
+            Some(size) => format!("- {size}"),
+            None => format!("+ {cell}"),
         };
         let mut text = format!("{sense}\n obj: x + y\nSubject To\n");
         for row in &parsed {

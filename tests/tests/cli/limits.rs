@@ -219,11 +219,11 @@ fn a_lesson_of_more_readings_is_written_when_asked_for() {
 #[test]
 fn a_sum_in_a_reduction_may_have_ten_times_the_digits_of_a_reading() {
     let record = |digits: usize| {
+        // Σy is 5, in so many digits.
+        let sum = format!("5{0}/1{0}", "0".repeat(digits - 1));
         format!(
             "# boundfit/reduced/1 {{\"rows\":2,\"kept\":2,\"header\":true,\"reading\":\"decimal\",\"x\":\"x\",\"y\":\"y\",\
-             \"epsilon\":null,\"sums\":[\"3\",\"{}\",\"5\",\"8\"]}}\nx,y\n1,2\n2,3\n",
-            // Σy is 5, in so many digits.
-            format!("5{0}/1{0}", "0".repeat(digits - 1))
+             \"epsilon\":null,\"sums\":[\"3\",\"{sum}\",\"5\",\"8\"]}}\nx,y\n1,2\n2,3\n"
         )
     };
     let directory = directory_with(&[("data.csv", record(30).as_bytes())]);

@@ -204,10 +204,11 @@ fn normal((numbers, is_equation): &Terms) -> Terms {
 /// Whether just these of so many rows are named.
 fn have_rows(about: &About, rows: &RowSet, total: u64) -> bool {
     let mut asked = (1..=total).filter(|row| usize::try_from(*row).is_ok_and(|row| rows.contains(row)));
-    let mut stated = about.rows.chunks(2).flat_map(|range| match *range {
-        [first, last] => first..=last,
-        _ => 1..=0,
-    });
+    let range = |pair: &[u64]| match *pair {
+        [first, last] => Some(first..=last),
+        _ => None,
+    };
+    let mut stated = about.rows.chunks_exact(2).filter_map(range).flatten();
     let rows_are_same = stated.by_ref().all(|row| asked.next() == Some(row));
     rows_are_same && asked.next().is_none()
 }

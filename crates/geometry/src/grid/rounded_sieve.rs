@@ -61,7 +61,7 @@ mod tests {
     /// Whole numbers of up to 62 bits, far from 0 or not, with many near the hulls.
     fn points(state: &mut u64) -> Vec<GridPoint> {
         let shift = word(state) % 40;
-        let (far, wide) = (word(state) % 3 * (1 << 40), 1 + (word(state) % 1000 << shift));
+        let (far, wide) = (word(state) % 3 * (1 << 40), 1 + ((word(state) % 1000) << shift));
         let curve = word(state) % 3;
         let point = |id: u64, x: u64, noise: u64| {
             let x = x % wide;

@@ -46,17 +46,14 @@ impl Lean<'_> {
     fn preamble(&self, file: Foreign<&str>) -> String {
         let mut text = "import Mathlib.Tactic\n\n".to_owned();
         // Writing to a String never fails.
-        let _ = writeln!(
-            text,
-            "-- Written by boundfit from {}: exact, with every multiplier of the proof.",
-            file
-        );
+        let _ =
+            writeln!(text, "-- Written by boundfit from {file}: exact, with every multiplier of the proof.");
         let columns = self.model.columns.iter().map(|column| &column.name);
         let rows = self.model.rows.iter().map(|row| &row.name);
         for (letter, names) in [("x", columns.collect::<Vec<_>>()), ("r", rows.collect())] {
             for (number, name) in (1..).zip(names) {
                 let what = if letter == "x" { "column" } else { "row" };
-                let _ = writeln!(text, "-- {letter}{number}: {what} {}", name);
+                let _ = writeln!(text, "-- {letter}{number}: {what} {name}");
             }
         }
         text
