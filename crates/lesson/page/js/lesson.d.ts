@@ -12,6 +12,12 @@ interface NumberData {
   decimal: string;
 }
 
+/** A sum over the whole set: its fraction may be too long to be written, its decimal is there always. */
+interface MeasureData {
+  exact: Exact | null;
+  decimal: string;
+}
+
 /** constant + slope·s, or constant + slope·s + quadratic·s², where s multiplies every error bound. */
 interface PolynomialData {
   constant: Exact;
@@ -83,13 +89,13 @@ interface FitData {
   least_squares: (EstimateData & { in_fps: boolean }) | null;
   eui: RangeData[] | null;
   fps: NamedRegionData<NumberData, NumberData> & {
-    area: NumberData | null;
+    area: MeasureData | null;
     certificate: { farkas: MultiplierData[] } | null;
   };
   pui: { lower: ProvedEndData; upper: ProvedEndData }[] | null;
   central: EstimateData | null;
   minimax: (EstimateData & { unique: boolean; epsilon: NumberData | null }) | null;
-  area_centroid: NumberData[] | null;
+  area_centroid: MeasureData[] | null;
   /** Why a part is null. */
   reasons: Record<string, string>;
 }
@@ -150,7 +156,7 @@ interface OrderData {
 interface BreakpointData extends NamedRegionData<NumberData, Exact> {
   s: NumberData;
   epsilon: NumberData | null;
-  area: NumberData | null;
+  area: MeasureData | null;
   entering: BoundName[];
   leaving: BoundName[];
 }

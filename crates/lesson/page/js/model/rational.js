@@ -52,6 +52,20 @@ export class Rational {
   }
 
   /**
+   * Reads a decimal as the engine writes it: "-0.25", "6.5e-5001".
+   * @param {string} text
+   */
+  static parseDecimal(text) {
+    const [digits, power = "0"] = text.split("e");
+    const [whole, places = ""] = digits.split(".");
+    const exponent = Number(power) - places.length;
+    const mantissa = BigInt(whole + places);
+    return exponent < 0
+      ? new Rational(mantissa, powerOfTen(-exponent))
+      : new Rational(mantissa * powerOfTen(exponent));
+  }
+
+  /**
    * The exact value of a finite binary64 number.
    * @param {number} value
    */

@@ -6,8 +6,12 @@ import { mark } from "../planes/axes.js";
 import { Rational } from "../model/rational.js";
 import { THETA, withMinus } from "../model/format.js";
 
-/** @param {NumberData[]} theta */
-const exactPoint = (theta) => theta.map((number) => Rational.parse(number.exact));
+/**
+ * A point to be drawn: where its fractions are too long to be written, five digits show the same.
+ * @param {(NumberData | MeasureData)[]} theta
+ */
+const pointOf = (theta) =>
+  theta.map(({ exact, decimal }) => (exact === null ? Rational.parseDecimal(decimal) : Rational.parse(exact)));
 
 /** @param {FitData["eui"] | FitData["pui"]} ends */
 function boxCorners(ends) {
@@ -41,7 +45,7 @@ export function layersOf(lesson) {
    * @param {string} name
    * @param {string} note
    * @param {Shape} shape
-   * @param {NumberData[] | null | undefined} theta
+   * @param {(NumberData | MeasureData)[] | null | undefined} theta
    * @param {string} key
    */
   const point = (id, name, note, shape, theta, key) => ({
@@ -50,7 +54,7 @@ export function layersOf(lesson) {
     note,
     shape,
     polygon: null,
-    points: theta ? [exactPoint(theta)] : [],
+    points: theta ? [pointOf(theta)] : [],
     why: theta ? null : reason(key),
   });
   /**
@@ -131,7 +135,7 @@ export function layersOf(lesson) {
       note: "where floating-point linear programming ends up; judged below",
       shape: "square",
       polygon: null,
-      points: solved.map(exactPoint),
+      points: solved.map(pointOf),
       why: solved.length > 0 ? null : "no solver returned a point",
     },
   ];

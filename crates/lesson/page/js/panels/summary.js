@@ -78,19 +78,15 @@ function endOf(bounds, end, id) {
 function areaOf(lesson, state, scene) {
   const { region } = scene;
   if (region.kind === "empty") return ZERO;
-  if (region === lesson.fps)
-    return lesson.data.fit.fps.area === null ? null : Rational.parse(lesson.data.fit.fps.area.exact);
-  if (state.mode === "epsilon") {
-    const stop = lesson.stops[state.stop];
-    const { area } = partOf(lesson, stop);
-    if (area === null) return null;
-    return "exact" in area ? Rational.parse(area.exact) : evaluate(area, stop.s);
-  }
-  return shoelace(region);
+  const stop = state.mode === "epsilon" ? lesson.stops[state.stop] : null;
+  const area = region === lesson.fps ? lesson.data.fit.fps.area : stop && partOf(lesson, stop).area;
+  if (stop && area && "slope" in area) return evaluate(area, stop.s);
+  return area && "exact" in area && area.exact !== null ? Rational.parse(area.exact) : shoelace(region);
 }
 
 /**
- * Steps and switched-off readings come without an area; their vertices are exact, and so is the sum.
+ * Steps and switched-off readings come without an area, and a long fraction is not written; the vertices are exact, and so is the
+ * sum.
  * @param {Region} region
  */
 function shoelace(region) {
