@@ -25,6 +25,13 @@ interface PolynomialData {
   quadratic?: Exact;
 }
 
+/** An area between two breakpoints: coefficients that are too long to be written are null. */
+interface AreaPolynomialData {
+  constant: Exact | null;
+  slope: Exact | null;
+  quadratic: Exact | null;
+}
+
 /** The name of a half-plane: "upper" or "lower" with the row of a reading, or "where:1" without one; of an
  * equation "where:1 upper" (≤) and "where:1 lower" (≥). */
 interface BoundName {
@@ -165,7 +172,7 @@ interface BreakpointData extends NamedRegionData<NumberData, Exact> {
 interface PieceData extends NamedRegionData<PolynomialData, Exact> {
   from: NumberData;
   to: NumberData;
-  area: PolynomialData | null;
+  area: AreaPolynomialData | null;
 }
 
 /** The sets under error bounds multiplied by s; `least` is the smallest s that leaves a feasible parameter. */

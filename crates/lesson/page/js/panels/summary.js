@@ -80,8 +80,19 @@ function areaOf(lesson, state, scene) {
   if (region.kind === "empty") return ZERO;
   const stop = state.mode === "epsilon" ? lesson.stops[state.stop] : null;
   const area = region === lesson.fps ? lesson.data.fit.fps.area : stop && partOf(lesson, stop).area;
-  if (stop && area && "slope" in area) return evaluate(area, stop.s);
-  return area && "exact" in area && area.exact !== null ? Rational.parse(area.exact) : shoelace(region);
+  return (area && writtenArea(area, stop?.s ?? ZERO)) ?? shoelace(region);
+}
+
+/**
+ * The area as the engine wrote it: null where that takes too many digits.
+ * @param {MeasureData | AreaPolynomialData} area
+ * @param {Rational} s
+ */
+function writtenArea(area, s) {
+  if ("exact" in area) return area.exact === null ? null : Rational.parse(area.exact);
+  const { constant, slope, quadratic } = area;
+  if (constant === null || slope === null || quadratic === null) return null;
+  return evaluate({ constant, slope, quadratic }, s);
 }
 
 /**
