@@ -65,20 +65,16 @@ fn shortest_of(significand: u64, exponent: i32, is_power: bool) -> Option<(u64, 
     let is_below = |multiple: u64| 4 * multiple + open <= upper;
     let floor = value / 4;
     let tens = floor / 10;
-    if tens > 0 {
-        match (is_above(10 * tens), is_below(10 * tens + 10)) {
-            (true, false) => return Some(without_zeros(tens, scale.power + 1)),
-            (false, true) => return Some(without_zeros(tens + 1, scale.power + 1)),
-            _ => {}
-        }
-    }
-    let multiple = match (is_above(floor), is_below(floor + 1)) {
-        (true, false) => floor,
-        (false, true) => floor + 1,
-        // Of two that are equally near the larger one, as the standard library writes it.
-        _ => floor + u64::from(value >= 4 * floor + 2),
-    };
-    Some(without_zeros(multiple, scale.power))
+    let (tens_above, tens_below) = (is_above(10 * tens), is_below(10 * tens + 10));
+    let (floor_above, floor_below) = (is_above(floor), is_below(floor + 1));
+    // Of two that are equally near the larger one, as the standard library writes it.
+    let nearer = floor + u64::from(value >= 4 * floor + 2);
+    // No branches: whether digits are few is as good as random, and a wrong guess costs more than all of this.
+    let one_of_two = floor + u64::from(floor_below);
+    let multiple = if floor_above != floor_below { one_of_two } else { nearer };
+    let is_of_tens = (tens > 0) & (tens_above != tens_below);
+    let mantissa = if is_of_tens { tens + u64::from(tens_below) } else { multiple };
+    Some(without_zeros(mantissa, scale.power + i32::from(is_of_tens)))
 }
 
 /// A power of ten, and how numbers are counted in quarters of it.
@@ -141,6 +137,9 @@ impl Scale {
 /// The same number with the least mantissa.
 #[inline]
 fn without_zeros(mut mantissa: u64, mut exponent: i32) -> (u64, i32) {
+    if !mantissa.is_multiple_of(10) {
+        return (mantissa, exponent);
+    }
     // From 17 digits none to 16 go.
     for zeros in [8, 4, 2, 1] {
         let power = 10_u64.pow(zeros);

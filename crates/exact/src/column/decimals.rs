@@ -1,6 +1,8 @@
 //! Columns of the decimals that floats stand for.
 
+use super::scaled::Count;
 use super::{Column, Scaled, Unit};
+use crate::long_decimal::{WORD_DIGITS, power_of_ten};
 use crate::shortest::{on_common_places, shortest_decimal, shortest_decimal_of_f32};
 
 impl Column {
@@ -46,30 +48,48 @@ impl Column {
 
     /// Several `mantissa · 10^exponent`, as if they were pushed one by one. Exact. Cost: some nanoseconds each.
     pub fn of_decimals(decimals: &[(i64, i32)]) -> Self {
-        let exponents = decimals.iter().filter(|(mantissa, _)| *mantissa != 0).map(|&(_, exponent)| exponent);
-        let unit = exponents.min().map_or(Unit::Any, Unit::TenTo);
-        let on_unit = |&(mantissa, exponent): &(i64, i32)| match unit {
-            Unit::TenTo(least) => product(mantissa, exponent.checked_sub(least)?),
-            _ => Some(0),
+        let exponents =
+            || decimals.iter().filter(|(mantissa, _)| *mantissa != 0).map(|&(_, exponent)| exponent);
+        let (Some(least), Some(most)) = (exponents().min(), exponents().max()) else {
+            return Column::Narrow(Scaled::of_counts(vec![0; decimals.len()], Unit::Any));
         };
-        if let Some(narrow) = Scaled::of_options(decimals.iter().map(on_unit), unit) {
-            return Column::Narrow(narrow);
-        }
-        if let Some(wide) = Scaled::of_options(decimals.iter().map(on_unit), unit) {
+        let unit = Unit::TenTo(least);
+        let on_unit = |&(mantissa, exponent): &(i64, i32)| product(mantissa, exponent.checked_sub(least)?);
+        if most.checked_sub(least).is_some_and(|spread| (spread as usize) <= WORD_DIGITS) {
+            let counts =
+                decimals.iter().map(|&(mantissa, exponent)| word_product(mantissa, exponent - least));
+            if let Some(column) = Column::of_words(counts.collect(), unit) {
+                return column;
+            }
+        } else if let Some(wide) = Scaled::of_options(decimals.iter().map(on_unit), unit) {
             return Column::Wide(wide);
         }
         let mut column = Column::default();
         decimals.iter().for_each(|&(mantissa, exponent)| column.push_decimal(mantissa, exponent));
         column
     }
+
+    /// So many units each, in the shorter integers if these hold all of them; `None` if neither do.
+    fn of_words(counts: Vec<i128>, unit: Unit) -> Option<Self> {
+        let bits = counts.iter().fold(0, |bits, count| bits | count.unsigned_abs());
+        if bits >> <i64 as Count>::BITS == 0 {
+            let counts = counts.into_iter().map(|count| count as i64).collect();
+            return Some(Column::Narrow(Scaled::of_counts(counts, unit)));
+        }
+        (bits >> <i128 as Count>::BITS == 0).then(|| Column::Wide(Scaled::of_counts(counts, unit)))
+    }
+}
+
+/// `mantissa · 10^exponent` for an exponent from 0 to 19, or with zero any; without a branch, as many are computed together.
+#[inline]
+fn word_product(mantissa: i64, exponent: i32) -> i128 {
+    // The product of a word and an unsigned one has 127 bits at most.
+    i128::from(mantissa) * i128::from(power_of_ten((exponent as usize).min(WORD_DIGITS)))
 }
 
 /// `mantissa · 10^exponent`, with zero at any exponent.
-#[inline]
 fn product(mantissa: i64, exponent: i32) -> Option<i128> {
     match u32::try_from(exponent) {
-        // Words have products without a check.
-        Ok(exponent @ 0..=19) => Some(i128::from(mantissa) * i128::from(10_u64.pow(exponent))),
         Ok(exponent) if mantissa != 0 => i128::from(mantissa).checked_mul(10_i128.checked_pow(exponent)?),
         _ => (mantissa == 0).then_some(0),
     }
