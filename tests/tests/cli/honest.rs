@@ -184,6 +184,12 @@ fn reductions_that_contradict_themselves_are_refused() {
              \"epsilon\":null,\"sums\":[{sums}]}}\nx,y\n1,2\n2,3.1\n3,3.9\n4,5\n"
         )
     };
+    let counted = |rows: &str, sums: &str, [first, second]: [&str; 2]| {
+        let text = record(rows, sums)
+            .replace("reduced/1", "reduced/3")
+            .replace("\n1,2\n", &format!("\n{first} 1,2\n"));
+        text.replace("\n2,3.1\n3,", &format!("\n{second} 2,3.1\n1 3,")).replace("\n4,5", "\n1 4,5")
+    };
     let directory = directory_with(&[]);
     let both = |text: &str| {
         ["fit - --x x --y y --eps 1 --no-lp", "reduce - --x x --y y"]
@@ -191,6 +197,8 @@ fn reductions_that_contradict_themselves_are_refused() {
     };
     let is_true = [
         record("4", "\"10\",\"14\",\"30\",\"399/10\""),
+        // A fifth reading that is equal to the first.
+        counted("5", "\"11\",\"16\",\"31\",\"419/10\"", ["2", "1"]),
         // Two more readings within those that are kept.
         record("6", "\"15\",\"20.9\",\"42.5\",\"57.15\"")
             .replace("20.9", "209/10")
@@ -204,7 +212,11 @@ fn reductions_that_contradict_themselves_are_refused() {
     }
     let edited = record("4", "\"10\",\"14\",\"30\",\"399/10\"").replace("1,2\n", "1,2.05\n");
     let every = "it keeps every reading, but its sums are not those of the rows that follow";
+    let so_many =
+        "the rows that follow stand for every reading, but its sums are not those of so many of each";
     let beyond = "its sums are those of readings beyond the rows that it keeps, which none can be";
+    let on_hulls =
+        "its sums are those of readings on the hulls of the rows that it keeps, which no row counts";
     let none = "no readings beside those that it keeps have the sums that are left for them";
     for (text, message) in [
         (edited, every),
@@ -213,6 +225,11 @@ fn reductions_that_contradict_themselves_are_refused() {
         (record("3", "\"10\",\"14\",\"30\",\"399/10\""), "it keeps more readings than it says there were"),
         (record("5", "\"12\",\"17\",\"33\",\"46\""), none),
         (record("1000000000", "\"10\",\"14\",\"30\",\"399/10\""), beyond),
+        // x of the fifth reading is 1 and its y is 2, like those of the first row, which says that it stands for itself.
+        (record("5", "\"11\",\"16\",\"31\",\"419/10\""), on_hulls),
+        (counted("5", "\"11\",\"16\",\"31\",\"419/10\"", ["1", "2"]), so_many),
+        // What is left is a sixth reading without x and y.
+        (counted("6", "\"11\",\"16\",\"31\",\"419/10\"", ["2", "1"]), beyond),
         // x of the fifth reading is 2 and its y is 9; or its x is 5.
         (record("5", "\"12\",\"23\",\"34\",\"579/10\""), beyond),
         (record("5", "\"15\",\"17\",\"55\",\"549/10\""), beyond),
@@ -257,14 +274,24 @@ fn links_in_a_circle_are_not_replaced() {
     let link = |from: &str, to: &str| std::os::unix::fs::symlink(to, directory.path().join(from)).unwrap();
     link("one", "two");
     link("two", "one");
-    for line in [
-        "fit data.csv --x x --y y --eps 1 -o one",
-        "fit data.csv --x x --y y --eps 1 --proof one",
-        "plot data.csv --x x --y y --eps 1 --format svg -o one",
+    let (of_data, loops) = ("data.csv --x x --y y --eps 1", "error: one: cannot write: ");
+    for (line, message) in [
+        (format!("fit {of_data} -o one"), loops),
+        (format!("fit {of_data} --by x --format csv -o one"), loops),
+        (format!("fit {of_data} --proof one"), loops),
+        (format!("plot {of_data} --format svg -o one"), loops),
+        (format!("plot {of_data} --figure all -o one"), "error: one: cannot create: "),
+        (format!("check {of_data} -o one"), loops),
+        (format!("lesson {of_data} -o one"), loops),
+        (format!("convert {of_data} --to mps --objective theta1-min -o one"), loops),
+        (format!("convert {of_data} --to mps -o one"), "error: one: cannot create: "),
+        ("reduce data.csv --x x --y y -o one".to_owned(), loops),
+        ("man -o one".to_owned(), loops),
+        ("completions bash -o one".to_owned(), loops),
     ] {
-        let run = boundfit(directory.path(), line);
+        let run = boundfit(directory.path(), &line);
         assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{line}");
-        assert!(run.stderr.starts_with("error: one: cannot write: "), "{line} {run:?}");
+        assert!(run.stderr.starts_with(message), "{line} {run:?}");
         assert_eq!(fs::read_link(directory.path().join("one")).unwrap(), Path::new("two"), "{line}");
     }
 }

@@ -1,8 +1,9 @@
 //! Whether what a reduction says of all its readings can be true beside the rows that it keeps.
 
 use boundfit_exact::{Column, Rational};
-use boundfit_formats::ReductionError;
+use boundfit_formats::{Batch, ReductionError, Reductions};
 
+use super::outline::Outline;
 use super::stated::Stated;
 use crate::least_squares::NoLeastSquares;
 use crate::meaning::Meaning;
@@ -13,6 +14,8 @@ use crate::summary::Sums;
 pub(super) struct KeptRows {
     count: usize,
     sums: Result<Sums, NoLeastSquares>,
+    /// The rows that stand for others.
+    counted: Vec<Counted>,
     have_widths: bool,
     /// Whether the second regressor is 1.
     is_line: bool,
@@ -20,15 +23,42 @@ pub(super) struct KeptRows {
     range: Option<[[Rational; 2]; 2]>,
 }
 
+/// A row that stands for others.
+#[derive(Debug)]
+struct Counted {
+    /// How many readings beside itself.
+    others: u64,
+    regressor: [Rational; 2],
+    y: Rational,
+}
+
+impl Counted {
+    /// What as many readings as the others are, all equal to this row, come to.
+    fn sums(&self) -> Sums {
+        let Counted { others, regressor: [u, v], y } = self;
+        let times = |left: &Rational, right: &Rational| left * right * Rational::from(*others);
+        let count = usize::try_from(*others).unwrap_or(usize::MAX);
+        Sums { count, uu: times(u, u), uv: times(u, v), vv: times(v, v), uy: times(u, y), vy: times(v, y) }
+    }
+}
+
 impl Default for KeptRows {
     fn default() -> Self {
-        KeptRows { count: 0, sums: Ok(Sums::default()), have_widths: false, is_line: false, range: None }
+        KeptRows {
+            count: 0,
+            sums: Ok(Sums::default()),
+            counted: Vec::new(),
+            have_widths: false,
+            is_line: false,
+            range: None,
+        }
     }
 }
 
 impl KeptRows {
-    /// Those of one batch, with numbers of this meaning, x as it is.
-    pub(super) fn of_columns(meaning: &Meaning, columns: &[Column]) -> Self {
+    /// Those of one batch of these reductions, with numbers of this meaning, x as it is.
+    pub(super) fn of_batch(meaning: &Meaning, batch: &Batch, reductions: &Reductions) -> Self {
+        let columns = batch.columns.as_slice();
         let count = columns.first().map_or(0, Column::len);
         let ends = |column: &Column| {
             let numbers = || (0..column.len()).map(|row| column.get(row));
@@ -39,12 +69,23 @@ impl KeptRows {
             _ => None,
         };
         let (sums, have_widths) = (meaning.sums(columns), meaning.have_widths(columns));
-        KeptRows { count, sums, have_widths, is_line: meaning.regressors() == 1, range }
+        let counted = |(position, others): (usize, u64)| {
+            let reading = meaning.of_columns(columns, position, 0);
+            let y = match meaning.has_response {
+                true => columns.get(meaning.regressors())?.get(position),
+                false => reading.value()?.into_owned(),
+            };
+            Some(Counted { others, regressor: reading.regressor, y })
+        };
+        let rows = (0..count).map(|position| batch.rows.get(position));
+        let counted = reductions.beside_themselves(rows).into_iter().filter_map(counted).collect();
+        KeptRows { count, sums, counted, have_widths, is_line: meaning.regressors() == 1, range }
     }
 
     /// These rows and others.
     pub(super) fn add(&mut self, other: KeptRows) {
         self.count += other.count;
+        self.counted.extend(other.counted);
         self.have_widths |= other.have_widths;
         self.is_line |= other.is_line;
         let own = std::mem::replace(&mut self.sums, Err(NoLeastSquares::NoResponse));
@@ -56,12 +97,13 @@ impl KeptRows {
     }
 
     /// Refuses what reductions say, if no readings beside these rows could make it true: fewer readings than rows, sums that are
-    /// not those of the rows where nothing was left out, and sums over what was left out that no numbers have. Of a line under one
-    /// bound for all readings nothing that was left out lies beyond the rows that are kept.
+    /// not those of the rows where nothing was left out, and sums over what was left out that no numbers have. Readings that a row
+    /// stands for are equal to it, but of a line under one bound for all, which has an outline, only at its corners; others lie within
+    /// an edge. What such a line leaves out without counting it lies strictly within.
     ///
     /// # Errors
     /// The first contradiction.
-    pub(super) fn check(&self, stated: &Stated) -> Result<(), ReductionError> {
+    pub(super) fn check(&self, stated: &Stated, outline: Option<&Outline>) -> Result<(), ReductionError> {
         let refuse = |what| Err(ReductionError::Contradiction { what });
         let Some(left_out) = stated.count.checked_sub(self.count) else {
             return refuse("it keeps more readings than it says there were");
@@ -78,18 +120,38 @@ impl KeptRows {
         if self.is_line && all.vv != Rational::from(stated.count) {
             return refuse("one of its sums is the number of readings, and another number");
         }
-        let rest = Rest { count: left_out, sums: without(all, kept) };
-        match left_out {
-            0 if rest.is_nothing() => Ok(()),
-            0 => refuse("it keeps every reading, but its sums are not those of the rows that follow"),
-            _ if !rest.is_possible() => {
-                refuse("no readings beside those that it keeps have the sums that are left for them")
-            }
-            _ if stated.is_hull && !rest.is_within(self.range.as_ref()) => {
-                refuse("its sums are those of readings beyond the rows that it keeps, which none can be")
-            }
-            _ => Ok(()),
+        let equal =
+            |own: &&Counted| outline.is_none_or(|outline| outline.has_corner(&own.regressor[0], &own.y));
+        let (equal, on_edges): (Vec<_>, Vec<_>) = self.counted.iter().partition(equal);
+        let known = equal.into_iter().fold(kept.clone(), |sum, own| sum.merged(&own.sums()));
+        let on_edges = on_edges.into_iter().fold(0_u64, |sum, own| sum.saturating_add(own.others));
+        // No row of any part stands for more readings than there were.
+        let rest = Rest { count: stated.count.saturating_sub(known.count), sums: without(all, &known) };
+        if rest.count == 0 {
+            return match (rest.is_nothing(), left_out) {
+                (true, _) => Ok(()),
+                (false, 0) => {
+                    refuse("it keeps every reading, but its sums are not those of the rows that follow")
+                }
+                (false, _) => refuse(
+                    "the rows that follow stand for every reading, but its sums are not those of so many of each",
+                ),
+            };
         }
+        if !rest.is_possible() {
+            return refuse("no readings beside those that it keeps have the sums that are left for them");
+        }
+        let Some(outline) = outline else { return Ok(()) };
+        let mean = rest.mean();
+        if !outline.has_within(&mean, false) || !rest.is_within(self.range.as_ref()) {
+            return refuse("its sums are those of readings beyond the rows that it keeps, which none can be");
+        }
+        if rest.count as u64 > on_edges && !outline.has_within(&mean, true) {
+            return refuse(
+                "its sums are those of readings on the hulls of the rows that it keeps, which no row counts",
+            );
+        }
+        Ok(())
     }
 }
 
@@ -120,6 +182,13 @@ impl Rest {
         (uv * uy == uu * vy) && (vv * uy == uv * vy)
     }
 
+    /// Their mean x and y.
+    fn mean(&self) -> [Rational; 2] {
+        let Sums { uv: x, vy: y, .. } = &self.sums;
+        let count = Rational::from(self.count);
+        [x, y].map(|sum| sum.checked_div(&count).unwrap_or_default())
+    }
+
     /// Whether readings of a line within these x and y have these sums: no product of distances to two sides is negative.
     fn is_within(&self, range: Option<&[[Rational; 2]; 2]>) -> bool {
         let Some([[x_least, x_most], [y_least, y_most]]) = range else { return true };
@@ -141,6 +210,7 @@ impl Rest {
     }
 }
 
+/// The sums over all readings but some.
 fn without(all: &Sums, kept: &Sums) -> Sums {
     Sums {
         count: all.count.saturating_sub(kept.count),

@@ -5,6 +5,7 @@ mod columns;
 mod fleet;
 mod kept_columns;
 mod looks;
+mod outline;
 mod reduce;
 mod scan;
 mod stated;

@@ -8,6 +8,7 @@ use boundfit_formats::{Batch, InputError, ReductionRecord, ScanOptions, Source, 
 
 use super::agreement::KeptRows;
 use super::columns::Columns;
+use super::outline::Outline;
 use super::stated::{Stated, asked_by_reduction, counts_of, refuse_late};
 use crate::least_squares::NoLeastSquares;
 use crate::line_form::LineForm;
@@ -94,7 +95,7 @@ impl ReducedTable {
         let mut all = Collected::default();
         let mut unbounded = None;
         let digest = |batch: Batch| {
-            let rows = reductions.as_ref().map(|_| KeptRows::of_columns(&unnamed, &batch.columns));
+            let rows = reductions.as_ref().map(|own| KeptRows::of_batch(&unnamed, &batch, own));
             (rows, Digest { unbounded: columns.first_unbounded(&batch), ..Digest::new(&batch, &rule) })
         };
         let mut kept_rows = KeptRows::default();
@@ -120,10 +121,11 @@ impl ReducedTable {
         };
         if let Some(reductions) = &reductions {
             own = Stated::of(reductions, &name, &asked, &options)?;
-            kept_rows.check(&own).map_err(|error| InputError::of_file(&name, error))?;
             if let Some(counts) = counts_of(reductions, &name, scanned.rows_total)? {
                 ties = ties.weighted(&kept, &counts);
             }
+            let outline = own.is_hull.then(|| Outline::of(&kept));
+            kept_rows.check(&own, outline.as_ref()).map_err(|error| InputError::of_file(&name, error))?;
         }
         columns.refuse_unbounded(&name, unbounded)?;
         let text = |reading: &Measurement| Some((texts.remove(&reading.row)?, ties.count(reading.row)));

@@ -11,6 +11,7 @@ use super::agreement::KeptRows;
 use super::columns::Columns;
 use super::kept_columns::{KeptColumns, KeptNumbers, KeptPart};
 use super::looks::Looks;
+use super::outline::Outline;
 use super::stated::{Stated, asked_by_fit, counts_of, refuse_late};
 use crate::condition::Condition;
 use crate::least_squares::LeastSquares;
@@ -105,7 +106,7 @@ impl Measurements {
         let as_it_is = Columns { form: LineForm::default(), ..columns.clone() }.meaning(&[]);
         let digest = |batch: Batch| {
             let unbounded = columns.first_unbounded(&batch);
-            let rows = reductions.as_ref().map(|_| KeptRows::of_columns(&as_it_is, &batch.columns));
+            let rows = reductions.as_ref().map(|own| KeptRows::of_batch(&as_it_is, &batch, own));
             let keeps = (keep.eui && !keeps_all).then_some(&brackets);
             (rows, Digest { unbounded, ..Digest::new(batch, &sieve, &bounds, keeps) })
         };
@@ -124,17 +125,23 @@ impl Measurements {
             let stated = Stated::of(reductions, &name, &asked_by_fit(&meaning), &options)?;
             refuse_late(&name, &meaning)?;
             columns.refuse_unbounded(&name, unbounded)?;
-            kept_rows.check(&stated).map_err(|error| InputError::of_file(&name, error))?;
+            let counts = counts_of(reductions, &name, scanned.rows_total)?;
+            let check = |outline: Option<Outline>| {
+                kept_rows.check(&stated, outline.as_ref()).map_err(|error| InputError::of_file(&name, error))
+            };
             let (mut rows, mut ties, minimax) = match meaning.error_bound.uniform() {
                 Some(epsilon) if meaning.is_open() => {
                     let (_, mut rows, ties) = all.open.into_parts(epsilon, &sieve);
+                    check(stated.is_hull.then(|| Outline::of(&rows)))?;
                     columns.form.count_rows(&mut rows);
                     (rows, ties, DecidingMinimax::Kept)
                 }
                 _ if stated.is_open => {
+                    check(None)?;
                     (rows_of(&all.batches, &meaning), Ties::default(), DecidingMinimax::Kept)
                 }
                 _ => {
+                    check(None)?;
                     // Without widths there is nothing that a factor could multiply.
                     let minimax = match stated.has_widths {
                         true => DecidingMinimax::Unknown(NoMinimax::Reduced),
@@ -144,7 +151,7 @@ impl Measurements {
                     (rows, ties, minimax)
                 }
             };
-            if let Some(counts) = counts_of(reductions, &name, scanned.rows_total)? {
+            if let Some(counts) = counts {
                 ties = ties.weighted(&rows, &counts);
             }
             meaning.settle(&mut rows);

@@ -43,6 +43,17 @@ impl Reductions {
         if counts.len() == rows { Ok(Some(counts)) } else { Err(ReductionError::RowsOfSeveralLines) }
     }
 
+    /// Of rows with these numbers, counted from 1, those that stand for more than one reading: their position among these and how
+    /// many readings beside themselves. Rows that have not been read stand for themselves.
+    pub fn beside_themselves(&self, rows: impl Iterator<Item = usize>) -> Vec<(usize, u64)> {
+        let Ok(seen) = self.0.lock() else { return Vec::new() };
+        let count = |row: usize| row.checked_sub(1).and_then(|row| seen.counts.get(row)).copied();
+        rows.map(|row| count(row).unwrap_or(1).saturating_sub(1))
+            .enumerate()
+            .filter(|&(_, others)| others > 0)
+            .collect()
+    }
+
     /// Whether the table has a header.
     pub fn header(&self) -> Header {
         let present = self.records().first().is_some_and(|record| record.header);
