@@ -71,6 +71,31 @@ fn a_quota_for_the_size_of_files_leaves_the_old_file() {
     }
 }
 
+#[test]
+fn a_proof_appears_with_its_report_or_not_at_all() {
+    const OLD_PROOF: &[u8] = b"{\n  \"schema\": \"boundfit/proof/1\"";
+    let table = b"x,y\n1,2\n2,3.1\n3,3.9\n";
+    let fit = "fit data.csv --x x --y y --eps 1 --no-lp --format json";
+    for (outputs, reason) in [
+        ("-o out --proof proof.json", words_for(FILE_TOO_LARGE)),
+        ("-o none/out --proof proof.json", String::new()),
+        ("-o out --proof none/proof.json", String::new()),
+    ] {
+        let directory = directory_with(&[("data.csv", table), ("out", KEPT), ("proof.json", OLD_PROOF)]);
+        let mut command = Command::new("sh");
+        // The proof is within the quota, the report is not.
+        command.args(["-c", "trap '' XFSZ && ulimit -f 6 && exec \"$0\" \"$@\""]).arg(binary());
+        command.args(words(fit)).args(words(outputs)).current_dir(directory.path());
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let run = finish(&mut command, b"");
+        assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{outputs} {run:?}");
+        assert!(run.stderr.contains(&reason), "{outputs} {run:?}");
+        assert_eq!(files_in(directory.path()), ["data.csv", "out", "proof.json"], "{outputs}");
+        assert_eq!(fs::read(directory.path().join("out")).unwrap(), KEPT, "{outputs}");
+        assert_eq!(fs::read(directory.path().join("proof.json")).unwrap(), OLD_PROOF, "{outputs}");
+    }
+}
+
 /// Runs a shell script in which `$FULL` is a folder on a disk of this many bytes, where the test may mount one: as root or
 /// in a user namespace of its own.
 fn on_a_small_disk(bytes: usize, directory: &Path, script: &str, arguments: &[String]) -> Option<Run> {

@@ -214,6 +214,44 @@ mod unix {
     }
 
     #[test]
+    fn a_file_in_a_folder_may_be_what_is_read() {
+        let directory = directory();
+        fs::create_dir(directory.path().join("folder")).unwrap();
+        let of_data = "data.csv --x x --y y --eps 1";
+        for (command, file) in [
+            (format!("plot {of_data} --figure all"), "fps.svg"),
+            (format!("convert {of_data} --to mps"), "theta2-min.mps"),
+            (format!("convert {of_data} --to lp"), "theta1-max.lp"),
+        ] {
+            symlink("../data.csv", directory.path().join("folder").join(file)).unwrap();
+            let message = format!("folder/{file}: not written: it is data.csv, which is read");
+            destroys_nothing(directory.path(), &format!("{command} -o folder --force"), &message);
+            assert_eq!(files_in(&directory.path().join("folder")), [file]);
+            fs::remove_file(directory.path().join("folder").join(file)).unwrap();
+        }
+    }
+
+    #[test]
+    fn answers_and_models_that_are_judged_are_read_by_any_name() {
+        let directory = directory();
+        fs::write(directory.path().join("answer.json"), "{\"pui\":[[0,1],[0,1]]}").unwrap();
+        for (name, read) in [("first", "model.mps"), ("second", "answer.json"), ("third", "proof.json")] {
+            symlink(read, directory.path().join(name)).unwrap();
+        }
+        let claim = "check data.csv --x x --y y --eps 1 --claim answer.json --format json";
+        for (line, read) in [
+            ("judge model.mps -o first", "model.mps"),
+            ("judge model.mps --solution answer.json -o second", "answer.json"),
+            (&format!("{claim} -o second"), "answer.json"),
+            ("verify proof.json data.csv -o third", "proof.json"),
+        ] {
+            let output = line.rsplit(' ').next().unwrap();
+            let message = format!("{output}: not written: it is {read}, which is read");
+            destroys_nothing(directory.path(), &format!("{line} --force"), &message);
+        }
+    }
+
+    #[test]
     fn standard_input_is_an_input_too() {
         let directory = directory();
         let mut command = boundfit_tests::cli::command(directory.path());
