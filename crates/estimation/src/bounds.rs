@@ -78,7 +78,11 @@ pub(crate) fn parameter_intervals(polyhedron: &Polyhedron) -> Option<[ParameterI
 
 /// The central estimate; `None` unless both intervals are bounded.
 pub(crate) fn central(intervals: &[ParameterInterval; 2]) -> Option<Central> {
-    let [first, second] = intervals.each_ref().map(ParameterInterval::interval);
+    central_of(&intervals.each_ref().map(ParameterInterval::interval))
+}
+
+/// The middle of a box; `None` unless it is bounded.
+pub(crate) fn central_of([first, second]: &[Interval; 2]) -> Option<Central> {
     Some(Central {
         theta: [first.midpoint()?, second.midpoint()?],
         guaranteed_error: [first.width()?.half(), second.width()?.half()],

@@ -41,6 +41,7 @@ mod fit_group;
 mod float_least_squares;
 mod fps;
 mod grid;
+mod group_fit;
 mod hulls;
 mod inverse;
 mod law;
@@ -78,6 +79,7 @@ pub use float_least_squares::{FloatEstimate, FloatLeastSquares};
 pub use fps::{
     BoundName, Fps, bounds_of_reading, conditions_by_name, growing_half_planes, half_planes, reading_of_bound,
 };
+pub use group_fit::GroupFit;
 pub use inverse::{Inverse, InverseParameter};
 pub use law::Law;
 pub use least_growth::{GrowingInequality, LeastGrowth, least_growth};

@@ -94,6 +94,16 @@ impl Rational {
         if self.is_negative() { -size } else { size }
     }
 
+    /// The number that [`Rational::decimal`] says as `mantissa · 10^exponent`, where so many digits are known from words. Exact.
+    pub(crate) fn rounded_in_words(&self, digits: usize, rounding: Rounding) -> Option<(i64, i64)> {
+        if self.is_zero() {
+            return Some((0, 0));
+        }
+        let Significand { digits: found, exponent, .. } = words::significand(self, digits, rounding)?;
+        let mantissa = i64::try_from(found).ok()?;
+        Some((if self.is_negative() { -mantissa } else { mantissa }, exponent + 1 - digits as i64))
+    }
+
     /// The power of ten that the first significant digit weighs, `floor(log10 |self|)`, or `None` for 0. Exact.
     pub fn decimal_exponent(&self) -> Option<i64> {
         (!self.is_zero()).then(|| words::exponent(self).unwrap_or_else(|| exponent_of(&self.abs())))
@@ -376,6 +386,40 @@ mod tests {
             assert_eq!(value("1/3").to_decimal(digits, Rounding::Nearest), format!("0.{threes}"));
             assert_eq!(value(&format!("0.{nines}")).to_decimal(digits, Rounding::Up), format!("0.{nines}"));
         }
+    }
+
+    /// The way that takes numbers of any size is the reference.
+    #[test]
+    fn leading_bits_tell_the_digits_of_longer_numbers() {
+        let long = |power: u32, plus: i64| Integer::power_of_ten(power) + Integer::from(plus);
+        let mut in_words = 0;
+        for (numerator, denominator) in [
+            (long(60, 1), long(57, 0)),
+            (long(60, -1), long(57, 0)),
+            (long(60, 0), long(57, 3)),
+            (Integer::from(5) * long(70, 1), Integer::from(7) * long(66, -9)),
+            (Integer::from(12_345) * long(50, 0) + Integer::from(5) * long(49, 0), long(52, 0)),
+            (Integer::from(12_345) * long(50, 0) + Integer::from(5) * long(49, 7), long(52, 0)),
+            (Integer::from(999_999) * long(80, 1), Integer::from(3) * long(79, 7)),
+            (Integer::power_of_two(300), long(90, 1)),
+            (long(90, 1), Integer::power_of_two(300)),
+            (long(45, 1), Integer::from(3)),
+            (Integer::from(7), long(45, 1)),
+        ] {
+            let value = Rational::new(numerator, denominator).unwrap();
+            for value in [-&value, value] {
+                for digits in 1..=18 {
+                    for rounding in [Rounding::Nearest, Rounding::Down, Rounding::Up] {
+                        let Some(short) = words::significand(&value, digits, rounding) else { continue };
+                        in_words += 1;
+                        let long = long_significand(&value, digits, rounding);
+                        assert_eq!(Integer::from(short.digits), long.digits, "{value} {digits} {rounding:?}");
+                        assert_eq!((short.exponent, short.exact), (long.exponent, long.exact), "{value}");
+                    }
+                }
+            }
+        }
+        assert!(in_words > 500, "only {in_words}");
     }
 
     /// Next to a power of ten, a logarithm in binary64 is often on the wrong side.

@@ -104,11 +104,47 @@ impl Interval {
         const MOST: usize = 40;
         const TWENTY: i64 = 20;
         let Some((lower, upper)) = self.ends().filter(|(lower, upper)| lower != upper) else { return least };
+        if self.is_far_wider_than_digits(least) {
+            return least;
+        }
         let room = (upper - lower) * Rational::ratio(1, TWENTY);
         let added = |digits: usize| {
             (lower - lower.rounded(digits, Rounding::Down)) + (upper.rounded(digits, Rounding::Up) - upper)
         };
         (least..=MOST.max(least)).find(|digits| added(*digits) <= room).unwrap_or(least)
+    }
+
+    /// Whether a twentieth of the width is certainly more than rounding the ends outward adds, which is less than a unit of the last
+    /// digit of each. Decides on a few more digits of both, rounded inward.
+    fn is_far_wider_than_digits(&self, digits: usize) -> bool {
+        const MORE: usize = 4;
+        // Powers of ten up to here times significands of at most 18 digits stay far below 2^127.
+        const MOST_SHIFT: i64 = 18;
+        let known = |end: &Endpoint, inward| end.value()?.rounded_in_words(digits + MORE, inward);
+        let (Some(lower), Some(upper)) =
+            (known(&self.lower, Rounding::Up), known(&self.upper, Rounding::Down))
+        else {
+            return false;
+        };
+        // The unit of a zero may be any.
+        let finest = match (lower.0, upper.0) {
+            (0, _) => upper.1,
+            (_, 0) => lower.1,
+            _ => lower.1.min(upper.1),
+        };
+        let on_finest = |(mantissa, exponent): (i64, i64)| match exponent - finest {
+            _ if mantissa == 0 => Some((0, 0)),
+            shift @ 0..=MOST_SHIFT => {
+                let unit = 10_i128.pow(shift as u32);
+                Some((i128::from(mantissa) * unit, unit))
+            }
+            _ => None,
+        };
+        let (Some((lower, lower_unit)), Some((upper, upper_unit))) = (on_finest(lower), on_finest(upper))
+        else {
+            return false;
+        };
+        upper - lower > 20 * 10_i128.pow(MORE as u32) * (lower_unit + upper_unit)
     }
 }
 

@@ -2,12 +2,11 @@
 
 use std::fmt::{self, Write};
 
-use boundfit_estimation::ParameterInterval;
-use boundfit_exact::{Endpoint, Rational};
+use boundfit_estimation::GroupFit;
+use boundfit_exact::{Endpoint, Foreign, Rational};
 use csv::Writer;
 
 use crate::csv_text::csv_text;
-use crate::fleet_summary::GroupReport;
 use crate::style::Style;
 
 /// The names of the columns but for the last, which says what it is about.
@@ -53,16 +52,14 @@ impl FleetCsv {
 
     /// Adds a group. What there is not is left out; an end that is not bounded is `-inf` or `inf`. Ends have the digits
     /// that their interval takes.
-    pub fn group(&mut self, group: &GroupReport<'_>, style: &Style) {
-        let fit = group.fit;
-        self.writer.write_field(csv_text(group.key).as_bytes()).expect(WRITTEN);
-        self.cell(group.rows());
-        self.optional(group.first_row());
-        self.cell(group.kind().name());
-        let pui = fit.pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval));
-        let styles = style.resolving_both(pui.as_ref());
+    pub fn group(&mut self, key: Foreign<&str>, group: &GroupFit, style: &Style) {
+        self.writer.write_field(csv_text(key).as_bytes()).expect(WRITTEN);
+        self.cell(group.rows);
+        self.optional(group.first_row);
+        self.cell(group.kind.name());
+        let styles = style.resolving_both(group.pui.as_ref());
         for axis in 0..2 {
-            match &pui {
+            match &group.pui {
                 Some(pui) => {
                     self.end(pui[axis].lower(), "-inf", |value| styles[axis].lower(value).compact());
                     self.end(pui[axis].upper(), "inf", |value| styles[axis].upper(value).compact());
@@ -73,16 +70,16 @@ impl FleetCsv {
                 }
             }
         }
-        let central = fit.central.as_ref();
+        let central = group.central.as_ref();
         for (axis, own) in styles.iter().enumerate() {
             self.optional(central.map(|central| own.nearest(&central.theta[axis]).compact()));
             self.optional(central.map(|central| style.upper(&central.guaranteed_error[axis]).compact()));
         }
         for (axis, own) in styles.iter().enumerate() {
-            let estimate = fit.least_squares.as_ref().ok();
-            self.optional(estimate.map(|estimate| own.nearest(&estimate.theta[axis]).compact()));
+            let estimate = group.least_squares.as_ref();
+            self.optional(estimate.map(|theta| own.nearest(&theta[axis]).compact()));
         }
-        self.optional(group.least().map(|least| style.upper(least).compact()));
+        self.optional(group.least.as_ref().map(|least| style.upper(least).compact()));
         self.writer.write_record(None::<&[u8]>).expect(WRITTEN);
     }
 

@@ -41,22 +41,22 @@ struct FpsJson {
 
 /// Appends the line of a group, with its line end.
 pub fn write_group_json(text: &mut Vec<u8>, group: &GroupReport<'_>, style: &Style) {
-    let GroupReport { key, problem, fit } = *group;
+    let GroupReport { key, problem, fit, line } = *group;
     let region = fit.fps.polyhedron().region();
     let least_squares = fit.least_squares.as_ref().ok();
     let contradiction = fit.contradiction(problem.measurements.error_bound());
-    let line = GroupJson {
+    let written = GroupJson {
         schema: "boundfit/fleet/1",
         group: key,
-        rows: group.rows(),
-        first_row: group.first_row(),
+        rows: line.rows,
+        first_row: line.first_row,
         least_squares: least_squares.map(|estimate| LeastSquaresJson {
             theta: style.numbers(&estimate.theta),
             in_fps: least_squares_is_feasible(fit).unwrap_or(false),
         }),
         eui: fit.eui().map(|eui| eui.each_ref().map(|eui| RangeJson::new(eui, style))),
         fps: FpsJson {
-            kind: group.kind().name(),
+            kind: line.kind.name(),
             vertex_count: region.vertices().len(),
             certificate: contradiction.map(|terms| CertificateJson {
                 farkas: terms.iter().map(|(name, m)| TermJson::new(*name, m, style)).collect(),
@@ -65,12 +65,13 @@ pub fn write_group_json(text: &mut Vec<u8>, group: &GroupReport<'_>, style: &Sty
         pui: pui(fit, style),
         central: central(fit, style),
         epsilon_min: uniform_minimum(problem, fit).map(|epsilon| style.upper_number(epsilon)),
-        epsilon_factor: group
-            .least()
+        epsilon_factor: line
+            .least
+            .as_ref()
             .filter(|_| group.is_bounded_per_row())
             .map(|factor| style.upper_number(factor)),
     };
     // The types hold strings, numbers and lists only, and memory takes whatever is written.
-    serde_json::to_writer(&mut *text, &line).expect("a group that is not JSON");
+    serde_json::to_writer(&mut *text, &written).expect("a group that is not JSON");
     text.push(b'\n');
 }

@@ -1,8 +1,8 @@
 //! A group of a fleet, and what a whole fleet comes to.
 
-use boundfit_estimation::{Fit, Problem};
+use boundfit_estimation::{Fit, GroupFit, Problem};
+use boundfit_exact::Foreign;
 use boundfit_exact::english::counted;
-use boundfit_exact::{Foreign, Rational};
 use boundfit_geometry::RegionKind;
 
 /// How many of the groups without an answer a summary names.
@@ -17,26 +17,11 @@ pub struct GroupReport<'a> {
     pub problem: &'a Problem,
     /// Their fit; the parts that fleets do not report may be missing.
     pub fit: &'a Fit,
+    /// What a line says of it.
+    pub line: &'a GroupFit,
 }
 
-impl<'a> GroupReport<'a> {
-    pub(crate) fn kind(&self) -> RegionKind {
-        self.fit.fps.polyhedron().region().kind()
-    }
-
-    pub(crate) fn rows(&self) -> usize {
-        self.problem.measurements.fitted()
-    }
-
-    pub(crate) fn first_row(&self) -> Option<usize> {
-        self.problem.measurements.kept().first().map(|measurement| measurement.row)
-    }
-
-    /// ε_min, or the least factor where every reading has its own error bound.
-    pub(crate) fn least(&self) -> Option<&'a Rational> {
-        self.fit.minimax.as_ref().map(|minimax| &minimax.least)
-    }
-
+impl GroupReport<'_> {
     /// Whether every reading has its own error bound.
     pub(crate) fn is_bounded_per_row(&self) -> bool {
         !self.problem.measurements.error_bound().is_uniform()
@@ -56,21 +41,25 @@ pub struct FleetSummary {
 }
 
 impl FleetSummary {
-    /// Counts a group.
-    pub fn add(&mut self, group: &GroupReport<'_>) {
-        let region = group.fit.fps.polyhedron().region();
+    /// Counts a group with this key.
+    pub fn add(&mut self, key: Foreign<&str>, group: &GroupFit) {
         self.groups += 1;
-        self.rows += group.rows();
-        match group.kind() {
+        self.rows += group.rows;
+        match group.kind {
             RegionKind::Empty => {
                 self.empty += 1;
                 if self.first_empty.len() < MOST_NAMED {
-                    self.first_empty.push(shown_key(group.key));
+                    self.first_empty.push(shown_key(key));
                 }
             }
             RegionKind::Point | RegionKind::Segment => self.degenerate += 1,
-            _ if !region.is_bounded() => self.unbounded += 1,
-            _ => {}
+            RegionKind::Polygon => {}
+            RegionKind::Ray
+            | RegionKind::Line
+            | RegionKind::UnboundedPolygon
+            | RegionKind::Strip
+            | RegionKind::HalfPlane
+            | RegionKind::Plane => self.unbounded += 1,
         }
     }
 

@@ -1,9 +1,10 @@
 //! The groups of a fleet as text: one line each, aligned.
 
-use boundfit_estimation::ParameterInterval;
+use boundfit_estimation::GroupFit;
+use boundfit_exact::Foreign;
 
 use crate::align::{widths, write_line};
-use crate::fleet_summary::{GroupReport, shown_key};
+use crate::fleet_summary::shown_key;
 use crate::style::Style;
 
 /// How many cells a line has.
@@ -17,19 +18,19 @@ pub struct GroupCells([String; CELLS]);
 
 impl GroupCells {
     /// The line of a group: key, rows, kind, PUI, ε_min.
-    pub fn new(group: &GroupReport<'_>, style: &Style) -> Self {
+    pub fn new(key: Foreign<&str>, group: &GroupFit, style: &Style) -> Self {
         let none = || "-".to_owned();
-        let pui = group.fit.pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval));
-        let styles = style.resolving_both(pui.as_ref());
+        let pui = group.pui.as_ref();
+        let styles = style.resolving_both(pui);
         let interval =
-            |axis: usize| pui.as_ref().map_or_else(none, |pui| styles[axis].interval(&pui[axis]).to_string());
+            |axis: usize| pui.map_or_else(none, |pui| styles[axis].interval(&pui[axis]).to_string());
         GroupCells([
-            shown_key(group.key),
-            group.rows().to_string(),
-            group.kind().name().to_owned(),
+            shown_key(key),
+            group.rows.to_string(),
+            group.kind.name().to_owned(),
             interval(0),
             interval(1),
-            group.least().map_or_else(none, |least| style.upper(least).to_string()),
+            group.least.as_ref().map_or_else(none, |least| style.upper(least).to_string()),
         ])
     }
 

@@ -4,10 +4,10 @@ use std::fmt::Write as _;
 use std::io::Cursor;
 
 use boundfit_estimation::{
-    Bounds, Columns, EpsilonColumn, ErrorBound, Fleet, LineForm, Measurement, Measurements, Model, Problem,
-    fit, fit_group, least_squares_is_feasible,
+    Bounds, Columns, EpsilonColumn, ErrorBound, Fleet, GroupFit, LineForm, Measurement, Measurements, Model,
+    Problem, fit, fit_group, least_squares_is_feasible,
 };
-use boundfit_exact::{Foreign, Rational, Reading};
+use boundfit_exact::{Foreign, Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, RowRange, ScanOptions, Source, TableOptions};
 use boundfit_geometry::RegionKind;
 use boundfit_tests::generate::{seeded, shuffled};
@@ -166,6 +166,52 @@ fn every_group_is_fitted_as_it_would_be_alone() {
         assert!(never && count == 0 || !never && count > 0, "{kind:?}: {count}");
     }
     assert!(long > 100, "{long}");
+}
+
+/// Groups of few readings near a line, at few places left and right of 0 and above each other, or of 17 digits.
+fn small_groups(rng: &mut ChaCha8Rng, is_long: bool) -> String {
+    let mut table = "key,a,y\n".to_owned();
+    for group in 0..200 {
+        let (slope, offset) = (rng.random_range(-3..=3_i64), rng.random_range(-5..=5_i64));
+        let shift = [-30, -3, 0, 3, 30][group % 5];
+        for _ in 0..rng.random_range(1..=9) {
+            let x = shift + rng.random_range(-4..=4_i64);
+            let y = slope * x + offset + rng.random_range(-2..=2_i64);
+            let mut tail = || {
+                if is_long { format!("{:016}", rng.random_range(0..10_u64.pow(16))) } else { "0".to_owned() }
+            };
+            writeln!(table, "{group},{x}.{},{y}.{}", tail(), tail()).unwrap();
+        }
+    }
+    table
+}
+
+#[test]
+fn the_line_of_a_group_is_that_of_its_fit() {
+    let mut rng = seeded(1511);
+    let mut lines = [0, 0];
+    for (round, epsilon) in
+        ["0", "1", "1.5", "3", "1/3", "0.75", "2"].into_iter().cycle().take(42).enumerate()
+    {
+        let is_long = round % 2 == 1;
+        let table = small_groups(&mut rng, is_long);
+        let bound = ErrorBound::Uniform(Reading::Decimal.read(epsilon, &Limits::default()).unwrap());
+        let columns = columns(&Model::Line { x: Foreign::default() }, &bound);
+        let fleet = read(&table, &columns, ScanOptions::default());
+        for group in 0..fleet.len() {
+            let problem = Problem::new(fleet.measurements(group));
+            let expected = GroupFit::of(&problem, &fit_group(&problem));
+            let is_polygon = expected.kind == RegionKind::Polygon;
+            match fleet.group_fit(group) {
+                Some(line) => {
+                    lines[usize::from(is_long)] += 1;
+                    assert_eq!(line, expected, "{epsilon} {:?}", problem.measurements.kept());
+                }
+                None => assert!(!is_polygon || epsilon == "1/3", "{:?}", problem.measurements.kept()),
+            }
+        }
+    }
+    assert!(lines.iter().all(|&count| count > 1000), "{lines:?}");
 }
 
 #[test]

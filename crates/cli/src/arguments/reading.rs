@@ -303,6 +303,11 @@ impl Asked {
         }
     }
 
+    /// Whether nothing is known of the parameters beside the readings and their error bound, which is given.
+    pub(crate) fn is_plain(&self) -> bool {
+        self.conditions.is_empty() && self.multiple_of_least.is_none() && !self.columns.form.through_origin
+    }
+
     /// Whether a bound that is the same for all readings is so long that it counts in each.
     pub(crate) fn has_long_bound(&self) -> bool {
         let is_long = |number: &Rational| Work::of_numbers(&[number]) != Work::default();

@@ -3,8 +3,8 @@
 use std::io::{self, IsTerminal, Write};
 use std::ops::Range;
 
-use boundfit_estimation::{Fleet, fit_group};
-use boundfit_exact::Work;
+use boundfit_estimation::{Fleet, GroupFit, fit_group};
+use boundfit_exact::{Foreign, Work};
 use boundfit_formats::{ColumnSelector, ScanOptions};
 use boundfit_report::{FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, Style, write_group_json};
 
@@ -76,7 +76,7 @@ impl Job<'_> {
     fn write_json(&self, output: &mut Output, whole: &mut FleetSummary) -> Result<(), Stop> {
         let lines = |groups| {
             let mut lines = Vec::new();
-            let summary = self.each(groups, |group| write_group_json(&mut lines, &group, &self.style));
+            let summary = self.each_whole(groups, |group| write_group_json(&mut lines, &group, &self.style));
             (lines, summary)
         };
         self.fleet.in_order(lines, |(lines, summary)| {
@@ -91,7 +91,7 @@ impl Job<'_> {
         output.write(&header.into_bytes())?;
         let rows = |groups| {
             let mut rows = FleetCsv::new();
-            let summary = self.each(groups, |group| rows.group(&group, &self.style));
+            let summary = self.each(groups, |key, group| rows.group(key, group, &self.style));
             (rows.into_bytes(), summary)
         };
         self.fleet.in_order(rows, |(rows, summary)| {
@@ -104,7 +104,9 @@ impl Job<'_> {
         let mut table = FleetTable::new(self.fleet.is_bounded_per_row());
         let lines = |groups| {
             let mut lines = Vec::new();
-            let summary = self.each(groups, |group| lines.push(GroupCells::new(&group, &self.style)));
+            let summary = self.each(groups, |key, group| {
+                lines.push(GroupCells::new(key, group, &self.style));
+            });
             (lines, summary)
         };
         self.fleet.in_order(lines, |(lines, summary)| {
@@ -119,15 +121,30 @@ impl Job<'_> {
         output.write(format!("{text}\n{summary}").as_bytes())
     }
 
-    /// Fits groups and shows each.
-    fn each(&self, groups: Range<usize>, mut show: impl FnMut(GroupReport<'_>)) -> FleetSummary {
+    /// Fits groups and shows each as a line.
+    fn each(&self, groups: Range<usize>, mut show: impl FnMut(Foreign<&str>, &GroupFit)) -> FleetSummary {
+        let mut summary = FleetSummary::default();
+        for group in groups {
+            let line = self.asked.is_plain().then(|| self.fleet.group_fit(group)).flatten();
+            let line = line.unwrap_or_else(|| {
+                let problem = self.asked.problem(self.fleet.measurements(group));
+                GroupFit::of(&problem, &fit_group(&problem))
+            });
+            summary.add(self.fleet.key(group), &line);
+            show(self.fleet.key(group), &line);
+        }
+        summary
+    }
+
+    /// Fits groups and shows all of each.
+    fn each_whole(&self, groups: Range<usize>, mut show: impl FnMut(GroupReport<'_>)) -> FleetSummary {
         let mut summary = FleetSummary::default();
         for group in groups {
             let problem = self.asked.problem(self.fleet.measurements(group));
             let fit = fit_group(&problem);
-            let report = GroupReport { key: self.fleet.key(group), problem: &problem, fit: &fit };
-            summary.add(&report);
-            show(report);
+            let line = GroupFit::of(&problem, &fit);
+            summary.add(self.fleet.key(group), &line);
+            show(GroupReport { key: self.fleet.key(group), problem: &problem, fit: &fit, line: &line });
         }
         summary
     }

@@ -1,4 +1,6 @@
-//! Decimals of numbers whose terms fit into 128 bits: no big number, no memory, one division.
+//! Decimals by words of 128 bits: no big number, no memory, one division, or two where the terms are longer.
+
+use std::cmp::Ordering;
 
 use super::{Rounding, Significand};
 use crate::Rational;
@@ -26,30 +28,49 @@ fn terms(value: &Rational) -> Option<(u128, u128)> {
     Some((value.numerator().to_i128()?.unsigned_abs(), value.denominator().to_i128()?.unsigned_abs()))
 }
 
-/// The rounded significand of a number that is not 0; `None` where it takes longer numbers.
-#[allow(
-    clippy::indexing_slicing,
-    reason = "there are 39 powers and at most 18 digits: more are refused at the start"
-)]
+/// The rounded significand of a number that is not 0; `None` where it takes longer numbers to tell.
 pub(super) fn significand(value: &Rational, digits: usize, rounding: Rounding) -> Option<Significand<u64>> {
     if digits > MOST_DIGITS {
         return None;
     }
-    let (numerator, denominator) = terms(value)?;
-    let Scaled { exponent, quotient, remainder, divisor } = scaled(numerator, denominator, digits)?;
-    if remainder == 0 {
-        return Some(Significand { digits: quotient, exponent, exact: true });
+    let found = terms(value).and_then(|(numerator, denominator)| scaled(numerator, denominator, digits));
+    let Some(scaled) = found else {
+        return bracketed(value, digits, rounding);
+    };
+    if scaled.remainder == 0 {
+        return Some(Significand { digits: scaled.quotient, exponent: scaled.exponent, exact: true });
     }
     let up = rounding.away_from_zero(value).unwrap_or_else(|| {
-        // Twice the remainder may have 129 bits.
-        let rest = divisor - remainder;
-        remainder > rest || (remainder == rest && !quotient.is_multiple_of(2))
+        let half = scaled.against_half();
+        half.is_gt() || (half.is_eq() && !scaled.quotient.is_multiple_of(2))
     });
-    let rounded = quotient + u64::from(up);
-    if u128::from(rounded) == POWERS_OF_TEN[digits] {
-        return Some(Significand { digits: rounded / 10, exponent: exponent + 1, exact: false });
+    Some(scaled.rounded(up, digits))
+}
+
+/// As [`significand`] from the leading bits of both terms alone: where the least and the largest number with these have the same
+/// digits before what is cut off, and both on one side of a half where that matters, so has every number between them.
+fn bracketed(value: &Rational, digits: usize, rounding: Rounding) -> Option<Significand<u64>> {
+    // Room for the power of ten by which either is multiplied: four bits hold a digit.
+    let room = 4 * (digits as u64 + 2);
+    let (numerator, denominator) = value.terms();
+    let beyond = numerator.bits().max(denominator.bits()).saturating_sub(u64::from(u128::BITS) - room);
+    let (numerator, denominator) = (numerator.leading(beyond)?, denominator.leading(beyond)?);
+    // One so much shorter than the other leaves nothing to tell by.
+    if numerator == 0 || denominator == 0 {
+        return None;
     }
-    Some(Significand { digits: rounded, exponent, exact: false })
+    let least = scaled(numerator, denominator + 1, digits)?;
+    let most = scaled(numerator + 1, denominator, digits)?;
+    if (least.exponent, least.quotient) != (most.exponent, most.quotient) || least.remainder == 0 {
+        return None;
+    }
+    let up = match rounding.away_from_zero(value) {
+        Some(up) => up,
+        None if least.against_half().is_gt() => true,
+        None if most.against_half().is_lt() => false,
+        None => return None,
+    };
+    Some(least.rounded(up, digits))
 }
 
 /// `floor(log10 |value|)` of a number that is not 0; `None` where it takes longer numbers.
@@ -65,6 +86,25 @@ struct Scaled {
     quotient: u64,
     remainder: u128,
     divisor: u128,
+}
+
+impl Scaled {
+    /// Compares what is cut off with half a unit of the last digit.
+    fn against_half(&self) -> Ordering {
+        // Twice the remainder may have 129 bits.
+        self.remainder.cmp(&(self.divisor - self.remainder))
+    }
+
+    /// The digits of a number that they do not hold exactly, or the next larger ones.
+    #[allow(clippy::indexing_slicing, reason = "there are 39 powers, and 18 digits at most")]
+    fn rounded(self, up: bool, digits: usize) -> Significand<u64> {
+        let Scaled { exponent, quotient, .. } = self;
+        let rounded = quotient + u64::from(up);
+        if u128::from(rounded) == POWERS_OF_TEN[digits] {
+            return Significand { digits: rounded / 10, exponent: exponent + 1, exact: false };
+        }
+        Significand { digits: rounded, exponent, exact: false }
+    }
 }
 
 #[allow(clippy::indexing_slicing, reason = "from 1 to 18 digits are asked for, and there are 39 powers")]

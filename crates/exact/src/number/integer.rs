@@ -272,6 +272,27 @@ impl Integer {
         }
     }
 
+    /// The absolute value without its lowest bits, rounded down, when it fits.
+    pub(crate) fn leading(&self, without: u64) -> Option<u128> {
+        match &self.0 {
+            Small(value) => Some(value.get().unsigned_abs().checked_shr(without as u32).unwrap_or_default()),
+            Big(value) => {
+                if self.bits().saturating_sub(without) > u64::from(u128::BITS) {
+                    return None;
+                }
+                let (words, bits) = ((without / 64) as usize, without % 64);
+                let mut words = value.iter_u64_digits().skip(words).map(u128::from);
+                let mut next = || words.next().unwrap_or_default();
+                let (low, middle, high) = (next(), next(), next());
+                // Above the bits that are left there are none.
+                Some(
+                    (middle << 64 | low) >> bits
+                        | (high << 64).checked_shl(64 - bits as u32).unwrap_or_default(),
+                )
+            }
+        }
+    }
+
     /// The value as `u64`, when it fits.
     pub fn to_u64(&self) -> Option<u64> {
         match &self.0 {

@@ -129,6 +129,23 @@ impl Rational {
         }
     }
 
+    /// `numerator / denominator · 10^exponent` in lowest terms, or `None` when the denominator is 0. Exact. Cost: two greatest
+    /// common divisors, each of less than the whole numbers.
+    pub fn scaled_quotient(numerator: Integer, denominator: Integer, exponent: i32) -> Option<Self> {
+        let Rational { numerator, denominator } = Rational::new(numerator, denominator)?;
+        let power = Integer::power_of_ten(exponent.unsigned_abs());
+        if exponent == 0 {
+            return Some(Rational { numerator, denominator });
+        }
+        let common = power.gcd(if exponent > 0 { &denominator } else { &numerator });
+        let power = power.quotient(&common);
+        Some(if exponent > 0 {
+            Rational { numerator: numerator * power, denominator: denominator.quotient(&common) }
+        } else {
+            Rational { numerator: numerator.quotient(&common), denominator: denominator * power }
+        })
+    }
+
     /// `numerator / denominator` for literals.
     ///
     /// # Panics
@@ -233,6 +250,12 @@ impl Rational {
         self.denominator.clone()
     }
 
+    /// Numerator and denominator.
+    #[inline]
+    pub(crate) fn terms(&self) -> (&Integer, &Integer) {
+        (&self.numerator, &self.denominator)
+    }
+
     /// Numerator and denominator, when both fit into 64 bits.
     #[inline]
     pub fn to_words(&self) -> Option<(i64, i64)> {
@@ -293,6 +316,20 @@ mod tests {
         assert_eq!(Rational::new(Integer::one(), Integer::zero()), None);
         assert_eq!(Rational::ratio(8, 4).to_string(), "2");
         assert_eq!(format!("{number:>6}|{number:06}|{:+}", number.abs()), "  -3/2|-003/2|+3/2");
+    }
+
+    #[test]
+    fn quotients_times_powers_of_ten_are_in_lowest_terms() {
+        for numerator in [0_i128, 1, -75, 640, 10_i128.pow(30), -(1 << 100)] {
+            for denominator in [1_i128, -3, 8, 125, 6_000, 7 * 10_i128.pow(25)] {
+                for exponent in [-40, -3, -1, 0, 2, 17, 45] {
+                    let number = Rational::scaled_quotient(numerator.into(), denominator.into(), exponent);
+                    let quotient = Rational::new(numerator.into(), denominator.into()).unwrap();
+                    assert_eq!(number, Some(quotient * Rational::scientific(1, exponent)));
+                }
+            }
+        }
+        assert_eq!(Rational::scaled_quotient(Integer::one(), Integer::zero(), 3), None);
     }
 
     #[test]

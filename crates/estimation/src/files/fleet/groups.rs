@@ -40,7 +40,7 @@ impl Groups {
     }
 
     /// The rows of a group, from 0, ascending; at least one.
-    pub(super) fn rows(&self, group: usize) -> impl ExactSizeIterator<Item = usize> + '_ {
+    pub(super) fn rows(&self, group: usize) -> impl ExactSizeIterator<Item = usize> + Clone + '_ {
         self.places(group).map(|place| self.order.as_ref().map_or(place, |order| order[place] as usize))
     }
 

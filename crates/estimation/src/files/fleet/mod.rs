@@ -3,8 +3,10 @@
 //! The table is read once. A number takes eight bytes where the text allows it, a row one column of numbers each and the
 //! number of its group; the rows of a group need not be neighbours and are gathered by counting.
 
+mod chains;
 mod groups;
 mod keys;
+mod lane;
 mod series;
 
 use std::io;
@@ -14,7 +16,8 @@ use boundfit_exact::Foreign;
 use boundfit_formats::{Batch, ColumnSelector, InputError, RowNumbers, ScanOptions, Source, scan, threads};
 
 use crate::files::Columns;
-use crate::meaning::Meaning;
+use crate::group_fit::GroupFit;
+use crate::meaning::{ErrorBound, Meaning, Model};
 use crate::measurement::Measurement;
 use crate::measurements::Measurements;
 use groups::Groups;
@@ -127,6 +130,33 @@ impl Fleet {
         let mut meaning = self.meaning.clone();
         meaning.settle(&mut rows);
         Measurements::of_meaning(meaning, rows)
+    }
+
+    /// What a line says of a group under no conditions: [`GroupFit::of`] its fit. `None` where only the fit tells: unless the model
+    /// is a line with an intercept, the numbers are decimals of usual lengths, the error bound is one for all readings and their
+    /// FPS is a polygon. Exact. Cost: O(N log N), a tenth of that of the fit.
+    ///
+    /// # Panics
+    /// When there are not that many groups.
+    pub fn group_fit(&self, group: usize) -> Option<GroupFit> {
+        let Meaning { model, has_response, error_bound, uniform_law, form, multiple_of_least, .. } =
+            &self.meaning;
+        let (Model::Line { .. }, ErrorBound::Uniform(epsilon), [x, y]) =
+            (model, error_bound, self.columns.as_slice())
+        else {
+            return None;
+        };
+        let is_plain = *has_response
+            && uniform_law.is_none()
+            && multiple_of_least.is_none()
+            && !form.through_origin
+            && form.x_origin.is_zero();
+        if !is_plain {
+            return None;
+        }
+        let rows = self.groups.rows(group);
+        let line = lane::group_fit(&x.counts(rows.clone())?, &y.counts(rows.clone())?, epsilon)?;
+        Some(GroupFit { first_row: rows.map(|row| self.rows.get(row)).next(), ..line })
     }
 
     /// Calls `work` for consecutive groups, on the threads of the current rayon pool and in any order, and `take` with

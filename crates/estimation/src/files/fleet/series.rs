@@ -1,6 +1,8 @@
 //! A column of any length in memory: eight bytes per number where the numbers allow it.
 
-use boundfit_exact::{Column, Rational};
+use boundfit_exact::{Column, Rational, Unit};
+
+use super::lane::Counts;
 
 /// How many numbers a segment has. One number that needs more room makes its segment longer, not the whole column, and a
 /// column grows without being moved.
@@ -42,12 +44,33 @@ impl Series {
     pub(super) fn get(&self, index: usize) -> Rational {
         self.segments[index / SEGMENT].get(index % SEGMENT)
     }
+
+    /// Some of the numbers as integers on a power of ten, where they are kept as such, together.
+    pub(super) fn counts(&self, rows: impl ExactSizeIterator<Item = usize> + Clone) -> Option<Counts> {
+        let number = rows.clone().next()? / SEGMENT;
+        let segment = &self.segments[number];
+        let places = rows.map(|row| if row / SEGMENT == number { row % SEGMENT } else { usize::MAX });
+        let (counts, unit): (Option<Vec<i128>>, Unit) = match segment {
+            Column::Narrow(scaled) => {
+                let count = |place: usize| scaled.counts().get(place).copied().map(i128::from);
+                (places.map(count).collect(), scaled.unit())
+            }
+            Column::Wide(scaled) => {
+                (places.map(|place| scaled.counts().get(place).copied()).collect(), scaled.unit())
+            }
+            Column::Long(_) | Column::Doubles(_) | Column::Fractions(_) => return None,
+        };
+        let exponent = match unit {
+            Unit::Any => 0,
+            Unit::TenTo(exponent) => exponent,
+            Unit::OneOver(_) => return None,
+        };
+        Some(Counts { counts: counts?, exponent })
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use boundfit_exact::Unit;
-
     use super::*;
 
     fn scaled(mantissas: &[i64], exponent: i32) -> Column {

@@ -1,0 +1,240 @@
+//! The two hulls of a few readings on integers, and what of a line's FPS follows from them without its vertices.
+//!
+//! A line is in the FPS when it passes above all readings lowered by ε and below all raised by ε: above the upper hull of the
+//! former, and below the lower hull of the latter. Where some line does so with room to spare, exactly two lines touch both hulls:
+//! the steepest one, which touches the upper hull on the left, and the flattest one, which touches it on the right. Their slopes
+//! are the ends of θ1. The largest value at 0 is that of the lower hull where the flattest line touches it left of 0 and the
+//! steepest right of 0; otherwise that of the one of the two whose touching point lies between 0 and where it touches the other
+//! hull (linear programming duality).
+
+use std::cmp::Ordering;
+
+use boundfit_exact::Integer;
+
+/// A reading: x and y, each below 2^[`MOST_BITS`] in absolute value.
+pub(super) type Site = (i128, i128);
+
+/// Coordinates within so many bits leave room for what is computed with them.
+pub(super) const MOST_BITS: u32 = 100;
+
+/// A fraction, not in lowest terms, with a positive denominator.
+pub(super) type Quotient = (Integer, Integer);
+
+/// Lower and upper hull, each from left to right; at least two corners each, and both begin and end at the same x.
+pub(super) struct Chains {
+    lower: Vec<Site>,
+    upper: Vec<Site>,
+}
+
+/// The ends of both parameters of the lines within an error bound.
+pub(super) struct Ends {
+    pub(super) lower: [Quotient; 2],
+    pub(super) upper: [Quotient; 2],
+}
+
+impl Chains {
+    /// The hulls of readings sorted by x, then y; `None` of those at fewer than two x. Exact. Cost: linear.
+    pub(super) fn of_sorted(sorted: &[Site]) -> Option<Self> {
+        let (first, last) = (sorted.first()?, sorted.last()?);
+        if first.0 == last.0 {
+            return None;
+        }
+        let mut chains = Chains { lower: Vec::new(), upper: Vec::new() };
+        for &site in sorted {
+            // Of several at one x the lowest comes first, and the highest last.
+            if chains.lower.last().is_none_or(|last| last.0 < site.0) {
+                push(&mut chains.lower, site, Ordering::Less);
+            }
+            if chains.upper.last().is_some_and(|last| last.0 == site.0) {
+                chains.upper.pop();
+            }
+            push(&mut chains.upper, site, Ordering::Greater);
+        }
+        Some(chains)
+    }
+
+    /// The largest vertical distance between the hulls: twice ε_min. Exact.
+    pub(super) fn gap(&self) -> Quotient {
+        let (lower, upper) = (&self.lower, &self.upper);
+        let (mut below, mut above) = (0, 0);
+        // The distance is concave in x: it grows until the upper hull is no steeper than the lower one.
+        while let (Some(&low), Some(&high)) = (lower.get(below + 1), upper.get(above + 1))
+            && by_slope(upper[above], high, lower[below], low) == Ordering::Greater
+        {
+            below += usize::from(low.0 <= high.0);
+            above += usize::from(high.0 <= low.0);
+        }
+        let edge = |chain: &[Site], at: usize| [chain[at], *chain.get(at + 1).unwrap_or(&chain[at])];
+        if upper[above].0 >= lower[below].0 {
+            distance(upper[above], edge(lower, below))
+        } else {
+            let (numerator, denominator) = distance(lower[below], edge(upper, above));
+            (-numerator, denominator)
+        }
+    }
+
+    /// The ends of θ1 and θ2 of the lines within this distance of every reading, which must be more than half of the gap. Exact.
+    pub(super) fn ends(mut self, epsilon: i128) -> Ends {
+        self.lower.iter_mut().for_each(|site| site.1 += epsilon);
+        self.upper.iter_mut().for_each(|site| site.1 -= epsilon);
+        let (steepest, flattest) = (self.steepest(), self.flattest());
+        let [(floor_left, ceiling_right), (floor_right, ceiling_left)] = [steepest, flattest];
+        let (floor, ceiling) = (&self.upper, &self.lower);
+        let steepest = [floor[floor_left], ceiling[ceiling_right]];
+        let flattest = [ceiling[ceiling_left], floor[floor_right]];
+        let highest = if flattest[0].0 >= 0 {
+            at_zero(flattest)
+        } else if steepest[1].0 <= 0 {
+            at_zero(steepest)
+        } else {
+            at_zero(across_zero(&ceiling[ceiling_left..=ceiling_right]))
+        };
+        let lowest = if steepest[0].0 >= 0 {
+            at_zero(steepest)
+        } else if flattest[1].0 <= 0 {
+            at_zero(flattest)
+        } else {
+            at_zero(across_zero(&floor[floor_left..=floor_right]))
+        };
+        Ends { lower: [slope(flattest), lowest], upper: [slope(steepest), highest] }
+    }
+
+    /// The steepest line above the upper and below the lower hull, as the corners of each, in this order, that it touches.
+    ///
+    /// Of the lines through a corner of each, the former left of the latter, it is the flattest. One that is so among those
+    /// through either of its corners leaves no corner of a hull on the wrong side: those beyond the other's corner lie on the side
+    /// of a line that keeps clear of both.
+    fn steepest(&self) -> (usize, usize) {
+        let (floor, ceiling) = (&self.upper, &self.lower);
+        let (mut left, mut right) = (0, ceiling.len() - 1);
+        loop {
+            let before = (left, right);
+            for (at, site) in ceiling.iter().enumerate().filter(|(_, site)| site.0 > floor[left].0) {
+                if by_slope(floor[left], *site, floor[left], ceiling[right]) == Ordering::Less {
+                    right = at;
+                }
+            }
+            for (at, site) in floor.iter().enumerate().filter(|(_, site)| site.0 < ceiling[right].0) {
+                if by_slope(*site, ceiling[right], floor[left], ceiling[right]) == Ordering::Less {
+                    left = at;
+                }
+            }
+            if before == (left, right) {
+                return (left, right);
+            }
+        }
+    }
+
+    /// The flattest line above the upper and below the lower hull, as the corners of each, in this order, that it touches.
+    fn flattest(&self) -> (usize, usize) {
+        let (floor, ceiling) = (&self.upper, &self.lower);
+        let (mut left, mut right) = (0, floor.len() - 1);
+        loop {
+            let before = (left, right);
+            for (at, site) in floor.iter().enumerate().filter(|(_, site)| site.0 > ceiling[left].0) {
+                if by_slope(ceiling[left], *site, ceiling[left], floor[right]) == Ordering::Greater {
+                    right = at;
+                }
+            }
+            for (at, site) in ceiling.iter().enumerate().filter(|(_, site)| site.0 < floor[right].0) {
+                if by_slope(*site, floor[right], ceiling[left], floor[right]) == Ordering::Greater {
+                    left = at;
+                }
+            }
+            if before == (left, right) {
+                return (right, left);
+            }
+        }
+    }
+}
+
+/// Adds a corner; those before it go that do not turn this way.
+fn push(chain: &mut Vec<Site>, site: Site, turn: Ordering) {
+    while let [.., before, last] = chain.as_slice()
+        && by_slope(*before, *last, *before, site) != turn
+    {
+        chain.pop();
+    }
+    chain.push(site);
+}
+
+/// Compares the slopes from one site to another that is right of it.
+#[inline]
+fn by_slope(from: Site, to: Site, other_from: Site, other_to: Site) -> Ordering {
+    let (run, rise) = (to.0 - from.0, to.1 - from.1);
+    let (other_run, other_rise) = (other_to.0 - other_from.0, other_to.1 - other_from.1);
+    compare_products([rise, other_run], [other_rise, run])
+}
+
+/// Compares two products of integers below 2¹²⁷ in absolute value. Exact.
+#[inline]
+fn compare_products(left: [i128; 2], right: [i128; 2]) -> Ordering {
+    let short = |[a, b]: [i128; 2]| Some((i64::try_from(a).ok()?, i64::try_from(b).ok()?));
+    if let (Some((a, b)), Some((c, d))) = (short(left), short(right)) {
+        return (i128::from(a) * i128::from(b)).cmp(&(i128::from(c) * i128::from(d)));
+    }
+    let sign = |[a, b]: [i128; 2]| a.signum() * b.signum();
+    sign(left).cmp(&sign(right)).then_with(|| {
+        let order = long_product(left).cmp(&long_product(right));
+        if sign(left) < 0 { order.reverse() } else { order }
+    })
+}
+
+/// The absolute value of a product of integers below 2¹²⁷, its high 128 bits first.
+#[inline]
+fn long_product([left, right]: [i128; 2]) -> (u128, u128) {
+    let halves = |value: i128| (value.unsigned_abs() >> 64, value.unsigned_abs() & u128::from(u64::MAX));
+    let ((a, b), (c, d)) = (halves(left), halves(right));
+    // The high halves are below 2⁶³, so that their products with others leave room for a carry.
+    let low = b * d;
+    let middle = a * d + b * c + (low >> 64);
+    (a * c + (middle >> 64), middle << 64 | (low & u128::from(u64::MAX)))
+}
+
+/// By how much a site is above the line through two others, or above the one that both are.
+fn distance(site: Site, [left, right]: [Site; 2]) -> Quotient {
+    let run = right.0 - left.0;
+    if run == 0 {
+        return (Integer::from(site.1 - left.1), Integer::one());
+    }
+    let product = |a: i128, b: i128| Integer::from(a) * Integer::from(b);
+    (product(site.1 - left.1, run) - product(right.1 - left.1, site.0 - left.0), Integer::from(run))
+}
+
+/// The slope of the line through two sites from left to right.
+fn slope([left, right]: [Site; 2]) -> Quotient {
+    (Integer::from(right.1 - left.1), Integer::from(right.0 - left.0))
+}
+
+/// The value at 0 of the line through two sites from left to right.
+fn at_zero([left, right]: [Site; 2]) -> Quotient {
+    let product = |a: i128, b: i128| Integer::from(a) * Integer::from(b);
+    (product(left.1, right.0) - product(right.1, left.0), Integer::from(right.0 - left.0))
+}
+
+/// The edge of a chain that goes from the left of 0 to its right, or to 0.
+fn across_zero(chain: &[Site]) -> [Site; 2] {
+    let right = chain.iter().position(|site| site.0 >= 0).unwrap_or(chain.len() - 1).max(1);
+    [chain[right - 1], chain[right]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_products_compare_like_long_integers() {
+        let edges = [0, 1, -1, 7, i128::from(u64::MAX), 1 << 64, -(1 << 90) - 1, (1 << 126) + 3, i128::MAX];
+        let of = |[a, b]: [i128; 2]| Integer::from(a) * Integer::from(b);
+        for a in edges {
+            for b in edges {
+                for c in edges {
+                    let (left, right) = ([a, b], [c, a]);
+                    assert_eq!(compare_products(left, right), of(left).cmp(&of(right)), "{left:?} {right:?}");
+                    let right = [c, b ^ 5];
+                    assert_eq!(compare_products(left, right), of(left).cmp(&of(right)), "{left:?} {right:?}");
+                }
+            }
+        }
+    }
+}

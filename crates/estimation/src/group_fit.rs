@@ -1,0 +1,42 @@
+//! What a fleet says of a group in one line.
+
+use boundfit_exact::{Interval, Rational};
+use boundfit_geometry::RegionKind;
+
+use crate::bounds::{Central, ParameterInterval};
+use crate::fit::Fit;
+use crate::problem::Problem;
+
+/// The parts of a fit that are a line of a table: numbers without their proofs.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct GroupFit {
+    /// How many readings there are.
+    pub rows: usize,
+    /// The row of the first of them in the file.
+    pub first_row: Option<usize>,
+    /// Which kind of set the FPS is.
+    pub kind: RegionKind,
+    /// The parameter uncertainty intervals; `None` when the FPS is empty.
+    pub pui: Option<[Interval; 2]>,
+    /// The central estimate; `None` unless both intervals are bounded.
+    pub central: Option<Central>,
+    /// The least-squares estimate, if there is one.
+    pub least_squares: Option<[Rational; 2]>,
+    /// ε_min, or the least factor where every reading has its own error bound; `None` when none leaves anything.
+    pub least: Option<Rational>,
+}
+
+impl GroupFit {
+    /// These parts of a fit.
+    pub fn of(problem: &Problem, fit: &Fit) -> Self {
+        GroupFit {
+            rows: problem.measurements.fitted(),
+            first_row: problem.measurements.kept().first().map(|measurement| measurement.row),
+            kind: fit.fps.polyhedron().region().kind(),
+            pui: fit.pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval)),
+            central: fit.central.clone(),
+            least_squares: fit.least_squares.as_ref().ok().map(|estimate| estimate.theta.clone()),
+            least: fit.minimax.as_ref().map(|minimax| minimax.least.clone()),
+        }
+    }
+}
