@@ -166,7 +166,7 @@ impl Meaning {
             return Ok(form(Sums::of_columns(&columns[0], second, &columns[regressors])));
         }
         if let Some(Halves { middles, .. }) = Halves::of_columns(self, columns) {
-            return Ok(form(Sums::of_columns(&columns[0], second, &Column::Narrow(middles))));
+            return Ok(form(Sums::of_columns(&columns[0], second, &middles)));
         }
         let value = |row: usize| self.of_columns(columns, row, 0).value().map(Cow::into_owned);
         let values: Option<Column> = (0..columns[0].len()).map(value).collect();

@@ -2,6 +2,7 @@
 //! against fits of all readings in memory.
 
 use std::fs;
+use std::ops::{Range, RangeInclusive};
 use std::path::Path;
 
 use boundfit_estimation::{
@@ -40,15 +41,32 @@ fn number(rng: &mut ChaCha8Rng, units: i64, style: u32) -> String {
         1 => Rational::ratio(units, 8).to_string(),
         2 => format!("{}e-3", units * 125),
         3 => format!("{}.{:018}", units, rng.random_range(0..3_u64)),
-        _ => format!("{}", units as f64 / 3.0),
+        4 => format!("{}", units as f64 / 3.0),
+        5 => format!("{}.{:016}", units, rng.random_range(0..10_u64.pow(16))),
+        6 => format!("{}.{1:018}{1:017}{1:018}", units, rng.random_range(0..10_u64.pow(17))),
+        _ => {
+            format!("{}.{:05}e{}", units, rng.random_range(0..20_000), [-170, 0, 160][rng.random_range(0..3)])
+        }
     }
 }
 
+/// How numbers are written of which columns of integers hold many.
+const SHORT: Range<u32> = 0..5;
+/// Numbers of 17 and 53 digits, of which no two are alike.
+const LONG: Range<u32> = 5..7;
+/// Those, and numbers so far from 1 that a filter by floats may not tell them.
+const FAR: Range<u32> = 5..8;
+
 impl Case {
-    pub(crate) fn random(rng: &mut ChaCha8Rng, rows: std::ops::RangeInclusive<usize>) -> Self {
+    pub(crate) fn random(rng: &mut ChaCha8Rng, rows: RangeInclusive<usize>) -> Self {
+        Case::written(rng, rows, SHORT)
+    }
+
+    /// With numbers written in one of these styles.
+    fn written(rng: &mut ChaCha8Rng, rows: RangeInclusive<usize>, styles: Range<u32>) -> Self {
         let is_line = rng.random_bool(0.5);
         let kind = rng.random_range(0..6);
-        let style = rng.random_range(0..5);
+        let style = rng.random_range(styles);
         let size = [1, 2, 5, 40][rng.random_range(0..4)];
         let noise = [0, 1, 3, 30][rng.random_range(0..4)];
         let widest = [0, 1, 3, 60][rng.random_range(0..4)];
@@ -258,7 +276,8 @@ fn counts(text: &str) -> Vec<usize> {
 fn compare(
     rounds: usize,
     seed: u64,
-    rows: std::ops::RangeInclusive<usize>,
+    rows: RangeInclusive<usize>,
+    styles: Range<u32>,
     chunks: [usize; 3],
 ) -> Vec<RegionKind> {
     let (mut rng, mut order) = (seeded(seed), seeded(seed + 1000));
@@ -267,7 +286,7 @@ fn compare(
     let path = directory.path().join("table.csv");
     let mut kinds = Vec::new();
     for round in 0..rounds {
-        let case = Case::random(&mut rng, rows.clone());
+        let case = Case::written(&mut rng, rows.clone(), styles.clone());
         fs::write(&path, &case.text).unwrap();
         let whole = case.whole();
         kinds.push(whole.1.fps.polyhedron().region().kind());
@@ -292,7 +311,7 @@ fn compare(
 
 #[test]
 fn bounds_per_row_and_two_regressors_stream_for_any_parts_and_threads() {
-    let kinds = compare(1500, 61, 1..=30, [1, 7, 4096]);
+    let kinds = compare(1500, 61, 1..=30, SHORT, [1, 7, 4096]);
     for kind in RegionKind::ALL {
         let count = kinds.iter().filter(|own| **own == kind).count();
         let is_rare = matches!(kind, RegionKind::Plane | RegionKind::HalfPlane | RegionKind::Ray);
@@ -302,5 +321,12 @@ fn bounds_per_row_and_two_regressors_stream_for_any_parts_and_threads() {
 
 #[test]
 fn long_tables_stream_through_sieves() {
-    compare(20, 62, 2_000..=4_000, [20_000, 7_000, 4096]);
+    compare(20, 62, 2_000..=4_000, SHORT, [20_000, 7_000, 4096]);
+}
+
+/// Columns of integers of 128 bits, of words, and of what is no float: all of them take other ways through sieves and sums.
+#[test]
+fn long_and_far_numbers_stream_as_short_ones_do() {
+    compare(300, 63, 1..=30, FAR, [1, 7, 4096]);
+    compare(12, 64, 1_000..=2_000, LONG, [50_000, 20_000, 4096]);
 }

@@ -73,6 +73,9 @@ impl Columns {
         let sides = usize::from(lower.is_some()) + usize::from(upper.is_some());
         // Behind each bound stands whether it is there.
         let presences: Vec<&Column> = batch.columns.iter().rev().step_by(2).take(sides).collect();
+        if presences.iter().any(|presence| !presence.has_zero()) {
+            return None;
+        }
         let is_unbounded = |&k: &usize| presences.iter().all(|presence| presence.get(k).is_zero());
         (0..batch.rows.len()).find(is_unbounded).map(|k| batch.rows.get(k))
     }

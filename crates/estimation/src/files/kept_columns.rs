@@ -72,10 +72,7 @@ impl StoredColumn {
     fn column(&self) -> Column {
         match self {
             StoredColumn::Any(column) => column.clone(),
-            StoredColumn::Offsets { unit, base, offsets } => {
-                let count = |offset: &u32| i128::from(*base) + i128::from(*offset);
-                Column::of_counts(offsets.iter().map(count), *unit)
-            }
+            StoredColumn::Offsets { unit, base, offsets } => Column::of_offsets(*base, offsets, *unit),
         }
     }
 

@@ -7,6 +7,7 @@ use boundfit_formats::{
 
 use super::kept_columns::{KeptColumns, KeptPart};
 use crate::condition::Condition;
+use crate::least_squares::LeastSquares;
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
 use crate::minimax::Minimax;
@@ -70,36 +71,33 @@ impl Looks<'_> {
         if is_same { Ok(()) } else { Err(InputError::of_file(path, InputErrorKind::Changed)) }
     }
 
-    /// How far least squares may move. One look.
-    pub(super) fn reach(&self, meaning: &Meaning, sums: &Sums) -> Result<Result<Reach, NoEui>, InputError> {
-        let weights = Weights::new(sums);
-        let mut total = Ok(SignedSums::default());
-        let work =
-            |columns: &[Column], rows: &RowNumbers| weights.of_columns(meaning, columns, &|k| rows.get(k));
-        self.look(work, |part| {
-            let so_far = std::mem::replace(&mut total, Err(NoEui::NotAsked));
-            total = merged_or_reason(so_far, part);
-        })?;
-        Ok(total.map(|total| weights.reach(meaning, total)))
-    }
-
-    /// The first of the readings that the least-squares estimate misses most, or else comes nearest to missing. One look.
-    pub(super) fn tightest(
+    /// How far least squares may move, and the first of the readings that the estimate misses most, or else comes nearest to
+    /// missing. One look.
+    pub(super) fn reach_and_tightest(
         &self,
         meaning: &Meaning,
-        theta: &[Rational; 2],
-    ) -> Result<Option<Measurement>, InputError> {
+        sums: &Sums,
+    ) -> Result<(Result<Reach, NoEui>, Option<Measurement>), InputError> {
+        let weights = Weights::new(sums);
+        let theta = LeastSquares::theta_of(sums);
         let bounds = FixedBounds::new(meaning, &Scale::AsStated, 1);
+        let mut total = Ok(SignedSums::default());
         let mut tightest: Option<(Rational, Measurement)> = None;
-        let work = |columns: &[Column], rows: &RowNumbers| bounds.tightest(columns, &|k| rows.get(k), theta);
-        self.look(work, |part| {
+        let work = |columns: &[Column], rows: &RowNumbers| {
+            let number = |k| rows.get(k);
+            let tightest = theta.as_ref().and_then(|theta| bounds.tightest(columns, &number, theta));
+            (weights.of_columns(meaning, columns, &number), tightest)
+        };
+        self.look(work, |(sums, part)| {
+            let so_far = std::mem::replace(&mut total, Err(NoEui::NotAsked));
+            total = merged_or_reason(so_far, sums);
             let is_tighter =
                 |(slack, _): &(Rational, _)| tightest.as_ref().is_none_or(|(least, _)| slack < least);
             if let Some(part) = part.filter(is_tighter) {
                 tightest = Some(part);
             }
         })?;
-        Ok(tightest.map(|(_, reading)| reading))
+        Ok((total.map(|total| weights.reach(meaning, total)), tightest.map(|(_, reading)| reading)))
     }
 
     /// The readings that decide the least factor on the error bounds, from some that may not: those that touch at the least
@@ -114,7 +112,7 @@ impl Looks<'_> {
         let mut known = some.to_vec();
         loop {
             let Some(scale) = Minimax::least_scale(&known, meaning, conditions) else { return Ok(known) };
-            let bounds = FixedBounds::new(meaning, &scale, 1);
+            let bounds = FixedBounds::new(meaning, &scale, 1).knowing(&known);
             let mut support = FixedSupport::default();
             let work = |columns: &[Column], rows: &RowNumbers| {
                 (rows.len(), bounds.of_columns(columns, &|k| rows.get(k)))

@@ -14,7 +14,6 @@ use super::looks::Looks;
 use super::outline::Outline;
 use super::stated::{Stated, asked_by_fit, counts_of, refuse_late};
 use crate::condition::Condition;
-use crate::least_squares::LeastSquares;
 use crate::line_form::LineForm;
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
@@ -207,12 +206,11 @@ impl Measurements {
                     (Err(NoEui::TooManyOnce), DecidingMinimax::Unknown(NoMinimax::TooManyOnce))
                 } else {
                     let own = looks.deciding_minimax(&meaning, conditions, &rows)?;
-                    let reach = match &sums {
-                        Ok(sums) => looks.reach(&meaning, sums)?,
-                        Err(_) => Err(NoEui::NotAsked),
+                    let (reach, tightest) = match &sums {
+                        Ok(sums) => looks.reach_and_tightest(&meaning, sums)?,
+                        Err(_) => (Err(NoEui::NotAsked), None),
                     };
-                    if let Some(theta) = sums.as_ref().ok().and_then(LeastSquares::theta_of)
-                        && let Some(tightest) = looks.tightest(&meaning, &theta)?
+                    if let Some(tightest) = tightest
                         && let Err(place) = rows.binary_search_by_key(&tightest.row, |reading| reading.row)
                     {
                         rows.insert(place, tightest);

@@ -2,13 +2,13 @@
 
 use std::collections::hash_map::Entry;
 use std::collections::{BTreeMap, HashMap};
-use std::sync::RwLock;
+use std::sync::{Arc, RwLock};
 
 use boundfit_exact::{Column, Rational};
 use boundfit_geometry::grid::{EnvelopeSieve, in_range};
 use boundfit_geometry::{Constraint, HalfPlane, Inequality, Tally, touching_an_envelope};
 
-use super::rounded::{RoundedReadings, may_be_tightest};
+use super::rounded::{may_be_tightest, rounded_strips};
 use super::scale::Scale;
 use super::sums::Sums;
 use crate::least_squares::NoLeastSquares;
@@ -18,10 +18,8 @@ use crate::ties::{TiedReading, Ties};
 
 /// Merging waits for at least this many new rows, so that small parts do not each pay for the whole.
 const LEAST_TO_MERGE: usize = 1024;
-/// From so many rows on, a part without a sieve makes one from some of its own.
-const LEAST_TO_SIEVE: usize = 256;
-/// Of so many rows one may pass a sieve; with more, another one is made from the rows themselves.
-const RARE: usize = 16;
+/// From so many rows on that no sieve has discarded, another one is made from some of these.
+const LEAST_TO_SIEVE: usize = 128;
 
 /// Of readings, those with a bound that touches an envelope, by row, and of several that say the same only the first: they decide
 /// the feasible set, whatever other readings and conditions there are. They depend on the readings alone, not on how these
@@ -72,7 +70,13 @@ fn told_once(mut readings: Vec<TiedReading>, most: usize) -> Vec<TiedReading> {
 
 /// What is known of all readings, for those to come; all threads use it.
 #[derive(Default)]
-pub(crate) struct SharedEnvelopeSieve(RwLock<Option<(EnvelopeSieve, usize)>>);
+pub(crate) struct SharedEnvelopeSieve(RwLock<Option<(Arc<EnvelopeSieve>, usize)>>);
+
+impl SharedEnvelopeSieve {
+    fn get(&self) -> Option<Arc<EnvelopeSieve>> {
+        self.0.read().ok()?.as_ref().map(|(sieve, _)| Arc::clone(sieve))
+    }
+}
 
 /// What is to be kept of which readings.
 pub(crate) struct FixedBounds<'a> {
@@ -86,6 +90,19 @@ pub(crate) struct FixedBounds<'a> {
 impl<'a> FixedBounds<'a> {
     pub(crate) fn new(meaning: &'a Meaning, scale: &'a Scale, most_listed: usize) -> Self {
         FixedBounds { meaning, scale, sieve: SharedEnvelopeSieve::default(), most_listed }
+    }
+
+    /// Lets the sieve start with what some of the readings say at this scale.
+    #[cfg(feature = "files")]
+    pub(crate) fn knowing(self, some: &[Measurement]) -> Self {
+        /// So many that no part is more than twice as many: what is known is better than what a part says.
+        const MANY: usize = usize::MAX / 2;
+        /// More would take longer to look at than they are worth.
+        const ENOUGH: usize = 1024;
+        let distance = some.len().div_ceil(ENOUGH).max(1);
+        let some = some.iter().step_by(distance).cloned().map(TiedReading::alone).collect();
+        let sieve = Arc::new(self.sieve_of(&touching(some, self.scale, 1)));
+        FixedBounds { sieve: SharedEnvelopeSieve(RwLock::new(Some((sieve, MANY)))), ..self }
     }
 
     /// What is to be kept of readings in columns, as far as the readings before leave it open. Exact.
@@ -102,26 +119,30 @@ impl<'a> FixedBounds<'a> {
         let count = columns.first().map_or(0, Column::len);
         let reading = |row: usize| self.meaning.of_columns(columns, row, number(row));
         let tied = |row: usize| TiedReading::alone(reading(row));
-        let rounded = RoundedReadings::new(self.meaning, self.scale, columns);
-        let survivors = |sieve: &EnvelopeSieve| -> Vec<usize> {
-            let passes = |row: &usize| {
-                let strip = rounded.strip(*row, self.scale, || reading(*row));
-                !sieve.discards(&strip, || reading(*row).regressor)
-            };
-            (0..count).filter(passes).collect()
+        let strips = rounded_strips(self.meaning, self.scale, columns, reading);
+        let exact = |row: usize| reading(row).regressor;
+        let mut left = match self.sieve.get() {
+            Some(sieve) => sieve.survivors(&strips, exact),
+            None => (0..count).collect(),
         };
-        let shared = || {
-            let current = self.sieve.0.read().ok()?;
-            let left = survivors(&current.as_ref()?.0);
-            (left.len() * RARE <= count).then_some(left)
-        };
-        let own = || {
+        // Another round has a better sample.
+        while left.len() >= LEAST_TO_SIEVE {
             // About the square root of all rows, at equal distances.
-            let some = (0..count).step_by(count.isqrt().max(1)).map(tied).collect();
-            survivors(&self.sieve_of(&touching(some, self.scale, 1)))
-        };
-        let left =
-            shared().unwrap_or_else(|| if count < LEAST_TO_SIEVE { (0..count).collect() } else { own() });
+            let some = left.iter().step_by(left.len().isqrt()).map(|&row| tied(row)).collect();
+            let sieve = self.sieve_of(&touching(some, self.scale, 1));
+            let kept: Vec<usize> = match left.len() == count {
+                true => sieve.survivors(&strips, exact),
+                false => {
+                    let passes = |row: &usize| !sieve.discards(&strips.strip(*row), || exact(*row));
+                    left.iter().copied().filter(passes).collect()
+                }
+            };
+            let is_enough = 2 * kept.len() > left.len();
+            left = kept;
+            if is_enough {
+                break;
+            }
+        }
         touching(left.into_iter().map(tied).collect(), self.scale, self.most_listed)
     }
 
@@ -133,16 +154,15 @@ impl<'a> FixedBounds<'a> {
         number: &dyn Fn(usize) -> usize,
         theta: &[Rational; 2],
     ) -> Option<(Rational, Measurement)> {
-        let count = columns.first().map_or(0, Column::len);
         let reading = |row: usize| self.meaning.of_columns(columns, row, number(row));
-        let rounded = RoundedReadings::new(self.meaning, self.scale, columns);
+        let strips = rounded_strips(self.meaning, self.scale, columns, reading);
         let point = theta.each_ref().map(|number| in_range(number.to_f64()));
         let with_slack = |row: usize| {
             let reading = reading(row);
             let slack = self.scale.half_planes(&reading).map(|own| own.slack(theta)).min()?;
             Some((slack, reading))
         };
-        let candidates = may_be_tightest(&rounded, count, point, reading).into_iter().filter_map(with_slack);
+        let candidates = may_be_tightest(&strips, point).into_iter().filter_map(with_slack);
         candidates.reduce(|best, next| if next.0 < best.0 { next } else { best })
     }
 
@@ -165,7 +185,7 @@ impl<'a> FixedBounds<'a> {
             support.settle(self);
             let sieve = self.sieve_of(&support.merged);
             if let Ok(mut current) = self.sieve.0.write() {
-                *current = Some((sieve, support.rows));
+                *current = Some((Arc::new(sieve), support.rows));
             }
         }
     }

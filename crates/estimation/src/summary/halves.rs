@@ -1,34 +1,28 @@
-//! Middles and half widths of intervals in columns, on machine integers.
+//! Middles and half widths of intervals in columns.
 
-use boundfit_exact::{Column, Scaled, Unit};
+use boundfit_exact::{Column, Unit};
 
 use crate::meaning::{ErrorBound, Meaning};
 
-/// Middles and half widths of readings that all have both bounds, as so many units each.
+/// Middles and half widths of readings that all have both bounds.
 pub(crate) struct Halves {
-    pub(crate) middles: Scaled<i64>,
+    pub(crate) middles: Column,
     /// Negative where the bounds cross.
-    pub(crate) widths: Scaled<i64>,
+    pub(crate) widths: Column,
 }
 
 impl Halves {
-    /// Of readings in columns; `None` where a bound is missing, where bounds are no intervals, and where the numbers do not fit.
+    /// Of readings in columns; `None` where a bound is missing, where bounds are no intervals, and where 128 bits do not hold them.
     /// Exact. Cost: linear.
     pub(crate) fn of_columns(meaning: &Meaning, columns: &[Column]) -> Option<Self> {
         let ErrorBound::Interval { lower: Some(_), upper: Some(_) } = &meaning.error_bound else {
             return None;
         };
-        let [.., Column::Narrow(lower), has_lower, Column::Narrow(upper), has_upper] = columns else {
-            return None;
-        };
-        let is_there = |presence: &Column| match presence {
-            Column::Narrow(presence) => presence.counts().iter().all(|&count| count != 0),
-            Column::Doubles(presence) => presence.iter().all(|&double| double != 0.0),
-            _ => false,
-        };
-        if !is_there(has_lower) || !is_there(has_upper) {
+        let [.., lower, has_lower, upper, has_upper] = columns else { return None };
+        if has_lower.has_zero() || has_upper.has_zero() {
             return None;
         }
+        let (lower, upper) = (lower.wide()?, upper.wide()?);
         let common = lower.unit().common(upper.unit())?;
         // Half of the common unit, and how often it goes into that.
         let (unit, times) = match common {
@@ -36,16 +30,15 @@ impl Halves {
             Unit::TenTo(exponent) => (Unit::TenTo(exponent.checked_sub(1)?), 5),
             Unit::OneOver(denominator) => (Unit::OneOver(denominator.checked_mul(2)?), 1),
         };
-        let factor =
-            |own: &Scaled<i64>| i64::try_from(own.unit().counted_in(common)?.checked_mul(times)?).ok();
-        let (of_lower, of_upper) = (factor(lower)?, factor(upper)?);
-        let pairs = || lower.counts().iter().zip(upper.counts());
+        let factor = |own: Unit| own.counted_in(common)?.checked_mul(times);
+        let (of_lower, of_upper) = (factor(lower.unit())?, factor(upper.unit())?);
         let halves = |sign: i128| {
-            // Products of two words, of which no two overflow together.
-            let half = move |(&lower, &upper): (&i64, &i64)| {
-                i128::from(upper) * i128::from(of_upper) + sign * i128::from(lower) * i128::from(of_lower)
+            let half = |(&lower, &upper): (&i128, &i128)| {
+                let lower = i128::checked_mul(lower, of_lower)?.checked_mul(sign)?;
+                i128::checked_mul(upper, of_upper)?.checked_add(lower)
             };
-            Scaled::new(pairs().map(half), unit)
+            let halves: Option<Vec<i128>> = lower.counts().iter().zip(upper.counts()).map(half).collect();
+            Some(Column::of_counts(halves?.into_iter(), unit))
         };
         Some(Halves { middles: halves(1)?, widths: halves(-1)? })
     }

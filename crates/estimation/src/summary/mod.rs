@@ -12,6 +12,8 @@ mod fixed;
 mod halves;
 mod in_memory;
 #[cfg(feature = "files")]
+mod products;
+#[cfg(feature = "files")]
 mod reach;
 #[cfg(feature = "files")]
 mod rounded;

@@ -1,10 +1,13 @@
 //! How far least squares may move, for readings whose error bounds differ or whose regressors are two: only known when all
 //! readings have been seen.
 
-use boundfit_exact::{Column, Integer, Rational, Scaled, Sum};
+use boundfit_exact::{Column, Rational, Sum};
+use boundfit_geometry::grid::in_range;
 
 use super::halves::Halves;
-use super::sums::Sums;
+use super::products::product_sum;
+use super::rounded::floats;
+use super::sums::{Sums, column_total};
 use super::{NoEui, Reach};
 use crate::meaning::Meaning;
 
@@ -45,7 +48,7 @@ impl Weights {
         Weights([[vv.clone(), -uv], [-uv, uu.clone()], [Rational::one(), Rational::zero()]])
     }
 
-    /// What readings in columns add. Exact. Cost: linear, on machine integers where they fit.
+    /// What readings in columns add. Exact. Cost: linear, on whole columns where these say it all.
     ///
     /// # Errors
     /// When a reading has no bound on its error.
@@ -55,7 +58,7 @@ impl Weights {
         columns: &[Column],
         number: &dyn Fn(usize) -> usize,
     ) -> Result<SignedSums, NoEui> {
-        if let Some(sums) = self.on_integers(meaning, columns) {
+        if let Some(sums) = self.by_columns(meaning, columns) {
             return sums;
         }
         let mut sums = [(); 4].map(|()| [(); 2].map(|()| Sum::default()));
@@ -93,80 +96,96 @@ impl Weights {
         Reach { radii, absolute, middles: (!meaning.is_around_y()).then_some(middles) }
     }
 
-    /// The sums on machine integers; `None` where these might not hold them.
-    fn on_integers(&self, meaning: &Meaning, columns: &[Column]) -> Option<Result<SignedSums, NoEui>> {
-        let scaled = |index: usize| match columns.get(index) {
-            Some(Column::Narrow(scaled)) => Some(scaled),
-            _ => None,
-        };
+    /// The sums over whole columns; `None` where these do not say what a reading is.
+    fn by_columns(&self, meaning: &Meaning, columns: &[Column]) -> Option<Result<SignedSums, NoEui>> {
         if !meaning.form.x_origin.is_zero() {
             return None;
         }
         let regressors = meaning.regressors();
-        let u = scaled(0)?;
-        let v = if regressors == 2 { Some(scaled(1)?) } else { None };
+        let phi = Phi::new(columns.first()?, if regressors == 2 { Some(columns.get(1)?) } else { None });
         if !meaning.is_around_y() {
             let Halves { middles, widths } = Halves::of_columns(meaning, columns)?;
-            if widths.counts().iter().any(|&width| width < 0) {
+            if widths.first_negative().is_some() {
                 return Some(Err(NoEui::Crossing));
             }
-            let [first, second, own] = self.signed(u, v, Some(&widths), &Rational::one())?;
-            let middles = [Some(u), v].map(|own| products(own, &middles));
-            let [Some(of_u), Some(of_v)] = middles else { return None };
-            return Some(Ok(SignedSums([first, second, own, [of_u, of_v]])));
+            let [first, second, own] = self.signed(&phi, Some(&widths));
+            return Some(Ok(SignedSums([first, second, own, phi.products(&middles)])));
         }
-        let (epsilon, uniform) = match meaning.error_bound.uniform() {
-            Some(uniform) => (None, uniform.clone()),
-            None => (Some(scaled(regressors + 1)?), Rational::one()),
+        let sums = match meaning.error_bound.uniform() {
+            Some(uniform) => self.signed(&phi, None).map(|pair| pair.map(|sum| sum * uniform)),
+            None => self.signed(&phi, Some(columns.get(regressors + 1)?)),
         };
-        let [first, second, own] = self.signed(u, v, epsilon, &uniform)?;
+        let [first, second, own] = sums;
         Some(Ok(SignedSums([first, second, own, <[Rational; 2]>::default()])))
     }
 
-    /// Σ ±u·ε and Σ ±v·ε with each sign, where a missing v is 1 and a missing ε the number for all.
-    fn signed(
-        &self,
-        u: &Scaled<i64>,
-        v: Option<&Scaled<i64>>,
-        epsilon: Option<&Scaled<i64>>,
-        uniform: &Rational,
-    ) -> Option<[[Rational; 2]; 3]> {
-        let (u_unit, v_unit, epsilon_unit) = (u.unit().value(), unit(v), unit(epsilon) * uniform);
-        let count = |column: Option<&Scaled<i64>>, row: usize| column.map_or(1, |own| own.counts()[row]);
-        let sums = |[p, q]: &[Rational; 2]| {
-            // Only the sign of a weight matters.
-            let ([p, q], _) = Rational::over_common_denominator([&(p * &u_unit), &(q * &v_unit)]);
-            let divisor = p.gcd(&q);
-            let [p, q] = [p, q].map(|own| if divisor.is_zero() { own } else { own.quotient(&divisor) });
-            let (p, q) = (p.to_i128()?, q.to_i128()?);
-            let (mut sum_u, mut sum_v) = (0_i128, 0_i128);
-            for (row, &u) in u.counts().iter().enumerate() {
-                let (v, epsilon) = (count(v, row), count(epsilon, row));
-                let weight = p.checked_mul(u.into())?.checked_add(q.checked_mul(v.into())?)?;
-                let signed = i128::from(if weight < 0 { epsilon.checked_neg()? } else { epsilon });
-                sum_u = sum_u.checked_add(signed * i128::from(u))?;
-                sum_v = sum_v.checked_add(signed * i128::from(v))?;
+    /// Σ ±u·ε and Σ ±v·ε with each sign, where a missing ε is 1.
+    fn signed(&self, phi: &Phi, epsilon: Option<&Column>) -> [[Rational; 2]; 3] {
+        self.0.each_ref().map(|weight| {
+            let is_negative = phi.are_negative(weight);
+            match epsilon {
+                Some(epsilon) => phi.products(&epsilon.negated_where(&is_negative)),
+                None => phi.totals(&is_negative),
             }
-            let number =
-                |sum: i128, unit: &Rational| Rational::from(Integer::from(sum)) * unit * &epsilon_unit;
-            Some([number(sum_u, &u_unit), number(sum_v, &v_unit)])
+        })
+    }
+}
+
+/// The regressors in columns.
+struct Phi<'a> {
+    u: &'a Column,
+    /// Missing where it is 1.
+    v: Option<&'a Column>,
+    rounded: [Vec<f64>; 2],
+}
+
+impl<'a> Phi<'a> {
+    fn new(u: &'a Column, v: Option<&'a Column>) -> Self {
+        Phi { u, v, rounded: [floats(u), v.map_or_else(|| vec![1.0; u.len()], floats)] }
+    }
+
+    /// Of which rows p·u + q·v is negative. Exact. Cost: linear, with a few fractions where it is almost 0.
+    fn are_negative(&self, [p, q]: &[Rational; 2]) -> Vec<bool> {
+        /// Of both terms together, more than their sum may be off by roundings: 2⁻⁴⁸.
+        const MARGIN: f64 = 1.0 / (1_u64 << 48) as f64;
+        // Only the sign matters, so that the larger of the two may be a float in the middle of its range.
+        let size = p.abs().max(q.abs());
+        let rounded = |own: &Rational| in_range(own.checked_div(&size).map_or(0.0, |own| own.to_f64()));
+        let (rounded_p, rounded_q) = (rounded(p), rounded(q));
+        let exact = |row: usize| {
+            let weight = match self.v {
+                Some(v) => p * self.u.get(row) + q * v.get(row),
+                None => p * self.u.get(row) + q,
+            };
+            weight.is_negative()
         };
-        let [first, second, own] = &self.0;
-        Some([sums(first)?, sums(second)?, sums(own)?])
+        let [u, v] = &self.rounded;
+        let is_negative = |(row, (u, v)): (usize, (&f64, &f64))| {
+            let (of_u, of_v) = (rounded_p * u, rounded_q * v);
+            let (weight, size) = (of_u + of_v, of_u.abs() + of_v.abs());
+            if weight.abs() > MARGIN * size {
+                weight < 0.0
+            } else {
+                // What is 0 exactly is no product that underflowed.
+                size != 0.0 && exact(row)
+            }
+        };
+        u.iter().zip(v).enumerate().map(is_negative).collect()
     }
-}
 
-/// What a column counts; without one 1.
-fn unit(column: Option<&Scaled<i64>>) -> Rational {
-    column.map_or_else(Rational::one, |own| own.unit().value())
-}
-
-/// Σ u·m on machine integers, where a missing u is 1; `None` where the sum does not fit.
-fn products(u: Option<&Scaled<i64>>, middles: &Scaled<i64>) -> Option<Rational> {
-    let mut sum = 0_i128;
-    for (row, &middle) in middles.counts().iter().enumerate() {
-        let u = u.map_or(1, |own| own.counts()[row]);
-        sum = sum.checked_add(i128::from(u) * i128::from(middle))?;
+    /// Σ u·m and Σ v·m. Exact.
+    fn products(&self, factors: &Column) -> [Rational; 2] {
+        let of_v = self.v.map_or_else(|| column_total(factors), |v| product_sum(v, factors));
+        [product_sum(self.u, factors), of_v]
     }
-    Some(Rational::from(Integer::from(sum)) * unit(u) * middles.unit().value())
+
+    /// Σ ±u and Σ ±v. Exact.
+    fn totals(&self, is_negative: &[bool]) -> [Rational; 2] {
+        let of_ones = || {
+            let negative = is_negative.iter().filter(|is_negative| **is_negative).count();
+            Rational::from(is_negative.len()) - Rational::from(2 * negative)
+        };
+        let of_v = self.v.map_or_else(of_ones, |v| column_total(&v.negated_where(is_negative)));
+        [column_total(&self.u.negated_where(is_negative)), of_v]
+    }
 }

@@ -1,192 +1,154 @@
 //! Columns of readings as floats, for a filter that bears their roundings.
 
-use boundfit_exact::{Column, Foreign, Rational, Unit};
-use boundfit_geometry::grid::{RoundedStrip, in_range};
+use boundfit_exact::{Column, Foreign, Rational};
+use boundfit_geometry::grid::{RoundedStrips, in_range};
 
 use super::scale::Scale;
 use crate::meaning::{ErrorBound, Meaning, Model};
 use crate::measurement::Measurement;
 
-/// Of a sum of two rounded numbers, more than it may be off: 2⁻⁴⁹.
-const MARGIN: f64 = 1.0 / (1_u64 << 49) as f64;
+/// Of a sum of two rounded numbers, more than it may be off: 2⁻⁴⁸. Those of columns are within 2⁻⁵⁰, relatively, products of them
+/// with a factor within 2⁻⁴⁹, and each operation adds 2⁻⁵³.
+const MARGIN: f64 = 1.0 / (1_u64 << 48) as f64;
 
-/// A column, or a number that all rows have, each within a relative error of 2⁻⁵¹.
-enum Floats<'a> {
-    Narrow(&'a [i64], f64),
-    Wide(&'a [i128], f64),
-    Doubles(&'a [f64]),
-    Any(&'a Column),
-    Same(f64),
+/// The numbers of a column, each within a relative error of 2⁻⁵⁰, or NaN where a filter may not compute with it.
+pub(super) fn floats(column: &Column) -> Vec<f64> {
+    let mut floats =
+        column.rounded().unwrap_or_else(|| (0..column.len()).map(|row| column.get(row).to_f64()).collect());
+    floats.iter_mut().for_each(|number| *number = in_range(*number));
+    floats
 }
 
-impl<'a> Floats<'a> {
-    fn new(column: &'a Column) -> Self {
-        let unit = |unit: Unit| unit.value().to_f64();
-        match column {
-            Column::Narrow(scaled) => Floats::Narrow(scaled.counts(), unit(scaled.unit())),
-            Column::Wide(scaled) => Floats::Wide(scaled.counts(), unit(scaled.unit())),
-            Column::Doubles(doubles) => Floats::Doubles(doubles),
-            Column::Long(_) | Column::Fractions(_) => Floats::Any(column),
-        }
-    }
-
-    fn same(number: &Rational) -> Self {
-        Floats::Same(number.to_f64())
-    }
-
-    #[inline]
-    fn get(&self, row: usize) -> f64 {
-        in_range(match self {
-            Floats::Narrow(counts, unit) => counts[row] as f64 * unit,
-            Floats::Wide(counts, unit) => counts[row] as f64 * unit,
-            Floats::Doubles(doubles) => doubles[row],
-            Floats::Any(column) => column.get(row).to_f64(),
-            Floats::Same(number) => *number,
-        })
-    }
-}
-
-/// Readings in columns as the filter sees them.
-pub(super) struct RoundedReadings<'a> {
-    phi: [Floats<'a>; 2],
-    /// Whether x is counted from another origin: a difference of rounded numbers may have no digit that is right.
-    is_moved: bool,
-    bounds: RoundedBounds<'a>,
-}
-
-enum RoundedBounds<'a> {
-    Around(Around<'a>),
-    /// The lower and the upper bound, each with what is 0 where it is not there.
-    Between([Option<[Floats<'a>; 2]>; 2]),
-    /// Both, at a factor on their distance.
-    Times([[Floats<'a>; 2]; 2], f64),
-    /// What the columns alone do not say.
-    Other,
-}
-
-/// y, and a multiple of the error bounds.
-struct Around<'a> {
-    response: Floats<'a>,
-    epsilon: Floats<'a>,
-    factor: f64,
-}
-
-impl<'a> RoundedReadings<'a> {
-    pub(super) fn new(meaning: &Meaning, scale: &Scale, columns: &'a [Column]) -> Self {
-        let regressors = if matches!(meaning.model, Model::Line { .. }) { 1 } else { 2 };
-        let second = if regressors == 1 { Floats::Same(1.0) } else { Floats::new(&columns[1]) };
-        let around = || {
-            let (response, own) = (columns.get(regressors)?, columns.get(regressors + 1));
-            let (epsilon, factor) = match scale {
-                Scale::Within(epsilon) => (Floats::same(epsilon), 1.0),
-                Scale::AsStated | Scale::Times(_) => {
-                    let stated = match meaning.error_bound.uniform() {
-                        Some(epsilon) => Floats::same(epsilon),
-                        None => Floats::new(own?),
-                    };
-                    (stated, if let Scale::Times(factor) = scale { factor.to_f64() } else { 1.0 })
-                }
+/// Readings in columns as the filter sees them. `reading` gives a reading itself where the columns do not say its bounds.
+pub(super) fn rounded_strips(
+    meaning: &Meaning,
+    scale: &Scale,
+    columns: &[Column],
+    reading: impl Fn(usize) -> Measurement,
+) -> RoundedStrips {
+    let count = columns.first().map_or(0, Column::len);
+    let is_line = matches!(meaning.model, Model::Line { .. });
+    // A difference of rounded numbers may have no digit that is right.
+    let first = match is_line && !meaning.form.x_origin.is_zero() {
+        true => (0..count).map(|row| in_range(reading(row).regressor[0].to_f64())).collect(),
+        false => floats(&columns[0]),
+    };
+    let phi = [first, if is_line { vec![1.0; count] } else { floats(&columns[1]) }];
+    let regressors = phi.len() - usize::from(is_line);
+    let bounds = match &meaning.error_bound {
+        _ if meaning.is_around_y() => around_y(meaning, scale, &columns[regressors..]),
+        ErrorBound::Interval { lower, upper } => {
+            let mut rest = columns.iter().skip(regressors + usize::from(meaning.has_response));
+            let mut side = |column: &Option<Foreign>| {
+                column.as_ref()?;
+                Some([rest.next()?, rest.next()?])
             };
-            Some(Around { response: Floats::new(response), epsilon, factor: in_range(factor) })
-        };
-        let bounds = match &meaning.error_bound {
-            _ if meaning.is_around_y() => around().map_or(RoundedBounds::Other, RoundedBounds::Around),
-            ErrorBound::Interval { lower, upper } => {
-                let mut rest = columns.iter().skip(regressors + usize::from(meaning.has_response));
-                let mut side = |column: &Option<Foreign>| {
-                    column.as_ref()?;
-                    Some([Floats::new(rest.next()?), Floats::new(rest.next()?)])
-                };
-                match (scale, [side(lower), side(upper)]) {
-                    (Scale::AsStated, sides) => RoundedBounds::Between(sides),
-                    (Scale::Times(factor), [Some(lower), Some(upper)]) => {
-                        RoundedBounds::Times([lower, upper], in_range(factor.to_f64()))
-                    }
-                    _ => RoundedBounds::Other,
+            let sides = [side(lower), side(upper)];
+            match (scale, sides) {
+                (Scale::AsStated, [lower, upper]) => {
+                    Some([stated(lower, 1.0, count), stated(upper, -1.0, count)])
                 }
-            }
-            _ => RoundedBounds::Other,
-        };
-        let is_moved = regressors == 1 && !meaning.form.x_origin.is_zero();
-        RoundedReadings { phi: [Floats::new(&columns[0]), second], is_moved, bounds }
-    }
-
-    /// The strip of a row. `reading` gives the reading itself where the columns do not say its bounds.
-    #[inline]
-    pub(super) fn strip(&self, row: usize, scale: &Scale, reading: impl Fn() -> Measurement) -> RoundedStrip {
-        let mut phi = self.phi.each_ref().map(|column| column.get(row));
-        if self.is_moved {
-            phi[0] = in_range(reading().regressor[0].to_f64());
-        }
-        match &self.bounds {
-            RoundedBounds::Around(Around { response, epsilon, factor }) => {
-                let (y, reach) = (response.get(row), epsilon.get(row) * factor);
-                let margin = MARGIN * (y.abs() + reach);
-                RoundedStrip { phi, lower: y - reach + margin, upper: y + reach - margin }
-            }
-            RoundedBounds::Between(sides) => {
-                let side = |side: &Option<[Floats; 2]>, sign: f64| {
-                    let there = side.as_ref().filter(|[_, presence]| presence.get(row) != 0.0);
-                    there.map_or(sign * f64::NEG_INFINITY, |[bound, _]| {
-                        let bound = bound.get(row);
-                        bound + sign * MARGIN * bound.abs()
-                    })
-                };
-                RoundedStrip { phi, lower: side(&sides[0], 1.0), upper: side(&sides[1], -1.0) }
-            }
-            RoundedBounds::Times(sides, factor) => {
-                let [[lower, has_lower], [upper, has_upper]] = sides;
-                let (lower, upper) = (lower.get(row), upper.get(row));
-                let size = lower.abs() + upper.abs();
-                // Bounds that cross, or of which one is missing, stay as they are, and others may be too close to tell.
-                let has_both = has_lower.get(row) != 0.0 && has_upper.get(row) != 0.0;
-                if !has_both || upper - lower <= MARGIN * size {
-                    return exact_strip(phi, scale.bounds(&reading()));
+                (Scale::Times(factor), [Some(lower), Some(upper)]) => {
+                    let other = |row: usize| exact_bounds(scale.bounds(&reading(row)));
+                    Some(about_middles([lower, upper], in_range(factor.to_f64()), other))
                 }
-                let (middle, reach) = ((lower + upper) / 2.0, (upper - lower) / 2.0 * factor);
-                let margin = 4.0 * MARGIN * size * (1.0 + factor);
-                RoundedStrip { phi, lower: middle - reach + margin, upper: middle + reach - margin }
+                _ => None,
             }
-            RoundedBounds::Other => exact_strip(phi, scale.bounds(&reading())),
         }
-    }
+        _ => None,
+    };
+    let [lower, upper] = bounds.unwrap_or_else(|| {
+        let (lower, upper) =
+            (0..count).map(|row| <(f64, f64)>::from(exact_bounds(scale.bounds(&reading(row))))).unzip();
+        [lower, upper]
+    });
+    RoundedStrips { phi, lower, upper }
 }
 
-/// The strip with bounds that are known exactly.
-fn exact_strip(phi: [f64; 2], [lower, upper]: [Option<Rational>; 2]) -> RoundedStrip {
+/// The bounds about y at a multiple of those that are stated, or at a distance that all have: of columns that start with y.
+fn around_y(meaning: &Meaning, scale: &Scale, columns: &[Column]) -> Option<[Vec<f64>; 2]> {
+    let response = floats(columns.first()?);
+    let uniform = match scale {
+        Scale::Within(epsilon) => Some(epsilon),
+        Scale::AsStated | Scale::Times(_) => meaning.error_bound.uniform(),
+    };
+    let factor = if let Scale::Times(factor) = scale { in_range(factor.to_f64()) } else { 1.0 };
+    let around = |y: f64, reach: f64| {
+        let margin = MARGIN * (y.abs() + reach);
+        (y - reach + margin, y + reach - margin)
+    };
+    let (lower, upper) = match uniform {
+        Some(epsilon) => {
+            let reach = in_range(epsilon.to_f64()) * factor;
+            response.iter().map(|&y| around(y, reach)).unzip()
+        }
+        None => {
+            let epsilon = floats(columns.get(1)?);
+            response.iter().zip(&epsilon).map(|(&y, epsilon)| around(y, epsilon * factor)).unzip()
+        }
+    };
+    Some([lower, upper])
+}
+
+/// Bounds as they are stated, `sign` times infinity away where there is none; behind each bound stands whether it is there.
+fn stated(side: Option<[&Column; 2]>, sign: f64, count: usize) -> Vec<f64> {
+    let Some([bound, presence]) = side else { return vec![sign * f64::NEG_INFINITY; count] };
+    let bounds = floats(bound).into_iter().zip(floats(presence));
+    let is_there = |(bound, presence): (f64, f64)| match presence == 0.0 {
+        true => sign * f64::NEG_INFINITY,
+        false => bound + sign * MARGIN * bound.abs(),
+    };
+    bounds.map(is_there).collect()
+}
+
+/// Bounds about their middles at a factor on their distance. Those that cross, or of which one is missing, stay as they are, and
+/// others may be too close to tell: `other` says what these are.
+fn about_middles(sides: [[&Column; 2]; 2], factor: f64, other: impl Fn(usize) -> [f64; 2]) -> [Vec<f64>; 2] {
+    let [[lower, has_lower], [upper, has_upper]] = sides.map(|side| side.map(floats));
+    let bounds = |row: usize| {
+        let (lower, upper) = (lower[row], upper[row]);
+        let size = lower.abs() + upper.abs();
+        let has_both = has_lower[row] != 0.0 && has_upper[row] != 0.0;
+        if !has_both || upper - lower <= MARGIN * size {
+            return <(f64, f64)>::from(other(row));
+        }
+        let (middle, reach) = ((lower + upper) / 2.0, (upper - lower) / 2.0 * factor);
+        let margin = 4.0 * MARGIN * size * (1.0 + factor);
+        (middle - reach + margin, middle + reach - margin)
+    };
+    let (lower, upper) = (0..lower.len()).map(bounds).unzip();
+    [lower, upper]
+}
+
+/// Bounds that are known exactly.
+fn exact_bounds([lower, upper]: [Option<Rational>; 2]) -> [f64; 2] {
     let rounded = |bound: &Rational, sign: f64| {
         let bound = in_range(bound.to_f64());
         bound + sign * MARGIN * bound.abs()
     };
-    RoundedStrip {
-        phi,
-        lower: lower.map_or(f64::NEG_INFINITY, |bound| rounded(&bound, 1.0)),
-        upper: upper.map_or(f64::INFINITY, |bound| rounded(&bound, -1.0)),
-    }
+    let lower = lower.map_or(f64::NEG_INFINITY, |bound| rounded(&bound, 1.0));
+    [lower, upper.map_or(f64::INFINITY, |bound| rounded(&bound, -1.0))]
 }
 
-/// Of so many readings, those that may be the first with the least slack at a point, by position. Cost: linear.
-pub(super) fn may_be_tightest(
-    readings: &RoundedReadings,
-    count: usize,
-    theta: [f64; 2],
-    reading: impl Fn(usize) -> Measurement,
-) -> Vec<usize> {
-    /// Of all terms together, more than the slack may be off: 2⁻⁴⁵.
+/// Of some readings, those that may be the first with the least slack at a point, by position. Cost: linear.
+pub(super) fn may_be_tightest(strips: &RoundedStrips, theta: [f64; 2]) -> Vec<usize> {
+    /// Of all terms together, more than the slack may be off: 2⁻⁴⁴.
     const ALL: f64 = 16.0 * MARGIN;
+    let size = |bound: f64| if bound.is_infinite() { 0.0 } else { bound.abs() };
+    // The least that a slack may be, and the most; NaN where that is not known.
     let slack = |row: usize| {
-        let RoundedStrip { phi, lower, upper } = readings.strip(row, &Scale::AsStated, || reading(row));
-        let [p, q] = [phi[0] * theta[0], phi[1] * theta[1]];
-        let size = |bound: f64| if bound.is_infinite() { 0.0 } else { bound.abs() };
+        let (lower, upper) = (strips.lower[row], strips.upper[row]);
+        let [p, q] = [strips.phi[0][row] * theta[0], strips.phi[1][row] * theta[1]];
         let margin = ALL * (p.abs() + q.abs() + size(lower) + size(upper));
-        // Not `min`, which would pass over what is not a number.
         let (above, below) = (upper - (p + q), (p + q) - lower);
+        // Not `min`, which would pass over what is not a number.
         let slack = if above < below { above } else { below };
-        (slack, if above.is_nan() || below.is_nan() { f64::NAN } else { margin })
+        let is_known = !(above.is_nan() | below.is_nan());
+        if is_known { [slack - margin, slack + margin] } else { [f64::NAN; 2] }
     };
-    let slacks: Vec<(f64, f64)> = (0..count).map(slack).collect();
-    let least = slacks.iter().map(|(slack, margin)| slack + margin).filter(|own| !own.is_nan());
-    let least = least.fold(f64::INFINITY, f64::min);
-    let is_more = |(slack, margin): &(f64, f64)| slack - margin > least;
-    (0..count).filter(|&row| !is_more(&slacks[row])).collect()
+    // Comparisons with what is not a number leave the least as it is.
+    let least = (0..strips.len())
+        .map(slack)
+        .fold(f64::INFINITY, |least, [_, most]| if most < least { most } else { least });
+    (0..strips.len()).filter(|&row| !(slack(row)[0] > least)).collect()
 }

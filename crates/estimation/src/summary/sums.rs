@@ -5,12 +5,20 @@ use boundfit_exact::{
     WideProducts, WideSum,
 };
 
+#[cfg(feature = "files")]
+use super::products::product_sum;
 use crate::moments::Moments;
 
 /// The sum of each column. Exact. Cost: linear.
 #[cfg(feature = "files")]
 pub(crate) fn column_totals(columns: &[Column]) -> Vec<Rational> {
-    let total = |column: &Column| match column {
+    columns.iter().map(column_total).collect()
+}
+
+/// The sum of a column. Exact. Cost: linear.
+#[cfg(feature = "files")]
+pub(super) fn column_total(column: &Column) -> Rational {
+    match column {
         // So many integers of 64 bits fit into 128.
         Column::Narrow(scaled) => {
             let total: i128 = scaled.counts().iter().map(|&count| i128::from(count)).sum();
@@ -32,8 +40,7 @@ pub(crate) fn column_totals(columns: &[Column]) -> Vec<Rational> {
             (0..column.len()).for_each(|row| sum.add(&column.get(row)));
             sum.total()
         }
-    };
-    columns.iter().map(total).collect()
+    }
 }
 
 #[cfg(feature = "files")]
@@ -74,12 +81,14 @@ impl Sums {
 
     #[cfg(feature = "files")]
     fn of_two(u: &Column, v: &Column, y: &Column) -> Self {
-        let on_machine_numbers = match (u, v, y) {
-            (Column::Narrow(u), Column::Narrow(v), Column::Narrow(y)) => of_narrow(u, Some(v), y),
-            _ => None,
-        };
-        let sums = on_machine_numbers.map(|sums| sums.total());
-        sums.unwrap_or_else(|| of_numbers(u.len(), |row| [u.get(row), v.get(row), y.get(row)]))
+        if let (Column::Narrow(u), Column::Narrow(v), Column::Narrow(y)) = (u, v, y)
+            && let Some(sums) = of_narrow(u, Some(v), y)
+        {
+            return sums.total();
+        }
+        let pairs = [[u, u], [u, v], [v, v], [u, y], [v, y]];
+        let [uu, uv, vv, uy, vy] = pairs.map(|[left, right]| product_sum(left, right));
+        Sums { count: u.len(), uu, uv, vv, uy, vy }
     }
 
     /// The sums that the normal equations are made of.

@@ -132,6 +132,14 @@ impl Long {
         Long { words: self.words.get(range).unwrap_or_default().to_vec(), ..*self }
     }
 
+    /// The numbers, those negated that have the sign `true`.
+    pub(super) fn negated_where(&self, signs: impl Iterator<Item = bool>) -> Self {
+        let mut long = self.clone();
+        let numbers = long.words.chunks_exact_mut(self.width.max(1)).zip(signs);
+        numbers.filter(|(_, negated)| *negated).flat_map(|(words, _)| words).for_each(|word| *word = -*word);
+        long
+    }
+
     pub(super) fn reserve(&mut self, more: usize) {
         self.words.reserve_exact(more.saturating_mul(self.width));
     }

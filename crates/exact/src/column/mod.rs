@@ -4,6 +4,7 @@ mod decimals;
 mod long;
 mod rounded;
 mod scaled;
+mod signed;
 mod unit;
 
 use std::borrow::Cow;
@@ -69,6 +70,19 @@ impl Column {
         Column::Fractions(counts.map(|count| unit.times(count)).collect())
     }
 
+    /// So many units each, told by how far they are above one of them. Exact. Cost: an addition each.
+    pub fn of_offsets(base: i64, offsets: &[u32], unit: Unit) -> Self {
+        // Of integers of 62 bits none is beyond 63 with 32 bits added.
+        let counts: Vec<i64> = offsets.iter().map(|&offset| base.wrapping_add(offset.into())).collect();
+        let is_narrow = |count: &i64| <i64 as Count>::new((*count).into()).is_some();
+        match base.unsigned_abs() >> <i64 as Count>::BITS == 0 && counts.iter().max().is_none_or(is_narrow) {
+            true => Column::Narrow(Scaled::of_counts(counts, unit)),
+            false => {
+                Column::of_counts(offsets.iter().map(|&offset| i128::from(base) + i128::from(offset)), unit)
+            }
+        }
+    }
+
     /// How many numbers there are.
     pub fn len(&self) -> usize {
         match self {
@@ -111,6 +125,17 @@ impl Column {
             Column::Long(long) => long.numbers().position(|words| words.iter().any(|&word| word < 0)),
             Column::Doubles(doubles) => doubles.iter().position(|&double| double < 0.0),
             Column::Fractions(numbers) => numbers.iter().position(Rational::is_negative),
+        }
+    }
+
+    /// Whether there is a 0. Cost: linear.
+    pub fn has_zero(&self) -> bool {
+        match self {
+            Column::Narrow(scaled) => scaled.counts().contains(&0),
+            Column::Wide(scaled) => scaled.counts().contains(&0),
+            Column::Long(long) => long.numbers().any(|words| words.iter().all(|&word| word == 0)),
+            Column::Doubles(doubles) => doubles.contains(&0.0),
+            Column::Fractions(numbers) => numbers.iter().any(Rational::is_zero),
         }
     }
 

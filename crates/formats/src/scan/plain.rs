@@ -46,6 +46,8 @@ pub(super) struct Step {
 pub(super) enum What {
     /// As a number of a column, which may have to be at least 0.
     Number { column: usize, non_negative: bool },
+    /// For whether it has a number.
+    Presence { column: usize },
     /// For something else that a column takes from it.
     Aside { column: usize },
     /// As the key.
@@ -71,7 +73,8 @@ impl Route {
                 Role::Number | Role::NonNegative | Role::Optional => {
                     What::Number { column, non_negative: selector.is_non_negative() }
                 }
-                Role::Presence | Role::HalfUnit => What::Aside { column },
+                Role::Presence => What::Presence { column },
+                Role::HalfUnit => What::Aside { column },
             };
             (place.position, what)
         });
@@ -292,6 +295,7 @@ impl Lane<'_> {
             }
             at = match step.what {
                 What::Number { column, non_negative } => self.number(at, column, non_negative)?,
+                What::Presence { column } => self.presence(at, column)?,
                 What::Aside { column } => self.long_number(at, column)?,
                 What::Key => self.key(at)?,
                 What::Condition(index) => self.condition(at, index)?,
@@ -333,6 +337,19 @@ impl Lane<'_> {
                 self.batch.columns.get_mut(column)?.push_long_decimal(prefix.mantissa, prefix.exponent);
                 return Some(end);
             }
+        }
+        self.long_number(at, column)
+    }
+
+    /// Adds to a column whether the cell that starts here has a number; gives the end of the cell.
+    #[inline]
+    fn presence(&mut self, at: usize, column: usize) -> Option<usize> {
+        if self.is_decimal
+            && let Some(Plain { end, .. }) = self.plain_number(at)
+        {
+            self.batch.columns.get_mut(column)?.push_decimal(1, 0);
+            self.is_bounded = true;
+            return Some(end);
         }
         self.long_number(at, column)
     }

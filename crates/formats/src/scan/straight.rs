@@ -5,7 +5,13 @@ use boundfit_exact::{Column, Scaled};
 use super::plain::{Lane, Plain, Step, What};
 
 /// The way through a row to up to four numbers.
-pub(super) enum Straight {
+pub(super) struct Straight {
+    to: To,
+    /// The columns that tell of one of these cells whether it has a number.
+    presences: Vec<usize>,
+}
+
+enum To {
     One(Way<1>),
     Two(Way<2>),
     Three(Way<3>),
@@ -29,37 +35,48 @@ struct Cell {
 }
 
 impl Straight {
-    /// The way of these steps, if they go to the cells of so many columns, each another one, with so many cells behind them.
+    /// The way of these steps, if they go to the cells of so many columns, each another one but for those that tell whether there
+    /// is a number, with so many cells behind them.
     pub(super) fn of(steps: &[Step], columns: usize, behind: usize) -> Option<Self> {
-        let cell = |step: &Step| match *step {
-            Step { separators: Some(separators), what: What::Number { column, non_negative } } => {
-                Some(Cell { separators, column, non_negative })
+        let (mut cells, mut presences) = (Vec::new(), Vec::new());
+        for step in steps {
+            match *step {
+                Step { separators: Some(separators), what: What::Number { column, non_negative } } => {
+                    cells.push(Cell { separators, column, non_negative });
+                }
+                Step { separators: None, what: What::Presence { column } } => presences.push(column),
+                _ => return None,
             }
-            _ => None,
-        };
-        let cells: Vec<Cell> = steps.iter().map(cell).collect::<Option<_>>()?;
-        if cells.len() != columns {
+        }
+        if cells.len() + presences.len() != columns {
             return None;
         }
-        Some(match *cells.as_slice() {
-            [a] => Straight::One(Way { cells: [a], behind }),
-            [a, b] => Straight::Two(Way { cells: [a, b], behind }),
-            [a, b, c] => Straight::Three(Way { cells: [a, b, c], behind }),
-            [a, b, c, d] => Straight::Four(Way { cells: [a, b, c, d], behind }),
+        let to = match *cells.as_slice() {
+            [a] => To::One(Way { cells: [a], behind }),
+            [a, b] => To::Two(Way { cells: [a, b], behind }),
+            [a, b, c] => To::Three(Way { cells: [a, b, c], behind }),
+            [a, b, c, d] => To::Four(Way { cells: [a, b, c, d], behind }),
             _ => return None,
-        })
+        };
+        Some(Straight { to, presences })
     }
 
     /// Adds the rows from a position on up to one that takes more than this; gives how many, and where that one starts. `None`
     /// when a column has become one of other numbers than integers of 64 bits.
     pub(super) fn read(&self, lane: &mut Lane, at: usize) -> Option<(usize, usize)> {
         let mut columns = std::mem::take(&mut lane.batch.columns);
-        let read = match self {
-            Straight::One(way) => way.read(lane, at, &mut columns),
-            Straight::Two(way) => way.read(lane, at, &mut columns),
-            Straight::Three(way) => way.read(lane, at, &mut columns),
-            Straight::Four(way) => way.read(lane, at, &mut columns),
+        let read = match &self.to {
+            To::One(way) => way.read(lane, at, &mut columns),
+            To::Two(way) => way.read(lane, at, &mut columns),
+            To::Three(way) => way.read(lane, at, &mut columns),
+            To::Four(way) => way.read(lane, at, &mut columns),
         };
+        if let Some((rows, _)) = read {
+            let is_presence = |(column, _): &(usize, &mut Column)| self.presences.contains(column);
+            for (_, presence) in columns.iter_mut().enumerate().filter(is_presence) {
+                (0..rows).for_each(|_| presence.push_decimal(1, 0));
+            }
+        }
         lane.batch.columns = columns;
         read
     }

@@ -6,9 +6,10 @@
 //!
 //! # The margin
 //!
-//! All numbers are 0 or between 2⁻⁵⁰⁰ and 2⁵⁰⁰ in absolute value, so that no product overflows or underflows, and within a
-//! relative error of 2⁻⁵¹ of the true ones. Then a1·v1 + a2·v2 is found within 2⁻⁴⁹ of |a1·v1| + |a2·v2|, and twice as much
-//! is left between it and the right-hand side, of which the caller says what it is certainly not below.
+//! All numbers are 0 or between 2⁻⁵⁰⁰ and 2⁵⁰⁰ in absolute value, so that no product overflows or underflows. Those of readings
+//! are within a relative error of 2⁻⁵⁰ of the true ones, those of corners and edges within 2⁻⁵². Then a1·v1 + a2·v2 is found
+//! within 2⁻⁴⁹ of |a1·v1| + |a2·v2|: a product is off by 2⁻⁵⁰ + 2⁻⁵² + 2⁻⁵³ of itself and the sum by 2⁻⁵³ more. Twice as much is
+//! left between it and the right-hand side, of which the caller says what it is certainly not below.
 
 use boundfit_exact::{Rational, Sign};
 
@@ -25,10 +26,15 @@ const RANGE: [f64; 2] = [f64::from_bits((1023 - 500) << 52), f64::from_bits((102
 /// More corners than these would take longer to look at than they are worth.
 const MOST_CORNERS: usize = 16;
 
+/// So many rows are looked at together, as many as vector registers hold with what they are compared with.
+const LANES: usize = 8;
+
 /// A number that a filter may compute with: NaN, with which every comparison fails, where it is beyond the range.
+#[inline]
 pub fn in_range(number: f64) -> f64 {
     let size = number.abs();
-    if size == 0.0 || (RANGE[0]..=RANGE[1]).contains(&size) { number } else { f64::NAN }
+    // Without a branch, which would keep columns from being looked at many numbers at a time.
+    if (size == 0.0) | ((size >= RANGE[0]) & (size <= RANGE[1])) { number } else { f64::NAN }
 }
 
 /// What is known about the half-planes of the whole, to discard readings by.
@@ -46,6 +52,8 @@ pub struct EnvelopeSieve {
 #[derive(Debug, Clone)]
 struct Corners {
     corners: Vec<[f64; 2]>,
+    /// The largest magnitudes of their coordinates.
+    farthest: [f64; 2],
     /// The normals of both unbounded edges, the one with the least a1/a2 first.
     edges: [Edge; 2],
 }
@@ -59,12 +67,70 @@ struct Edge {
 /// A reading lower ≤ φ·θ ≤ upper, rounded.
 #[derive(Debug, Clone, Copy)]
 pub struct RoundedStrip {
-    /// φ, each within a relative error of 2⁻⁵¹, and [`in_range`].
+    /// φ, each within a relative error of 2⁻⁵⁰, and [`in_range`].
     pub phi: [f64; 2],
     /// Certainly not below the lower bound; -∞ without one.
     pub lower: f64,
     /// Certainly not above the upper bound; ∞ without one.
     pub upper: f64,
+}
+
+/// Such readings in columns of equal length.
+#[derive(Debug, Clone, Default)]
+pub struct RoundedStrips {
+    /// φ of each.
+    pub phi: [Vec<f64>; 2],
+    /// The lower bounds.
+    pub lower: Vec<f64>,
+    /// The upper bounds.
+    pub upper: Vec<f64>,
+}
+
+impl RoundedStrips {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.lower.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.lower.is_empty()
+    }
+
+    /// The reading of a row.
+    ///
+    /// # Panics
+    /// When there are not that many.
+    #[inline]
+    pub fn strip(&self, row: usize) -> RoundedStrip {
+        let phi = [self.phi[0][row], self.phi[1][row]];
+        RoundedStrip { phi, lower: self.lower[row], upper: self.upper[row] }
+    }
+
+    /// Some rows that follow one another, as those that bound θ2 from above and from below; `None` where there are not that many.
+    #[inline]
+    fn lanes(&self, start: usize) -> Option<Lanes> {
+        let of = |column: &Vec<f64>| column.get(start..)?.first_chunk::<LANES>().copied();
+        let ([phi1, phi2], [lower, upper]) =
+            ([of(&self.phi[0])?, of(&self.phi[1])?], [of(&self.lower)?, of(&self.upper)?]);
+        let mut lanes = Lanes { slope: phi1, height: phi2, from_above: upper, from_below: lower };
+        for k in 0..LANES {
+            let is_upright = phi2[k] > 0.0;
+            lanes.slope[k] = if is_upright { phi1[k] } else { -phi1[k] };
+            lanes.height[k] = phi2[k].abs();
+            lanes.from_above[k] = if is_upright { upper[k] } else { -lower[k] };
+            lanes.from_below[k] = if is_upright { -lower[k] } else { upper[k] };
+        }
+        Some(lanes)
+    }
+}
+
+/// Rows turned so that φ2 is not negative: slope·θ1 + height·θ2 ≤ `from_above` and -slope·θ1 - height·θ2 ≤ `from_below`.
+struct Lanes {
+    slope: [f64; LANES],
+    height: [f64; LANES],
+    from_above: [f64; LANES],
+    from_below: [f64; LANES],
 }
 
 impl EnvelopeSieve {
@@ -86,6 +152,32 @@ impl EnvelopeSieve {
             right: vertical(true, 1.0),
             left: vertical(false, -1.0),
         }
+    }
+
+    /// Positions, ascending, of the readings that are not [discarded](Self::discards). Cost: linear, and little for each of those
+    /// far from all envelopes.
+    pub fn survivors(&self, strips: &RoundedStrips, exact: impl Fn(usize) -> [Rational; 2]) -> Vec<usize> {
+        let mut left = Vec::new();
+        for start in (0..strips.len()).step_by(LANES) {
+            let certain = strips.lanes(start).map_or([false; LANES], |lanes| self.discards_lanes(&lanes));
+            let uncertain = certain.into_iter().enumerate().filter(|(_, is_certain)| !is_certain);
+            let rows = uncertain.map(|(lane, _)| start + lane).take_while(|&row| row < strips.len());
+            left.extend(rows.filter(|&row| !self.discards(&strips.strip(row), || exact(row))));
+        }
+        left
+    }
+
+    /// Which of some rows are discarded without a second look.
+    #[inline]
+    fn discards_lanes(&self, lanes: &Lanes) -> [bool; LANES] {
+        let contain = |corners: &Option<Corners>, slope: &[f64; LANES], bound: &[f64; LANES]| match corners {
+            Some(corners) => corners.contain(slope, &lanes.height, bound),
+            None => bound.map(|bound| bound == f64::INFINITY),
+        };
+        let within_above = contain(&self.above, &lanes.slope, &lanes.from_above);
+        let within_below = contain(&self.below, &lanes.slope.map(|slope| -slope), &lanes.from_below);
+        // What bounds θ1 alone is another kind.
+        std::array::from_fn(|k| within_above[k] & within_below[k] & (lanes.height[k] > 0.0))
     }
 
     /// Whether both half-planes of a reading certainly touch no envelope of the whole. `exact` gives its φ, and is asked only
@@ -157,7 +249,33 @@ impl Corners {
             edges.reverse();
         }
         let numbers = corners.iter().chain(edges.iter().map(|edge| &edge.rounded)).flatten();
-        numbers.copied().all(f64::is_finite).then_some(Corners { corners, edges })
+        let is_known = numbers.copied().all(f64::is_finite);
+        let farthest = [0, 1].map(|axis| corners.iter().map(|own| own[axis].abs()).fold(0.0, f64::max));
+        is_known.then_some(Corners { corners, farthest, edges })
+    }
+
+    /// For which of some half-planes what [`Self::are_within`] and [`Self::is_between_edges`] say is certain and yes. The margin is
+    /// that of the farthest corner, so that little is left to do for each.
+    #[inline]
+    fn contain(&self, slope: &[f64; LANES], height: &[f64; LANES], bound: &[f64; LANES]) -> [bool; LANES] {
+        let mut largest = [f64::NEG_INFINITY; LANES];
+        for &[v1, v2] in &self.corners {
+            for k in 0..LANES {
+                let value = slope[k] * v1 + height[k] * v2;
+                largest[k] = if value > largest[k] { value } else { largest[k] };
+            }
+        }
+        let ([one, other], [far1, far2]) = (self.edges.each_ref().map(|edge| edge.rounded), self.farthest);
+        std::array::from_fn(|k| {
+            let margin = MARGIN * (slope[k].abs() * far1 + height[k] * far2);
+            let turned = |edge: [f64; 2], sign: f64| {
+                let (p, q) = (slope[k] * edge[1], height[k] * edge[0]);
+                (p - q) * sign > MARGIN * (p.abs() + q.abs())
+            };
+            // Comparisons with what is out of range fail, and so do all with its margin.
+            let is_within = largest[k] + margin < bound[k];
+            (bound[k] == f64::INFINITY) | (is_within & turned(one, 1.0) & turned(other, -1.0))
+        })
     }
 
     /// Whether a·θ < bound certainly holds in every corner.
@@ -232,11 +350,22 @@ mod tests {
                     })
                     .collect();
                 let sieve = EnvelopeSieve::new(&half_planes);
+                let number = |place: usize| readings.iter().map(|own| own[place] as f64).collect::<Vec<_>>();
+                let strips =
+                    RoundedStrips { phi: [number(0), number(1)], lower: number(2), upper: number(3) };
+                let exact = |row: usize| [Rational::from(readings[row][0]), Rational::from(readings[row][1])];
+                let survivors = sieve.survivors(&strips, exact);
                 for (index, reading) in readings.iter().enumerate() {
                     let [phi1, phi2, lower, upper] = reading.map(|number| number as f64);
                     let rounded = RoundedStrip { phi: [phi1, phi2], lower, upper };
                     let exact = || [Rational::from(reading[0]), Rational::from(reading[1])];
-                    if sieve.discards(&rounded, exact) {
+                    let is_discarded = sieve.discards(&rounded, exact);
+                    assert_eq!(
+                        is_discarded,
+                        survivors.binary_search(&index).is_err(),
+                        "{readings:?} {index}"
+                    );
+                    if is_discarded {
                         discarded[round % 2] += 1;
                         let own = [2 * index, 2 * index + 1];
                         assert!(

@@ -28,7 +28,7 @@ mod strip;
 
 pub use columns::{candidates_of_columns, touching_of_columns, touching_places_of_columns};
 pub use doubles::touching_doubles;
-pub use envelope_sieve::{EnvelopeSieve, RoundedStrip, in_range};
+pub use envelope_sieve::{EnvelopeSieve, RoundedStrip, RoundedStrips, in_range};
 pub use filter::Place;
 pub use point::{GridPoint, doubled_area};
 pub use rounded_sieve::{RoundedSieve, candidates_of_rounded};
