@@ -45,7 +45,12 @@ fn number(rng: &mut ChaCha8Rng, units: i64, style: u32) -> String {
         5 => format!("{}.{:016}", units, rng.random_range(0..10_u64.pow(16))),
         6 => format!("{}.{1:018}{1:017}{1:018}", units, rng.random_range(0..10_u64.pow(17))),
         _ => {
-            format!("{}.{:05}e{}", units, rng.random_range(0..20_000), [-170, 0, 160][rng.random_range(0..3)])
+            format!(
+                "{}.{:05}e{}",
+                units,
+                rng.random_range(0..20_000),
+                [-400, -170, 0, 160][rng.random_range(0..4)]
+            )
         }
     }
 }

@@ -119,12 +119,13 @@ impl<'a> FixedBounds<'a> {
         let count = columns.first().map_or(0, Column::len);
         let reading = |row: usize| self.meaning.of_columns(columns, row, number(row));
         let tied = |row: usize| TiedReading::alone(reading(row));
+        let sieve = self.sieve.get();
+        if sieve.is_none() && count < LEAST_TO_SIEVE {
+            return touching((0..count).map(tied).collect(), self.scale, self.most_listed);
+        }
         let strips = rounded_strips(self.meaning, self.scale, columns, reading);
         let exact = |row: usize| reading(row).regressor;
-        let mut left = match self.sieve.get() {
-            Some(sieve) => sieve.survivors(&strips, exact),
-            None => (0..count).collect(),
-        };
+        let mut left = sieve.map_or_else(|| (0..count).collect(), |sieve| sieve.survivors(&strips, exact));
         // Another round has a better sample.
         while left.len() >= LEAST_TO_SIEVE {
             // About the square root of all rows, at equal distances.

@@ -2,11 +2,10 @@
 //! readings have been seen.
 
 use boundfit_exact::{Column, Rational, Sum};
-use boundfit_geometry::grid::in_range;
 
 use super::halves::Halves;
 use super::products::product_sum;
-use super::rounded::floats;
+use super::rounded::{float, floats};
 use super::sums::{Sums, column_total};
 use super::{NoEui, Reach};
 use crate::meaning::Meaning;
@@ -150,7 +149,7 @@ impl<'a> Phi<'a> {
         const MARGIN: f64 = 1.0 / (1_u64 << 48) as f64;
         // Only the sign matters, so that the larger of the two may be a float in the middle of its range.
         let size = p.abs().max(q.abs());
-        let rounded = |own: &Rational| in_range(own.checked_div(&size).map_or(0.0, |own| own.to_f64()));
+        let rounded = |own: &Rational| own.checked_div(&size).map_or(0.0, |own| float(&own));
         let (rounded_p, rounded_q) = (rounded(p), rounded(q));
         let exact = |row: usize| {
             let weight = match self.v {

@@ -113,15 +113,12 @@ impl RoundedStrips {
         let of = |column: &Vec<f64>| column.get(start..)?.first_chunk::<LANES>().copied();
         let ([phi1, phi2], [lower, upper]) =
             ([of(&self.phi[0])?, of(&self.phi[1])?], [of(&self.lower)?, of(&self.upper)?]);
-        let mut lanes = Lanes { slope: phi1, height: phi2, from_above: upper, from_below: lower };
-        for k in 0..LANES {
-            let is_upright = phi2[k] > 0.0;
-            lanes.slope[k] = if is_upright { phi1[k] } else { -phi1[k] };
-            lanes.height[k] = phi2[k].abs();
-            lanes.from_above[k] = if is_upright { upper[k] } else { -lower[k] };
-            lanes.from_below[k] = if is_upright { -lower[k] } else { upper[k] };
-        }
-        Some(lanes)
+        let turned = |upright: [f64; LANES], other: [f64; LANES]| {
+            std::array::from_fn(|k| if phi2[k] > 0.0 { upright[k] } else { -other[k] })
+        };
+        let (slope, height) = (turned(phi1, phi1), phi2.map(f64::abs));
+        let from_below = std::array::from_fn(|k| if phi2[k] > 0.0 { -lower[k] } else { upper[k] });
+        Some(Lanes { slope, height, from_above: turned(upper, lower), from_below })
     }
 }
 
@@ -260,9 +257,9 @@ impl Corners {
     fn contain(&self, slope: &[f64; LANES], height: &[f64; LANES], bound: &[f64; LANES]) -> [bool; LANES] {
         let mut largest = [f64::NEG_INFINITY; LANES];
         for &[v1, v2] in &self.corners {
-            for k in 0..LANES {
-                let value = slope[k] * v1 + height[k] * v2;
-                largest[k] = if value > largest[k] { value } else { largest[k] };
+            for (largest, (slope, height)) in largest.iter_mut().zip(slope.iter().zip(height)) {
+                let value = slope * v1 + height * v2;
+                *largest = if value > *largest { value } else { *largest };
             }
         }
         let ([one, other], [far1, far2]) = (self.edges.each_ref().map(|edge| edge.rounded), self.farthest);
