@@ -19,6 +19,8 @@ pub enum Limit {
     Elements,
     /// Bytes that a compressed file unpacks to.
     Unpacked,
+    /// Bytes that a packed file unpacks to for each of its own.
+    Ratio,
     /// Bytes of a workbook, packed or unpacked.
     Workbook,
     /// Products of machine words that exact arithmetic on long numbers may take ([`Work`](crate::Work)).
@@ -57,6 +59,7 @@ impl Limit {
             Limit::Rows => "--max-rows",
             Limit::Elements => "--max-elements",
             Limit::Unpacked => "--max-unpacked",
+            Limit::Ratio => "--max-ratio",
             Limit::Workbook => "--max-workbook",
             Limit::Work => "--max-work",
             Limit::Nesting => "--max-nesting",

@@ -26,6 +26,8 @@ pub const MOST_WORK: u64 = 250_000_000;
 /// their range.
 const FREE_WORDS: u64 = 64;
 const WORK_OF_READING: u64 = 40;
+/// How much more often the numbers of a reading are combined in a fit than multiplied in a check of one.
+const COMBINATIONS_PER_PRODUCT: u64 = 8;
 const WORK_OF_DENOMINATOR: u64 = 64;
 
 /// The work that numbers make, as far as they are long. The library's answers have no limit; a program that takes files from
@@ -55,6 +57,42 @@ impl Work {
     /// Adds the numbers of a row, which are combined with each other. Cost: constant for each.
     pub fn add<'a>(&mut self, row: usize, numbers: impl IntoIterator<Item = &'a Rational>) {
         self.add_bits(row, numbers.into_iter().map(Rational::bits).sum());
+    }
+
+    /// Adds the numbers of a row, each of which is multiplied a few times by one of so many bits, and no more than that: what
+    /// checking an answer takes. Cost: constant for each.
+    pub fn add_products<'a>(
+        &mut self,
+        row: usize,
+        numbers: impl IntoIterator<Item = &'a Rational>,
+        other_bits: u64,
+    ) {
+        self.add_product_bits(row, numbers.into_iter().map(Rational::bits).sum(), other_bits);
+    }
+
+    fn add_product_bits(&mut self, row: usize, bits: u64, other_bits: u64) {
+        let [words, other] = [bits, other_bits].map(|bits| bits.div_ceil(u64::BITS.into()).max(1));
+        let beyond = words.saturating_mul(other).saturating_sub(FREE_WORDS * FREE_WORDS);
+        if beyond == 0 {
+            return;
+        }
+        self.squares = self.squares.saturating_add(beyond.div_ceil(COMBINATIONS_PER_PRODUCT));
+        self.long += 1;
+        if bits.max(other_bits) > self.longest.0 {
+            self.longest = (bits.max(other_bits), row);
+        }
+    }
+
+    /// The work of checking the numbers of a text that are written in full, whatever else it is, before any of them is built:
+    /// the runs of its digits. Cost: linear.
+    pub fn of_digits(text: &str) -> Self {
+        let mut work = Work::default();
+        for run in text.as_bytes().split(|byte| !byte.is_ascii_digit()) {
+            // log2(10) is 3.3219.
+            let bits = (run.len() as u64).saturating_mul(3_322) / 1_000;
+            work.add_product_bits(0, bits, bits);
+        }
+        work
     }
 
     /// The work on these numbers as one row.
@@ -267,6 +305,21 @@ mod tests {
         let one = estimate("1e10000");
         assert_eq!(one, 40 * (33_220_u64.div_ceil(64) - FREE_WORDS).pow(2));
         assert_eq!(estimate("{\"a\": 1.D-10000, \"b\": 7E+99999999999999999999}"), 2 * one);
+    }
+
+    #[test]
+    fn products_of_long_numbers_with_others_count_by_both_lengths() {
+        let bits = |words: u64| 64 * words - 2;
+        let products = |words: u64, other: u64| {
+            let mut work = Work::default();
+            work.add_product_bits(3, bits(words), bits(other));
+            work.products(1)
+        };
+        assert_eq!([products(64, 64), products(1, 4_096), products(2, 2_048)], [0; 3]);
+        assert_eq!(products(100, 128), 40 * (100 * 128 - 64 * 64) / 8);
+        let digits = |count: usize| Work::of_digits(&format!("[\"{}\", 7]", "1".repeat(count))).products(1);
+        assert_eq!(digits(1_200), 0);
+        assert_eq!(digits(10_000), 40 * (520 * 520 - 64 * 64) / 8);
     }
 
     #[test]

@@ -133,7 +133,8 @@ impl ChunkReader {
             self.decode(encoding);
             added = self.read_on();
         }
-        while added > 0 && !search.is_in(&self.pending, added) {
+        // Blank lines are passed over where lines are counted: a packed file may have any number of them.
+        while added > 0 && !search.is_in(&self.pending, added) && !search.is_far_away() {
             added = self.read_on();
         }
         // What fails after the line is not about the line.

@@ -2,6 +2,8 @@
 
 use boundfit_exact::MOST_WORK;
 
+use crate::error::InputErrorKind;
+
 /// The most that one file may ask for, beside what one of its numbers may ([`boundfit_exact::Limits`]). What passes a limit
 /// is refused before memory is taken for it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,6 +18,9 @@ pub struct SizeLimits {
     pub elements: usize,
     /// Bytes that a compressed file may unpack to.
     pub unpacked: u64,
+    /// How many times its size a packed file may unpack to, beyond 67,108,864 bytes: a compressed one, a variable of a
+    /// `.mat` file, a workbook, and the numbers of 8 bytes that columns of a Parquet or Arrow file stand for.
+    pub ratio: u64,
     /// Bytes that a workbook may have, unpack to, and have as the text of one sheet.
     pub workbook: u64,
     /// Products of machine words that exact arithmetic on its long numbers may take ([`boundfit_exact::Work`]).
@@ -25,8 +30,8 @@ pub struct SizeLimits {
 }
 
 impl Default for SizeLimits {
-    /// 16,777,216 bytes, 100,000 columns, 10,000,000 rows, 100,000,000 elements, 68,719,476,736 and 1,073,741,824 bytes,
-    /// [`MOST_WORK`], 64 levels.
+    /// 16,777,216 bytes, 100,000 columns, 10,000,000 rows, 100,000,000 elements, 68,719,476,736 bytes, 100 times the size,
+    /// 1,073,741,824 bytes, [`MOST_WORK`], 64 levels.
     fn default() -> Self {
         SizeLimits {
             line: LONGEST_LINE,
@@ -34,12 +39,32 @@ impl Default for SizeLimits {
             rows: 10_000_000,
             elements: 100_000_000,
             unpacked: 1 << 36,
+            ratio: 100,
             workbook: 1 << 30,
             work: MOST_WORK,
             nesting: 64,
         }
     }
 }
+
+impl SizeLimits {
+    /// Refuses what so many bytes unpack to, if that is more than they may.
+    pub(crate) fn check_ratio(&self, packed: u64, unpacked: u64) -> Result<(), InputErrorKind> {
+        let ratio = self.ratio;
+        if unpacked <= most_unpacked(packed, ratio) {
+            return Ok(());
+        }
+        Err(InputErrorKind::UnpacksTooFar { ratio })
+    }
+}
+
+/// How many bytes so many bytes may unpack to.
+pub(crate) fn most_unpacked(packed: u64, ratio: u64) -> u64 {
+    ANY_FILE.max(packed.saturating_mul(ratio))
+}
+
+/// How many bytes any file may unpack to, however small it is.
+pub(crate) const ANY_FILE: u64 = 1 << 26;
 
 /// The longest line that is read unless more is asked for, in bytes. Without a bound, a file without line ends would be
 /// held in memory whole.

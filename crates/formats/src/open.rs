@@ -50,7 +50,7 @@ pub fn scan<T: Send>(
 ) -> Result<Scanned, InputError> {
     let (name, content, packed) = source.into_parts();
     if let Some(packed) = &packed {
-        packed.set_limit(options.table.sizes.unpacked);
+        packed.set_limits(options.table.sizes.unpacked, options.table.sizes.ratio);
     }
     let hash = options.hash && packed.is_none();
     let inner = ScanOptions { hash, ..options.clone() };

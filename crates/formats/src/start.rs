@@ -7,6 +7,9 @@ use crate::reduction::record::REDUCTION_MARK;
 
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
+/// How many bytes of blank lines are read ahead of the first one that is not blank.
+const MOST_BEFORE: usize = 1 << 16;
+
 /// Looks for the first line that is not blank in a start that grows.
 #[derive(Default)]
 pub(crate) struct FirstLine {
@@ -15,6 +18,11 @@ pub(crate) struct FirstLine {
 }
 
 impl FirstLine {
+    /// Whether so much comes before the line that it is not worth holding.
+    pub(crate) fn is_far_away(&self) -> bool {
+        self.before > MOST_BEFORE
+    }
+
     /// Whether the line and its end are in the start, to which so many bytes were added since the last call.
     pub(crate) fn is_in(&mut self, start: &[u8], added: usize) -> bool {
         if self.before == 0 {

@@ -11,6 +11,7 @@ use sha2::{Digest, Sha256};
 use thiserror::Error;
 
 use crate::hash::hexadecimal;
+use crate::limits::most_unpacked;
 
 /// How an input is compressed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,6 +49,12 @@ pub(crate) enum UnpackError {
         /// The most bytes.
         limit: u64,
     },
+    /// It unpacks to more than may be for its size.
+    #[error("it unpacks to more than {ratio} times its size")]
+    TooFar {
+        /// How many times its size it may unpack to.
+        ratio: u64,
+    },
     /// It cannot be unpacked.
     #[error("{reason}")]
     Damaged {
@@ -69,6 +76,10 @@ struct State {
     has_failed: bool,
     /// The most bytes that they may unpack to.
     limit: u64,
+    /// How many times its size that may be.
+    ratio: u64,
+    /// How many bytes of the file were read.
+    bytes: u64,
 }
 
 impl Packed {
@@ -78,7 +89,8 @@ impl Packed {
         bytes: Box<dyn Read>,
     ) -> Result<(Self, Box<dyn Read>), Box<dyn Read>> {
         let Some(packing) = Packing::of(start) else { return Err(bytes) };
-        let state = State { hash: Sha256::new(), has_failed: false, limit: u64::MAX };
+        let state =
+            State { hash: Sha256::new(), has_failed: false, limit: u64::MAX, ratio: u64::MAX, bytes: 0 };
         let packed = Packed(Rc::new(RefCell::new(state)));
         let tap = BufReader::new(Tap { bytes, packed: packed.clone() });
         let decoder: Box<dyn Read> = match packing {
@@ -90,9 +102,10 @@ impl Packed {
         Ok((packed.clone(), Box::new(Unpacker { decoder, packed, packing, total: 0 })))
     }
 
-    /// Sets how many bytes there may be unpacked.
-    pub(crate) fn set_limit(&self, limit: u64) {
-        self.0.borrow_mut().limit = limit;
+    /// Sets how many bytes there may be unpacked, and how many for each byte of the file.
+    pub(crate) fn set_limits(&self, limit: u64, ratio: u64) {
+        let mut state = self.0.borrow_mut();
+        (state.limit, state.ratio) = (limit, ratio);
     }
 
     /// SHA-256 of the bytes of the file that were read, in hexadecimal.
@@ -113,6 +126,7 @@ impl Read for Tap {
         match self.bytes.read(buffer) {
             Ok(count) => {
                 state.hash.update(buffer.get(..count).unwrap_or_default());
+                state.bytes += count as u64;
                 Ok(count)
             }
             Err(error) => {
@@ -144,9 +158,12 @@ impl Read for Unpacker {
             io::Error::other(UnpackError::Damaged { format: self.packing.name(), reason })
         })?;
         self.total += count as u64;
-        let limit = self.packed.0.borrow().limit;
+        let State { limit, ratio, bytes, .. } = *self.packed.0.borrow();
         if self.total > limit {
             return Err(io::Error::other(UnpackError::TooLong { limit }));
+        }
+        if self.total > most_unpacked(bytes, ratio) {
+            return Err(io::Error::other(UnpackError::TooFar { ratio }));
         }
         Ok(count)
     }

@@ -29,7 +29,7 @@ impl WholeFile {
     pub fn read(source: Source, sizes: &SizeLimits) -> Result<Self, InputError> {
         let (name, bytes, packed) = source.into_bytes();
         if let Some(packed) = &packed {
-            packed.set_limit(sizes.unpacked);
+            packed.set_limits(sizes.unpacked, sizes.ratio);
         }
         let mut reader = ChunkReader::new(bytes, CHUNK_BYTES, sizes.line, true);
         let content = reader.read_to_end(name.raw())?;

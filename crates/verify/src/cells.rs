@@ -5,10 +5,10 @@ use std::mem;
 
 use boundfit_exact::{
     DecimalMark, Integer, Limit, Limits, PLAIN_DIGITS, PLAIN_EXPONENT, ParseNumberError, Rational, Reading,
-    WrittenDigits, is_missing, plain_decimal,
+    Work, WrittenDigits, is_missing, plain_decimal,
 };
 
-use crate::failure::{Failure, Refusal};
+use crate::failure::{DataLimits, Failure, Refusal};
 use crate::falsehood::Falsehood;
 use crate::plane::HalfPlane;
 use crate::proof::About;
@@ -33,7 +33,14 @@ pub(crate) struct Model {
     one: Integer,
     /// The powers of ten that rows need again and again.
     powers: Vec<Integer>,
+    /// How many bits a row's numbers are multiplied by, how much work that was so far, and may be.
+    longest_vertex: u64,
+    work: Work,
+    most_work: u64,
 }
+
+/// Vertices of fewer bits cost nothing worth counting beside rows of usual numbers.
+const FREE_BITS: u64 = 1 << 12;
 
 /// Something that is read from every row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -84,7 +91,7 @@ impl Number {
 }
 
 impl Model {
-    pub(crate) fn new(about: &About, limits: &Limits) -> Self {
+    pub(crate) fn new(about: &About, limits: &DataLimits, longest_vertex: u64) -> Self {
         let [(x, times), phi2, y, epsilon] = &about.model;
         let number = |(column, times): &(u64, Rational)| (Quantity::Number, *column, times.clone());
         let phi1 =
@@ -116,7 +123,7 @@ impl Model {
                 Bounds::Between { lower, upper }
             }
         };
-        let (reading, limits, phi) = (about.reading, *limits, [phi1, phi2]);
+        let (reading, most_work, limits, phi) = (about.reading, limits.work, limits.number, [phi1, phi2]);
         let powers = (0..=PLAIN_DIGITS as u32).map(Integer::power_of_ten).collect();
         Model {
             reading,
@@ -129,6 +136,9 @@ impl Model {
             integers: Vec::new(),
             one: Integer::one(),
             powers,
+            longest_vertex,
+            work: Work::default(),
+            most_work,
         }
     }
 
@@ -140,6 +150,7 @@ impl Model {
             numbers.push(self.read(*source, row, cells)?);
         }
         self.numbers = numbers;
+        self.count_work(row)?;
         self.one = over_one_denominator(&self.numbers, &self.powers, &mut self.integers);
         match &self.bounds {
             Bounds::Around { above, below, .. }
@@ -149,6 +160,22 @@ impl Model {
             }
             _ => Ok(()),
         }
+    }
+
+    /// Adds the row that was read to the work on all of them, and refuses what passes the limit.
+    fn count_work(&mut self, row: u64) -> Result<(), Failure> {
+        let is_long = |number: &Number| matches!(number, Number::Fraction(_));
+        if self.longest_vertex < FREE_BITS && !self.numbers.iter().flatten().any(is_long) {
+            return Ok(());
+        }
+        let long = self.numbers.iter().flatten().filter_map(|number| match number {
+            Number::Fraction(number) => Some(number),
+            Number::Decimal { .. } => None,
+        });
+        let bits: u64 = long.clone().map(Rational::bits).sum();
+        let row = usize::try_from(row).unwrap_or_default();
+        self.work.add_products(row, long, self.longest_vertex.max(bits));
+        self.work.check(1, self.most_work).map_err(|refused| Failure::Refused(refused.into()))
     }
 
     /// Whether the row that was read says something from below, and from above.

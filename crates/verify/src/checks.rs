@@ -110,7 +110,7 @@ impl Proof {
         let mut rows = self.about.open(data, limits)?;
         let has_header = self.about.header && rows.next()?;
         let names = if has_header { self.about.names(rows.cells()) } else { BTreeMap::new() };
-        let found = self.about.for_each_half_plane(&mut rows, &limits.number, take);
+        let found = self.about.for_each_half_plane(&mut rows, limits, self.longest_vertex(), take);
         let found = match found {
             Err(failure) if failure.ends_reading() => return Err(failure),
             found => found,

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use boundfit_exact::{Limit, ParseNumberError};
+use boundfit_exact::{Limit, MOST_WORK, ParseNumberError, TooMuchWork};
 use thiserror::Error;
 
 use crate::falsehood::Falsehood;
@@ -28,9 +28,11 @@ pub enum Failure {
 impl Failure {
     /// Whether the data can be read no further.
     pub(crate) fn ends_reading(&self) -> bool {
-        use Refusal::{Number, RowTooLong, TooManyColumns};
+        use Refusal::{Number, RowTooLong, TooManyColumns, Work};
         match self {
-            Failure::Unreadable(_) | Failure::Refused(RowTooLong { .. } | TooManyColumns(_)) => true,
+            Failure::Unreadable(_) | Failure::Refused(RowTooLong { .. } | TooManyColumns(_) | Work(_)) => {
+                true
+            }
             Failure::Refused(Number { .. }) | Failure::Changed | Failure::False(_) => false,
         }
     }
@@ -66,6 +68,9 @@ pub enum Refusal {
         /// Which limit.
         error: ParseNumberError,
     },
+    /// Long numbers, of the data or of the vertices that they are compared with.
+    #[error("{0}")]
+    Work(#[from] TooMuchWork),
 }
 
 impl Refusal {
@@ -75,6 +80,7 @@ impl Refusal {
             Refusal::RowTooLong { .. } => Some(Limit::Line),
             Refusal::TooManyColumns(_) => Some(Limit::Columns),
             Refusal::Number { error, .. } => Limit::of_number(&error.kind),
+            Refusal::Work(_) => Some(Limit::Work),
         }
     }
 }
@@ -88,11 +94,18 @@ pub struct DataLimits {
     pub row: usize,
     /// Cells of one row.
     pub columns: usize,
+    /// Products of machine words that long numbers may take ([`boundfit_exact::Work`]).
+    pub work: u64,
 }
 
 impl Default for DataLimits {
-    /// 10,000 digits, exponents up to 10,000, 16,777,216 bytes and 100,000 cells.
+    /// 10,000 digits, exponents up to 10,000, 16,777,216 bytes, 100,000 cells and [`MOST_WORK`].
     fn default() -> Self {
-        DataLimits { number: boundfit_exact::Limits::default(), row: 1 << 24, columns: 100_000 }
+        DataLimits {
+            number: boundfit_exact::Limits::default(),
+            row: 1 << 24,
+            columns: 100_000,
+            work: MOST_WORK,
+        }
     }
 }

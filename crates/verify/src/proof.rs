@@ -102,6 +102,11 @@ impl Proof {
         })
     }
 
+    /// How many bits the longest vertex has.
+    pub(crate) fn longest_vertex(&self) -> u64 {
+        self.vertices.iter().map(|[x, y]| x.bits() + y.bits()).max().unwrap_or_default()
+    }
+
     /// What it is about, whether it is true or not.
     pub fn about(&self) -> &About {
         &self.about
@@ -150,10 +155,11 @@ impl About {
     pub(crate) fn for_each_half_plane<R: Read>(
         &self,
         rows: &mut Rows<R>,
-        limits: &Limits,
+        limits: &DataLimits,
+        longest_vertex: u64,
         mut take: impl FnMut(Name, &dyn Fn() -> HalfPlane) -> Result<(), Falsehood>,
     ) -> Result<(), Failure> {
-        let mut model = Model::new(self, limits);
+        let mut model = Model::new(self, limits, longest_vertex);
         let start = rows.count();
         for [first, last] in self.ranges()? {
             while rows.count() - start < first - 1 {

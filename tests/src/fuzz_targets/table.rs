@@ -25,6 +25,7 @@ const SIZES: SizeLimits = SizeLimits {
     line: 1 << 16,
     columns: 1_000,
     unpacked: 1 << 20,
+    ratio: 1_000,
     workbook: 1 << 20,
     work: MOST_WORK,
 };

@@ -173,11 +173,15 @@ fn bombs_are_refused_before_memory_is_taken() {
     let far: String =
         (1..200_000).map(|row| format!("<row r=\"{row}\"><c r=\"A{row}\"><v>1</v></c></row>")).collect();
     let far = far + "<row r=\"200000\"><c r=\"XFD200000\"><v>1</v></c></row>";
-    refused(&xlsx(&[("S", &far)]), XY, &too_large(1 << 30));
+    let too_far = ": refused: it unpacks to more than 67108864 bytes and 100 times its size (the limit); --max-ratio raises it";
+    let any_ratio = format!("{XY} --max-ratio 1000000000");
+    refused(&xlsx(&[("S", &far)]), XY, too_far);
+    refused(&xlsx(&[("S", &far)]), &any_ratio, &too_large(1 << 30));
     // Repetitions that a library would write out.
     let cell = "<table:table-cell office:value-type=\"float\" office:value=\"1\" table:number-columns-repeated=\"16384\"/>";
     let rows = format!("<table:table-row table:number-rows-repeated=\"1048576\">{cell}</table:table-row>");
-    refused(&ods(&[("S", &rows)]), XY, &too_large(1 << 30));
+    refused(&ods(&[("S", &rows)]), XY, too_far);
+    refused(&ods(&[("S", &rows)]), &any_ratio, &too_large(1 << 30));
     let spaces = "<table:table-row><table:table-cell office:value-type=\"string\"><text:p><text:s text:c=\"99999999999\"/></text:p></table:table-cell></table:table-row>";
     refused(&ods(&[("S", spaces)]), XY, &too_large(1 << 30));
 }

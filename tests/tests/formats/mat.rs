@@ -411,7 +411,7 @@ fn columns_must_have_one_length() {
 #[test]
 fn limits_are_named_with_the_option_that_raises_them() {
     let limit = |elements| {
-        let sizes = SizeLimits { elements, ..SizeLimits::default() };
+        let sizes = SizeLimits { elements, ratio: u64::MAX, ..SizeLimits::default() };
         TableOptions { sizes, ..TableOptions::default() }
     };
     // A thousand times as large as what it is packed into.

@@ -474,6 +474,7 @@ impl LimitArguments {
             rows: size(self.max_rows),
             elements: size(self.max_elements),
             unpacked: self.max_unpacked,
+            ratio: self.max_ratio,
             workbook: self.max_workbook,
             work: self.max_work,
             nesting: usize::from(self.max_nesting),

@@ -200,6 +200,10 @@ pub(crate) struct LimitArguments {
     #[arg(long, value_name = "BYTES", default_value_t = 1 << 36, value_parser = value_parser!(u64).range(1..),
           help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_unpacked: u64,
+    /// How many times its size a packed file of any kind may unpack to, beyond 64 MB
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = value_parser!(u64).range(1..),
+          help_heading = LIMITS, hide_short_help = true)]
+    pub(super) max_ratio: u64,
     /// Bytes that an .xlsx or .ods workbook may have, packed or unpacked
     #[arg(long, value_name = "BYTES", default_value_t = 1 << 30, value_parser = value_parser!(u64).range(1..=1 << 40),
           help_heading = LIMITS, hide_short_help = true)]

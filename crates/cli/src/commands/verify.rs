@@ -4,7 +4,8 @@ use std::fs::{self, File};
 use std::io::{self, Read, Seek, Write};
 
 use boundfit_check::nested_beyond;
-use boundfit_exact::Foreign;
+use boundfit_exact::{Foreign, Work};
+use boundfit_formats::SizeLimits;
 use boundfit_report::{Verdict, verify_json, verify_text};
 use boundfit_verify::{DataLimits, Failure as Unverified, Proof};
 
@@ -14,6 +15,7 @@ use crate::exit::{Exit, Failure};
 use crate::input::{named, read_text};
 use crate::output;
 use crate::progress::while_working;
+use crate::work::{refuse_long, times};
 
 /// Reads the proof and the data, checks one against the other and writes the verdict.
 pub(crate) fn run(arguments: &VerifyArguments) -> CommandResult {
@@ -34,8 +36,8 @@ pub(crate) fn run(arguments: &VerifyArguments) -> CommandResult {
     })?;
     let question = arguments.question(proof.about())?;
     let mut data = Data::new(data_file);
-    let data_limits =
-        DataLimits { number: limits.number(), row: limits.sizes().line, columns: limits.sizes().columns };
+    let SizeLimits { line: row, columns, work, .. } = limits.sizes();
+    let data_limits = DataLimits { number: limits.number(), row, columns, work };
     let verdict = while_working("verifying", || proof.verify(|| data.open(), &data_limits));
     let verdict = match verdict {
         Ok(statement) => Ok(statement),
@@ -126,5 +128,6 @@ fn read_proof(file: &str, limits: &LimitArguments, largest: u64) -> Result<Strin
             Foreign::of(named(file))
         )));
     }
+    refuse_long(Foreign::of(named(file)), &Work::of_digits(&text), times::FIT, limits)?;
     Ok(text)
 }

@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use arrow_array::{ArrayRef, BooleanArray, RecordBatch};
 use arrow_select::filter::filter_record_batch;
-use boundfit_exact::{Column, Foreign};
+use boundfit_exact::{Column, Foreign, WorkMeter};
 use sha2::{Digest, Sha256};
 
 use crate::binary::BinaryFormat;
@@ -26,6 +26,12 @@ use crate::threads;
 use numbers::{fractions, missing, numbers};
 use open::{BATCH_ROWS, batches, column_names, guarded, plain, unreadable};
 use texts::{BadCell, keys, lines, text};
+
+/// How many parts of a record batch are decoded at a time.
+const PARTS_PER_THREAD: usize = 4;
+
+/// What a number takes in memory, whatever it takes in the file.
+const BYTES_PER_NUMBER: u64 = 8;
 
 /// Reads a Parquet file or an Arrow IPC file or stream like [`scan`](crate::scan) reads text: the same numbers, rows and
 /// batches in order as from a CSV of the same table. The names of the columns are those of the schema.
@@ -57,13 +63,16 @@ pub(crate) fn scan_arrow<T: Send>(
     let layout = Layout::new(name, &names, columns, options)?;
     let mut batches = guarded(format, || batches(format, &file, layout.positions())).map_err(fail)?;
     let mut progress = Follower { options, reported: 0 };
-    let (mut rows_total, mut more) = (0, true);
+    let (mut rows_total, mut more, mut unpacked) = (0, true, 0);
     let (mut used, mut lacking) = (0, Lacking::default());
+    let sizes = &options.table.sizes;
     while more {
         let mut group = Vec::new();
         while more && group.len() < threads::count() {
             more = match guarded(format, || batches.next().transpose()).map_err(fail)? {
                 Some(batch) => {
+                    unpacked += BYTES_PER_NUMBER * (batch.num_rows() * batch.num_columns()) as u64;
+                    sizes.check_ratio(bytes, unpacked).map_err(fail)?;
                     group.extend(layout.parts(rows_total + 1, &batch));
                     rows_total += batch.num_rows();
                     true
@@ -71,22 +80,29 @@ pub(crate) fn scan_arrow<T: Send>(
                 None => false,
             };
         }
-        let decoded: Vec<Result<(T, usize, Lacking), InputError>> = threads::map(group, |part| {
-            let (batch, lacking) = layout.decode(&part)?;
-            let used = batch.rows.len();
-            Ok((work(batch), used, lacking))
-        });
-        for result in decoded {
-            match result {
-                Ok((made, rows, later)) => {
-                    take(made);
-                    used += rows;
-                    lacking.add(later);
-                }
-                Err(error) => {
-                    return lacking.settle(Err(error), used, options.table.missing).map(|(never, _)| never);
+        // A record batch may have any number of rows.
+        while !group.is_empty() {
+            let later = group.split_off(group.len().min(PARTS_PER_THREAD * threads::count()));
+            let decoded: Vec<Result<(T, usize, Lacking), InputError>> = threads::map(group, |part| {
+                let (batch, lacking) = layout.decode(&part)?;
+                let used = batch.rows.len();
+                Ok((work(batch), used, lacking))
+            });
+            for result in decoded {
+                match result {
+                    Ok((made, rows, later)) => {
+                        take(made);
+                        used += rows;
+                        lacking.add(later);
+                    }
+                    Err(error) => {
+                        return lacking
+                            .settle(Err(error), used, options.table.missing)
+                            .map(|(never, _)| never);
+                    }
                 }
             }
+            group = later;
         }
         // Clones of a file share their position; in Parquet it jumps between columns.
         progress.at(file.stream_position().unwrap_or_default()).map_err(fail)?;
@@ -130,6 +146,8 @@ struct Layout<'a> {
     key: Option<ColumnPlace>,
     /// What must hold for rows to be wanted, and where the columns are that it is about.
     conditions: Vec<(ColumnPlace, &'a RowCondition)>,
+    /// The work on the numbers that were read as text.
+    meter: WorkMeter,
 }
 
 impl<'a> Layout<'a> {
@@ -162,6 +180,7 @@ impl<'a> Layout<'a> {
                 .iter()
                 .map(|condition| Ok((find(condition.column())?, condition)))
                 .collect::<Result<_, InputError>>()?,
+            meter: WorkMeter::default(),
         })
     }
 
@@ -307,7 +326,7 @@ impl<'a> Layout<'a> {
         rows: &RowNumbers,
         batch: &RecordBatch,
     ) -> Result<Column, InputError> {
-        numbers(&self.array(place, batch)?, selector, &self.options.table)
+        numbers(&self.array(place, batch)?, selector, &self.options.table, &self.meter)
             .map_err(|bad| self.error(place, Some(rows), bad))
     }
 

@@ -10,7 +10,7 @@ use arrow_array::types::{
 use arrow_array::{Array, ArrayRef, ArrowPrimitiveType};
 use arrow_schema::DataType;
 use boundfit_exact::{
-    Column, DecimalMark, PLAIN_DIGITS, PLAIN_EXPONENT, Rational, Reading, Unit, plain_decimal,
+    Column, DecimalMark, PLAIN_DIGITS, PLAIN_EXPONENT, Rational, Reading, Unit, WorkMeter, plain_decimal,
 };
 
 use super::texts::{BadCell, refuse_nulls, text};
@@ -25,14 +25,15 @@ pub(super) fn numbers(
     array: &ArrayRef,
     selector: &ColumnSelector,
     options: &TableOptions,
+    meter: &WorkMeter,
 ) -> Result<Column, BadCell> {
     match selector.role() {
-        Role::Number | Role::NonNegative => given_numbers(array, selector, options),
+        Role::Number | Role::NonNegative => given_numbers(array, selector, options, meter),
         Role::Presence => {
             let counts = (0..array.len()).map(|index| i128::from(!is_missing(array, index)));
             Ok(Column::of_counts(counts, Unit::TenTo(0)))
         }
-        Role::Optional => optional_numbers(array, selector, options),
+        Role::Optional => optional_numbers(array, selector, options, meter),
         Role::HalfUnit => half_units(array, selector),
     }
 }
@@ -92,15 +93,16 @@ fn optional_numbers(
     array: &ArrayRef,
     selector: &ColumnSelector,
     options: &TableOptions,
+    meter: &WorkMeter,
 ) -> Result<Column, BadCell> {
     let is_there: Vec<bool> = (0..array.len()).map(|index| !is_missing(array, index)).collect();
     if !is_there.contains(&false) {
-        return given_numbers(array, selector, options);
+        return given_numbers(array, selector, options, meter);
     }
     let mut column = Column::default();
     for (index, is_there) in is_there.into_iter().enumerate() {
         if is_there {
-            let own = given_numbers(&array.slice(index, 1), selector, options);
+            let own = given_numbers(&array.slice(index, 1), selector, options, meter);
             column.append(&own.map_err(|bad| BadCell { index: Some(index), ..bad })?, 0..1);
         } else if options.reading == Reading::Binary64 {
             column.push_double(0.0);
@@ -133,9 +135,10 @@ fn given_numbers(
     array: &ArrayRef,
     selector: &ColumnSelector,
     options: &TableOptions,
+    meter: &WorkMeter,
 ) -> Result<Column, BadCell> {
     refuse_nulls(array)?;
-    let reader = Reader { array, selector, options };
+    let reader = Reader { array, selector, options, meter };
     let column = match array.data_type() {
         DataType::Int8 => reader.integers::<Int8Type>(0),
         DataType::Int16 => reader.integers::<Int16Type>(0),
@@ -178,6 +181,7 @@ struct Reader<'a> {
     array: &'a ArrayRef,
     selector: &'a ColumnSelector,
     options: &'a TableOptions,
+    meter: &'a WorkMeter,
 }
 
 impl Reader<'_> {
@@ -233,7 +237,11 @@ impl Reader<'_> {
     fn add(&self, text: &str, column: &mut Column) -> Result<(), InputErrorKind> {
         match (self.options.reading, plain_decimal(text.as_bytes()).filter(|_| self.is_plain())) {
             (Reading::Decimal, Some((mantissa, exponent))) => column.push_decimal(mantissa, exponent),
-            (Reading::Decimal, None) => column.push(self.exact(text)?),
+            (Reading::Decimal, None) => {
+                let number = self.exact(text)?;
+                self.meter.add(&number, text.contains('/'), self.options.sizes.work)?;
+                column.push(number);
+            }
             (Reading::Binary64, _) => column.push_double(self.exact(text)?.to_f64()),
         }
         Ok(())

@@ -21,6 +21,9 @@ use crate::error::InputErrorKind;
 /// hands the same memory out again; with eight times as many, 17 digits take a fifth longer.
 pub(super) const BATCH_ROWS: usize = 1 << 13;
 
+/// The most rows of text: a page may have one long text that all of them are.
+const BATCH_ROWS_OF_TEXT: usize = 1 << 12;
+
 /// The names of all columns.
 pub(super) fn column_names(format: BinaryFormat, file: &File) -> Result<Vec<Foreign>, InputErrorKind> {
     let fail = |error| unreadable(format, error);
@@ -58,8 +61,13 @@ pub(super) fn batches(
         BinaryFormat::Parquet => {
             let builder = ParquetRecordBatchReaderBuilder::try_new(file.try_clone()?)
                 .map_err(|error| fail(error.into()))?;
+            let is_text = |column: &usize| {
+                let field = builder.schema().fields().get(*column);
+                field.is_some_and(|field| !field.data_type().is_primitive())
+            };
+            let rows = if columns.iter().any(is_text) { BATCH_ROWS_OF_TEXT } else { BATCH_ROWS };
             let mask = ProjectionMask::roots(builder.parquet_schema(), columns);
-            let reader = builder.with_projection(mask).with_batch_size(BATCH_ROWS).build();
+            let reader = builder.with_projection(mask).with_batch_size(rows).build();
             let reader = reader.map_err(|error| fail(error.into()))?;
             Box::new(reader.map(move |batch| batch.map_err(fail)))
         }

@@ -6,6 +6,7 @@ use boundfit_exact::english::counted;
 use boundfit_exact::{DecimalMark, Foreign, Limit, ParseNumberError, ParseNumberErrorKind, TooMuchWork};
 use thiserror::Error;
 
+use crate::limits::ANY_FILE;
 use crate::reduction::error::ReductionError;
 use crate::selection::RowRange;
 use crate::unpack::UnpackError;
@@ -102,6 +103,12 @@ pub enum InputErrorKind {
     TooMuchUnpacked {
         /// The most bytes.
         limit: u64,
+    },
+    /// A packed file that unpacks to more than the limit for its size.
+    #[error("refused: it unpacks to more than {ANY_FILE} bytes and {ratio} times its size (the limit)")]
+    UnpacksTooFar {
+        /// How many times its size it may unpack to.
+        ratio: u64,
     },
     /// A workbook beyond the limit.
     #[error("refused: the workbook has or unpacks to more than {limit} bytes (the limit)")]
@@ -337,6 +344,7 @@ impl From<io::Error> for InputErrorKind {
             Ok(error) => InputErrorKind::Reduction(error),
             Err(error) => match error.downcast::<UnpackError>() {
                 Ok(UnpackError::TooLong { limit }) => InputErrorKind::TooMuchUnpacked { limit },
+                Ok(UnpackError::TooFar { ratio }) => InputErrorKind::UnpacksTooFar { ratio },
                 Ok(UnpackError::Damaged { format, reason }) => {
                     InputErrorKind::Unreadable { format, reason: reason.into() }
                 }
@@ -360,6 +368,7 @@ impl InputErrorKind {
             InputErrorKind::TooManyRows { .. } => Some(Limit::Rows),
             InputErrorKind::TooManyElements { .. } => Some(Limit::Elements),
             InputErrorKind::TooMuchUnpacked { .. } => Some(Limit::Unpacked),
+            InputErrorKind::UnpacksTooFar { .. } => Some(Limit::Ratio),
             InputErrorKind::WorkbookTooLarge { .. } => Some(Limit::Workbook),
             InputErrorKind::TooMuchWork(_) => Some(Limit::Work),
             _ => None,

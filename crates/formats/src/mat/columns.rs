@@ -19,6 +19,9 @@ use crate::scan::Progress;
 /// What reports call such files.
 const FORMAT: &str = "a MATLAB file";
 
+/// What a number takes in memory, whatever it takes in the file.
+const BYTES_PER_NUMBER: u64 = 8;
+
 /// Columns of one length out of a file.
 pub(super) struct MatColumns {
     /// Those asked for, in that order.
@@ -120,7 +123,7 @@ impl MatColumns {
         let mut file = MatFile::new(file, hash, progress);
         let order = header(&mut file)?;
         let wanted: Vec<Wanted> = selectors.iter().map(|selector| Wanted::new(selector)).collect();
-        let mut search = Search { wanted: &wanted, sizes, all: Vec::new(), before: 0 };
+        let mut search = Search { wanted: &wanted, sizes, all: Vec::new(), before: 0, packed: 0, held: 0 };
         loop {
             file.go_on()?;
             let start = file.position();
@@ -164,6 +167,9 @@ struct Search<'a> {
     all: Vec<Found>,
     /// How many columns there are so far.
     before: u64,
+    /// How many bytes of variables there were in the file so far, and how many of numbers are held of those.
+    packed: u64,
+    held: u64,
 }
 
 impl Search<'_> {
@@ -171,6 +177,7 @@ impl Search<'_> {
     fn next(&mut self, file: &mut MatFile, order: ByteOrder) -> Result<bool, Damage> {
         let Some(tag) = Elements::new(file.by_ref(), order).tag()? else { return Ok(false) };
         let mut body = file.by_ref().take(tag.bytes);
+        self.packed = self.packed.saturating_add(tag.bytes);
         match tag.kind {
             MATRIX => {
                 self.matrix(&mut Elements::new(&mut body, order), "", self.sizes.nesting)?;
@@ -235,6 +242,8 @@ impl Search<'_> {
                     limit,
                 }));
             }
+            self.held = self.held.saturating_add(count.saturating_mul(BYTES_PER_NUMBER));
+            self.sizes.check_ratio(self.packed, self.held).map_err(Damage::Refused)?;
             found.numbers = Some(Arc::new(Numbers::read(elements, count)?));
             // What is left of the variable is inflated for its checksum, and is at most padding.
             if elements.tag()?.is_some() {

@@ -16,6 +16,7 @@ use sha2::{Digest, Sha256};
 use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
 use crate::hash::hexadecimal;
+use crate::limits::most_unpacked;
 use crate::roles::Role;
 use crate::scan::{Batch, ScanOptions, Scanned, scan_text};
 
@@ -69,9 +70,17 @@ pub(crate) fn scan_workbook<T: Send>(
     let sha256 = options.hash.then(|| hexadecimal(&Sha256::new_with_prefix(&content)));
     let total = content.len() as u64;
     let wanted = options.table.sheet.as_deref();
+    let sizes = &options.table.sizes;
+    let most = limit.min(most_unpacked(total, sizes.ratio));
     let sheet = guarded(|| {
-        let kind = measure(&content, limit)?;
-        sheet_text(kind, content, wanted, limit)
+        let kind = measure(&content, most)?;
+        sheet_text(kind, content, wanted, most)
+    });
+    let sheet = sheet.map_err(|problem| match problem {
+        InputErrorKind::WorkbookTooLarge { .. } if most < limit => {
+            InputErrorKind::UnpacksTooFar { ratio: sizes.ratio }
+        }
+        problem => problem,
     });
     let Sheet { name, text } = sheet.map_err(fail)?;
     let mut inner = ScanOptions { hash: false, progress: None, ..options.clone() };
