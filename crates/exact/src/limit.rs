@@ -13,7 +13,7 @@ pub enum Limit {
     Line,
     /// Columns of a table of text.
     Columns,
-    /// Rows that a size line may announce.
+    /// Rows that a size line may announce, and that are held in memory.
     Rows,
     /// Elements of one array of a `.mat` file.
     Elements,
@@ -25,6 +25,8 @@ pub enum Limit {
     Workbook,
     /// Products of machine words that exact arithmetic on long numbers may take ([`Work`](crate::Work)).
     Work,
+    /// Bytes of a text that is held in memory whole.
+    Text,
     /// How deep arrays and objects of JSON may be nested.
     Nesting,
     /// Digits of the fraction of a sum over all vertices that is printed.
@@ -62,6 +64,7 @@ impl Limit {
             Limit::Ratio => "--max-ratio",
             Limit::Workbook => "--max-workbook",
             Limit::Work => "--max-work",
+            Limit::Text => "--max-text",
             Limit::Nesting => "--max-nesting",
             Limit::Fraction => "--max-fraction",
         }

@@ -7,9 +7,9 @@
 //!
 //! 40 · Σ w² over readings of w words + 64 · d² for different denominators of d words together,
 //!
-//! with factors that were measured: what they estimate as 10⁹ takes from a third of a second to four. Of both lengths
-//! [`FREE_WORDS`] are free, so that the estimate is 0 for numbers of up to a thousand digits, however many: what these cost is
-//! linear in the bytes of a file, and no limit is needed.
+//! with factors that were measured: what they estimate as 10⁹ takes from a third of a second to four. Of both lengths some
+//! words are free, so that the estimate is 0 for rows of up to 1,800 digits, however many: what these cost is linear in the
+//! bytes of a file, and no limit is needed.
 
 use std::collections::HashSet;
 use std::sync::{Mutex, PoisonError};
@@ -20,11 +20,15 @@ use crate::english::counted;
 use crate::{Integer, Rational};
 
 /// The most products that are done unless more is asked for: about a second.
-pub const MOST_WORK: u64 = 250_000_000;
+pub const MOST_WORK: u64 = 400_000_000;
 
-/// So many words of a reading, and of all different denominators together, are free: 4,096 bits, two doubles at the ends of
-/// their range.
-const FREE_WORDS: u64 = 64;
+/// So many words of a reading are free: two regressors, a response and two bounds that are doubles of 17 digits at the ends of
+/// their range, with numerators and denominators of 1,134 bits.
+const FREE_WORDS: u64 = 96;
+/// So many words of all different denominators together are free.
+const FREE_DENOMINATOR_WORDS: u64 = 64;
+/// So many products of the words of one number and of another one are free.
+const FREE_PRODUCTS: u64 = 64 * 64;
 const WORK_OF_READING: u64 = 40;
 /// How much more often the numbers of a reading are combined in a fit than multiplied in a check of one.
 const COMBINATIONS_PER_PRODUCT: u64 = 8;
@@ -72,7 +76,7 @@ impl Work {
 
     fn add_product_bits(&mut self, row: usize, bits: u64, other_bits: u64) {
         let [words, other] = [bits, other_bits].map(|bits| bits.div_ceil(u64::BITS.into()).max(1));
-        let beyond = words.saturating_mul(other).saturating_sub(FREE_WORDS * FREE_WORDS);
+        let beyond = words.saturating_mul(other).saturating_sub(FREE_PRODUCTS);
         if beyond == 0 {
             return;
         }
@@ -145,7 +149,8 @@ impl Work {
 
     /// The estimate for a computation that does all of it so many times, in products of two words.
     pub fn products(&self, times: u64) -> u64 {
-        let denominators = self.denominator_bits.div_ceil(u64::BITS.into()).saturating_sub(FREE_WORDS);
+        let denominators =
+            self.denominator_bits.div_ceil(u64::BITS.into()).saturating_sub(FREE_DENOMINATOR_WORDS);
         let of_denominators = denominators.saturating_pow(2).saturating_mul(WORK_OF_DENOMINATOR);
         let of_readings = self.squares.saturating_mul(WORK_OF_READING);
         of_readings.saturating_add(of_denominators).saturating_mul(times)
@@ -272,6 +277,8 @@ mod tests {
         let mut work = Work::default();
         let doubles = [f64::MAX, 5e-324].map(|double| Rational::from_f64(double).unwrap());
         (1..100_000).for_each(|row| work.add(row, [&doubles[0], &doubles[1]]));
+        let longest = Rational::scientific(12_345_678_901_234_567, -324);
+        work.add(1, [&longest; 5]);
         assert_eq!(work, Work::default());
         let meter = WorkMeter::default();
         let third = Rational::ratio(1, 3);
@@ -290,10 +297,10 @@ mod tests {
         assert_eq!(work.products(3), 300 * WORK_OF_READING);
         assert_eq!(work.check(1, 4_000), Ok(()));
         let refused = work.check(1, 3_999).unwrap_err();
-        assert_eq!(refused.what, LongNumbers::Rows { count: 1, digits: 1426, longest: 7 });
+        assert_eq!(refused.what, LongNumbers::Rows { count: 1, digits: 2042, longest: 7 });
         assert_eq!(
             refused.to_string(),
-            "refused: exact arithmetic on 1 row of up to 1426 digits (row 7) takes about 4.0e3 products of machine words, more than \
+            "refused: exact arithmetic on 1 row of up to 2042 digits (row 7) takes about 4.0e3 products of machine words, more than \
              3999 (the limit)"
         );
     }

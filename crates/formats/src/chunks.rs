@@ -193,11 +193,14 @@ impl ChunkReader {
         self.skip(self.pending.len() - without_mark(&self.pending).len());
     }
 
-    /// All bytes that were not handed out, at once.
-    pub(crate) fn read_to_end(&mut self, file: &str) -> Result<Vec<u8>, InputError> {
+    /// All bytes that were not handed out, at once, but no more than this.
+    pub(crate) fn read_to_end(&mut self, file: &str, limit: u64) -> Result<Vec<u8>, InputError> {
         let mut content = Vec::new();
         while let Some(chunk) = self.next_chunk() {
             content.extend_from_slice(&chunk);
+            if content.len() as u64 > limit {
+                return Err(InputError::of_file(file, InputErrorKind::TextTooLarge { limit }));
+            }
             self.recycle(vec![chunk]);
         }
         match self.failure() {

@@ -12,7 +12,7 @@ pub struct SizeLimits {
     pub line: usize,
     /// Columns of a table of text.
     pub columns: usize,
-    /// Rows that the size line of an `.ine` or `.ext` file may announce.
+    /// Rows that the size line of an `.ine` or `.ext` file may announce, and of a table that is held in memory whole.
     pub rows: usize,
     /// Elements that one array of a `.mat` file may have.
     pub elements: usize,
@@ -25,13 +25,15 @@ pub struct SizeLimits {
     pub workbook: u64,
     /// Products of machine words that exact arithmetic on its long numbers may take ([`boundfit_exact::Work`]).
     pub work: u64,
+    /// Bytes of a text that is held in memory whole: half-planes, a linear program.
+    pub text: u64,
     /// How deep arrays and objects of a JSON file may be nested.
     pub nesting: usize,
 }
 
 impl Default for SizeLimits {
     /// 16,777,216 bytes, 100,000 columns, 10,000,000 rows, 100,000,000 elements, 68,719,476,736 bytes, 100 times the size,
-    /// 1,073,741,824 bytes, [`MOST_WORK`], 64 levels.
+    /// 1,073,741,824 bytes, [`MOST_WORK`], 1,073,741,824 bytes, 64 levels.
     fn default() -> Self {
         SizeLimits {
             line: LONGEST_LINE,
@@ -42,6 +44,7 @@ impl Default for SizeLimits {
             ratio: 100,
             workbook: 1 << 30,
             work: MOST_WORK,
+            text: 1 << 30,
             nesting: 64,
         }
     }

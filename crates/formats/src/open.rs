@@ -1,5 +1,8 @@
 //! Which reader reads an input: the only place where formats are told apart.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use boundfit_exact::Foreign;
 
 #[cfg(feature = "arrow")]
@@ -8,7 +11,7 @@ use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
 use crate::fractions::Fractions;
 use crate::mat::scan_mat;
-use crate::scan::{Batch, ScanOptions, Scanned, scan_text};
+use crate::scan::{Batch, Progress, ScanOptions, Scanned, scan_text};
 use crate::selection::RowNumbers;
 use crate::source::{Content, Source};
 use crate::table::{Table, TableOptions, TableRow};
@@ -124,6 +127,18 @@ impl Wanted {
     }
 }
 
+/// Stops reading when more rows are in memory than may be: a stream may have any number of them.
+#[derive(Default)]
+struct IsFull(AtomicBool);
+
+impl Progress for IsFull {
+    fn advanced(&self, _: u64) {}
+
+    fn is_cancelled(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
 /// Reads the columns asked for like [`scan`], and keeps all rows.
 ///
 /// Exact as `options.reading` says. Cost: one pass; memory for the wanted cells.
@@ -150,13 +165,21 @@ pub fn read_table(
     columns: &[ColumnSelector],
     options: &TableOptions,
 ) -> Result<Table, InputError> {
-    let options = ScanOptions { table: options.clone(), ..ScanOptions::default() };
+    let (file, limit) = (source.name().to_owned(), options.sizes.rows);
+    let is_full = Arc::new(IsFull::default());
+    let options =
+        ScanOptions { table: options.clone(), progress: Some(is_full.clone()), ..ScanOptions::default() };
     let (mut rows, mut others) = (Vec::new(), Vec::new());
     let rows_of = |batch: Batch| (batch.table_rows().collect::<Vec<TableRow>>(), batch.others);
     let scanned = scan(source, columns, &options, rows_of, |(wanted, unwanted)| {
         rows.extend(wanted);
         others.extend(unwanted);
-    })?;
+        is_full.0.fetch_or(rows.len() + others.len() > limit, Ordering::Relaxed);
+    });
+    if is_full.is_cancelled() {
+        return Err(InputError::of_file(file.raw(), InputErrorKind::TooManyRows { limit }));
+    }
+    let scanned = scanned?;
     Ok(Table {
         names: scanned.names,
         header: scanned.header,

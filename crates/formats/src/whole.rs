@@ -25,14 +25,14 @@ impl WholeFile {
     /// Reads a source to its end. Cost: linear, with all of it in memory.
     ///
     /// # Errors
-    /// When it cannot be read, or passes a limit: of one line, or of what a compressed file unpacks to.
+    /// When it cannot be read, or passes a limit: of one line, of all bytes, or of what a compressed file unpacks to.
     pub fn read(source: Source, sizes: &SizeLimits) -> Result<Self, InputError> {
         let (name, bytes, packed) = source.into_bytes();
         if let Some(packed) = &packed {
             packed.set_limits(sizes.unpacked, sizes.ratio);
         }
         let mut reader = ChunkReader::new(bytes, CHUNK_BYTES, sizes.line, true);
-        let content = reader.read_to_end(name.raw())?;
+        let content = reader.read_to_end(name.raw(), sizes.text)?;
         let of_text = || reader.sha256().unwrap_or_default();
         let sha256 = packed.as_ref().map_or_else(of_text, Packed::sha256);
         Ok(WholeFile { name, content, sha256 })

@@ -28,6 +28,7 @@ const SIZES: SizeLimits = SizeLimits {
     ratio: 1_000,
     workbook: 1 << 20,
     work: MOST_WORK,
+    text: 1 << 20,
 };
 
 /// One thread for everything: handing work from one to another would take most of the time.

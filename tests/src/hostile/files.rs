@@ -91,7 +91,8 @@ pub(super) fn as_file(rng: &mut ChaCha8Rng, table: &str) -> (String, Vec<u8>) {
     }
 }
 
-pub(super) fn gzip(bytes: &[u8]) -> Vec<u8> {
+/// Bytes in a gzip file.
+pub fn gzip(bytes: &[u8]) -> Vec<u8> {
     let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
     encoder.write_all(bytes).expect("memory takes it");
     encoder.finish().expect("memory takes it")
@@ -107,17 +108,16 @@ pub(super) fn bomb(rng: &mut ChaCha8Rng) -> (String, Vec<u8>) {
     match rng.random_range(0..4) {
         0 => ("data.csv.gz".to_owned(), gzip(&content)),
         1 => ("data.csv.gz".to_owned(), gzip(&gzip(&content))),
-        2 => ("data.csv.zst".to_owned(), repeated_by_zstandard(piece[0])),
+        2 => ("data.csv.zst".to_owned(), repeated_by_zstandard(piece[0], 20)),
         _ => ("data.mat".to_owned(), mat_of(unpacked, true)),
     }
 }
 
-/// A frame of blocks that each repeat one byte 131,072 times.
-fn repeated_by_zstandard(byte: u8) -> Vec<u8> {
-    const BLOCKS: usize = 20;
+/// A frame of so many blocks that each repeat one byte 131,072 times.
+pub fn repeated_by_zstandard(byte: u8, blocks: usize) -> Vec<u8> {
     let mut frame = vec![0x28, 0xb5, 0x2f, 0xfd, 0x00, 0x58];
-    for block in 0..BLOCKS {
-        let header = u32::from(block + 1 == BLOCKS) | 1 << 1 | (1 << 17) << 3;
+    for block in 0..blocks {
+        let header = u32::from(block + 1 == blocks) | 1 << 1 | (1 << 17) << 3;
         frame.extend(&header.to_le_bytes()[..3]);
         frame.push(byte);
     }
@@ -129,6 +129,11 @@ fn mat(rng: &mut ChaCha8Rng) -> Vec<u8> {
     let count = rng.random_range(1..100);
     let packed = rng.random_bool(0.5);
     mat_of(8 * count, packed)
+}
+
+/// A MATLAB file of version 7 with so many zeros as x, and as y.
+pub fn matlab_zeros(count: usize) -> Vec<u8> {
+    mat_of(8 * count, true)
 }
 
 fn mat_of(bytes: usize, packed: bool) -> Vec<u8> {

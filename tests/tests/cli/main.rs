@@ -3,6 +3,7 @@
 mod atomic_output;
 mod bad_input;
 mod bad_usage;
+mod bombs;
 mod bounds;
 mod brief;
 mod check;

@@ -46,7 +46,7 @@ fn powers_of_ten_far_apart_are_refused_where_they_pass_the_limit() {
         let place = "error: data.csv: line ";
         assert!(run.status == 1 && run.stderr.starts_with(place), "{line}: {run:?}");
         let problem = "refused: exact arithmetic on ";
-        let limit = " products of machine words, more than 250000000 (the limit); --max-work raises it\n";
+        let limit = " products of machine words, more than 400000000 (the limit); --max-work raises it\n";
         assert!(run.stderr.contains(problem) && run.stderr.ends_with(limit), "{line}: {run:?}");
     }
 }

@@ -477,6 +477,7 @@ impl LimitArguments {
             ratio: self.max_ratio,
             workbook: self.max_workbook,
             work: self.max_work,
+            text: self.max_text,
             nesting: usize::from(self.max_nesting),
         }
     }

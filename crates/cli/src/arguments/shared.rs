@@ -188,7 +188,7 @@ pub(crate) struct LimitArguments {
     #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = value_parser!(u64).range(1..=1 << 32),
           help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_columns: u64,
-    /// Rows that an .ine or .ext file announces, or a linear program has
+    /// Rows that an .ine or .ext file announces, a linear program has, or that are held in memory
     #[arg(long, value_name = "N", default_value_t = 10_000_000, value_parser = value_parser!(u64).range(1..=1 << 32),
           help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_rows: u64,
@@ -211,6 +211,10 @@ pub(crate) struct LimitArguments {
     /// Products of machine words that exact arithmetic on numbers of more than a thousand digits may take
     #[arg(long, value_name = "N", default_value_t = MOST_WORK, help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_work: u64,
+    /// Bytes of a file of half-planes or of a linear program
+    #[arg(long, value_name = "BYTES", default_value_t = 1 << 30, value_parser = value_parser!(u64).range(1..),
+          help_heading = LIMITS, hide_short_help = true)]
+    pub(super) max_text: u64,
     /// Depth of arrays and objects in a JSON file
     #[arg(long, value_name = "N", default_value_t = 64, value_parser = value_parser!(u8).range(1..=120),
           help_heading = LIMITS, hide_short_help = true)]

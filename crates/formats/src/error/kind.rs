@@ -110,6 +110,12 @@ pub enum InputErrorKind {
         /// How many times its size it may unpack to.
         ratio: u64,
     },
+    /// A text that would be held in memory, beyond the limit.
+    #[error("refused: the file has more than {limit} bytes (the limit)")]
+    TextTooLarge {
+        /// The most bytes.
+        limit: u64,
+    },
     /// A workbook beyond the limit.
     #[error("refused: the workbook has or unpacks to more than {limit} bytes (the limit)")]
     WorkbookTooLarge {
@@ -369,6 +375,7 @@ impl InputErrorKind {
             InputErrorKind::TooManyElements { .. } => Some(Limit::Elements),
             InputErrorKind::TooMuchUnpacked { .. } => Some(Limit::Unpacked),
             InputErrorKind::UnpacksTooFar { .. } => Some(Limit::Ratio),
+            InputErrorKind::TextTooLarge { .. } => Some(Limit::Text),
             InputErrorKind::WorkbookTooLarge { .. } => Some(Limit::Workbook),
             InputErrorKind::TooMuchWork(_) => Some(Limit::Work),
             _ => None,
