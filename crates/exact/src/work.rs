@@ -31,7 +31,7 @@ const FREE_DENOMINATOR_WORDS: u64 = 64;
 const FREE_PRODUCTS: u64 = 64 * 64;
 const WORK_OF_READING: u64 = 40;
 /// How much more often the numbers of a reading are combined in a fit than multiplied in a check of one.
-const COMBINATIONS_PER_PRODUCT: u64 = 8;
+const COMBINATIONS_PER_PRODUCT: u64 = 32;
 const WORK_OF_DENOMINATOR: u64 = 64;
 
 /// The work that numbers make, as far as they are long. The library's answers have no limit; a program that takes files from
@@ -323,10 +323,10 @@ mod tests {
             work.products(1)
         };
         assert_eq!([products(64, 64), products(1, 4_096), products(2, 2_048)], [0; 3]);
-        assert_eq!(products(100, 128), 40 * (100 * 128 - 64 * 64) / 8);
+        assert_eq!(products(100, 128), 40 * (100 * 128 - 64 * 64) / 32);
         let digits = |count: usize| Work::of_digits(&format!("[\"{}\", 7]", "1".repeat(count))).products(1);
         assert_eq!(digits(1_200), 0);
-        assert_eq!(digits(10_000), 40 * (520 * 520 - 64 * 64) / 8);
+        assert_eq!(digits(10_000), 40 * (520 * 520 - 64 * 64) / 32);
     }
 
     #[test]

@@ -164,3 +164,48 @@ fn what_is_not_refused_is_done_in_time() {
         }
     }
 }
+
+/// A proof is a list of numbers that are written in full, and data are compared with them row by row.
+#[test]
+fn long_numbers_count_in_proofs_and_in_what_they_are_compared_with() {
+    let directory = directory_with(&[("data.csv", far_apart(12).as_bytes())]);
+    let all = "--max-work 100000000000";
+    let fit = "fit data.csv --x x --y y --eps 1e9999 --no-lp --proof p.json";
+    assert_eq!(boundfit(directory.path(), &format!("{fit} {all}")).status, 0);
+    let limit = " products of machine words, more than 400000000 (the limit); --max-work raises it\n";
+    let verify = "verify p.json data.csv";
+    let run = boundfit(directory.path(), &format!("{verify} --max-work 10000000"));
+    let start = "error: p.json: refused: exact arithmetic on ";
+    let small_limit = limit.replace("400000000", "10000000");
+    assert!(
+        run.status == 1 && run.stderr.starts_with(start) && run.stderr.ends_with(&small_limit),
+        "{}",
+        run.stderr
+    );
+    assert_eq!(boundfit(directory.path(), verify).status, 0);
+    // Data of long numbers beside a short proof: those that it is about have another hash, which is not waited for.
+    let long = format!("x,y\n{}", "7e-9999,1e9999\n".repeat(2_000));
+    std::fs::write(directory.path().join("few.csv"), "x,y\n1,2\n2,3\n").unwrap();
+    std::fs::write(directory.path().join("data.csv"), long).unwrap();
+    let fit = "fit few.csv --x x --y y --eps 1 --no-lp --proof q.json";
+    assert_eq!(boundfit(directory.path(), fit).status, 0);
+    let proof = std::fs::read_to_string(directory.path().join("q.json")).unwrap();
+    let proof = proof.replacen("    1,\n    2\n", "    1,\n    2000\n", 1);
+    std::fs::write(directory.path().join("q.json"), proof).unwrap();
+    let run = boundfit(directory.path(), "verify q.json data.csv");
+    let start = "error: data.csv: refused: exact arithmetic on ";
+    assert!(
+        run.status == 1 && run.stderr.starts_with(start) && run.stderr.ends_with(limit),
+        "{}",
+        run.stderr
+    );
+}
+
+#[test]
+fn ten_rows_of_powers_far_apart_are_answered() {
+    let directory = directory_with(&[("data.csv", far_apart(10).as_bytes())]);
+    for line in ["fit data.csv --x x --y y --eps 1e9999", "fit data.csv --x x --y y --eps 1"] {
+        let ended = run_limited(directory.path(), &boundfit_tests::cli::words(line), LIMITS);
+        assert!(matches!(ended.status, Some(0 | 3)), "{line}: {ended:?}");
+    }
+}

@@ -183,7 +183,8 @@ fn bombs_are_refused_before_memory_is_taken() {
     refused(&ods(&[("S", &rows)]), XY, too_far);
     refused(&ods(&[("S", &rows)]), &any_ratio, &too_large(1 << 30));
     let spaces = "<table:table-row><table:table-cell office:value-type=\"string\"><text:p><text:s text:c=\"99999999999\"/></text:p></table:table-cell></table:table-row>";
-    refused(&ods(&[("S", spaces)]), XY, &too_large(1 << 30));
+    refused(&ods(&[("S", spaces)]), XY, too_far);
+    refused(&ods(&[("S", spaces)]), &any_ratio, &too_large(1 << 30));
 }
 
 #[test]

@@ -24,11 +24,11 @@ use crate::table::check_rows;
 use crate::threads;
 
 use numbers::{fractions, missing, numbers};
-use open::{BATCH_ROWS, batches, column_names, guarded, plain, unreadable};
+use open::{batches, column_names, guarded, plain, rows_at_a_time, unreadable};
 use texts::{BadCell, keys, lines, text};
 
 /// How many parts of a record batch are decoded at a time.
-const PARTS_PER_THREAD: usize = 4;
+const PARTS_PER_THREAD: usize = 16;
 
 /// What a number takes in memory, whatever it takes in the file.
 const BYTES_PER_NUMBER: u64 = 8;
@@ -197,10 +197,11 @@ impl<'a> Layout<'a> {
     /// A batch that starts with this row in parts that are not too large, without rows that are not kept.
     fn parts(&self, first_row: usize, batch: &RecordBatch) -> Vec<Part> {
         let end = first_row + batch.num_rows();
+        let most = rows_at_a_time(batch.columns().iter().map(|column| column.data_type()));
         let parts = |ranges: Vec<Range<usize>>, is_wanted: bool| {
             ranges.into_iter().flat_map(move |rows| {
-                rows.clone().step_by(BATCH_ROWS).map(move |start| {
-                    let length = BATCH_ROWS.min(rows.end - start);
+                rows.clone().step_by(most).map(move |start| {
+                    let length = most.min(rows.end - start);
                     Part { first_row: start, batch: batch.slice(start - first_row, length), is_wanted }
                 })
             })

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use arrow_array::cast::AsArray;
 use arrow_array::{ArrayRef, RecordBatch};
 use arrow_ipc::reader::{FileReader, StreamReader};
-use arrow_schema::{ArrowError, Schema};
+use arrow_schema::{ArrowError, DataType, Schema};
 use arrow_select::take::take;
 use boundfit_exact::Foreign;
 use parquet::arrow::ProjectionMask;
@@ -19,10 +19,15 @@ use crate::error::InputErrorKind;
 
 /// The most rows that are decoded at a time: few enough that what is made of them stays in the cache, and that the allocator
 /// hands the same memory out again; with eight times as many, 17 digits take a fifth longer.
-pub(super) const BATCH_ROWS: usize = 1 << 13;
+const BATCH_ROWS: usize = 1 << 13;
 
 /// The most rows of text: a page may have one long text that all of them are.
-const BATCH_ROWS_OF_TEXT: usize = 1 << 12;
+const BATCH_ROWS_OF_TEXT: usize = 1 << 10;
+
+/// How many rows of columns of these types are decoded at a time.
+pub(super) fn rows_at_a_time<'a>(mut types: impl Iterator<Item = &'a DataType>) -> usize {
+    if types.all(DataType::is_primitive) { BATCH_ROWS } else { BATCH_ROWS_OF_TEXT }
+}
 
 /// The names of all columns.
 pub(super) fn column_names(format: BinaryFormat, file: &File) -> Result<Vec<Foreign>, InputErrorKind> {
@@ -61,11 +66,10 @@ pub(super) fn batches(
         BinaryFormat::Parquet => {
             let builder = ParquetRecordBatchReaderBuilder::try_new(file.try_clone()?)
                 .map_err(|error| fail(error.into()))?;
-            let is_text = |column: &usize| {
-                let field = builder.schema().fields().get(*column);
-                field.is_some_and(|field| !field.data_type().is_primitive())
-            };
-            let rows = if columns.iter().any(is_text) { BATCH_ROWS_OF_TEXT } else { BATCH_ROWS };
+            let fields = builder.schema().fields();
+            let types =
+                columns.iter().filter_map(|column| fields.get(*column)).map(|field| field.data_type());
+            let rows = rows_at_a_time(types);
             let mask = ProjectionMask::roots(builder.parquet_schema(), columns);
             let reader = builder.with_projection(mask).with_batch_size(rows).build();
             let reader = reader.map_err(|error| fail(error.into()))?;
