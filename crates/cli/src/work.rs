@@ -1,6 +1,6 @@
 //! Refusing what would take too much exact arithmetic, before it is done.
 
-use boundfit_estimation::Problem;
+use boundfit_estimation::{Model, Problem};
 use boundfit_exact::{Foreign, Limit, Rational, Work};
 
 use crate::arguments::LimitArguments;
@@ -22,7 +22,7 @@ pub(crate) mod times {
     /// A figure; all of them are six.
     pub(crate) const PLOT: u64 = 8;
     /// A page; leaving out each reading comes on top.
-    pub(crate) const LESSON: u64 = 16;
+    pub(crate) const LESSON: u64 = 24;
 }
 
 /// Refuses a problem.
@@ -32,7 +32,13 @@ pub(crate) fn refuse_long_problem(
     times: u64,
     limits: &LimitArguments,
 ) -> Result<(), Failure> {
-    refuse_long(file, &problem.work(&[]), times, limits)
+    refuse_long(file, &problem.work(&[]), times * looks(problem), limits)
+}
+
+/// How much more than of a line under one bound the least bound of a problem takes, which comes from cutting planes then.
+fn looks(problem: &Problem) -> u64 {
+    let is_line = matches!(problem.measurements.model(), Model::Line { .. });
+    if is_line && problem.measurements.error_bound().is_uniform() { 1 } else { 2 }
 }
 
 /// Refuses the sets of a problem for factors up to this one.
@@ -42,7 +48,7 @@ pub(crate) fn refuse_long_sweep(
     most: &Rational,
     limits: &LimitArguments,
 ) -> Result<(), Failure> {
-    refuse_long(file, &problem.work(&[most]), times::SWEEP, limits)
+    refuse_long(file, &problem.work(&[most]), times::SWEEP * looks(problem), limits)
 }
 
 /// Refuses so many times this work.

@@ -277,7 +277,7 @@ mod tests {
         let mut work = Work::default();
         let doubles = [f64::MAX, 5e-324].map(|double| Rational::from_f64(double).unwrap());
         (1..100_000).for_each(|row| work.add(row, [&doubles[0], &doubles[1]]));
-        let longest = Rational::scientific(12_345_678_901_234_567, -324);
+        let longest = Rational::scientific(12_345_678_901_234_567_i64, -324);
         work.add(1, [&longest; 5]);
         assert_eq!(work, Work::default());
         let meter = WorkMeter::default();
@@ -297,10 +297,10 @@ mod tests {
         assert_eq!(work.products(3), 300 * WORK_OF_READING);
         assert_eq!(work.check(1, 4_000), Ok(()));
         let refused = work.check(1, 3_999).unwrap_err();
-        assert_eq!(refused.what, LongNumbers::Rows { count: 1, digits: 2042, longest: 7 });
+        assert_eq!(refused.what, LongNumbers::Rows { count: 1, digits: 2043, longest: 7 });
         assert_eq!(
             refused.to_string(),
-            "refused: exact arithmetic on 1 row of up to 2042 digits (row 7) takes about 4.0e3 products of machine words, more than \
+            "refused: exact arithmetic on 1 row of up to 2043 digits (row 7) takes about 4.0e3 products of machine words, more than \
              3999 (the limit)"
         );
     }

@@ -308,10 +308,12 @@ impl Asked {
         self.conditions.is_empty() && self.multiple_of_least.is_none() && !self.columns.form.through_origin
     }
 
-    /// Whether a bound that is the same for all readings is so long that it counts in each.
+    /// Whether a bound or an origin that is the same for all readings is so long that it counts in each.
     pub(crate) fn has_long_bound(&self) -> bool {
         let is_long = |number: &Rational| Work::of_numbers(&[number]) != Work::default();
-        matches!(&self.columns.epsilon, EpsilonColumn::Uniform(epsilon) if is_long(epsilon))
+        let is_long_bound =
+            matches!(&self.columns.epsilon, EpsilonColumn::Uniform(epsilon) if is_long(epsilon));
+        is_long_bound || is_long(&self.columns.form.x_origin)
     }
 
     /// What the answers about many groups stand and fall with, as a line; nothing where the error bound is given.
