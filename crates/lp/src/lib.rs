@@ -29,7 +29,7 @@ mod verdict;
 
 pub use claim::{BoundClaim, Claimed, End, PuiEnd};
 pub use closeness::{Closeness, Difference, MOST_ULPS, RoundedTo, ToleranceUnit, is_below_binary64, ulp};
-pub use exchange::{ExchangeProgram, ExchangeRow, Sense};
+pub use exchange::{ExchangeProgram, ExchangeRows, Sense};
 pub use format::ExchangeFormat;
 pub use model::{Bounds, Model, ModelColumn, ModelRow, ObjectiveSense};
 pub use outcome::{ExactOutcome, Multiplier, Optimum, Outcome};

@@ -92,6 +92,13 @@ impl<'a> Data<'a> {
         self.scanned(asked, Keep { eui: false, ..keep }, |options| options)
     }
 
+    /// Reads the problem with every reading, which takes less memory than [`Data::problem`] does, and has no hash of the data.
+    pub(crate) fn whole_problem(self) -> Result<Problem, Failure> {
+        let asked = self.asked()?;
+        let keep = Keep { eui: false, ..Keep::EVERY };
+        self.scanned(asked, keep, |options| ScanOptions { hash: false, list_rows: false, ..options })
+    }
+
     fn scanned(
         self,
         asked: Asked,

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use boundfit_check::{ExchangeRows, ProgramRows};
+use boundfit_check::ExchangeRows;
 use boundfit_estimation::{ErrorBound, Model, MultipleOfLeast, Problem};
 use boundfit_exact::{Foreign, Reading};
 use boundfit_lp::{ExchangeFormat, PuiEnd};
@@ -10,7 +10,7 @@ use boundfit_lp::{ExchangeFormat, PuiEnd};
 use crate::CommandResult;
 use crate::arguments::{ConvertArguments, told_by_name};
 use crate::exit::{Exit, Failure};
-use crate::output;
+use crate::output::{self, Output};
 use crate::progress::while_working;
 use crate::work::{refuse_long_problem, times};
 
@@ -37,20 +37,25 @@ pub(crate) fn run(arguments: &ConvertArguments) -> CommandResult {
     }
     let data = arguments.data.open();
     let reading = data.origin().reading;
-    let problem = data.problem()?;
+    let problem = data.whole_problem()?;
     let limits = &arguments.data.table.limits;
     refuse_long_problem(arguments.data.file_name(), &problem, times::CONVERT, limits)?;
-    let rows = ExchangeRows::new(&ProgramRows::new(&problem));
     let about = comments(arguments, reading, &problem);
-    let text = |end: PuiEnd| {
+    let rows = ExchangeRows::new(&problem);
+    drop(problem);
+    let write = |end: PuiEnd| {
         let comments: Vec<String> = [heading(end)].into_iter().chain(about.iter().cloned()).collect();
-        while_working("writing", || rows.text(end, format, &comments))
+        let rows = &rows;
+        move |output: &mut Output| {
+            while_working("writing", || {
+                output::written(output, |text| rows.write(text, end, format, &comments))
+            })
+        }
     };
     match destination {
-        Destination::One(end, file) => output::write(text(end), file, &guard)?,
+        Destination::One(end, file) => output::write_parts(write(end), file, &guard)?,
         Destination::All(folder) => {
-            let file = |end: PuiEnd| (name(end), text(end).into_bytes());
-            output::write_all(folder, &PuiEnd::ALL.map(file), &guard)?;
+            output::write_all(folder, &PuiEnd::ALL.map(|end| (name(end), write(end))), &guard)?;
         }
     }
     Ok(Exit::Answer)

@@ -9,7 +9,7 @@ use boundfit_figures::{Figure, PictureFormat, PlotOptions, draw};
 use crate::CommandResult;
 use crate::arguments::{Figures, PlotArguments, ending};
 use crate::exit::{Exit, Failure};
-use crate::output;
+use crate::output::{self, Output};
 use crate::progress::while_working;
 use crate::work::{refuse_long_problem, times};
 
@@ -53,6 +53,8 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
         Destination::All(folder) => {
             let file = |figure: Figure| Ok((name(figure), picture(figure)?));
             let files = Figure::ALL.into_iter().map(file).collect::<Result<Vec<_>, Failure>>()?;
+            let write = |(name, bytes): (String, Vec<u8>)| (name, move |output: &mut Output| output.write(&bytes));
+            let files: Vec<_> = files.into_iter().map(write).collect();
             output::write_all(folder, &files, &guard)?;
         }
     }

@@ -2,6 +2,7 @@
 
 mod guard;
 mod marks;
+mod text;
 
 use std::fs;
 use std::io::{self, Write};
@@ -15,6 +16,7 @@ use tempfile::{Builder, NamedTempFile};
 use crate::exit::Failure;
 
 pub(crate) use guard::{Guard, is_read};
+pub(crate) use text::written;
 
 /// Writes several answers, each to its own file that the guard lets be written, or to standard output without one or for `-`. All
 /// files are written whole and are on the disk before the first of them appears, and an interruption waits until the last one
@@ -56,8 +58,17 @@ pub(crate) fn write_together(parts: &[(&[u8], Option<&str>)], guard: &mut Guard)
 /// Writes an answer to a file that the guard lets be written, or to standard output without one or for `-`. A reader of
 /// standard output that has gone away is no error.
 pub(crate) fn write(answer: impl AsRef<[u8]>, file: Option<&str>, guard: &Guard) -> Result<(), Failure> {
+    write_parts(|output| output.write(answer.as_ref()), file, guard)
+}
+
+/// Writes an answer that is not in memory as a whole.
+pub(crate) fn write_parts(
+    write: impl FnOnce(&mut Output) -> Result<(), Stop>,
+    file: Option<&str>,
+    guard: &Guard,
+) -> Result<(), Failure> {
     let mut output = Output::open(file, guard)?;
-    match output.write(answer.as_ref()) {
+    match write(&mut output) {
         Ok(()) => output.finish(),
         Err(Stop::Closed) => Ok(()),
         Err(Stop::Failed(failure)) => Err(failure),
@@ -66,7 +77,10 @@ pub(crate) fn write(answer: impl AsRef<[u8]>, file: Option<&str>, guard: &Guard)
 
 /// Writes files, by their names, into a folder, which is made where there is none. All of them or, where it can be told
 /// beforehand that one cannot be written, none.
-pub(crate) fn write_all(folder: &str, files: &[(String, Vec<u8>)], guard: &Guard) -> Result<(), Failure> {
+pub(crate) fn write_all<W>(folder: &str, files: &[(String, W)], guard: &Guard) -> Result<(), Failure>
+where
+    W: Fn(&mut Output) -> Result<(), Stop>,
+{
     guard.check_all(folder, files.iter().map(|(name, _)| name.clone()))?;
     fs::create_dir_all(folder)
         .map_err(|error| Failure::data(format_args!("{}: cannot create: {error}", Foreign::of(folder))))?;
@@ -78,8 +92,8 @@ pub(crate) fn write_all(folder: &str, files: &[(String, Vec<u8>)], guard: &Guard
     tempfile::tempfile_in(folder).map_err(|error| {
         Failure::data(format_args!("{}: cannot write: {}", Foreign::of(folder), error.kind()))
     })?;
-    for (done, (path, (_, bytes))) in paths.iter().zip(files).enumerate() {
-        write(bytes, Some(path), guard).map_err(|failure| match failure {
+    for (done, (path, (_, content))) in paths.iter().zip(files).enumerate() {
+        write_parts(content, Some(path), guard).map_err(|failure| match failure {
             Failure::Data(message) if done > 0 => {
                 let written = paths.iter().take(done).map(|path| Foreign::of(path).to_string());
                 let written: Vec<String> = written.collect();

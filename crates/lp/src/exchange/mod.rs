@@ -6,44 +6,44 @@ mod lp_format;
 mod model;
 mod mps;
 mod number;
+mod rows;
 mod written;
+
+use std::fmt;
 
 use boundfit_exact::Rational;
 
 use crate::format::ExchangeFormat;
 use crate::model::{Bounds, ObjectiveSense};
-use crate::program::Row;
-use written::{Written, WrittenColumn, WrittenRow};
+use rows::{LargeBounds, WrittenRows};
+use written::{Written, WrittenColumn};
 
-/// How a row `a·θ ≤ b` is written.
+/// How the form of a row is related to its right-hand side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sense {
-    /// As `a·θ ≤ b`.
+    /// `a·θ ≤ b`.
     AtMost,
-    /// As `-a·θ ≥ -b`.
+    /// `a·θ ≥ b`.
     AtLeast,
-    /// As `a·θ = b`, where the opposite row belongs to the program as well.
+    /// `a·θ = b`.
     Equal,
 }
 
-/// A row as it stands in a file.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ExchangeRow(WrittenRow);
+/// Rows of a program in θ1 and θ2 as they stand in files, in about 60 bytes each where numbers are short.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct ExchangeRows(WrittenRows);
 
-impl ExchangeRow {
-    /// A row under a name of letters, digits and `_`. Its numbers become decimals where all of them are finite; else the
+impl ExchangeRows {
+    /// Adds a row under a name of letters, digits and `_`. Its numbers become decimals where all of them are finite; else the
     /// row is multiplied with the least number that makes them whole.
-    pub fn new(name: String, row: &Row, sense: Sense) -> Self {
-        let opposite;
-        let (a, bounds) = match sense {
-            Sense::AtMost => (&row.a, Bounds { lower: None, upper: Some(row.b.clone()) }),
-            Sense::Equal => (&row.a, Bounds { lower: Some(row.b.clone()), upper: Some(row.b.clone()) }),
-            Sense::AtLeast => {
-                opposite = row.a.each_ref().map(|a| -a);
-                (&opposite, Bounds { lower: Some(-&row.b), upper: None })
-            }
+    pub fn push(&mut self, name: impl fmt::Display, a: &[Rational; 2], b: Rational, sense: Sense) {
+        let bounds = match sense {
+            Sense::AtMost => Bounds { lower: None, upper: Some(b) },
+            Sense::AtLeast => Bounds { lower: Some(b), upper: None },
+            Sense::Equal => Bounds { lower: Some(b.clone()), upper: Some(b) },
         };
-        ExchangeRow(WrittenRow::new(name, a.iter().enumerate(), &bounds))
+        let [a1, a2] = a;
+        self.0.push(name, &[(0, a1), (1, a2)], &bounds, LargeBounds::Kept);
     }
 }
 
@@ -57,31 +57,37 @@ pub struct ExchangeProgram<'a> {
     /// The form to be minimised.
     pub objective: [Rational; 2],
     /// The rows.
-    pub rows: &'a [ExchangeRow],
+    pub rows: &'a ExchangeRows,
     /// What is said about it at the top. Characters other than printable ASCII are escaped.
     pub comments: &'a [String],
 }
 
 impl ExchangeProgram<'_> {
-    /// The file. Exact: whoever reads its decimals as such has the same program, up to the scale of rows that it names
-    /// in comments. Cost: linear in the result.
-    pub fn text(&self, format: ExchangeFormat) -> String {
-        let costs = self.objective.iter().enumerate();
-        let objective = WrittenRow::new(self.objective_name.to_owned(), costs, &Bounds::default());
+    /// Writes the file piece by piece. Exact: whoever reads its decimals as such has the same program, up to the scale of rows
+    /// that it names in comments. Cost: linear in the result; memory for a line.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn write(&self, text: &mut impl fmt::Write, format: ExchangeFormat) -> fmt::Result {
+        let [first, second] = &self.objective;
+        let mut objective = WrittenRows::default();
+        let costs = [(0, first), (1, second)];
+        objective.push(self.objective_name, &costs, &Bounds::default(), LargeBounds::Kept);
+        let ExchangeRows(rows) = self.rows;
+        let comments: Vec<String> = self.comments.iter().map(|line| escaped(line)).collect();
+        let remarks = comments.iter().chain(objective.remarks()).chain(rows.remarks());
         let free = |name: &str| WrittenColumn { name: name.to_owned(), lower: None, upper: None };
-        let rows: Vec<&WrittenRow> = self.rows.iter().map(|ExchangeRow(row)| row).collect();
-        let comments = self.comments.iter().map(|line| escaped(line));
-        let said = std::iter::once(&objective).chain(rows.iter().copied()).flat_map(WrittenRow::remarks);
+        let Some(written) = objective.iter().next() else { return Ok(()) };
         let program = Written {
             name: self.name,
             sense: ObjectiveSense::Minimize,
-            objective: &objective,
+            objective: written,
             constant: ["0", "0"].map(str::to_owned),
             columns: &["theta1", "theta2"].map(free),
-            remarks: comments.chain(said).collect(),
+            remarks: remarks.map(String::as_str).collect(),
             rows,
         };
-        program.text(format)
+        program.write(text, format)
     }
 }
 

@@ -4,9 +4,10 @@ use std::collections::HashSet;
 
 use boundfit_exact::Rational;
 
-use super::number::has_finite_decimal;
-use super::written::{INFINITE, Written, WrittenColumn, WrittenRow, decimal};
-use super::{escaped, lp_format, mps};
+use super::number::{decimal, has_finite_decimal};
+use super::rows::{INFINITE, LargeBounds, WrittenRows};
+use super::written::{Written, WrittenColumn};
+use super::escaped;
 use crate::format::ExchangeFormat;
 use crate::model::{Bounds, Model};
 use crate::read::{ends_name, is_keyword};
@@ -71,36 +72,41 @@ impl Model {
     ) -> String {
         let names = rows.iter().map(|(name, _, _)| name.clone()).collect();
         let one = Rational::one();
-        let mut written = Vec::new();
+        let (mut objective, mut written) = (WrittenRows::default(), WrittenRows::default());
         for (name, (_, form, bounds)) in legal(names, format, "row", &mut remarks).into_iter().zip(&rows) {
-            written.push(match form {
+            match form {
                 // A bound makes the constant one of the numbers that decide on the scale.
                 Form::Objective => {
-                    let costs = self.columns.iter().map(|column| &column.cost).enumerate();
+                    let costs: Vec<_> = self.columns.iter().map(|column| &column.cost).enumerate().collect();
                     let bounds = Bounds { lower: Some(self.constant.clone()), upper: None };
-                    WrittenRow::new(name, costs, &bounds)
+                    objective.push(name, &costs, &bounds, LargeBounds::Kept);
                 }
                 Form::Row(coefficients) => {
-                    let coefficients = coefficients.iter().map(|(column, value)| (*column, value));
-                    WrittenRow::with_finite_bounds(name, coefficients, bounds)
+                    let coefficients: Vec<_> =
+                        coefficients.iter().map(|(column, value)| (*column, value)).collect();
+                    written.push(name, &coefficients, bounds, LargeBounds::Scaled);
                 }
-                Form::Column(place) => WrittenRow::with_finite_bounds(name, [(*place, &one)], bounds),
-            });
+                Form::Column(place) => written.push(name, &[(*place, &one)], bounds, LargeBounds::Scaled),
+            }
         }
-        let Some((objective, rows)) = written.split_first() else { return String::new() };
-        let constant = objective.lower.clone().unwrap_or_default();
+        let remarks = remarks.iter().chain(objective.remarks()).chain(written.remarks());
+        let remarks = remarks.map(String::as_str).collect();
+        let Some(objective) = objective.iter().next() else { return String::new() };
+        let constant = objective.lower.unwrap_or("0").to_owned();
         let opposite = match constant.strip_prefix('-') {
             Some(size) => size.to_owned(),
             None if constant == "0" => constant.clone(),
             None => format!("-{constant}"),
         };
-        remarks.extend(written.iter().flat_map(WrittenRow::remarks));
         let is_odd = |character: char| character.is_control() && character != '\t';
         let name = if self.name.raw().contains(is_odd) { "" } else { self.name.raw().trim() };
         let constant = [constant, opposite];
-        let rows = rows.iter().collect();
-        let program = Written { name, sense: self.sense, objective, constant, columns, rows, remarks };
-        program.text(format)
+        let program =
+            Written { name, sense: self.sense, objective, constant, columns, rows: &written, remarks };
+        let mut text = String::new();
+        // Writing to a string cannot fail.
+        let _ = program.write(&mut text, format);
+        text
     }
 }
 
@@ -127,18 +133,6 @@ enum Form<'a> {
     Row(&'a [(usize, Rational)]),
     /// A column alone.
     Column(usize),
-}
-
-impl Written<'_> {
-    pub(super) fn text(&self, format: ExchangeFormat) -> String {
-        let mut text = String::new();
-        // Writing to a string cannot fail.
-        let _ = match format {
-            ExchangeFormat::Mps => mps::write(&mut text, self),
-            ExchangeFormat::Lp => lp_format::write(&mut text, self),
-        };
-        text
-    }
 }
 
 /// Names that the format allows, each once: those that it does not allow, or that were there before, become others.

@@ -1,16 +1,41 @@
 //! Exact numbers as decimal text.
 
+use std::fmt::Write;
+
 use boundfit_exact::{Decimal, Rational};
 
-/// The decimal that is the number, digit for digit, or `None` where no finite decimal is: `0.5`, `1.25e-20`. Exact.
-/// Cost: that of some divisions of numbers as long as the result.
-pub(super) fn finite_decimal(value: &Rational) -> Option<String> {
-    exact_decimal(value).map(|decimal| decimal.compact().to_string())
+/// A finite decimal, digit for digit: `0.5`, `1.25e-20`; a fraction where the number has none. Exact. Cost: that of some
+/// divisions of numbers as long as the result.
+pub(super) fn push_decimal(text: &mut String, value: &Rational) {
+    // Writing to a string cannot fail.
+    let _ = match exact_decimal(value) {
+        Some(decimal) => write!(text, "{}", decimal.compact()),
+        None => write!(text, "{value}"),
+    };
 }
 
-/// Whether a finite decimal is the number. Exact. Cost: as [`finite_decimal`].
+/// As [`push_decimal`] writes it.
+pub(super) fn decimal(value: &Rational) -> String {
+    let mut text = String::new();
+    push_decimal(&mut text, value);
+    text
+}
+
+/// Whether a finite decimal is the number. Exact. Cost: as [`push_decimal`].
 pub(super) fn has_finite_decimal(value: &Rational) -> bool {
     exact_decimal(value).is_some()
+}
+
+/// Whether the number is a finite decimal of two machine words, so that it has fewer than a hundred digits and is within the
+/// range of doubles. Cost: some nanoseconds.
+pub(super) fn is_short(value: &Rational) -> bool {
+    value.to_words().is_some_and(|(_, denominator)| {
+        let mut odd = denominator >> denominator.trailing_zeros();
+        while odd % 5 == 0 {
+            odd /= 5;
+        }
+        odd == 1
+    })
 }
 
 fn exact_decimal(value: &Rational) -> Option<Decimal<'_>> {
@@ -53,17 +78,18 @@ mod tests {
             ("7/64", "0.109375"),
             ("3/125", "2.4e-2"),
         ] {
-            assert_eq!(finite_decimal(&number(value)).as_deref(), Some(text), "{value}");
+            assert_eq!(decimal(&number(value)), text, "{value}");
         }
         for value in ["1/3", "-5/14", "1/30"] {
-            assert_eq!(finite_decimal(&number(value)), None, "{value}");
+            assert_eq!(decimal(&number(value)), value);
+            assert!(!has_finite_decimal(&number(value)) && !is_short(&number(value)), "{value}");
         }
         let tenth = Rational::from_f64(0.1).unwrap();
         let digits = "0.1000000000000000055511151231257827021181583404541015625";
-        assert_eq!(finite_decimal(&tenth).as_deref(), Some(digits));
+        assert_eq!(decimal(&tenth), digits);
         for double in [5e-324, 1.7e308, -2.5e-10, 123_456.789, 1e22] {
             let value = Rational::from_f64(double).unwrap();
-            assert_eq!(number(&finite_decimal(&value).unwrap()), value, "{double}");
+            assert_eq!(number(&decimal(&value)), value, "{double}");
         }
     }
 }
