@@ -22,7 +22,12 @@ impl ExchangeRows {
         }
         for reading in readings {
             if let Some(lower) = reading.lower() {
-                rows.push(format_args!("row{}_lower", reading.row), &reading.regressor, lower, Sense::AtLeast);
+                rows.push(
+                    format_args!("row{}_lower", reading.row),
+                    &reading.regressor,
+                    lower,
+                    Sense::AtLeast,
+                );
             }
         }
         for (name, condition) in conditions_by_name(&problem.conditions) {

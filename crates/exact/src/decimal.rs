@@ -1,5 +1,6 @@
 //! Decimals out: rounded to a number of significant digits, in a stated direction.
 
+mod finite;
 mod words;
 
 use std::fmt;
@@ -37,6 +38,8 @@ pub struct Decimal<'a> {
     rounding: Rounding,
     /// The least exponent that is written without a power of ten.
     least_plain: i64,
+    /// All digits, where they are known already, and what the first of them weighs.
+    known: Option<(u64, i64)>,
 }
 
 /// People read 0.0005 more easily than 5e-4, as the `%g` of printf and R have it.
@@ -74,11 +77,14 @@ impl Rational {
     /// The decimal of [`Rational::to_decimal`] for writing into something that exists already. Takes no memory of its
     /// own for numbers of up to 128 bits.
     pub fn decimal(&self, digits: usize, rounding: Rounding) -> Decimal<'_> {
-        Decimal { value: self, digits: digits.max(1), rounding, least_plain: LEAST_PLAIN }
+        Decimal { value: self, digits: digits.max(1), rounding, least_plain: LEAST_PLAIN, known: None }
     }
 
     /// The decimal that so many significant digits hold exactly, if they do. Cost: one of [`Rational::to_decimal`].
     pub fn exact_decimal(&self, digits: usize) -> Option<Decimal<'_>> {
+        if let Some(known) = finite::digits(self, digits.max(1)) {
+            return Some(Decimal { known: Some(known), ..self.decimal(digits, Rounding::Down) });
+        }
         let is_exact = self.is_zero() || significand_of(self, digits.max(1), Rounding::Down).exact;
         is_exact.then(|| self.decimal(digits, Rounding::Down))
     }
@@ -120,11 +126,12 @@ impl Decimal<'_> {
 
 impl fmt::Display for Decimal<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Decimal { value, digits, rounding, least_plain } = *self;
+        let Decimal { value, digits, rounding, least_plain, known } = *self;
         if value.is_zero() {
             return f.write_str("0");
         }
-        match words::significand(value, digits, rounding) {
+        let known = known.map(|(digits, exponent)| Significand { digits, exponent, exact: true });
+        match known.or_else(|| words::significand(value, digits, rounding)) {
             Some(found) => {
                 let mut digits = itoa::Buffer::new();
                 let mut text = ShortText::new();
@@ -224,7 +231,8 @@ impl<'a> Parts<'a> {
     /// From significant digits whose first one weighs `10^exponent`. Down to `least_plain`, at least -4, there is no power
     /// of ten below 1.
     fn new(digits: &'a str, exponent: i64, exact: bool, least_plain: i64) -> Self {
-        let digits = if exact { digits.trim_end_matches('0') } else { digits };
+        let zeros = digits.bytes().rev().take_while(|&digit| digit == b'0').count();
+        let digits = if exact { &digits[..digits.len() - zeros] } else { digits };
         let count = digits.len() as i64;
         let plain = Parts { before: "", whole: digits, fraction: "", zeros: "", power: None };
         match exponent {
@@ -294,6 +302,33 @@ mod tests {
             assert_eq!(printed(Rounding::Down), down, "{text}");
             assert_eq!(printed(Rounding::Up), up, "{text}");
         }
+    }
+
+    /// What takes numbers of any size is the reference: on both sides of a word, and where digits are not enough.
+    #[test]
+    fn decimals_that_end_are_told_by_the_factors_of_their_denominators() {
+        let numerators = [1, 2, 3, 5, 10, 123, 1000, 999_999_999, 10_i64.pow(17), 10_i64.pow(18), i64::MAX];
+        let mut found = 0;
+        for (twos, fives, other) in (0..62).step_by(3).flat_map(|twos| {
+            (0..27).step_by(2).flat_map(move |fives| [1, 3, 7].map(|other| (twos, fives, other)))
+        }) {
+            let power = |base: u64, exponent| Integer::from(base.pow(exponent) as i64);
+            let denominator = Integer::power_of_two(twos) * power(5, fives) * Integer::from(other);
+            for numerator in numerators.into_iter().flat_map(|n| [n, -n]) {
+                let value = Rational::new(numerator.into(), denominator.clone()).unwrap();
+                for digits in [1, 5, 18, 40] {
+                    let rounded = long_significand(&value, digits, Rounding::Down);
+                    let decimal = value.exact_decimal(digits);
+                    assert_eq!(decimal.is_some(), rounded.exact, "{value} {digits}");
+                    let expected = value.decimal(digits, Rounding::Down);
+                    let Some(decimal) = decimal else { continue };
+                    found += usize::from(decimal.known.is_some());
+                    assert_eq!(decimal.to_string(), expected.to_string(), "{value} {digits}");
+                    assert_eq!(decimal.compact().to_string(), expected.compact().to_string(), "{value}");
+                }
+            }
+        }
+        assert!(found > 5000, "only {found}");
     }
 
     #[test]

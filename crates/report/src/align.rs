@@ -2,13 +2,20 @@
 
 use unicode_width::UnicodeWidthStr;
 
+/// How many columns a text takes on a terminal.
+pub(crate) fn columns(text: &str) -> usize {
+    // Without leaving early, so that many bytes are looked at in one step.
+    let is_plain = text.bytes().fold(true, |is_plain, byte| is_plain & (byte.wrapping_sub(b' ') < 95));
+    if is_plain { text.len() } else { text.width() }
+}
+
 /// The width of each column of some lines with equally many cells, as a terminal shows them.
 pub(crate) fn widths<L: AsRef<[String]>>(lines: &[L]) -> Vec<usize> {
-    let columns = lines.first().map_or(0, |line| line.as_ref().len());
+    let count = lines.first().map_or(0, |line| line.as_ref().len());
     let width = |column: usize| {
-        lines.iter().filter_map(|line| line.as_ref().get(column)).map(|cell| cell.width()).max().unwrap_or(0)
+        lines.iter().filter_map(|line| line.as_ref().get(column)).map(|cell| columns(cell)).max().unwrap_or(0)
     };
-    (0..columns).map(width).collect()
+    (0..count).map(width).collect()
 }
 
 /// Appends a line, its cells as far apart as their columns are wide; a wider cell moves the rest of the line. Nothing
@@ -21,7 +28,7 @@ pub(crate) fn write_line(cells: &[String], widths: &[usize], text: &mut String) 
             text.push_str(cell);
             missing = 0;
         }
-        missing += width.saturating_sub(cell.width()) + 2;
+        missing += width.saturating_sub(columns(cell)) + 2;
     }
     text.push('\n');
 }

@@ -70,6 +70,14 @@ impl<'a> Data<'a> {
         self.read(true)
     }
 
+    /// As [`Data::problem_with_others`], without the hash of the data: in less memory where no reading may be left out.
+    pub(crate) fn shown_problem(self) -> Result<Problem, Failure> {
+        let arguments = self.arguments;
+        self.asked()?;
+        let options = arguments.table.options(self.origin.reading, Some(&arguments.rows))?;
+        if options.selects_rows() { self.problem_with_others() } else { self.whole_problem() }
+    }
+
     /// Reads the problem in memory that does not grow with the file; with the hash of the data and the rows fitted if they
     /// will be shown. Where the bounds are going to move, all readings are kept unless those kept decide for every bound.
     pub(crate) fn scanned_problem(

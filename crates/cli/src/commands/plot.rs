@@ -30,7 +30,7 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
         Destination::One(_, file) => guard.check(file)?,
         Destination::All(folder) => guard.check_all(folder, Figure::ALL.map(name))?,
     }
-    let problem = arguments.data.open().problem_with_others()?;
+    let problem = arguments.data.open().shown_problem()?;
     let limits = &arguments.data.table.limits;
     let figures = if matches!(destination, Destination::All(_)) { 6 } else { 1 };
     refuse_long_problem(arguments.data.file_name(), &problem, figures * times::PLOT, limits)?;
@@ -53,7 +53,8 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
         Destination::All(folder) => {
             let file = |figure: Figure| Ok((name(figure), picture(figure)?));
             let files = Figure::ALL.into_iter().map(file).collect::<Result<Vec<_>, Failure>>()?;
-            let write = |(name, bytes): (String, Vec<u8>)| (name, move |output: &mut Output| output.write(&bytes));
+            let write =
+                |(name, bytes): (String, Vec<u8>)| (name, move |output: &mut Output| output.write(&bytes));
             let files: Vec<_> = files.into_iter().map(write).collect();
             output::write_all(folder, &files, &guard)?;
         }

@@ -1,5 +1,6 @@
 //! Integers of any size.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::fmt;
 
@@ -71,12 +72,12 @@ fn product_of(left: &Integer, right: &Integer) -> Integer {
 
 #[cold]
 fn big_sum(left: &Integer, right: &Integer) -> Integer {
-    Integer::from_big(left.to_big() + right.to_big())
+    Integer::from_big(&*left.big() + &*right.big())
 }
 
 #[cold]
 fn big_difference(left: &Integer, right: &Integer) -> Integer {
-    Integer::from_big(left.to_big() - right.to_big())
+    Integer::from_big(&*left.big() - &*right.big())
 }
 
 #[inline(never)]
@@ -86,7 +87,7 @@ fn long_product(left: &Integer, right: &Integer) -> Integer {
     {
         return Integer::of_word(product);
     }
-    Integer::from_big(left.to_big() * right.to_big())
+    Integer::from_big(&*left.big() * &*right.big())
 }
 
 impl Ord for Integer {
@@ -185,7 +186,7 @@ impl Integer {
     fn long_gcd(&self, other: &Self) -> Self {
         match (self.word(), other.word()) {
             (Some(own), Some(other)) => Integer::from(gcd(own.unsigned_abs(), other.unsigned_abs())),
-            _ => Integer::from_big(long_gcd(self.to_big().magnitude(), other.to_big().magnitude()).into()),
+            _ => Integer::from_big(long_gcd(self.big().magnitude(), other.big().magnitude()).into()),
         }
     }
 
@@ -220,7 +221,7 @@ impl Integer {
             let (quotient, remainder) = own.div_mod_floor(&divisor);
             return (Integer::of_word(quotient), Integer::of_word(remainder));
         }
-        let (quotient, remainder) = self.to_big().div_mod_floor(&divisor.to_big());
+        let (quotient, remainder) = self.big().div_mod_floor(&*divisor.big());
         (Integer::from_big(quotient), Integer::from_big(remainder))
     }
 
@@ -244,7 +245,7 @@ impl Integer {
                     _ => Integer::of_word(own / divisor),
                 }
             }
-            _ => Integer::from_big(self.to_big() / divisor.to_big()),
+            _ => Integer::from_big(&*self.big() / &*divisor.big()),
         }
     }
 
@@ -347,9 +348,14 @@ impl Integer {
 
     /// The library's form.
     pub(super) fn to_big(&self) -> BigInt {
+        self.big().into_owned()
+    }
+
+    /// The library's form; that of a long number is there already.
+    fn big(&self) -> Cow<'_, BigInt> {
         match &self.0 {
-            Small(value) => BigInt::from(value.get()),
-            Big(value) => (**value).clone(),
+            Small(value) => Cow::Owned(BigInt::from(value.get())),
+            Big(value) => Cow::Borrowed(value),
         }
     }
 

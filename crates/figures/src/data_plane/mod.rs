@@ -3,6 +3,7 @@
 
 mod bands;
 mod readings;
+mod sample;
 mod scene;
 mod view;
 
@@ -179,10 +180,10 @@ fn notes(scene: &Scene, bands: &Bands) -> Vec<String> {
         );
     }
     notes.extend(bands.notes());
-    if scene.readings.len() > MOST_MARKS {
+    if scene.count > MOST_MARKS {
         notes.push(format!(
             "{}; marked are the extreme ones of every three pixels and those that fix the set.",
-            counted(scene.readings.len(), "reading", "readings")
+            counted(scene.count, "reading", "readings")
         ));
     }
     notes

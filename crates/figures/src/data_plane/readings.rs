@@ -70,9 +70,9 @@ pub(crate) fn bars<'a>(view: &View<'a>, panel: &Panel) -> Vec<Bar<'a>> {
     bars.filter(|bar| (0.0..=1.0).contains(&bar.at)).collect()
 }
 
-/// In how many columns readings are thinned out.
-fn columns(panel: &Panel) -> f64 {
-    length(panel) / COLUMN
+/// In how many columns readings are thinned out on an axis of x of so many pixels.
+pub(super) fn columns(length: f64) -> f64 {
+    length / COLUMN
 }
 
 /// Length of the axis of x in pixels.
@@ -82,10 +82,10 @@ fn length(panel: &Panel) -> f64 {
 
 /// Of readings that are thinned out, how far they reach in every column with their bounds.
 pub(crate) fn shade(view: &View, panel: &mut Panel, bars: &[Bar]) {
-    if view.scene.readings.len() <= MOST_MARKS {
+    if view.scene.count <= MOST_MARKS {
         return;
     }
-    let columns = columns(panel);
+    let columns = columns(length(panel));
     // Neighbours overlap by half a pixel, or the paper would shine through.
     let overlap = 0.25 / length(panel);
     for (column, extremes) in extremes(bars, columns, true).into_iter().enumerate() {
@@ -99,7 +99,10 @@ pub(crate) fn shade(view: &View, panel: &mut Panel, bars: &[Bar]) {
 
 /// Draws the readings of a view: others first, conflicting ones last.
 pub(crate) fn draw(view: &View, panel: &mut Panel, bars: &[Bar]) {
-    let kept = thinned(bars, columns(panel));
+    let kept = match view.scene.count {
+        ..=MOST_MARKS => bars.iter().collect(),
+        _ => thinned(bars, columns(length(panel))),
+    };
     let caps = if kept.len() <= MOST_CAPS { 3.0 / length(panel) } else { 0.0 };
     for conflicting in [false, true] {
         for bar in kept.iter().filter(|bar| bar.shown.conflicting == conflicting) {
@@ -155,12 +158,8 @@ fn label(panel: &mut Panel, bar: &Bar) {
     panel.text(panel.oriented([bar.at, end]), text, Anchor { across, up }, INK);
 }
 
-/// Of each column the reading that reaches highest and the one that reaches lowest, and those that are kept anyway;
-/// all when there are few.
+/// Of each column the reading that reaches highest and the one that reaches lowest, and those that are kept anyway.
 fn thinned<'a, 'b>(bars: &'b [Bar<'a>], columns: f64) -> Vec<&'b Bar<'a>> {
-    if bars.len() <= MOST_MARKS {
-        return bars.iter().collect();
-    }
     let mut kept: BTreeSet<usize> = BTreeSet::new();
     for fitted in [false, true] {
         kept.extend(extremes(bars, columns, fitted).into_iter().flatten().flatten());

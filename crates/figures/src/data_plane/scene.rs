@@ -6,6 +6,9 @@ use std::collections::BTreeSet;
 use boundfit_estimation::{BoundName, Fit, Measurement, Model, Problem};
 use boundfit_exact::Rational;
 
+use super::frames;
+use super::readings::columns;
+use super::sample::may_be_seen;
 use crate::axis::Axis;
 use crate::extent::Extent;
 use crate::figure::{Figure, PlotOptions};
@@ -61,7 +64,10 @@ pub(crate) struct Scene<'a> {
     pub(crate) options: &'a PlotOptions,
     pub(crate) conflict: Conflict,
     pub(crate) reference: Option<Reference>,
+    /// All of them, or of very many those that may be seen.
     pub(crate) readings: Vec<Shown>,
+    /// How many there are.
+    pub(crate) count: usize,
     /// The ends of the axis of x.
     pub(crate) abscissas: [Rational; 2],
 }
@@ -70,9 +76,21 @@ impl<'a> Scene<'a> {
     pub(crate) fn new(problem: &'a Problem, fit: &'a Fit, figure: Figure, options: &'a PlotOptions) -> Self {
         let conflict = Conflict::of(problem, fit);
         let reference = reference(problem, fit, figure);
-        let readings = readings(problem, fit, &conflict, figure, reference.as_ref());
-        let abscissas = abscissas(&readings, is_line(problem));
-        Scene { problem, fit, figure, options, conflict, reference, readings, abscissas }
+        let others = if figure == Figure::Corridor { &[] } else { problem.measurements.others() };
+        let fitted = problem.measurements.kept();
+        let abscissas = abscissas([others, fitted], is_line(problem));
+        let frame = frames(options.flip)[0];
+        let columns = columns(if options.flip { frame.height } else { frame.width });
+        let theta = reference.as_ref().map(|reference| &reference.theta);
+        let seen = match others {
+            // Only of a line they are beside each other.
+            [] if is_line(problem) => may_be_seen(fitted, theta, &abscissas, columns),
+            _ => None,
+        };
+        let readings =
+            readings(problem, fit, &conflict, [others, fitted], reference.as_ref(), seen.as_deref());
+        let count = others.len() + fitted.len();
+        Scene { problem, fit, figure, options, conflict, reference, readings, count, abscissas }
     }
 
     /// Whether the model is a line.
@@ -82,7 +100,7 @@ impl<'a> Scene<'a> {
 
     /// Whether each reading is drawn small, to leave room for the others.
     pub(crate) fn is_dense(&self) -> bool {
-        self.readings.len() > MOST_MARKS / 2
+        self.count > MOST_MARKS / 2
     }
 
     /// The fitted rows, or as many of them, evenly spread, as have room side by side.
@@ -98,10 +116,13 @@ fn is_line(problem: &Problem) -> bool {
 }
 
 /// The ends of the axis of x: those of the readings, and a little more; never equal.
-fn abscissas(readings: &[Shown], is_line: bool) -> [Rational; 2] {
+fn abscissas(readings: [&[Measurement]; 2], is_line: bool) -> [Rational; 2] {
     let mut extent = Extent::default();
-    for shown in readings {
-        extent.include(&shown.abscissa);
+    for reading in readings.into_iter().flatten() {
+        match is_line {
+            true => extent.include(&reading.regressor[0]),
+            false => extent.include(&Rational::from(reading.row)),
+        }
     }
     let [mut lower, mut upper] = extent.padded(&Rational::ratio(1, 20)).into_ends();
     if !is_line {
@@ -114,18 +135,21 @@ fn abscissas(readings: &[Shown], is_line: bool) -> [Rational; 2] {
     [axis.lower().clone(), axis.lower() + axis.width()]
 }
 
-/// The readings of a figure: those that are not fitted, too, but for [`Figure::Corridor`], which is about narrow gaps.
+/// The readings of a figure: those that are not fitted, too, but for [`Figure::Corridor`], which is about narrow gaps. Of those
+/// fitted, the ones that may be seen, and those to be kept anyway.
 fn readings(
     problem: &Problem,
     fit: &Fit,
     conflict: &Conflict,
-    figure: Figure,
+    [others, fitted]: [&[Measurement]; 2],
     reference: Option<&Reference>,
+    seen: Option<&[bool]>,
 ) -> Vec<Shown> {
     let active = active_rows(fit);
     let line = is_line(problem);
+    let is_conflicting = |row: &usize| conflict.rows.contains(row);
     let shown = |measurement: &Measurement, fitted: bool| {
-        let conflicting = fitted && conflict.rows.contains(&measurement.row);
+        let conflicting = fitted && is_conflicting(&measurement.row);
         Shown {
             abscissa: if line { measurement.regressor[0].clone() } else { Rational::from(measurement.row) },
             fitted,
@@ -136,8 +160,12 @@ fn readings(
             measurement: measurement.clone(),
         }
     };
-    let others = if figure == Figure::Corridor { &[] } else { problem.measurements.others() };
-    let fitted = problem.measurements.kept().iter().map(|row| shown(row, true));
+    let is_kept = |(index, reading): &(usize, &Measurement)| {
+        seen.is_none_or(|seen| seen.get(*index) != Some(&false))
+            || active.contains(&reading.row)
+            || is_conflicting(&reading.row)
+    };
+    let fitted = fitted.iter().enumerate().filter(is_kept).map(|(_, reading)| shown(reading, true));
     others.iter().map(|row| shown(row, false)).chain(fitted).collect()
 }
 

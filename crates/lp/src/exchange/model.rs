@@ -4,10 +4,10 @@ use std::collections::HashSet;
 
 use boundfit_exact::Rational;
 
+use super::escaped;
 use super::number::{decimal, has_finite_decimal};
 use super::rows::{INFINITE, LargeBounds, WrittenRows};
 use super::written::{Written, WrittenColumn};
-use super::escaped;
 use crate::format::ExchangeFormat;
 use crate::model::{Bounds, Model};
 use crate::read::{ends_name, is_keyword};

@@ -63,8 +63,7 @@ fn write_columns(text: &mut impl fmt::Write, program: &Written<'_>) -> fmt::Resu
         write(objective.name, objective.coefficient(place).unwrap_or("0"))?;
         entries.iter().try_for_each(|(row, coefficient)| write(row, coefficient))?;
         if !is_many {
-            let mut found =
-                program.rows.iter().filter_map(|row| Some((row.name, row.coefficient(place)?)));
+            let mut found = program.rows.iter().filter_map(|row| Some((row.name, row.coefficient(place)?)));
             found.try_for_each(|(row, coefficient)| write(row, coefficient))?;
         }
     }

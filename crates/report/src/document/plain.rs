@@ -1,10 +1,8 @@
 //! Documents as plain text.
 
-use unicode_width::UnicodeWidthStr;
-
 use super::wrap::{WIDTH, wrapped};
 use super::{Block, Facts, Table, Text};
-use crate::align::{widths, write_line};
+use crate::align::{columns, widths, write_line};
 
 /// The room for labels of results.
 const RESULT_WIDTH: usize = 14;
@@ -30,13 +28,13 @@ pub(super) fn written(blocks: &[Block]) -> String {
             Block::Facts(Facts { width, rows }) => {
                 for (label, fact) in rows {
                     let label = format!("  {:<width$}  ", label.to_string());
-                    write_behind(&label, label.width(), fact, &mut text);
+                    write_behind(&label, columns(&label), fact, &mut text);
                 }
             }
             Block::Results(lines) => {
                 for (label, result) in lines {
                     let label = format!("{:<RESULT_WIDTH$} ", label.to_string());
-                    write_behind(&label, label.width(), result, &mut text);
+                    write_behind(&label, columns(&label), result, &mut text);
                 }
             }
             Block::Table(table) => write_table(table, &mut text),
@@ -50,7 +48,7 @@ pub(super) fn written(blocks: &[Block]) -> String {
 fn write_behind(label: &str, column: usize, what: &Text, text: &mut String) {
     for (number, line) in wrapped(&what.to_string(), WIDTH.saturating_sub(column)).iter().enumerate() {
         let before = if number == 0 { label } else { "" };
-        let line = format!("{before}{:blanks$}{line}", "", blanks = column - before.width().min(column));
+        let line = format!("{before}{:blanks$}{line}", "", blanks = column - columns(before).min(column));
         text.push_str(line.trim_end());
         text.push('\n');
     }
@@ -103,10 +101,12 @@ fn limits(natural: &[usize]) -> Vec<usize> {
 
 /// A row as lines of cells.
 fn lines_of(row: &[String], limits: &[usize]) -> Vec<Vec<String>> {
-    let cells: Vec<Vec<String>> = row.iter().zip(limits).map(|(cell, limit)| wrapped(cell, *limit)).collect();
+    let mut cells: Vec<_> = row.iter().zip(limits).map(|(cell, limit)| wrapped(cell, *limit)).collect();
     let height = cells.iter().map(Vec::len).max().unwrap_or(0);
-    let line =
-        |number: usize| cells.iter().map(|lines| lines.get(number).cloned().unwrap_or_default()).collect();
+    let line = |number: usize| {
+        let cells = cells.iter_mut().map(|lines| lines.get_mut(number).map(std::mem::take));
+        cells.map(Option::unwrap_or_default).collect()
+    };
     (0..height).map(line).collect()
 }
 

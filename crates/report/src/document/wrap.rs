@@ -1,6 +1,6 @@
 //! Lines of plain text no longer than a page of listings is wide.
 
-use unicode_width::UnicodeWidthStr;
+use crate::align::columns;
 
 /// The most columns of a line.
 pub(super) const WIDTH: usize = 80;
@@ -8,15 +8,18 @@ pub(super) const WIDTH: usize = 80;
 /// The lines of a text of which each fits into so many columns, unless one word alone does not. Lines end at blanks: first at
 /// those that tear neither a bracket, a product nor the name of a bound apart.
 pub(super) fn wrapped(text: &str, width: usize) -> Vec<String> {
+    if columns(text) <= width {
+        return vec![text.to_owned()];
+    }
     let indent = text.len() - text.trim_start_matches(' ').len();
     let (indent, text) = text.split_at(indent);
     let mut lines = Lines { lines: Vec::new(), line: indent.to_owned(), is_empty: true, width };
     for chunk in chunks(text) {
-        let is_long = chunk.iter().map(|word| word.width() + 1).sum::<usize>() > width + 1;
+        let is_long = chunk.split(' ').map(|word| columns(word) + 1).sum::<usize>() > width + 1;
         if is_long {
-            chunk.iter().for_each(|word| lines.push(word));
+            chunk.split(' ').for_each(|word| lines.push(word));
         } else {
-            lines.push(&chunk.join(" "));
+            lines.push(chunk);
         }
     }
     lines.lines.push(lines.line);
@@ -33,7 +36,7 @@ struct Lines {
 
 impl Lines {
     fn push(&mut self, text: &str) {
-        if !self.is_empty && self.line.width() + 1 + text.width() > self.width {
+        if !self.is_empty && columns(&self.line) + 1 + columns(text) > self.width {
             self.lines.push(std::mem::take(&mut self.line));
             self.is_empty = true;
         }
@@ -45,38 +48,49 @@ impl Lines {
     }
 }
 
-/// The words of a text, those together between which no line should end.
-fn chunks(text: &str) -> Vec<Vec<&str>> {
-    let mut chunks: Vec<Vec<&str>> = Vec::new();
-    let mut depth = 0_usize;
-    let mut is_torn = true;
-    let mut words = text.split(' ').peekable();
-    while let Some(word) = words.next() {
-        match chunks.last_mut() {
-            Some(chunk) if !is_torn => chunk.push(word),
-            _ => chunks.push(vec![word]),
+/// The pieces of a text, between blanks, within which no line should end.
+fn chunks(text: &str) -> impl Iterator<Item = &str> {
+    let (mut rest, mut is_over) = (text, false);
+    std::iter::from_fn(move || {
+        if is_over {
+            return None;
         }
-        for character in word.chars() {
-            match character {
-                '(' | '[' => depth += 1,
-                ')' | ']' => depth = depth.saturating_sub(1),
-                _ => {}
+        let mut depth = 0_usize;
+        let (mut start, mut end) = (0, 0);
+        loop {
+            let after = rest.get(end..).unwrap_or_default();
+            end += after.bytes().position(|byte| byte == b' ').unwrap_or(after.len());
+            let word = rest.get(start..end).unwrap_or_default();
+            for byte in word.bytes() {
+                match byte {
+                    b'(' | b'[' => depth += 1,
+                    b')' | b']' => depth = depth.saturating_sub(1),
+                    _ => {}
+                }
             }
+            let Some(after) = rest.get(end + 1..) else {
+                is_over = true;
+                return Some(rest);
+            };
+            let next = after.split(' ').next().unwrap_or_default();
+            if depth == 0 && !is_joined(word, next) {
+                let chunk = rest.get(..end);
+                rest = after;
+                return chunk;
+            }
+            (start, end) = (end + 1, end + 1);
         }
-        let next = words.peek().copied().unwrap_or_default();
-        is_torn = depth == 0 && !is_joined(word, next);
-    }
-    chunks
+    })
 }
 
 /// Whether two words belong together: operator and operand, row and side.
 fn is_joined(word: &str, next: &str) -> bool {
     let relates = |word: &str| matches!(word, "*" | "<=" | ">=" | "=" | "+-");
-    let is_side = matches!(next.trim_end_matches([',', '.', ')']), "upper" | "lower");
+    let is_side = || matches!(next.trim_end_matches([',', '.', ')']), "upper" | "lower");
     relates(word)
         || relates(next)
         || matches!(word, "+" | "-")
-        || (is_side && word.ends_with(|character: char| character.is_ascii_digit()))
+        || (word.ends_with(|character: char| character.is_ascii_digit()) && is_side())
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ mod reader;
 use std::fs;
 use std::path::Path;
 
-use boundfit_check::ExchangeRows;
+use boundfit_check::{ExchangeRows, ProgramRows};
 use boundfit_estimation::{
     BoundName, Columns, Condition, EpsilonColumn, LineForm, Measurements, Problem, fit,
 };
