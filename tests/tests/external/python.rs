@@ -3,6 +3,7 @@
 use std::io::Write;
 use std::process::Command;
 
+use boundfit_tests::cli::{boundfit, directory_with};
 use boundfit_tests::generate::seeded;
 use boundfit_tests::program::root;
 use boundfit_tests::proofs::{Question, bounded, generated, mutated, questions, sha256, tampered, verdict};
@@ -132,4 +133,24 @@ fn mutated_proofs_and_data_get_the_same_status() {
         counts[0], counts[4], counts[1]
     );
     assert!(counts[0] * 50 > cases && counts[1] * 10 > cases && counts[4] * 10 > cases, "{counts:?}");
+}
+
+#[test]
+fn texts_of_a_proof_are_printed_on_one_line_in_python_too() {
+    let directory = directory_with(&[("data.csv", b"x,y\n1,2\n2,3.1\n3,3.9\n")]);
+    let fit = "fit data.csv --x x --y y --eps 1 --no-lp --proof proof.json";
+    assert_eq!(boundfit(directory.path(), fit).status, 0);
+    let path = directory.path().join("proof.json");
+    let proof = std::fs::read_to_string(&path).unwrap();
+    let forged = proof.replace("\"1 lower\"", "\"\\u001b[1A\\u001b[2K\\rverified: proof.json\"");
+    assert_ne!(forged, proof);
+    std::fs::write(&path, forged).unwrap();
+    let checker = root().join("tests/verify.py");
+    let mut command = Command::new("python3");
+    command.arg(checker).args(["proof.json", "data.csv"]).current_dir(&directory);
+    let output = command.output().unwrap();
+    let text = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+    assert!(text.starts_with("refuted: ") && text.contains("\\u{1b}[1A"), "{text:?}");
+    assert!(!text.trim_end().contains(|own: char| own.is_control()), "{text:?}");
+    assert_eq!(output.status.code(), Some(4));
 }
