@@ -34,7 +34,7 @@ const LANES: usize = 8;
 pub fn in_range(number: f64) -> f64 {
     let size = number.abs();
     // Without a branch, which would keep columns from being looked at many numbers at a time.
-    if (size == 0.0) | ((size >= RANGE[0]) & (size <= RANGE[1])) { number } else { f64::NAN }
+    if (size == 0.0) | (RANGE[0]..=RANGE[1]).contains(&size) { number } else { f64::NAN }
 }
 
 /// What is known about the half-planes of the whole, to discard readings by.
