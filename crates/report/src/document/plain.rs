@@ -62,11 +62,14 @@ fn write_table(Table { header, rows }: &Table, text: &mut String) {
     }
     let cells = |row: &Vec<Text>| row.iter().map(Text::to_string).collect::<Vec<_>>();
     let rows: Vec<Vec<String>> = std::iter::once(header).chain(rows).map(cells).collect();
-    let limits = limits(&widths(&rows));
-    let lines: Vec<Vec<String>> = rows.iter().flat_map(|row| lines_of(row, &limits)).collect();
-    let widths = widths(&lines);
+    let natural = widths(&rows);
+    let limits = limits(&natural);
+    // Where all cells are as narrow as they may be, each row is a line as it is: most tables, and all very long ones.
+    let broken = (natural != limits)
+        .then(|| rows.iter().flat_map(|row| lines_of(row, &limits)).collect::<Vec<Vec<String>>>());
+    let widths = broken.as_ref().map_or(natural, |lines| widths(lines));
     if widths.iter().sum::<usize>() + INDENT + GAP * (widths.len() - 1) <= WIDTH {
-        for line in &lines {
+        for line in broken.as_ref().unwrap_or(&rows) {
             text.push_str("  ");
             write_line(line, &widths, text);
         }
