@@ -19,7 +19,7 @@ use crate::exit::Failure;
 use crate::input;
 use crate::memory;
 use crate::progress::ReadingProgress;
-use crate::work::{refuse_long_problem, times};
+use crate::work::{refuse_long, refuse_long_problem, times};
 
 const LEAST_OF_FIXED: &str = "'--eps min' moves the error bounds, and the data are a reduction under bounds that are fixed: fit the \
                               table that it was made from";
@@ -295,6 +295,8 @@ impl Asked {
         let check = |problem: &Problem| {
             refuse_long_problem(data.file_name(), problem, times::FIT, &data.table.limits)
         };
+        let every = self.work_of_every(measurements.kept().len());
+        refuse_long(data.file_name(), &every, times::FIT, &data.table.limits)?;
         // A multiple of the least bound is work too.
         let stated = self.stated_problem(measurements);
         check(&stated)?;
@@ -329,6 +331,23 @@ impl Asked {
         let is_long_bound =
             matches!(&self.columns.epsilon, EpsilonColumn::Uniform(epsilon) if is_long(epsilon));
         is_long_bound || is_long(&self.columns.form.x_origin)
+    }
+
+    /// The work on what each of so many readings gets beside its own numbers, estimated before memory is taken for it: the bound
+    /// and the origin that are the same for all, and where the bound comes from the readings, what it may take from a condition.
+    pub(crate) fn work_of_every(&self, readings: usize) -> Work {
+        let mut numbers = vec![&self.columns.form.x_origin];
+        if let EpsilonColumn::Uniform(epsilon) = &self.columns.epsilon {
+            numbers.push(epsilon);
+        }
+        let right_sides = self.conditions.iter().map(|condition| &condition.inequality().b);
+        let longest = right_sides.max_by_key(|number| number.bits());
+        numbers.extend(longest.filter(|_| self.multiple_of_least.is_some()));
+        let mut work = Work::default();
+        if Work::of_numbers(&numbers) != work {
+            (1..=readings).for_each(|row| work.add(row, numbers.iter().copied()));
+        }
+        work
     }
 
     /// What the answers about many groups stand and fall with, as a line; nothing where the error bound is given.

@@ -60,9 +60,11 @@ fn refuse_long_groups(arguments: &FitArguments, asked: &Asked, fleet: &Fleet) ->
     if !asked.has_long_bound() && !fleet.has_fractions() {
         return Ok(());
     }
+    let (file, limits) = (arguments.data.file_name(), &arguments.data.table.limits);
+    refuse_long(file, &asked.work_of_every(fleet.readings()), times::FIT, limits)?;
     let mut work = Work::default();
     (0..fleet.len()).for_each(|group| work.append(asked.stated_problem(fleet.measurements(group)).work(&[])));
-    refuse_long(arguments.data.file_name(), &work, times::FIT, &arguments.data.table.limits)
+    refuse_long(file, &work, times::FIT, limits)
 }
 
 /// What is to be fitted and how it is shown.

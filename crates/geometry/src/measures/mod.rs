@@ -195,16 +195,29 @@ impl<'a> Measure<'a> {
     /// told without the number itself.
     fn enclosures(&self, digits: usize) -> impl Iterator<Item = (Rational, Rational)> {
         const LEVELS: usize = 3;
+        // The number itself takes common divisors of the length of all corners: where that is long, every level is cheaper.
+        let more = if self.is_long() { MOST_LEVELS } else { LEVELS };
         let levels = match &self.0 {
             Kind::Short(_) => 0..1,
             Kind::Sum(_) | Kind::Area { .. } | Kind::Centroid { .. } => {
                 // A decimal digit takes 3.33 bits; errors are a few units of the last one of these.
                 let needed = 4 * digits as u64 + 12;
                 let first = (0..=MOST_LEVELS).find(|level| bits_of(*level) >= needed).unwrap_or(MOST_LEVELS);
-                first..MOST_LEVELS.min(first + LEVELS)
+                first..MOST_LEVELS.min(first + more)
             }
         };
         levels.filter_map(|level| self.ends(level))
+    }
+
+    /// Whether it is made of corners of tens of thousands of bits.
+    fn is_long(&self) -> bool {
+        const LONG: u64 = 1 << 14;
+        match &self.0 {
+            Kind::Short(_) | Kind::Sum(_) => false,
+            Kind::Area { of, .. } | Kind::Centroid { of, .. } => {
+                of.corners.iter().any(|corner| corner.homogeneous().2.bits() > LONG)
+            }
+        }
     }
 
     fn ends(&self, level: usize) -> Option<(Rational, Rational)> {

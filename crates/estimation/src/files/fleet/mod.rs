@@ -94,6 +94,11 @@ impl Fleet {
         self.len() == 0
     }
 
+    /// How many readings there are.
+    pub fn readings(&self) -> usize {
+        self.rows.len()
+    }
+
     /// How many rows that were asked for were left out since they lack a number.
     pub fn rows_missing(&self) -> usize {
         self.rows_missing
