@@ -35,10 +35,21 @@ pub(crate) fn refuse_long_problem(
     refuse_long(file, &problem.work(&[]), times * looks(problem), limits)
 }
 
+/// Refuses a lesson about a problem, which leaves out each reading in turn.
+pub(crate) fn refuse_long_lesson(
+    file: Foreign<&str>,
+    problem: &Problem,
+    limits: &LimitArguments,
+) -> Result<(), Failure> {
+    let readings = problem.measurements.kept().len() as u64;
+    refuse_long_problem(file, problem, times::LESSON + readings, limits)?;
+    refuse_long(file, &problem.work(&[]).of_leaving_out_each(readings), 1, limits)
+}
+
 /// How much more than of a line under one bound the least bound of a problem takes, which comes from cutting planes then.
 fn looks(problem: &Problem) -> u64 {
     let is_line = matches!(problem.measurements.model(), Model::Line { .. });
-    if is_line && problem.measurements.error_bound().is_uniform() { 1 } else { 2 }
+    if is_line && problem.measurements.error_bound().is_uniform() { 1 } else { 4 }
 }
 
 /// Refuses the sets of a problem for factors up to this one.

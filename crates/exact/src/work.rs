@@ -25,6 +25,10 @@ pub const MOST_WORK: u64 = 400_000_000;
 /// So many words of a reading are free: two regressors, a response and two bounds that are doubles of 17 digits at the ends of
 /// their range, with numerators and denominators of 1,134 bits.
 const FREE_WORDS: u64 = 96;
+/// So many words of a reading are those of usual numbers: three of 17 digits with exponents have a third of them.
+const SHORT_WORDS: u64 = 16;
+/// How much less than a fit one of many fits of the same readings takes.
+const COMBINATIONS_LEFT_OUT: u64 = 4;
 /// So many words of all different denominators together are free.
 const FREE_DENOMINATOR_WORDS: u64 = 64;
 /// So many products of the words of one number and of another one are free.
@@ -50,6 +54,10 @@ const WORK_OF_DENOMINATOR: u64 = 64;
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Work {
     squares: u64,
+    /// Of all rows that are not short, free words too.
+    all_squares: u64,
+    /// How many these are.
+    not_short: usize,
     long: usize,
     /// Bits and number of the row with the longest numbers.
     longest: (u64, usize),
@@ -109,19 +117,24 @@ impl Work {
     /// Adds other work of rows.
     pub fn append(&mut self, other: Work) {
         self.squares = self.squares.saturating_add(other.squares);
+        self.all_squares = self.all_squares.saturating_add(other.all_squares);
+        self.not_short += other.not_short;
         self.long += other.long;
         self.longest = self.longest.max(other.longest);
     }
 
     fn add_bits(&mut self, row: usize, bits: u64) {
         let words = bits.div_ceil(u64::BITS.into());
-        if words <= FREE_WORDS {
-            return;
+        if words > SHORT_WORDS {
+            self.all_squares = self.all_squares.saturating_add(words.saturating_pow(2));
+            self.not_short += 1;
+            if bits > self.longest.0 {
+                self.longest = (bits, row);
+            }
         }
-        self.squares = self.squares.saturating_add((words - FREE_WORDS).saturating_pow(2));
-        self.long += 1;
-        if bits > self.longest.0 {
-            self.longest = (bits, row);
+        if words > FREE_WORDS {
+            self.squares = self.squares.saturating_add((words - FREE_WORDS).saturating_pow(2));
+            self.long += 1;
         }
     }
 
@@ -154,6 +167,13 @@ impl Work {
         let of_denominators = denominators.saturating_pow(2).saturating_mul(WORK_OF_DENOMINATOR);
         let of_readings = self.squares.saturating_mul(WORK_OF_READING);
         of_readings.saturating_add(of_denominators).saturating_mul(times)
+    }
+
+    /// The work of as many fits of nearly all readings as there are readings: it grows with the square of their number, so that
+    /// the words that are free in one fit count.
+    pub fn of_leaving_out_each(&self, readings: u64) -> Self {
+        let squares = self.all_squares.saturating_mul(readings) / COMBINATIONS_LEFT_OUT;
+        Work { squares, long: self.not_short, ..*self }
     }
 
     /// Refuses what takes more products than this.
@@ -276,10 +296,13 @@ mod tests {
     fn numbers_of_usual_length_are_free_however_many() {
         let mut work = Work::default();
         let doubles = [f64::MAX, 5e-324].map(|double| Rational::from_f64(double).unwrap());
+        let usual = Rational::scientific(12_345_678_901_234_567_i64, -20);
+        (1..100_000).for_each(|row| work.add(row, [&usual; 3]));
+        assert_eq!(work.of_leaving_out_each(100_000), Work::default());
         (1..100_000).for_each(|row| work.add(row, [&doubles[0], &doubles[1]]));
         let longest = Rational::scientific(12_345_678_901_234_567_i64, -324);
         work.add(1, [&longest; 5]);
-        assert_eq!(work, Work::default());
+        assert_eq!(work.products(1_000), 0);
         let meter = WorkMeter::default();
         let third = Rational::ratio(1, 3);
         for number in &doubles {
@@ -327,6 +350,15 @@ mod tests {
         let digits = |count: usize| Work::of_digits(&format!("[\"{}\", 7]", "1".repeat(count))).products(1);
         assert_eq!(digits(1_200), 0);
         assert_eq!(digits(10_000), 40 * (520 * 520 - 64 * 64) / 32);
+    }
+
+    #[test]
+    fn leaving_out_each_of_some_readings_counts_what_is_free_in_one_fit() {
+        let mut work = Work::default();
+        let number = Rational::from(Integer::power_of_two(64 * 40 - 2));
+        (0..200).for_each(|row| work.add(row, [&number]));
+        assert_eq!(work.products(1_000), 0);
+        assert_eq!(work.of_leaving_out_each(200).products(1), 40 * 200 * (200 * 40 * 40) / 4);
     }
 
     #[test]

@@ -327,7 +327,7 @@ impl Asked {
 
     /// Whether a bound or an origin that is the same for all readings is so long that it counts in each.
     pub(crate) fn has_long_bound(&self) -> bool {
-        let is_long = |number: &Rational| Work::of_numbers(&[number]) != Work::default();
+        let is_long = |number: &Rational| Work::of_numbers(&[number]).products(1) > 0;
         let is_long_bound =
             matches!(&self.columns.epsilon, EpsilonColumn::Uniform(epsilon) if is_long(epsilon));
         is_long_bound || is_long(&self.columns.form.x_origin)
@@ -344,7 +344,7 @@ impl Asked {
         let longest = right_sides.max_by_key(|number| number.bits());
         numbers.extend(longest.filter(|_| self.multiple_of_least.is_some()));
         let mut work = Work::default();
-        if Work::of_numbers(&numbers) != work {
+        if Work::of_numbers(&numbers).products(1) > 0 {
             (1..=readings).for_each(|row| work.add(row, numbers.iter().copied()));
         }
         work

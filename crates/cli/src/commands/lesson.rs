@@ -9,7 +9,7 @@ use crate::arguments::{LessonArguments, told_by_name};
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
-use crate::work::{refuse_long_problem, times};
+use crate::work::refuse_long_lesson;
 
 /// Reads the data, fits and writes the page.
 pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
@@ -23,8 +23,7 @@ pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
     if problem.measurements.is_of_reductions() {
         return Err(Failure::data(InputError::of_file(arguments.data.file_name(), ReductionError::NotHere)));
     }
-    let times = times::LESSON + problem.measurements.kept().len() as u64;
-    refuse_long_problem(arguments.data.file_name(), &problem, times, &arguments.data.table.limits)?;
+    refuse_long_lesson(arguments.data.file_name(), &problem, &arguments.data.table.limits)?;
     let fit = fit(&problem);
     let [x_unit, y_unit] = arguments.labels.units(&problem.measurements);
     let options = LessonOptions {
