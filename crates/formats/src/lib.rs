@@ -48,7 +48,7 @@ pub use error::{InputError, InputErrorKind, Place};
 pub use fractions::Fractions;
 pub use half_planes::{GeneratorRows, HalfPlaneFile, HalfPlaneFormat, RowOrigin, read_half_planes};
 pub use limits::{LONGEST_LINE, SizeLimits};
-pub use open::{read_table, scan};
+pub use open::{HeldRows, read_table, scan};
 pub use reduction::{
     AskedReduction, REDUCTION_MARK, ReducedBounds, ReducedModel, ReductionError, ReductionRecord, Reductions,
     open_reduction,

@@ -1,7 +1,7 @@
 //! Which reader reads an input: the only place where formats are told apart.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use boundfit_exact::Foreign;
 
@@ -127,15 +127,52 @@ impl Wanted {
     }
 }
 
-/// Stops reading when more rows are in memory than may be: a stream may have any number of them.
-#[derive(Default)]
-struct IsFull(AtomicBool);
+/// Stops a scan whose rows are kept where more of them would be in memory than may be: a stream has any number of them.
+pub struct HeldRows {
+    limit: usize,
+    rows: AtomicUsize,
+    progress: Option<Arc<dyn Progress>>,
+}
 
-impl Progress for IsFull {
-    fn advanced(&self, _: u64) {}
+impl HeldRows {
+    /// Nothing yet of a scan with these options, which from now on stops at the limit of rows.
+    pub fn limiting(options: &mut ScanOptions) -> Arc<Self> {
+        let (limit, progress) = (options.table.sizes.rows, options.progress.take());
+        let held = Arc::new(HeldRows { limit, rows: AtomicUsize::new(0), progress });
+        options.progress = Some(held.clone());
+        held
+    }
+
+    /// So many more rows are kept.
+    pub fn add(&self, rows: usize) {
+        self.rows.fetch_add(rows, Ordering::Relaxed);
+    }
+
+    /// Refuses more rows than there may be.
+    ///
+    /// # Errors
+    /// [`InputErrorKind::TooManyRows`] about this file.
+    pub fn check(&self, file: &str) -> Result<(), InputError> {
+        let limit = self.limit;
+        if self.is_full() {
+            Err(InputError::of_file(file, InputErrorKind::TooManyRows { limit }))
+        } else {
+            Ok(())
+        }
+    }
+
+    fn is_full(&self) -> bool {
+        self.rows.load(Ordering::Relaxed) > self.limit
+    }
+}
+
+impl Progress for HeldRows {
+    fn advanced(&self, bytes: u64) {
+        self.progress.iter().for_each(|progress| progress.advanced(bytes));
+    }
 
     fn is_cancelled(&self) -> bool {
-        self.0.load(Ordering::Relaxed)
+        self.is_full() || self.progress.as_ref().is_some_and(|progress| progress.is_cancelled())
     }
 }
 
@@ -165,20 +202,17 @@ pub fn read_table(
     columns: &[ColumnSelector],
     options: &TableOptions,
 ) -> Result<Table, InputError> {
-    let (file, limit) = (source.name().to_owned(), options.sizes.rows);
-    let is_full = Arc::new(IsFull::default());
-    let options =
-        ScanOptions { table: options.clone(), progress: Some(is_full.clone()), ..ScanOptions::default() };
+    let file = source.name().to_owned();
+    let mut options = ScanOptions { table: options.clone(), ..ScanOptions::default() };
+    let held = HeldRows::limiting(&mut options);
     let (mut rows, mut others) = (Vec::new(), Vec::new());
     let rows_of = |batch: Batch| (batch.table_rows().collect::<Vec<TableRow>>(), batch.others);
     let scanned = scan(source, columns, &options, rows_of, |(wanted, unwanted)| {
+        held.add(wanted.len() + unwanted.len());
         rows.extend(wanted);
         others.extend(unwanted);
-        is_full.0.fetch_or(rows.len() + others.len() > limit, Ordering::Relaxed);
     });
-    if is_full.is_cancelled() {
-        return Err(InputError::of_file(file.raw(), InputErrorKind::TooManyRows { limit }));
-    }
+    held.check(file.raw())?;
     let scanned = scanned?;
     Ok(Table {
         names: scanned.names,

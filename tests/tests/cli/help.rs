@@ -57,7 +57,7 @@ fn what_is_no_limit_stands_under_options() {
     for option in ["--x", "--sweep", "--by", "--proof", "--format", "--digits", "--exact"] {
         assert!(main.contains(&option), "{option}: {main:?}");
     }
-    assert_eq!(options(&section(&help, "Limits:")).len(), 11, "{help}");
+    assert_eq!(options(&section(&help, "Limits:")).len(), 13, "{help}");
 }
 
 #[test]

@@ -278,21 +278,21 @@ fn counts_near_the_end_of_what_can_be_counted_overflow_nothing() {
     }
     // Two reductions whose readings together cannot be counted.
     let part = |rows: usize| {
-        // All but the second one are at (1, 2).
-        let more = rows.saturating_sub(2) as u128;
-        let [x, y, xx, xy] = [3 + more, 5 + 2 * more, 5 + more, 8 + 2 * more];
+        // All but the three that are kept are at (1, 1), strictly within their hull.
+        let more = rows.saturating_sub(3) as u128;
+        let [x, y, xx, xy] = [3 + more, 3 + more, 9 + more, more];
         format!(
-            "# boundfit/reduced/1 {{\"rows\":{rows},\"kept\":2,\"header\":true,\"reading\":\"decimal\",\"x\":\"x\",\"y\":\"y\",\
-             \"epsilon\":null,\"sums\":[\"{x}\",\"{y}\",\"{xx}\",\"{xy}\"]}}\nx,y\n1,2\n2,3\n"
+            "# boundfit/reduced/1 {{\"rows\":{rows},\"kept\":3,\"header\":true,\"reading\":\"decimal\",\"x\":\"x\",\"y\":\"y\",\
+             \"epsilon\":null,\"sums\":[\"{x}\",\"{y}\",\"{xx}\",\"{xy}\"]}}\nx,y\n0,0\n0,3\n3,0\n"
         )
     };
-    let directory = directory_with(&[("data.csv", format!("{}{}", part(most), part(1)).as_bytes())]);
-    for command in ["fit data.csv --x x --y y --eps 1", "reduce data.csv --x x --y y"] {
+    let directory = directory_with(&[("data.csv", format!("{}{}", part(most), part(3)).as_bytes())]);
+    for command in ["fit data.csv --x x --y y --eps 2", "reduce data.csv --x x --y y"] {
         let message = format!("data.csv: the reductions stand for more than {most} readings");
         check_refusal(&boundfit(directory.path(), command), command, 1, &message);
     }
     let directory = directory_with(&[("data.csv", part(most).as_bytes())]);
-    for command in ["fit data.csv --x x --y y --eps 1", "fit data.csv --x x --y y --eps 1 --format json"] {
+    for command in ["fit data.csv --x x --y y --eps 2", "fit data.csv --x x --y y --eps 2 --format json"] {
         printed(directory.path(), command);
     }
 }

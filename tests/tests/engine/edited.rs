@@ -142,7 +142,7 @@ impl Said {
                 let (none_below, none_above) =
                     (all().all(|sign| sign != Sign::Negative), all().all(|sign| sign != Sign::Positive));
                 let mean = above(&x, &y);
-                !(none_below && beyond(mean, Sign::Negative)) && !(none_above && beyond(mean, Sign::Positive))
+                !(none_below && beyond(mean, Sign::Negative) || none_above && beyond(mean, Sign::Positive))
             })
         });
         let is_between = if x_least == x_most && is_strict {

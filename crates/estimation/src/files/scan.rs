@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use boundfit_exact::{Column, Rational};
 use boundfit_formats::{
-    Batch, InputError, RowNumbers, ScanOptions, Scanned, Source, TableRow, open_reduction, scan,
+    Batch, HeldRows, InputError, RowNumbers, ScanOptions, Scanned, Source, TableRow, open_reduction, scan,
 };
 
 use super::agreement::KeptRows;
@@ -99,6 +99,8 @@ impl Measurements {
         // Of a reduction what was kept was kept for a reason.
         let keeps_all = reductions.is_some() || !summarises;
         let most_rows = if keeps_all { usize::MAX } else { keep.most_rows };
+        // Others are kept only as long as they are few.
+        let held = (most_rows == usize::MAX).then(|| HeldRows::limiting(&mut options));
         let mut unbounded = None;
         let selectors = columns.selectors();
         // Sums are told of x as it is.
@@ -112,13 +114,16 @@ impl Measurements {
         let mut kept_rows = KeptRows::default();
         let scanned = scan(source, &selectors, &options, digest, |(rows, digest)| {
             rows.into_iter().for_each(|rows| kept_rows.add(rows));
+            held.iter().for_each(|held| held.add(digest.batch.rows.len()));
             unbounded = unbounded.or(digest.unbounded);
             let guess = |sums: &Sums| {
                 let guess = Brackets::of_form(&columns.form, &columns.form.sums(sums.clone()))?;
                 Some(brackets.set(guess))
             };
             all.take(digest, most_rows, &sieve, &bounds, guess);
-        })?;
+        });
+        held.map_or(Ok(()), |held| held.check(name.raw()))?;
+        let scanned = scanned?;
         let (mut meaning, selection) = (columns.meaning(&scanned.names), Selection::of(&options.table));
         if let Some(reductions) = &reductions {
             let stated = Stated::of(reductions, &name, &asked_by_fit(&meaning), &options)?;
