@@ -48,6 +48,7 @@ pub struct Measures<'a> {
     /// Each with four times the bits of the one before.
     rough: [OnceCell<Option<RoughMoments>>; MOST_LEVELS],
     exact: OnceCell<ExactMoments>,
+    is_on_grid: OnceCell<bool>,
 }
 
 const MOST_LEVELS: usize = 6;
@@ -61,7 +62,8 @@ impl<'a> Measures<'a> {
     /// Of a region of this kind with these corners, which go around it. Where they are those of no convex polygon, the area
     /// counts each point as often as they go around it counter-clockwise.
     pub fn of(kind: RegionKind, corners: Vec<Cow<'a, Point>>) -> Self {
-        Measures { kind, corners, rough: Default::default(), exact: OnceCell::new() }
+        let rough = Default::default();
+        Measures { kind, corners, rough, exact: OnceCell::new(), is_on_grid: OnceCell::new() }
     }
 
     /// The area: 0 for everything within a line, `None` when it is infinite.
@@ -194,9 +196,13 @@ impl<'a> Measure<'a> {
     /// Ends that enclose this number, of which the first tell about so many digits, and the last almost surely all that can be
     /// told without the number itself.
     fn enclosures(&self, digits: usize) -> impl Iterator<Item = (Rational, Rational)> {
-        const LEVELS: usize = 3;
-        // The number itself takes common divisors of the length of all corners: where that is long, every level is cheaper.
-        let more = if self.is_long() { MOST_LEVELS } else { LEVELS };
+        // The number itself takes common divisors of the length of all corners: where that is long, every level is cheaper. On a
+        // grid it takes less than another level does, and symmetric sets have centroids that are decimals.
+        let more = match self {
+            _ if self.is_long() => MOST_LEVELS,
+            _ if self.is_on_grid() => 1,
+            _ => 3,
+        };
         let levels = match &self.0 {
             Kind::Short(_) => 0..1,
             Kind::Sum(_) | Kind::Area { .. } | Kind::Centroid { .. } => {
@@ -216,6 +222,16 @@ impl<'a> Measure<'a> {
             Kind::Short(_) | Kind::Sum(_) => false,
             Kind::Area { of, .. } | Kind::Centroid { of, .. } => {
                 of.corners.iter().any(|corner| corner.homogeneous().2.bits() > LONG)
+            }
+        }
+    }
+
+    /// Whether it is made of corners that share a short denominator.
+    fn is_on_grid(&self) -> bool {
+        match &self.0 {
+            Kind::Short(_) | Kind::Sum(_) => false,
+            Kind::Area { of, .. } | Kind::Centroid { of, .. } => {
+                *of.is_on_grid.get_or_init(|| is_on_grid(&of.corners))
             }
         }
     }
@@ -247,6 +263,15 @@ impl<'a> Measure<'a> {
             .find(is)
             .unwrap_or_else(|| divided(Rational::from(value), unit))
     }
+}
+
+/// Whether the coordinates of these points are multiples of one over a denominator of at most 64 bits.
+fn is_on_grid(corners: &[Cow<Point>]) -> bool {
+    let mut common = Integer::one();
+    corners.iter().all(|corner| {
+        common = common.lcm(corner.homogeneous().2);
+        common.bits() <= u64::BITS.into()
+    })
 }
 
 /// A quotient by a number that is not 0.
