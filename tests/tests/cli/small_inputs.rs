@@ -7,7 +7,7 @@ use std::fs;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
-use boundfit_tests::hostile::{Case, LIMITS, case, run_limited};
+use boundfit_tests::hostile::{Case, Ended, LIMITS, case, run_limited};
 
 /// Cases when nothing else is asked for. `SMALL_CASES` sets another number.
 const CASES: u64 = 150;
@@ -45,7 +45,9 @@ fn failure(seed: u64, case: &Case) -> Option<String> {
         fs::write(folder.path().join(name), content).unwrap();
     }
     for words in &case.lines {
-        let ended = run_limited(folder.path(), words, LIMITS);
+        let run = || run_limited(folder.path(), words, LIMITS);
+        // On a processor that is shared the same work may take half as long again: what is too much is so twice.
+        let ended = Some(run()).filter(Ended::is_well).unwrap_or_else(run);
         if !ended.is_well() {
             let kept = folder.keep();
             return Some(format!(
