@@ -33,6 +33,7 @@ mod notation;
 mod number;
 mod parse;
 mod plain;
+mod powers_of_ten;
 mod serial;
 mod short_text;
 mod shortest;

@@ -1,6 +1,7 @@
 //! Decimals of up to 38 digits as integers of 128 bits times powers of ten, read fast.
 
 use crate::plain::{PLAIN_EXPONENT, next_eight_bytes, value_of_digits};
+use crate::powers_of_ten;
 
 /// So many digits always fit into an `i128`.
 pub const LONG_DIGITS: usize = 38;
@@ -118,20 +119,7 @@ fn digits_of_word(bytes: u64) -> (u64, usize) {
 #[inline]
 #[allow(clippy::indexing_slicing, reason = "documented: who asks has counted the digits of a word")]
 pub(crate) fn power_of_ten(exponent: usize) -> u64 {
-    #[allow(
-        clippy::indexing_slicing,
-        reason = "evaluated by the compiler, which would refuse an index out of range"
-    )]
-    const POWERS: [u64; WORD_DIGITS + 1] = {
-        let mut powers = [1; WORD_DIGITS + 1];
-        let mut exponent = 1;
-        while exponent <= WORD_DIGITS {
-            powers[exponent] = 10 * powers[exponent - 1];
-            exponent += 1;
-        }
-        powers
-    };
-    POWERS[exponent]
+    powers_of_ten::OF_U64[exponent]
 }
 
 /// The exponent after the `e`, and how many bytes it takes with that.

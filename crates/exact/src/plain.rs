@@ -1,5 +1,7 @@
 //! Plain decimals as integers times powers of ten, read fast.
 
+use crate::powers_of_ten;
+
 /// The most digits of a text that [`plain_decimal`] reads, zeros included.
 pub const PLAIN_DIGITS: usize = 40;
 /// The largest absolute value of an exponent in a text that [`plain_decimal`] reads.
@@ -57,7 +59,7 @@ fn short_prefix(text: &[u8; 32]) -> Option<PlainPrefix> {
         let fraction;
         (fraction, fraction_digits, _) =
             short_digits(u64::from_le_bytes(*text.get(start..)?.first_chunk()?))?;
-        magnitude = whole.wrapping_mul(POWERS_OF_TEN[fraction_digits]).wrapping_add(fraction);
+        magnitude = whole.wrapping_mul(powers_of_ten::OF_U64[fraction_digits]).wrapping_add(fraction);
         length = start.wrapping_add(fraction_digits);
     }
     if whole_digits + fraction_digits == 0 {
@@ -137,21 +139,7 @@ pub fn exponent_prefix(text: &[u8]) -> Option<(i32, usize)> {
 const MOST_EXPONENT_DIGITS: usize = 3;
 
 /// So many digits always fit a `u64`.
-const MOST_DIGITS: usize = 19;
-
-#[allow(
-    clippy::indexing_slicing,
-    reason = "evaluated by the compiler, which would refuse an index out of range"
-)]
-const POWERS_OF_TEN: [u64; MOST_DIGITS + 1] = {
-    let mut powers = [1; MOST_DIGITS + 1];
-    let mut exponent = 1;
-    while exponent <= MOST_DIGITS {
-        powers[exponent] = 10 * powers[exponent - 1];
-        exponent += 1;
-    }
-    powers
-};
+const MOST_DIGITS: usize = powers_of_ten::OF_U64.len() - 1;
 
 /// The number that some digits spell when those from a position on follow them, and how many these are. Beyond 19 digits in
 /// all it is another number, and not all may have been counted.
@@ -162,11 +150,11 @@ fn digits(text: &[u8], at: usize, before: u64) -> (u64, usize) {
     loop {
         let word = next_eight_bytes(text, at.wrapping_add(count));
         if let Some((more, digits, _)) = short_digits(word) {
-            value = value.wrapping_mul(POWERS_OF_TEN[digits]).wrapping_add(more);
+            value = value.wrapping_mul(powers_of_ten::OF_U64[digits]).wrapping_add(more);
             return (value, count + digits);
         }
         let (values, _) = digits_and_others(word);
-        value = value.wrapping_mul(POWERS_OF_TEN[8]).wrapping_add(value_of_digits(values));
+        value = value.wrapping_mul(powers_of_ten::OF_U64[8]).wrapping_add(value_of_digits(values));
         count += 8;
         if count > MOST_DIGITS {
             return (value, count);

@@ -3,6 +3,7 @@
 use super::unit::Unit;
 use crate::Rational;
 use crate::long_decimal::{WORD_DIGITS, power_of_ten};
+use crate::powers_of_ten;
 
 /// Integers on a common unit: number `i` is `counts[i]` units. How large they are is limited by [`Count`].
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -209,24 +210,9 @@ impl Scaled<i64> {
     /// large.
     #[inline(always)]
     fn on_unit(&self, count: i64, exponent: i32) -> Option<i64> {
-        const POWERS: [i64; 19] = {
-            let mut powers = [1; 19];
-            let mut exponent = 1;
-            while exponent < powers.len() {
-                #[allow(
-                    clippy::indexing_slicing,
-                    reason = "evaluated by the compiler, which would refuse an index out of range"
-                )]
-                {
-                    powers[exponent] = 10 * powers[exponent - 1];
-                }
-                exponent += 1;
-            }
-            powers
-        };
         let Unit::TenTo(own) = self.unit else { return None };
         // A finer unit wraps to what is no index.
-        count.times(*POWERS.get(exponent.wrapping_sub(own) as u32 as usize)?)
+        count.times(*powers_of_ten::OF_I64.get(exponent.wrapping_sub(own) as u32 as usize)?)
     }
 
     /// Adds a number `mantissa · 10^exponent` to each of some columns; none, and gives `false`, unless all of them are

@@ -1,5 +1,6 @@
 //! What the integers of a column count.
 
+use crate::powers_of_ten;
 use crate::{Integer, Rational};
 
 /// What the integers of a column count. Powers of ten are kept apart from other fractions: numbers on them get into
@@ -79,22 +80,7 @@ impl Unit {
 /// for it once for each of these.
 #[inline]
 fn power_of_ten(exponent: i32) -> Option<i128> {
-    const POWERS: [i128; 39] = {
-        let mut powers = [1; 39];
-        let mut exponent = 1;
-        while exponent < powers.len() {
-            #[allow(
-                clippy::indexing_slicing,
-                reason = "evaluated by the compiler, which would refuse an index out of range"
-            )]
-            {
-                powers[exponent] = 10 * powers[exponent - 1];
-            }
-            exponent += 1;
-        }
-        powers
-    };
-    POWERS.get(usize::try_from(exponent).ok()?).copied()
+    powers_of_ten::OF_I128.get(usize::try_from(exponent).ok()?).copied()
 }
 
 /// `dividend / divisor` for a positive divisor, if it is an integer.

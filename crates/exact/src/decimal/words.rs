@@ -1,5 +1,6 @@
 //! Decimals by words of 128 bits: no big number, no memory, one division, or two where the terms are longer.
 
+use crate::powers_of_ten;
 use std::cmp::Ordering;
 
 use super::{Rounding, Significand};
@@ -7,21 +8,6 @@ use crate::Rational;
 
 /// The most digits of a significand that fits into 64 bits, whatever they are.
 const MOST_DIGITS: usize = 18;
-
-/// The powers of ten below 2¹²⁸.
-#[allow(
-    clippy::indexing_slicing,
-    reason = "evaluated by the compiler, which would refuse an index out of range"
-)]
-const POWERS_OF_TEN: [u128; 39] = {
-    let mut powers = [1; 39];
-    let mut exponent = 1;
-    while exponent < powers.len() {
-        powers[exponent] = powers[exponent - 1] * 10;
-        exponent += 1;
-    }
-    powers
-};
 
 /// Numerator and denominator of |value|, when both fit.
 fn terms(value: &Rational) -> Option<(u128, u128)> {
@@ -100,7 +86,7 @@ impl Scaled {
     fn rounded(self, up: bool, digits: usize) -> Significand<u64> {
         let Scaled { exponent, quotient, .. } = self;
         let rounded = quotient + u64::from(up);
-        if u128::from(rounded) == POWERS_OF_TEN[digits] {
+        if u128::from(rounded) == powers_of_ten::OF_U128[digits] {
             return Significand { digits: rounded / 10, exponent: exponent + 1, exact: false };
         }
         Significand { digits: rounded, exponent, exact: false }
@@ -114,16 +100,16 @@ fn scaled(numerator: u128, denominator: u128, digits: usize) -> Option<Scaled> {
     let mut exponent = (numerator as f64 / denominator as f64).log10().floor() as i64;
     for _ in 0..3 {
         let shift = digits as i64 - 1 - exponent;
-        let power = *POWERS_OF_TEN.get(usize::try_from(shift.unsigned_abs()).ok()?)?;
+        let power = *powers_of_ten::OF_U128.get(usize::try_from(shift.unsigned_abs()).ok()?)?;
         let (dividend, divisor) = if shift >= 0 {
             (numerator.checked_mul(power)?, denominator)
         } else {
             (numerator, denominator.checked_mul(power)?)
         };
         let (quotient, remainder) = divided(dividend, divisor);
-        if quotient >= POWERS_OF_TEN[digits] {
+        if quotient >= powers_of_ten::OF_U128[digits] {
             exponent += 1;
-        } else if quotient < POWERS_OF_TEN[digits - 1] {
+        } else if quotient < powers_of_ten::OF_U128[digits - 1] {
             exponent -= 1;
         } else {
             return Some(Scaled { exponent, quotient: u64::try_from(quotient).ok()?, remainder, divisor });

@@ -99,51 +99,41 @@ impl Chains {
         Ends { lower: [slope(flattest), lowest], upper: [slope(steepest), highest] }
     }
 
-    /// The steepest line above the upper and below the lower hull, as the corners of each, in this order, that it touches.
-    ///
-    /// Of the lines through a corner of each, the former left of the latter, it is the flattest. One that is so among those
-    /// through either of its corners leaves no corner of a hull on the wrong side: those beyond the other's corner lie on the side
-    /// of a line that keeps clear of both.
+    /// The steepest line above the upper and below the lower hull, as the corners of each, in this order, that it touches: of
+    /// the lines through a corner of each, the former left of the latter, it is the flattest.
     fn steepest(&self) -> (usize, usize) {
-        let (floor, ceiling) = (&self.upper, &self.lower);
-        let (mut left, mut right) = (0, ceiling.len() - 1);
-        loop {
-            let before = (left, right);
-            for (at, site) in ceiling.iter().enumerate().filter(|(_, site)| site.0 > floor[left].0) {
-                if by_slope(floor[left], *site, floor[left], ceiling[right]) == Ordering::Less {
-                    right = at;
-                }
-            }
-            for (at, site) in floor.iter().enumerate().filter(|(_, site)| site.0 < ceiling[right].0) {
-                if by_slope(*site, ceiling[right], floor[left], ceiling[right]) == Ordering::Less {
-                    left = at;
-                }
-            }
-            if before == (left, right) {
-                return (left, right);
-            }
-        }
+        tangent(&self.upper, &self.lower, Ordering::Less)
     }
 
-    /// The flattest line above the upper and below the lower hull, as the corners of each, in this order, that it touches.
+    /// The flattest line above the upper and below the lower hull, as the corners of each, in this order, that it touches: of
+    /// the lines through a corner of each, the former right of the latter, it is the steepest.
     fn flattest(&self) -> (usize, usize) {
-        let (floor, ceiling) = (&self.upper, &self.lower);
-        let (mut left, mut right) = (0, floor.len() - 1);
-        loop {
-            let before = (left, right);
-            for (at, site) in floor.iter().enumerate().filter(|(_, site)| site.0 > ceiling[left].0) {
-                if by_slope(ceiling[left], *site, ceiling[left], floor[right]) == Ordering::Greater {
-                    right = at;
-                }
+        let (of_lower, of_upper) = tangent(&self.lower, &self.upper, Ordering::Greater);
+        (of_upper, of_lower)
+    }
+}
+
+/// Of the lines through a corner of one chain and, right of it, one of another, that whose slope is the least (`Less`) or the
+/// largest, as these corners.
+///
+/// One that is so among those through either of its corners leaves no corner of a hull on the wrong side: those beyond the
+/// other's corner lie on the side of a line that keeps clear of both.
+fn tangent(lefts: &[Site], rights: &[Site], wanted: Ordering) -> (usize, usize) {
+    let (mut left, mut right) = (0, rights.len() - 1);
+    loop {
+        let before = (left, right);
+        for (at, site) in rights.iter().enumerate().filter(|(_, site)| site.0 > lefts[left].0) {
+            if by_slope(lefts[left], *site, lefts[left], rights[right]) == wanted {
+                right = at;
             }
-            for (at, site) in ceiling.iter().enumerate().filter(|(_, site)| site.0 < floor[right].0) {
-                if by_slope(*site, floor[right], ceiling[left], floor[right]) == Ordering::Greater {
-                    left = at;
-                }
+        }
+        for (at, site) in lefts.iter().enumerate().filter(|(_, site)| site.0 < rights[right].0) {
+            if by_slope(*site, rights[right], lefts[left], rights[right]) == wanted {
+                left = at;
             }
-            if before == (left, right) {
-                return (right, left);
-            }
+        }
+        if before == (left, right) {
+            return (left, right);
         }
     }
 }
