@@ -90,6 +90,7 @@
 //! | `lp` | the module `check`: claims about the intervals, judged exactly |
 //! | `judge` | the module `judge`: linear programs of any two variables, read from MPS and LP and solved exactly |
 //! | `float-solvers` | solvers whose answers are judged (microlp, Clarabel) |
+//! | `questions` | the module `questions`: statuses of readings, prediction, linearity, outliers, linear range, errors in x |
 //! | `verify` | the module `verify`: the checker of proofs |
 //! | `report` | the module `report`: answers as text, JSON, LaTeX, Markdown |
 //! | `figures` | the module `figures`: both planes as SVG and PNG |
@@ -128,6 +129,8 @@ pub use observations::{Error, Observations};
 pub use boundfit_figures as figures;
 #[cfg(feature = "lesson")]
 pub use boundfit_lesson as lesson;
+#[cfg(feature = "questions")]
+pub use boundfit_questions as questions;
 #[cfg(feature = "report")]
 pub use boundfit_report as report;
 

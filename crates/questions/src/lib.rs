@@ -1,0 +1,1 @@
+//! What is asked of readings beyond the set of all parameters that agree with them, each answered exactly.
