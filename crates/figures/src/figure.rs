@@ -20,9 +20,11 @@ pub enum Figure {
 }
 
 impl Figure {
-    /// All figures.
-    pub const ALL: [Figure; 6] =
+    /// The figures of every fit: what `--figure all` draws.
+    pub const OF_FIT: [Figure; 6] =
         [Figure::Data, Figure::Eui, Figure::Pui, Figure::Fps, Figure::Corridor, Figure::Directions];
+    /// All figures: those of every fit, and those that answer a question of their own.
+    pub const ALL: [Figure; 6] = Figure::OF_FIT;
 
     /// A short name, fit for a file: `data`, `eui` and so on.
     pub fn name(self) -> &'static str {

@@ -63,7 +63,7 @@ pub(crate) struct PlotArguments {
     pub(crate) replace: ReplaceArguments,
 }
 
-/// The value of `--figure` that asks for each of them.
+/// The value of `--figure` that asks for each figure of a fit.
 const ALL: &str = "all";
 
 /// Which figures are drawn.

@@ -17,7 +17,7 @@ use crate::work::{refuse_long_problem, times};
 enum Destination<'a> {
     /// One picture to a file, or to standard output.
     One(Figure, Option<&'a str>),
-    /// All pictures into a folder.
+    /// The pictures of every fit into a folder.
     All(&'a str),
 }
 
@@ -28,11 +28,11 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
     let guard = arguments.replace.guard([arguments.data.path()]);
     match destination {
         Destination::One(_, file) => guard.check(file)?,
-        Destination::All(folder) => guard.check_all(folder, Figure::ALL.map(name))?,
+        Destination::All(folder) => guard.check_all(folder, Figure::OF_FIT.map(name))?,
     }
     let problem = arguments.data.open().shown_problem()?;
     let limits = &arguments.data.table.limits;
-    let figures = if matches!(destination, Destination::All(_)) { 6 } else { 1 };
+    let figures = if matches!(destination, Destination::All(_)) { Figure::OF_FIT.len() as u64 } else { 1 };
     refuse_long_problem(arguments.data.file_name(), &problem, figures * times::PLOT, limits)?;
     let fit = fit(&problem);
     let [x_unit, y_unit] = arguments.labels.units(&problem.measurements);
@@ -52,7 +52,7 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
         Destination::One(figure, file) => output::write(picture(figure)?, file, &guard)?,
         Destination::All(folder) => {
             let file = |figure: Figure| Ok((name(figure), picture(figure)?));
-            let files = Figure::ALL.into_iter().map(file).collect::<Result<Vec<_>, Failure>>()?;
+            let files = Figure::OF_FIT.into_iter().map(file).collect::<Result<Vec<_>, Failure>>()?;
             let write =
                 |(name, bytes): (String, Vec<u8>)| (name, move |output: &mut Output| output.write(&bytes));
             let files: Vec<_> = files.into_iter().map(write).collect();
