@@ -51,9 +51,15 @@ mod origin;
 mod polygon;
 #[cfg(feature = "files")]
 mod proof_json;
+#[cfg(feature = "files")]
+mod proof_question;
 mod region;
 mod scale;
 mod script;
+#[cfg(feature = "files")]
+mod statements;
+#[cfg(feature = "files")]
+mod statements_json;
 mod style;
 mod sweep;
 mod sweep_json;
@@ -84,7 +90,13 @@ pub use origin::Origin;
 pub use polygon::{polygon_document, polygon_json};
 #[cfg(feature = "files")]
 pub use proof_json::proof_json;
+#[cfg(feature = "files")]
+pub use proof_question::ProofQuestion;
 pub use script::region_script;
+#[cfg(feature = "files")]
+pub use statements::{Claim, ErrorScale, FormEnd, HalfPlaneName, Multiple, Scope, Side, Statement};
+#[cfg(feature = "files")]
+pub use statements_json::statements_json;
 pub use style::{EndRounding, LONGEST_FRACTION, Reader, Style};
 pub use sweep::sweep_document;
 pub use sweep_json::SweepJson;

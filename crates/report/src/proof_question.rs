@@ -1,0 +1,118 @@
+//! The question that a proof answers, as it stands at the head of every proof (docs/proof.md).
+
+use boundfit_estimation::{Condition, ErrorBound, Model, Problem};
+use boundfit_exact::{Foreign, Rational, Reading};
+use serde::Serialize;
+
+/// Which rows of which bytes are read, how, and what they say about the parameters: all numbers as exact fractions.
+#[derive(Debug, Clone, Serialize)]
+pub struct ProofQuestion {
+    sha256: String,
+    delimiter: char,
+    header: bool,
+    rows: Vec<usize>,
+    reading: &'static str,
+    model: [(usize, String); 4],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    interval: Option<[Option<usize>; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    law: Option<[Vec<LawTermJson>; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    x_origin: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    x_error: Option<(usize, String)>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    response: Vec<(usize, String)>,
+    conditions: Vec<Vec<String>>,
+}
+
+/// A quantity of a law, the column that it is taken from, and how many times.
+type LawTermJson = (&'static str, usize, String);
+
+impl ProofQuestion {
+    /// The question that a problem asks. `None` when the readings do not come from delimited text that has a row for each
+    /// of them, or which rows were fitted was not kept, or the text is not written as the checkers read it.
+    pub fn new(problem: &Problem, reading: Reading) -> Option<Self> {
+        let measurements = &problem.measurements;
+        let x_origin = &measurements.line_form().x_origin;
+        let layout = measurements.layout().filter(|layout| layout.dialect.is_plain())?;
+        if measurements.fitted_rows().is_empty() {
+            return None;
+        }
+        let column = |&column: &usize| (column, "1".to_owned());
+        let is_line = matches!(measurements.model(), Model::Line { .. });
+        let (regressors, others) = layout.columns.split_at_checked(if is_line { 1 } else { 2 })?;
+        // Column 0 holds 1 in every row.
+        let [x1, x2] = [regressors.first()?, regressors.get(1).unwrap_or(&0)].map(column);
+        let (y, others) = match others.split_first() {
+            Some((y, others)) if measurements.has_response() => (column(y), others),
+            _ => ((0, "0".to_owned()), others),
+        };
+        let mut epsilon = (0, "0".to_owned());
+        let (mut interval, mut law) = (None, None);
+        match measurements.error_bound() {
+            ErrorBound::Uniform(bound) => epsilon.1 = bound.to_string(),
+            ErrorBound::PerRow(_) => epsilon = column(others.first()?),
+            ErrorBound::Interval { lower, upper } => {
+                // Behind each bound stands, from the same column, whether it is there.
+                let mut columns = others.iter().step_by(2).copied();
+                let mut next = |side: &Option<Foreign>| side.as_ref().and_then(|_| columns.next());
+                interval = Some([next(lower), next(upper)]);
+            }
+            ErrorBound::Law(bound) => {
+                let range = measurements.range_of_response();
+                let term = |(name, times): (&'static str, Rational)| {
+                    let from = if name == "x" { x1.0 } else { y.0 };
+                    (if name == "written" { name } else { "abs" }, from, times.to_string())
+                };
+                let side = |(constant, terms): (Rational, Vec<(&'static str, Rational)>)| {
+                    let fixed = (!constant.is_zero()).then(|| ("abs", 0, constant.to_string()));
+                    fixed.into_iter().chain(terms.into_iter().map(term)).collect()
+                };
+                law = Some(bound.terms(&range).map(side));
+            }
+        }
+        Some(ProofQuestion {
+            sha256: measurements.sha256()?.to_owned(),
+            delimiter: char::from(layout.dialect.delimiter),
+            header: layout.dialect.records_before > 0,
+            rows: measurements.fitted_rows().concat(),
+            reading: reading.name(),
+            model: [x1, x2, y, epsilon],
+            interval,
+            law,
+            x_origin: (!x_origin.is_zero()).then(|| x_origin.to_string()),
+            x_error: None,
+            response: Vec::new(),
+            conditions: problem.conditions.iter().map(condition_json).collect(),
+        })
+    }
+
+    /// With errors in x: the column of their bounds, from 1, and how many times each is taken; column 0 holds 1 in every row.
+    /// Only statements of `boundfit/proof/2` can be about them.
+    #[must_use]
+    pub fn with_x_error(self, column: usize, times: &Rational) -> Self {
+        ProofQuestion { x_error: Some((column, times.to_string())), ..self }
+    }
+
+    /// With the sum of these columns, from 1, each so many times, as y. Only statements of `boundfit/proof/2` can be about it.
+    #[must_use]
+    pub fn with_response(self, columns: &[(usize, Rational)]) -> Self {
+        let [x1, x2, _, epsilon] = self.model;
+        let response = columns.iter().map(|(column, times)| (*column, times.to_string())).collect();
+        ProofQuestion { model: [x1, x2, (0, "0".to_owned()), epsilon], response, ..self }
+    }
+
+    /// With other conditions, numbered from 1; of `boundfit/proof/2` a scope may name those that hold.
+    #[must_use]
+    pub fn with_conditions<'a>(self, conditions: impl IntoIterator<Item = &'a Condition>) -> Self {
+        ProofQuestion { conditions: conditions.into_iter().map(condition_json).collect(), ..self }
+    }
+}
+
+/// a1, a2 and b, and the sign of an equation.
+fn condition_json(condition: &Condition) -> Vec<String> {
+    let inequality = condition.inequality();
+    let numbers = [&inequality.a[0], &inequality.a[1], &inequality.b].map(Rational::to_string);
+    numbers.into_iter().chain(condition.is_equation().then(|| "=".to_owned())).collect()
+}

@@ -1,0 +1,271 @@
+//! What a proof `boundfit/proof/2` states: claims about sets that rows of the data leave, each of which can be checked by
+//! itself (docs/proof.md).
+
+use std::fmt;
+
+use boundfit_estimation::{BoundName, Minimax, ParameterBound};
+use boundfit_exact::Rational;
+use boundfit_geometry::{BoundProof, Multiplier, Polyhedron, Support, UnboundedProof};
+
+use crate::proof_json::corners;
+
+/// A claim about the set of a scope.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Statement {
+    /// Which half-planes make the set.
+    pub scope: Scope,
+    /// What is so about it.
+    pub claim: Claim,
+}
+
+/// The half-planes of a part of the rows and conditions that a proof is about, at another size of the errors perhaps. The
+/// default takes all of them as they are.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Scope {
+    /// The first and the last of rows that follow each other, then those of the next ones; all when `None`.
+    pub rows: Option<Vec<[usize; 2]>>,
+    /// Rows that are left out.
+    pub without: Vec<usize>,
+    /// The numbers of the conditions that hold, from 1; all when `None`.
+    pub conditions: Option<Vec<usize>>,
+    /// How large the errors may be.
+    pub errors: ErrorScale,
+    /// Which part of the set, where x has errors as well; the question must have them then, and otherwise not.
+    pub side: Option<Side>,
+}
+
+/// How large the errors of a scope may be.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub enum ErrorScale {
+    /// As the question says.
+    #[default]
+    AsStated,
+    /// So many times that, about the middle of each reading's bounds; of errors in x so many times their bounds. Readings with one
+    /// bound stay as they are.
+    Times(Rational),
+    /// Each reading with two bounds goes so far from their middle; errors in x stay as they are.
+    Within(Rational),
+}
+
+/// A part of the parameters that agree with readings whose x have errors.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// For some x that the errors allow, among lines that do not fall: θ1 ≥ 0.
+    Rising,
+    /// For some x that the errors allow, among lines that do not rise: θ1 ≤ 0.
+    Falling,
+    /// For every x that the errors allow.
+    Strong,
+}
+
+/// The name of a half-plane of a scope.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum HalfPlaneName {
+    /// Of a reading or a condition.
+    Bound(BoundName),
+    /// Of a reading with its x at the upper end of what its error allows: `14 upper +`; in the strong set only.
+    AtUpperX(BoundName),
+    /// Of a reading with its x at the lower end: `14 upper -`; in the strong set only.
+    AtLowerX(BoundName),
+    /// What makes a side: `side`.
+    Side,
+}
+
+/// A positive multiple of a half-plane.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Multiple {
+    /// Which half-plane.
+    pub name: HalfPlaneName,
+    /// How many times it is taken.
+    pub times: Rational,
+}
+
+/// What is so about a set.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[allow(clippy::large_enum_variant, reason = "proofs are short")]
+pub enum Claim {
+    /// How far a linear form goes in it.
+    Form {
+        /// The form f of f·θ.
+        form: [Rational; 2],
+        /// Its least value.
+        lower: FormEnd,
+        /// Its largest value.
+        upper: FormEnd,
+    },
+    /// A point is in it.
+    Point([Rational; 2]),
+    /// Nothing is in it: at most three half-planes add up to 0 ≤ a negative number.
+    Empty(Vec<Multiple>),
+    /// The errors of the scope, which are scaled, are the least that leave something: a point that they leave, and at most three
+    /// half-planes that add up to 0 ≤ 0 and would add up to less with smaller errors.
+    Least {
+        /// In the set.
+        point: [Rational; 2],
+        /// None where the errors are 0.
+        multiples: Vec<Multiple>,
+    },
+    /// It is just this: the walk around it.
+    Set {
+        /// A point in it.
+        point: [Rational; 2],
+        /// Its vertices.
+        vertices: Vec<[Rational; 2]>,
+        /// Its sides in order of angle, each with the index of the vertex where it meets the next one, if it does.
+        sides: Vec<(HalfPlaneName, Option<usize>)>,
+    },
+    /// Nothing is in it while fewer rows than this are left out.
+    LeftOut {
+        /// How many at least.
+        least: usize,
+        /// All sets of so many rows without which something may be left; `None` when they are not stated.
+        sets: Option<Vec<Vec<usize>>>,
+        /// For sets of rows left out, the empty one first: half-planes of the others that contradict each other. One of their rows
+        /// must be left out as well, which leads to the next entry.
+        contradictions: Vec<(Vec<usize>, Vec<Multiple>)>,
+    },
+}
+
+/// One end of a form's range: its largest value, or with the opposite sign its least one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum FormEnd {
+    /// At most two half-planes add up to this end, which is attained.
+    At {
+        /// The half-planes; they add up to the form, at a lower end to its opposite.
+        multiples: Vec<Multiple>,
+        /// Where it is attained.
+        point: [Rational; 2],
+    },
+    /// The form goes on without end.
+    Beyond {
+        /// A point of the set.
+        point: [Rational; 2],
+        /// A direction that does not leave it, along which the form grows, or for a lower end falls.
+        ray: [Rational; 2],
+    },
+}
+
+impl Statement {
+    /// The range of a linear form over the set of a scope, which these half-planes make; `None` for an empty set.
+    /// Cost: two binary searches.
+    pub fn form(
+        scope: Scope,
+        polyhedron: &Polyhedron,
+        name: &impl Fn(usize) -> HalfPlaneName,
+        form: &[Rational; 2],
+    ) -> Option<Self> {
+        let opposite = form.each_ref().map(|part| -part);
+        let lower = FormEnd::of_support(&polyhedron.support(&opposite), name)?;
+        let upper = FormEnd::of_support(&polyhedron.support(form), name)?;
+        Some(Statement { scope, claim: Claim::Form { form: form.clone(), lower, upper } })
+    }
+
+    /// That the set of a scope, which these half-planes make, is what it is: the walk around it, or why it is empty.
+    pub fn set(scope: Scope, polyhedron: &Polyhedron, name: &impl Fn(usize) -> HalfPlaneName) -> Self {
+        let region = polyhedron.region();
+        let claim = match (region.certificate(), region.witness()) {
+            (None, Some(point)) => Claim::Set {
+                point: point.coordinates(),
+                vertices: region.vertices().iter().map(|vertex| vertex.point().coordinates()).collect(),
+                sides: polyhedron
+                    .irredundant_by_angle()
+                    .iter()
+                    .map(|&index| name(index))
+                    .zip(corners(polyhedron))
+                    .collect(),
+            },
+            (certificate, _) => {
+                let multipliers = certificate.map(|farkas| farkas.multipliers()).unwrap_or_default();
+                Claim::Empty(Multiple::named(multipliers, name))
+            }
+        };
+        Statement { scope, claim }
+    }
+
+    /// That the least bound on all errors, or the least factor on the bounds, is this one.
+    pub fn least(scope: Scope, minimax: &Minimax, is_uniform: bool) -> Self {
+        let least = minimax.least.clone();
+        let errors = if is_uniform { ErrorScale::Within(least) } else { ErrorScale::Times(least) };
+        let multiples = minimax.proof.multipliers.iter().map(Multiple::of_bound).collect();
+        let claim = Claim::Least { point: minimax.theta.clone(), multiples };
+        Statement { scope: Scope { errors, ..scope }, claim }
+    }
+}
+
+impl Scope {
+    /// All rows but these.
+    pub fn without(rows: &[usize]) -> Self {
+        Scope { without: rows.to_vec(), ..Scope::default() }
+    }
+
+    /// These rows alone, which ascend.
+    pub fn of_rows(rows: impl IntoIterator<Item = usize>) -> Self {
+        let mut ranges: Vec<[usize; 2]> = Vec::new();
+        for row in rows {
+            match ranges.last_mut() {
+                Some([_, last]) if *last + 1 == row => *last = row,
+                _ => ranges.push([row, row]),
+            }
+        }
+        Scope { rows: Some(ranges), ..Scope::default() }
+    }
+}
+
+impl Multiple {
+    /// Multiples of a system's inequalities by their names.
+    pub fn named(multipliers: &[Multiplier], name: &impl Fn(usize) -> HalfPlaneName) -> Vec<Self> {
+        let named = |own: &Multiplier| Multiple { name: name(own.index), times: own.value.clone() };
+        multipliers.iter().map(named).collect()
+    }
+
+    /// A multiple of the half-plane of a reading or a condition.
+    pub fn of_bound((name, times): &(BoundName, Rational)) -> Self {
+        Multiple { name: HalfPlaneName::Bound(*name), times: times.clone() }
+    }
+}
+
+impl FormEnd {
+    /// The end where a form is largest; `None` for an empty set.
+    pub fn of_support(support: &Support, name: &impl Fn(usize) -> HalfPlaneName) -> Option<Self> {
+        match support {
+            Support::Empty(_) => None,
+            Support::Unbounded(proof) => Some(FormEnd::beyond(proof)),
+            Support::Bounded { proof, .. } => Some(FormEnd::at(proof, name)),
+        }
+    }
+
+    /// The end of a parameter's range.
+    pub fn of_parameter(bound: &ParameterBound, name: &impl Fn(usize) -> HalfPlaneName) -> Self {
+        match bound {
+            ParameterBound::Unbounded(proof) => FormEnd::beyond(proof),
+            ParameterBound::Bounded { proof, .. } => FormEnd::at(proof, name),
+        }
+    }
+
+    fn at(proof: &BoundProof, name: &impl Fn(usize) -> HalfPlaneName) -> Self {
+        let multiples = Multiple::named(&proof.multipliers, name);
+        FormEnd::At { multiples, point: proof.attained_at.coordinates() }
+    }
+
+    fn beyond(proof: &UnboundedProof) -> Self {
+        let ray = [proof.ray.dx(), proof.ray.dy()].map(Rational::from);
+        FormEnd::Beyond { point: proof.point.coordinates(), ray }
+    }
+}
+
+impl From<BoundName> for HalfPlaneName {
+    fn from(name: BoundName) -> Self {
+        HalfPlaneName::Bound(name)
+    }
+}
+
+impl fmt::Display for HalfPlaneName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            HalfPlaneName::Bound(name) => write!(f, "{name}"),
+            HalfPlaneName::AtUpperX(name) => write!(f, "{name} +"),
+            HalfPlaneName::AtLowerX(name) => write!(f, "{name} -"),
+            HalfPlaneName::Side => write!(f, "side"),
+        }
+    }
+}

@@ -1,0 +1,178 @@
+//! Statements as a proof that others can check, schema `boundfit/proof/2` (docs/proof.md).
+
+use boundfit_exact::Rational;
+use serde::Serialize;
+
+use crate::json::to_text;
+use crate::proof_question::ProofQuestion;
+use crate::statements::{Claim, ErrorScale, FormEnd, Multiple, Scope, Side, Statement};
+
+#[derive(Serialize)]
+struct ProofJson<'a> {
+    schema: &'static str,
+    #[serde(flatten)]
+    question: &'a ProofQuestion,
+    statements: Vec<StatementJson>,
+}
+
+#[derive(Serialize)]
+struct StatementJson {
+    kind: &'static str,
+    #[serde(flatten)]
+    scope: ScopeJson,
+    #[serde(flatten)]
+    claim: ClaimJson,
+}
+
+#[derive(Serialize)]
+struct ScopeJson {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rows: Option<Vec<usize>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    without: Vec<usize>,
+    #[serde(rename = "where", skip_serializing_if = "Option::is_none")]
+    conditions: Option<Vec<usize>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    factor: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    epsilon: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    side: Option<&'static str>,
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum ClaimJson {
+    Form {
+        form: VectorJson,
+        lower: EndJson,
+        upper: EndJson,
+    },
+    Point {
+        point: VectorJson,
+    },
+    Empty {
+        multipliers: Vec<MultipleJson>,
+    },
+    Least {
+        point: VectorJson,
+        multipliers: Vec<MultipleJson>,
+    },
+    Set {
+        point: VectorJson,
+        vertices: Vec<VectorJson>,
+        sides: Vec<(String, Option<usize>)>,
+    },
+    LeftOut {
+        least: usize,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        sets: Option<Vec<Vec<usize>>>,
+        contradictions: Vec<(Vec<usize>, Vec<MultipleJson>)>,
+    },
+}
+
+type VectorJson = [String; 2];
+/// The name of a half-plane and its multiplier.
+type MultipleJson = (String, String);
+/// Multipliers, a point and a ray.
+type EndJson = (Vec<MultipleJson>, VectorJson, VectorJson);
+
+/// Statements about a question as JSON, with a line end. All numbers are exact fractions as text.
+///
+/// ```
+/// use boundfit_estimation::{Columns, EpsilonColumn, LineForm, Measurements, Problem, fit};
+/// use boundfit_exact::{Rational, Reading};
+/// use boundfit_formats::{ColumnSelector, Source, TableOptions};
+/// use boundfit_report::{ProofQuestion, Scope, Statement, statements_json};
+///
+/// let table = Source::new("readings.csv", "x,y\n0,0\n1,1.5\n2,2\n".as_bytes());
+/// let columns = Columns {
+///     first: ColumnSelector::name_or_number("x"),
+///     second: None,
+///     response: Some(ColumnSelector::name_or_number("y")),
+///     epsilon: EpsilonColumn::Uniform(Rational::ratio(1, 2)),
+///     form: LineForm::default(),
+/// };
+/// let measurements = Measurements::read(table, &columns, &TableOptions::default())?;
+/// let problem = Problem { measurements, conditions: Vec::new() };
+/// let fit = fit(&problem);
+///
+/// // The line at x = 4.
+/// let form = [4, 1].map(Rational::from);
+/// let name = |index| fit.fps.name(index).into();
+/// let statement = Statement::form(Scope::default(), fit.fps.polyhedron(), &name, &form);
+/// let question = ProofQuestion::new(&problem, Reading::Decimal).expect("a table of text");
+/// let proof = statements_json(&question, &[statement.expect("a set that is not empty")]);
+/// assert!(proof.contains(r#""kind": "form""#));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn statements_json(question: &ProofQuestion, statements: &[Statement]) -> String {
+    let statements = statements.iter().map(statement_json).collect();
+    to_text(&ProofJson { schema: "boundfit/proof/2", question, statements })
+}
+
+fn statement_json(Statement { scope, claim }: &Statement) -> StatementJson {
+    let (kind, claim) = match claim {
+        Claim::Form { form, lower, upper } => {
+            ("form", ClaimJson::Form { form: vector(form), lower: end(lower), upper: end(upper) })
+        }
+        Claim::Point(point) => ("point", ClaimJson::Point { point: vector(point) }),
+        Claim::Empty(multipliers) => ("empty", ClaimJson::Empty { multipliers: multiples(multipliers) }),
+        Claim::Least { point, multiples: own } => {
+            ("least", ClaimJson::Least { point: vector(point), multipliers: multiples(own) })
+        }
+        Claim::Set { point, vertices, sides } => {
+            let sides = sides.iter().map(|(name, vertex)| (name.to_string(), *vertex)).collect();
+            let vertices = vertices.iter().map(vector).collect();
+            ("set", ClaimJson::Set { point: vector(point), vertices, sides })
+        }
+        Claim::LeftOut { least, sets, contradictions } => {
+            let contradictions = contradictions.iter().map(|(rows, own)| (sorted(rows), multiples(own)));
+            let sets = sets.as_ref().map(|sets| sets.iter().map(|set| sorted(set)).collect());
+            let claim = ClaimJson::LeftOut { least: *least, sets, contradictions: contradictions.collect() };
+            ("left out", claim)
+        }
+    };
+    StatementJson { kind, scope: scope_json(scope), claim }
+}
+
+fn scope_json(Scope { rows, without, conditions, errors, side }: &Scope) -> ScopeJson {
+    let (factor, epsilon) = match errors {
+        ErrorScale::AsStated => (None, None),
+        ErrorScale::Times(factor) => (Some(factor.to_string()), None),
+        ErrorScale::Within(epsilon) => (None, Some(epsilon.to_string())),
+    };
+    let side = side.map(|side| match side {
+        Side::Rising => "+",
+        Side::Falling => "-",
+        Side::Strong => "strong",
+    });
+    let rows = rows.as_ref().map(|rows| rows.concat());
+    let conditions = conditions.as_deref().map(sorted);
+    ScopeJson { rows, without: sorted(without), conditions, factor, epsilon, side }
+}
+
+/// In the order in which a proof has them.
+fn sorted(numbers: &[usize]) -> Vec<usize> {
+    let mut numbers = numbers.to_vec();
+    numbers.sort_unstable();
+    numbers
+}
+
+fn vector(vector: &[Rational; 2]) -> VectorJson {
+    vector.each_ref().map(Rational::to_string)
+}
+
+fn multiples(multiples: &[Multiple]) -> Vec<MultipleJson> {
+    multiples.iter().map(|own| (own.name.to_string(), own.times.to_string())).collect()
+}
+
+/// At a finite end the ray is zero; where there is none, there are no multipliers.
+fn end(end: &FormEnd) -> EndJson {
+    match end {
+        FormEnd::At { multiples: own, point } => {
+            (multiples(own), vector(point), ["0", "0"].map(ToOwned::to_owned))
+        }
+        FormEnd::Beyond { point, ray } => (Vec::new(), vector(point), vector(ray)),
+    }
+}
