@@ -18,6 +18,7 @@ pub mod reference_table;
 pub mod representations;
 pub mod second_judge;
 pub mod shape;
+pub mod statuses;
 pub mod tables;
 pub mod workbooks;
 

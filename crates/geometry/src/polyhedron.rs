@@ -5,6 +5,7 @@ use boundfit_exact::{Endpoint, Interval, Rational};
 use crate::constructions::foot;
 use crate::envelope;
 use crate::fan::{FanSupport, NormalFan};
+use crate::half_plane::HalfPlane;
 use crate::point::{Direction, Point};
 use crate::predicates::{Turn, turn};
 use crate::proof::{BoundProof, Farkas, Multiplier, UnboundedProof};
@@ -147,15 +148,18 @@ impl Polyhedron {
     /// The box of the region: the range of θ1 and of θ2, or `None` when it is empty.
     pub fn bounding_box(&self) -> Option<[Interval; 2]> {
         let (zero, one) = (Rational::zero(), Rational::one());
-        let range = |form: [Rational; 2]| {
-            let upper = self.maximum(&form)?;
-            let lower = match self.maximum(&form.map(|c| -c))? {
-                Endpoint::Finite(value) => Endpoint::Finite(-value),
-                Endpoint::Unbounded => Endpoint::Unbounded,
-            };
-            Interval::new(lower, upper)
+        Some([self.range(&[one.clone(), zero.clone()])?, self.range(&[zero, one])?])
+    }
+
+    /// The values that `form·θ` takes over the region, or `None` when it is empty. Exact. Cost: logarithmic in the number of
+    /// irredundant half-planes.
+    pub fn range(&self, form: &[Rational; 2]) -> Option<Interval> {
+        let upper = self.maximum(form)?;
+        let lower = match self.maximum(&form.each_ref().map(|c| -c))? {
+            Endpoint::Finite(value) => Endpoint::Finite(-value),
+            Endpoint::Unbounded => Endpoint::Unbounded,
         };
-        Some([range([one.clone(), zero.clone()])?, range([zero, one])?])
+        Interval::new(lower, upper)
     }
 
     /// The width `max form·θ - min form·θ`, in the units of the form; `None` when the region is empty or unbounded
@@ -198,7 +202,13 @@ impl Polyhedron {
     /// `None` where that has no normal, or there are none. They alone decide on what [`Polyhedron::reason`] says of it. Cost:
     /// logarithmic.
     pub fn neighbours(&self, index: usize) -> Option<(usize, usize)> {
-        self.fan.around(&self.system, self.system.half_plane(index)?)
+        self.neighbours_of(self.system.half_plane(index)?)
+    }
+
+    /// As [`Polyhedron::neighbours`], of a half-plane that need not be one of the system's. Of one that contains the region
+    /// they are those that dominate it. Cost: logarithmic.
+    pub fn neighbours_of(&self, half_plane: &HalfPlane) -> Option<(usize, usize)> {
+        self.fan.around(&self.system, half_plane)
     }
 
     /// Why an inequality, one that is redundant, could be left out. Exact. Cost: logarithmic.

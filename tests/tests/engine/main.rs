@@ -19,5 +19,6 @@ mod proof;
 mod published;
 mod reducing;
 mod reduction;
+mod status;
 mod stored;
 mod streams;

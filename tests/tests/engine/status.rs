@@ -1,0 +1,122 @@
+//! Statuses against a set for each reading that is left out, found by another program.
+
+use std::collections::BTreeMap;
+
+use boundfit_estimation::{ErrorBound, Measurement, Measurements, Model, Problem, fit};
+use boundfit_exact::Rational;
+use boundfit_questions::{Standing, Statuses};
+use boundfit_tests::generate::seeded;
+use boundfit_tests::oracle::Row;
+use boundfit_tests::readings::parse_condition;
+use boundfit_tests::statuses::{Reading, statuses};
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+
+const CASES: usize = 4_000;
+
+/// Readings and conditions, as the oracle and as the engine takes them.
+struct Case {
+    readings: Vec<Reading>,
+    conditions: Vec<Row>,
+    problem: Problem,
+}
+
+/// One to nine readings: repeated x and rows, all x equal, exact fits, no width, one bound, crossed bounds; sets of every kind.
+fn case(rng: &mut ChaCha8Rng) -> Case {
+    let (is_line, style) = (rng.random_bool(0.6), rng.random_range(0..4));
+    let count = rng.random_range(1..=9);
+    let size = [1, 2, 5][rng.random_range(0..3)];
+    let is_vertical = rng.random_bool(0.15);
+    let (slope, offset) = (rng.random_range(-2..=2_i128), rng.random_range(-2..=2));
+    let uniform: i128 = rng.random_range(0..=4);
+    let noise = rng.random_range(0..=3);
+    let mut readings: Vec<Reading> = Vec::new();
+    for _ in 0..count {
+        let regressor = match readings.last() {
+            Some(last) if is_vertical || rng.random_bool(0.2) => last.regressor,
+            _ if is_line => [rng.random_range(-size..=size), 1],
+            _ => [rng.random_range(-size..=size), rng.random_range(-size..=size)],
+        };
+        let y = slope * regressor[0] + offset * regressor[1] + rng.random_range(-noise..=noise);
+        let epsilon = if style == 0 { uniform } else { rng.random_range(0..=3) };
+        let (mut lower, mut upper) = (Some(y - epsilon), Some(y + epsilon));
+        if style == 2 {
+            match rng.random_range(0..4) {
+                0 => lower = None,
+                1 => upper = None,
+                2 if rng.random_bool(0.05) => (lower, upper) = (Some(y + 1), Some(y)),
+                _ => {}
+            }
+        }
+        readings.push(Reading { regressor, lower, upper });
+    }
+    if rng.random_bool(0.2) {
+        readings.push(readings[0].clone());
+    }
+    let conditions: Vec<Row> = (0..rng.random_range(0..=2_usize).saturating_sub(1))
+        .map(|_| [0; 3].map(|_| rng.random_range(-3..=3)))
+        .collect();
+    let small = |number: i128| Rational::from(number as i64);
+    let measured = |(row, reading): (usize, &Reading)| {
+        let regressor = reading.regressor.map(small);
+        match (reading.lower, reading.upper) {
+            (Some(lower), Some(upper)) if style != 2 => {
+                let half = |number: i128| Rational::ratio(number as i64, 2);
+                Measurement::around(row, regressor, half(lower + upper), half(upper - lower))
+            }
+            (lower, upper) => Measurement::between(row, regressor, lower.map(small), upper.map(small)),
+        }
+    };
+    let rows = (1..).zip(&readings).map(measured).collect();
+    let error_bound = match style {
+        0 => ErrorBound::Uniform(small(uniform)),
+        2 => ErrorBound::Interval { lower: Some("lower".into()), upper: Some("upper".into()) },
+        _ => ErrorBound::PerRow("eps".into()),
+    };
+    let model = match is_line {
+        true => Model::Line { x: "x".into() },
+        false => Model::TwoRegressors { regressors: ["u".into(), "v".into()] },
+    };
+    let condition =
+        |[a, b, c]: &Row| parse_condition(&format!("{a}*theta1 + {b}*theta2 <= {c}").replace("+ -", "- "));
+    let conditions_read = conditions.iter().map(condition).collect();
+    let measurements = Measurements::new(model, "y".into(), error_bound, rows);
+    Case { readings, conditions, problem: Problem { measurements, conditions: conditions_read } }
+}
+
+type Named = (Option<Rational>, Option<Rational>, &'static str);
+
+fn named(standing: Option<Standing>) -> Option<Named> {
+    standing.map(|Standing { leverage, residual, status }| (leverage, residual, status.name()))
+}
+
+#[test]
+fn every_reading_stands_as_the_definitions_say() {
+    let mut rng = seeded(16);
+    let mut seen: BTreeMap<(bool, &str), usize> = BTreeMap::new();
+    for number in 0..CASES {
+        let case = case(&mut rng);
+        let statuses_of = Statuses::of(&case.problem, &fit(&case.problem)).expect("all in memory");
+        let expected = statuses(&case.readings, &case.conditions);
+        for (reading, [all, without]) in case.problem.measurements.kept().iter().zip(expected) {
+            let found = statuses_of.status(reading);
+            for (is_without, own) in [(false, &all), (true, &without)] {
+                *seen.entry((is_without, own.as_ref().map_or("nothing", |own| own.2))).or_default() += 1;
+            }
+            assert_eq!(named(found.all), all, "case {number}, row {}: {:?}", reading.row, case.readings);
+            assert_eq!(
+                named(found.without),
+                without,
+                "case {number}, row {}: {:?}",
+                reading.row,
+                case.readings
+            );
+        }
+    }
+    for status in ["inner", "boundary", "outer", "strictly outer", "outlier", "nothing"] {
+        assert!(seen.get(&(true, status)).is_some_and(|count| *count > 100), "{seen:?}");
+    }
+    for status in ["outer", "strictly outer", "outlier"] {
+        assert!(!seen.contains_key(&(false, status)), "{seen:?}");
+    }
+}
