@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 
 use boundfit_estimation::{
-    ErrorBound, Family, Fit, FloatEstimate, FractionCells, InverseParameter, LeastSquares, Model,
-    MultipleOfLeast, ParameterBound, ParameterInterval, Problem, Selection, Ties, least_squares_is_feasible,
-    mending_rows,
+    Family, Fit, FloatEstimate, InverseParameter, LeastSquares, ParameterBound, ParameterInterval, Problem,
+    Ties, least_squares_is_feasible, mending_rows,
 };
-use boundfit_exact::{Endpoint, Foreign, Interval, Rational};
+use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::{Measures, Multiplier};
 use serde::Serialize;
 
+use crate::input_json::InputJson;
 use crate::json::{
     ActiveJson, BoundJson, IntervalJson, RangeJson, RegionJson, TermJson, centroid_json, long_fractions,
     to_text,
@@ -48,69 +48,6 @@ pub struct FitJson {
 
 /// Why it is not known which row would mend an empty set.
 pub(crate) const NO_MENDING: &str = "since not every reading is kept in memory";
-
-#[derive(Debug, Serialize)]
-struct InputJson {
-    file: Option<Foreign>,
-    rows: usize,
-    rows_total: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    selection: Option<SelectionJson>,
-    #[serde(skip_serializing_if = "is_zero")]
-    rows_missing: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    text: Option<String>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    fractions: Vec<FractionsJson>,
-    reading: &'static str,
-    sha256: Option<String>,
-    model: &'static str,
-    x: Vec<Foreign>,
-    y: Option<Foreign>,
-    epsilon: Option<Number>,
-    epsilon_column: Option<Foreign>,
-    /// The law that was asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    epsilon_law: Option<Foreign>,
-    /// The columns of bounds, of which one may be null.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    interval: Option<IntervalColumnsJson>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    epsilon_from_least: Option<FromLeastJson>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    x_origin: Option<Number>,
-    r#where: Vec<Foreign>,
-}
-
-/// A column with cells that are fractions.
-#[derive(Debug, Serialize)]
-struct FractionsJson {
-    column: Foreign,
-    cells: usize,
-    first: Foreign,
-}
-
-/// Which rows were asked for.
-#[derive(Debug, Serialize)]
-struct SelectionJson {
-    rows: Option<String>,
-    without: Option<String>,
-    where_row: Vec<Foreign>,
-}
-
-/// An error bound that was found from the readings themselves.
-#[derive(Debug, Serialize)]
-struct FromLeastJson {
-    factor: Number,
-    epsilon_min: Number,
-    assumes: &'static str,
-}
-
-#[derive(Debug, Serialize)]
-struct IntervalColumnsJson {
-    lower: Option<Foreign>,
-    upper: Option<Foreign>,
-}
 
 #[derive(Debug, Serialize)]
 struct LeastSquaresJson {
@@ -185,7 +122,7 @@ impl FitJson {
         }
         FitJson {
             schema: "boundfit/fit/1",
-            input: input(problem, origin, style),
+            input: InputJson::new(problem, origin, style),
             least_squares: least_squares(problem, fit, style),
             eui: fit.eui().map(|eui| eui.each_ref().map(|eui| RangeJson::new(eui, style))),
             fps,
@@ -203,68 +140,6 @@ impl FitJson {
             reasons,
             sweep,
         }
-    }
-}
-
-fn fractions(FractionCells { column, cells, first }: FractionCells) -> FractionsJson {
-    FractionsJson { column, cells, first }
-}
-
-fn selection(selection: &Selection) -> Option<SelectionJson> {
-    let Selection { rows, without, conditions } = selection.clone();
-    (!selection.is_all()).then_some(SelectionJson { rows, without, where_row: conditions })
-}
-
-/// Whether there is nothing to be said.
-fn is_zero(count: &usize) -> bool {
-    *count == 0
-}
-
-fn input(problem: &Problem, origin: &Origin, style: &Style) -> InputJson {
-    let measurements = &problem.measurements;
-    let form = measurements.line_form();
-    let (model, x) = match measurements.model() {
-        Model::Line { x } if form.through_origin => ("line-through-origin", vec![x.clone()]),
-        Model::Line { x } => ("line", vec![x.clone()]),
-        Model::TwoRegressors { regressors } => ("two-regressors", regressors.to_vec()),
-    };
-    let (epsilon, epsilon_column) = match measurements.error_bound() {
-        ErrorBound::Uniform(epsilon) => (Some(style.upper_number(epsilon)), None),
-        ErrorBound::PerRow(column) => (None, Some(column.clone())),
-        ErrorBound::Interval { .. } | ErrorBound::Law(_) => (None, None),
-    };
-    let interval = match measurements.error_bound() {
-        ErrorBound::Interval { lower, upper } => {
-            Some(IntervalColumnsJson { lower: lower.clone(), upper: upper.clone() })
-        }
-        _ => None,
-    };
-    InputJson {
-        file: origin.file.map(Foreign::from),
-        rows: measurements.fitted(),
-        rows_total: measurements.rows_total(),
-        selection: selection(measurements.selection()),
-        rows_missing: measurements.rows_missing(),
-        text: measurements.written().map(ToOwned::to_owned),
-        fractions: measurements.fractions().iter().cloned().map(fractions).collect(),
-        reading: origin.reading.name(),
-        sha256: measurements.sha256().map(ToOwned::to_owned),
-        model,
-        x,
-        y: measurements.has_response().then(|| measurements.response().to_owned()),
-        epsilon,
-        epsilon_column,
-        epsilon_law: measurements.law().map(|law| law.text().to_owned()),
-        interval,
-        epsilon_from_least: measurements.multiple_of_least().map(|MultipleOfLeast { factor, least }| {
-            FromLeastJson {
-                factor: style.number(factor),
-                epsilon_min: style.upper_number(least),
-                assumes: "that no error is larger: the bound was found from these very readings",
-            }
-        }),
-        x_origin: (!form.x_origin.is_zero()).then(|| style.number(&form.x_origin)),
-        r#where: problem.conditions.iter().map(|condition| condition.text().to_owned()).collect(),
     }
 }
 

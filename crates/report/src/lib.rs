@@ -43,6 +43,7 @@ mod fleet_summary;
 mod fleet_text;
 mod formula;
 mod generators;
+mod input_json;
 mod json;
 mod judge;
 mod number;
