@@ -56,8 +56,9 @@ impl ParameterInterval {
     }
 }
 
-/// Both parameter uncertainty intervals; `None` when the FPS is empty.
-pub(crate) fn parameter_intervals(polyhedron: &Polyhedron) -> Option<[ParameterInterval; 2]> {
+/// Both parameter uncertainty intervals of a set, with their proofs; `None` when it is empty. Exact. Cost: linear in the number of
+/// vertices.
+pub fn parameter_intervals(polyhedron: &Polyhedron) -> Option<[ParameterInterval; 2]> {
     let (zero, one) = (Rational::zero(), Rational::one());
     let interval = |axis: [Rational; 2]| {
         let opposite = [-&axis[0], -&axis[1]];
@@ -81,8 +82,8 @@ pub(crate) fn central(intervals: &[ParameterInterval; 2]) -> Option<Central> {
     central_of(&intervals.each_ref().map(ParameterInterval::interval))
 }
 
-/// The middle of a box; `None` unless it is bounded.
-pub(crate) fn central_of([first, second]: &[Interval; 2]) -> Option<Central> {
+/// The middle of a box, and half its widths; `None` unless it is bounded. Exact.
+pub fn central_of([first, second]: &[Interval; 2]) -> Option<Central> {
     Some(Central {
         theta: [first.midpoint()?, second.midpoint()?],
         guaranteed_error: [first.width()?.half(), second.width()?.half()],

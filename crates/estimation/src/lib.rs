@@ -63,7 +63,7 @@ mod ties;
 mod work;
 
 pub use asked_bound::{AskedBound, ParseBoundError, ParseBoundErrorKind};
-pub use bounds::{Central, ParameterBound, ParameterInterval};
+pub use bounds::{Central, ParameterBound, ParameterInterval, central_of, parameter_intervals};
 pub use condition::{Condition, ParseConditionError, ParseConditionErrorKind};
 pub use corridor::{Corridor, CorridorEdge};
 pub use family::{

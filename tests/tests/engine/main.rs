@@ -22,3 +22,4 @@ mod reduction;
 mod status;
 mod stored;
 mod streams;
+mod x_errors;

@@ -1,0 +1,311 @@
+//! Errors in x: the lines that agree with readings of which both coordinates are known up to a bound only.
+//!
+//! With |error of x_i| ≤ δ_i beside |error of y_i| ≤ ε_i a line agrees *weakly* with a reading when it meets its box
+//! x_i ± δ_i, y_i ± ε_i, that is |y_i - θ1·x_i - θ2| ≤ ε_i + |θ1|·δ_i, and *strongly* when it passes between the lower and the
+//! upper side of the box all along, |y_i - θ1·x_i - θ2| ≤ ε_i - |θ1|·δ_i. The lines that agree weakly with all readings are
+//! a convex set among those that do not fall, θ1 ≥ 0, and another one among those that do not rise; those that agree strongly are one convex
+//! set (Cerone, "Feasible parameter set for linear models with bounded errors in all variables", *Automatica* 29, 1993; Shary's
+//! united and tolerable solution sets of interval systems).
+
+mod factor;
+mod few;
+mod half_planes;
+
+use boundfit_estimation::{
+    Central, Measurement, Model, ParameterBound, ParameterInterval, Problem, central_of, parameter_intervals,
+};
+use boundfit_exact::{Endpoint, Foreign, Interval, Rational};
+use boundfit_geometry::{Polyhedron, ProofError};
+use thiserror::Error;
+
+pub use factor::{LeastFactor, NoLeastFactor};
+pub use half_planes::{BoxBound, Corner, Side};
+
+/// The bounds on the errors of x.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum XBounds {
+    /// One for all readings; not negative.
+    Uniform(Rational),
+    /// One for each reading, from a column of this name; none is negative.
+    PerRow {
+        /// The column.
+        column: Foreign,
+        /// In the order of the readings.
+        bounds: Vec<Rational>,
+    },
+}
+
+/// Which lines agree with a reading.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Agreement {
+    /// Those that agree with some x and y within the bounds: that meet the box of the reading.
+    Weak,
+    /// Those that agree, for every x within its bounds, with some y within its own.
+    Strong,
+}
+
+/// Readings with bounds on the errors of both coordinates, and which lines agree with them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct XErrorProblem {
+    problem: Problem,
+    bounds: XBounds,
+    agreement: Agreement,
+}
+
+/// Why readings cannot have errors in x.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum NoXErrors {
+    /// There are two regressors.
+    #[error("errors in x are about a line: of two regressors it is not known how their errors go together")]
+    TwoRegressors,
+    /// Not every reading is in memory.
+    #[error("with errors in x every reading has to be in memory")]
+    NotAll,
+    /// There are not as many bounds as readings.
+    #[error("{bounds} bounds for {readings} readings")]
+    Count {
+        /// How many bounds.
+        bounds: usize,
+        /// How many readings.
+        readings: usize,
+    },
+    /// A bound is negative.
+    #[error("a bound on an error in x is negative")]
+    Negative,
+}
+
+/// The lines of one side that agree with all readings.
+#[derive(Debug, Clone)]
+pub struct SideSet {
+    /// Which lines these are a set of.
+    pub side: Side,
+    /// The half-planes with their intersection.
+    pub polyhedron: Polyhedron,
+    /// What each half-plane is, in order.
+    pub names: Vec<BoxBound>,
+    /// The parameter uncertainty intervals with their proofs; `None` when the set is empty.
+    pub pui: Option<[ParameterInterval; 2]>,
+}
+
+/// What is known of lines under errors in x.
+#[derive(Debug, Clone)]
+pub struct XErrorFit {
+    /// Of weak agreement the lines that do not fall and then those that do not rise; one set of strong agreement, and where no x has an
+    /// error.
+    pub sides: Vec<SideSet>,
+    /// The middle of the box of all sets together; `None` unless it is bounded.
+    pub central: Option<Central>,
+    /// The least factor on all bounds that leaves anything.
+    pub least: Result<LeastFactor, NoLeastFactor>,
+}
+
+impl XBounds {
+    /// The bound of the reading at a position.
+    ///
+    /// # Panics
+    /// When there is no bound for it.
+    pub fn of(&self, position: usize) -> &Rational {
+        match self {
+            XBounds::Uniform(bound) => bound,
+            XBounds::PerRow { bounds, .. } => &bounds[position],
+        }
+    }
+
+    /// Every bound that is given.
+    pub fn all(&self) -> &[Rational] {
+        match self {
+            XBounds::Uniform(bound) => std::slice::from_ref(bound),
+            XBounds::PerRow { bounds, .. } => bounds,
+        }
+    }
+
+    /// Whether every x is exact.
+    pub fn are_zero(&self) -> bool {
+        self.all().iter().all(Rational::is_zero)
+    }
+}
+
+impl XErrorProblem {
+    /// Readings of a line, all in memory, with bounds on the errors of x.
+    ///
+    /// # Errors
+    /// Why there is no such problem.
+    pub fn new(problem: Problem, bounds: XBounds, agreement: Agreement) -> Result<Self, NoXErrors> {
+        if matches!(problem.measurements.model(), Model::TwoRegressors { .. }) {
+            return Err(NoXErrors::TwoRegressors);
+        }
+        let readings = problem.measurements.all().ok_or(NoXErrors::NotAll)?.len();
+        match &bounds {
+            XBounds::PerRow { bounds, .. } if bounds.len() != readings => {
+                Err(NoXErrors::Count { bounds: bounds.len(), readings })
+            }
+            _ if bounds.all().iter().any(Rational::is_negative) => Err(NoXErrors::Negative),
+            _ => Ok(XErrorProblem { problem, bounds, agreement }),
+        }
+    }
+
+    /// The readings and conditions, as they are without errors in x.
+    pub fn problem(&self) -> &Problem {
+        &self.problem
+    }
+
+    /// The bounds on the errors of x.
+    pub fn bounds(&self) -> &XBounds {
+        &self.bounds
+    }
+
+    /// Which lines agree with a reading.
+    pub fn agreement(&self) -> Agreement {
+        self.agreement
+    }
+
+    /// The readings, each with the bound on the error of its x.
+    pub fn readings(&self) -> impl Iterator<Item = (&Measurement, &Rational)> {
+        let rows = self.problem.measurements.kept();
+        rows.iter().enumerate().map(|(position, row)| (row, self.bounds.of(position)))
+    }
+
+    /// The sides that have a set of their own.
+    pub fn sides(&self) -> Vec<Side> {
+        match self.agreement {
+            Agreement::Weak if !self.bounds.are_zero() => vec![Side::Rising, Side::Falling],
+            _ => vec![Side::Both],
+        }
+    }
+
+    /// Computes everything. Exact. Cost: O(n log n) for the sets, and about as much for each of the few steps to the least
+    /// factor.
+    pub fn fit(&self) -> XErrorFit {
+        let sides: Vec<SideSet> = self.sides().into_iter().map(|side| SideSet::new(self, side)).collect();
+        let central = union_box(&sides).and_then(|own| central_of(&own));
+        XErrorFit { sides, central, least: LeastFactor::new(self) }
+    }
+}
+
+impl SideSet {
+    /// The lines of one side that agree with all readings and meet all conditions. Exact. Cost: O(n log n).
+    pub fn new(problem: &XErrorProblem, side: Side) -> Self {
+        let (names, inequalities): (Vec<BoxBound>, Vec<_>) = half_planes::of_side(problem, side).unzip();
+        let polyhedron = Polyhedron::intersect(inequalities.into_iter().collect());
+        let pui = parameter_intervals(&polyhedron);
+        SideSet { side, polyhedron, names, pui }
+    }
+
+    /// Whether no line of this side agrees.
+    pub fn is_empty(&self) -> bool {
+        self.polyhedron.region().is_empty()
+    }
+
+    /// Whether the set has lines with θ1 = 0 only, which the set of the other side has as well.
+    pub fn is_level_only(&self) -> bool {
+        let level = Interval::around(&Rational::zero(), &Rational::zero());
+        self.side != Side::Both && self.slopes().is_some_and(|slopes| Some(slopes) == level)
+    }
+
+    /// Whether lines with θ1 = 0 are among them.
+    fn reaches_level(&self) -> bool {
+        self.slopes().is_some_and(|slopes| slopes.contains(&Rational::zero()))
+    }
+
+    /// The PUI of θ1; `None` when the set is empty.
+    fn slopes(&self) -> Option<Interval> {
+        self.pui.as_ref().map(|[slopes, _]| slopes.interval())
+    }
+
+    /// Recomputes every proof of the set. Exact.
+    ///
+    /// # Errors
+    /// The first statement that is false.
+    pub fn verify(&self) -> Result<(), ProofError> {
+        let system = self.polyhedron.system();
+        if let Some(certificate) = self.polyhedron.region().certificate() {
+            certificate.verify(system)?;
+        }
+        for interval in self.pui.iter().flatten() {
+            for end in [&interval.lower, &interval.upper] {
+                match end {
+                    ParameterBound::Bounded { proof, .. } => proof.verify(system)?,
+                    ParameterBound::Unbounded(proof) => proof.verify(system)?,
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+impl XErrorFit {
+    /// Whether no line agrees.
+    pub fn is_empty(&self) -> bool {
+        self.sides.iter().all(SideSet::is_empty)
+    }
+
+    /// The sets that make up all of it: those that are not empty, without one that another one contains.
+    pub fn pieces(&self) -> Vec<&SideSet> {
+        let own: Vec<&SideSet> = self.sides.iter().filter(|side| !side.is_empty()).collect();
+        match own.as_slice() {
+            // Both have the same level lines.
+            [one, other] if one.is_level_only() => vec![other],
+            [one, other] if other.is_level_only() => vec![one],
+            _ => own,
+        }
+    }
+
+    /// Whether two pieces have the lines with θ1 = 0 in common; `None` unless there are two.
+    pub fn are_joined(&self) -> Option<bool> {
+        match self.pieces().as_slice() {
+            [one, _] => Some(one.reaches_level()),
+            _ => None,
+        }
+    }
+
+    /// The parameter uncertainty intervals of all pieces together; `None` when there is none.
+    pub fn pui(&self) -> Option<[Interval; 2]> {
+        union_box(&self.sides)
+    }
+
+    /// The piece in which a parameter, 0 or 1, reaches an end of its interval, with the proof; the first of several. `None` when
+    /// there is no piece.
+    pub fn end(&self, axis: usize, is_upper: bool) -> Option<(&SideSet, &ParameterBound)> {
+        let pieces = self.pieces();
+        let ends = pieces.into_iter().filter_map(|side| {
+            let ParameterInterval { lower, upper } = &side.pui.as_ref()?[axis];
+            Some((side, if is_upper { upper } else { lower }))
+        });
+        ends.reduce(|best, next| {
+            let is_beyond = match (best.1.endpoint(), next.1.endpoint()) {
+                (Endpoint::Unbounded, _) => false,
+                (_, Endpoint::Unbounded) => true,
+                (Endpoint::Finite(best), Endpoint::Finite(next)) if is_upper => next > best,
+                (Endpoint::Finite(best), Endpoint::Finite(next)) => next < best,
+            };
+            if is_beyond { next } else { best }
+        })
+    }
+
+    /// Whether a line agrees with all readings and meets all conditions. Exact. Cost: linear.
+    pub fn contains(&self, theta: &[Rational; 2]) -> bool {
+        self.sides.iter().any(|side| side.polyhedron.membership(theta).is_inside())
+    }
+}
+
+/// The smallest box around sets; `None` when all are empty.
+fn union_box(sides: &[SideSet]) -> Option<[Interval; 2]> {
+    let boxes: Vec<[Interval; 2]> = sides
+        .iter()
+        .filter_map(|side| Some(side.pui.as_ref()?.each_ref().map(ParameterInterval::interval)))
+        .collect();
+    let union = |axis: usize| {
+        let end = |of: &dyn Fn(&Interval) -> Endpoint, is_beyond: &dyn Fn(&Rational, &Rational) -> bool| {
+            boxes.iter().map(|own| of(&own[axis])).reduce(|best, next| match (best, next) {
+                (Endpoint::Finite(best), Endpoint::Finite(next)) => {
+                    Endpoint::Finite(if is_beyond(&next, &best) { next } else { best })
+                }
+                _ => Endpoint::Unbounded,
+            })
+        };
+        let lower = end(&|own| own.lower().clone(), &|next, best| next < best)?;
+        let upper = end(&|own| own.upper().clone(), &|next, best| next > best)?;
+        Interval::new(lower, upper)
+    };
+    Some([union(0)?, union(1)?])
+}
