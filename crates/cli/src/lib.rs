@@ -28,6 +28,8 @@ pub fn main() -> ExitCode {
         Command::Fit(arguments) => {
             arguments.with_factors().and_then(|arguments| commands::fit::run(&arguments))
         }
+        Command::Predict(arguments) => commands::predict::run(&arguments),
+        Command::Linearity(arguments) => commands::linearity::run(&arguments),
         Command::Check(arguments) => commands::check::run(&arguments),
         Command::Verify(arguments) => commands::verify::run(&arguments),
         Command::Judge(arguments) => commands::judge::run(&arguments),

@@ -19,6 +19,8 @@ pub(crate) mod times {
     pub(crate) const SWEEP: u64 = 4;
     /// Linear programs, and the exact simplex that judges their answers.
     pub(crate) const CHECK: u64 = 4;
+    /// The minimax lines of three characteristics, each in general and through a point.
+    pub(crate) const LINEARITY: u64 = 6;
     /// A figure; all of them are six.
     pub(crate) const PLOT: u64 = 8;
     /// A page; leaving out each reading comes on top.

@@ -23,8 +23,9 @@ impl Selection {
         *self == Selection::default()
     }
 
+    /// The rows that these options ask for.
     #[cfg(feature = "files")]
-    pub(crate) fn of(options: &TableOptions) -> Self {
+    pub fn of(options: &TableOptions) -> Self {
         let ranges = |ranges: &[RowRange]| {
             let ranges: Vec<String> = ranges.iter().map(RowRange::to_string).collect();
             (!ranges.is_empty()).then(|| ranges.join(","))
@@ -51,7 +52,7 @@ pub struct FractionCells {
 #[cfg(feature = "files")]
 impl FractionCells {
     /// Of columns with these names; of those that are read in several ways only once.
-    pub(crate) fn of(names: &[Foreign], fractions: &[Fractions]) -> Vec<Self> {
+    pub fn of(names: &[Foreign], fractions: &[Fractions]) -> Vec<Self> {
         let mut found: Vec<FractionCells> = Vec::new();
         for (column, Fractions { cells, first }) in names.iter().zip(fractions) {
             if let Some(first) = first

@@ -9,12 +9,12 @@ use crate::figure::PlotOptions;
 use crate::text::one_line;
 
 /// The longest name of a column or unit that fits an axis.
-const LONGEST_NAME: usize = 32;
+pub(crate) const LONGEST_NAME: usize = 32;
 /// Significant digits of the error bound.
 const BOUND_DIGITS: usize = 12;
 
 /// A name with its unit: `Vz [V]`.
-fn with_unit(name: &str, unit: Option<&str>) -> String {
+pub(crate) fn with_unit(name: &str, unit: Option<&str>) -> String {
     // A name such as `U (mV)` has its unit already.
     let has_own = |unit: &&str| split_unit(name).1 == Some(unit);
     let unit = unit.filter(|unit| !unit.is_empty() && !has_own(unit));
@@ -22,7 +22,7 @@ fn with_unit(name: &str, unit: Option<&str>) -> String {
 }
 
 /// The given unit, fit for an axis.
-fn unit(text: &Option<Foreign>) -> Option<String> {
+pub(crate) fn unit(text: &Option<Foreign>) -> Option<String> {
     text.as_ref().map(|text| one_line(text, LONGEST_NAME)).filter(|unit| !unit.is_empty())
 }
 

@@ -30,6 +30,7 @@ mod drawing;
 mod extent;
 mod figure;
 mod labels;
+mod linearity;
 mod palette;
 mod parameter_plane;
 mod picture;
@@ -40,4 +41,5 @@ mod text;
 
 pub use draw::{draw, draw_program};
 pub use figure::{Figure, PlotOptions};
+pub use linearity::{LinearityLabels, draw_linearity};
 pub use picture::{FigureError, Picture, PictureFormat};

@@ -1,8 +1,15 @@
 //! What is asked of readings beyond the set of all parameters that agree with them, each answered exactly.
 
+mod linearity;
+mod predict;
 mod status;
 mod x_errors;
 
+pub use linearity::{
+    AlternatingPoint, CalibrationPoint, CalibrationReading, Characteristic, Difference, Linearity,
+    LinearityLine, LinearityOptions, NoLine, Pass,
+};
+pub use predict::{FurtherError, NoFurtherError, PossibleEnd, PossibleX, Predictor};
 pub use status::{Deciding, RowStatus, Standing, Status, Statuses};
 pub use x_errors::{
     Agreement, BoxBound, Corner, LeastFactor, NoLeastFactor, NoXErrors, Side, SideSet, XBounds, XErrorFit,

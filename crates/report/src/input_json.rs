@@ -44,7 +44,7 @@ pub(crate) struct InputJson {
 
 /// A column with cells that are fractions.
 #[derive(Debug, Serialize)]
-struct FractionsJson {
+pub(crate) struct FractionsJson {
     column: Foreign,
     cells: usize,
     first: Foreign,
@@ -52,7 +52,7 @@ struct FractionsJson {
 
 /// Which rows were asked for.
 #[derive(Debug, Serialize)]
-struct SelectionJson {
+pub(crate) struct SelectionJson {
     rows: Option<String>,
     without: Option<String>,
     where_row: Vec<Foreign>,
@@ -123,12 +123,12 @@ impl InputJson {
     }
 }
 
-fn selection(selection: &Selection) -> Option<SelectionJson> {
+pub(crate) fn selection(selection: &Selection) -> Option<SelectionJson> {
     let Selection { rows, without, conditions } = selection.clone();
     (!selection.is_all()).then_some(SelectionJson { rows, without, where_row: conditions })
 }
 
-fn fractions(FractionCells { column, cells, first }: FractionCells) -> FractionsJson {
+pub(crate) fn fractions(FractionCells { column, cells, first }: FractionCells) -> FractionsJson {
     FractionsJson { column, cells, first }
 }
 

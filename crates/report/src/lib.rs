@@ -46,6 +46,7 @@ mod generators;
 mod input_json;
 mod json;
 mod judge;
+mod linearity;
 mod number;
 mod origin;
 #[cfg(feature = "files")]
@@ -85,6 +86,7 @@ pub use fleet_text::{FleetTable, GroupCells};
 pub use generators::ActiveNames;
 pub use json::{ActiveJson, RangeJson};
 pub use judge::{JudgeJson, judge_document, judge_json, lean_theorems};
+pub use linearity::{LinearityInput, ResponseColumns, linearity_csv, linearity_document, linearity_json};
 pub use number::Number;
 pub use origin::Origin;
 #[cfg(feature = "files")]

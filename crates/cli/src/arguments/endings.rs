@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{Format, ReportFormat};
+use super::{Format, ReportFormat, TableFormat};
 use crate::exit::Failure;
 
 /// A format of answers that a file's name may tell.
@@ -13,6 +13,17 @@ pub(crate) trait NamedFormat: Copy + Default + 'static {
 
 impl NamedFormat for Format {
     const ENDINGS: &'static [(&'static str, Self)] = &[("json", Format::Json), ("txt", Format::Text)];
+}
+
+impl NamedFormat for TableFormat {
+    const ENDINGS: &'static [(&'static str, Self)] = &[
+        ("json", TableFormat::Json),
+        ("tex", TableFormat::Latex),
+        ("md", TableFormat::Markdown),
+        ("markdown", TableFormat::Markdown),
+        ("csv", TableFormat::Csv),
+        ("txt", TableFormat::Text),
+    ];
 }
 
 impl NamedFormat for ReportFormat {
@@ -78,6 +89,7 @@ mod tests {
     fn every_ending_of_a_format_is_telling() {
         let names =
             |endings: &[&'static str]| endings.iter().all(|name| *name == "txt" || TELLING.contains(name));
+        assert!(names(&TableFormat::ENDINGS.iter().map(|(name, _)| *name).collect::<Vec<_>>()));
         assert!(names(&Format::ENDINGS.iter().map(|(name, _)| *name).collect::<Vec<_>>()));
         assert!(names(&ReportFormat::ENDINGS.iter().map(|(name, _)| *name).collect::<Vec<_>>()));
         assert!(TELLING.is_sorted());

@@ -6,9 +6,11 @@ mod endings;
 mod fit;
 mod judge;
 mod lesson;
+mod linearity;
 mod notes;
 mod plot;
 mod polygon;
+mod predict;
 mod question;
 mod reading;
 mod reduce;
@@ -28,15 +30,17 @@ pub(crate) use endings::{ending, told_by_name};
 pub(crate) use fit::FitArguments;
 pub(crate) use judge::{JudgeArguments, JudgeFormat};
 pub(crate) use lesson::LessonArguments;
+pub(crate) use linearity::LinearityArguments;
 pub(crate) use notes::Notes;
 pub(crate) use plot::{Figures, PlotArguments};
 pub(crate) use polygon::PolygonArguments;
+pub(crate) use predict::PredictArguments;
 pub(crate) use reading::Asked;
 pub(crate) use reduce::ReduceArguments;
 pub(crate) use rows::RowArguments;
 pub(crate) use shared::{
     DataArguments, FileArguments, Format, FractionArguments, LabelArguments, LimitArguments, OutputArguments,
-    ReplaceArguments, ReportFormat, TableArguments, ThreadArguments,
+    ReplaceArguments, ReportFormat, TableArguments, TableFormat, ThreadArguments,
 };
 pub(crate) use solutions::SolutionArguments;
 pub(crate) use values::{FactorRange, number_problem};
@@ -56,6 +60,8 @@ pub(crate) struct Arguments {
 #[allow(clippy::large_enum_variant, reason = "one per run")]
 pub(crate) enum Command {
     Fit(FitArguments),
+    Predict(PredictArguments),
+    Linearity(LinearityArguments),
     Reduce(ReduceArguments),
     Check(CheckArguments),
     Convert(ConvertArguments),
@@ -97,6 +103,8 @@ const MAN_NOTES: Notes = Notes {
 pub(crate) fn notes(command: &str) -> Option<&'static Notes> {
     Some(match command {
         "fit" => &fit::NOTES,
+        "predict" => &predict::NOTES,
+        "linearity" => &linearity::NOTES,
         "reduce" => &reduce::NOTES,
         "check" => &check::NOTES,
         "convert" => &convert::NOTES,

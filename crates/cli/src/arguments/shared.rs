@@ -278,6 +278,22 @@ pub(crate) enum Format {
     Json,
 }
 
+/// Formats of an answer that is a document or a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub(crate) enum TableFormat {
+    /// A report for people
+    #[default]
+    Text,
+    /// Everything, for programs
+    Json,
+    /// The report's tables in LaTeX (booktabs)
+    Latex,
+    /// The report's tables in Markdown
+    Markdown,
+    /// The answer as a table
+    Csv,
+}
+
 /// Formats of a fit or a region.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub(crate) enum ReportFormat {

@@ -50,8 +50,7 @@ pub fn fit_document(
     let region = fit.fps.polyhedron().region();
     if region.is_empty() {
         // Nothing else matters as much.
-        blocks.push(Block::Title(format!("{SET}: {}", region.kind().name()).into()));
-        blocks.extend(report.emptiness().into_iter().map(Block::Paragraph));
+        blocks.extend(empty_blocks(problem, fit, style));
     }
     blocks.extend(estimates::blocks(&report));
     if !region.is_empty() {
@@ -68,6 +67,19 @@ pub fn fit_document(
     }
     blocks.push(Block::Results(results::lines(&report)));
     Document::new(blocks)
+}
+
+/// What was fitted, in which way, for the head of any answer about readings.
+pub(crate) fn fit_facts(problem: &Problem, fit: &Fit, origin: &Origin, style: &Style) -> Facts {
+    let report = Report::new(problem, fit, None, InverseLine::default(), style);
+    Facts { width: 7, rows: report.facts(origin) }
+}
+
+/// Of an empty set which rows contradict each other, and what would help, for any answer that needs a set.
+pub(crate) fn empty_blocks(problem: &Problem, fit: &Fit, style: &Style) -> Vec<Block> {
+    let report = Report::new(problem, fit, None, InverseLine::default(), style);
+    let title = Block::Title(format!("{SET}: {}", fit.fps.polyhedron().region().kind().name()).into());
+    [title].into_iter().chain(report.emptiness().into_iter().map(Block::Paragraph)).collect()
 }
 
 /// What an error bound that was found from the readings themselves stands and falls with.
@@ -89,7 +101,7 @@ fn assumption(MultipleOfLeast { factor, least }: &MultipleOfLeast, style: &Style
 }
 
 /// `x: 12 cells are fractions such as 3/4`.
-fn fractions(FractionCells { column, cells, first }: &FractionCells) -> Text {
+pub(crate) fn fractions(FractionCells { column, cells, first }: &FractionCells) -> Text {
     let said = match cells {
         1 => ": 1 cell is a fraction, ".to_owned(),
         cells => format!(": {cells} cells are fractions such as "),

@@ -1,0 +1,91 @@
+//! `boundfit linearity`.
+
+mod directions;
+mod readings;
+
+use boundfit_exact::{Foreign, Reading, Work};
+use boundfit_figures::{LinearityLabels, PictureFormat, draw_linearity};
+use boundfit_formats::Source;
+use boundfit_questions::{Linearity, LinearityOptions};
+use boundfit_report::{Origin, linearity_csv, linearity_document, linearity_json};
+
+use crate::CommandResult;
+use crate::arguments::{LinearityArguments, TableFormat, told_by_name};
+use crate::exit::{Exit, Failure};
+use crate::input;
+use crate::output;
+use crate::progress::while_working;
+use crate::work::{refuse_long, times};
+use readings::Calibration;
+
+/// Reads the calibration and writes its linearity, and its picture if one is asked for.
+pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
+    let format = arguments.output.format()?;
+    let output = arguments.output.file.output.as_deref();
+    let mut guard = arguments.output.file.replace.guard([arguments.data.as_str()]);
+    guard.check(output)?;
+    let figure = figure(arguments)?;
+    guard.check(figure.map(|(file, _)| file))?;
+    let options = LinearityOptions { full_scale: arguments.full_scale()?, through: arguments.through()? };
+    let source = input::open(&arguments.data).map_err(Failure::data);
+    let is_stored = source.as_ref().is_ok_and(Source::is_stored);
+    let reading = if is_stored { Reading::Binary64 } else { arguments.table.reading() };
+    let origin = Origin {
+        file: (arguments.data != "-").then_some(Foreign::of(&arguments.data)),
+        reading,
+        is_stored,
+    };
+    let Calibration { readings, input } = Calibration::read(source?, arguments)?;
+    let mut work = Work::default();
+    let given = [options.full_scale.as_ref(), Some(&options.through[0]), Some(&options.through[1])];
+    for reading in &readings {
+        work.add(reading.row, [&reading.x, &reading.y].into_iter().chain(given.into_iter().flatten()));
+    }
+    let name = Foreign::of(input::named(&arguments.data));
+    refuse_long(name, &work, times::LINEARITY, &arguments.table.limits)?;
+    let found = while_working("fitting", || Linearity::new(&readings, &options));
+    let linearity = found.ok_or_else(|| Failure::data(format_args!("{name}: there are no readings")))?;
+    let style = arguments.output.style();
+    let document = || linearity_document(&linearity, &options, &input, &origin, &style);
+    let report = match format {
+        TableFormat::Text => document().to_text(),
+        TableFormat::Latex => document().to_latex(),
+        TableFormat::Markdown => document().to_markdown(),
+        TableFormat::Csv => linearity_csv(&linearity),
+        TableFormat::Json => linearity_json(&linearity, &options, &input, &origin, &style),
+    };
+    let picture = match figure {
+        Some((file, format)) => {
+            let labels = LinearityLabels {
+                x: input.x.clone(),
+                x_unit: arguments.labels.x_unit.clone().or_else(|| input.units[0].clone()),
+                y_unit: arguments.labels.y_unit.clone().or_else(|| input.units[1].clone()),
+                title: arguments.labels.title.clone(),
+            };
+            let picture = while_working("drawing", || draw_linearity(&linearity, &labels));
+            let bytes = picture.map_err(Failure::data)?.encoded(format).map_err(Failure::data)?;
+            Some((bytes, file))
+        }
+        None => None,
+    };
+    let picture = picture.as_ref().map(|(bytes, file)| (bytes.as_slice(), Some(*file)));
+    let parts: Vec<_> = picture.into_iter().chain([(report.as_bytes(), output)]).collect();
+    output::write_together(&parts, &mut guard)?;
+    Ok(Exit::Answer)
+}
+
+/// Where the picture goes and how it is encoded, if one is asked for.
+fn figure(arguments: &LinearityArguments) -> Result<Option<(&str, PictureFormat)>, Failure> {
+    let Some(file) = arguments.figure.as_deref() else { return Ok(None) };
+    let endings = PictureFormat::ALL.map(|format| (format.name(), format));
+    let refuse = |problem: &str| Err(Failure::value("--figure <FILE>", file, problem));
+    let Ok(Some(format)) = told_by_name(Some(file), &endings, None) else {
+        return refuse("a picture is either SVG or PNG (expected a name that ends in .svg or .png)");
+    };
+    match arguments.output.file.output.as_deref() {
+        Some(output) if output != "-" && output::is_one_file(output, file) => {
+            refuse("'--output' names the same file")
+        }
+        _ => Ok(Some((file, format))),
+    }
+}

@@ -1,0 +1,193 @@
+//! One characteristic, and the four lines that it is measured from.
+
+use boundfit_estimation::{
+    BoundName, Condition, ErrorBound, LeastSquares, Measurement, Measurements, Minimax, Model,
+};
+use boundfit_exact::{Endpoint, Interval, Rational};
+use thiserror::Error;
+
+use super::LinearityOptions;
+use super::points::CalibrationPoint;
+
+/// A characteristic with its linearity.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Characteristic {
+    /// Its points, by x and then by row; at least one.
+    pub points: Vec<CalibrationPoint>,
+    /// Largest less smallest y of its points.
+    pub span: Rational,
+    /// What percents are of: the span, or what was given.
+    pub full_scale: Rational,
+    /// From the line whose largest deviation is smallest.
+    pub independent: LinearityLine,
+    /// Which points prove that no line has a smaller largest deviation, by x; none where it is 0.
+    pub proof: Vec<AlternatingPoint>,
+    /// From the line through the points at both ends of the range of x, averages where there are several at an end.
+    pub terminal: Result<LinearityLine, NoLine>,
+    /// From the line through the given point whose largest deviation is smallest.
+    pub zero_based: LinearityLine,
+    /// From the least-squares line of the points.
+    pub least_squares: Result<LinearityLine, NoLine>,
+}
+
+/// The deviation of a characteristic from a line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LinearityLine {
+    /// The largest |y - line|.
+    pub deviation: Rational,
+    /// In percent of full scale; `None` where that is 0.
+    pub percent: Option<Rational>,
+    /// Slope and intercept.
+    pub theta: [Rational; 2],
+    /// Whether no other line serves as well. Of several slopes of the zero-based line the middle one is taken.
+    pub unique: bool,
+    /// The positions of the points where the largest deviation is reached, ascending.
+    pub at: Vec<usize>,
+}
+
+/// A point of the proof of independent linearity: the deviations, each times its weight and its sign, add up to the same for
+/// every line, so that the largest is at least their sum. Weights add up to 1.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct AlternatingPoint {
+    /// The position of the point.
+    pub position: usize,
+    /// Its deviation y - line, above the line positive.
+    pub deviation: Rational,
+    /// How many times it is taken.
+    pub weight: Rational,
+}
+
+/// Why there is no line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum NoLine {
+    /// A vertical line is no characteristic.
+    #[error("all readings have the same x, and no range that a line could run through")]
+    OneX,
+}
+
+impl LinearityLine {
+    /// y less the line's value at a point. Exact.
+    pub fn deviation_at(&self, point: &CalibrationPoint) -> Rational {
+        &point.y - (&self.theta[0] * &point.x + &self.theta[1])
+    }
+
+    /// The data rows where the largest deviation is reached, ascending.
+    pub fn rows(&self, characteristic: &Characteristic) -> Vec<usize> {
+        let points = self.at.iter().filter_map(|&position| characteristic.points.get(position));
+        let mut rows: Vec<usize> = points.flat_map(|point| point.rows.iter().copied()).collect();
+        rows.sort_unstable();
+        rows.dedup();
+        rows
+    }
+}
+
+impl Characteristic {
+    /// The linearity of points that are sorted by x; `None` without any. Exact. Cost: O(n log n).
+    pub(super) fn new(points: Vec<CalibrationPoint>, options: &LinearityOptions) -> Option<Self> {
+        let y = || points.iter().map(|point| &point.y);
+        let span = y().max()? - y().min()?;
+        let full_scale = options.full_scale.clone().unwrap_or_else(|| span.clone());
+        let measured = |theta, unique| measured(&points, theta, unique, &full_scale);
+        let measurements = measurements(&points, [&Rational::zero(), &Rational::zero()]);
+        // Without conditions some bound leaves something.
+        let minimax = Minimax::new(&measurements, &[])?;
+        let independent = measured(minimax.theta.clone(), minimax.unique);
+        let proof = alternation(&points, &independent, &minimax);
+        let (slope, is_only) = slope_through(&points, &options.through)?;
+        let intercept = &options.through[1] - &slope * &options.through[0];
+        let zero_based = measured([slope, intercept], is_only);
+        let terminal = terminal(&points).map(|theta| measured(theta, true));
+        let least_squares = LeastSquares::new(&measurements).map_err(|_| NoLine::OneX);
+        let least_squares = least_squares.map(|estimate| measured(estimate.theta, true));
+        Some(Characteristic { span, full_scale, independent, proof, terminal, zero_based, least_squares, points })
+    }
+}
+
+/// How far points are from a line.
+fn measured(
+    points: &[CalibrationPoint],
+    theta: [Rational; 2],
+    unique: bool,
+    full_scale: &Rational,
+) -> LinearityLine {
+    let mut line = LinearityLine { deviation: Rational::zero(), percent: None, theta, unique, at: Vec::new() };
+    for (position, point) in points.iter().enumerate() {
+        let deviation = line.deviation_at(point).abs();
+        if deviation > line.deviation {
+            line.deviation = deviation;
+            line.at.clear();
+            line.at.push(position);
+        } else if deviation == line.deviation {
+            line.at.push(position);
+        }
+    }
+    line.percent = (&line.deviation * Rational::from(100)).checked_div(full_scale);
+    line
+}
+
+/// The points as readings of a line, counted from a point of the plane. Their rows are their positions.
+fn measurements(points: &[CalibrationPoint], [x, y]: [&Rational; 2]) -> Measurements {
+    let reading = |(position, point): (usize, &CalibrationPoint)| {
+        let regressor = [&point.x - x, Rational::one()];
+        Measurement::around(position, regressor, &point.y - y, Rational::zero())
+    };
+    let rows = points.iter().enumerate().map(reading).collect();
+    let bound = ErrorBound::Uniform(Rational::zero());
+    Measurements::new(Model::Line { x: "x".into() }, "y".into(), bound, rows)
+}
+
+/// Which points prove that no line is nearer, from the multipliers of their half-planes.
+fn alternation(
+    points: &[CalibrationPoint],
+    line: &LinearityLine,
+    minimax: &Minimax,
+) -> Vec<AlternatingPoint> {
+    let point = |(name, weight): &(BoundName, Rational)| {
+        let position = name.row()?;
+        let deviation = line.deviation_at(points.get(position)?);
+        Some(AlternatingPoint { position, deviation, weight: weight.clone() })
+    };
+    let mut proof: Vec<AlternatingPoint> = minimax.proof.multipliers.iter().filter_map(point).collect();
+    proof.sort_by_key(|point| point.position);
+    proof
+}
+
+/// The slope of the line through a point whose largest deviation is smallest, the middle one where several are, and whether it
+/// is the only one.
+fn slope_through(points: &[CalibrationPoint], through: &[Rational; 2]) -> Option<(Rational, bool)> {
+    let [x, y] = through;
+    let counted = measurements(points, [x, y]);
+    let least = Minimax::new(&counted, &[Condition::no_intercept()])?.least;
+    let mut slopes: Option<[Rational; 2]> = None;
+    for row in counted.kept() {
+        let (Some(response), [dx, _]) = (row.response(), &row.regressor) else { continue };
+        let ends = [response - &least, response + &least].map(|end| end.checked_div(dx));
+        let [Some(one), Some(other)] = ends else { continue };
+        let own = if one <= other { [one, other] } else { [other, one] };
+        slopes = Some(match slopes {
+            None => own,
+            Some([from, to]) => [from.max(own[0].clone()), to.min(own[1].clone())],
+        });
+    }
+    // Where every x is that of the point, any line through it serves; the level one is one of them.
+    let Some([from, to]) = slopes else { return Some((Rational::zero(), false)) };
+    let is_only = from == to;
+    let slopes = Interval::new(Endpoint::Finite(from), Endpoint::Finite(to))?;
+    Some((slopes.midpoint()?, is_only))
+}
+
+/// The line through both ends of points that are sorted by x.
+fn terminal(points: &[CalibrationPoint]) -> Result<[Rational; 2], NoLine> {
+    let end = |x: &Rational| {
+        let y = || points.iter().filter(|point| point.x == *x).map(|point| point.y.clone());
+        y().sum::<Rational>().checked_div(&Rational::from(y().count()))
+    };
+    let ends = || {
+        let [from, to] = [&points.first()?.x, &points.last()?.x];
+        let [at_from, at_to] = [end(from)?, end(to)?];
+        let slope = (at_to - &at_from).checked_div(&(to - from))?;
+        let intercept = at_from - &slope * from;
+        Some([slope, intercept])
+    };
+    ends().ok_or(NoLine::OneX)
+}

@@ -1,0 +1,112 @@
+//! How far a sensor's characteristic is from a straight line, in the four ways that laws and data sheets state it.
+//!
+//! *Independent* linearity is the maximum deviation of the actual characteristic, the average of upscale and downscale readings,
+//! from a straight line so positioned as to equalise and minimise the maximum deviations (US 15 CFR 772.1, "Linearity"):
+//! Chebyshev's minimax line, which three deviations that alternate in sign prove (Cheney, *Introduction to Approximation
+//! Theory*, 1966, chapter 3). *Terminal* linearity is measured from the line through both ends of the range, *zero-based*
+//! linearity from the best line through a given point, *least-squares* linearity from the least-squares line.
+
+mod characteristic;
+mod points;
+
+use boundfit_exact::Rational;
+
+pub use characteristic::{AlternatingPoint, Characteristic, LinearityLine, NoLine};
+pub use points::CalibrationPoint;
+
+use points::{Passes, points_of_passes, points_of_readings};
+
+/// Whether x was rising or falling when a reading was taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Pass {
+    /// Upscale: x was rising.
+    Up,
+    /// Downscale: x was falling.
+    Down,
+}
+
+/// One reading of a calibration.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CalibrationReading {
+    /// Number of the data row, from 1. Readings of both directions may stand in one row.
+    pub row: usize,
+    /// What was applied.
+    pub x: Rational,
+    /// What the sensor gave.
+    pub y: Rational,
+    /// In which direction it was approached, where that is known.
+    pub pass: Option<Pass>,
+}
+
+/// What linearity is asked about.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct LinearityOptions {
+    /// What percents are of; the span of the response when `None`.
+    pub full_scale: Option<Rational>,
+    /// The point (x, y) of zero-based linearity; the origin by default.
+    pub through: [Rational; 2],
+}
+
+/// A difference of readings at one x.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Difference {
+    /// How large it is.
+    pub value: Rational,
+    /// Where it is reached, ascending.
+    pub at: Vec<CalibrationPoint>,
+}
+
+/// The linearity of a calibration, with its hysteresis and repeatability.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Linearity {
+    /// Of the actual characteristic: at each x the average of the upscale and of the downscale average, or the one that there
+    /// is. Where no direction is known, every reading is a point of its own: nothing tells then which of them a law would
+    /// average, and the least error bound of a fit is that of the same readings.
+    pub average: Characteristic,
+    /// Of the upscale readings alone, averaged at each x.
+    pub up: Option<Characteristic>,
+    /// Of the downscale readings alone, averaged at each x.
+    pub down: Option<Characteristic>,
+    /// The largest difference of the upscale and the downscale average at one x; `None` where no x has both.
+    pub hysteresis: Option<Difference>,
+    /// The largest spread of readings at one x in one direction; `None` where no x was read twice in one.
+    pub repeatability: Option<Difference>,
+}
+
+impl Linearity {
+    /// Finds the linearity of readings, of which there is at least one; `None` without any. Exact. Cost: O(n log n).
+    ///
+    /// ```
+    /// use boundfit_exact::Rational;
+    /// use boundfit_questions::{CalibrationReading, Linearity, LinearityOptions};
+    ///
+    /// let readings = [(0, 0), (1, 3), (2, 4)].iter().zip(1..).map(|(&(x, y), row)| {
+    ///     CalibrationReading { row, x: Rational::from(x), y: Rational::from(y), pass: None }
+    /// });
+    /// let linearity = Linearity::new(&readings.collect::<Vec<_>>(), &LinearityOptions::default()).unwrap();
+    /// let independent = &linearity.average.independent;
+    /// assert_eq!(independent.deviation, Rational::ratio(1, 2));
+    /// assert_eq!(independent.percent, Some(Rational::ratio(25, 2)));
+    /// assert_eq!(independent.rows(&linearity.average), [1, 2, 3]);
+    /// ```
+    pub fn new(readings: &[CalibrationReading], options: &LinearityOptions) -> Option<Self> {
+        let mut sorted: Vec<&CalibrationReading> = readings.iter().collect();
+        sorted.sort_by(|one, other| (&one.x, one.row).cmp(&(&other.x, other.row)));
+        let passes = Passes::new(&sorted);
+        let points = match passes.has_directions() {
+            true => points_of_passes(&passes),
+            false => points_of_readings(&sorted),
+        };
+        let average = Characteristic::new(points, options)?;
+        let of = |points: Vec<CalibrationPoint>| {
+            passes.has_directions().then(|| Characteristic::new(points, options)).flatten()
+        };
+        Some(Linearity {
+            average,
+            up: of(passes.averages(Pass::Up)),
+            down: of(passes.averages(Pass::Down)),
+            hysteresis: passes.hysteresis(),
+            repeatability: passes.repeatability(),
+        })
+    }
+}

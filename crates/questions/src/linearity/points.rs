@@ -1,0 +1,122 @@
+//! From readings to the points of a characteristic.
+
+use boundfit_exact::Rational;
+
+use super::{CalibrationReading, Difference, Pass};
+
+/// A point of a characteristic.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CalibrationPoint {
+    /// What was applied.
+    pub x: Rational,
+    /// What the sensor gave, on average.
+    pub y: Rational,
+    /// The data rows that it comes from, ascending.
+    pub rows: Vec<usize>,
+}
+
+/// The readings at one x.
+struct Passing<'a> {
+    x: &'a Rational,
+    readings: &'a [&'a CalibrationReading],
+}
+
+/// Readings by x.
+pub(super) struct Passes<'a> {
+    places: Vec<Passing<'a>>,
+}
+
+impl<'a> Passes<'a> {
+    /// Readings that are sorted by x. Cost: linear.
+    pub(super) fn new(sorted: &'a [&'a CalibrationReading]) -> Self {
+        let places = sorted.chunk_by(|one, other| one.x == other.x);
+        let places = places.filter_map(|readings| Some(Passing { x: &readings.first()?.x, readings }));
+        Passes { places: places.collect() }
+    }
+
+    pub(super) fn has_directions(&self) -> bool {
+        self.places.iter().flat_map(|place| place.readings).any(|reading| reading.pass.is_some())
+    }
+
+    /// The average of the readings of one direction at each x that has some.
+    pub(super) fn averages(&self, pass: Pass) -> Vec<CalibrationPoint> {
+        self.places.iter().filter_map(|place| place.average(Some(pass))).collect()
+    }
+
+    /// The largest difference of both averages at one x.
+    pub(super) fn hysteresis(&self) -> Option<Difference> {
+        largest(self.places.iter().filter_map(|place| {
+            let [up, down] = [place.average(Some(Pass::Up))?, place.average(Some(Pass::Down))?];
+            Some(((up.y - down.y).abs(), place.x, place.rows(|_| true)))
+        }))
+    }
+
+    /// The largest spread of readings at one x in one direction.
+    pub(super) fn repeatability(&self) -> Option<Difference> {
+        let each = self.places.iter().flat_map(|place| {
+            [None, Some(Pass::Up), Some(Pass::Down)].into_iter().filter_map(|pass| {
+                let own = || place.readings.iter().filter(move |reading| reading.pass == pass);
+                let [least, most] =
+                    [own().map(|reading| &reading.y).min()?, own().map(|reading| &reading.y).max()?];
+                (own().count() > 1).then(|| (most - least, place.x, place.rows(|reading| reading.pass == pass)))
+            })
+        });
+        largest(each)
+    }
+}
+
+impl Passing<'_> {
+    /// The average of the readings of one direction.
+    fn average(&self, pass: Option<Pass>) -> Option<CalibrationPoint> {
+        let is_own = |reading: &CalibrationReading| reading.pass == pass;
+        let own = self.readings.iter().filter(|reading| is_own(reading));
+        let count = own.clone().count();
+        let sum: Rational = own.map(|reading| &reading.y).cloned().sum();
+        let y = sum.checked_div(&Rational::from(count))?;
+        Some(CalibrationPoint { x: self.x.clone(), y, rows: self.rows(is_own) })
+    }
+
+    /// The data rows of some of the readings.
+    fn rows(&self, is_meant: impl Fn(&CalibrationReading) -> bool) -> Vec<usize> {
+        let meant = self.readings.iter().filter(|reading| is_meant(reading));
+        let mut rows: Vec<usize> = meant.map(|reading| reading.row).collect();
+        rows.sort_unstable();
+        rows.dedup();
+        rows
+    }
+}
+
+/// The actual characteristic of readings with directions: at each x the mean of both averages, or the only one.
+pub(super) fn points_of_passes(passes: &Passes) -> Vec<CalibrationPoint> {
+    let point = |place: &Passing| {
+        let averages = [None, Some(Pass::Up), Some(Pass::Down)].map(|pass| place.average(pass));
+        let averages: Vec<Rational> = averages.into_iter().flatten().map(|point| point.y).collect();
+        let count = averages.len();
+        let y = averages.into_iter().sum::<Rational>().checked_div(&Rational::from(count))?;
+        Some(CalibrationPoint { x: place.x.clone(), y, rows: place.rows(|_| true) })
+    };
+    passes.places.iter().filter_map(point).collect()
+}
+
+/// The characteristic of readings without directions: each as it is.
+pub(super) fn points_of_readings(sorted: &[&CalibrationReading]) -> Vec<CalibrationPoint> {
+    let point = |reading: &&CalibrationReading| {
+        let CalibrationReading { row, x, y, .. } = reading;
+        CalibrationPoint { x: x.clone(), y: y.clone(), rows: vec![*row] }
+    };
+    sorted.iter().map(point).collect()
+}
+
+/// The largest of some differences, with each x where it is reached.
+fn largest<'a>(differences: impl Iterator<Item = (Rational, &'a Rational, Vec<usize>)>) -> Option<Difference> {
+    let mut found: Option<Difference> = None;
+    for (value, x, rows) in differences {
+        let point = CalibrationPoint { x: x.clone(), y: value.clone(), rows };
+        match &mut found {
+            Some(largest) if value < largest.value => {}
+            Some(largest) if value == largest.value => largest.at.push(point),
+            _ => found = Some(Difference { value, at: vec![point] }),
+        }
+    }
+    found
+}

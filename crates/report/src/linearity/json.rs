@@ -1,0 +1,219 @@
+//! The linearity of a calibration as JSON, schema `boundfit/linearity/1`.
+
+use std::collections::BTreeMap;
+
+use boundfit_exact::{Foreign, Rational};
+use boundfit_questions::{AlternatingPoint, Characteristic, Difference, Linearity, LinearityLine, LinearityOptions};
+use serde::Serialize;
+
+use super::{LinearityInput, NO_PERCENT, ResponseColumns};
+use crate::input_json::{FractionsJson, SelectionJson, fractions, selection};
+use crate::json::to_text;
+use crate::number::Number;
+use crate::origin::Origin;
+use crate::style::Style;
+
+#[derive(Serialize)]
+struct LinearityJson {
+    schema: &'static str,
+    input: InputJson,
+    #[serde(flatten)]
+    average: CharacteristicJson,
+    hysteresis: Option<Number>,
+    repeatability: Option<Number>,
+    hysteresis_percent: Option<Number>,
+    repeatability_percent: Option<Number>,
+    hysteresis_at: Vec<PlaceJson>,
+    repeatability_at: Vec<PlaceJson>,
+    proof: Vec<ProofJson>,
+    through: [Number; 2],
+    up: Option<CharacteristicJson>,
+    down: Option<CharacteristicJson>,
+    reasons: BTreeMap<&'static str, String>,
+}
+
+#[derive(Serialize)]
+struct InputJson {
+    file: Option<Foreign>,
+    rows: usize,
+    rows_total: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    selection: Option<SelectionJson>,
+    rows_missing: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    text: Option<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    fractions: Vec<FractionsJson>,
+    reading: &'static str,
+    sha256: Option<String>,
+    x: Foreign,
+    y: Option<Foreign>,
+    up: Option<Foreign>,
+    down: Option<Foreign>,
+    direction: Option<DirectionJson>,
+    points: usize,
+    full_scale: &'static str,
+}
+
+#[derive(Serialize)]
+struct DirectionJson {
+    column: Foreign,
+    up: Vec<Foreign>,
+    down: Vec<Foreign>,
+}
+
+#[derive(Serialize)]
+struct CharacteristicJson {
+    full_scale: Number,
+    span: Number,
+    independent: LineJson,
+    terminal: Option<LineJson>,
+    zero_based: LineJson,
+    least_squares: Option<LineJson>,
+}
+
+#[derive(Serialize)]
+struct LineJson {
+    deviation: Number,
+    percent: Option<Number>,
+    theta: [Number; 2],
+    rows: Vec<usize>,
+    unique: bool,
+}
+
+#[derive(Serialize)]
+struct PlaceJson {
+    x: Number,
+    rows: Vec<usize>,
+}
+
+#[derive(Serialize)]
+struct ProofJson {
+    x: Number,
+    y: Number,
+    rows: Vec<usize>,
+    deviation: Number,
+    weight: Number,
+}
+
+/// The linearity as indented JSON, with a line end.
+pub fn linearity_json(
+    linearity: &Linearity,
+    options: &LinearityOptions,
+    input: &LinearityInput,
+    origin: &Origin,
+    style: &Style,
+) -> String {
+    let average = &linearity.average;
+    let percent = |difference: Option<&Difference>| {
+        let percent = (&difference?.value * Rational::from(100)).checked_div(&average.full_scale)?;
+        Some(style.upper_number(&percent))
+    };
+    let value = |difference: Option<&Difference>| Some(style.upper_number(&difference?.value));
+    let at = |difference: Option<&Difference>| {
+        let places = difference.into_iter().flat_map(|difference| &difference.at);
+        places.map(|point| PlaceJson { x: style.number(&point.x), rows: point.rows.clone() }).collect()
+    };
+    let [hysteresis, repeatability] = [linearity.hysteresis.as_ref(), linearity.repeatability.as_ref()];
+    to_text(&LinearityJson {
+        schema: "boundfit/linearity/1",
+        input: input_json(linearity, options, input, origin),
+        average: characteristic(average, style),
+        hysteresis: value(hysteresis),
+        repeatability: value(repeatability),
+        hysteresis_percent: percent(hysteresis),
+        repeatability_percent: percent(repeatability),
+        hysteresis_at: at(hysteresis),
+        repeatability_at: at(repeatability),
+        proof: average.proof.iter().filter_map(|point| proof(average, point, style)).collect(),
+        through: style.numbers(&options.through),
+        up: linearity.up.as_ref().map(|up| characteristic(up, style)),
+        down: linearity.down.as_ref().map(|down| characteristic(down, style)),
+        reasons: reasons(linearity, input),
+    })
+}
+
+fn characteristic(characteristic: &Characteristic, style: &Style) -> CharacteristicJson {
+    let line = |line: &LinearityLine| LineJson {
+        deviation: style.upper_number(&line.deviation),
+        percent: line.percent.as_ref().map(|percent| style.upper_number(percent)),
+        theta: style.numbers(&line.theta),
+        rows: line.rows(characteristic),
+        unique: line.unique,
+    };
+    CharacteristicJson {
+        full_scale: style.number(&characteristic.full_scale),
+        span: style.number(&characteristic.span),
+        independent: line(&characteristic.independent),
+        terminal: characteristic.terminal.as_ref().ok().map(line),
+        zero_based: line(&characteristic.zero_based),
+        least_squares: characteristic.least_squares.as_ref().ok().map(line),
+    }
+}
+
+fn proof(average: &Characteristic, point: &AlternatingPoint, style: &Style) -> Option<ProofJson> {
+    let place = average.points.get(point.position)?;
+    Some(ProofJson {
+        x: style.number(&place.x),
+        y: style.number(&place.y),
+        rows: place.rows.clone(),
+        deviation: style.number(&point.deviation),
+        weight: style.number(&point.weight),
+    })
+}
+
+fn input_json(
+    linearity: &Linearity,
+    options: &LinearityOptions,
+    input: &LinearityInput,
+    origin: &Origin,
+) -> InputJson {
+    let (y, up, down, direction) = match input.response.clone() {
+        ResponseColumns::One(y) => (Some(y), None, None, None),
+        ResponseColumns::Two { up, down } => (None, Some(up), Some(down), None),
+        ResponseColumns::Directed { y, direction, words: [up, down] } => {
+            (Some(y), None, None, Some(DirectionJson { column: direction, up, down }))
+        }
+    };
+    InputJson {
+        file: origin.file.map(Foreign::from),
+        rows: input.rows,
+        rows_total: input.rows_total,
+        selection: selection(&input.selection),
+        rows_missing: input.rows_missing,
+        text: input.written.clone(),
+        fractions: input.fractions.iter().cloned().map(fractions).collect(),
+        reading: origin.reading.name(),
+        sha256: input.sha256.clone(),
+        x: input.x.clone(),
+        y,
+        up,
+        down,
+        direction,
+        points: linearity.average.points.len(),
+        full_scale: if options.full_scale.is_some() { "given" } else { "span" },
+    }
+}
+
+/// Why each part that is null is null.
+fn reasons(linearity: &Linearity, input: &LinearityInput) -> BTreeMap<&'static str, String> {
+    let mut reasons = BTreeMap::new();
+    if let Err(no_line) = &linearity.average.terminal {
+        reasons.insert("terminal", no_line.to_string());
+        reasons.insert("least_squares", no_line.to_string());
+    }
+    if linearity.average.full_scale.is_zero() {
+        reasons.insert("percent", NO_PERCENT.to_owned());
+    }
+    if linearity.hysteresis.is_none() {
+        let reason = match input.response {
+            ResponseColumns::One(_) => "no direction is told",
+            _ => "no x was read in both directions",
+        };
+        reasons.insert("hysteresis", reason.to_owned());
+    }
+    if linearity.repeatability.is_none() {
+        reasons.insert("repeatability", "no x was read twice in one direction".to_owned());
+    }
+    reasons
+}
