@@ -19,6 +19,8 @@ pub(crate) mod times {
     pub(crate) const SWEEP: u64 = 4;
     /// Linear programs, and the exact simplex that judges their answers.
     pub(crate) const CHECK: u64 = 4;
+    /// A few products for each value.
+    pub(crate) const PREDICT: u64 = 2;
     /// The minimax lines of three characteristics, each in general and through a point.
     pub(crate) const LINEARITY: u64 = 6;
     /// A figure; all of them are six.

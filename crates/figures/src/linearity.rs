@@ -9,9 +9,7 @@ use crate::clip::Place;
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::extent::Extent;
 use crate::labels::{LONGEST_NAME, number, unit, with_unit};
-use crate::palette::{
-    BLUE, Dash, FAINT_INK, Fill, GREEN, INK, Mark, PURPLE, SKY, Shape, Stroke, VERMILLION,
-};
+use crate::palette::{BLUE, Dash, FAINT_INK, Fill, GREEN, INK, Mark, PURPLE, SKY, Shape, Stroke, VERMILLION};
 use crate::picture::{FigureError, Picture};
 use crate::render::{self, BOTTOM_LABELS, LEFT_LABELS, WIDTH};
 use crate::text::one_line;
@@ -36,7 +34,7 @@ const PROOF_MARK: Mark = Mark::new(Shape::Circle, 7.4, PURPLE);
 /// More points than this are thinned out to the extreme ones of each pixel.
 const MOST_POINTS: usize = 1_000;
 /// Significant digits of percents.
-const DIGITS: usize = 4;
+const DIGITS: usize = 5;
 
 /// What the figure calls what it shows.
 #[derive(Debug, Clone, Default)]
@@ -144,7 +142,8 @@ impl Sheet<'_> {
             Axis::new(self.ordinate(), &least, &most, (frame.height / 33.0) as usize),
         ];
         let mut panel = Panel::new(frame, axes, false);
-        let [top, bottom, zero] = [band.clone(), -band, Rational::zero()].map(|at| panel.place([&from, &at])[1]);
+        let [top, bottom, zero] =
+            [band.clone(), -band, Rational::zero()].map(|at| panel.place([&from, &at])[1]);
         panel.area(&[[0.0, bottom], [1.0, bottom], [1.0, top], [0.0, top]], BAND);
         panel.line(&[[0.0, zero], [1.0, zero]], ZERO);
         for edge in [top, bottom] {
@@ -209,7 +208,9 @@ impl Sheet<'_> {
         let x = one_line(&self.labels.x, LONGEST_NAME);
         let deviation = self.with_unit_of_y(&self.line().deviation, Rounding::Up);
         let full_scale = self.with_unit_of_y(&self.linearity.average.full_scale, Rounding::Nearest);
-        format!("best straight line y = {slope}·{x} {sign} {intercept},  ±{deviation},  full scale {full_scale}")
+        format!(
+            "best straight line y = {slope}·{x} {sign} {intercept},  ±{deviation},  full scale {full_scale}"
+        )
     }
 
     /// The other ways to state it, and hysteresis and repeatability.

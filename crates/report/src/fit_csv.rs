@@ -105,19 +105,19 @@ impl Table {
 }
 
 /// The shortest text that is read as this double.
-fn shown(double: f64) -> String {
+pub(crate) fn shown(double: f64) -> String {
     format!("{double:?}")
 }
 
 /// The largest double that is not greater.
-fn down(value: &Rational) -> f64 {
+pub(crate) fn down(value: &Rational) -> f64 {
     let nearest = value.to_f64();
     let is_greater = Rational::from_f64(nearest).map_or(nearest > 0.0, |double| double > *value);
     if is_greater { nearest.next_down() } else { nearest }
 }
 
 /// The least double that is not smaller.
-fn up(value: &Rational) -> f64 {
+pub(crate) fn up(value: &Rational) -> f64 {
     -down(&-value)
 }
 

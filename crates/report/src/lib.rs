@@ -51,6 +51,7 @@ mod number;
 mod origin;
 #[cfg(feature = "files")]
 mod polygon;
+mod predict;
 #[cfg(feature = "files")]
 mod proof_json;
 #[cfg(feature = "files")]
@@ -91,6 +92,11 @@ pub use number::Number;
 pub use origin::Origin;
 #[cfg(feature = "files")]
 pub use polygon::{polygon_document, polygon_json};
+#[cfg(feature = "files")]
+pub use predict::prediction_proof;
+pub use predict::{
+    AskedValues, Prediction, prediction_document, write_prediction_csv, write_prediction_json,
+};
 #[cfg(feature = "files")]
 pub use proof_json::proof_json;
 #[cfg(feature = "files")]

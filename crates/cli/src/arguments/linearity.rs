@@ -93,9 +93,8 @@ impl LinearityArguments {
         let Some(text) = &self.through else { return Ok(<[Rational; 2]>::default()) };
         let refuse = |problem: String| Failure::value("--through <X,Y>", text, problem);
         let (x, y) = text.split_once(',').ok_or_else(|| refuse(EXPECTED.to_owned()))?;
-        let number = |text: &str| {
-            self.number(text.trim()).map_err(|error| refuse(number_problem(&error, EXPECTED)))
-        };
+        let number =
+            |text: &str| self.number(text.trim()).map_err(|error| refuse(number_problem(&error, EXPECTED)));
         Ok([number(x)?, number(y)?])
     }
 

@@ -1,11 +1,71 @@
 //! The arguments of `boundfit predict`.
+
 use clap::Args;
+use clap::builder::NonEmptyStringValueParser;
+
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
-use super::DataArguments;
-pub(super) const NOTES: Notes = Notes { examples: &[], statuses: &[(0, "an answer was found"), BAD_DATA, BAD_USAGE] };
-/// Predict
+use super::{DataArguments, OutputArguments, TableFormat, ThreadArguments};
+
+pub(super) const NOTES: Notes = Notes {
+    examples: &[
+        (
+            "Where the line runs at two x, and where a further reading lies there",
+            "boundfit predict transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --at 3.7,9/2",
+        ),
+        (
+            "Which x a reading may come from, with the rows that prove it",
+            "boundfit predict transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --from 0.012 --proofs",
+        ),
+        (
+            "The corridor at 101 values of x, as a table",
+            "boundfit predict transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --grid 0..10/100 -o corridor.csv",
+        ),
+        (
+            "At all values of a column of another file",
+            "boundfit predict readings.csv --x x --y y --eps 0.1 --at new.csv:x --format csv",
+        ),
+    ],
+    statuses: &[
+        (0, "an answer was found"),
+        BAD_DATA,
+        BAD_USAGE,
+        (3, "the feasible parameter set is empty, and predicts nothing; the proof is printed"),
+    ],
+};
+
+/// Predict: where the line runs at an x, where a further reading lies there, and which x a reading may come from
+///
+/// At x the lines that agree with all readings take the values of an interval, which is exact and has a proof. A further
+/// reading lies in it, widened by the reading's own error bound: that of the fitted readings where it says something of
+/// others, or --new-eps. The other way round, a reading may come from every x where the interval of some line, so widened,
+/// holds it: up to three intervals, some without an end.
 #[derive(Debug, Args)]
+#[command(after_help = NOTES.to_string())]
 pub(crate) struct PredictArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
+    /// Where: numbers exactly as written, 3.7,9/2, or all of a column of a table, FILE:COL. With two regressors pairs, '1;2,3;4'
+    /// or FILE:COL;COL2. Repeatable
+    #[arg(long, value_name = "X,...|FILE:COL", allow_hyphen_values = true,
+          required_unless_present_any = ["from", "grid"])]
+    pub(crate) at: Vec<String>,
+    /// Readings of which is asked what x they may come from: numbers, or all of a column, FILE:COL. Repeatable
+    #[arg(long, value_name = "Y,...|FILE:COL", allow_hyphen_values = true)]
+    pub(crate) from: Vec<String>,
+    /// Ask at N + 1 values of x in equal steps, ends included
+    #[arg(long, value_name = "FROM..TO/N", allow_hyphen_values = true)]
+    pub(crate) grid: Option<String>,
+    /// Error bound of a further reading, where it is not that of the fitted ones: a number, or a law as --eps takes it
+    #[arg(long, value_name = "NUM", allow_hyphen_values = true)]
+    pub(crate) new_eps: Option<String>,
+    /// Show in text the readings that prove each end (JSON always does)
+    #[arg(long)]
+    pub(crate) proofs: bool,
+    /// Write the proof of every end to this file; 'boundfit verify' checks it
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    pub(crate) proof: Option<String>,
+    #[command(flatten)]
+    pub(crate) threads: ThreadArguments,
+    #[command(flatten)]
+    pub(crate) output: OutputArguments<TableFormat>,
 }

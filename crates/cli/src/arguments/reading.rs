@@ -35,6 +35,11 @@ impl DataArguments {
         &self.data
     }
 
+    /// Whether the model has two regressors instead of x and a constant.
+    pub(crate) fn has_two_regressors(&self) -> bool {
+        self.x.second.is_some()
+    }
+
     /// Opens the file.
     pub(crate) fn open(&self) -> Data<'_> {
         let source = input::open(&self.data).map_err(Failure::data);

@@ -99,7 +99,16 @@ impl Characteristic {
         let terminal = terminal(&points).map(|theta| measured(theta, true));
         let least_squares = LeastSquares::new(&measurements).map_err(|_| NoLine::OneX);
         let least_squares = least_squares.map(|estimate| measured(estimate.theta, true));
-        Some(Characteristic { span, full_scale, independent, proof, terminal, zero_based, least_squares, points })
+        Some(Characteristic {
+            span,
+            full_scale,
+            independent,
+            proof,
+            terminal,
+            zero_based,
+            least_squares,
+            points,
+        })
     }
 }
 
@@ -110,7 +119,8 @@ fn measured(
     unique: bool,
     full_scale: &Rational,
 ) -> LinearityLine {
-    let mut line = LinearityLine { deviation: Rational::zero(), percent: None, theta, unique, at: Vec::new() };
+    let mut line =
+        LinearityLine { deviation: Rational::zero(), percent: None, theta, unique, at: Vec::new() };
     for (position, point) in points.iter().enumerate() {
         let deviation = line.deviation_at(point).abs();
         if deviation > line.deviation {

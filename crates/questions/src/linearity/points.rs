@@ -58,7 +58,8 @@ impl<'a> Passes<'a> {
                 let own = || place.readings.iter().filter(move |reading| reading.pass == pass);
                 let [least, most] =
                     [own().map(|reading| &reading.y).min()?, own().map(|reading| &reading.y).max()?];
-                (own().count() > 1).then(|| (most - least, place.x, place.rows(|reading| reading.pass == pass)))
+                (own().count() > 1)
+                    .then(|| (most - least, place.x, place.rows(|reading| reading.pass == pass)))
             })
         });
         largest(each)
@@ -108,7 +109,9 @@ pub(super) fn points_of_readings(sorted: &[&CalibrationReading]) -> Vec<Calibrat
 }
 
 /// The largest of some differences, with each x where it is reached.
-fn largest<'a>(differences: impl Iterator<Item = (Rational, &'a Rational, Vec<usize>)>) -> Option<Difference> {
+fn largest<'a>(
+    differences: impl Iterator<Item = (Rational, &'a Rational, Vec<usize>)>,
+) -> Option<Difference> {
     let mut found: Option<Difference> = None;
     for (value, x, rows) in differences {
         let point = CalibrationPoint { x: x.clone(), y: value.clone(), rows };

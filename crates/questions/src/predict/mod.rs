@@ -91,7 +91,10 @@ impl<'a> Predictor<'a> {
     }
 
     /// As [`Predictor::sources`], for many y. Cost for each: logarithmic.
-    pub fn sources_of_many<'b>(&self, error: &'b FurtherError) -> impl Fn(&Rational) -> Vec<PossibleX> + use<'b> {
+    pub fn sources_of_many<'b>(
+        &self,
+        error: &'b FurtherError,
+    ) -> impl Fn(&Rational) -> Vec<PossibleX> + use<'b> {
         let Corridor { lower, upper } = &self.corridor;
         let [above, below] = error.of_x();
         let zero = error.zero_of_x();

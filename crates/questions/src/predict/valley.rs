@@ -58,14 +58,11 @@ impl Valley {
         let value = |[slope, intercept]: &[Rational; 2], x: &Rational| slope * x + intercept;
         let nodes: Vec<[Rational; 2]> =
             breaks.into_iter().zip(&lines).map(|(x, line)| [x.clone(), value(line, &x)]).collect();
-        let end = |x: Option<&Rational>, line: Option<&[Rational; 2]>| {
-            Some([x?.clone(), value(line?, x?)])
-        };
+        let end = |x: Option<&Rational>, line: Option<&[Rational; 2]>| Some([x?.clone(), value(line?, x?)]);
         let at_ends = match &domain {
-            Some(domain) => [
-                end(domain.lower().value(), lines.first()),
-                end(domain.upper().value(), lines.last()),
-            ],
+            Some(domain) => {
+                [end(domain.lower().value(), lines.first()), end(domain.upper().value(), lines.last())]
+            }
             None => [None, None],
         };
         let falling = lines.partition_point(|[slope, _]| slope.is_negative());

@@ -45,13 +45,12 @@ pub fn linearity_csv(linearity: &Linearity) -> String {
             row(cells(name, method, numbers, &line.rows(characteristic)));
         }
     }
-    let differences =
-        [("hysteresis", &linearity.hysteresis), ("repeatability", &linearity.repeatability)];
+    let differences = [("hysteresis", &linearity.hysteresis), ("repeatability", &linearity.repeatability)];
     for (method, difference) in differences {
         let Some(difference) = difference else { continue };
-        let percent =
-            (&difference.value * Rational::from(100)).checked_div(&linearity.average.full_scale);
-        let mut rows: Vec<usize> = difference.at.iter().flat_map(|point| point.rows.iter().copied()).collect();
+        let percent = (&difference.value * Rational::from(100)).checked_div(&linearity.average.full_scale);
+        let mut rows: Vec<usize> =
+            difference.at.iter().flat_map(|point| point.rows.iter().copied()).collect();
         rows.sort_unstable();
         rows.dedup();
         row(cells("", method, [Some(&difference.value), percent.as_ref(), None, None], &rows));

@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 
 use boundfit_exact::{Foreign, Rational};
-use boundfit_questions::{AlternatingPoint, Characteristic, Difference, Linearity, LinearityLine, LinearityOptions};
+use boundfit_questions::{
+    AlternatingPoint, Characteristic, Difference, Linearity, LinearityLine, LinearityOptions,
+};
 use serde::Serialize;
 
 use super::{LinearityInput, NO_PERCENT, ResponseColumns};

@@ -85,7 +85,8 @@ pub(crate) fn lines(characteristic: &Characteristic) -> [Result<&LinearityLine, 
 }
 
 /// Why there are no percents.
-pub(crate) const NO_PERCENT: &str = "full scale is 0: all readings are the same, and nothing is a percentage of that";
+pub(crate) const NO_PERCENT: &str =
+    "full scale is 0: all readings are the same, and nothing is a percentage of that";
 
 /// The report of a calibration.
 pub fn linearity_document(
@@ -96,10 +97,8 @@ pub fn linearity_document(
     style: &Style,
 ) -> Document {
     let report = Report { linearity, options, input, style };
-    let mut blocks = vec![
-        Block::Title("Linearity".into()),
-        Block::Facts(Facts { width: 10, rows: report.facts(origin) }),
-    ];
+    let mut blocks =
+        vec![Block::Title("Linearity".into()), Block::Facts(Facts { width: 10, rows: report.facts(origin) })];
     let parts = [
         ("", Some(&linearity.average)),
         ("Upscale readings alone", linearity.up.as_ref()),
@@ -159,9 +158,9 @@ impl Report<'_> {
     fn response(&self) -> Text {
         let points = counted(self.linearity.average.points.len(), "point", "points");
         match &self.input.response {
-            ResponseColumns::One(y) => {
-                Text::new().given(y).words(", each reading as it is: no direction is known, so that none are averaged")
-            }
+            ResponseColumns::One(y) => Text::new()
+                .given(y)
+                .words(", each reading as it is: no direction is known, so that none are averaged"),
             ResponseColumns::Two { up, down } => Text::from("at each x the average of ")
                 .given(up)
                 .words(" and ")
@@ -207,8 +206,10 @@ impl Report<'_> {
                 Ok(line) => {
                     let [slope, intercept] =
                         line.theta.each_ref().map(|value| Text::new().number(style.nearest(value)));
-                    let percent =
-                        line.percent.as_ref().map_or("-".into(), |percent| Text::new().number(style.upper(percent)));
+                    let percent = line
+                        .percent
+                        .as_ref()
+                        .map_or("-".into(), |percent| Text::new().number(style.upper(percent)));
                     let at = list(line.rows(characteristic).iter().map(ToString::to_string));
                     let deviation = Text::new().number(style.upper(&line.deviation));
                     rows.push(vec![(*name).into(), deviation, percent, slope, intercept, at.into()]);

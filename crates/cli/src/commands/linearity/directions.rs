@@ -136,7 +136,10 @@ mod tests {
             assert_eq!(passes(words).as_deref(), Ok(expected), "{words:?}");
         }
         for (words, message) in [
-            (&["in", "out", "over"][..], "data row 3: \"over\" is a third direction beside \"in\" and \"out\""),
+            (
+                &["in", "out", "over"][..],
+                "data row 3: \"over\" is a third direction beside \"in\" and \"out\"",
+            ),
             (&["up", "down", "over"], "data row 3: \"over\" is a third direction beside \"up\" and \"down\""),
             (&["up", " "], "data row 2: the direction is missing"),
         ] {

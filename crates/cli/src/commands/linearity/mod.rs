@@ -30,11 +30,8 @@ pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
     let source = input::open(&arguments.data).map_err(Failure::data);
     let is_stored = source.as_ref().is_ok_and(Source::is_stored);
     let reading = if is_stored { Reading::Binary64 } else { arguments.table.reading() };
-    let origin = Origin {
-        file: (arguments.data != "-").then_some(Foreign::of(&arguments.data)),
-        reading,
-        is_stored,
-    };
+    let origin =
+        Origin { file: (arguments.data != "-").then_some(Foreign::of(&arguments.data)), reading, is_stored };
     let Calibration { readings, input } = Calibration::read(source?, arguments)?;
     let mut work = Work::default();
     let given = [options.full_scale.as_ref(), Some(&options.through[0]), Some(&options.through[1])];

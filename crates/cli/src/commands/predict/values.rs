@@ -1,0 +1,191 @@
+//! The values that predictions are asked about.
+
+use std::sync::Arc;
+
+use boundfit_exact::{Column, Limit, Limits, Rational, Reading, Work};
+use boundfit_formats::{Batch, ColumnSelector, HeldRows, ScanOptions, scan};
+
+use crate::arguments::{DataArguments, number_problem};
+use crate::exit::Failure;
+use crate::input;
+
+/// Values of one option.
+#[derive(Default)]
+pub(super) struct Values {
+    parts: Vec<Part>,
+    /// What stands beside a single number.
+    second: Rational,
+}
+
+/// Some of them.
+enum Part {
+    Given(Vec<[Rational; 2]>),
+    /// Columns of a file, a part of it each.
+    Read(Vec<Vec<Column>>),
+    Grid {
+        from: Rational,
+        step: Rational,
+        count: usize,
+    },
+}
+
+/// What an option says before any file is read.
+pub(super) enum Asked {
+    Numbers(Vec<[Rational; 2]>),
+    File { path: String, columns: Vec<ColumnSelector> },
+}
+
+/// An option of values.
+#[derive(Clone, Copy)]
+pub(super) struct ValueOption {
+    pub(super) name: &'static str,
+    /// How many numbers make a value.
+    pub(super) numbers: usize,
+    /// What stands beside a single number.
+    pub(super) second: i64,
+}
+
+impl ValueOption {
+    /// Reads the text of an option: numbers, or a file and its columns.
+    pub(super) fn parse(self, text: &str, limits: &Limits) -> Result<Asked, Failure> {
+        let expected = match self.numbers {
+            1 => "expected numbers such as 3.7,9/2, or FILE:COL",
+            _ => "expected pairs of numbers such as '1;2,3;4', or FILE:COL;COL2",
+        };
+        let refuse = |problem: String| Failure::value(self.name, text, problem);
+        let number = |text: &str| Reading::Decimal.read(text.trim(), limits);
+        let numbers = |value: &str| {
+            let parts: Vec<&str> = value.split(';').collect();
+            if parts.len() != self.numbers {
+                return Err(expected.to_owned());
+            }
+            let read = parts.iter().map(|part| number(part));
+            let read = read.collect::<Result<Vec<Rational>, _>>();
+            let mut read = read.map_err(|error| number_problem(&error, expected))?.into_iter();
+            let first = read.next().unwrap_or_default();
+            Ok([first, read.next().unwrap_or_else(|| Rational::from(self.second))])
+        };
+        let all = text.split(',').map(numbers).collect::<Result<Vec<[Rational; 2]>, String>>();
+        let problem = match (all, text.rsplit_once(':')) {
+            (Ok(all), _) => return Ok(Asked::Numbers(all)),
+            (Err(problem), None) => problem,
+            (Err(_), Some((path, columns))) => {
+                let columns: Vec<&str> = columns.split(';').collect();
+                let are_named = columns.iter().all(|column| !column.trim().is_empty());
+                if columns.len() == self.numbers && are_named && !path.is_empty() {
+                    let columns = columns.into_iter().map(ColumnSelector::name_or_number).collect();
+                    return Ok(Asked::File { path: path.to_owned(), columns });
+                }
+                expected.to_owned()
+            }
+        };
+        Err(refuse(problem))
+    }
+}
+
+impl Values {
+    /// No values yet, beside each of which stands this.
+    pub(super) fn beside(second: i64) -> Self {
+        Values { parts: Vec::new(), second: Rational::from(second) }
+    }
+
+    /// Adds what an option asks for; of a file what its columns hold.
+    pub(super) fn add(&mut self, asked: Asked, data: &DataArguments) -> Result<(), Failure> {
+        self.parts.push(match asked {
+            Asked::Numbers(numbers) => Part::Given(numbers),
+            Asked::File { path, columns } => Part::Read(read(&path, &columns, data)?),
+        });
+        Ok(())
+    }
+
+    /// Adds values in equal steps.
+    pub(super) fn add_grid(&mut self, text: &str, limits: &Limits, most: usize) -> Result<(), Failure> {
+        const EXPECTED: &str =
+            "expected FROM..TO/N with FROM < TO and N steps between them, such as 0..10/100";
+        let refuse = |problem: String| Failure::value("--grid <FROM..TO/N>", text, problem);
+        let bad = || refuse(EXPECTED.to_owned());
+        // The last stroke stands before N: both ends may be fractions.
+        let (ends, count) = text.rsplit_once('/').ok_or_else(bad)?;
+        let (from, to) = ends.split_once("..").ok_or_else(bad)?;
+        let number = |text: &str| {
+            let number = Reading::Decimal.read(text.trim(), limits);
+            number.map_err(|error| refuse(format!("{text:?}: {}", number_problem(&error, EXPECTED))))
+        };
+        let (from, to) = (number(from)?, number(to)?);
+        let steps: usize = count.trim().parse().map_err(|_| bad())?;
+        if steps >= most {
+            let flag = Limit::Rows.flag();
+            return Err(refuse(format!("refused: more than {most} values (the limit; {flag} raises it)")));
+        }
+        let step = (&to - &from).checked_div(&Rational::from(steps)).ok_or_else(bad)?;
+        if !step.is_positive() {
+            return Err(bad());
+        }
+        self.parts.push(Part::Grid { from, step, count: steps + 1 });
+        Ok(())
+    }
+
+    pub(super) fn len(&self) -> usize {
+        let of = |part: &Part| match part {
+            Part::Given(values) => values.len(),
+            Part::Read(batches) => batches.iter().map(|columns| columns.first().map_or(0, Column::len)).sum(),
+            Part::Grid { count, .. } => *count,
+        };
+        self.parts.iter().map(of).sum()
+    }
+
+    /// The values, in the order in which they were asked for.
+    pub(super) fn iter(&self) -> Box<dyn Iterator<Item = [Rational; 2]> + '_> {
+        Box::new(self.parts.iter().flat_map(|part| self.values(part)))
+    }
+
+    fn values<'a>(&'a self, part: &'a Part) -> Box<dyn Iterator<Item = [Rational; 2]> + 'a> {
+        match part {
+            Part::Given(values) => Box::new(values.iter().cloned()),
+            Part::Grid { from, step, count } => {
+                let at = move |index| from + step * Rational::from(index);
+                Box::new((0..*count).map(move |index| [at(index), self.second.clone()]))
+            }
+            Part::Read(batches) => Box::new(batches.iter().flat_map(move |columns| {
+                let rows = columns.first().map_or(0, Column::len);
+                let second = move |row| match columns.get(1) {
+                    Some(column) => column.get(row),
+                    None => self.second.clone(),
+                };
+                (0..rows).filter_map(move |row| Some([columns.first()?.get(row), second(row)]))
+            })),
+        }
+    }
+
+    /// What arithmetic on them takes, beside numbers of so many bits.
+    pub(super) fn work(&self, bits: u64) -> Work {
+        let mut work = Work::default();
+        for (value, row) in self.iter().zip(1..) {
+            work.add_products(row, value.iter(), bits);
+        }
+        work
+    }
+}
+
+/// The columns of a file.
+fn read(path: &str, columns: &[ColumnSelector], data: &DataArguments) -> Result<Vec<Vec<Column>>, Failure> {
+    let source = input::open(path).map_err(Failure::data)?;
+    let name = source.name().to_owned();
+    let options = data.table.scan_options(&source, None)?;
+    let mut options = ScanOptions { hash: false, list_rows: false, ..options };
+    let held: Arc<HeldRows> = HeldRows::limiting(&mut options);
+    let mut batches = Vec::new();
+    let scanned = scan(
+        source,
+        columns,
+        &options,
+        |batch: Batch| batch.columns,
+        |columns| {
+            held.add(columns.first().map_or(0, Column::len));
+            batches.push(columns);
+        },
+    );
+    held.check(name.raw()).map_err(Failure::data)?;
+    scanned.map_err(Failure::data)?;
+    Ok(batches)
+}

@@ -1,0 +1,221 @@
+//! Predictions as JSON, schema `boundfit/predict/1`.
+
+use std::cell::Cell;
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+
+use boundfit_exact::{Foreign, Rational};
+use boundfit_geometry::Support;
+use boundfit_questions::{FurtherError, PossibleEnd, PossibleX, Predictor};
+use serde::{Serialize, Serializer};
+
+use super::{AskedValues, Prediction};
+use crate::input_json::InputJson;
+use crate::json::{CertificateJson, RangeJson, TermJson};
+use crate::number::Number;
+use crate::style::Style;
+
+#[derive(Serialize)]
+struct PredictionJson<A: Serialize, F: Serialize> {
+    schema: &'static str,
+    input: InputJson,
+    fps: FpsJson,
+    new_reading: Option<NewReadingJson>,
+    at: A,
+    from: F,
+    reasons: BTreeMap<&'static str, String>,
+}
+
+#[derive(Serialize)]
+struct FpsJson {
+    kind: &'static str,
+    certificate: Option<CertificateJson>,
+}
+
+/// What is known of the error of a further reading.
+#[derive(Serialize)]
+struct NewReadingJson {
+    epsilon: Option<Number>,
+    law: Option<Foreign>,
+    given: bool,
+}
+
+#[derive(Serialize)]
+struct AtJson {
+    x: ValueJson,
+    line: RangeJson,
+    reading: Option<RangeJson>,
+    proof: EndsJson,
+}
+
+/// An x, or both regressors.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum ValueJson {
+    One(Number),
+    Two([Number; 2]),
+}
+
+#[derive(Serialize)]
+struct EndsJson {
+    lower: Option<EndJson>,
+    upper: Option<EndJson>,
+}
+
+/// Where an end of the line's interval is reached, and the half-planes that prove it; or along which ray there is none.
+#[derive(Serialize)]
+struct EndJson {
+    theta: [Number; 2],
+    active: Vec<TermJson>,
+    ray: Option<[Number; 2]>,
+}
+
+#[derive(Serialize)]
+struct FromJson {
+    y: Number,
+    x: Vec<PossibleJson>,
+}
+
+#[derive(Serialize)]
+struct PossibleJson {
+    #[serde(flatten)]
+    range: RangeJson,
+    lower_included: Option<bool>,
+    upper_included: Option<bool>,
+    proof: SourceEndsJson,
+}
+
+#[derive(Serialize)]
+struct SourceEndsJson {
+    lower: Option<SourceEndJson>,
+    upper: Option<SourceEndJson>,
+}
+
+/// Which end of the line's interval decides where an interval of x ends, and why it is what it is there.
+#[derive(Serialize)]
+struct SourceEndJson {
+    line: &'static str,
+    #[serde(flatten)]
+    end: Option<EndJson>,
+}
+
+/// A list that is made while it is written, once.
+struct Each<I>(Cell<Option<I>>);
+
+impl<I: Iterator<Item = T>, T: Serialize> Serialize for Each<I> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.0.take().into_iter().flatten())
+    }
+}
+
+/// Writes predictions as indented JSON, with a line end. Each is made when it is written.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_prediction_json(prediction: &Prediction, style: &Style, to: &mut dyn Write) -> io::Result<()> {
+    let Prediction { problem, fit, origin, .. } = prediction;
+    let predictor = prediction.predictor();
+    let contradiction = fit.contradiction(problem.measurements.error_bound());
+    let certificate = contradiction.map(|terms| CertificateJson {
+        farkas: terms.iter().map(|(name, m)| TermJson::new(*name, m, style)).collect(),
+    });
+    let AskedValues { values: at, .. } = prediction.at;
+    let AskedValues { values: from, .. } = prediction.from;
+    let at =
+        predictor.as_ref().map(|predictor| at().map(|value| at_json(prediction, predictor, &value, style)));
+    let from = predictor.as_ref().map(|predictor| {
+        let of = prediction.sources(predictor);
+        from().map(move |[y, _]| FromJson {
+            x: of(&y).into_iter().map(|own| possible_json(prediction, predictor, &own, style)).collect(),
+            y: style.number(&y),
+        })
+    });
+    let mut reasons = BTreeMap::new();
+    if predictor.is_none() {
+        reasons.insert("at", "the FPS is empty".to_owned());
+        reasons.insert("from", "the FPS is empty".to_owned());
+    }
+    if let Err(reason) = &prediction.error {
+        reasons.insert("reading", reason.to_string());
+    }
+    let written = PredictionJson {
+        schema: "boundfit/predict/1",
+        input: InputJson::new(problem, origin, style),
+        fps: FpsJson { kind: fit.fps.polyhedron().region().kind().name(), certificate },
+        new_reading: prediction.error.as_ref().ok().map(|error| new_reading(prediction, error, style)),
+        at: Each(Cell::new(Some(at.into_iter().flatten()))),
+        from: Each(Cell::new(Some(from.into_iter().flatten()))),
+        reasons,
+    };
+    serde_json::to_writer_pretty(&mut *to, &written)?;
+    to.write_all(b"\n")
+}
+
+fn new_reading(prediction: &Prediction, error: &FurtherError, style: &Style) -> NewReadingJson {
+    let law = prediction.given.as_ref().or_else(|| prediction.problem.measurements.law());
+    NewReadingJson {
+        epsilon: error.uniform().map(|epsilon| style.upper_number(epsilon)),
+        law: law.filter(|_| error.uniform().is_none()).map(|law| law.text().to_owned()),
+        given: prediction.given.is_some(),
+    }
+}
+
+fn at_json(prediction: &Prediction, predictor: &Predictor, value: &[Rational; 2], style: &Style) -> AtJson {
+    let form = prediction.form(value);
+    let (line, reading) = prediction.at(predictor, &form);
+    let [lower, upper] = predictor.ends(&form).map(|support| end_json(prediction, &support, style));
+    let x = match prediction.is_line() {
+        true => ValueJson::One(style.number(&value[0])),
+        false => ValueJson::Two(style.numbers(value)),
+    };
+    AtJson {
+        x,
+        line: RangeJson::new(&line, style),
+        reading: reading.map(|reading| RangeJson::new(&reading, style)),
+        proof: EndsJson { lower, upper },
+    }
+}
+
+fn end_json(prediction: &Prediction, support: &Support, style: &Style) -> Option<EndJson> {
+    Some(match support {
+        Support::Empty(_) => return None,
+        Support::Bounded { proof, .. } => {
+            let named = proof.multipliers.iter();
+            let named = named.map(|m| TermJson::new(prediction.fit.fps.name(m.index), &m.value, style));
+            EndJson {
+                theta: style.numbers(&proof.attained_at.coordinates()),
+                active: named.collect(),
+                ray: None,
+            }
+        }
+        Support::Unbounded(proof) => EndJson {
+            theta: style.numbers(&proof.point.coordinates()),
+            active: Vec::new(),
+            ray: Some(style.numbers(&[proof.ray.dx(), proof.ray.dy()].map(Rational::from))),
+        },
+    })
+}
+
+fn possible_json(
+    prediction: &Prediction,
+    predictor: &Predictor,
+    PossibleX { lower, upper }: &PossibleX,
+    style: &Style,
+) -> PossibleJson {
+    let why = |end: &Option<PossibleEnd>| {
+        end.as_ref().map(|end| SourceEndJson {
+            line: if end.by_upper { "upper" } else { "lower" },
+            end: end_json(prediction, &prediction.why(predictor, end), style),
+        })
+    };
+    let included = |end: &Option<PossibleEnd>| end.as_ref().map(|end| end.included);
+    PossibleJson {
+        range: RangeJson {
+            lower: lower.as_ref().map(|end| style.lower_number(&end.x)),
+            upper: upper.as_ref().map(|end| style.upper_number(&end.x)),
+        },
+        lower_included: included(lower),
+        upper_included: included(upper),
+        proof: SourceEndsJson { lower: why(lower), upper: why(upper) },
+    }
+}

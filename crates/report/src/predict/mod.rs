@@ -1,0 +1,300 @@
+//! The report of predictions: the line at an x, a further reading there, and the x that a reading may come from.
+
+mod csv;
+mod json;
+#[cfg(feature = "files")]
+mod proof;
+
+use boundfit_estimation::{Fit, Law, Model, Problem};
+use boundfit_exact::english::counted;
+use boundfit_exact::{Interval, Rational};
+use boundfit_geometry::Support;
+use boundfit_questions::{FurtherError, NoFurtherError, PossibleEnd, PossibleX, Predictor};
+
+use crate::document::{Block, Document, Inline, Operator, Symbol, Table, Text};
+use crate::fit::{empty_blocks, fit_facts};
+use crate::formula::{pair, products};
+use crate::origin::Origin;
+use crate::style::Style;
+
+pub use csv::write_prediction_csv;
+pub use json::write_prediction_json;
+#[cfg(feature = "files")]
+pub use proof::prediction_proof;
+
+/// Rows of a table of text; other formats have all.
+const MOST_LISTED: usize = 40;
+
+/// Values that are asked about, which may be more than are to be in memory: each time that they are asked for they come anew.
+/// Of a line x and 1, of two regressors both, of readings y and 0.
+pub struct AskedValues<'a> {
+    /// How many there are.
+    pub count: usize,
+    /// The values.
+    pub values: &'a (dyn Fn() -> Box<dyn Iterator<Item = [Rational; 2]> + 'a> + 'a),
+}
+
+/// What is predicted, from what.
+pub struct Prediction<'a> {
+    /// The readings.
+    pub problem: &'a Problem,
+    /// Their fit.
+    pub fit: &'a Fit,
+    /// Where they come from.
+    pub origin: Origin<'a>,
+    /// What is known of the error of a further reading.
+    pub error: Result<FurtherError, NoFurtherError>,
+    /// The law by which that was given, where it is not that of the readings.
+    pub given: Option<Law>,
+    /// Where the line is asked for.
+    pub at: AskedValues<'a>,
+    /// Which readings it is asked of where they come from.
+    pub from: AskedValues<'a>,
+}
+
+impl Prediction<'_> {
+    fn is_line(&self) -> bool {
+        matches!(self.problem.measurements.model(), Model::Line { .. })
+    }
+
+    fn x_origin(&self) -> &Rational {
+        &self.problem.measurements.line_form().x_origin
+    }
+
+    fn predictor(&self) -> Option<Predictor<'_>> {
+        Predictor::new(self.fit.fps.polyhedron())
+    }
+
+    /// The form whose values are asked for: x is counted from the origin of the fit.
+    fn form(&self, [first, second]: &[Rational; 2]) -> [Rational; 2] {
+        let first = if self.is_line() { first - self.x_origin() } else { first.clone() };
+        [first, second.clone()]
+    }
+
+    /// The values of the model at such a form, and where a further reading lies there.
+    fn at(&self, predictor: &Predictor, form: &[Rational; 2]) -> (Interval, Option<Interval>) {
+        let line = if self.is_line() { predictor.line(&form[0]) } else { predictor.form(form) };
+        let reading = self.error.as_ref().ok().and_then(|error| error.around(&line, &form[0]));
+        (line, reading)
+    }
+
+    /// Where readings come from, by y, with x as the user counts it.
+    fn sources<'b>(&'b self, predictor: &'b Predictor) -> impl Fn(&Rational) -> Vec<PossibleX> + 'b {
+        let of = self.error.as_ref().ok().map(|error| predictor.sources_of_many(error));
+        let moved =
+            |end: Option<PossibleEnd>| end.map(|end| PossibleEnd { x: end.x + self.x_origin(), ..end });
+        move |y| {
+            let found = of.as_ref().map(|of| of(y)).unwrap_or_default();
+            found
+                .into_iter()
+                .map(|own| PossibleX { lower: moved(own.lower), upper: moved(own.upper) })
+                .collect()
+        }
+    }
+
+    /// Why an end of the line's interval at x is what it is.
+    fn why(&self, predictor: &Predictor, end: &PossibleEnd) -> Support {
+        let form = self.form(&[end.x.clone(), Rational::one()]);
+        let [lower, upper] = predictor.ends(&form);
+        if end.by_upper { upper } else { lower }
+    }
+
+    fn name(&self, index: usize) -> String {
+        self.fit.fps.name(index).to_string()
+    }
+}
+
+/// The report of predictions, with the readings that prove each end if these are wanted.
+pub fn prediction_document(prediction: &Prediction, has_proofs: bool, style: &Style) -> Document {
+    let Prediction { problem, fit, origin, .. } = prediction;
+    let mut facts = fit_facts(problem, fit, origin, style);
+    facts.rows.push(("further".into(), further(prediction, style)));
+    let mut blocks = vec![Block::Title("Prediction".into()), Block::Facts(facts)];
+    match prediction.predictor() {
+        None => {
+            blocks.extend(empty_blocks(problem, fit, style));
+            blocks.push(Block::Paragraph("Nothing can be predicted from a set without a point.".into()));
+        }
+        Some(predictor) => {
+            blocks.extend(values(prediction, &predictor, style));
+            blocks.extend(sources(prediction, &predictor, style));
+            if has_proofs {
+                blocks.extend(proofs(prediction, &predictor, style));
+            }
+        }
+    }
+    Document::new(blocks)
+}
+
+/// What is known of the error of a further reading.
+fn further(prediction: &Prediction, style: &Style) -> Text {
+    let bounded = Text::new().mark("|").symbol(Symbol::Error).mark("|").operator(Operator::AtMost);
+    let law = prediction.given.as_ref().or_else(|| prediction.problem.measurements.law());
+    let what = match (&prediction.error, law) {
+        (Err(reason), _) => return Text::from(format!("not predicted: {reason} (--new-eps says it)")),
+        (Ok(error), law) => match (error.uniform(), law) {
+            (Some(epsilon), _) => bounded.then(given(epsilon, prediction, style)),
+            (None, Some(law)) if law.is_asymmetric() => Text::from("y ").given(law.text()),
+            (None, Some(law)) => bounded.given(law.text()),
+            (None, None) => Text::new(),
+        },
+    };
+    let given = prediction.given.is_some();
+    Text::from("the error of a further reading: ").then(what).words(if given { ", as given" } else { "" })
+}
+
+/// The bound on the error of a further reading: nobody wrote a multiple of eps_min down.
+fn given(epsilon: &Rational, prediction: &Prediction, style: &Style) -> Text {
+    let is_written =
+        prediction.given.is_some() || prediction.problem.measurements.multiple_of_least().is_none();
+    if is_written { style.given(epsilon) } else { Text::new().number(style.upper(epsilon)) }
+}
+
+/// An x, or both regressors.
+fn asked(prediction: &Prediction, [first, second]: &[Rational; 2], style: &Style) -> Text {
+    match prediction.is_line() {
+        true => style.given(first),
+        false => pair(style.given(first), style.given(second)),
+    }
+}
+
+/// The table of the line's values and of further readings.
+fn values(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<Block> {
+    let AskedValues { count, values } = prediction.at;
+    if count == 0 {
+        return Vec::new();
+    }
+    let interval = |interval: &Interval| style.resolving(interval).interval(interval);
+    let row = |value: [Rational; 2]| {
+        let (line, reading) = prediction.at(predictor, &prediction.form(&value));
+        let reading = reading.map_or("-".into(), |reading| interval(&reading));
+        vec![asked(prediction, &value, style), interval(&line), reading]
+    };
+    let rows = values().take(MOST_LISTED).map(row).collect();
+    let (title, what) = match prediction.is_line() {
+        true => ("Where the line runs, and where a further reading lies", "line"),
+        false => ("What the model is worth, and where a further reading lies", "model"),
+    };
+    let table = Table::new(["at", what, "a further reading"], rows);
+    let mut blocks = vec![Block::Title(title.into()), Block::Table(table)];
+    blocks.extend(more(count, "value", "values"));
+    blocks
+}
+
+/// The table of where readings come from.
+fn sources(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<Block> {
+    let AskedValues { count, values } = prediction.from;
+    if count == 0 {
+        return Vec::new();
+    }
+    let of = prediction.sources(predictor);
+    let row = |[y, _]: [Rational; 2]| {
+        let found = of(&y);
+        let text = match found.as_slice() {
+            [] => "none: no line comes near enough".into(),
+            found => {
+                let or = Inline::Words(" or ".to_owned());
+                Text::joined(found.iter().map(|own| possible(own, style)), &or)
+            }
+        };
+        vec![style.given(&y), text]
+    };
+    let rows = values().take(MOST_LISTED).map(row).collect();
+    let title = Block::Title("The x that a reading may come from".into());
+    let mut blocks = vec![title, Block::Table(Table::new(["reading", "x"], rows))];
+    blocks.extend(more(count, "reading", "readings"));
+    blocks
+}
+
+/// That there are more than are listed.
+fn more(count: usize, one: &str, several: &str) -> Option<Block> {
+    let more = count.checked_sub(MOST_LISTED).filter(|more| *more > 0)?;
+    let more = counted(more, one, several);
+    Some(Block::Paragraph(format!("And {more} more, which --format csv and json have.").into()))
+}
+
+/// An interval of x, with round brackets where an end does not belong to it.
+fn possible(PossibleX { lower, upper }: &PossibleX, style: &Style) -> Text {
+    let ends = [lower, upper].map(|end| end.as_ref().map(|end| end.x.clone()));
+    let Some(interval) = ({
+        let [lower, upper] = ends;
+        Interval::new(lower.into(), upper.into())
+    }) else {
+        return Text::new();
+    };
+    let style = style.resolving(&interval);
+    if let (Some(one), Some(other)) = (lower, upper)
+        && one.x == other.x
+    {
+        return style.interval(&interval);
+    }
+    let text = match lower {
+        None => Text::new().mark("(").mark("-").symbol(Symbol::Infinity),
+        Some(end) => Text::new().mark(if end.included { "[" } else { "(" }).number(style.lower(&end.x)),
+    };
+    let text = text.mark(", ");
+    match upper {
+        None => text.symbol(Symbol::Infinity).mark(")"),
+        Some(end) => text.number(style.upper(&end.x)).mark(if end.included { "]" } else { ")" }),
+    }
+}
+
+/// The readings behind each end of the line's intervals, and behind the x where readings end.
+fn proofs(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<Block> {
+    let mut rows = Vec::new();
+    for value in (prediction.at.values)().take(MOST_LISTED) {
+        let ends = predictor.ends(&prediction.form(&value));
+        for (relation, support) in [Symbol::AtLeast, Symbol::AtMost].into_iter().zip(ends) {
+            let label = Text::from("at ").then(asked(prediction, &value, style)).mark(" ").symbol(relation);
+            rows.push(proof(prediction, label, relation, &support, style));
+        }
+    }
+    let of = prediction.sources(predictor);
+    for [y, _] in (prediction.from.values)().take(MOST_LISTED) {
+        for own in of(&y) {
+            for end in [own.lower, own.upper].into_iter().flatten() {
+                let relation = if end.by_upper { Symbol::AtMost } else { Symbol::AtLeast };
+                let label = Text::from("at ").then(style.proof(&end.x)).mark(" ").symbol(relation);
+                rows.push(proof(prediction, label, relation, &prediction.why(predictor, &end), style));
+            }
+        }
+    }
+    let header = Text::from("multiplier").operator(Operator::Times).words("(row and bound)");
+    let title = match prediction.is_line() {
+        true => "What proves each end of the line",
+        false => "What proves each end of the model",
+    };
+    let table = Table::new([Text::new(), Text::new(), "reached by".into(), header], rows);
+    vec![Block::Title(title.into()), Block::Table(table)]
+}
+
+/// A row of the table of proofs.
+fn proof(
+    prediction: &Prediction,
+    label: Text,
+    relation: Symbol,
+    support: &Support,
+    style: &Style,
+) -> Vec<Text> {
+    match support {
+        Support::Bounded { proof, .. } => {
+            let (value, shown) = match relation {
+                Symbol::AtLeast => (-&proof.value, false),
+                _ => (proof.value.clone(), true),
+            };
+            let shown = if shown { style.upper(&value) } else { style.lower(&value) };
+            let [theta1, theta2] = proof.attained_at.coordinates();
+            let multipliers =
+                proof.multipliers.iter().map(|m| (style.proof(&m.value), prediction.name(m.index)));
+            let theta = pair(style.nearest(&theta1), style.nearest(&theta2));
+            vec![label, Text::new().number(shown), theta, products(multipliers)]
+        }
+        Support::Unbounded(proof) => {
+            let along = pair(proof.ray.dx(), proof.ray.dy());
+            let what = Text::from("without end along ").then(along);
+            vec![label, "-".into(), what, Text::new()]
+        }
+        // A set without a point predicts nothing.
+        Support::Empty(_) => vec![label, Text::new(), Text::new(), Text::new()],
+    }
+}

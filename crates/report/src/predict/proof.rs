@@ -1,0 +1,38 @@
+//! The proof of predictions.
+
+use boundfit_exact::{Rational, Reading};
+
+use super::Prediction;
+use crate::proof_question::ProofQuestion;
+use crate::statements::{Scope, Statement};
+use crate::statements_json::statements_json;
+
+/// The proof of predictions, schema `boundfit/proof/2`: the range of the model at each value asked for, and at each x where
+/// readings end; of an empty set why it is empty. `None` where the readings are not those of plain delimited text.
+pub fn prediction_proof(prediction: &Prediction, reading: Reading) -> Option<String> {
+    let question = ProofQuestion::new(prediction.problem, reading)?;
+    let set = prediction.fit.fps.polyhedron();
+    let name = |index: usize| prediction.fit.fps.name(index).into();
+    let Some(predictor) = prediction.predictor() else {
+        return Some(statements_json(&question, &[Statement::set(Scope::default(), set, &name)]));
+    };
+    let mut forms: Vec<[Rational; 2]> =
+        (prediction.at.values)().map(|value| prediction.form(&value)).collect();
+    let of = prediction.sources(&predictor);
+    for [y, _] in (prediction.from.values)() {
+        let ends = of(&y).into_iter().flat_map(|own| [own.lower, own.upper]).flatten();
+        forms.extend(ends.map(|end| prediction.form(&[end.x, Rational::one()])));
+    }
+    let statement = |form: &[Rational; 2]| Statement::form(Scope::default(), set, &name, form);
+    let mut statements: Vec<Statement> = Vec::new();
+    for form in forms.iter().filter_map(statement) {
+        if !statements.contains(&form) {
+            statements.push(form);
+        }
+    }
+    if statements.is_empty() {
+        // Where no line comes near any of the readings, the set says so.
+        statements.push(Statement::set(Scope::default(), set, &name));
+    }
+    Some(statements_json(&question, &statements))
+}
