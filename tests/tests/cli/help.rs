@@ -3,8 +3,10 @@
 use boundfit_tests::cli::printed;
 use boundfit_tests::program::root;
 
-const COMMANDS: [&str; 12] = [
+const COMMANDS: [&str; 14] = [
     "fit",
+    "predict",
+    "linearity",
     "reduce",
     "check",
     "convert",
