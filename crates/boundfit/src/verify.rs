@@ -6,7 +6,8 @@
 use boundfit_exact::Limits;
 use boundfit_verify::Proof;
 pub use boundfit_verify::{
-    About, DataLimits, Extent, Failure, Falsehood, NotAProof, Quantity, Refusal, Statement,
+    About, Claim, ClaimKind, DataLimits, ErrorScale, Extent, Failure, Falsehood, Found, NotAProof, Quantity,
+    Refusal, Scope, SetFound, Side, Statement,
 };
 use thiserror::Error;
 
@@ -14,7 +15,7 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum VerifyError {
-    /// It is no JSON document of the schema `boundfit/proof/1`.
+    /// It is no JSON document of the schemas `boundfit/proof/1` and `boundfit/proof/2`.
     #[error("not a proof: {0}")]
     NotAProof(#[source] NotAProof),
     /// A statement is not true of these data.

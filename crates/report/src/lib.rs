@@ -67,6 +67,7 @@ mod style;
 mod sweep;
 mod sweep_json;
 mod verify;
+mod verify_claims;
 mod verify_json;
 mod vertices_csv;
 mod wkt;

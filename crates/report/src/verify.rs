@@ -4,9 +4,10 @@ use std::fmt::Display;
 
 use boundfit_exact::english::counted;
 use boundfit_exact::{Endpoint, Foreign, Interval, Rational, Reading};
-use boundfit_verify::{About, Extent, Falsehood, Quantity, Statement};
+use boundfit_verify::{About, Extent, Falsehood, Found, Quantity, SetFound, Statement};
 
 use crate::style::Style;
+use crate::verify_claims::of_claims;
 
 /// What is to be said about a proof.
 #[derive(Debug)]
@@ -37,32 +38,43 @@ pub fn verify_text(verdict: &Verdict, proof: &str, data: &str) -> String {
         );
     }
     let mut lines = question(statement);
-    let parts = format!(
-        "{} and {}",
-        counted(statement.vertices, "vertex", "vertices"),
-        counted(statement.sides, "side", "sides")
-    );
-    lines.extend([
-        ("from", counted(statement.half_planes, "half-plane", "half-planes")),
-        ("proved", proved(statement.extent).to_owned()),
-        (
-            "set",
-            match statement.extent {
-                Extent::Empty => "empty".to_owned(),
-                Extent::Bounded => format!("bounded, with {parts}"),
-                Extent::Unbounded => format!("unbounded, with {parts}"),
-            },
-        ),
-    ]);
-    let style = Style::default();
-    for (name, ends) in ["theta1", "theta2"].into_iter().zip(statement.bounds.iter().flatten()) {
-        let [lower, upper] = ends.each_ref().map(|end| Endpoint::from(end.clone()));
-        // What is verified is in order.
-        let interval = Interval::new(lower, upper).map(|range| style.resolving(&range).interval(&range));
-        lines.push((name, interval.unwrap_or_default().to_string()));
-    }
+    lines.push(("from", counted(statement.half_planes, "half-plane", "half-planes")));
+    lines.extend(match &statement.found {
+        Found::Set(set) => of_set(set),
+        Found::Claims(claims) => of_claims(claims),
+    });
     let lines = lines.into_iter().map(|(label, line)| format!("  {label:<7} {line}\n"));
     format!("verified: {proof} is true of {data}\n{}", lines.collect::<String>())
+}
+
+/// What is proved of a set, as lines with labels.
+fn of_set(set: &SetFound) -> Vec<(&'static str, String)> {
+    let mut lines =
+        vec![("proved", proved(set.extent).to_owned()), ("set", extent(set.extent, set.vertices, set.sides))];
+    for (name, ends) in ["theta1", "theta2"].into_iter().zip(set.bounds.iter().flatten()) {
+        lines.push((name, range(ends)));
+    }
+    lines
+}
+
+/// `bounded, with 6 vertices and 6 sides`.
+pub(crate) fn extent(extent: Extent, vertices: usize, sides: usize) -> String {
+    let parts =
+        format!("{} and {}", counted(vertices, "vertex", "vertices"), counted(sides, "side", "sides"));
+    match extent {
+        Extent::Empty => "empty".to_owned(),
+        Extent::Bounded => format!("bounded, with {parts}"),
+        Extent::Unbounded => format!("unbounded, with {parts}"),
+    }
+}
+
+/// An interval of which the ends are rounded outward.
+pub(crate) fn range(ends: &[Option<Rational>; 2]) -> String {
+    let [lower, upper] = ends.each_ref().map(|end| Endpoint::from(end.clone()));
+    // What is verified is in order.
+    let style = Style::default();
+    let interval = Interval::new(lower, upper).map(|range| style.resolving(&range).interval(&range));
+    interval.unwrap_or_default().to_string()
 }
 
 /// What the checks have shown.
@@ -91,15 +103,18 @@ fn question(Statement { about, names, rows_total, .. }: &Statement) -> Vec<(&'st
         (None, None) => {
             lines.push(("model", format!("y = {form} + e")));
             lines.extend(regressors);
-            lines.push(("y", source(&about.model[2], &named)));
+            lines.push(("y", response(about, &named)));
             lines.push(("error", format!("|e| <= {}", source(&about.model[3], &named))));
         }
         (None, Some([above, below])) => {
             lines.push(("model", format!("y - below <= {form} <= y + above")));
             lines.extend(regressors);
-            lines.push(("y", source(&about.model[2], &named)));
+            lines.push(("y", response(about, &named)));
             lines.extend([("above", law(about, above)), ("below", law(about, below))]);
         }
+    }
+    if let Some(own) = &about.x_error {
+        lines.push(("x error", format!("up to {}", source(own, &named))));
     }
     lines.extend(about.conditions.iter().take(MOST_CONDITIONS).map(|own| ("where", condition(own))));
     if let Some(more @ 1..) = about.conditions.len().checked_sub(MOST_CONDITIONS) {
@@ -128,6 +143,13 @@ fn form(about: &About, named: &impl Fn(u64) -> String) -> (String, Vec<(&'static
         (true, times) => (format!("theta1*x + {times}*theta2"), vec![("x", first)]),
         (false, _) => ("theta1*u + theta2*v".to_owned(), vec![("u", first), ("v", source(phi2, named))]),
     }
+}
+
+/// y: the sum of its columns.
+fn response(about: &About, named: &impl Fn(u64) -> String) -> String {
+    let terms = [&about.model[2]].into_iter().chain(&about.response).filter(|(_, times)| !times.is_zero());
+    let terms: Vec<String> = terms.map(|own| source(own, named)).collect();
+    if terms.is_empty() { source(&about.model[2], named) } else { terms.join(" + ") }
 }
 
 /// A number of each row: a column, so many times; or the same number in all of them.
@@ -162,19 +184,23 @@ fn law(about: &About, terms: &[(Quantity, u64, Rational)]) -> String {
 /// `2*theta1 - theta2 <= 1/3`, or with `=`.
 pub fn condition(([a1, a2, b], is_equation): &([Rational; 3], bool)) -> String {
     let relation = if *is_equation { "=" } else { "<=" };
+    format!("{} {relation} {b}", form_text(&[a1.clone(), a2.clone()]))
+}
+
+/// `2*theta1 - theta2`.
+pub(crate) fn form_text([a1, a2]: &[Rational; 2]) -> String {
     let times = |number: &Rational, name: &str| match *number == Rational::one() {
         true => name.to_owned(),
         false => format!("{number}*{name}"),
     };
-    let sum = match (a1.is_zero(), a2.is_zero()) {
+    match (a1.is_zero(), a2.is_zero()) {
         (_, true) => times(a1, "theta1"),
         (true, false) => times(a2, "theta2"),
         (false, false) => {
             let sign = if a2.is_negative() { '-' } else { '+' };
             format!("{} {sign} {}", times(a1, "theta1"), times(&a2.abs(), "theta2"))
         }
-    };
-    format!("{sum} {relation} {b}")
+    }
 }
 
 /// `14 to 36`, `1 to 22 and 24`; of many ranges the first ones, and how many rows there are.

@@ -24,6 +24,8 @@ pub(crate) struct Model {
     sources: Vec<Source>,
     phi: [Form; 2],
     bounds: Bounds,
+    /// How far φ1 may be from what is read.
+    x_error: Form,
     /// The denominator of all multiples.
     denominator: Integer,
     /// What was read from the row, and the same over one denominator.
@@ -37,6 +39,19 @@ pub(crate) struct Model {
     longest_vertex: u64,
     work: Work,
     most_work: u64,
+}
+
+/// The numbers of a row in integers: those of the data, all of them multiplied by the same positive number.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Row {
+    pub(crate) phi: [Integer; 2],
+    /// Between which φ·θ lies, as far as there is something.
+    pub(crate) lower: Option<Integer>,
+    pub(crate) upper: Option<Integer>,
+    /// How far φ1 may be from what it is here.
+    pub(crate) x_error: Integer,
+    /// By what they were multiplied.
+    pub(crate) times: Integer,
 }
 
 /// Vertices of fewer bits cost nothing worth counting beside rows of usual numbers.
@@ -100,18 +115,21 @@ impl Model {
             (Some(law), None) => law.each_ref().map(|terms| [vec![number(epsilon)], terms.clone()].concat()),
             _ => [vec![number(epsilon)], vec![number(epsilon)]],
         };
-        let sums = [phi1, vec![number(phi2)], vec![number(y)], above, below];
-        let denominators = sums.iter().flatten().map(|(.., times)| times.denominator());
+        let y = [y].into_iter().chain(&about.response).map(number).collect();
+        let x_error: Vec<_> = about.x_error.iter().map(number).collect();
+        let sums = [phi1, vec![number(phi2)], y, above, below];
+        let denominators = sums.iter().flatten().chain(&x_error).map(|(.., times)| times.denominator());
         let denominator = denominators.fold(Integer::one(), |all, own| all.lcm(&own));
         // In the order in which the sums name them.
         let mut sources = Vec::new();
-        let [phi1, phi2, y, above, below] = sums.map(|terms| {
+        let form = |terms: Vec<(Quantity, u64, Rational)>, sources: &mut Vec<Source>| {
             let term = |(quantity, column, times): (Quantity, u64, Rational)| {
-                let index = index_of(&mut sources, Source::new(quantity, column));
+                let index = index_of(sources, Source::new(quantity, column));
                 (index, times.numerator() * denominator.quotient(&times.denominator()))
             };
             terms.into_iter().map(term).collect::<Form>()
-        });
+        };
+        let [phi1, phi2, y, above, below] = sums.map(|terms| form(terms, &mut sources));
         let bounds = match about.interval {
             None => Bounds::Around { y, above, below },
             Some(sides) => {
@@ -123,6 +141,7 @@ impl Model {
                 Bounds::Between { lower, upper }
             }
         };
+        let x_error = form(x_error, &mut sources);
         let (reading, most_work, limits, phi) = (about.reading, limits.work, limits.number, [phi1, phi2]);
         let powers = (0..=PLAIN_DIGITS as u32).map(Integer::power_of_ten).collect();
         Model {
@@ -131,6 +150,7 @@ impl Model {
             sources,
             phi,
             bounds,
+            x_error,
             denominator,
             numbers: Vec::new(),
             integers: Vec::new(),
@@ -152,14 +172,15 @@ impl Model {
         self.numbers = numbers;
         self.count_work(row)?;
         self.one = over_one_denominator(&self.numbers, &self.powers, &mut self.integers);
-        match &self.bounds {
-            Bounds::Around { above, below, .. }
-                if self.sum(above).is_negative() || self.sum(below).is_negative() =>
-            {
-                Err(Falsehood::NegativeErrorBound(row).into())
-            }
-            _ => Ok(()),
+        let is_negative = |form: &Form| self.sum(form).is_negative();
+        let is_wrong = match &self.bounds {
+            Bounds::Around { above, below, .. } => is_negative(above) || is_negative(below),
+            Bounds::Between { .. } => false,
+        };
+        if is_wrong || is_negative(&self.x_error) {
+            return Err(Falsehood::NegativeErrorBound(row).into());
         }
+        Ok(())
     }
 
     /// Adds the row that was read to the work on all of them, and refuses what passes the limit.
@@ -189,28 +210,51 @@ impl Model {
 
     /// -φ·θ ≤ -(what the row that was read says from below).
     pub(crate) fn lower(&self) -> HalfPlane {
-        let b = match &self.bounds {
-            Bounds::Around { y, below, .. } => self.sum(below) - self.sum(y),
-            Bounds::Between { lower, .. } => -self.bound(*lower),
-        };
         HalfPlane {
             a: self.phi.each_ref().map(|form| -self.sum(form)),
-            b,
-            times: &self.denominator * &self.one,
+            b: -self.lower_bound(),
+            times: self.times(),
         }
     }
 
     /// φ·θ ≤ what the row that was read says from above.
     pub(crate) fn upper(&self) -> HalfPlane {
-        let b = match &self.bounds {
-            Bounds::Around { y, above, .. } => self.sum(y) + self.sum(above),
-            Bounds::Between { upper, .. } => self.bound(*upper),
-        };
         HalfPlane {
             a: self.phi.each_ref().map(|form| self.sum(form)),
-            b,
-            times: &self.denominator * &self.one,
+            b: self.upper_bound(),
+            times: self.times(),
         }
+    }
+
+    /// The row that was read.
+    pub(crate) fn row(&self) -> Row {
+        let [lower, upper] = self.sides();
+        Row {
+            phi: self.phi.each_ref().map(|form| self.sum(form)),
+            lower: lower.then(|| self.lower_bound()),
+            upper: upper.then(|| self.upper_bound()),
+            x_error: self.sum(&self.x_error),
+            times: self.times(),
+        }
+    }
+
+    fn lower_bound(&self) -> Integer {
+        match &self.bounds {
+            Bounds::Around { y, below, .. } => self.sum(y) - self.sum(below),
+            Bounds::Between { lower, .. } => self.bound(*lower),
+        }
+    }
+
+    fn upper_bound(&self) -> Integer {
+        match &self.bounds {
+            Bounds::Around { y, above, .. } => self.sum(y) + self.sum(above),
+            Bounds::Between { upper, .. } => self.bound(*upper),
+        }
+    }
+
+    /// By what all numbers of the row that was read are multiplied.
+    fn times(&self) -> Integer {
+        &self.denominator * &self.one
     }
 
     /// A bound that is read itself.

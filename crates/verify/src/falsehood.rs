@@ -70,6 +70,32 @@ pub enum Falsehood {
     NotFourBounds,
     /// The bound in this direction is not proved.
     NotABound([i64; 2]),
+    /// Something about a statement of several.
+    InStatement {
+        /// Which one, from 1.
+        number: usize,
+        /// What is wrong.
+        falsehood: Box<Falsehood>,
+    },
+    /// A factor or a bound on errors is negative.
+    NegativeScale,
+    /// A scope has a side where x has no errors, or none where it has.
+    NoSide,
+    /// This half-plane of the scope does not contain a point that should be in its set.
+    Outside(Name),
+    /// One leaves this half-plane of the scope along a ray that should stay in its set.
+    Leaves(Name),
+    /// An end of a form's range is not proved.
+    NotAnEnd {
+        /// Whether it is the upper one.
+        is_upper: bool,
+    },
+    /// Half-planes do not add up to 0 ≤ a negative number.
+    NoContradiction,
+    /// The errors are not shown to be the least.
+    NotLeast,
+    /// These rows may be left out, and it is not shown that others must be as well.
+    MayBeEnough(Vec<u64>),
 }
 
 impl fmt::Display for Falsehood {
@@ -98,6 +124,20 @@ impl fmt::Display for Falsehood {
             }
             Falsehood::NotFourBounds => write!(f, "bounds: are not four"),
             Falsehood::NotABound(direction) => write!(f, "bounds: in direction {direction:?}: is not proved"),
+            Falsehood::InStatement { number, falsehood } => write!(f, "statement {number}: {falsehood}"),
+            Falsehood::NegativeScale => write!(f, "factor or epsilon: is negative"),
+            Falsehood::NoSide => write!(f, "side: is there where x has no errors, or missing where it has"),
+            Falsehood::Outside(name) => write!(f, "{name}: does not contain the point"),
+            Falsehood::Leaves(name) => write!(f, "{name}: does not contain the ray"),
+            Falsehood::NotAnEnd { is_upper: true } => write!(f, "upper: is not proved"),
+            Falsehood::NotAnEnd { is_upper: false } => write!(f, "lower: is not proved"),
+            Falsehood::NoContradiction => write!(f, "multipliers: do not add up to 0 <= a negative number"),
+            Falsehood::NotLeast => write!(f, "multipliers: do not show that it is the least"),
+            Falsehood::MayBeEnough(rows) => {
+                let rows: Vec<String> = rows.iter().take(6).map(u64::to_string).collect();
+                let rows = if rows.is_empty() { "no row".to_owned() } else { rows.join(", ") };
+                write!(f, "contradictions: none is shown without {rows}")
+            }
         }
     }
 }

@@ -18,6 +18,21 @@ pub enum Name {
     WhereUpper(u64),
     /// a·θ ≥ b of that equation: `where:1 lower`.
     WhereLower(u64),
+    /// The upper bound of this row at an end of what its x may be: `14 upper +`, `14 upper -`.
+    UpperAt(u64, End),
+    /// Its lower bound there: `14 lower +`, `14 lower -`.
+    LowerAt(u64, End),
+    /// What θ1 is on one side of 0: `side`.
+    Side,
+}
+
+/// An end of what an x may be when it has an error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum End {
+    /// The lower one: `-`.
+    Lower,
+    /// The upper one: `+`.
+    Upper,
 }
 
 impl fmt::Display for Name {
@@ -28,13 +43,36 @@ impl fmt::Display for Name {
             Name::Where(number) => write!(f, "where:{number}"),
             Name::WhereUpper(number) => write!(f, "where:{number} upper"),
             Name::WhereLower(number) => write!(f, "where:{number} lower"),
+            Name::UpperAt(row, end) => write!(f, "{row} upper {}", end.sign()),
+            Name::LowerAt(row, end) => write!(f, "{row} lower {}", end.sign()),
+            Name::Side => f.write_str("side"),
+        }
+    }
+}
+
+impl End {
+    fn sign(self) -> char {
+        match self {
+            End::Lower => '-',
+            End::Upper => '+',
         }
     }
 }
 
 impl Name {
+    /// The row that it is a bound of, from 1; `None` where it is none of a row.
+    pub(crate) fn row(self) -> Option<u64> {
+        match self {
+            Name::Upper(row) | Name::Lower(row) | Name::UpperAt(row, _) | Name::LowerAt(row, _) => Some(row),
+            Name::Where(_) | Name::WhereUpper(_) | Name::WhereLower(_) | Name::Side => None,
+        }
+    }
+
     /// The half-plane of this very name; `None` for a text that is no name.
     fn parse(text: &str) -> Option<Self> {
+        if text == "side" {
+            return Some(Name::Side);
+        }
         let (is_condition, rest) = match text.strip_prefix("where:") {
             Some(rest) => (true, rest),
             None => (false, text),
@@ -51,6 +89,10 @@ impl Name {
             (true, None) => Name::Where(number),
             (true, Some("upper")) => Name::WhereUpper(number),
             (true, Some("lower")) => Name::WhereLower(number),
+            (false, Some("upper +")) => Name::UpperAt(number, End::Upper),
+            (false, Some("upper -")) => Name::UpperAt(number, End::Lower),
+            (false, Some("lower +")) => Name::LowerAt(number, End::Upper),
+            (false, Some("lower -")) => Name::LowerAt(number, End::Lower),
             _ => return None,
         })
     }
@@ -93,6 +135,11 @@ mod tests {
             "where:1",
             "where:2 upper",
             "where:30 lower",
+            "14 upper +",
+            "14 upper -",
+            "7 lower +",
+            "7 lower -",
+            "side",
             "18446744073709551615 upper",
         ] {
             assert_eq!(Name::parse(text).map(|name| name.to_string()).as_deref(), Some(text));
@@ -114,6 +161,11 @@ mod tests {
             "18446744073709551616 upper",
             "1\tupper",
             "upper",
+            "1 upper  +",
+            "1 upper+",
+            "1 +",
+            "where:1 upper +",
+            "Side",
         ] {
             assert_eq!(Name::parse(text), None, "{text}");
         }

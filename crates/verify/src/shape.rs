@@ -26,16 +26,86 @@ pub(crate) struct Shape {
     pub(crate) law: Option<[Vec<(Quantity, u64, Number)>; 2]>,
     #[serde(default, deserialize_with = "not_null")]
     pub(crate) x_origin: Option<Number>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) x_error: Option<(u64, Number)>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) response: Option<Vec<(u64, Number)>>,
     pub(crate) conditions: Vec<Condition>,
-    pub(crate) vertices: Vec<[Number; 2]>,
-    pub(crate) active: Vec<(u64, Named)>,
-    pub(crate) sides: Vec<(Named, Option<u64>)>,
-    pub(crate) farkas: Multiples,
-    pub(crate) bounds: Vec<(Multiples, [Number; 2], [Number; 2])>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) vertices: Option<Vec<VectorShape>>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) active: Option<Vec<(u64, Named)>>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) sides: Option<Vec<(Named, Option<u64>)>>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) farkas: Option<MultiplesShape>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) bounds: Option<Vec<EndShape>>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) statements: Option<Vec<StatementShape>>,
 }
 
+/// A statement of version 2: the scope, and the fields of its kind.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct StatementShape {
+    pub(crate) kind: Foreign,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) rows: Option<Vec<u64>>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) without: Option<Vec<u64>>,
+    #[serde(default, deserialize_with = "not_null", rename = "where")]
+    pub(crate) conditions: Option<Vec<u64>>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) factor: Option<Number>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) epsilon: Option<Number>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) side: Option<Foreign>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) form: Option<VectorShape>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) lower: Option<EndShape>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) upper: Option<EndShape>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) point: Option<VectorShape>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) multipliers: Option<MultiplesShape>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) vertices: Option<Vec<VectorShape>>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) sides: Option<Vec<(Named, Option<u64>)>>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) least: Option<u64>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) sets: Option<Vec<Vec<u64>>>,
+    #[serde(default, deserialize_with = "not_null")]
+    pub(crate) contradictions: Option<Vec<(Vec<u64>, MultiplesShape)>>,
+}
+
+impl StatementShape {
+    /// Whether there are fields of another kind, those of its own having been taken.
+    pub(crate) fn has_more(&self) -> bool {
+        self.form.is_some()
+            || self.lower.is_some()
+            || self.upper.is_some()
+            || self.point.is_some()
+            || self.multipliers.is_some()
+            || self.vertices.is_some()
+            || self.sides.is_some()
+            || self.least.is_some()
+            || self.sets.is_some()
+            || self.contradictions.is_some()
+    }
+}
+
+/// A point or a direction.
+pub(crate) type VectorShape = [Number; 2];
 /// Names and multipliers.
-pub(crate) type Multiples = Vec<(Named, Number)>;
+pub(crate) type MultiplesShape = Vec<(Named, Number)>;
+/// Multipliers, a point and a ray.
+pub(crate) type EndShape = (MultiplesShape, VectorShape, VectorShape);
 
 /// Why a text is no proof.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -60,12 +130,24 @@ impl Shape {
                 "refused: a number with more than {most_digits} digits (10 times the limit; --max-digits raises it)"
             )));
         }
-        let shape: Shape = serde_json::from_slice(text).map_err(NotAProof::new)?;
-        match shape.schema.raw() {
-            "boundfit/proof/1" => Ok(shape),
-            _ => Err(NotAProof::new("another schema")),
-        }
+        serde_json::from_slice(text).map_err(NotAProof::new)
     }
+
+    /// Whether there are fields of another version, those of this one having been taken.
+    pub(crate) fn has_more(&self, is_of_statements: bool) -> bool {
+        let has_set = self.vertices.is_some()
+            || self.active.is_some()
+            || self.sides.is_some()
+            || self.farkas.is_some()
+            || self.bounds.is_some();
+        let has_new = self.x_error.is_some() || self.response.is_some();
+        has_set || self.statements.is_some() || !is_of_statements && has_new
+    }
+}
+
+/// A field that what it stands in must have.
+pub(crate) fn needed<T>(field: Option<T>, name: &str) -> Result<T, NotAProof> {
+    field.ok_or_else(|| NotAProof::new(format_args!("missing field `{name}`")))
 }
 
 /// A number of a proof: a whole number or a fraction, in digits and with nothing else but a minus.

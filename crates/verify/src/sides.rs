@@ -5,10 +5,11 @@ use std::collections::BTreeSet;
 
 use boundfit_exact::Integer;
 
+use crate::checks::Extent;
 use crate::falsehood::Falsehood;
-use crate::name::Name;
+use crate::name::{Name, Named};
 use crate::plane::{HalfPlane, Point, Vector, compare_angles, turn};
-use crate::proof::{HalfPlanes, Proof};
+use crate::proof::HalfPlanes;
 
 struct Side<'a> {
     name: Name,
@@ -32,14 +33,18 @@ pub(crate) struct Support {
 }
 
 impl<'a> Sides<'a> {
-    /// Takes the sides of a proof and checks that they are in order, meet, and name every vertex.
-    pub(crate) fn of(proof: &Proof, half_planes: &'a HalfPlanes) -> Result<Self, Falsehood> {
-        let vertices = proof.vertices.iter().map(Point::new).collect();
-        let sides = Sides { sides: in_order(proof, half_planes)?, vertices };
+    /// Takes sides by their names and checks that they are in order, meet, and name every vertex.
+    pub(crate) fn of(
+        vertices: &[Vector],
+        sides: &[(Named, Option<u64>)],
+        half_planes: &'a HalfPlanes,
+    ) -> Result<Self, Falsehood> {
+        let sides = in_order(sides, vertices.len(), half_planes)?;
+        let sides = Sides { sides, vertices: vertices.iter().map(Point::new).collect() };
         sides.walk()?;
-        let points = sides.sides.iter().filter_map(|side| proof.vertices.get(side.end?));
+        let points = sides.sides.iter().filter_map(|side| vertices.get(side.end?));
         let points: BTreeSet<&Vector> = points.collect();
-        if points.len() != proof.vertices.len() {
+        if points.len() != vertices.len() {
             return Err(Falsehood::StrayVertex);
         }
         Ok(sides)
@@ -89,9 +94,10 @@ impl<'a> Sides<'a> {
         self.sides.iter().all(|side| side.half_plane.compare_along(ray).is_le())
     }
 
-    /// Whether the set is bounded: it has sides and no gap.
-    pub(crate) fn are_closed(&self) -> bool {
-        !self.sides.is_empty() && self.sides.iter().all(|side| side.end.is_some())
+    /// The set is bounded where it has sides and no gap.
+    pub(crate) fn extent(&self) -> Extent {
+        let are_closed = !self.sides.is_empty() && self.sides.iter().all(|side| side.end.is_some());
+        if are_closed { Extent::Bounded } else { Extent::Unbounded }
     }
 
     /// The largest a·θ in the set against b; `None` when there is none. Cost: a binary search.
@@ -115,12 +121,16 @@ impl<'a> Sides<'a> {
 }
 
 /// The sides, their angles strictly increasing.
-fn in_order<'a>(proof: &Proof, half_planes: &'a HalfPlanes) -> Result<Vec<Side<'a>>, Falsehood> {
+fn in_order<'a>(
+    names: &[(Named, Option<u64>)],
+    vertices: usize,
+    half_planes: &'a HalfPlanes,
+) -> Result<Vec<Side<'a>>, Falsehood> {
     let mut sides: Vec<Side<'a>> = Vec::new();
-    for (name, vertex) in &proof.sides {
+    for (name, vertex) in names {
         let (name, half_plane) = half_planes.get(name)?;
         let end = vertex.map(|vertex| usize::try_from(vertex).unwrap_or(usize::MAX));
-        if end.is_some_and(|end| end >= proof.vertices.len()) {
+        if end.is_some_and(|end| end >= vertices) {
             return Err(Falsehood::UnknownVertex(name));
         }
         let has_angle = !half_plane.a.iter().all(Integer::is_zero);

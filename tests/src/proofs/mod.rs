@@ -3,6 +3,7 @@
 mod judge;
 mod mutations;
 mod questions;
+mod statements;
 mod tampering;
 
 use std::io::Cursor;

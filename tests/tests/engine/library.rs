@@ -4,7 +4,7 @@ use std::fs;
 
 use boundfit::check::check;
 use boundfit::num_rational::{BigRational, Ratio};
-use boundfit::verify::{Extent, Falsehood, VerifyError, verify};
+use boundfit::verify::{Extent, Falsehood, Found, VerifyError, verify};
 use boundfit::{
     Endpoint, Error, Fit, Interval, Number, NumberError, Observations, Problem, Rational, Reading,
 };
@@ -183,7 +183,8 @@ fn a_proof_of_the_program_is_true_of_its_table_alone() {
     let proof = run(&line.split_whitespace().collect::<Vec<_>>()).stdout;
     let data = fs::read(root().join("fixtures/transducer/transducer.csv")).unwrap();
     let statement = verify(&proof, &data).unwrap();
-    assert_eq!((statement.extent, statement.vertices, statement.half_planes), (Extent::Bounded, 6, 46));
+    let Found::Set(set) = statement.found else { panic!("{:?}", statement.found) };
+    assert_eq!((set.extent, set.vertices, statement.half_planes), (Extent::Bounded, 6, 46));
     let other = verify(&proof, &data[1..]);
     assert!(matches!(other, Err(VerifyError::False(Falsehood::OtherData))), "{other:?}");
     let cut = verify(&proof[1..], &data);

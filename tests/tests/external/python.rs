@@ -74,6 +74,33 @@ fn every_proof_is_verified_in_python_too() {
     assert!(agree(&cases, &names).iter().all(|&verdict| verdict == 0));
 }
 
+/// Statements of every kind about parts of the rows, with errors in x and without.
+#[test]
+fn every_statement_is_verified_in_python_too() {
+    let mut rng = seeded(64);
+    let mut all: Vec<Question> = questions();
+    all.extend(bounded());
+    all.extend((0..400).map(|_| generated(&mut rng)));
+    let mut cases = Vec::new();
+    for own in &all {
+        for has_x_error in [false, true] {
+            cases.push((own.statements(has_x_error, &mut rng).into_bytes(), own.data.as_slice()));
+        }
+    }
+    let names: Vec<String> = all.iter().flat_map(|own| [own.name.clone(), own.name.clone()]).collect();
+    let statuses = agree(&cases, &names);
+    for ((proof, _), name) in
+        cases.iter().zip(&names).zip(&statuses).filter(|(_, status)| **status != 0).map(|(case, _)| case)
+    {
+        panic!("{name}: {}", String::from_utf8_lossy(proof));
+    }
+    let kinds = ["form", "point", "empty", "least", "set", "left out"];
+    let text: String = cases.iter().map(|(proof, _)| String::from_utf8_lossy(proof).into_owned()).collect();
+    for kind in kinds {
+        assert!(text.matches(&format!("\"kind\": \"{kind}\"")).count() >= 100, "{kind}");
+    }
+}
+
 #[test]
 fn changed_proofs_and_data_get_the_same_verdict() {
     let all: Vec<Question> = questions();
@@ -111,9 +138,16 @@ fn mutated_proofs_and_data_get_the_same_status() {
     let cases =
         std::env::var("PROOF_CASES").map_or(MUTATED, |cases| cases.parse().expect("PROOF_CASES is a number"));
     let mut rng = seeded(163);
+    let mut other = seeded(164);
     let proved = |own: Question| (own.proof(), own);
-    let all: Vec<(String, Question)> = questions().into_iter().chain(bounded()).map(proved).collect();
-    let all: Vec<(String, Question)> = all.into_iter().filter(|(proof, _)| proof.len() <= 6000).collect();
+    let both = |own: Question| {
+        let statements =
+            [false, true].map(|has_x_error| (own.statements(has_x_error, &mut other), own.clone()));
+        [proved(own)].into_iter().chain(statements)
+    };
+    let all: Vec<(String, Question)> = questions().into_iter().chain(bounded()).flat_map(both).collect();
+    let all: Vec<(String, Question)> =
+        all.into_iter().filter(|(proof, own)| proof.len() <= 12_000 && own.data.len() <= 4_000).collect();
     let mut counts = [0_usize; 5];
     for start in (0..cases).step_by(AT_A_TIME) {
         let drawn: Vec<_> = (start..cases.min(start + AT_A_TIME))

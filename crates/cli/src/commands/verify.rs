@@ -30,7 +30,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> CommandResult {
     let text = read_proof(proof_file, limits, *max_proof_size)?;
     let proof = Proof::read(text.as_bytes(), &limits.number()).map_err(|problem| {
         Failure::data(format_args!(
-            "{}: not a proof: {problem} (expected JSON of schema boundfit/proof/1)",
+            "{}: not a proof: {problem} (expected JSON of schema boundfit/proof/1 or boundfit/proof/2)",
             Foreign::of(named(proof_file))
         ))
     })?;

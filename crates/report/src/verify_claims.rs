@@ -1,0 +1,127 @@
+//! What the statements of a proof say, in words.
+
+use boundfit_exact::Rational;
+use boundfit_exact::english::counted;
+use boundfit_verify::{Claim, ClaimKind, ErrorScale, Scope, Side};
+
+use crate::style::Style;
+use crate::verify::{extent, form_text, range, rows};
+
+/// How many statements are said in full.
+const MOST_CLAIMS: usize = 12;
+/// How many rows of one.
+const MOST_ROWS: usize = 6;
+
+/// How many statements of each kind are proved, and what the first ones say.
+pub(crate) fn of_claims(claims: &[Claim]) -> Vec<(&'static str, String)> {
+    let mut counts: Vec<((&'static str, &'static str), usize)> = Vec::new();
+    for claim in claims {
+        let words = words(&claim.kind);
+        match counts.iter_mut().find(|(known, _)| *known == words) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((words, 1)),
+        }
+    }
+    let counts: Vec<String> =
+        counts.into_iter().map(|((one, many), count)| counted(count, one, many)).collect();
+    let counts = if counts.is_empty() { "nothing".to_owned() } else { counts.join(", ") };
+    let mut lines = vec![("proved", counts)];
+    for claim in claims.iter().take(MOST_CLAIMS) {
+        let (label, text) = said(claim);
+        lines.push((label, text + &scope(&claim.scope)));
+    }
+    if let Some(more @ 1..) = claims.len().checked_sub(MOST_CLAIMS) {
+        lines.push(("", format!("and {more} more")));
+    }
+    lines
+}
+
+/// The name of a kind.
+pub(crate) fn kind(kind: &ClaimKind) -> &'static str {
+    match kind {
+        ClaimKind::Form { .. } => "form",
+        ClaimKind::Point(_) => "point",
+        ClaimKind::Empty => "empty",
+        ClaimKind::Least => "least",
+        ClaimKind::Set { .. } => "set",
+        ClaimKind::LeftOut { .. } => "left out",
+        _ => "another",
+    }
+}
+
+fn words(kind: &ClaimKind) -> (&'static str, &'static str) {
+    match kind {
+        ClaimKind::Form { .. } => ("range of a form", "ranges of forms"),
+        ClaimKind::Point(_) => ("point", "points"),
+        ClaimKind::Empty => ("contradiction", "contradictions"),
+        ClaimKind::Least => ("least error bound", "least error bounds"),
+        ClaimKind::Set { .. } => ("set", "sets"),
+        ClaimKind::LeftOut { .. } => ("number of rows to leave out", "numbers of rows to leave out"),
+        _ => ("other statement", "other statements"),
+    }
+}
+
+/// A label, and what a statement says.
+fn said(Claim { scope, kind }: &Claim) -> (&'static str, String) {
+    match kind {
+        ClaimKind::Form { form, range: ends } => ("range", format!("{} in {}", form_text(form), range(ends))),
+        ClaimKind::Point([theta1, theta2]) => {
+            ("point", format!("theta1 = {}, theta2 = {} agree", given(theta1), given(theta2)))
+        }
+        ClaimKind::Empty => ("empty", "no parameters agree".to_owned()),
+        ClaimKind::Least => match &scope.errors {
+            ErrorScale::Within(bound) => ("least", format!("the least error bound is {}", given(bound))),
+            ErrorScale::Times(factor) => ("least", format!("the least factor is {}", given(factor))),
+            ErrorScale::AsStated => ("least", String::new()),
+        },
+        ClaimKind::Set { extent: own, vertices, sides } => {
+            ("set", format!("just this: {}", extent(*own, *vertices, *sides)))
+        }
+        ClaimKind::LeftOut { least, sets } => {
+            let least = usize::try_from(*least).unwrap_or(usize::MAX);
+            let sets = sets.as_ref().map(|sets| match sets.len() {
+                0 => ", which are not enough".to_owned(),
+                count => format!(", one of {}", counted(count, "set", "sets")),
+            });
+            let rows = counted(least, "row", "rows");
+            ("leave", format!("at least {rows} out{}", sets.unwrap_or_default()))
+        }
+        _ => ("", String::new()),
+    }
+}
+
+/// The rows, conditions, errors and side of a scope, as far as they are not all.
+fn scope(Scope { rows: asked, without, conditions, errors, side }: &Scope) -> String {
+    let mut parts = Vec::new();
+    if let Some(asked) = asked {
+        parts.push(format!("of rows {}", rows(asked)));
+    }
+    if !without.is_empty() {
+        let shown: Vec<String> = without.iter().take(MOST_ROWS).map(u64::to_string).collect();
+        let more = without.len().saturating_sub(MOST_ROWS);
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        parts.push(format!("without {}{more}", shown.join(", ")));
+    }
+    if let Some(conditions) = conditions {
+        let numbers: Vec<String> =
+            conditions.iter().take(MOST_ROWS).map(|number| format!("where:{number}")).collect();
+        let numbers = if numbers.is_empty() { "no condition".to_owned() } else { numbers.join(", ") };
+        parts.push(format!("under {numbers}"));
+    }
+    match errors {
+        ErrorScale::AsStated => {}
+        ErrorScale::Times(factor) => parts.push(format!("at {} times the errors", given(factor))),
+        ErrorScale::Within(bound) => parts.push(format!("at |e| <= {}", given(bound))),
+    }
+    match side {
+        None => {}
+        Some(Side::Rising) => parts.push("for some x, theta1 >= 0".to_owned()),
+        Some(Side::Falling) => parts.push("for some x, theta1 <= 0".to_owned()),
+        Some(Side::Strong) => parts.push("for every x".to_owned()),
+    }
+    if parts.is_empty() { String::new() } else { format!(" ({})", parts.join("; ")) }
+}
+
+fn given(number: &Rational) -> String {
+    Style::default().given(number).to_string()
+}

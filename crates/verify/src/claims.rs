@@ -1,0 +1,308 @@
+//! The checks of statements: what half-planes by name prove of each, and then all points, rays and sets of all of them in one
+//! pass over the data (section 9).
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::Read;
+
+use boundfit_exact::Rational;
+
+use crate::cells::{Model, Row};
+use crate::failure::{DataLimits, Failure};
+use crate::falsehood::Falsehood;
+use crate::name::Name;
+use crate::plane::{HalfPlane, Point, Vector, dot};
+use crate::proof::{About, End, HalfPlanes, Multiples, Proof};
+use crate::scope::{ErrorScale, Part, Scope, Side, View};
+use crate::sides::Sides;
+use crate::statements::{Claim, ClaimKind, Contradictions, Kind, Statement};
+
+impl Proof {
+    /// Checks statements against the rows that they name, then the rest of them against all data, if there is a rest.
+    pub(crate) fn check_statements<R: Read>(
+        &self,
+        statements: &[Statement],
+        rows: &BTreeMap<u64, Row>,
+        open: impl FnOnce() -> Result<R, Failure>,
+        limits: &DataLimits,
+    ) -> Result<Vec<Claim>, Failure> {
+        let about = &self.about;
+        let named: Vec<HalfPlanes> = (1..)
+            .zip(statements)
+            .map(|(number, own)| in_statement(number, own.scope.half_planes(&own.names(), rows, about)))
+            .collect::<Result<_, _>>()?;
+        let mut probes = Probes::default();
+        let mut claims = Vec::new();
+        for ((number, own), half_planes) in (1..).zip(statements).zip(&named) {
+            let claim = in_statement(number, own.check(half_planes, rows, about))?;
+            claims.push(Claim { scope: own.scope.clone(), kind: claim });
+            in_statement(number, probes.add(number, own, half_planes, about))?;
+        }
+        if !probes.is_empty() {
+            probes.check_conditions(about)?;
+            let longest = bits_of_points(statements);
+            self.look_again(open()?, limits, |about, rows| {
+                about.for_each_row(rows, limits, longest, |row, model| probes.check_row(row, model))
+            })?;
+        }
+        Ok(claims)
+    }
+}
+
+fn in_statement<T>(number: usize, found: Result<T, Falsehood>) -> Result<T, Falsehood> {
+    found.map_err(|falsehood| Falsehood::InStatement { number, falsehood: Box::new(falsehood) })
+}
+
+/// The rows that statements name.
+pub(crate) fn named_rows(statements: &[Statement]) -> BTreeSet<u64> {
+    statements.iter().flat_map(|own| own.names().into_iter().filter_map(Name::row)).collect()
+}
+
+/// How many bits all points and rays have that each row is compared with.
+pub(crate) fn bits_of_points(statements: &[Statement]) -> u64 {
+    let points = statements.iter().flat_map(|own| own.points_and_rays().concat());
+    points.map(|[x, y]| x.bits() + y.bits()).fold(0, u64::saturating_add)
+}
+
+impl Statement {
+    /// What half-planes by name prove of it.
+    fn check(
+        &self,
+        half_planes: &HalfPlanes,
+        rows: &BTreeMap<u64, Row>,
+        about: &About,
+    ) -> Result<ClaimKind, Falsehood> {
+        match &self.kind {
+            Kind::Form { form, ends: [lower, upper] } => {
+                let opposite = form.each_ref().map(|part| -part);
+                let lower = check_end(lower, &opposite, half_planes, false)?.map(|value| -value);
+                let upper = check_end(upper, form, half_planes, true)?;
+                Ok(ClaimKind::Form { form: form.clone(), range: [lower, upper] })
+            }
+            Kind::Point(point) => Ok(ClaimKind::Point(point.clone())),
+            Kind::Empty(multiples) => check_contradiction(multiples, half_planes).map(|()| ClaimKind::Empty),
+            Kind::Least { multiples, .. } => {
+                let (_, view) = self.scope.parts(about)?;
+                check_least(&self.scope, multiples, half_planes, &view, rows)
+            }
+            Kind::Set { vertices, sides, .. } => {
+                let walk = Sides::of(vertices, sides, half_planes)?;
+                let (extent, vertices, sides) = (walk.extent(), vertices.len(), sides.len());
+                Ok(ClaimKind::Set { extent, vertices, sides })
+            }
+            Kind::LeftOut { least, sets, contradictions } => {
+                check_left_out(*least, sets.as_ref(), contradictions, half_planes)?;
+                Ok(ClaimKind::LeftOut { least: *least, sets: sets.clone() })
+            }
+        }
+    }
+}
+
+/// The largest value of a form, or `None` where nothing bounds it; that the point and the ray are in the set is not looked at.
+fn check_end(
+    (multiples, point, ray): &End,
+    form: &Vector,
+    half_planes: &HalfPlanes,
+    is_upper: bool,
+) -> Result<Option<Rational>, Falsehood> {
+    let value = dot(form, point);
+    let (a, b) = half_planes.sum(multiples, 2)?;
+    if *ray == Vector::default() && a == *form && b == value {
+        return Ok(Some(value));
+    }
+    if multiples.is_empty() && dot(form, ray).is_positive() {
+        return Ok(None);
+    }
+    Err(Falsehood::NotAnEnd { is_upper })
+}
+
+/// Half-planes add up to 0 ≤ b with b < 0.
+fn check_contradiction(multiples: &Multiples, half_planes: &HalfPlanes) -> Result<(), Falsehood> {
+    let (a, b) = half_planes.sum(multiples, 3)?;
+    if a == Vector::default() && b.is_negative() { Ok(()) } else { Err(Falsehood::NoContradiction) }
+}
+
+/// Half-planes add up to 0 ≤ 0, and some of them grow.
+fn check_least(
+    scope: &Scope,
+    multiples: &Multiples,
+    half_planes: &HalfPlanes,
+    view: &View,
+    rows: &BTreeMap<u64, Row>,
+) -> Result<ClaimKind, Falsehood> {
+    let scale = match &scope.errors {
+        ErrorScale::AsStated => return Err(Falsehood::NotLeast),
+        // With smaller bounds on errors in x as well the strong set need not be smaller.
+        ErrorScale::Times(_) if scope.side == Some(Side::Strong) => return Err(Falsehood::NotLeast),
+        ErrorScale::Times(scale) | ErrorScale::Within(scale) => scale,
+    };
+    let (a, b) = half_planes.sum(multiples, 3)?;
+    let mut grows = false;
+    for (name, _) in multiples {
+        let (name, _) = half_planes.get(name)?;
+        grows |= view.growth(name.row().and_then(|row| rows.get(&row))).is_positive();
+    }
+    let is_least = a == Vector::default() && b.is_zero() && (grows || scale.is_zero());
+    if is_least { Ok(ClaimKind::Least) } else { Err(Falsehood::NotLeast) }
+}
+
+/// From no row left out on, one of the rows of each contradiction has to be left out, and all of them are tried.
+fn check_left_out(
+    least: u64,
+    sets: Option<&BTreeSet<BTreeSet<u64>>>,
+    contradictions: &Contradictions,
+    half_planes: &HalfPlanes,
+) -> Result<(), Falsehood> {
+    let mut next = vec![BTreeSet::new()];
+    let mut seen: BTreeSet<BTreeSet<u64>> = BTreeSet::new();
+    while let Some(left_out) = next.pop() {
+        let is_enough = left_out.len() as u64 >= least;
+        if is_enough && sets.is_none_or(|sets| sets.contains(&left_out)) || seen.contains(&left_out) {
+            continue;
+        }
+        let Some(multiples) = contradictions.get(&left_out) else {
+            return Err(Falsehood::MayBeEnough(left_out.into_iter().collect()));
+        };
+        check_contradiction(multiples, half_planes)?;
+        for (name, _) in multiples {
+            let (name, _) = half_planes.get(name)?;
+            let Some(row) = name.row() else { continue };
+            if left_out.contains(&row) {
+                return Err(Falsehood::MayBeEnough(left_out.into_iter().collect()));
+            }
+            if !is_enough {
+                let mut more = left_out.clone();
+                more.insert(row);
+                next.push(more);
+            }
+        }
+        seen.insert(left_out);
+    }
+    Ok(())
+}
+
+/// What is to be compared with each row: points, rays and sets of all statements.
+#[derive(Default)]
+struct Probes<'a> {
+    views: Vec<View>,
+    vectors: BTreeMap<Key, Probe<'a>>,
+    sets: Vec<SetProbe<'a>>,
+}
+
+/// Points and rays of statements that differ in no more than the rows that they leave out: whether it is a ray, which one, how
+/// rows are seen, an index of `views`, and which.
+type Key = (bool, Vector, usize, Part);
+
+struct Probe<'a> {
+    at: Point,
+    /// Rows that all of these statements leave out.
+    without: BTreeSet<u64>,
+    /// The numbers of the statements and the rows that each leaves out.
+    statements: Vec<(usize, &'a BTreeSet<u64>)>,
+}
+
+struct SetProbe<'a> {
+    number: usize,
+    view: usize,
+    part: Part,
+    without: &'a BTreeSet<u64>,
+    sides: Sides<'a>,
+}
+
+impl<'a> Probes<'a> {
+    fn is_empty(&self) -> bool {
+        self.vectors.is_empty() && self.sets.is_empty()
+    }
+
+    fn add(
+        &mut self,
+        number: usize,
+        statement: &'a Statement,
+        half_planes: &'a HalfPlanes,
+        about: &About,
+    ) -> Result<(), Falsehood> {
+        let (part, view) = statement.scope.parts(about)?;
+        let known = self.views.iter().position(|known| *known == view);
+        let view = known.unwrap_or_else(|| {
+            self.views.push(view);
+            self.views.len() - 1
+        });
+        let without = &statement.scope.without;
+        let [points, rays] = statement.points_and_rays().map(Vec::into_iter);
+        for (is_ray, vector) in points.map(|point| (false, point)).chain(rays.map(|ray| (true, ray))) {
+            let key = (is_ray, vector.clone(), view, part.clone());
+            let probe = self.vectors.entry(key).or_insert_with(|| Probe {
+                at: Point::new(vector),
+                without: without.clone(),
+                statements: Vec::new(),
+            });
+            probe.without.retain(|row| without.contains(row));
+            probe.statements.push((number, without));
+        }
+        if let Kind::Set { vertices, sides, .. } = &statement.kind {
+            let sides = Sides::of(vertices, sides, half_planes)?;
+            self.sets.push(SetProbe { number, view, part, without, sides });
+        }
+        Ok(())
+    }
+
+    /// Compares everything with the half-planes that are of no row.
+    fn check_conditions(&self, about: &About) -> Result<(), Falsehood> {
+        for ((is_ray, _, view, part), probe) in &self.vectors {
+            let Some(view) = self.views.get(*view) else { continue };
+            for (name, half_plane) in part.conditions(about, view) {
+                probe.check(*is_ray, name, &half_plane)?;
+            }
+        }
+        for set in &self.sets {
+            let Some(view) = self.views.get(set.view) else { continue };
+            for (name, half_plane) in set.part.conditions(about, view) {
+                set.check(name, &half_plane)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Compares everything with the half-planes of a row.
+    fn check_row(&self, row: u64, model: &Model) -> Result<(), Falsehood> {
+        let numbers = model.row();
+        let seen: Vec<_> = self.views.iter().map(|view| view.half_planes(row, &numbers)).collect();
+        let of_view = |view: usize| seen.get(view).into_iter().flatten();
+        for ((is_ray, _, view, part), probe) in &self.vectors {
+            if part.has_row(row) && !probe.without.contains(&row) {
+                of_view(*view).try_for_each(|(name, own)| probe.check(*is_ray, *name, own))?;
+            }
+        }
+        for set in &self.sets {
+            if set.part.has_row(row) && !set.without.contains(&row) {
+                of_view(set.view).try_for_each(|(name, own)| set.check(*name, own))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Probe<'_> {
+    fn check(&self, is_ray: bool, name: Name, half_plane: &HalfPlane) -> Result<(), Falsehood> {
+        let (is_within, falsehood) = if is_ray {
+            (half_plane.compare_along(&self.at).is_le(), Falsehood::Leaves(name))
+        } else {
+            (half_plane.compare_at(&self.at).is_le(), Falsehood::Outside(name))
+        };
+        if is_within {
+            return Ok(());
+        }
+        // The first that does not leave this row out.
+        let is_about =
+            |(_, without): &&(usize, &BTreeSet<u64>)| name.row().is_none_or(|row| !without.contains(&row));
+        let number = self.statements.iter().find(is_about).map_or(0, |(number, _)| *number);
+        in_statement(number, Err(falsehood))
+    }
+}
+
+impl SetProbe<'_> {
+    fn check(&self, name: Name, half_plane: &HalfPlane) -> Result<(), Falsehood> {
+        let is_around = self.sides.support(half_plane).is_some_and(|support| support.against_b.is_le());
+        let found = if is_around { Ok(()) } else { Err(Falsehood::CutsOff(name)) };
+        in_statement(self.number, found)
+    }
+}

@@ -1,0 +1,174 @@
+//! The statements of version 2 (section 9), as they stand in a proof and as they are once they are known to be true.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use boundfit_exact::Rational;
+
+use crate::checks::Extent;
+use crate::name::{Name, Named};
+use crate::plane::Vector;
+use crate::proof::{End, Multiples, end, multiples, vector};
+use crate::scope::{ErrorScale, Scope, Side};
+use crate::shape::{NotAProof, Number, StatementShape, needed};
+use crate::whole_set::names;
+
+/// What is so about the set of a scope.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Claim {
+    /// Which half-planes make the set.
+    pub scope: Scope,
+    /// What is so.
+    pub kind: ClaimKind,
+}
+
+/// What is so about a set.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ClaimKind {
+    /// How far a form f·θ goes in it; an end is `None` where nothing bounds it.
+    Form {
+        /// f.
+        form: [Rational; 2],
+        /// The lower and the upper end.
+        range: [Option<Rational>; 2],
+    },
+    /// A point is in it.
+    Point([Rational; 2]),
+    /// Nothing is.
+    Empty,
+    /// With smaller errors than those of the scope nothing would be.
+    Least,
+    /// All of it is known.
+    Set {
+        /// How far it goes.
+        extent: Extent,
+        /// How many vertices it has.
+        vertices: usize,
+        /// How many sides.
+        sides: usize,
+    },
+    /// Nothing is in it while fewer rows than this are left out.
+    LeftOut {
+        /// How many at least.
+        least: u64,
+        /// All sets of so many rows without which something may be left, where they are stated.
+        sets: Option<BTreeSet<BTreeSet<u64>>>,
+    },
+}
+
+/// A statement whose truth is to be checked.
+#[derive(Debug, Clone)]
+pub(crate) struct Statement {
+    pub(crate) scope: Scope,
+    pub(crate) kind: Kind,
+}
+
+#[derive(Debug, Clone)]
+pub(crate) enum Kind {
+    Form { form: Vector, ends: [End; 2] },
+    Point(Vector),
+    Empty(Multiples),
+    Least { point: Vector, multiples: Multiples },
+    Set { point: Vector, vertices: Vec<Vector>, sides: Vec<(Named, Option<u64>)> },
+    LeftOut { least: u64, sets: Option<BTreeSet<BTreeSet<u64>>>, contradictions: Contradictions },
+}
+
+/// For rows that are left out, half-planes of others that contradict each other.
+pub(crate) type Contradictions = BTreeMap<BTreeSet<u64>, Multiples>;
+
+impl Statement {
+    /// Takes the scope and the fields of the kind; there are no others.
+    pub(crate) fn read(mut shape: StatementShape) -> Result<Self, NotAProof> {
+        let scope = scope(&mut shape)?;
+        let fields = &mut shape;
+        let kind = match fields.kind.raw() {
+            "form" => Kind::Form {
+                form: vector(needed(fields.form.take(), "form")?),
+                ends: [
+                    end(needed(fields.lower.take(), "lower")?),
+                    end(needed(fields.upper.take(), "upper")?),
+                ],
+            },
+            "point" => Kind::Point(vector(needed(fields.point.take(), "point")?)),
+            "empty" => Kind::Empty(multiples(needed(fields.multipliers.take(), "multipliers")?)),
+            "least" => Kind::Least {
+                point: vector(needed(fields.point.take(), "point")?),
+                multiples: multiples(needed(fields.multipliers.take(), "multipliers")?),
+            },
+            "set" => Kind::Set {
+                point: vector(needed(fields.point.take(), "point")?),
+                vertices: needed(fields.vertices.take(), "vertices")?.into_iter().map(vector).collect(),
+                sides: needed(fields.sides.take(), "sides")?,
+            },
+            "left out" => Kind::LeftOut {
+                least: needed(fields.least.take(), "least")?,
+                sets: fields.sets.take().map(|sets| {
+                    sets.into_iter().map(|set| set.into_iter().collect::<BTreeSet<_>>()).collect()
+                }),
+                contradictions: needed(fields.contradictions.take(), "contradictions")?
+                    .into_iter()
+                    .map(|(rows, terms)| (rows.into_iter().collect(), multiples(terms)))
+                    .collect(),
+            },
+            _ => return Err(NotAProof::new("another kind of statement")),
+        };
+        if fields.has_more() {
+            return Err(NotAProof::new("a field of another kind of statement"));
+        }
+        Ok(Statement { scope, kind })
+    }
+
+    /// The half-planes that it names.
+    pub(crate) fn names(&self) -> BTreeSet<Name> {
+        match &self.kind {
+            Kind::Form { ends: [(lower, ..), (upper, ..)], .. } => {
+                names(lower.iter().chain(upper).map(|(name, _)| name))
+            }
+            Kind::Point(_) => BTreeSet::new(),
+            Kind::Empty(own) | Kind::Least { multiples: own, .. } => names(own.iter().map(|(name, _)| name)),
+            Kind::Set { sides, .. } => names(sides.iter().map(|(name, _)| name)),
+            Kind::LeftOut { contradictions, .. } => {
+                names(contradictions.values().flatten().map(|(name, _)| name))
+            }
+        }
+    }
+
+    /// The points that it has in its set, then the rays.
+    pub(crate) fn points_and_rays(&self) -> [Vec<&Vector>; 2] {
+        match &self.kind {
+            Kind::Form { ends: [(_, low, low_ray), (_, high, high_ray)], .. } => {
+                let is_one = |ray: &&Vector| !ray.iter().all(Rational::is_zero);
+                [vec![low, high], [low_ray, high_ray].into_iter().filter(is_one).collect()]
+            }
+            Kind::Point(point) | Kind::Least { point, .. } | Kind::Set { point, .. } => {
+                [vec![point], Vec::new()]
+            }
+            Kind::Empty(_) | Kind::LeftOut { .. } => [Vec::new(), Vec::new()],
+        }
+    }
+}
+
+fn scope(shape: &mut StatementShape) -> Result<Scope, NotAProof> {
+    let errors = match (shape.factor.take(), shape.epsilon.take()) {
+        (None, None) => ErrorScale::AsStated,
+        (Some(Number(factor)), None) => ErrorScale::Times(factor),
+        (None, Some(Number(bound))) => ErrorScale::Within(bound),
+        (Some(_), Some(_)) => return Err(NotAProof::new("a factor and an epsilon")),
+    };
+    let side = match shape.side.take() {
+        None => None,
+        Some(side) => Some(match side.raw() {
+            "+" => Side::Rising,
+            "-" => Side::Falling,
+            "strong" => Side::Strong,
+            _ => return Err(NotAProof::new("another side")),
+        }),
+    };
+    Ok(Scope {
+        rows: shape.rows.take(),
+        without: shape.without.take().unwrap_or_default().into_iter().collect(),
+        conditions: shape.conditions.take().map(|numbers| numbers.into_iter().collect()),
+        errors,
+        side,
+    })
+}
