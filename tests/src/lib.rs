@@ -17,6 +17,7 @@ pub mod proofs;
 pub mod readings;
 pub mod reference_table;
 pub mod representations;
+pub mod runs;
 pub mod second_judge;
 pub mod shape;
 pub mod statuses;

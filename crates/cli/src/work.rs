@@ -23,6 +23,8 @@ pub(crate) mod times {
     pub(crate) const PREDICT: u64 = 2;
     /// The minimax lines of three characteristics, each in general and through a point.
     pub(crate) const LINEARITY: u64 = 6;
+    /// The runs that fit, or windows: every reading comes and goes, and what is left is asked for places between.
+    pub(crate) const RANGE: u64 = 8;
     /// A figure; all of them are six.
     pub(crate) const PLOT: u64 = 8;
     /// A page; leaving out each reading comes on top.

@@ -2,7 +2,9 @@
 
 mod linearity;
 mod predict;
+mod range;
 mod status;
+mod window;
 mod x_errors;
 
 pub use linearity::{
@@ -10,7 +12,9 @@ pub use linearity::{
     LinearityLine, LinearityOptions, NoLine, Pass,
 };
 pub use predict::{FurtherError, NoFurtherError, PossibleEnd, PossibleX, Predictor};
+pub use range::{LinearRange, Order, Run};
 pub use status::{Deciding, RowStatus, Standing, Status, Statuses};
+pub use window::{Contradiction, Extent, Moved, Moving, Turn, Window, WindowFit, WindowSet};
 pub use x_errors::{
     Agreement, BoxBound, Corner, LeastFactor, NoLeastFactor, NoXErrors, Side, SideSet, XBounds, XErrorFit,
     XErrorProblem,

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use boundfit_estimation::{
-    Family, Fit, FloatEstimate, InverseParameter, LeastSquares, ParameterBound, ParameterInterval, Problem,
-    Ties, least_squares_is_feasible, mending_rows,
+    Central, Family, Fit, FloatEstimate, InverseParameter, LeastSquares, ParameterBound, ParameterInterval,
+    Problem, Ties, least_squares_is_feasible, mending_rows,
 };
 use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::{Measures, Multiplier};
@@ -196,10 +196,15 @@ pub(crate) fn pui(fit: &Fit, style: &Style) -> Option<[IntervalJson; 2]> {
 }
 
 pub(crate) fn central(fit: &Fit, style: &Style) -> Option<CentralJson> {
-    fit.central.as_ref().map(|central| CentralJson {
+    fit.central.as_ref().map(|central| central_of(central, style))
+}
+
+/// A central estimate with its guaranteed error.
+pub(crate) fn central_of(central: &Central, style: &Style) -> CentralJson {
+    CentralJson {
         theta: style.numbers(&central.theta),
         guaranteed_error: central.guaranteed_error.each_ref().map(|error| style.upper_number(error)),
-    })
+    }
 }
 
 /// ε_min exists under a uniform error bound only.

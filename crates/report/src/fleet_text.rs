@@ -55,6 +55,12 @@ impl FleetTable {
         FleetTable { widths: None, waiting: vec![GroupCells::header(is_bounded_per_row)] }
     }
 
+    /// A table of windows with its header.
+    pub fn of_windows() -> Self {
+        let header = ["rows", "readings", "kind", "theta1", "theta2", "eps_min"].map(ToOwned::to_owned);
+        FleetTable { widths: None, waiting: vec![GroupCells(header)] }
+    }
+
     /// Appends a line to the text, or keeps it until it is known how wide the columns are.
     pub fn push(&mut self, cells: GroupCells, text: &mut String) {
         match &self.widths {

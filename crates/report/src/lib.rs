@@ -56,6 +56,7 @@ mod predict;
 mod proof_json;
 #[cfg(feature = "files")]
 mod proof_question;
+mod range;
 mod region;
 mod scale;
 mod script;
@@ -70,6 +71,7 @@ mod verify;
 mod verify_claims;
 mod verify_json;
 mod vertices_csv;
+mod window;
 mod wkt;
 
 pub use cases::{CaseVerdicts, cases_json, cases_table};
@@ -102,6 +104,7 @@ pub use predict::{
 pub use proof_json::proof_json;
 #[cfg(feature = "files")]
 pub use proof_question::ProofQuestion;
+pub use range::{RangeReport, range_csv, range_document, range_json};
 pub use script::region_script;
 #[cfg(feature = "files")]
 pub use statements::{Claim, ErrorScale, FormEnd, HalfPlaneName, Multiple, Scope, Side, Statement};
@@ -113,4 +116,5 @@ pub use sweep_json::SweepJson;
 pub use verify::{Verdict, condition as condition_text, rows as rows_text, verify_text};
 pub use verify_json::verify_json;
 pub use vertices_csv::{active_names, vertices_csv};
+pub use window::{WindowReport, WindowSummary, write_window_json};
 pub use wkt::region_wkt;

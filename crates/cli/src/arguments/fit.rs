@@ -1,8 +1,8 @@
 //! The arguments of `boundfit fit`.
 
 use boundfit_formats::ColumnSelector;
-use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
+use clap::{Args, value_parser};
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::values::parse_column;
@@ -38,6 +38,10 @@ pub(super) const NOTES: Notes = Notes {
             "Every sensor of a fleet on its own, one line each (--format json or csv for programs)",
             "boundfit fit fleet.csv --by sensor --x V --y level --eps 0.03",
         ),
+        (
+            "The last 100 readings, each time 10 more have come",
+            "boundfit fit clock.csv --x t --y offset --eps 2e-6 --window 100 --step 10",
+        ),
     ],
     statuses: &[
         (0, "an answer was found"),
@@ -45,7 +49,7 @@ pub(super) const NOTES: Notes = Notes {
         BAD_USAGE,
         (
             3,
-            "the feasible parameter set is empty, with --by that of at least one group; the proof is printed",
+            "the feasible parameter set is empty, with --by or --window that of at least one; the proof is printed",
         ),
     ],
 };
@@ -72,6 +76,17 @@ pub(crate) struct FitArguments {
     /// order in which they first occur, and a summary (with JSON and CSV on standard error)
     #[arg(long, value_name = "COL", value_parser = parse_column, conflicts_with = "sweep")]
     pub(crate) by: Option<ColumnSelector>,
+    /// Fit the last N readings, in order of rows, again and again: one line of text, JSON or CSV for each window that is whole
+    #[arg(long, value_name = "N", value_parser = value_parser!(u64).range(1..),
+          conflicts_with_all = ["window_x", "by", "sweep", "brief", "vertices", "inverse", "proof"])]
+    pub(crate) window: Option<u64>,
+    /// Fit the readings whose x is at most NUM less than that of the newest, in order of x, again and again: one line each
+    #[arg(long, value_name = "NUM", allow_hyphen_values = true,
+          conflicts_with_all = ["by", "sweep", "brief", "vertices", "inverse", "proof"])]
+    pub(crate) window_x: Option<String>,
+    /// How many readings a window moves on each time; 1 when left out
+    #[arg(long, value_name = "K", value_parser = value_parser!(u64).range(1..))]
+    pub(crate) step: Option<u64>,
     /// Leave out the line about what an LP solver makes of the same data
     #[arg(long)]
     pub(crate) no_lp: bool,

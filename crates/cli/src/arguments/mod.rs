@@ -12,6 +12,7 @@ mod plot;
 mod polygon;
 mod predict;
 mod question;
+mod range;
 mod reading;
 mod reduce;
 mod rows;
@@ -35,6 +36,7 @@ pub(crate) use notes::Notes;
 pub(crate) use plot::{Figures, PlotArguments};
 pub(crate) use polygon::PolygonArguments;
 pub(crate) use predict::PredictArguments;
+pub(crate) use range::{RangeArguments, RangeFormat};
 pub(crate) use reading::Asked;
 pub(crate) use reduce::ReduceArguments;
 pub(crate) use rows::RowArguments;
@@ -62,6 +64,7 @@ pub(crate) enum Command {
     Fit(FitArguments),
     Predict(PredictArguments),
     Linearity(LinearityArguments),
+    Range(RangeArguments),
     Reduce(ReduceArguments),
     Check(CheckArguments),
     Convert(ConvertArguments),
@@ -105,6 +108,7 @@ pub(crate) fn notes(command: &str) -> Option<&'static Notes> {
         "fit" => &fit::NOTES,
         "predict" => &predict::NOTES,
         "linearity" => &linearity::NOTES,
+        "range" => &range::NOTES,
         "reduce" => &reduce::NOTES,
         "check" => &check::NOTES,
         "convert" => &convert::NOTES,

@@ -6,6 +6,7 @@ use boundfit_estimation::{
 };
 use boundfit_exact::{Foreign, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading, Work};
 use boundfit_formats::{AskedDialect, Header, ScanOptions, SizeLimits, Source, TableOptions};
+use boundfit_questions::{Extent, Moving};
 use boundfit_report::{Origin, Style};
 use clap::ValueEnum;
 
@@ -110,6 +111,13 @@ impl<'a> Data<'a> {
         let asked = self.asked()?;
         let keep = Keep { eui: false, ..Keep::EVERY };
         self.scanned(asked, keep, |options| ScanOptions { hash: false, list_rows: false, ..options })
+    }
+
+    /// Reads the problem with every reading, and with the hash of the data if it will be shown.
+    pub(crate) fn every_reading(self, hash: bool) -> Result<Problem, Failure> {
+        let asked = self.asked()?;
+        let keep = Keep { eui: false, ..Keep::EVERY };
+        self.scanned(asked, keep, |options| ScanOptions { hash, list_rows: false, ..options })
     }
 
     fn scanned(
@@ -419,6 +427,37 @@ impl FitArguments {
         let limits = self.data.table.limits.number();
         let sweep = self.asked_factors.as_deref().map(|text| parse_factors(text, &limits)).transpose()?;
         Ok(FitArguments { sweep, ..self })
+    }
+
+    /// The windows that are asked for, if they are.
+    pub(crate) fn moving(&self) -> Result<Option<Moving>, Failure> {
+        const EXPECTED: &str = "expected a number above 0, such as 60 or 0.5";
+        let extent = match (self.window, &self.window_x) {
+            (Some(count), _) => Extent::Readings(size(count)),
+            (None, Some(_)) if self.data.has_two_regressors() => {
+                return Err(Failure::Usage(
+                    "'--window-x' is about a line: two regressors have no x to look back along; '--window' counts readings"
+                        .to_owned(),
+                ));
+            }
+            (None, Some(text)) => {
+                let refuse = |problem: String| Failure::value("--window-x <NUM>", text, problem);
+                let span = self.data.table.reading.read(text, &self.data.table.limits.number());
+                let span = span.map_err(|error| refuse(number_problem(&error, EXPECTED)))?;
+                if !span.is_positive() {
+                    return Err(refuse(EXPECTED.to_owned()));
+                }
+                Extent::X(span)
+            }
+            (None, None) if self.step.is_some() => {
+                return Err(Failure::Usage(
+                    "'--step' says how far a window moves on: say which with '--window' or '--window-x'"
+                        .to_owned(),
+                ));
+            }
+            (None, None) => return Ok(None),
+        };
+        Ok(Some(Moving { extent, step: self.step.map_or(1, size) }))
     }
 }
 

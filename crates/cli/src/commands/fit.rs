@@ -12,7 +12,7 @@ use boundfit_report::{
 
 use crate::CommandResult;
 use crate::arguments::{FactorRange, FitArguments, ReportFormat};
-use crate::commands::fleet;
+use crate::commands::{fleet, window};
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
@@ -27,12 +27,16 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     check_usage_of_proof(arguments)?;
     let format = arguments.output.format()?;
     check_usage_of_parts(arguments, format)?;
+    let moving = arguments.moving()?;
     let output = arguments.output.file.output.as_deref();
     let mut guard = arguments.output.file.replace.guard([arguments.data.path()]);
     guard.check(output)?;
     guard.check(arguments.proof.as_deref())?;
     if let Some(by) = &arguments.by {
         return fleet::run(arguments, by, format, &guard);
+    }
+    if let Some(moving) = &moving {
+        return window::run(arguments, moving, format, &guard);
     }
     let data = arguments.data.open();
     let origin = data.origin();

@@ -13,6 +13,8 @@ pub(crate) mod man;
 pub(crate) mod plot;
 pub(crate) mod polygon;
 pub(crate) mod predict;
+pub(crate) mod range;
 pub(crate) mod reduce;
 mod solutions;
 pub(crate) mod verify;
+pub(crate) mod window;

@@ -4,9 +4,13 @@
 pub(super) const START: u64 = 4096;
 
 /// What a format begins with, and what else is found in its first bytes.
-const MARKS: [(&str, &str); 29] = [
+const MARKS: [(&str, &str); 33] = [
     // Reports as text, Markdown and LaTeX.
     ("Set-membership fit\n", ""),
+    ("Linear range\n  model ", ""),
+    ("rows ", " eps_min\n"),
+    ("first,last,readings,first_row,last_row,x_least,", ""),
+    ("first_row,last_row,rows,x_first,x_last,kind,", ""),
     ("Half-planes of ", "\nRegion: "),
     ("Generators of ", "\nRegion: "),
     ("Linear program of ", ": m"),

@@ -1,0 +1,158 @@
+//! The linear range: which runs of readings a line, or a pair of parameters, agrees with.
+//!
+//! A calibration's linear range, the "linear interval" of analytical chemistry, is the range of x within which the readings
+//! follow a line. Under a stated error bound this is a question with an exact answer: a run of readings is linear when its
+//! feasible parameter set is not empty. Runs within linear runs are linear too, so the longest possible ones say everything.
+
+use boundfit_estimation::{Measurements, Model, Problem};
+
+use crate::window::{Contradiction, Window};
+
+/// In which order runs are taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Order {
+    /// By ascending x; readings at the same x in the order of their rows.
+    X,
+    /// As the rows stand in the file.
+    Row,
+}
+
+impl Order {
+    /// The order that a question means unless it says another one: by x for a line, by row for two regressors.
+    pub fn natural(model: &Model) -> Self {
+        match model {
+            Model::Line { .. } => Order::X,
+            Model::TwoRegressors { .. } => Order::Row,
+        }
+    }
+}
+
+/// A run of readings that some θ agrees with, and that cannot be made longer.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Run {
+    /// The position of its first reading in the order that is used, from 0.
+    pub first: usize,
+    /// The position of its last reading.
+    pub last: usize,
+    /// Why it cannot begin one reading earlier; `None` at the very first reading.
+    pub before: Option<Contradiction>,
+    /// Why it cannot go on with the next reading; `None` at the very last one.
+    pub after: Option<Contradiction>,
+}
+
+impl Order {
+    /// Its name in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Order::X => "x",
+            Order::Row => "row",
+        }
+    }
+}
+
+impl Run {
+    /// How many readings it has.
+    #[allow(clippy::len_without_is_empty, reason = "a run has a reading")]
+    pub fn len(&self) -> usize {
+        self.last + 1 - self.first
+    }
+}
+
+/// All runs of readings that some θ agrees with, as far as they cannot be made longer.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LinearRange {
+    /// The positions of the readings in [`Measurements::kept`](boundfit_estimation::Measurements::kept), in the order used.
+    pub order: Vec<usize>,
+    /// The runs, by ascending first reading, and so by ascending last one.
+    pub runs: Vec<Run>,
+    /// Readings that no θ agrees with even alone, under the conditions: by position in the order used.
+    pub alone: Vec<(usize, Contradiction)>,
+}
+
+impl LinearRange {
+    /// The runs of a problem's readings, each under all of its conditions.
+    ///
+    /// Exact. Cost: O(N log N) for sorting; every reading enters and leaves a [`Window`] once, and whether a next reading
+    /// fits is decided at once where a known line agrees with it, else in O(log² h) for h half-planes that are not
+    /// superfluous. (O'Rourke, "An on-line algorithm for fitting straight lines between data ranges", Communications of
+    /// the ACM 24, 1981, finds one run in linear time; here the earliest reading leaves, too.)
+    pub fn of(problem: &Problem, order: Order) -> Self {
+        let rows = problem.measurements.kept();
+        let positions = in_order(problem, order);
+        let mut window = Window::new(&problem.conditions);
+        let (mut runs, mut alone) = (Vec::new(), Vec::new());
+        let (mut first, mut before) = (0, None);
+        for (next, &position) in positions.iter().enumerate() {
+            let mut is_told = false;
+            while let Err(contradiction) = window.push_if_feasible(rows[position].clone()) {
+                if window.is_empty() {
+                    alone.push((next, contradiction.clone()));
+                    (first, before) = (next + 1, Some(contradiction));
+                    break;
+                }
+                if !is_told {
+                    let after = Some(contradiction.clone());
+                    runs.push(Run { first, last: next - 1, before: before.take(), after });
+                    is_told = true;
+                }
+                window.pop();
+                (first, before) = (first + 1, Some(contradiction));
+            }
+        }
+        if !window.is_empty() {
+            runs.push(Run { first, last: positions.len() - 1, before, after: None });
+        }
+        LinearRange { order: positions, runs, alone }
+    }
+
+    /// The problem of the readings of a run alone, in the order of rows.
+    pub fn problem_of(&self, run: &Run, problem: &Problem) -> Problem {
+        let Problem { measurements, conditions } = problem;
+        let mut positions = self.order[run.first..=run.last].to_vec();
+        positions.sort_unstable();
+        let rows = positions.into_iter().map(|position| measurements.kept()[position].clone()).collect();
+        let (model, response) = (measurements.model().clone(), measurements.response().to_owned());
+        let measurements = Measurements::new(model, response, measurements.error_bound().clone(), rows);
+        Problem { measurements, conditions: conditions.clone() }
+    }
+
+    /// The run with the most readings, of several the first; `None` where every reading contradicts the conditions or itself.
+    pub fn longest(&self) -> Option<&Run> {
+        self.runs.iter().rev().max_by_key(|run| run.len())
+    }
+
+    /// The run that reaches over the most of x, of several the first; `None` without runs.
+    pub fn widest(&self, problem: &Problem) -> Option<&Run> {
+        let rows = problem.measurements.kept();
+        let x = |position: usize| &rows[self.order[position]].regressor[0];
+        self.runs.iter().rev().max_by_key(|run| x(run.last) - x(run.first))
+    }
+
+    /// The fewest runs that have every reading that is in one. Cost: linear.
+    ///
+    /// Of the runs that have the first reading not yet covered, the one that goes on for longest: no other choice leaves fewer.
+    pub fn fewest(&self) -> Vec<&Run> {
+        let mut chosen: Vec<&Run> = Vec::new();
+        for (index, run) in self.runs.iter().enumerate() {
+            let covered = chosen.last().map_or(0, |last: &&Run| last.last + 1);
+            // Both ends ascend: a run is needed when the next one begins too late for what is not yet covered.
+            let gap = covered.max(run.first);
+            let is_needed = self.runs.get(index + 1).is_none_or(|next| next.first > gap);
+            if gap <= run.last && is_needed {
+                chosen.push(run);
+            }
+        }
+        chosen
+    }
+}
+
+/// The positions of a problem's readings in memory, in an order. Cost: O(N log N).
+pub(crate) fn in_order(problem: &Problem, order: Order) -> Vec<usize> {
+    let rows = problem.measurements.kept();
+    let mut positions: Vec<usize> = (0..rows.len()).collect();
+    if order == Order::X {
+        // Stable: readings at the same x stay in the order of their rows.
+        positions.sort_by(|&f, &g| rows[f].regressor[0].cmp(&rows[g].regressor[0]));
+    }
+    positions
+}

@@ -1,0 +1,344 @@
+//! The feasible set of a window of readings that moves on: one reading comes, the oldest one goes.
+//!
+//! A set that shrinks with every reading cannot grow again, so a window is a queue of two stacks. The newer readings are one
+//! running intersection. The older ones were intersected from the youngest of them back to the oldest, with a note of what each
+//! changed: taking back the last note is taking out the oldest reading. When none of them is left, the newer ones become the
+//! older ones. Every reading is added twice and taken out once; questions look at both intersections at once (`search.rs`).
+
+mod chain;
+mod gap;
+mod moving;
+mod part;
+mod search;
+mod store;
+
+use std::collections::VecDeque;
+
+use boundfit_estimation::{
+    BoundName, Bounds, Central, Condition, Measurement, ParameterInterval, central_of, parameter_intervals,
+};
+use boundfit_exact::Rational;
+use boundfit_geometry::predicates::{Side as Where, side};
+use boundfit_geometry::{Point, Polyhedron, RegionKind, System};
+
+use gap::Gap;
+pub use moving::{Extent, Moved, Moving, Turn};
+use part::{Part, Undo};
+use search::{Both, Goal};
+use store::{Id, Store};
+
+/// Positive multiples of at most three half-planes, in ≤ form, that add up to 0 ≤ b with b < 0: no θ meets all of them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Contradiction {
+    /// Each half-plane with its multiplier, by name.
+    pub terms: Vec<(BoundName, Rational)>,
+}
+
+impl Contradiction {
+    /// The data rows that contradict each other, ascending.
+    pub fn rows(&self) -> Vec<usize> {
+        let mut rows: Vec<usize> = self.terms.iter().filter_map(|(name, _)| name.row()).collect();
+        rows.sort_unstable();
+        rows.dedup();
+        rows
+    }
+}
+
+/// What is said of the set of a window.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct WindowFit {
+    /// Which kind of set it is.
+    pub kind: RegionKind,
+    /// The parameter uncertainty intervals; `None` when the set is empty. Their proofs are about [`WindowFit::system`].
+    pub pui: Option<[ParameterInterval; 2]>,
+    /// The central estimate; `None` unless both intervals are bounded.
+    pub central: Option<Central>,
+    /// Why the set is empty, if it is.
+    pub contradiction: Option<Contradiction>,
+    /// ε_min; `None` unless the readings are of a line under one error bound and there is no condition.
+    pub least: Option<Rational>,
+    /// The few half-planes that decide all this.
+    pub system: System,
+    /// Their names.
+    pub names: Vec<BoundName>,
+}
+
+/// The irredundant half-planes of a window with the set that they bound.
+#[derive(Debug, Clone)]
+pub struct WindowSet {
+    /// The set.
+    pub polyhedron: Polyhedron,
+    /// The names of its inequalities, in order; of bounds that coincide the oldest one is there.
+    pub names: Vec<BoundName>,
+}
+
+/// The readings of a window that moves on, in the order in which they came, and their feasible set under conditions that stay.
+///
+/// Exact: every answer is that of a fit of the same readings, whatever came and went before.
+/// Cost of a step: amortised a logarithm of comparisons to add and to take out, a squared one to answer, of the number of
+/// half-planes that are not superfluous (of n readings with random errors that is itself about log n); where x neither
+/// ascends nor descends, moving so many numbers of 8 bytes besides.
+///
+/// ```
+/// use boundfit_estimation::Measurement;
+/// use boundfit_exact::Rational;
+/// use boundfit_questions::Window;
+///
+/// let mut window = Window::new(&[]);
+/// for (row, (x, y)) in (1..).zip([(0, 0), (1, 1), (2, 2), (3, 9)]) {
+///     let regressor = [Rational::from(x), Rational::one()];
+///     window.push(Measurement::around(row, regressor, Rational::from(y), Rational::ratio(1, 2)));
+/// }
+/// assert_eq!(window.contradiction().unwrap().rows(), [1, 2, 4]);
+/// window.pop();
+/// window.pop();
+/// assert_eq!(window.fit().pui.unwrap()[0].interval().ends(), Some((&Rational::from(6), &Rational::from(8))));
+/// ```
+#[derive(Debug)]
+pub struct Window {
+    store: Store,
+    older: Part,
+    /// What each of the older readings changed, that of the youngest first.
+    notes: Vec<[Option<Undo>; 2]>,
+    newer: Part,
+    /// A point of the set, as far as one is known.
+    witness: Option<Point>,
+    /// How many times each error bound follows itself: one entry when all readings have the same one.
+    epsilons: VecDeque<(Option<Rational>, usize)>,
+}
+
+impl Window {
+    /// No readings, under these conditions.
+    pub fn new(conditions: &[Condition]) -> Self {
+        let store = Store::new(conditions);
+        let mut window = Window {
+            older: Part::default(),
+            notes: Vec::new(),
+            newer: Part::default(),
+            witness: None,
+            epsilons: VecDeque::new(),
+            store,
+        };
+        window.begin_newer();
+        window
+    }
+
+    /// How many readings there are.
+    pub fn len(&self) -> usize {
+        self.store.entries().len()
+    }
+
+    /// Whether there are no readings.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The readings, the oldest one first.
+    pub fn readings(&self) -> impl Iterator<Item = &Measurement> {
+        self.store.entries().iter().map(|entry| &entry.reading)
+    }
+
+    /// Adds a reading at the end. Cost: amortised a logarithm of comparisons.
+    pub fn push(&mut self, reading: Measurement) {
+        self.add(reading);
+        self.keep_witness();
+    }
+
+    /// Adds a reading at the end unless nothing would be left; then the readings that contradict each other are told, this one
+    /// among them unless they did before, and the window stays as it is. Cost: as [`Window::push`]; where the reading excludes
+    /// the point that is known to be in the set, that of an answer.
+    ///
+    /// # Errors
+    /// The contradiction.
+    pub fn push_if_feasible(&mut self, reading: Measurement) -> Result<(), Contradiction> {
+        let notes = self.add(reading);
+        self.keep_witness();
+        if self.witness.is_some() {
+            return Ok(());
+        }
+        let gap = self.gap();
+        if let Gap::Least { point: Some(point), .. } = gap {
+            self.witness = Some(point);
+            return Ok(());
+        }
+        let contradiction = self.contradiction_at(&gap);
+        for undo in notes.into_iter().rev().flatten() {
+            self.newer.undo(undo);
+        }
+        self.store.pop_newest();
+        self.forget_newest_epsilon();
+        match contradiction {
+            Some(contradiction) => Err(contradiction),
+            // Not reached: a gap without a point is a contradiction.
+            None => Ok(()),
+        }
+    }
+
+    /// Takes out the oldest reading, if there is one. Cost: amortised a logarithm of comparisons.
+    pub fn pop(&mut self) -> Option<Measurement> {
+        if self.notes.is_empty() {
+            self.turn();
+        }
+        let notes = self.notes.pop()?;
+        for undo in notes.into_iter().rev().flatten() {
+            self.older.undo(undo);
+        }
+        if let Some((_, count)) = self.epsilons.front_mut() {
+            *count -= 1;
+            if *count == 0 {
+                self.epsilons.pop_front();
+            }
+        }
+        self.store.pop_oldest()
+    }
+
+    /// Whether a θ agrees with all readings and conditions. Exact. Cost: a squared logarithm.
+    pub fn is_feasible(&self) -> bool {
+        self.witness.is_some() || matches!(self.gap(), Gap::Least { point: Some(_), .. })
+    }
+
+    /// Why no θ agrees with all readings and conditions, if none does. Exact. Cost: a squared logarithm.
+    pub fn contradiction(&self) -> Option<Contradiction> {
+        if self.witness.is_some() { None } else { self.contradiction_at(&self.gap()) }
+    }
+
+    /// The kind of the set, its intervals and the central estimate, each equal to that of a fit of these readings. Exact.
+    /// Cost: a squared logarithm.
+    pub fn fit(&self) -> WindowFit {
+        let gap = self.gap();
+        let least = gap.value().and_then(|value| self.least(value));
+        let both = self.both();
+        let mut ids = gap.ids();
+        for goal in [Goal::Left, Goal::Right, Goal::Bottom, Goal::Top] {
+            let found = both.search(goal);
+            ids.extend(found.lower.into_iter().chain(found.upper));
+        }
+        // The outermost ones tell in which directions the set goes on.
+        for part in both.parts {
+            for chain in [&part.lower, &part.upper] {
+                ids.extend(chain.ids().first().into_iter().chain(chain.ids().last()));
+            }
+        }
+        let WindowSet { polyhedron, names } = self.set_of(ids);
+        let pui = parameter_intervals(&polyhedron);
+        let intervals = pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval));
+        WindowFit {
+            kind: polyhedron.region().kind(),
+            central: intervals.as_ref().and_then(central_of),
+            contradiction: contradiction_of(&polyhedron, &names),
+            least,
+            system: polyhedron.system().clone(),
+            pui,
+            names,
+        }
+    }
+
+    /// The set with its vertices, from all half-planes that are not superfluous. Exact. Cost: k log k for k of them.
+    pub fn set(&self) -> WindowSet {
+        let both = self.both();
+        self.set_of(both.parts.iter().flat_map(|part| part.ids()).collect())
+    }
+
+    /// ε_min, from the least value of L - U.
+    fn least(&self, gap: &Rational) -> Option<Rational> {
+        match (self.epsilons.front(), self.epsilons.len()) {
+            (Some((Some(epsilon), _)), 1) if !self.store.has_conditions() => Some(epsilon + gap.half()),
+            _ => None,
+        }
+    }
+
+    fn both(&self) -> Both<'_> {
+        Both { store: &self.store, parts: [&self.older, &self.newer] }
+    }
+
+    fn gap(&self) -> Gap {
+        Gap::of(&self.both())
+    }
+
+    fn contradiction_at(&self, gap: &Gap) -> Option<Contradiction> {
+        let WindowSet { polyhedron, names } = self.set_of(gap.ids());
+        contradiction_of(&polyhedron, &names)
+    }
+
+    /// The set of some half-planes, in the order of their names.
+    fn set_of(&self, mut ids: Vec<Id>) -> WindowSet {
+        ids.sort_unstable();
+        ids.dedup();
+        let mut named: Vec<_> = ids.into_iter().filter_map(|id| self.store.named(id)).collect();
+        named.sort_by_key(|(name, _)| *name);
+        let (names, inequalities): (Vec<_>, Vec<_>) = named.into_iter().unzip();
+        WindowSet { polyhedron: Polyhedron::intersect(System::new(inequalities)), names }
+    }
+
+    /// Adds a reading, and tells what changed.
+    fn add(&mut self, reading: Measurement) -> Vec<Option<Undo>> {
+        self.add_epsilon(&reading);
+        let position = self.store.entries().len();
+        self.store.push(reading);
+        let ids = self.store.ids_of_reading(position);
+        ids.map(|id| self.newer.insert(&self.store, id)).collect()
+    }
+
+    /// Forgets the known point of the set when the newest reading excludes it.
+    fn keep_witness(&mut self) {
+        let Some(witness) = &self.witness else { return };
+        let newest = self.store.entries().len().saturating_sub(1);
+        let agrees = |id: Id| match self.store.constraint(id) {
+            Some(boundfit_geometry::Constraint::Never) => false,
+            _ => self.store.half_plane(id).is_none_or(|own| side(own, witness) != Where::Outside),
+        };
+        if !self.store.ids_of_reading(newest).all(agrees) {
+            self.witness = None;
+        }
+    }
+
+    /// Makes the newer readings the older ones.
+    fn turn(&mut self) {
+        self.older = Part::default();
+        for position in (0..self.store.entries().len()).rev() {
+            let mut ids = self.store.ids_of_reading(position);
+            let mut note = || ids.next().and_then(|id| self.older.insert(&self.store, id));
+            let notes = [note(), note()];
+            self.notes.push(notes);
+        }
+        self.begin_newer();
+    }
+
+    /// The newer part without readings: the conditions alone.
+    fn begin_newer(&mut self) {
+        self.newer = Part::default();
+        for id in self.store.ids_of_conditions() {
+            self.newer.insert(&self.store, id);
+        }
+    }
+
+    fn add_epsilon(&mut self, reading: &Measurement) {
+        let is_line = reading.regressor[1] == Rational::one();
+        let epsilon = match &reading.bounds {
+            Bounds::Around { epsilon, .. } if is_line => Some(epsilon),
+            _ => None,
+        };
+        match self.epsilons.back_mut() {
+            Some((last, count)) if last.as_ref() == epsilon => *count += 1,
+            _ => self.epsilons.push_back((epsilon.cloned(), 1)),
+        }
+    }
+
+    fn forget_newest_epsilon(&mut self) {
+        if let Some((_, count)) = self.epsilons.back_mut() {
+            *count -= 1;
+            if *count == 0 {
+                self.epsilons.pop_back();
+            }
+        }
+    }
+}
+
+/// Why a set is empty, by name.
+fn contradiction_of(polyhedron: &Polyhedron, names: &[BoundName]) -> Option<Contradiction> {
+    let certificate = polyhedron.region().certificate()?;
+    let term = |m: &boundfit_geometry::Multiplier| (names[m.index], m.value.clone());
+    let mut terms: Vec<_> = certificate.multipliers().iter().map(term).collect();
+    terms.sort_by_key(|(name, _)| *name);
+    Some(Contradiction { terms })
+}

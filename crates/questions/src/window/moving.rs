@@ -1,0 +1,94 @@
+//! Windows one after the other, over readings in memory.
+
+use boundfit_estimation::Problem;
+use boundfit_exact::Rational;
+
+use super::Window;
+use crate::range::{Order, in_order};
+
+/// How far a window reaches back from its newest reading.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Extent {
+    /// So many readings, in the order of rows; at least one.
+    Readings(usize),
+    /// Those whose x is at most so much less, in the order of x; of two regressors x is the first one.
+    X(Rational),
+}
+
+/// Which windows are asked for: those as far as they reach back, and after the first one that is whole every so many readings
+/// the next one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Moving {
+    /// How far each reaches back.
+    pub extent: Extent,
+    /// How many readings the window moves on each time; 0 is taken for 1.
+    pub step: usize,
+}
+
+/// A window that has its turn.
+#[derive(Debug)]
+pub struct Turn<'a> {
+    /// Its readings.
+    pub window: &'a Window,
+    /// The positions of its first and last reading in the order used, from 0.
+    pub span: [usize; 2],
+}
+
+/// What was left over.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Moved {
+    /// How many windows there were.
+    pub windows: usize,
+    /// Whether all readings together do not fill a window, so that the only one has all of them.
+    pub is_short: bool,
+    /// How many readings came after the last window.
+    pub left: usize,
+}
+
+impl Moving {
+    /// Shows every window in turn. Exact. Cost: amortised that of a [`Window`] for each reading, and an answer where one is
+    /// asked for.
+    ///
+    /// # Errors
+    /// What `see` ends with.
+    pub fn each<E>(
+        &self,
+        problem: &Problem,
+        mut see: impl FnMut(Turn<'_>) -> Result<(), E>,
+    ) -> Result<Moved, E> {
+        let rows = problem.measurements.kept();
+        let order = match self.extent {
+            Extent::Readings(_) => Order::Row,
+            Extent::X(_) => Order::X,
+        };
+        let positions = in_order(problem, order);
+        let (count, step) = (positions.len(), self.step.max(1));
+        let x = |position: usize| &rows[positions[position]].regressor[0];
+        // Where the first whole window ends.
+        let end = match &self.extent {
+            Extent::Readings(most) => most.max(&1) - 1,
+            Extent::X(span) => (0..count).find(|&last| x(last) - x(0) >= *span).unwrap_or(count),
+        };
+        let is_short = end >= count;
+        let (mut window, mut first) = (Window::new(&problem.conditions), 0);
+        let mut moved = Moved { windows: 0, is_short, left: 0 };
+        for last in 0..count {
+            window.push(rows[positions[last]].clone());
+            let is_old = |first: usize| match &self.extent {
+                Extent::Readings(most) => last + 1 - first > *(most.max(&1)),
+                Extent::X(span) => x(last) - x(first) > *span,
+            };
+            while is_old(first) {
+                window.pop();
+                first += 1;
+            }
+            moved.left += 1;
+            let is_turn = if is_short { last + 1 == count } else { last >= end && (last - end) % step == 0 };
+            if is_turn {
+                moved = Moved { windows: moved.windows + 1, left: 0, ..moved };
+                see(Turn { window: &window, span: [first, last] })?;
+            }
+        }
+        Ok(moved)
+    }
+}

@@ -1,0 +1,158 @@
+//! Windows that move on, a line each: JSON of schema `boundfit/window/1`, CSV, text.
+
+mod json;
+
+pub use json::write_window_json;
+
+use boundfit_estimation::{GroupFit, Model, ParameterInterval, Problem};
+use boundfit_exact::english::counted;
+use boundfit_exact::{Endpoint, Foreign, Rational};
+use boundfit_geometry::RegionKind;
+use boundfit_questions::{Extent, Moved, Moving, Turn, WindowFit};
+
+use crate::fleet_text::GroupCells;
+use crate::range::exact;
+use crate::style::Style;
+
+/// A window with its answer.
+#[derive(Debug, Clone)]
+pub struct WindowReport {
+    /// The rows of its first and last reading.
+    pub rows: [usize; 2],
+    /// How many readings it has.
+    pub readings: usize,
+    /// x of its first and last reading; `None` with two regressors.
+    pub x: Option<[Rational; 2]>,
+    /// What its readings say.
+    pub fit: WindowFit,
+}
+
+impl WindowReport {
+    /// The report of a window that has its turn; `None` when it has no reading.
+    pub fn new(turn: &Turn<'_>, problem: &Problem) -> Option<Self> {
+        let mut readings = turn.window.readings();
+        let first = readings.next()?;
+        let last = readings.last().unwrap_or(first);
+        let is_line = matches!(problem.measurements.model(), Model::Line { .. });
+        let x = is_line.then(|| [first, last].map(|reading| reading.regressor[0].clone()));
+        Some(WindowReport {
+            rows: [first.row, last.row],
+            readings: turn.window.len(),
+            x,
+            fit: turn.window.fit(),
+        })
+    }
+
+    /// The cells of its line of text.
+    pub fn cells(&self, style: &Style) -> GroupCells {
+        let [first, last] = self.rows;
+        let fit = &self.fit;
+        let pui = fit.pui.as_ref();
+        let line = GroupFit {
+            rows: self.readings,
+            first_row: Some(first),
+            kind: fit.kind,
+            pui: pui.map(|pui| pui.each_ref().map(ParameterInterval::interval)),
+            central: fit.central.clone(),
+            least_squares: None,
+            least: fit.least.clone(),
+        };
+        GroupCells::new(Foreign::of(&format!("{first}..{last}")), &line, style)
+    }
+
+    /// The names of the columns of CSV, with a line end.
+    pub const CSV_HEADER: &'static str = "first_row,last_row,rows,x_first,x_last,kind,theta1_lower,theta1_upper,theta2_lower,\
+                                          theta2_upper,theta1_central,theta1_error,theta2_central,theta2_error,epsilon_min\n";
+
+    /// Its row of CSV, with a line end. What there is not is left out; an end that is not bounded is `-inf` or `inf`. Ends have
+    /// the digits that their interval takes.
+    pub fn csv(&self, style: &Style) -> String {
+        let [first, last] = self.rows;
+        let fit = &self.fit;
+        let mut cells = vec![first.to_string(), last.to_string(), self.readings.to_string()];
+        match &self.x {
+            Some(x) => cells.extend(x.iter().map(exact)),
+            None => cells.extend([String::new(), String::new()]),
+        }
+        cells.push(fit.kind.name().to_owned());
+        let pui = fit.pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval));
+        let styles = style.resolving_both(pui.as_ref());
+        for (axis, own) in styles.iter().enumerate() {
+            let Some(interval) = pui.as_ref().map(|pui| &pui[axis]) else {
+                cells.extend([String::new(), String::new()]);
+                continue;
+            };
+            cells.push(match interval.lower() {
+                Endpoint::Finite(value) => own.lower(value).compact().to_string(),
+                Endpoint::Unbounded => "-inf".to_owned(),
+            });
+            cells.push(match interval.upper() {
+                Endpoint::Finite(value) => own.upper(value).compact().to_string(),
+                Endpoint::Unbounded => "inf".to_owned(),
+            });
+        }
+        for (axis, own) in styles.iter().enumerate() {
+            let central = fit.central.as_ref();
+            let theta = central.map(|central| own.nearest(&central.theta[axis]).compact().to_string());
+            let error =
+                central.map(|central| style.upper(&central.guaranteed_error[axis]).compact().to_string());
+            cells.extend([theta, error].map(Option::unwrap_or_default));
+        }
+        cells.push(
+            fit.least.as_ref().map_or_else(String::new, |least| style.upper(least).compact().to_string()),
+        );
+        cells.join(",") + "\n"
+    }
+}
+
+/// What was found about many windows.
+#[derive(Debug, Clone, Default)]
+pub struct WindowSummary {
+    empty: usize,
+    bounded: usize,
+    unbounded: usize,
+    first_empty: Option<[usize; 2]>,
+}
+
+impl WindowSummary {
+    /// Takes a window in.
+    pub fn add(&mut self, window: &WindowReport) {
+        match (window.fit.kind, window.fit.central.is_some()) {
+            (RegionKind::Empty, _) => {
+                self.empty += 1;
+                self.first_empty.get_or_insert(window.rows);
+            }
+            (_, true) => self.bounded += 1,
+            (_, false) => self.unbounded += 1,
+        }
+    }
+
+    /// Whether a window has an empty set.
+    pub fn has_empty(&self) -> bool {
+        self.empty > 0
+    }
+
+    /// In words, with line ends.
+    pub fn to_text(&self, moving: &Moving, moved: &Moved, style: &Style) -> String {
+        let windows = counted(moved.windows, "window", "windows");
+        let (long, all) = match &moving.extent {
+            Extent::Readings(count) => (counted(*count, "reading", "readings"), "the rows"),
+            Extent::X(span) => (format!("{} of x", style.given(span)), "the readings"),
+        };
+        let step = counted(moving.step, "reading", "readings");
+        let mut text = format!(
+            "{windows} of {long}, step {step}: {} bounded, {} unbounded, {} empty\n",
+            self.bounded, self.unbounded, self.empty
+        );
+        if let Some([first, last]) = self.first_empty {
+            text += &format!("The first empty one is that of rows {first}..{last}\n");
+        }
+        if moved.is_short {
+            text += &format!("All {all} together do not fill a window: the only one has all of them\n");
+        } else if moved.left > 0 {
+            let readings = counted(moved.left, "reading comes", "readings come");
+            text += &format!("{readings} after the last window\n");
+        }
+        text
+    }
+}
