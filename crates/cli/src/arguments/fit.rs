@@ -49,7 +49,7 @@ pub(super) const NOTES: Notes = Notes {
         BAD_USAGE,
         (
             3,
-            "the feasible parameter set is empty, with --by or --window that of at least one; the proof is printed",
+            "the feasible parameter set is empty, with --by that of at least one group; the proof is printed (of windows too)",
         ),
     ],
 };

@@ -135,7 +135,7 @@ fn table(report: &RangeReport<'_>, style: &Style) -> Table {
     if reaches {
         header.extend(["x from", "to"]);
     }
-    header.extend(["not one before:", "not one after:"]);
+    header.extend(["not one before", "not one after"]);
     let row = |run: &Run| {
         let rows = format!("{}..{}", report.row(run.first), report.row(run.last));
         let mut cells = vec![Text::from(rows), Text::new().number(run.len())];
@@ -144,11 +144,20 @@ fn table(report: &RangeReport<'_>, style: &Style) -> Table {
         }
         cells.extend(
             [&run.before, &run.after]
-                .map(|why| Text::from(why.as_ref().map_or_else(|| "-".to_owned(), names))),
+                .map(|why| Text::from(why.as_ref().map_or_else(|| "-".to_owned(), rows_of))),
         );
         cells
     };
     Table::new(header, report.range.runs.iter().take(MOST_LISTED).map(row).collect())
+}
+
+/// `12, 15, 20`: short, since every run has two.
+fn rows_of(contradiction: &Contradiction) -> String {
+    let name =
+        |(name, _): &(BoundName, _)| name.row().map_or_else(|| name.to_string(), |row| row.to_string());
+    let mut names: Vec<String> = contradiction.terms.iter().map(name).collect();
+    names.dedup();
+    names.join(", ")
 }
 
 /// `12 upper, 15 lower, 20 upper`.

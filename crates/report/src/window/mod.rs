@@ -135,9 +135,9 @@ impl WindowSummary {
     /// In words, with line ends.
     pub fn to_text(&self, moving: &Moving, moved: &Moved, style: &Style) -> String {
         let windows = counted(moved.windows, "window", "windows");
-        let (long, all) = match &moving.extent {
-            Extent::Readings(count) => (counted(*count, "reading", "readings"), "the rows"),
-            Extent::X(span) => (format!("{} of x", style.given(span)), "the readings"),
+        let long = match &moving.extent {
+            Extent::Readings(count) => counted(*count, "reading", "readings"),
+            Extent::X(span) => format!("{} of x", style.given(span)),
         };
         let step = counted(moving.step, "reading", "readings");
         let mut text = format!(
@@ -148,7 +148,7 @@ impl WindowSummary {
             text += &format!("The first empty one is that of rows {first}..{last}\n");
         }
         if moved.is_short {
-            text += &format!("All {all} together do not fill a window: the only one has all of them\n");
+            text += &format!("All readings together do not fill a window: the only one has all of them\n");
         } else if moved.left > 0 {
             let readings = counted(moved.left, "reading comes", "readings come");
             text += &format!("{readings} after the last window\n");
