@@ -3,10 +3,11 @@
 use boundfit_tests::cli::printed;
 use boundfit_tests::program::root;
 
-const COMMANDS: [&str; 14] = [
+const COMMANDS: [&str; 15] = [
     "fit",
     "predict",
     "linearity",
+    "range",
     "reduce",
     "check",
     "convert",
