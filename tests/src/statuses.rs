@@ -130,3 +130,28 @@ pub fn statuses(readings: &[Reading], conditions: &[Row]) -> Vec<[Option<Standin
     };
     readings.iter().enumerate().map(both).collect()
 }
+
+/// The least sum of factors of the readings that have a width, by trying every crossing of two lines; `None` where what holds as it
+/// is leaves nothing.
+pub fn least_total(readings: &[Reading], conditions: &[Row]) -> Option<Rational> {
+    let width = |reading: &Reading| Some(reading.upper? - reading.lower?).filter(|width| *width > 0);
+    let (soft, other): (Vec<&Reading>, Vec<&Reading>) = readings.iter().partition(|own| width(own).is_some());
+    let hard: Vec<Row> = other.iter().flat_map(|own| own.rows()).chain(conditions.iter().copied()).collect();
+    let lines: Vec<Row> = soft.iter().flat_map(|own| own.rows()).chain(hard.iter().copied()).collect();
+    let mut points: Vec<[i128; 3]> = vec![[0, 0, 1]];
+    for [a, b, c] in &lines {
+        points.push([a * c, b * c, a * a + b * b]);
+        points.extend(lines.iter().map(|[d, e, f]| [c * e - f * b, a * f - d * c, a * e - b * d]));
+    }
+    let total = |[x, y, w]: [i128; 3]| -> Rational {
+        let factor = |own: &&Reading| {
+            let [u, v] = own.regressor;
+            let (lower, upper) = (own.lower.expect("a width"), own.upper.expect("a width"));
+            fraction((2 * (u * x + v * y) - (lower + upper) * w).abs(), (upper - lower) * w.abs())
+        };
+        soft.iter().map(|own| factor(own).max(Rational::one())).sum()
+    };
+    let allowed =
+        |[x, y, w]: [i128; 3]| hard.iter().all(|[a, b, c]| (c * w - a * x - b * y) * w.signum() >= 0);
+    points.into_iter().filter(|point| point[2] != 0 && allowed(*point)).map(total).min()
+}

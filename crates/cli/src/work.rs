@@ -27,6 +27,8 @@ pub(crate) mod times {
     pub(crate) const RANGE: u64 = 8;
     /// A figure; all of them are six.
     pub(crate) const PLOT: u64 = 8;
+    /// The statuses of all readings: the set, that of all readings without those that decide, and the values at each.
+    pub(crate) const STATUS: u64 = 6;
     /// A page; leaving out each reading comes on top.
     pub(crate) const LESSON: u64 = 24;
 }

@@ -59,7 +59,7 @@ impl Law {
 
     /// Whether the range of y is asked for, which is known when all readings are.
     #[cfg(feature = "files")]
-    pub(crate) fn needs_range(&self) -> bool {
+    pub fn needs_range(&self) -> bool {
         self.parts().any(|terms| !terms.of_range.is_zero())
     }
 

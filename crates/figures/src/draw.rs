@@ -7,9 +7,10 @@ use boundfit_geometry::Polyhedron;
 use crate::figure::{Figure, PlotOptions};
 use crate::picture::{FigureError, Picture};
 use crate::text::one_line;
-use crate::{data_plane, parameter_plane, render};
+use crate::{data_plane, parameter_plane, render, status};
 
-/// Draws a figure of a fit. Cost: linear in the readings; [`Figure::Directions`] solves a linear program per direction.
+/// Draws a figure of a fit. Cost: linear in the readings; [`Figure::Directions`] solves a linear program per direction, and
+/// [`Figure::Status`] takes O(N log N).
 ///
 /// # Errors
 /// Only when a library underneath fails.
@@ -25,6 +26,7 @@ pub fn draw(
         }
         Figure::Fps => parameter_plane::fps(problem, fit, options),
         Figure::Directions => parameter_plane::directions(problem, fit, options),
+        Figure::Status => status::drawing(problem, fit, options),
     };
     drawing.keep_legend_of_drawn();
     if let Some(title) = &options.title {

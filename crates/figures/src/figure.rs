@@ -17,6 +17,8 @@ pub enum Figure {
     Corridor,
     /// The hull of the optimisers of linear programs and the polygon of their supporting half-planes, around the set.
     Directions,
+    /// Every reading by its residual and leverage against the set of the others, with the regions of statuses.
+    Status,
 }
 
 impl Figure {
@@ -24,7 +26,15 @@ impl Figure {
     pub const OF_FIT: [Figure; 6] =
         [Figure::Data, Figure::Eui, Figure::Pui, Figure::Fps, Figure::Corridor, Figure::Directions];
     /// All figures: those of every fit, and those that answer a question of their own.
-    pub const ALL: [Figure; 6] = Figure::OF_FIT;
+    pub const ALL: [Figure; 7] = [
+        Figure::Data,
+        Figure::Eui,
+        Figure::Pui,
+        Figure::Fps,
+        Figure::Corridor,
+        Figure::Directions,
+        Figure::Status,
+    ];
 
     /// A short name, fit for a file: `data`, `eui` and so on.
     pub fn name(self) -> &'static str {
@@ -35,6 +45,7 @@ impl Figure {
             Figure::Fps => "fps",
             Figure::Corridor => "corridor",
             Figure::Directions => "directions",
+            Figure::Status => "status",
         }
     }
 
@@ -47,6 +58,7 @@ impl Figure {
             Figure::Fps => "The feasible parameter set",
             Figure::Corridor => "Band of all feasible lines, inside that of the PUI box",
             Figure::Directions => "Inner and outer approximation from linear programs",
+            Figure::Status => "Statuses: residual and leverage of each reading against the others",
         }
     }
 }

@@ -37,6 +37,7 @@ mod picture;
 mod render;
 #[cfg(test)]
 mod samples;
+mod status;
 mod text;
 
 pub use draw::{draw, draw_program};

@@ -74,7 +74,7 @@ pub fn by_angle(f: &HalfPlane, g: &HalfPlane) -> Ordering {
 }
 
 /// Compares two vectors, as components, by angle in [0, 2π).
-pub(crate) fn angle_order(u: (&Integer, &Integer), v: (&Integer, &Integer)) -> Ordering {
+pub fn angle_order(u: (&Integer, &Integer), v: (&Integer, &Integer)) -> Ordering {
     // Angles in [0, π) come before those in [π, 2π); within each half the cross product decides.
     let lower_half = |(x, y): (&Integer, &Integer)| y.is_negative() || (y.is_zero() && x.is_negative());
     lower_half(u).cmp(&lower_half(v)).then_with(|| (u.1 * v.0).cmp(&(u.0 * v.1)))

@@ -13,7 +13,9 @@ pub use linearity::{
 };
 pub use predict::{FurtherError, NoFurtherError, PossibleEnd, PossibleX, Predictor};
 pub use range::{LinearRange, Order, Run};
-pub use status::{Deciding, RowStatus, Standing, Status, Statuses};
+pub use status::{
+    Deciding, Judged, NoRepair, Ranking, Repair, RowStatus, Standing, Status, Statuses, Widened,
+};
 pub use window::{Contradiction, Extent, Moved, Moving, Turn, Window, WindowFit, WindowSet};
 pub use x_errors::{
     Agreement, BoxBound, Corner, LeastFactor, NoLeastFactor, NoXErrors, Side, SideSet, XBounds, XErrorFit,

@@ -64,6 +64,7 @@ mod script;
 mod statements;
 #[cfg(feature = "files")]
 mod statements_json;
+mod status;
 mod style;
 mod sweep;
 mod sweep_json;
@@ -110,6 +111,7 @@ pub use script::region_script;
 pub use statements::{Claim, ErrorScale, FormEnd, HalfPlaneName, Multiple, Scope, Side, Statement};
 #[cfg(feature = "files")]
 pub use statements_json::statements_json;
+pub use status::{NewReadings, StatusCsv, StatusJson, StatusReport, status_document};
 pub use style::{EndRounding, LONGEST_FRACTION, Reader, Style};
 pub use sweep::sweep_document;
 pub use sweep_json::SweepJson;

@@ -3,8 +3,9 @@
 use boundfit_tests::cli::printed;
 use boundfit_tests::program::root;
 
-const COMMANDS: [&str; 15] = [
+const COMMANDS: [&str; 16] = [
     "fit",
+    "status",
     "predict",
     "linearity",
     "range",

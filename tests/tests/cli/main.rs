@@ -29,6 +29,7 @@ mod replacing;
 mod selection;
 mod small_inputs;
 mod solutions;
+mod status;
 mod sweep;
 mod ties;
 mod verify;

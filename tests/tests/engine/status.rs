@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use boundfit_estimation::{ErrorBound, Measurement, Measurements, Model, Problem, fit};
+use boundfit_estimation::{BoundName, ErrorBound, Measurement, Measurements, Model, Problem, fit};
 use boundfit_exact::Rational;
-use boundfit_questions::{Standing, Statuses};
+use boundfit_questions::{NoRepair, Repair, Standing, Statuses};
 use boundfit_tests::generate::seeded;
 use boundfit_tests::oracle::Row;
 use boundfit_tests::readings::parse_condition;
-use boundfit_tests::statuses::{Reading, statuses};
+use boundfit_tests::statuses::{Reading, least_total, statuses};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
@@ -119,4 +119,80 @@ fn every_reading_stands_as_the_definitions_say() {
     for status in ["outer", "strictly outer", "outlier"] {
         assert!(!seen.contains_key(&(false, status)), "{seen:?}");
     }
+}
+
+/// What the multipliers of a repair prove, from the readings alone: no sum of factors is smaller.
+fn proved(problem: &Problem, repair: &Repair) -> Rational {
+    let rows = problem.measurements.kept();
+    let (mut sums, mut least) = ([Rational::zero(), Rational::zero()], Rational::from(repair.count as i64));
+    let mut add = |form: &[Rational; 2], times: &Rational| {
+        sums = [&sums[0] + &form[0] * times, &sums[1] + &form[1] * times];
+    };
+    for (row, multiplier) in &repair.multipliers {
+        let reading = &rows[row - 1];
+        let half_width = reading.half_width().expect("a width");
+        assert!(multiplier.abs() * half_width.as_ref() <= Rational::one());
+        add(&reading.regressor, multiplier);
+        least = least
+            - multiplier * reading.middle().expect("a middle").as_ref()
+            - multiplier.abs() * half_width.as_ref();
+    }
+    for (name, multiplier) in &repair.held {
+        assert!(multiplier.is_positive());
+        let (form, bound) = match name {
+            BoundName::Upper(row) => {
+                (rows[row - 1].regressor.clone(), rows[row - 1].upper().expect("a bound"))
+            }
+            BoundName::Lower(row) => {
+                let lower = rows[row - 1].lower().expect("a bound");
+                (rows[row - 1].regressor.each_ref().map(|own| -own), -lower)
+            }
+            BoundName::Where(number) => {
+                let own = problem.conditions[number - 1].inequality();
+                (own.a.clone(), own.b.clone())
+            }
+            BoundName::WhereUpper(_) | BoundName::WhereLower(_) => panic!("no equations here"),
+        };
+        add(&form, multiplier);
+        least = least - multiplier * bound;
+    }
+    assert_eq!(sums, [Rational::zero(), Rational::zero()]);
+    least
+}
+
+#[test]
+fn the_least_total_widening_is_that_of_the_best_crossing_and_is_proved() {
+    let mut rng = seeded(17);
+    let (mut repaired, mut impossible, mut with_held) = (0, 0, 0);
+    for number in 0..CASES {
+        let Case { readings, conditions, problem } = case(&mut rng);
+        let own = fit(&problem);
+        let expected = least_total(&readings, &conditions);
+        match Repair::of(&problem, &own) {
+            Ok(repair) => {
+                assert_eq!(
+                    Some(&repair.total),
+                    expected.as_ref(),
+                    "case {number}: {readings:?} {conditions:?}"
+                );
+                assert_eq!(repair.widened.is_empty(), !own.is_empty(), "case {number}");
+                assert_eq!(
+                    proved(&problem, &repair),
+                    repair.total,
+                    "case {number}: {readings:?} {conditions:?}"
+                );
+                let above: Rational = repair.widened.iter().map(|own| &own.factor - Rational::one()).sum();
+                assert_eq!(above + Rational::from(repair.count as i64), repair.total);
+                repaired += usize::from(!repair.widened.is_empty());
+                with_held += usize::from(!repair.held.is_empty());
+            }
+            Err(NoRepair::Contradiction(terms)) => {
+                assert_eq!(expected, None, "case {number}: {readings:?} {conditions:?}");
+                assert!((1..=3).contains(&terms.len()));
+                impossible += 1;
+            }
+            Err(NoRepair::NotInMemory) => panic!("all are in memory"),
+        }
+    }
+    assert!(repaired > 500 && impossible > 500 && with_held > 50, "{repaired} {impossible} {with_held}");
 }

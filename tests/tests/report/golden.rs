@@ -37,6 +37,21 @@ fn norris_is_empty_at_one_unit() {
 }
 
 #[test]
+fn statuses() {
+    let transducer =
+        ["status", "fixtures/transducer/transducer.csv", "--x", "Vz", "--y", "z", "--rows", "14..36"];
+    let decided = [&transducer[..], &["--eps", "0.5e-3"]].concat();
+    check("transducer/status.txt", &decided, 0);
+    check("transducer/status.json", &[&decided[..], &["--format", "json"]].concat(), 0);
+    check("transducer/status.csv", &[&decided[..], &["--format", "csv"]].concat(), 0);
+    let norris = ["status", "fixtures/norris/norris.csv", "--x", "x", "--y", "y", "--repair"];
+    check("norris/status.txt", &[&norris[..], &["--eps", "1.5"]].concat(), 3);
+    check("norris/status.json", &[&norris[..], &["--eps", "1.5", "--format", "json"]].concat(), 3);
+    let further = ["--eps", "2.2", "--new", "fixtures/norris/norris.csv"];
+    check("norris/status-new.txt", &[&norris[..], &further].concat(), 0);
+}
+
+#[test]
 fn intervals_and_laws() {
     let clock = ["fit", "fixtures/clock/offset.csv", "--x", "t", "--lower", "at_least", "--upper", "at_most"];
     check("clock/fit.txt", &clock, 0);

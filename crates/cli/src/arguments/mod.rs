@@ -18,6 +18,7 @@ mod reduce;
 mod rows;
 mod shared;
 mod solutions;
+mod status;
 mod tolerance;
 mod values;
 mod verify;
@@ -45,6 +46,7 @@ pub(crate) use shared::{
     ReplaceArguments, ReportFormat, TableArguments, TableFormat, ThreadArguments,
 };
 pub(crate) use solutions::SolutionArguments;
+pub(crate) use status::StatusArguments;
 pub(crate) use values::{FactorRange, number_problem};
 pub(crate) use verify::VerifyArguments;
 
@@ -65,6 +67,7 @@ pub(crate) enum Command {
     Predict(PredictArguments),
     Linearity(LinearityArguments),
     Range(RangeArguments),
+    Status(StatusArguments),
     Reduce(ReduceArguments),
     Check(CheckArguments),
     Convert(ConvertArguments),
@@ -109,6 +112,7 @@ pub(crate) fn notes(command: &str) -> Option<&'static Notes> {
         "predict" => &predict::NOTES,
         "linearity" => &linearity::NOTES,
         "range" => &range::NOTES,
+        "status" => &status::NOTES,
         "reduce" => &reduce::NOTES,
         "check" => &check::NOTES,
         "convert" => &convert::NOTES,

@@ -35,7 +35,8 @@ pub(super) const NOTES: Notes = Notes {
 /// lines with parameters at the corners of the EUI or PUI box), corridor (the band that all feasible lines really
 /// cover, inside the one of the PUI box). Figures of the parameter plane: fps (the feasible parameter set with its
 /// boxes and estimates), directions (the hull of the optimisers of linear programs and the polygon of their supporting
-/// half-planes, beside the set).
+/// half-planes, beside the set). And status: how each reading stands to the set of the others, its residual across and
+/// its leverage up.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 pub(crate) struct PlotArguments {
@@ -77,7 +78,8 @@ impl Figures {
     fn named() -> impl Iterator<Item = (PossibleValue, Figures)> {
         let one =
             |figure: Figure| (PossibleValue::new(figure.name()).help(figure.title()), Figures::One(figure));
-        let all = (PossibleValue::new(ALL).help("Each of them"), Figures::All);
+        let all =
+            (PossibleValue::new(ALL).help("Each of the figures of a fit, without status"), Figures::All);
         Figure::ALL.into_iter().map(one).chain([all])
     }
 }

@@ -41,6 +41,11 @@ impl DataArguments {
         self.x.second.is_some()
     }
 
+    /// How this file is read in parts.
+    pub(crate) fn scan_options(&self, source: &Source) -> Result<ScanOptions, Failure> {
+        self.table.scan_options(source, Some(&self.rows))
+    }
+
     /// Opens the file.
     pub(crate) fn open(&self) -> Data<'_> {
         let source = input::open(&self.data).map_err(Failure::data);
@@ -99,6 +104,18 @@ impl<'a> Data<'a> {
         self.scanned(asked, keep, |options| ScanOptions { hash, list_rows, ..options })
     }
 
+    /// Whether the data are a file, which can be read once more.
+    pub(crate) fn can_be_read_again(&self) -> bool {
+        self.source.as_ref().is_ok_and(|source| source.path().is_some())
+    }
+
+    /// Reads the problem with every reading and the hash of the data.
+    pub(crate) fn held_problem(self) -> Result<Problem, Failure> {
+        let asked = self.asked()?;
+        let keep = Keep { eui: false, ..Keep::EVERY };
+        self.scanned(asked, keep, |options| ScanOptions { hash: true, list_rows: false, ..options })
+    }
+
     /// Reads the problem with the readings that can bound anything under some error bound, others too where they are few.
     pub(crate) fn supporting_problem(self) -> Result<Problem, Failure> {
         let asked = self.asked()?;
@@ -138,7 +155,7 @@ impl<'a> Data<'a> {
     /// The file, and how it is read in parts.
     pub(crate) fn scan(self) -> Result<(Source, ScanOptions), Failure> {
         let source = self.source?;
-        let options = self.arguments.table.scan_options(&source, Some(&self.arguments.rows))?;
+        let options = self.arguments.scan_options(&source)?;
         Ok((source, options))
     }
 

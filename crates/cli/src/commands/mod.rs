@@ -16,5 +16,6 @@ pub(crate) mod predict;
 pub(crate) mod range;
 pub(crate) mod reduce;
 mod solutions;
+pub(crate) mod status;
 pub(crate) mod verify;
 pub(crate) mod window;

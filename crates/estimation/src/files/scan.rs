@@ -76,6 +76,25 @@ impl Measurements {
         options: &ScanOptions,
         keep: Keep,
     ) -> Result<Self, InputError> {
+        let nothing = |_: &mut dyn Iterator<Item = Measurement>| ();
+        Measurements::scan_and_see(source, columns, conditions, options, keep, nothing, |()| ())
+    }
+
+    /// As [`Measurements::scan`], and shows every reading on the way: `see` is given the readings of one part of the table after
+    /// the other, on the threads of the current pool, and `seen` what it made of them, in the order of the table. Readings under
+    /// a law that takes something from all of them are shown without it.
+    ///
+    /// # Errors
+    /// Those of [`Measurements::scan`].
+    pub fn scan_and_see<T: Send>(
+        source: Source,
+        columns: &Columns,
+        conditions: &[Condition],
+        options: &ScanOptions,
+        keep: Keep,
+        see: impl Fn(&mut dyn Iterator<Item = Measurement>) -> T + Sync + Send,
+        mut seen: impl FnMut(T),
+    ) -> Result<Self, InputError> {
         let name = source.name().to_owned();
         let path = source.path().map(str::to_owned);
         let usual = if path.is_some() { MOST_BYTES_OF_FILE } else { MOST_BYTES_OF_STREAM };
@@ -109,10 +128,13 @@ impl Measurements {
             let unbounded = columns.first_unbounded(&batch);
             let rows = reductions.as_ref().map(|own| KeptRows::of_batch(&as_it_is, &batch, own));
             let keeps = (keep.eui && !keeps_all).then_some(&brackets);
-            (rows, Digest { unbounded, ..Digest::new(batch, &sieve, &bounds, keeps) })
+            let reading = |k: usize| unnamed.of_columns(&batch.columns, k, batch.rows.get(k));
+            let shown = see(&mut (0..batch.rows.len()).map(reading));
+            (rows, shown, Digest { unbounded, ..Digest::new(batch, &sieve, &bounds, keeps) })
         };
         let mut kept_rows = KeptRows::default();
-        let scanned = scan(source, &selectors, &options, digest, |(rows, digest)| {
+        let scanned = scan(source, &selectors, &options, digest, |(rows, shown, digest)| {
+            seen(shown);
             rows.into_iter().for_each(|rows| kept_rows.add(rows));
             held.iter().for_each(|held| held.add(digest.batch.rows.len()));
             unbounded = unbounded.or(digest.unbounded);

@@ -68,6 +68,11 @@ impl Deciding {
         self.readings.iter().map(|reading| reading.row)
     }
 
+    /// These readings.
+    pub fn readings(&self) -> &[Measurement] {
+        &self.readings
+    }
+
     /// The set of all readings.
     pub fn set(&self) -> &Polyhedron {
         self.fps.polyhedron()

@@ -1,0 +1,134 @@
+//! Readings in the order in which they matter.
+
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+
+use boundfit_estimation::Measurement;
+use boundfit_exact::Rational;
+
+use super::leave_one_out::RowStatus;
+use super::standing::{Standing, Status};
+
+/// A reading with its statuses.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Judged {
+    /// The reading.
+    pub reading: Measurement,
+    /// How it stands.
+    pub status: RowStatus,
+}
+
+/// Counts of statuses, and the readings that matter most: in memory that does not grow with how many there are.
+///
+/// Those come first whose status against the set of the others is the gravest, of these those that keep clear of it least, of
+/// these those of the first rows. Rankings of parts merge in any order.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Ranking {
+    most: usize,
+    listed: Vec<Judged>,
+    /// Of more than are listed the last that may be: what comes after it need not be kept.
+    last: Option<Judged>,
+    counts: BTreeMap<Option<Status>, usize>,
+    counts_of_all: BTreeMap<Option<Status>, usize>,
+    /// The first rows that are on the boundary of the set of all, ascending.
+    boundary: Vec<usize>,
+}
+
+impl Ranking {
+    /// A ranking that lists at most so many readings.
+    pub fn listing(most: usize) -> Self {
+        Ranking {
+            most,
+            listed: Vec::new(),
+            last: None,
+            counts: BTreeMap::new(),
+            counts_of_all: BTreeMap::new(),
+            boundary: Vec::new(),
+        }
+    }
+
+    /// Adds a reading. Cost: that of sorting, over all readings.
+    pub fn add(&mut self, reading: Measurement, status: RowStatus) {
+        *self.counts.entry(name(status.without.as_ref())).or_default() += 1;
+        let all = name(status.all.as_ref());
+        *self.counts_of_all.entry(all).or_default() += 1;
+        if all == Some(Status::Boundary) {
+            self.boundary.push(status.row);
+        }
+        let judged = Judged { reading, status };
+        if self.last.as_ref().is_none_or(|last| order(&judged, last).is_lt()) {
+            self.listed.push(judged);
+        }
+        self.shorten(2);
+    }
+
+    /// Adds what was ranked apart.
+    pub fn merge(&mut self, other: Ranking) {
+        for (own, others) in
+            [(&mut self.counts, other.counts), (&mut self.counts_of_all, other.counts_of_all)]
+        {
+            others.into_iter().for_each(|(status, count)| *own.entry(status).or_default() += count);
+        }
+        self.boundary.extend(other.boundary);
+        self.listed.extend(other.listed);
+        self.shorten(2);
+    }
+
+    /// Forgets what will not be listed, once it is so many times as much.
+    fn shorten(&mut self, times: usize) {
+        let most = self.most.saturating_mul(times);
+        if self.listed.len() > most {
+            self.listed.sort_by(order);
+            self.listed.truncate(self.most);
+            self.last = self.listed.last().cloned();
+        }
+        if self.boundary.len() > most {
+            self.boundary.sort_unstable();
+            self.boundary.truncate(self.most);
+        }
+    }
+
+    /// The readings that matter most, those first that do more.
+    pub fn into_listed(mut self) -> Vec<Judged> {
+        self.listed.sort_by(order);
+        self.listed.truncate(self.most);
+        self.listed
+    }
+
+    /// The first rows whose readings are on the boundary of the set of all, ascending.
+    pub fn boundary(&self) -> Vec<usize> {
+        let mut rows = self.boundary.clone();
+        rows.sort_unstable();
+        rows.truncate(self.most);
+        rows
+    }
+
+    /// How many readings there are.
+    pub fn count(&self) -> usize {
+        self.counts.values().sum()
+    }
+
+    /// How many readings have a status against the set of the others; `None` where these leave nothing.
+    pub fn count_without(&self, status: Option<Status>) -> usize {
+        self.counts.get(&status).copied().unwrap_or_default()
+    }
+
+    /// How many readings have a status against the set of all; `None` where that is empty.
+    pub fn count_of_all(&self, status: Option<Status>) -> usize {
+        self.counts_of_all.get(&status).copied().unwrap_or_default()
+    }
+}
+
+fn name(standing: Option<&Standing>) -> Option<Status> {
+    standing.map(|standing| standing.status)
+}
+
+/// The gravest first; readings that leave nothing either way last.
+fn order(one: &Judged, other: &Judged) -> Ordering {
+    let grave = |own: &Judged| name(own.status.without.as_ref());
+    let margin = |own: &Judged| -> Option<Rational> { own.status.without.as_ref()?.margin() };
+    grave(other)
+        .cmp(&grave(one))
+        .then_with(|| margin(one).cmp(&margin(other)))
+        .then(one.status.row.cmp(&other.status.row))
+}

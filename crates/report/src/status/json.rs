@@ -1,0 +1,183 @@
+//! The statuses of readings as JSON, schema `boundfit/status/1`.
+
+use boundfit_estimation::{BoundName, Fit, Problem};
+use boundfit_exact::{Foreign, Rational};
+use boundfit_questions::{NoRepair, Repair, RowStatus, Standing, Widened};
+use serde::Serialize;
+
+use crate::input_json::InputJson;
+use crate::json::{TermJson, to_text};
+use crate::number::Number;
+use crate::origin::Origin;
+use crate::style::Style;
+
+/// The report in parts, so that not all rows are in memory: [head](StatusJson::head), the rows one after the other with
+/// [`StatusJson::BETWEEN`] between them, [`StatusJson::END_OF_ROWS`], for further readings [`StatusJson::new_head`] and the
+/// same again, and [`StatusJson::TAIL`].
+#[derive(Debug)]
+pub struct StatusJson;
+
+#[derive(Debug, Serialize)]
+struct Head {
+    schema: &'static str,
+    input: InputJson,
+    set: SetJson,
+    deciding: Vec<usize>,
+}
+
+#[derive(Debug, Serialize)]
+struct SetJson {
+    kind: &'static str,
+    contradiction: Option<Vec<TermJson>>,
+}
+
+#[derive(Debug, Serialize)]
+struct RowJson {
+    row: usize,
+    leverage: Option<Number>,
+    residual: Option<Number>,
+    status: Option<&'static str>,
+    without: Option<&'static str>,
+    without_leverage: Option<Number>,
+    without_residual: Option<Number>,
+}
+
+#[derive(Debug, Serialize)]
+struct NewRowJson {
+    row: usize,
+    leverage: Option<Number>,
+    residual: Option<Number>,
+    status: Option<&'static str>,
+}
+
+/// The least total widening; null and empty where there is none.
+#[derive(Debug, Default, Serialize)]
+struct RepairJson {
+    total: Option<Number>,
+    count: Option<usize>,
+    theta: Option<[Number; 2]>,
+    widened: Vec<WidenedJson>,
+    multipliers: Vec<MultiplierJson>,
+    held: Vec<TermJson>,
+    contradiction: Option<Vec<TermJson>>,
+}
+
+#[derive(Debug, Serialize)]
+struct WidenedJson {
+    row: usize,
+    factor: Number,
+    half_width: Number,
+}
+
+impl WidenedJson {
+    fn new(Widened { row, factor, half_width }: &Widened, style: &Style) -> Self {
+        WidenedJson {
+            row: *row,
+            factor: style.upper_number(factor),
+            half_width: style.upper_number(half_width),
+        }
+    }
+}
+
+#[derive(Debug, Serialize)]
+struct MultiplierJson {
+    row: usize,
+    value: Number,
+}
+
+impl StatusJson {
+    /// What stands between two rows.
+    pub const BETWEEN: &'static str = ",\n";
+    /// What stands after the last row.
+    pub const END_OF_ROWS: &'static str = "\n  ]";
+    /// The end of the report.
+    pub const TAIL: &'static str = "\n}\n";
+
+    /// All before the first row. `deciding` are the rows that a set of the others may be different without.
+    pub fn head(
+        problem: &Problem,
+        fit: &Fit,
+        deciding: impl Iterator<Item = usize>,
+        origin: &Origin,
+        style: &Style,
+    ) -> String {
+        let contradiction = fit.contradiction(problem.measurements.error_bound());
+        let term = |(name, multiplier): &(_, _)| TermJson::new(*name, multiplier, style);
+        let head = Head {
+            schema: "boundfit/status/1",
+            input: InputJson::new(problem, origin, style),
+            set: SetJson {
+                kind: fit.fps.polyhedron().region().kind().name(),
+                contradiction: contradiction.map(|terms| terms.iter().map(term).collect()),
+            },
+            deciding: deciding.collect(),
+        };
+        let text = to_text(&head);
+        let open = text.trim_end().trim_end_matches('}').trim_end();
+        format!("{open},\n  \"rows\": [\n")
+    }
+
+    /// The least total widening, or why there is none.
+    pub fn repair(repair: &Result<Repair, NoRepair>, style: &Style) -> String {
+        let terms = |terms: &[(BoundName, Rational)]| {
+            terms.iter().map(|(name, multiplier)| TermJson::new(*name, multiplier, style)).collect()
+        };
+        let json = match repair {
+            Ok(own) => RepairJson {
+                total: Some(style.number(&own.total)),
+                count: Some(own.count),
+                theta: Some(style.numbers(&own.theta)),
+                widened: own.widened.iter().map(|own| WidenedJson::new(own, style)).collect(),
+                multipliers: own
+                    .multipliers
+                    .iter()
+                    .map(|(row, value)| MultiplierJson { row: *row, value: style.number(value) })
+                    .collect(),
+                held: terms(&own.held),
+                contradiction: None,
+            },
+            Err(NoRepair::Contradiction(contradiction)) => {
+                RepairJson { contradiction: Some(terms(contradiction)), ..RepairJson::default() }
+            }
+            Err(NoRepair::NotInMemory) => RepairJson::default(),
+        };
+        format!(",\n  \"repair\": {}", to_text(&json).trim_end().replace('\n', "\n  "))
+    }
+
+    /// What stands before the first of the further readings.
+    pub fn new_head(file: Option<Foreign<&str>>) -> String {
+        let file = to_text(&file.map(|file| -> Foreign { file.into() }));
+        format!(",\n  \"new\": {{\n  \"file\": {},\n  \"rows\": [\n", file.trim_end())
+    }
+
+    /// What stands after the last of the further readings.
+    pub const END_OF_NEW: &'static str = "\n  ]\n  }";
+
+    /// A reading of the set.
+    pub fn row(status: &RowStatus, style: &Style) -> String {
+        let ([leverage, residual], name) = parts(status.all.as_ref(), style);
+        let ([without_leverage, without_residual], without) = parts(status.without.as_ref(), style);
+        let row = status.row;
+        line(&RowJson { row, leverage, residual, status: name, without, without_leverage, without_residual })
+    }
+
+    /// A further reading.
+    pub fn new_row(row: usize, standing: Option<&Standing>, style: &Style) -> String {
+        let ([leverage, residual], status) = parts(standing, style);
+        line(&NewRowJson { row, leverage, residual, status })
+    }
+}
+
+type Parts = ([Option<Number>; 2], Option<&'static str>);
+
+fn parts(standing: Option<&Standing>, style: &Style) -> Parts {
+    let Some(Standing { leverage, residual, status }) = standing else { return ([None, None], None) };
+    let numbers = [leverage, residual].map(|number| number.as_ref().map(|number| style.number(number)));
+    (numbers, Some(status.name()))
+}
+
+/// On one line, so that many rows stay readable.
+fn line(row: &impl Serialize) -> String {
+    // Strings, numbers and nulls only: there is nothing that cannot be written.
+    format!("    {}", serde_json::to_string(row).expect("a row that is not JSON"))
+}
