@@ -26,7 +26,7 @@ pub fn main() -> ExitCode {
     interrupt::leave_nothing_behind();
     let result = match arguments.command {
         Command::Fit(arguments) => {
-            arguments.with_factors().and_then(|arguments| commands::fit::run(&arguments))
+            arguments.with_numbers().and_then(|arguments| commands::fit::run(&arguments))
         }
         Command::Predict(arguments) => commands::predict::run(&arguments),
         Command::Linearity(arguments) => commands::linearity::run(&arguments),

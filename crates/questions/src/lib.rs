@@ -1,5 +1,6 @@
 //! What is asked of readings beyond the set of all parameters that agree with them, each answered exactly.
 
+mod guarantee;
 mod linearity;
 mod predict;
 mod range;
@@ -7,6 +8,7 @@ mod status;
 mod window;
 mod x_errors;
 
+pub use guarantee::{Guarantee, guaranteed_share};
 pub use linearity::{
     AlternatingPoint, CalibrationPoint, CalibrationReading, Characteristic, Difference, Linearity,
     LinearityLine, LinearityOptions, NoLine, Pass,

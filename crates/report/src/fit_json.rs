@@ -8,8 +8,10 @@ use boundfit_estimation::{
 };
 use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::{Measures, Multiplier};
+use boundfit_questions::Guarantee;
 use serde::Serialize;
 
+use crate::guarantee::GuaranteeJson;
 use crate::input_json::InputJson;
 use crate::json::{
     ActiveJson, BoundJson, IntervalJson, RangeJson, RegionJson, TermJson, centroid_json, long_fractions,
@@ -25,7 +27,7 @@ pub(crate) const NO_BINARY64: &str = "not computed, since not every reading is k
 
 /// The report of a fit, which is serialised as schema `boundfit/fit/1`. A main part that is null (least squares, EUI, PUI,
 /// central, ε_min, minimax, inverse, tightness) has an entry in `reasons`. A family over the error bound becomes the part
-/// `sweep`.
+/// `sweep`, a guarantee for further readings the part `guarantee`.
 #[derive(Debug, Serialize)]
 pub struct FitJson {
     schema: &'static str,
@@ -44,6 +46,8 @@ pub struct FitJson {
     reasons: BTreeMap<&'static str, String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     sweep: Option<SweepJson>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    guarantee: Option<GuaranteeJson>,
 }
 
 /// Why it is not known which row would mend an empty set.
@@ -92,10 +96,15 @@ pub fn fit_json(
     problem: &Problem,
     fit: &Fit,
     family: Option<&Family>,
+    guarantee: Option<&Guarantee>,
     origin: &Origin,
     style: &Style,
 ) -> String {
-    to_text(&FitJson::new(problem, fit, family, origin, style))
+    let report = FitJson::new(problem, fit, family, origin, style);
+    to_text(&match guarantee {
+        Some(guarantee) => report.with_guarantee(problem, fit, guarantee, style),
+        None => report,
+    })
 }
 
 impl FitJson {
@@ -139,7 +148,24 @@ impl FitJson {
             mended_without: mending_rows(problem, fit),
             reasons,
             sweep,
+            guarantee: None,
         }
+    }
+
+    /// The report with the guarantee for further readings; where there is none, with the reason.
+    #[must_use]
+    pub fn with_guarantee(
+        mut self,
+        problem: &Problem,
+        fit: &Fit,
+        guarantee: &Guarantee,
+        style: &Style,
+    ) -> Self {
+        self.guarantee = GuaranteeJson::new(problem, fit, guarantee, style);
+        if self.guarantee.is_none() {
+            self.reasons.insert("guarantee", "see minimax".to_owned());
+        }
+        self
     }
 }
 

@@ -51,7 +51,7 @@ fn table(data: &[u8], epsilon: &Rational) {
     let problem = Problem { measurements, conditions: Vec::new() };
     if problem.work(&[]).check(1, MOST_WORK).is_ok() {
         let origin = Origin { file: None, reading: Reading::Decimal, is_stored: false };
-        let written = fit_json(&problem, &fit(&problem), None, &origin, &Style::default());
+        let written = fit_json(&problem, &fit(&problem), None, None, &origin, &Style::default());
         assert!(!written.is_empty());
     }
 }

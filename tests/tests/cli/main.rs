@@ -11,6 +11,7 @@ mod convert;
 mod dialects;
 mod exchange;
 mod fleet;
+mod guarantee;
 mod help;
 mod honest;
 mod input_formats;

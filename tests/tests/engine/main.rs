@@ -8,6 +8,7 @@ mod family;
 mod fleet;
 mod generators;
 mod grid;
+mod guarantee;
 mod intervals;
 mod library;
 mod line_forms;

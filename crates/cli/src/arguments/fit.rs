@@ -1,5 +1,6 @@
 //! The arguments of `boundfit fit`.
 
+use boundfit_exact::Rational;
 use boundfit_formats::ColumnSelector;
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, value_parser};
@@ -33,6 +34,10 @@ pub(super) const NOTES: Notes = Notes {
         (
             "Beside the report a proof, for somebody who does not trust it",
             "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --proof proof.json",
+        ),
+        (
+            "At least which share of further readings the band of eps_min holds, with confidence 0.99",
+            "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --confidence 0.99",
         ),
         (
             "Every sensor of a fleet on its own, one line each (--format json or csv for programs)",
@@ -103,6 +108,13 @@ pub(crate) struct FitArguments {
     /// Also report gain and offset of the inverse line x = gain*y + offset where 0 is in the PUI of theta1
     #[arg(long, conflicts_with = "by")]
     pub(crate) inverse: bool,
+    /// Also report which share of further readings lies in the band of eps_min, with this confidence between 0 and 1, such as
+    /// 0.99, if all readings are independent draws from one source: at least so many, whatever the source is
+    #[arg(id = "confidence", long = "confidence", value_name = "NUM", allow_hyphen_values = true, conflicts_with_all = ["by", "brief"])]
+    pub(super) asked_confidence: Option<String>,
+    /// The number of `--confidence`.
+    #[arg(skip)]
+    pub(crate) confidence: Option<Rational>,
     /// Also write a proof of the answer to this file, whole or not at all: JSON that 'boundfit verify', or anybody else,
     /// checks against the data by arithmetic alone; - for standard output when the report goes to a file
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]

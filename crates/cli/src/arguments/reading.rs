@@ -11,7 +11,7 @@ use boundfit_report::{Origin, Style};
 use clap::ValueEnum;
 
 use super::shared::{EpsilonArguments, LineArguments};
-use super::values::{number_problem, parse_factors};
+use super::values::{number_problem, parse_confidence, parse_factors};
 use super::{
     DataArguments, FitArguments, FractionArguments, LabelArguments, LimitArguments, OutputArguments,
     ReduceArguments, RowArguments, TableArguments, ThreadArguments,
@@ -439,11 +439,13 @@ fn condition_problem(error: &ParseConditionError) -> String {
 }
 
 impl FitArguments {
-    /// Reads the factors of `--sweep`, which need the limits.
-    pub(crate) fn with_factors(self) -> Result<Self, Failure> {
+    /// Reads the factors of `--sweep` and the number of `--confidence`, which need the limits.
+    pub(crate) fn with_numbers(self) -> Result<Self, Failure> {
         let limits = self.data.table.limits.number();
         let sweep = self.asked_factors.as_deref().map(|text| parse_factors(text, &limits)).transpose()?;
-        Ok(FitArguments { sweep, ..self })
+        let confidence =
+            self.asked_confidence.as_deref().map(|text| parse_confidence(text, &limits)).transpose()?;
+        Ok(FitArguments { sweep, confidence, ..self })
     }
 
     /// The windows that are asked for, if they are.

@@ -146,6 +146,25 @@ pub(super) fn parse_factors(text: &str, limits: &Limits) -> Result<FactorRange, 
     Ok(range)
 }
 
+/// The closest to 1 that a confidence may be: what is computed with has more than twice as many digits.
+const LEAST_DOUBT: i64 = -100;
+
+/// Reads a confidence: more than 0 and less than 1.
+pub(super) fn parse_confidence(text: &str, limits: &Limits) -> Result<Rational, Failure> {
+    const EXPECTED: &str = "expected a number between 0 and 1, such as 0.99";
+    let refuse = |problem: String| Failure::value("--confidence <NUM>", text, problem);
+    let confidence =
+        Reading::Decimal.read(text, limits).map_err(|error| refuse(number_problem(&error, EXPECTED)))?;
+    let doubt = Rational::one() - &confidence;
+    if !confidence.is_positive() || !doubt.is_positive() {
+        return Err(refuse(EXPECTED.to_owned()));
+    }
+    if doubt < Rational::scientific(1, LEAST_DOUBT) {
+        return Err(refuse("closer to 1 than 1e-100".to_owned()));
+    }
+    Ok(confidence)
+}
+
 #[cfg(test)]
 mod tests {
     use super::split_at_commas;

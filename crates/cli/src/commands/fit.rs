@@ -3,11 +3,13 @@
 use std::time::Duration;
 
 use boundfit_check::{CheckOptions, check, source_names};
-use boundfit_estimation::{Family, Fit, Measurements, Problem, fit};
+use boundfit_estimation::{ErrorBound, Family, Fit, Measurements, Problem, fit};
 use boundfit_exact::{Foreign, Rational, Reading};
+use boundfit_questions::Guarantee;
 use boundfit_report::{
-    Document, InverseLine, active_names, brief_document, fit_csv, fit_document, fit_json, h_representation,
-    proof_json, region_script, region_wkt, sweep_document, v_representation, verdict_line, vertices_csv,
+    Document, InverseLine, active_names, brief_document, fit_csv, fit_document, fit_json, guarantee_document,
+    h_representation, proof_json, region_script, region_wkt, sweep_document, v_representation, verdict_line,
+    vertices_csv,
 };
 
 use crate::CommandResult;
@@ -20,6 +22,9 @@ use crate::work::refuse_long_sweep;
 
 const SWEEP_OF_FIXED: &str = "'--sweep' moves the error bounds, and the data are a reduction under bounds that are fixed: sweep \
                               the table that it was made from";
+
+const CONFIDENCE_OF_INTERVALS: &str = "'--confidence' is about error bounds around y, and intervals are none: a further reading need \
+                                       not have one";
 
 /// Reads the data, fits and writes the report.
 pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
@@ -48,6 +53,11 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     if is_sweep && !problem.measurements.are_open() {
         return Err(Failure::Usage(SWEEP_OF_FIXED.to_owned()));
     }
+    if arguments.confidence.is_some()
+        && matches!(problem.measurements.error_bound(), ErrorBound::Interval { .. })
+    {
+        return Err(Failure::Usage(CONFIDENCE_OF_INTERVALS.to_owned()));
+    }
     if let Some(FactorRange { to, .. }) = &arguments.sweep {
         let limits = &arguments.data.table.limits;
         refuse_long_sweep(arguments.data.file_name(), &problem, to, limits)?;
@@ -56,6 +66,8 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     let family = arguments.sweep.as_ref().map(|FactorRange { from, to }| {
         while_working("sweeping", || Family::new(&problem, from.clone(), to.clone()))
     });
+    let confidence = arguments.confidence.as_ref();
+    let guarantee = confidence.and_then(|confidence| Guarantee::new(&problem.measurements, confidence));
     let style = arguments.fraction.limited(arguments.output.style());
     let inverse = if arguments.inverse { InverseLine::Always } else { InverseLine::default() };
     let document = |lp_verdict: Option<String>| {
@@ -67,10 +79,12 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
         document.append(
             family.as_ref().map_or_else(Document::default, |family| sweep_document(&problem, family, &style)),
         );
+        let of_guarantee = |own: &Guarantee| guarantee_document(&problem, &fit, own, &style);
+        document.append(guarantee.as_ref().map_or_else(Document::default, of_guarantee));
         document
     };
     let report = match format {
-        ReportFormat::Json => fit_json(&problem, &fit, family.as_ref(), &origin, &style),
+        ReportFormat::Json => fit_json(&problem, &fit, family.as_ref(), guarantee.as_ref(), &origin, &style),
         ReportFormat::Latex => document(None).to_latex(),
         ReportFormat::Markdown => document(None).to_markdown(),
         ReportFormat::Csv if !arguments.vertices => fit_csv(&fit),
@@ -104,6 +118,8 @@ fn check_usage_of_parts(arguments: &FitArguments, format: ReportFormat) -> Resul
         "'--vertices' is about '--format csv'; other formats have the vertices anyway"
     } else if (arguments.brief || arguments.inverse) && !is_document {
         "'--brief' and '--inverse' are about text, latex and markdown; other formats have all there is"
+    } else if arguments.confidence.is_some() && !is_document && format != ReportFormat::Json {
+        "'--confidence' is about text, latex, markdown and json; other formats have no place for a guarantee"
     } else {
         return Ok(());
     };
