@@ -9,6 +9,7 @@ pub mod definitions;
 pub mod fuzz_targets;
 pub mod generate;
 pub mod hostile;
+pub mod linearity;
 pub mod lp_cases;
 pub mod models;
 pub mod oracle;

@@ -92,3 +92,36 @@ fn documents() {
         }
     }
 }
+
+#[test]
+fn predictions() {
+    let fit = ["predict", "fixtures/transducer/transducer.csv", "--x", "Vz", "--y", "z", "--rows", "14..36"];
+    let asked = [&fit[..], &["--eps", "0.5e-3", "--at", "3.7,9/2", "--from", "0.012,1"]].concat();
+    check("transducer/predict.txt", &[&asked[..], &["--proofs"]].concat(), 0);
+    check("transducer/predict.json", &[&asked[..], &["--format", "json"]].concat(), 0);
+    check("transducer/predict.md", &[&asked[..], &["--format", "markdown"]].concat(), 0);
+    let grid = [&fit[..], &["--eps", "0.5e-3", "--grid", "-6..6/24", "--format", "csv"]].concat();
+    check("transducer/corridor.csv", &grid, 0);
+}
+
+#[test]
+fn linearity() {
+    let lvdt =
+        ["linearity", "fixtures/linearity/lvdt.csv", "--x", "x_mm", "--up", "up_mV", "--down", "down_mV"];
+    check("linearity/linearity.txt", &lvdt, 0);
+    check("linearity/linearity-exact.txt", &[&lvdt[..], &["--exact"]].concat(), 0);
+    check("linearity/linearity.json", &[&lvdt[..], &["--format", "json"]].concat(), 0);
+    check("linearity/linearity.csv", &[&lvdt[..], &["--format", "csv"]].concat(), 0);
+    check("linearity/linearity.tex", &[&lvdt[..], &["--format", "latex"]].concat(), 0);
+    let cycles = [
+        "linearity",
+        "fixtures/linearity/cycles.csv",
+        "--x",
+        "x_mm",
+        "--y",
+        "mV",
+        "--direction",
+        "direction",
+    ];
+    check("linearity/cycles.txt", &cycles, 0);
+}

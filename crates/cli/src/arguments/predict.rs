@@ -38,7 +38,7 @@ pub(super) const NOTES: Notes = Notes {
 /// At x the lines that agree with all readings take the values of an interval, which is exact and has a proof. A further
 /// reading lies in it, widened by the reading's own error bound: that of the fitted readings where it says something of
 /// others, or --new-eps. The other way round, a reading may come from every x where the interval of some line, so widened,
-/// holds it: up to three intervals, some without an end.
+/// holds it: one interval or two, some without an end.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 pub(crate) struct PredictArguments {

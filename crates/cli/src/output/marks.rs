@@ -4,7 +4,7 @@
 pub(super) const START: u64 = 4096;
 
 /// What a format begins with, and what else is found in its first bytes.
-const MARKS: [(&str, &str); 33] = [
+const MARKS: &[(&str, &str)] = &[
     // Reports as text, Markdown and LaTeX.
     ("Set-membership fit\n", ""),
     ("Linear range\n  model ", ""),
@@ -21,6 +21,10 @@ const MARKS: [(&str, &str); 33] = [
     ("group ", " theta2 "),
     ("| case | ", "|\n|---|"),
     ("### Set-membership fit\n", ""),
+    ("Prediction\n  model ", ""),
+    ("### Prediction\n", "reading"),
+    ("Linearity\n  data ", ""),
+    ("### Linearity\n", "full scale"),
     ("Half-planes of ", "\n### Region: "),
     ("Generators of ", "\n### Region: "),
     ("% needs \\usepackage{booktabs}\n{\\raggedright", ""),
@@ -28,6 +32,10 @@ const MARKS: [(&str, &str); 33] = [
     ("kind,theta1,theta2,theta1_decimal,theta2_decimal,active\n", ""),
     ("quantity,parameter,lower,upper,value,lower_exact,upper_exact,value_exact\n", ""),
     ("group,rows,first_row,kind,theta1_lower,", ""),
+    ("x,line_lower,line_upper,reading_lower,reading_upper,x_exact,", ""),
+    ("x1,x2,model_lower,model_upper,reading_lower,reading_upper,x1_exact,", ""),
+    ("y,x_lower,x_upper,lower_end,upper_end,y_exact,", ""),
+    ("characteristic,method,deviation,percent,slope,intercept,deviation_exact,", ""),
     ("# boundfit/reduced/", ""),
     ("% A set of parameters (theta1, theta2), written by boundfit.\n", ""),
     ("* theta", ", that agrees with every reading\n"),

@@ -3,7 +3,7 @@
 //! *Independent* linearity is the maximum deviation of the actual characteristic, the average of upscale and downscale readings,
 //! from a straight line so positioned as to equalise and minimise the maximum deviations (US 15 CFR 772.1, "Linearity"):
 //! Chebyshev's minimax line, which three deviations that alternate in sign prove (Cheney, *Introduction to Approximation
-//! Theory*, 1966, chapter 3). *Terminal* linearity is measured from the line through both ends of the range, *zero-based*
+//! Theory*, 1966, chapter 2). *Terminal* linearity is measured from the line through both ends of the range, *zero-based*
 //! linearity from the best line through a given point, *least-squares* linearity from the least-squares line.
 
 mod characteristic;

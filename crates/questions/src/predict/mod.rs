@@ -2,7 +2,9 @@
 //!
 //! At x the feasible lines reach from m(x) = min θ1·x + θ2 to M(x) = max θ1·x + θ2. A further reading whose error is at most ε
 //! lies in [m(x) - ε, M(x) + ε], and a reading y may come from those x where M(x) ≥ y - ε and m(x) ≤ y + ε. M is convex and m is
-//! concave, so the x that are left out are two open intervals at most, and at most three are left.
+//! concave, so the x that are left out are two intervals at most: where all lines are too low, and where all are too high. If there
+//! are both, every line rises, or every line falls, from one to the other, so that one of them goes on without end. At most two
+//! intervals are left.
 
 mod further;
 mod valley;
@@ -83,7 +85,7 @@ impl<'a> Predictor<'a> {
         [self.set.support(&form.each_ref().map(|part| -part)), self.set.support(form)]
     }
 
-    /// The x that a reading y may come from, ascending: at most three intervals, none where no line comes near y. Where |x| has
+    /// The x that a reading y may come from, ascending: at most two intervals, none where no line comes near y. Where |x| has
     /// a say in the reading's error, `error` says where x is 0. Exact. Cost: linear in the number of vertices; many y at once
     /// are asked of [`Predictor::sources_of_many`].
     pub fn sources(&self, y: &Rational, error: &FurtherError) -> Vec<PossibleX> {

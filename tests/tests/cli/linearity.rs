@@ -1,0 +1,240 @@
+//! `boundfit linearity`: answers to every digit, directions, what is null, refusals.
+
+use std::fs;
+
+use boundfit_tests::cli::numbers::{check_numbers, exact};
+use boundfit_tests::cli::refusals::refuses;
+use boundfit_tests::cli::{boundfit, directory_with, unbroken};
+use boundfit_tests::program::root;
+use serde_json::Value;
+
+const LVDT: &str = "linearity fixtures/linearity/lvdt.csv --x x_mm --up up_mV --down down_mV";
+const CYCLES: &str = "linearity fixtures/linearity/cycles.csv --x x_mm --y mV --direction direction";
+
+fn report(directory: &std::path::Path, line: &str) -> Value {
+    let run = boundfit(directory, &format!("{line} --format json"));
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{line}");
+    serde_json::from_str(&run.stdout).unwrap()
+}
+
+/// Deviation and percent of the four ways, in the order of the course's table.
+fn ways(report: &Value) -> Vec<(String, String)> {
+    let of = |name: &str| {
+        let text = |part: &str| report[name][part]["exact"].as_str().unwrap_or("null").to_owned();
+        (text("deviation"), text("percent"))
+    };
+    ["independent", "terminal", "least_squares", "zero_based"].map(of).into()
+}
+
+fn pairs(expected: [(&str, &str); 4]) -> Vec<(String, String)> {
+    expected.map(|(deviation, percent)| (deviation.to_owned(), percent.to_owned())).into()
+}
+
+#[test]
+fn the_sensor_of_the_course_to_every_digit() {
+    let report = report(&root(), LVDT);
+    assert_eq!(report["schema"], "boundfit/linearity/1");
+    let average =
+        [("21/200", "140/51"), ("21/100", "280/51"), ("503/4130", "201200/63189"), ("1/5", "800/153")];
+    assert_eq!(ways(&report), pairs(average));
+    let up = [("7/50", "40/11"), ("7/25", "80/11"), ("613/4130", "122600/31801"), ("1/5", "400/77")];
+    assert_eq!(ways(&report["up"]), pairs(up));
+    let down = [("1/12", "125/57"), ("7/50", "70/19"), ("23/236", "2875/1121"), ("1/5", "100/19")];
+    assert_eq!(ways(&report["down"]), pairs(down));
+    let text = |value: &Value| value["exact"].as_str().unwrap().to_owned();
+    assert_eq!(text(&report["full_scale"]), "153/40");
+    assert_eq!((text(&report["hysteresis"]), &report["repeatability"]), ("3/20".into(), &Value::Null));
+    assert_eq!(text(&report["independent"]["theta"][0]), "153/400");
+    assert_eq!(text(&report["least_squares"]["theta"][0]), "155/413");
+    assert_eq!(report["independent"]["rows"], serde_json::json!([1, 5, 6]));
+    let proof: Vec<(Value, String, String)> = report["proof"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|point| (point["rows"].clone(), text(&point["deviation"]), text(&point["weight"])))
+        .collect();
+    let expected = [(1, "21/200", "1/10"), (5, "-21/200", "1/2"), (6, "21/200", "2/5")];
+    let expected =
+        expected.map(|(row, own, weight)| (serde_json::json!([row]), own.to_owned(), weight.to_owned()));
+    assert_eq!(proof, expected);
+    assert!(check_numbers(&report, 5) > 50);
+}
+
+#[test]
+fn readings_below_each_other_are_averaged_by_direction() {
+    let report = report(&root(), CYCLES);
+    // Two upscale readings at 0, 4 and 10: averaged before the mean of both directions.
+    let text = |value: &Value| value["exact"].as_str().unwrap().to_owned();
+    assert_eq!(text(&report["repeatability"]), "1/20");
+    assert_eq!(text(&report["hysteresis"]), "1/8");
+    assert_eq!(report["input"]["direction"]["up"], serde_json::json!(["up"]));
+    assert_eq!(report["input"]["points"], 6);
+    assert_eq!(report["repeatability_at"].as_array().unwrap().len(), 2);
+    assert_eq!(report["repeatability_at"][0]["rows"], serde_json::json!([1, 13]));
+}
+
+#[test]
+fn the_same_numbers_in_two_columns_and_below_each_other() {
+    let directory = directory_with(&[]);
+    let two = fs::read_to_string(root().join("fixtures/linearity/lvdt.csv")).unwrap();
+    let mut below = String::from("x;y;d\n");
+    for line in two.lines().skip(1) {
+        let cells: Vec<&str> = line.split(',').collect();
+        below += &format!("{};{};Rising\n{};{};falling\n", cells[0], cells[1], cells[0], cells[2]);
+    }
+    fs::write(directory.path().join("two.csv"), &two).unwrap();
+    fs::write(directory.path().join("below.csv"), below).unwrap();
+    let one = report(directory.path(), "linearity two.csv --x x_mm --up up_mV --down down_mV");
+    let other = report(directory.path(), "linearity below.csv --x x --y y --direction d");
+    for part in [&one, &one["up"], &one["down"]].into_iter().zip([&other, &other["up"], &other["down"]]) {
+        assert_eq!(ways(part.0), ways(part.1));
+    }
+    assert_eq!(one["hysteresis"], other["hysteresis"]);
+}
+
+#[test]
+fn readings_without_directions_are_taken_as_they_are() {
+    let directory = directory_with(&[("twice.csv", b"x,y\n0,0\n1,1\n1,3\n2,2\n")]);
+    let report = report(directory.path(), "linearity twice.csv --x x --y y");
+    // As the least bound of a fit of the same four readings.
+    let run = boundfit(directory.path(), "fit twice.csv --x x --y y --eps min --format json");
+    let fit: Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!(exact(&report["independent"]["deviation"]), exact(&fit["epsilon_min"]));
+    assert_eq!(report["independent"]["deviation"]["exact"], "1");
+    assert_eq!((&report["hysteresis"], &report["up"]), (&Value::Null, &Value::Null));
+    assert_eq!(report["repeatability"]["exact"], "2");
+}
+
+#[test]
+fn what_there_is_not_is_null_with_a_reason() {
+    let directory = directory_with(&[
+        ("one.csv", b"x,y\n3,4\n"),
+        ("vertical.csv", b"x,y\n3,4\n3,6\n3,5\n"),
+        ("level.csv", b"x,y\n0,4\n1,4\n2,4\n"),
+        ("sides.csv", b"x,up,down\n0,1,\n1,,2\n2,5,3\n"),
+    ]);
+    let one = report(directory.path(), "linearity one.csv --x x --y y");
+    assert_eq!((&one["terminal"], &one["least_squares"]), (&Value::Null, &Value::Null));
+    assert_eq!(one["independent"]["deviation"]["exact"], "0");
+    assert_eq!(
+        (&one["independent"]["percent"], &one["independent"]["unique"]),
+        (&Value::Null, &Value::Bool(false))
+    );
+    assert!(one["reasons"]["percent"].as_str().unwrap().contains("full scale is 0"));
+    assert!(one["reasons"]["terminal"].as_str().unwrap().contains("the same x"));
+    let vertical = report(directory.path(), "linearity vertical.csv --x x --y y --through 3,0");
+    assert_eq!(vertical["independent"]["percent"]["exact"], "50");
+    assert_eq!(vertical["zero_based"]["deviation"]["exact"], "6");
+    assert_eq!(vertical["proof"].as_array().unwrap().len(), 2);
+    let level = report(directory.path(), "linearity level.csv --x x --y y");
+    assert_eq!((&level["terminal"]["percent"], &level["proof"]), (&Value::Null, &serde_json::json!([])));
+    let given = report(directory.path(), "linearity level.csv --x x --y y --full-scale 8");
+    assert_eq!(given["zero_based"]["percent"]["exact"], "50");
+    let sides = report(directory.path(), "linearity sides.csv --x x --up up --down down");
+    assert_eq!((&sides["hysteresis"]["exact"], &sides["input"]["points"]), (&"2".into(), &3.into()));
+    for file in ["one", "vertical", "level"] {
+        let run =
+            boundfit(directory.path(), &format!("linearity {file}.csv --x x --y y --figure {file}.svg"));
+        assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{file}");
+    }
+    let text = unbroken(&boundfit(directory.path(), "linearity one.csv --x x --y y").stdout);
+    assert!(text.contains("No terminal linearity: all readings have the same x"), "{text}");
+    assert!(text.contains("No percentages: full scale is 0"), "{text}");
+}
+
+#[test]
+fn every_format_is_written_and_recognised_as_ours() {
+    let directory = directory_with(&[]);
+    let data = root().join("fixtures/linearity/lvdt.csv");
+    let line = format!("linearity '{}' --x x_mm --up up_mV --down down_mV", data.display());
+    for ending in ["txt", "json", "csv", "md", "tex"] {
+        for _ in 0..2 {
+            // The second time it replaces what it wrote.
+            let run = boundfit(directory.path(), &format!("{line} -o out.{ending} --figure picture.svg"));
+            assert_eq!((run.status, run.stdout.as_str(), run.stderr.as_str()), (0, "", ""), "{ending}");
+        }
+    }
+    let csv = fs::read_to_string(directory.path().join("out.csv")).unwrap();
+    assert!(csv.contains(
+        "\naverage,independent,0.105,2.7450980392156863,0.3825,0.095,21/200,140/51,153/400,19/200,1 5 6\n"
+    ));
+    let png = boundfit(directory.path(), &format!("{line} -o a.txt --figure a.png"));
+    assert_eq!(png.status, 0);
+    assert!(fs::read(directory.path().join("a.png")).unwrap().starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn bad_usage_is_refused() {
+    let cases = [
+        (
+            "--full-scale 0",
+            "invalid value '0' for '--full-scale <NUM>': expected a number above 0, such as 4 or 153/40",
+        ),
+        (
+            "--full-scale -4",
+            "invalid value '-4' for '--full-scale <NUM>': expected a number above 0, such as 4 or 153/40",
+        ),
+        (
+            "--full-scale x",
+            "invalid value 'x' for '--full-scale <NUM>': not a number: unexpected character 'x' at character 1 (expected a \
+             number above 0, such as 4 or 153/40)",
+        ),
+        (
+            "--through 3",
+            "invalid value '3' for '--through <X,Y>': expected two numbers X,Y such as 0,0 or 2.5,-1/3",
+        ),
+        (
+            "--figure a.pdf",
+            "invalid value 'a.pdf' for '--figure <FILE>': a picture is either SVG or PNG (expected a name that ends in .svg or .png)",
+        ),
+    ];
+    for (options, message) in cases {
+        refuses(&root(), &format!("{LVDT} {options}"), 2, message);
+    }
+    let y = "linearity fixtures/linearity/lvdt.csv --x x_mm --y up_mV";
+    refuses(
+        &root(),
+        &format!("{y} --up up_mV --down down_mV"),
+        2,
+        "the argument '--y <COL>' cannot be used with:\n  --up <COL>\n  --down <COL>",
+    );
+}
+
+#[test]
+fn bad_data_is_refused_with_its_row() {
+    let directory = directory_with(&[
+        ("words.csv", b"x,y,d\n0,1,in\n1,2,out\n2,3,over\n"),
+        ("none.csv", b"x,y,d\n0,1,up\n1,2,\n"),
+        ("empty.csv", b"x,up,down\n0,1,2\n1,,\n"),
+        ("text.csv", b"x,y\n0,1\n1,two\n"),
+    ]);
+    let directions = "--x x --y y --direction d";
+    refuses(
+        directory.path(),
+        &format!("linearity words.csv {directions}"),
+        1,
+        "words.csv: data row 3: \"over\" is a third direction beside \"in\" and \"out\" (expected up and down, or two words of \
+         which the first one met is up)",
+    );
+    refuses(
+        directory.path(),
+        &format!("linearity none.csv {directions}"),
+        1,
+        "none.csv: data row 2: the direction is missing (expected up or down)",
+    );
+    refuses(
+        directory.path(),
+        "linearity empty.csv --x x --up up --down down",
+        1,
+        "empty.csv: data row 2 has a reading in neither direction",
+    );
+    let skipped = report(directory.path(), "linearity empty.csv --x x --up up --down down --missing skip");
+    assert_eq!((&skipped["input"]["rows"], &skipped["input"]["rows_missing"]), (&1.into(), &1.into()));
+    refuses(
+        directory.path(),
+        "linearity text.csv --x x --y y",
+        1,
+        "text.csv: line 3, column 2 (y): \"two\": not a number: unexpected character 't' at character 1 (expected a decimal such as \
+         1.30e-2 or a fraction such as 7/19)",
+    );
+}
