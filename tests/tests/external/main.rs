@@ -5,6 +5,7 @@ mod latex;
 mod models;
 mod octave;
 mod polytopes;
+mod predict;
 mod proportion;
 mod python;
 mod solvers;

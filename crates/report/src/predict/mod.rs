@@ -241,12 +241,12 @@ fn possible(PossibleX { lower, upper }: &PossibleX, style: &Style) -> Text {
 
 /// The readings behind each end of the line's intervals, and behind the x where readings end.
 fn proofs(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<Block> {
-    let mut rows = Vec::new();
+    let mut rows: Vec<Vec<Text>> = Vec::new();
     for value in (prediction.at.values)().take(MOST_LISTED) {
         let ends = predictor.ends(&prediction.form(&value));
         for (relation, support) in [Symbol::AtLeast, Symbol::AtMost].into_iter().zip(ends) {
-            let label = Text::from("at ").then(asked(prediction, &value, style)).mark(" ").symbol(relation);
-            rows.push(proof(prediction, label, relation, &support, style));
+            let place = asked(prediction, &value, style);
+            rows.push(proof(prediction, place, relation, &support, style));
         }
     }
     let of = prediction.sources(predictor);
@@ -254,8 +254,12 @@ fn proofs(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<
         for own in of(&y) {
             for end in [own.lower, own.upper].into_iter().flatten() {
                 let relation = if end.by_upper { Symbol::AtMost } else { Symbol::AtLeast };
-                let label = Text::from("at ").then(style.proof(&end.x)).mark(" ").symbol(relation);
-                rows.push(proof(prediction, label, relation, &prediction.why(predictor, &end), style));
+                let place = Text::new().number(style.nearest(&end.x));
+                let row = proof(prediction, place, relation, &prediction.why(predictor, &end), style);
+                // Two intervals may end at one x.
+                if !rows.contains(&row) {
+                    rows.push(row);
+                }
             }
         }
     }
@@ -264,37 +268,36 @@ fn proofs(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec<
         true => "What proves each end of the line",
         false => "What proves each end of the model",
     };
-    let table = Table::new([Text::new(), Text::new(), "reached by".into(), header], rows);
+    let table = Table::new([Text::new(), "reached by".into(), header], rows);
     vec![Block::Title(title.into()), Block::Table(table)]
 }
 
-/// A row of the table of proofs.
+/// A row of the table of proofs: what is proved at a place, which parameters reach it, and by which rows.
 fn proof(
     prediction: &Prediction,
-    label: Text,
+    place: Text,
     relation: Symbol,
     support: &Support,
     style: &Style,
 ) -> Vec<Text> {
+    let label = Text::from("at ").then(place).mark(" ").symbol(relation).mark(" ");
     match support {
         Support::Bounded { proof, .. } => {
-            let (value, shown) = match relation {
-                Symbol::AtLeast => (-&proof.value, false),
-                _ => (proof.value.clone(), true),
+            let label = match relation {
+                Symbol::AtLeast => label.number(style.lower(&-&proof.value)),
+                _ => label.number(style.upper(&proof.value)),
             };
-            let shown = if shown { style.upper(&value) } else { style.lower(&value) };
             let [theta1, theta2] = proof.attained_at.coordinates();
             let multipliers =
                 proof.multipliers.iter().map(|m| (style.proof(&m.value), prediction.name(m.index)));
-            let theta = pair(style.nearest(&theta1), style.nearest(&theta2));
-            vec![label, Text::new().number(shown), theta, products(multipliers)]
+            vec![label, pair(style.nearest(&theta1), style.nearest(&theta2)), products(multipliers)]
         }
         Support::Unbounded(proof) => {
+            let label = if relation == Symbol::AtLeast { label.mark("-") } else { label };
             let along = pair(proof.ray.dx(), proof.ray.dy());
-            let what = Text::from("without end along ").then(along);
-            vec![label, "-".into(), what, Text::new()]
+            vec![label.symbol(Symbol::Infinity), Text::from("without end along ").then(along), Text::new()]
         }
         // A set without a point predicts nothing.
-        Support::Empty(_) => vec![label, Text::new(), Text::new(), Text::new()],
+        Support::Empty(_) => vec![label, Text::new(), Text::new()],
     }
 }
