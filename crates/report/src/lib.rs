@@ -93,6 +93,8 @@ pub use generators::ActiveNames;
 pub use guarantee::guarantee_document;
 pub use json::{ActiveJson, RangeJson};
 pub use judge::{JudgeJson, judge_document, judge_json, lean_theorems};
+#[cfg(feature = "files")]
+pub use linearity::linearity_proof;
 pub use linearity::{LinearityInput, ResponseColumns, linearity_csv, linearity_document, linearity_json};
 pub use number::Number;
 pub use origin::Origin;

@@ -96,6 +96,8 @@ fn directions(path: &[String]) -> &'static [Direction] {
         [.., "guaranteed_error" | "epsilon_min" | "epsilon" | "epsilon_factor" | "distance"] => {
             &[Direction::Up]
         }
+        [.., "deviation" | "percent" | "hysteresis" | "repeatability"]
+        | [.., "hysteresis_percent" | "repeatability_percent"] => &[Direction::Up],
         _ => &[Direction::Nearest],
     }
 }

@@ -51,7 +51,7 @@ fn the_sensor_of_the_course_to_every_digit() {
         .as_array()
         .unwrap()
         .iter()
-        .map(|point| (point["rows"].clone(), text(&point["deviation"]), text(&point["weight"])))
+        .map(|point| (point["rows"].clone(), text(&point["residual"]), text(&point["weight"])))
         .collect();
     let expected = [(1, "21/200", "1/10"), (5, "-21/200", "1/2"), (6, "21/200", "2/5")];
     let expected =
@@ -237,4 +237,44 @@ fn bad_data_is_refused_with_its_row() {
         "text.csv: line 3, column 2 (y): \"two\": not a number: unexpected character 't' at character 1 (expected a decimal such as \
          1.30e-2 or a fraction such as 7/19)",
     );
+}
+
+#[test]
+fn proofs_of_linearity_are_true_of_the_data() {
+    let directory = directory_with(&[
+        ("plain.csv", b"x,y\n0,0\n1,1\n1,3\n2,2\n5,5\n"),
+        ("line.csv", b"x,y\n0,1\n1,2\n2,3\n"),
+        ("one.csv", b"x,y\n3,4\n"),
+        ("sides.csv", b"x,up,down\n0,1,2\n1,2,2\n2,5,3\n"),
+        ("twice.csv", b"x,up,down\n0,1,2\n1,2,2\n1,5,3\n"),
+    ]);
+    let verifies = |file: &str, options: &str| {
+        let run = boundfit(
+            directory.path(),
+            &format!("linearity {file} --x x {options} --proof p.json -o out.txt"),
+        );
+        assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{file}");
+        let verified = boundfit(directory.path(), &format!("verify p.json {file}"));
+        assert_eq!((verified.status, verified.stderr.as_str()), (0, ""), "{file}");
+        // Of changed data it is not true.
+        let other = std::fs::read_to_string(directory.path().join(file)).unwrap() + "9,9,9\n";
+        std::fs::write(directory.path().join("other.csv"), other).unwrap();
+        assert_eq!(boundfit(directory.path(), "verify p.json other.csv").status, 4, "{file}");
+    };
+    for file in ["plain.csv", "line.csv", "one.csv"] {
+        verifies(file, "--y y");
+    }
+    verifies("sides.csv", "--up up --down down");
+    let twice = boundfit(directory.path(), "linearity twice.csv --x x --up up --down down --proof p.json");
+    assert_eq!(twice.status, 2);
+    assert!(twice.stderr.contains("of which each is a point of its own"), "{}", twice.stderr);
+    for (options, problem) in [
+        ("twice.csv --x x --y up --direction down", "'--proof' is about rows of which each is a point"),
+        ("- --x x --y y", "'--proof' reads the data once more"),
+    ] {
+        let run = boundfit(directory.path(), &format!("linearity {options} --proof p.json"));
+        assert!(run.status == 2 && run.stderr.starts_with(&format!("error: {problem}")), "{}", run.stderr);
+    }
+    let same = boundfit(directory.path(), "linearity plain.csv --x x --y y --proof p.json -o p.json");
+    assert!(same.stderr.starts_with("error: '--proof' needs a file of its own"), "{}", same.stderr);
 }

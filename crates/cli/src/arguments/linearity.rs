@@ -54,7 +54,7 @@ pub(crate) struct LinearityArguments {
     pub(crate) down: Option<ColumnSelector>,
     /// Column that says whether x was rising (up, upscale, rising, increasing, +, 1) or falling (down, downscale, falling,
     /// decreasing, -, -1, 0); of two other words the first is up
-    #[arg(long, value_name = "COL", value_parser = parse_column, requires = "y")]
+    #[arg(long, value_name = "COL", value_parser = parse_column, requires = "y", conflicts_with_all = ["up", "down"])]
     pub(crate) direction: Option<ColumnSelector>,
     /// What percents are of; the span of y (of the average) when left out
     #[arg(long, value_name = "NUM", allow_hyphen_values = true)]
@@ -66,6 +66,10 @@ pub(crate) struct LinearityArguments {
     pub(crate) rows: RowArguments,
     #[command(flatten)]
     pub(crate) table: TableArguments,
+    /// Write the proof of the independent linearity to this file, of readings of which each row is a point; 'boundfit verify'
+    /// checks it
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    pub(crate) proof: Option<String>,
     /// Draw the deviations in percent of full scale into this .svg or .png file, as data sheets do
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) figure: Option<String>,

@@ -18,7 +18,8 @@ pub(super) const NOTES: Notes = Notes {
         ),
         (
             "The corridor at 101 values of x, as a table",
-            "boundfit predict transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --grid 0..10/100 -o corridor.csv",
+            "boundfit predict transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --grid 0..10/100 \\\n\
+             \x20 -o corridor.csv",
         ),
         (
             "At all values of a column of another file",

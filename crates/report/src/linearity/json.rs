@@ -94,7 +94,8 @@ struct ProofJson {
     x: Number,
     y: Number,
     rows: Vec<usize>,
-    deviation: Number,
+    /// y less the line.
+    residual: Number,
     weight: Number,
 }
 
@@ -159,7 +160,7 @@ fn proof(average: &Characteristic, point: &AlternatingPoint, style: &Style) -> O
         x: style.number(&place.x),
         y: style.number(&place.y),
         rows: place.rows.clone(),
-        deviation: style.number(&point.deviation),
+        residual: style.number(&point.deviation),
         weight: style.number(&point.weight),
     })
 }

@@ -2,6 +2,8 @@
 
 mod csv;
 mod json;
+#[cfg(feature = "files")]
+mod proof;
 
 use boundfit_estimation::{FractionCells, Selection};
 use boundfit_exact::english::{counted, list};
@@ -16,6 +18,8 @@ use crate::style::Style;
 
 pub use csv::linearity_csv;
 pub use json::linearity_json;
+#[cfg(feature = "files")]
+pub use proof::linearity_proof;
 
 /// What a calibration was read from.
 #[derive(Debug, Clone)]

@@ -1,6 +1,7 @@
 //! `boundfit linearity`.
 
 mod directions;
+mod proof;
 mod readings;
 
 use boundfit_exact::{Foreign, Reading, Work};
@@ -26,6 +27,8 @@ pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
     guard.check(output)?;
     let figure = figure(arguments)?;
     guard.check(figure.map(|(file, _)| file))?;
+    proof::check_usage(arguments)?;
+    guard.check(arguments.proof.as_deref())?;
     let options = LinearityOptions { full_scale: arguments.full_scale()?, through: arguments.through()? };
     let source = input::open(&arguments.data).map_err(Failure::data);
     let is_stored = source.as_ref().is_ok_and(Source::is_stored);
@@ -66,7 +69,12 @@ pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
         None => None,
     };
     let picture = picture.as_ref().map(|(bytes, file)| (bytes.as_slice(), Some(*file)));
-    let parts: Vec<_> = picture.into_iter().chain([(report.as_bytes(), output)]).collect();
+    let proof = match &arguments.proof {
+        Some(file) => Some((proof::written(arguments, &linearity, reading)?, file)),
+        None => None,
+    };
+    let proof = proof.as_ref().map(|(text, file)| (text.as_bytes(), Some(file.as_str())));
+    let parts: Vec<_> = proof.into_iter().chain(picture).chain([(report.as_bytes(), output)]).collect();
     output::write_together(&parts, &mut guard)?;
     Ok(Exit::Answer)
 }

@@ -1,0 +1,79 @@
+//! The proof of independent linearity, about the data as they are read once more.
+
+use boundfit_estimation::{Columns, EpsilonColumn, LineForm, Measurements, Problem};
+use boundfit_exact::{Foreign, Rational, Reading};
+use boundfit_formats::ColumnSelector;
+use boundfit_questions::Linearity;
+use boundfit_report::{ProofQuestion, linearity_proof};
+
+use crate::arguments::LinearityArguments;
+use crate::exit::Failure;
+use crate::input;
+use crate::output;
+
+/// Refuses a proof that cannot be about rows, or has no file of its own.
+pub(super) fn check_usage(arguments: &LinearityArguments) -> Result<(), Failure> {
+    let Some(proof) = arguments.proof.as_deref() else { return Ok(()) };
+    let refuse = |problem: &str| Err(Failure::Usage(problem.to_owned()));
+    if arguments.direction.is_some() {
+        return refuse(
+            "'--proof' is about rows of which each is a point, and with '--direction' several are averaged",
+        );
+    }
+    if arguments.data == "-" {
+        return refuse(
+            "'--proof' reads the data once more, which standard input does not allow: give it a file",
+        );
+    }
+    let others =
+        [arguments.output.file.output.as_deref().unwrap_or("-"), arguments.figure.as_deref().unwrap_or("-")];
+    match others.iter().any(|other| *other == proof || (*other != "-" && output::is_one_file(other, proof))) {
+        true => refuse("'--proof' needs a file of its own"),
+        false => Ok(()),
+    }
+}
+
+/// The proof.
+pub(super) fn written(
+    arguments: &LinearityArguments,
+    linearity: &Linearity,
+    reading: Reading,
+) -> Result<String, Failure> {
+    let measurements = |response: &ColumnSelector| {
+        let columns = Columns {
+            first: arguments.x.clone(),
+            second: None,
+            response: Some(response.clone()),
+            epsilon: EpsilonColumn::Uniform(Rational::zero()),
+            form: LineForm::default(),
+        };
+        let options = arguments.table.options(reading, Some(&arguments.rows))?;
+        let source = input::open(&arguments.data).map_err(Failure::data)?;
+        Measurements::read(source, &columns, &options).map_err(Failure::data)
+    };
+    let question =
+        |measurements| ProofQuestion::new(&Problem { measurements, conditions: Vec::new() }, reading);
+    let question = match (&arguments.y, &arguments.up, &arguments.down) {
+        (Some(y), ..) => question(measurements(y)?),
+        (None, Some(up), Some(down)) => {
+            let both = [measurements(up)?, measurements(down)?];
+            let column = |own: &Measurements| own.layout()?.columns.get(1).copied();
+            let half = |own: &Measurements| Some((column(own)?, Rational::ratio(1, 2)));
+            let halves = both.each_ref().map(half);
+            let [up, _] = both;
+            match halves {
+                [Some(first), Some(second)] => question(up).map(|own| own.with_response(&[first, second])),
+                _ => None,
+            }
+        }
+        _ => None,
+    };
+    let proof = question.and_then(|question| linearity_proof(linearity, &question));
+    proof.ok_or_else(|| {
+        let file = Foreign::of(&arguments.data);
+        Failure::Usage(format!(
+            "'--proof' is about the rows of delimited text of which each is a point of its own, and those of {file} are not \
+             (docs/proof.md)"
+        ))
+    })
+}
