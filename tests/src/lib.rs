@@ -13,6 +13,7 @@ pub mod linearity;
 pub mod lp_cases;
 pub mod models;
 pub mod oracle;
+pub mod outliers;
 pub mod program;
 pub mod proofs;
 pub mod readings;

@@ -37,6 +37,7 @@ pub fn main() -> ExitCode {
         Command::Convert(arguments) => commands::convert::run(&arguments),
         Command::Range(arguments) => commands::range::run(&arguments),
         Command::Status(arguments) => commands::status::run(&arguments),
+        Command::Outliers(arguments) => commands::outliers::run(&arguments),
         Command::Reduce(arguments) => commands::reduce::run(&arguments),
         Command::Polygon(arguments) => commands::polygon::run(&arguments),
         Command::Plot(arguments) => commands::plot::run(&arguments),

@@ -25,6 +25,8 @@ pub(crate) mod times {
     pub(crate) const LINEARITY: u64 = 6;
     /// The runs that fit, or windows: every reading comes and goes, and what is left is asked for places between.
     pub(crate) const RANGE: u64 = 8;
+    /// Sets left without some readings; looking at all crossings of bounds comes on top.
+    pub(crate) const OUTLIERS: u64 = 8;
     /// A figure; all of them are six.
     pub(crate) const PLOT: u64 = 8;
     /// The statuses of all readings: the set, that of all readings without those that decide, and the values at each.
@@ -58,6 +60,16 @@ pub(crate) fn refuse_long_lesson(
 fn looks(problem: &Problem) -> u64 {
     let is_line = matches!(problem.measurements.model(), Model::Line { .. });
     if is_line && problem.measurements.error_bound().is_uniform() { 1 } else { 4 }
+}
+
+/// Refuses outliers of a problem, which are looked for where any two bounds cross.
+pub(crate) fn refuse_long_outliers(
+    file: Foreign<&str>,
+    problem: &Problem,
+    limits: &LimitArguments,
+) -> Result<(), Failure> {
+    let readings = problem.measurements.kept().len() as u64;
+    refuse_long_problem(file, problem, times::OUTLIERS + readings, limits)
 }
 
 /// Refuses the sets of a problem for factors up to this one.

@@ -77,6 +77,20 @@ pub fn sentence(text: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
+/// Ascending numbers, three or more that follow each other as a range: `1..11, 34, 35 and 39..46`.
+pub fn ranges(numbers: &[usize]) -> String {
+    let follows = |one: &usize, next: &usize| one + 1 == *next;
+    let range = |run: &[usize]| match run {
+        [first, _, .., last] if run.len() > 2 => vec![format!("{first}..{last}")],
+        run => run.iter().map(ToString::to_string).collect(),
+    };
+    let items: Vec<String> = numbers.chunk_by(follows).flat_map(range).collect();
+    match items.split_last() {
+        Some((last, first)) if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        _ => items.concat(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

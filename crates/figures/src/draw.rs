@@ -3,14 +3,16 @@
 use boundfit_estimation::{Fit, Problem};
 use boundfit_exact::{Foreign, Rational};
 use boundfit_geometry::Polyhedron;
+use boundfit_questions::{OutlierLimits, Outliers};
 
+use crate::drawing::Drawing;
 use crate::figure::{Figure, PlotOptions};
 use crate::picture::{FigureError, Picture};
 use crate::text::one_line;
 use crate::{data_plane, parameter_plane, render, status};
 
 /// Draws a figure of a fit. Cost: linear in the readings; [`Figure::Directions`] solves a linear program per direction, and
-/// [`Figure::Status`] takes O(N log N).
+/// [`Figure::Status`] takes O(N log N). [`Figure::Outliers`] looks for them first: where that has no answer or takes too long, it is the feasible set.
 ///
 /// # Errors
 /// Only when a library underneath fails.
@@ -27,12 +29,35 @@ pub fn draw(
         Figure::Fps => parameter_plane::fps(problem, fit, options),
         Figure::Directions => parameter_plane::directions(problem, fit, options),
         Figure::Status => status::drawing(problem, fit, options),
+        Figure::Outliers => match Outliers::new(problem, &OutlierLimits::default()) {
+            Ok(outliers) => parameter_plane::outliers(problem, &outliers, options),
+            Err(_) => parameter_plane::fps(problem, fit, options),
+        },
     };
+    titled(&mut drawing, options);
+    render::render(&drawing)
+}
+
+/// Draws what is left without outliers, which are known. Cost: linear in the vertices of what is left.
+///
+/// # Errors
+/// Only when a library underneath fails.
+pub fn draw_outliers(
+    problem: &Problem,
+    outliers: &Outliers,
+    options: &PlotOptions,
+) -> Result<Picture, FigureError> {
+    let mut drawing = parameter_plane::outliers(problem, outliers, options);
+    titled(&mut drawing, options);
+    render::render(&drawing)
+}
+
+/// The last touches: the title that is asked for, and no more legend than there is to explain.
+fn titled(drawing: &mut Drawing, options: &PlotOptions) {
     drawing.keep_legend_of_drawn();
     if let Some(title) = &options.title {
         drawing.title = one_line(title, 90);
     }
-    render::render(&drawing)
 }
 
 /// Draws a linear program in two variables: the feasible set, the optimal points, and where the objective improves, which is to

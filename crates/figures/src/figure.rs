@@ -19,6 +19,8 @@ pub enum Figure {
     Directions,
     /// Every reading by its residual and leverage against the set of the others, with the regions of statuses.
     Status,
+    /// What is left without the fewest readings that have to be left out.
+    Outliers,
 }
 
 impl Figure {
@@ -26,7 +28,7 @@ impl Figure {
     pub const OF_FIT: [Figure; 6] =
         [Figure::Data, Figure::Eui, Figure::Pui, Figure::Fps, Figure::Corridor, Figure::Directions];
     /// All figures: those of every fit, and those that answer a question of their own.
-    pub const ALL: [Figure; 7] = [
+    pub const ALL: [Figure; 8] = [
         Figure::Data,
         Figure::Eui,
         Figure::Pui,
@@ -34,6 +36,7 @@ impl Figure {
         Figure::Corridor,
         Figure::Directions,
         Figure::Status,
+        Figure::Outliers,
     ];
 
     /// A short name, fit for a file: `data`, `eui` and so on.
@@ -46,6 +49,7 @@ impl Figure {
             Figure::Corridor => "corridor",
             Figure::Directions => "directions",
             Figure::Status => "status",
+            Figure::Outliers => "outliers",
         }
     }
 
@@ -59,6 +63,7 @@ impl Figure {
             Figure::Corridor => "Band of all feasible lines, inside that of the PUI box",
             Figure::Directions => "Inner and outer approximation from linear programs",
             Figure::Status => "Statuses: residual and leverage of each reading against the others",
+            Figure::Outliers => "What is left without the fewest readings that have to be left out",
         }
     }
 }

@@ -40,7 +40,7 @@ mod samples;
 mod status;
 mod text;
 
-pub use draw::{draw, draw_program};
+pub use draw::{draw, draw_outliers, draw_program};
 pub use figure::{Figure, PlotOptions};
 pub use linearity::{LinearityLabels, draw_linearity};
 pub use picture::{FigureError, Picture, PictureFormat};

@@ -48,6 +48,7 @@ pub(crate) fn is_vertical(half_plane: &HalfPlane, faces_right: bool) -> bool {
 }
 
 /// Half-planes that bound θ2 from one side, as points of the dual plane.
+#[derive(Debug)]
 pub(crate) struct Family {
     side: HullSide,
     /// By x, then y, then position.
@@ -55,6 +56,7 @@ pub(crate) struct Family {
 }
 
 /// `(a1/a2, b/a2)`.
+#[derive(Debug)]
 struct Dual {
     point: Point,
     position: usize,
@@ -100,6 +102,28 @@ impl Family {
             corners.reverse();
         }
         corners
+    }
+}
+
+impl Family {
+    /// Takes away what makes the corners of the hull, or all that touches it, as positions in no order; what is left keeps its
+    /// order. Cost: linear.
+    pub(crate) fn take_hull(&mut self, touching: bool) -> Vec<usize> {
+        let hull = self.hull();
+        let mut is_taken = vec![false; self.sorted.len()];
+        if touching {
+            hull.support(&self.sorted).for_each(|place| is_taken[place] = true);
+        } else {
+            hull.corners().for_each(|place| is_taken[place] = true);
+        }
+        let mut taken = Vec::new();
+        let mut places = is_taken.into_iter();
+        self.sorted.retain(|dual| {
+            let is_own = places.next().unwrap_or(false);
+            taken.extend(is_own.then_some(dual.position));
+            !is_own
+        });
+        taken
     }
 }
 

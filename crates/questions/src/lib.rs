@@ -2,6 +2,7 @@
 
 mod guarantee;
 mod linearity;
+mod outliers;
 mod predict;
 mod range;
 mod status;
@@ -13,6 +14,7 @@ pub use linearity::{
     AlternatingPoint, CalibrationPoint, CalibrationReading, Characteristic, Difference, Linearity,
     LinearityLine, LinearityOptions, NoLine, Pass,
 };
+pub use outliers::{Growth, NoOutliers, OutlierLimits, Outliers, Piece};
 pub use predict::{FurtherError, NoFurtherError, PossibleEnd, PossibleX, Predictor};
 pub use range::{LinearRange, Order, Run};
 pub use status::{

@@ -50,6 +50,7 @@ mod judge;
 mod linearity;
 mod number;
 mod origin;
+mod outliers;
 #[cfg(feature = "files")]
 mod polygon;
 mod predict;
@@ -98,6 +99,7 @@ pub use linearity::linearity_proof;
 pub use linearity::{LinearityInput, ResponseColumns, linearity_csv, linearity_document, linearity_json};
 pub use number::Number;
 pub use origin::Origin;
+pub use outliers::{OutliersReport, outliers_csv, outliers_document, outliers_json};
 #[cfg(feature = "files")]
 pub use polygon::{polygon_document, polygon_json};
 #[cfg(feature = "files")]

@@ -3,12 +3,13 @@
 use boundfit_tests::cli::printed;
 use boundfit_tests::program::root;
 
-const COMMANDS: [&str; 16] = [
+const COMMANDS: [&str; 17] = [
     "fit",
     "status",
     "predict",
     "linearity",
     "range",
+    "outliers",
     "reduce",
     "check",
     "convert",

@@ -15,6 +15,7 @@ mod line_forms;
 mod linearity;
 mod mending;
 mod oracle;
+mod outliers;
 mod paths;
 mod polyhedron;
 mod predict;

@@ -52,6 +52,19 @@ fn statuses() {
 }
 
 #[test]
+fn outliers() {
+    let transducer = ["outliers", "fixtures/transducer/transducer.csv", "--x", "Vz", "--y", "z"];
+    let transducer = [&transducer[..], &["--eps", "0.5e-3", "--most", "23"]].concat();
+    check("transducer/outliers.txt", &transducer, 0);
+    check("transducer/outliers.json", &[&transducer[..], &["--format", "json"]].concat(), 0);
+    let norris = ["outliers", "fixtures/norris/norris.csv", "--x", "x", "--y", "y", "--eps", "0.8"];
+    check("norris/outliers.txt", &norris, 0);
+    let current = ["outliers", "fixtures/worst-line/current.csv", "--x", "U", "--y", "I", "--eps", "1.5"];
+    check("worst-line/outliers.txt", &current, 0);
+    check("worst-line/outliers.json", &[&current[..], &["--format", "json"]].concat(), 0);
+}
+
+#[test]
 fn intervals_and_laws() {
     let clock = ["fit", "fixtures/clock/offset.csv", "--x", "t", "--lower", "at_least", "--upper", "at_most"];
     check("clock/fit.txt", &clock, 0);

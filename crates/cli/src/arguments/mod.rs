@@ -8,6 +8,7 @@ mod judge;
 mod lesson;
 mod linearity;
 mod notes;
+mod outliers;
 mod plot;
 mod polygon;
 mod predict;
@@ -34,6 +35,7 @@ pub(crate) use judge::{JudgeArguments, JudgeFormat};
 pub(crate) use lesson::LessonArguments;
 pub(crate) use linearity::LinearityArguments;
 pub(crate) use notes::Notes;
+pub(crate) use outliers::OutliersArguments;
 pub(crate) use plot::{Figures, PlotArguments};
 pub(crate) use polygon::PolygonArguments;
 pub(crate) use predict::PredictArguments;
@@ -68,6 +70,7 @@ pub(crate) enum Command {
     Linearity(LinearityArguments),
     Range(RangeArguments),
     Status(StatusArguments),
+    Outliers(OutliersArguments),
     Reduce(ReduceArguments),
     Check(CheckArguments),
     Convert(ConvertArguments),
@@ -113,6 +116,7 @@ pub(crate) fn notes(command: &str) -> Option<&'static Notes> {
         "linearity" => &linearity::NOTES,
         "range" => &range::NOTES,
         "status" => &status::NOTES,
+        "outliers" => &outliers::NOTES,
         "reduce" => &reduce::NOTES,
         "check" => &check::NOTES,
         "convert" => &convert::NOTES,

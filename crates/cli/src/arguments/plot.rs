@@ -35,8 +35,8 @@ pub(super) const NOTES: Notes = Notes {
 /// lines with parameters at the corners of the EUI or PUI box), corridor (the band that all feasible lines really
 /// cover, inside the one of the PUI box). Figures of the parameter plane: fps (the feasible parameter set with its
 /// boxes and estimates), directions (the hull of the optimisers of linear programs and the polygon of their supporting
-/// half-planes, beside the set). And status: how each reading stands to the set of the others, its residual across and
-/// its leverage up.
+/// half-planes, beside the set), outliers (what is left without the fewest readings that have to be left out). And
+/// status: how each reading stands to the set of the others, its residual across and its leverage up.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 pub(crate) struct PlotArguments {

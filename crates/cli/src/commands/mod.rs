@@ -10,6 +10,7 @@ pub(crate) mod judge;
 pub(crate) mod lesson;
 pub(crate) mod linearity;
 pub(crate) mod man;
+pub(crate) mod outliers;
 pub(crate) mod plot;
 pub(crate) mod polygon;
 pub(crate) mod predict;

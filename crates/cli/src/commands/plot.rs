@@ -3,15 +3,17 @@
 use std::io::{self, IsTerminal};
 use std::path::Path;
 
-use boundfit_estimation::fit;
-use boundfit_figures::{Figure, PictureFormat, PlotOptions, draw};
+use boundfit_estimation::{Problem, fit};
+use boundfit_figures::{Figure, PictureFormat, PlotOptions, draw, draw_outliers};
+use boundfit_questions::{NoOutliers, OutlierLimits, Outliers};
 
 use crate::CommandResult;
 use crate::arguments::{Figures, PlotArguments, ending};
+use crate::commands::outliers::refusal;
 use crate::exit::{Exit, Failure};
 use crate::output::{self, Output};
 use crate::progress::while_working;
-use crate::work::{refuse_long_problem, times};
+use crate::work::{refuse_long_outliers, refuse_long_problem, times};
 
 /// Where pictures go.
 enum Destination<'a> {
@@ -34,15 +36,24 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
     let limits = &arguments.data.table.limits;
     let figures = if matches!(destination, Destination::All(_)) { Figure::OF_FIT.len() as u64 } else { 1 };
     refuse_long_problem(arguments.data.file_name(), &problem, figures * times::PLOT, limits)?;
+    if let Destination::One(Figure::Outliers, file) = destination {
+        refuse_long_outliers(arguments.data.file_name(), &problem, limits)?;
+        let limits = OutlierLimits::default();
+        let outliers = while_working("looking for outliers", || Outliers::new(&problem, &limits));
+        let picture = match outliers {
+            // The figure shows the contradiction then.
+            Err(NoOutliers::Conditions(_)) => None,
+            Err(why) => return Err(refusal(arguments.data.file_name(), &why, None)),
+            Ok(outliers) => Some(draw_outliers(&problem, &outliers, &options(arguments, &problem))),
+        };
+        if let Some(picture) = picture {
+            let picture = picture.and_then(|picture| picture.encoded(format)).map_err(Failure::data)?;
+            output::write(picture, file, &guard)?;
+            return Ok(Exit::Answer);
+        }
+    }
     let fit = fit(&problem);
-    let [x_unit, y_unit] = arguments.labels.units(&problem.measurements);
-    let options = PlotOptions {
-        x_unit,
-        y_unit,
-        title: arguments.labels.title.clone(),
-        flip: arguments.flip,
-        directions: usize::from(arguments.directions),
-    };
+    let options = options(arguments, &problem);
     let picture = |figure: Figure| {
         let picture = while_working("drawing", || draw(&problem, &fit, figure, &options));
         let picture = picture.map_err(Failure::data)?;
@@ -60,6 +71,17 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
         }
     }
     Ok(if fit.fps.polyhedron().region().is_empty() { Exit::Empty } else { Exit::Answer })
+}
+
+fn options(arguments: &PlotArguments, problem: &Problem) -> PlotOptions {
+    let [x_unit, y_unit] = arguments.labels.units(&problem.measurements);
+    PlotOptions {
+        x_unit,
+        y_unit,
+        title: arguments.labels.title.clone(),
+        flip: arguments.flip,
+        directions: usize::from(arguments.directions),
+    }
 }
 
 /// What goes where, and in which format.

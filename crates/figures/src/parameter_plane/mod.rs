@@ -5,6 +5,7 @@ mod empty;
 mod fps;
 mod layout;
 mod marks;
+mod outliers;
 mod program;
 mod region;
 mod sliver;
@@ -14,4 +15,5 @@ mod view;
 
 pub(crate) use directions::drawing as directions;
 pub(crate) use fps::drawing as fps;
+pub(crate) use outliers::drawing as outliers;
 pub(crate) use program::drawing as program;

@@ -26,6 +26,12 @@ fn a_set_of_each_kind() {
 }
 
 #[test]
+fn what_is_left_without_outliers() {
+    check("outliers-two", "fixtures/worst-line/current.csv --x U --y I --eps 1.5 --figure outliers", 0);
+    check("outliers-one", "fixtures/norris/norris.csv --x x --y y --eps 0.8 --figure outliers", 0);
+}
+
+#[test]
 fn two_regressors_row_by_row() {
     check(
         "two-regressors-corridor",

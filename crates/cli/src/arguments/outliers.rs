@@ -1,0 +1,69 @@
+//! The arguments of `boundfit outliers`.
+
+use boundfit_questions::OutlierLimits;
+use clap::{Args, value_parser};
+
+use super::notes::{BAD_DATA, BAD_USAGE, Notes};
+use super::shared::LIMITS;
+use super::{DataArguments, FractionArguments, OutputArguments, TableFormat, ThreadArguments};
+
+pub(super) const NOTES: Notes = Notes {
+    examples: &[
+        (
+            "Which of all 46 readings have to be left out for a line within 0.5 mm of the others",
+            "boundfit outliers transducer.csv --x Vz --y z --eps 0.5e-3",
+        ),
+        (
+            "How the set grows when up to 3 readings more than 0 may be missed, as JSON",
+            "boundfit outliers readings.csv --x x --y y --eps 0.1 --most 3 --format json",
+        ),
+        (
+            "The picture of what is left",
+            "boundfit plot readings.csv --x x --y y --eps 0.1 --figure outliers -o outliers.svg",
+        ),
+    ],
+    statuses: &[
+        (0, "the least number is found, be it 0"),
+        BAD_DATA,
+        BAD_USAGE,
+        (3, "nothing is left whatever is left out, since the conditions contradict each other"),
+    ],
+};
+
+/// The fewest readings to leave out so that some parameters agree with all others, and what is left then
+///
+/// A reading is left out as a whole, with both of its bounds; conditions (--where) are never left out. Reported are the
+/// least number q, every set of q readings without which something is left, by how much each of its readings is missed, and
+/// what is left: the parameters that miss at most q readings are as many convex polygons, apart from each other, as there are
+/// sets. With --most the ranges, area, pieces and holes of the parameters that miss at most 0, 1, 2 ... readings.
+#[derive(Debug, Args)]
+#[command(after_help = NOTES.to_string())]
+pub(crate) struct OutliersArguments {
+    #[command(flatten)]
+    pub(crate) data: DataArguments,
+    /// Also report how the set grows when up to Q readings may be missed: its pieces, holes, ranges and area for each number
+    /// from 0 to Q
+    #[arg(long, value_name = "Q")]
+    pub(crate) most: Option<u32>,
+    /// Sets that are listed
+    #[arg(long, value_name = "N", default_value_t = OutlierLimits::default().sets as u32,
+          value_parser = value_parser!(u32).range(1..=1_000_000), help_heading = LIMITS, hide_short_help = true)]
+    max_sets: u32,
+    /// Crossings of two bounds that may be looked at; a million take about a second
+    #[arg(long, value_name = "N", default_value_t = OutlierLimits::default().steps, help_heading = LIMITS,
+          hide_short_help = true)]
+    max_steps: u64,
+    #[command(flatten)]
+    pub(crate) threads: ThreadArguments,
+    #[command(flatten)]
+    pub(crate) fraction: FractionArguments,
+    #[command(flatten)]
+    pub(crate) output: OutputArguments<TableFormat>,
+}
+
+impl OutliersArguments {
+    /// What finding outliers may take.
+    pub(crate) fn limits(&self) -> OutlierLimits {
+        OutlierLimits { sets: self.max_sets as usize, steps: self.max_steps }
+    }
+}

@@ -1,0 +1,97 @@
+//! `boundfit outliers`.
+
+use boundfit_estimation::fit;
+use boundfit_exact::Foreign;
+use boundfit_exact::english::counted;
+use boundfit_questions::{NoOutliers, Outliers};
+use boundfit_report::{OutliersReport, outliers_csv, outliers_document, outliers_json};
+
+use crate::CommandResult;
+use crate::arguments::{OutliersArguments, TableFormat};
+use crate::exit::{Exit, Failure};
+use crate::output;
+use crate::progress::while_working;
+use crate::work::refuse_long_outliers;
+
+/// Reads the data, finds the outliers and writes the report.
+pub(crate) fn run(arguments: &OutliersArguments) -> CommandResult {
+    arguments.threads.set()?;
+    let format = arguments.output.format()?;
+    let output = arguments.output.file.output.as_deref();
+    let guard = arguments.output.file.replace.guard([arguments.data.path()]);
+    guard.check(output)?;
+    let data = arguments.data.open();
+    let origin = data.origin();
+    let problem = data.every_reading(format == TableFormat::Json)?;
+    let (file, limits) = (arguments.data.file_name(), arguments.limits());
+    refuse_long_outliers(file, &problem, &arguments.data.table.limits)?;
+    let fit = while_working("fitting", || fit(&problem));
+    let found = while_working("looking for outliers", || Outliers::new(&problem, &limits));
+    let refused = |why: &NoOutliers| refusal(file, why, Some(limits.steps));
+    let growth = match &found {
+        Ok(outliers) => {
+            let most = arguments.most.map_or(outliers.least, |most| most as usize);
+            // What nobody asked for is left out where it takes too much.
+            match while_working("looking for outliers", || outliers.growth(&problem, most, &limits)) {
+                Ok(growth) => growth,
+                Err(_) if arguments.most.is_none() => Vec::new(),
+                Err(why) => return Err(refused(&why)),
+            }
+        }
+        Err(NoOutliers::Conditions(_)) => Vec::new(),
+        Err(why) => return Err(refused(why)),
+    };
+    let report = OutliersReport {
+        problem: &problem,
+        fit: &fit,
+        outliers: found.as_ref(),
+        growth: &growth,
+        shows_growth: arguments.most.is_some() && found.is_ok(),
+    };
+    let style = arguments.fraction.limited(arguments.output.style());
+    let document = || outliers_document(&report, &origin, &style);
+    let text = match format {
+        TableFormat::Text => document().to_text(),
+        TableFormat::Latex => document().to_latex(),
+        TableFormat::Markdown => document().to_markdown(),
+        TableFormat::Csv => outliers_csv(found.as_ref().ok()),
+        TableFormat::Json => outliers_json(&report, &origin, &style),
+    };
+    output::write(text, output, &guard)?;
+    Ok(if found.is_ok() { Exit::Answer } else { Exit::Empty })
+}
+
+/// Why there is no answer. A number of steps is one that an option can raise.
+pub(crate) fn refusal(file: Foreign<&str>, why: &NoOutliers, steps: Option<u64>) -> Failure {
+    let help = |needed: &u64| match steps {
+        Some(steps) => {
+            format!("takes {needed} crossings of bounds, more than {steps}; --max-steps raises it")
+        }
+        None => format!("takes {needed} crossings of bounds, too many for a figure (see boundfit outliers)"),
+    };
+    match why {
+        NoOutliers::NotInMemory => Failure::Usage(format!(
+            "outliers are looked for among all readings, and {file} is a reduction: take the table that it was made from"
+        )),
+        NoOutliers::Conditions(_) => {
+            Failure::data(format_args!("{file}: the conditions contradict each other"))
+        }
+        NoOutliers::Steps { at_least, enough, needed } => {
+            let least = counted(*at_least, "reading has", "readings have");
+            let enough = enough.map(|enough| format!(", and {enough} are enough")).unwrap_or_default();
+            let help = help(needed);
+            Failure::data(format_args!(
+                "{file}: at least {least} to be left out{enough}; to find the least number {help}"
+            ))
+        }
+        NoOutliers::GrowthSteps { needed } => {
+            let help = help(needed);
+            Failure::data(format_args!(
+                "{file}: to see how the set grows {help}, a smaller '--most' takes fewer"
+            ))
+        }
+        NoOutliers::Corners => Failure::data(format_args!(
+            "{file}: the set has more than 150000 corners (expected a smaller '--most')"
+        )),
+    }
+}

@@ -1,0 +1,99 @@
+//! The readings among which outliers are looked for, and which of them matter.
+
+use boundfit_estimation::{Condition, Measurement, conditions_by_name, half_planes};
+use boundfit_geometry::{Constraint, HalfPlane, Inequality, LayerOf, Layers};
+
+/// The readings that can be met or missed, and the conditions.
+pub(super) struct Kept<'a> {
+    /// Readings that some θ meet and some miss.
+    pub(super) rows: Vec<KeptRow<'a>>,
+    /// Rows that no θ meets: a lower bound above the upper one, or no regressor and bounds without 0.
+    pub(super) never: Vec<usize>,
+    /// The half-planes of the conditions.
+    pub(super) conditions: Vec<Inequality>,
+}
+
+/// A reading that some θ meet and some miss.
+pub(super) struct KeptRow<'a> {
+    pub(super) measurement: &'a Measurement,
+    /// Its bounds as they were given, one or both.
+    pub(super) inequalities: Vec<Inequality>,
+    /// The half-planes that they stand for.
+    pub(super) half_planes: Vec<HalfPlane>,
+}
+
+impl<'a> Kept<'a> {
+    /// Of readings and conditions.
+    pub(super) fn new(measurements: &'a [Measurement], conditions: &[Condition]) -> Self {
+        let (mut rows, mut never) = (Vec::new(), Vec::new());
+        for measurement in measurements {
+            let inequalities: Vec<Inequality> = half_planes(measurement).map(|(_, own)| own).collect();
+            let constraints: Vec<Constraint> = inequalities.iter().map(Inequality::constraint).collect();
+            let crosses = measurement.half_width().is_some_and(|half_width| half_width.is_negative());
+            if crosses || constraints.contains(&Constraint::Never) {
+                never.push(measurement.row);
+                continue;
+            }
+            let boundary = |constraint: Constraint| match constraint {
+                Constraint::HalfPlane(half_plane) => Some(half_plane),
+                Constraint::Always | Constraint::Never => None,
+            };
+            let half_planes: Vec<HalfPlane> = constraints.into_iter().filter_map(boundary).collect();
+            if !half_planes.is_empty() {
+                rows.push(KeptRow { measurement, inequalities, half_planes });
+            }
+        }
+        let conditions = conditions_by_name(conditions).map(|(_, inequality)| inequality).collect();
+        Kept { rows, never, conditions }
+    }
+
+    /// The layers of the rows.
+    pub(super) fn layers(&self, of: LayerOf) -> RowLayers {
+        let half_planes =
+            self.rows.iter().flat_map(|row| &row.half_planes).map(|own| Constraint::HalfPlane(own.clone()));
+        let constraints: Vec<Constraint> = half_planes.collect();
+        let owners = (0..).zip(&self.rows).flat_map(|(own, row)| row.half_planes.iter().map(move |_| own));
+        RowLayers {
+            layers: Layers::new(of, &constraints),
+            owners: owners.collect(),
+            is_taken: vec![false; self.rows.len()],
+            rows: Vec::new(),
+        }
+    }
+
+    /// The rows with a bound in the first `most + 1` layers: they decide where at most so many are missed. Ascending.
+    pub(super) fn in_layers(&self, of: LayerOf, most: usize) -> Vec<u32> {
+        let mut layers = self.layers(of);
+        for _ in 0..=most {
+            if !layers.take_next() {
+                break;
+            }
+        }
+        layers.rows.sort_unstable();
+        layers.rows
+    }
+}
+
+/// Layers of rows, taken one after the other.
+pub(super) struct RowLayers {
+    layers: Layers,
+    /// The row of each half-plane.
+    owners: Vec<u32>,
+    is_taken: Vec<bool>,
+    /// The rows with a bound in the layers that are taken.
+    pub(super) rows: Vec<u32>,
+}
+
+impl RowLayers {
+    /// Takes the next layer, and tells whether there was one.
+    pub(super) fn take_next(&mut self) -> bool {
+        let taken = self.layers.take_next();
+        for position in &taken {
+            let own = self.owners[*position];
+            if !std::mem::replace(&mut self.is_taken[own as usize], true) {
+                self.rows.push(own);
+            }
+        }
+        !taken.is_empty()
+    }
+}

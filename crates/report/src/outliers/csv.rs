@@ -1,0 +1,51 @@
+//! Minimal sets of outliers as CSV.
+
+use boundfit_exact::Interval;
+use boundfit_questions::Outliers;
+use csv::Writer;
+
+use crate::fit_csv::{down, shown, up};
+
+const COLUMNS: [&str; 8] =
+    ["set", "rows", "kind", "vertices", "theta1_lower", "theta1_upper", "theta2_lower", "theta2_upper"];
+
+/// The minimal sets as a table, a row for each: its number, the data rows that are left out, separated by blanks, the kind of what
+/// is left, how many vertices that has, and the ranges of both parameters, as doubles that are rounded outward, `-inf` and
+/// `inf` where there is no end.
+pub fn outliers_csv(outliers: Option<&Outliers>) -> String {
+    let mut writer = Writer::from_writer(Vec::new());
+    // Writing to memory does not fail.
+    let mut write = |cells: [String; 8]| debug_assert!(writer.write_record(&cells).is_ok());
+    write(COLUMNS.map(str::to_owned));
+    let pieces = outliers.map(|outliers| outliers.pieces.as_slice()).unwrap_or_default();
+    for (number, piece) in (1..).zip(pieces) {
+        let region = piece.left.polyhedron().region();
+        let rows: Vec<String> = piece.rows.iter().map(ToString::to_string).collect();
+        let [first, second] =
+            piece.left.polyhedron().bounding_box().map_or_else(Default::default, |ranges| {
+                let [first, second] = ranges;
+                [ends(&first), ends(&second)]
+            });
+        let [theta1_lower, theta1_upper] = first;
+        let [theta2_lower, theta2_upper] = second;
+        let kind = region.kind().name().to_owned();
+        let (number, vertices) = (usize::to_string(&number), region.vertices().len().to_string());
+        write([
+            number,
+            rows.join(" "),
+            kind,
+            vertices,
+            theta1_lower,
+            theta1_upper,
+            theta2_lower,
+            theta2_upper,
+        ]);
+    }
+    String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
+}
+
+fn ends(interval: &Interval) -> [String; 2] {
+    let lower = interval.lower().value().map_or_else(|| "-inf".to_owned(), |value| shown(down(value)));
+    let upper = interval.upper().value().map_or_else(|| "inf".to_owned(), |value| shown(up(value)));
+    [lower, upper]
+}
