@@ -145,7 +145,7 @@ def numbers_of(proof, rows):  # row -> (x1, x2, lower, upper, how far x1 may be 
         found[row] = x1, x2, lower, upper, read(row, column) * Fraction(factor)
         must(above >= 0 and below >= 0 and found[row][4] >= 0, f"row {row}: a negative error bound")
     return found
-def half_planes(proof, numbers, scope):  # name -> (a1, a2, b): a1*theta1 + a2*theta2 <= b
+def half_planes(proof, numbers, scope):  # section 8: name -> (a1, a2, b): a1*theta1 + a2*theta2 <= b
     side, factor, epsilon = scope.get("side"), *[Fraction(scope[name]) if name in scope else None for name in ("factor", "epsilon")]
     must((factor or 0) >= 0 and (epsilon or 0) >= 0, "factor or epsilon: is negative")
     must(("side" in scope) == ("x_error" in proof), "side: is there where x has no errors, or missing where it has")
@@ -227,7 +227,7 @@ def verify_set(proof, planes):
     must(touching(planes, support) == {(end, name) for end, name in proof["active"]}, "active: is not what touches")
     must(len(bounds) == 4, "bounds: are not four")
     for end, e in zip(bounds, ((-1, 0), (1, 0), (0, -1), (0, 1))): check_end(planes, [a for a, _ in sides], end, e)
-# Section 7: statements, each about the half-planes of its scope.
+# Section 9: statements, each about the half-planes of its scope.
 def verify_statements(proof, numbers):
     scopes = {}
     for own in proof["statements"]:
