@@ -65,7 +65,10 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
         true => "Statuses: no parameters agree with all readings".to_owned(),
         false => "Statuses of readings against the set of the others".to_owned(),
     };
-    let notes = notes(&judged, far, unplaced, fit.is_empty());
+    let mut notes = notes(&judged, far, unplaced, fit.is_empty());
+    if fit.is_empty() {
+        notes.insert(0, labels::Conflict::of(problem, fit).sentence());
+    }
     Drawing {
         description: format!(
             "{title}. Horizontal axis: residual r. Vertical axis: leverage. {}",

@@ -117,6 +117,8 @@ pub use script::region_script;
 pub use statements::{Claim, ErrorScale, FormEnd, HalfPlaneName, Multiple, Scope, Side, Statement};
 #[cfg(feature = "files")]
 pub use statements_json::statements_json;
+#[cfg(feature = "files")]
+pub use status::status_proof;
 pub use status::{NewReadings, StatusCsv, StatusJson, StatusReport, status_document};
 pub use style::{EndRounding, LONGEST_FRACTION, Reader, Style};
 pub use sweep::sweep_document;

@@ -125,6 +125,26 @@ fn what_cannot_be_asked_is_refused() {
     );
 }
 
+#[test]
+fn the_proof_is_verified() {
+    let directory = directory_with(&[("data.csv", TABLE.as_bytes())]);
+    for (options, status) in [
+        ("--x x --y y --eps 3", 0),
+        ("--x x --y y --eps 1", 3),
+        ("--x x --lower lo --upper up --rows 1..3", 0),
+        ("--x x --y y --eps 1 --rows 1..1", 0),
+        ("--x x --y y --eps 3 --where 'theta1 <= 2' --format json -o out.json", 0),
+        ("--x x,y --y up --eps 3 --missing skip --format csv -o out.csv", 0),
+    ] {
+        let made = boundfit(directory.path(), &format!("status data.csv {options} --proof proof.json"));
+        assert_eq!((made.status, made.stderr.as_str()), (status, ""), "{options}");
+        let verified = boundfit(directory.path(), "verify proof.json data.csv");
+        assert_eq!(verified.status, 0, "{options}: {verified:?}");
+        let proof = std::fs::read_to_string(directory.path().join("proof.json")).unwrap();
+        assert!(proof.contains("boundfit/proof/2"), "{options}");
+    }
+}
+
 /// More readings than are kept, one of them far out, one twice.
 fn large() -> String {
     let mut table = "x,y\n".to_owned();

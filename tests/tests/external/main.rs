@@ -9,4 +9,5 @@ mod predict;
 mod proportion;
 mod python;
 mod solvers;
+mod statuses;
 mod tables;

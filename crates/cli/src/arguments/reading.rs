@@ -109,11 +109,11 @@ impl<'a> Data<'a> {
         self.source.as_ref().is_ok_and(|source| source.path().is_some())
     }
 
-    /// Reads the problem with every reading and the hash of the data.
-    pub(crate) fn held_problem(self) -> Result<Problem, Failure> {
+    /// Reads the problem with every reading and the hash of the data, and with the rows fitted if they will be shown.
+    pub(crate) fn held_problem(self, list_rows: bool) -> Result<Problem, Failure> {
         let asked = self.asked()?;
         let keep = Keep { eui: false, ..Keep::EVERY };
-        self.scanned(asked, keep, |options| ScanOptions { hash: true, list_rows: false, ..options })
+        self.scanned(asked, keep, |options| ScanOptions { hash: true, list_rows, ..options })
     }
 
     /// Reads the problem with the readings that can bound anything under some error bound, others too where they are few.

@@ -53,6 +53,9 @@ pub(crate) struct StatusArguments {
     /// List every reading in text, latex and markdown, not only the 40 that matter most
     #[arg(long)]
     pub(crate) all: bool,
+    /// Write the proof of the statuses to this file; 'boundfit verify' checks it
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    pub(crate) proof: Option<String>,
     #[command(flatten)]
     pub(crate) threads: ThreadArguments,
     #[command(flatten)]

@@ -4,7 +4,9 @@ use boundfit_estimation::{Columns, EpsilonColumn, Fit, Keep, Measurement, Measur
 use boundfit_exact::Foreign;
 use boundfit_formats::{InputError, InputErrorKind, RowRange, RowSet, ScanOptions, Source};
 use boundfit_questions::{Deciding, NoRepair, Ranking, Repair, RowStatus, Standing, Statuses};
-use boundfit_report::{NewReadings, Origin, StatusCsv, StatusJson, StatusReport, Style, status_document};
+use boundfit_report::{
+    NewReadings, Origin, StatusCsv, StatusJson, StatusReport, Style, status_document, status_proof,
+};
 
 use crate::CommandResult;
 use crate::arguments::{StatusArguments, TableFormat};
@@ -17,35 +19,27 @@ use crate::work::{refuse_long_problem, times};
 /// Readings that the text lists where nobody asks for all.
 const MOST_LISTED: usize = 40;
 
+/// Readings that decide of which a proof has a statement each.
+const MOST_PROVED: usize = 1000;
+
 /// Finds the set in a first look at the data, the readings that are judged by another one in a second, and writes.
 pub(crate) fn run(arguments: &StatusArguments) -> CommandResult {
     arguments.threads.set()?;
     let format = arguments.output.format()?;
-    let is_document = !matches!(format, TableFormat::Json | TableFormat::Csv);
-    if arguments.repair && format == TableFormat::Csv {
-        return Err(Failure::Usage(
-            "'--repair' is no part of csv: a table has a row for each reading, and no room for it".to_owned(),
-        ));
-    }
-    if arguments.all && !is_document {
-        let problem = "'--all' is about text, latex and markdown; other formats list every reading anyway";
-        return Err(Failure::Usage(problem.to_owned()));
-    }
+    check_usage(arguments, format)?;
     let output = arguments.output.file.output.as_deref();
     let new = arguments.new.as_deref();
-    if new == Some("-") && arguments.data.path() == "-" {
-        let problem = "DATA and '--new' would both be read from standard input: give one of them a file";
-        return Err(Failure::Usage(problem.to_owned()));
-    }
-    let guard = arguments.output.file.replace.guard([arguments.data.path()].into_iter().chain(new));
+    let mut guard = arguments.output.file.replace.guard([arguments.data.path()].into_iter().chain(new));
     guard.check(output)?;
+    guard.check(arguments.proof.as_deref())?;
     let data = arguments.data.open();
     let asked = data.asked()?;
     let origin = data.origin();
+    let has_proof = arguments.proof.is_some();
     let problem = if data.can_be_read_again() && !arguments.repair {
-        data.scanned_problem(false, true, false, false)?
+        data.scanned_problem(false, true, has_proof, false)?
     } else {
-        data.held_problem()?
+        data.held_problem(has_proof)?
     };
     refuse_reductions(arguments, &problem)?;
     refuse_long_problem(arguments.data.file_name(), &problem, times::STATUS, &arguments.data.table.limits)?;
@@ -54,25 +48,70 @@ pub(crate) fn run(arguments: &StatusArguments) -> CommandResult {
     let columns = resolved(asked.columns, &problem);
     let repair = arguments.repair.then(|| while_working("repairing", || Repair::of(&problem, &fit)));
     let question = Question { arguments, problem: &problem, fit: &fit, columns: &columns, origin, style };
+    let is_document = !matches!(format, TableFormat::Json | TableFormat::Csv);
     let (statuses, ranking) = question.statuses(is_document)?;
-    match format {
-        TableFormat::Text | TableFormat::Latex | TableFormat::Markdown => {
-            let new = new.map(|file| question.ranked_new(file, &statuses)).transpose()?;
-            let report = StatusReport { problem: &problem, fit: &fit, ranking, new, repair };
-            let document = status_document(report, &origin, &style);
-            let text = match format {
-                TableFormat::Latex => document.to_latex(),
-                TableFormat::Markdown => document.to_markdown(),
-                _ => document.to_text(),
-            };
-            output::write(text, output, &guard)?;
+    let proof = match &arguments.proof {
+        Some(file) => Some((question.proof(&statuses)?, file.as_str())),
+        None => None,
+    };
+    let mut report = Vec::new();
+    if is_document {
+        let new = new.map(|file| question.ranked_new(file, &statuses)).transpose()?;
+        let report_of = StatusReport { problem: &problem, fit: &fit, ranking, new, repair };
+        let document = status_document(report_of, &origin, &style);
+        report = match format {
+            TableFormat::Latex => document.to_latex(),
+            TableFormat::Markdown => document.to_markdown(),
+            _ => document.to_text(),
         }
-        TableFormat::Json | TableFormat::Csv => {
-            let write = |output: &mut Output| question.write(&statuses, repair.as_ref(), format, output);
-            output::write_parts(write, output, &guard)?;
+        .into_bytes();
+    } else if proof.is_none() {
+        let write = |output: &mut Output| {
+            question.write(&statuses, repair.as_ref(), format, &mut |part| output.write(part))
+        };
+        output::write_parts(write, output, &guard)?;
+    } else {
+        let mut put = |part: &[u8]| {
+            report.extend_from_slice(part);
+            Ok(())
+        };
+        match question.write(&statuses, repair.as_ref(), format, &mut put) {
+            Ok(()) | Err(Stop::Closed) => {}
+            Err(Stop::Failed(failure)) => return Err(failure),
         }
     }
+    if is_document || proof.is_some() {
+        let proof = proof.as_ref().map(|(text, file)| (text.as_bytes(), Some(*file)));
+        let parts: Vec<_> = proof.into_iter().chain([(report.as_slice(), output)]).collect();
+        output::write_together(&parts, &mut guard)?;
+    }
     Ok(if fit.is_empty() { Exit::Empty } else { Exit::Answer })
+}
+
+/// Refuses what only some formats have, and files that are named twice.
+fn check_usage(arguments: &StatusArguments, format: TableFormat) -> Result<(), Failure> {
+    let refuse = |problem: &str| Err(Failure::Usage(problem.to_owned()));
+    if arguments.repair && format == TableFormat::Csv {
+        return refuse(
+            "'--repair' is no part of csv: a table has a row for each reading, and no room for it",
+        );
+    }
+    if arguments.all && matches!(format, TableFormat::Json | TableFormat::Csv) {
+        return refuse("'--all' is about text, latex and markdown; other formats list every reading anyway");
+    }
+    if arguments.new.as_deref() == Some("-") && arguments.data.path() == "-" {
+        return refuse("DATA and '--new' would both be read from standard input: give one of them a file");
+    }
+    let Some(proof) = arguments.proof.as_deref() else { return Ok(()) };
+    match arguments.output.file.output.as_deref().unwrap_or("-") {
+        "-" if proof == "-" => {
+            refuse("'--proof -' and the report would both go to standard output: give one of them a file")
+        }
+        output if output != "-" && proof != "-" && output::is_one_file(output, proof) => {
+            refuse("'--proof' and '--output' name the same file")
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Refuses what has not every reading.
@@ -216,13 +255,28 @@ impl Question<'_> {
         Ok(NewReadings { file: (file != "-").then_some(Foreign::of(file)), ranking })
     }
 
+    /// The proof of the statuses.
+    fn proof(&self, statuses: &Statuses) -> Result<String, Failure> {
+        if statuses.deciding().count() > MOST_PROVED {
+            return Err(Failure::Usage(format!(
+                "'--proof' is about sets that at most {MOST_PROVED} readings decide"
+            )));
+        }
+        let file = self.arguments.data.file_name();
+        status_proof(self.problem, statuses, self.origin.reading).ok_or_else(|| {
+            Failure::Usage(format!(
+                "'--proof' is about the rows of delimited text, and {file} is none (docs/proof.md)"
+            ))
+        })
+    }
+
     /// Writes JSON or CSV while the data are read once more, or from memory.
     fn write(
         &self,
         statuses: &Statuses,
         repair: Option<&Result<Repair, NoRepair>>,
         format: TableFormat,
-        output: &mut Output,
+        put: &mut dyn FnMut(&[u8]) -> Result<(), Stop>,
     ) -> Result<(), Stop> {
         let is_json = format == TableFormat::Json;
         let style = &self.style;
@@ -230,7 +284,7 @@ impl Question<'_> {
             true => StatusJson::head(self.problem, self.fit, statuses.deciding(), &self.origin, style),
             false => StatusCsv::HEADER.to_owned(),
         };
-        output.write(head.as_bytes())?;
+        put(head.as_bytes())?;
         let row = |reading: Measurement| {
             let status = statuses.status(&reading);
             if is_json { StatusJson::row(&status, style) } else { StatusCsv::row(&status) }
@@ -250,7 +304,7 @@ impl Question<'_> {
         let made_new = |readings: &mut dyn Iterator<Item = Measurement>| {
             readings.map(&new_row).collect::<Vec<_>>().join(between)
         };
-        let mut parts = Parts { output, between, has_part: false, stop: None };
+        let mut parts = Parts { put: &mut *put, between, has_part: false, stop: None };
         match self.problem.measurements.all() {
             Some(all) => {
                 for readings in all.chunks(ROWS_AT_ONCE) {
@@ -263,24 +317,24 @@ impl Question<'_> {
         }
         parts.end()?;
         if is_json {
-            output.write(StatusJson::END_OF_ROWS.as_bytes())?;
+            put(StatusJson::END_OF_ROWS.as_bytes())?;
         }
         if let Some(file) = self.arguments.new.as_deref() {
             if is_json {
                 let name = (file != "-").then_some(Foreign::of(file));
-                output.write(StatusJson::new_head(name).as_bytes())?;
+                put(StatusJson::new_head(name).as_bytes())?;
             }
-            let mut parts = Parts { output, between, has_part: false, stop: None };
+            let mut parts = Parts { put: &mut *put, between, has_part: false, stop: None };
             self.see_new(file, made_new, |part| parts.take(&part)).map_err(Stop::Failed)?;
             parts.end()?;
             if is_json {
-                output.write(StatusJson::END_OF_NEW.as_bytes())?;
+                put(StatusJson::END_OF_NEW.as_bytes())?;
             }
         }
         if let Some(repair) = repair.filter(|_| is_json) {
-            output.write(StatusJson::repair(repair, style).as_bytes())?;
+            put(StatusJson::repair(repair, style).as_bytes())?;
         }
-        if is_json { output.write(StatusJson::TAIL.as_bytes()) } else { Ok(()) }
+        if is_json { put(StatusJson::TAIL.as_bytes()) } else { Ok(()) }
     }
 }
 
@@ -289,7 +343,7 @@ const ROWS_AT_ONCE: usize = 4096;
 
 /// Lines on their way to an output.
 struct Parts<'a> {
-    output: &'a mut Output,
+    put: &'a mut dyn FnMut(&[u8]) -> Result<(), Stop>,
     between: &'static str,
     has_part: bool,
     stop: Option<Stop>,
@@ -302,7 +356,7 @@ impl Parts<'_> {
         }
         let between = if self.has_part { self.between } else { "" };
         self.has_part = true;
-        let written = self.output.write(between.as_bytes()).and_then(|()| self.output.write(part.as_bytes()));
+        let written = (self.put)(between.as_bytes()).and_then(|()| (self.put)(part.as_bytes()));
         self.stop = written.err();
     }
 

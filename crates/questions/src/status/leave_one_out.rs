@@ -43,7 +43,9 @@ pub struct RowStatus {
 /// How each reading stands to the set of all readings, and to that of the others.
 #[derive(Debug, Clone)]
 pub struct Statuses {
-    set: Polyhedron,
+    deciding: Deciding,
+    /// The half-planes of the other readings that are not redundant among them, and the conditions that are not.
+    others: Vec<(BoundName, Inequality)>,
     /// The values of φ·θ over the set of the others, of the readings that decide; `None` where nothing is left.
     without: BTreeMap<usize, Option<Interval>>,
 }
@@ -96,23 +98,49 @@ impl Statuses {
     /// O(n log n) for n readings in memory.
     pub fn new(deciding: Deciding, others: &Measurements) -> Self {
         let others = Fps::new(others, &deciding.conditions);
-        let set = deciding.fps.polyhedron();
-        let without = if set.region().is_empty() {
-            mending(&deciding, others.polyhedron())
+        let set = others.polyhedron();
+        let named = |index: usize| (others.name(index), set.system().inequalities()[index].clone());
+        let others: Vec<_> = set.irredundant().into_iter().map(named).collect();
+        let mut statuses = Statuses { deciding, others, without: BTreeMap::new() };
+        statuses.without = if statuses.set().region().is_empty() {
+            let values = |reading: &Measurement| {
+                (reading.row, statuses.set_without(reading.row).0.range(&reading.regressor))
+            };
+            statuses.deciding.readings.iter().map(values).collect()
         } else {
-            opening(&deciding, others.polyhedron())
+            opening(&statuses.deciding, &statuses.others)
         };
-        Statuses { set: set.clone(), without }
+        statuses
+    }
+
+    /// The set of the others than a reading that decides, and the names of the half-planes it is made of. Exact. Cost:
+    /// O(h log h) for h half-planes that are not redundant among all, or among those of the others.
+    pub fn set_without(&self, row: usize) -> (Polyhedron, Vec<BoundName>) {
+        let own = self.deciding.readings.iter().filter(|other| other.row != row).flat_map(half_planes);
+        let conditions = conditions_by_name(&self.deciding.conditions);
+        let all = own.chain(self.others.iter().cloned()).chain(conditions);
+        let (names, inequalities): (Vec<BoundName>, Vec<Inequality>) = all.unzip();
+        (Polyhedron::intersect(System::new(inequalities)), names)
     }
 
     /// The set of all readings.
     pub fn set(&self) -> &Polyhedron {
-        &self.set
+        self.deciding.set()
+    }
+
+    /// The set of all readings with the names of its half-planes.
+    pub fn fps(&self) -> &Fps {
+        &self.deciding.fps
+    }
+
+    /// The readings whose set of the others may be another one, by row.
+    pub fn deciding_readings(&self) -> &[Measurement] {
+        &self.deciding.readings
     }
 
     /// The statuses of a reading of this set. Exact. Cost: logarithmic in the number of the set's sides.
     pub fn status(&self, reading: &Measurement) -> RowStatus {
-        let all = Standing::against(reading, &self.set);
+        let all = Standing::against(reading, self.set());
         let without = match self.without.get(&reading.row) {
             Some(values) => values.as_ref().map(|values| Standing::within(reading, values)),
             // The set is the same without it, or as empty.
@@ -127,31 +155,16 @@ impl Statuses {
     }
 }
 
-/// The values over what the others leave of an empty set, if they leave anything.
-fn mending(deciding: &Deciding, others: &Polyhedron) -> BTreeMap<usize, Option<Interval>> {
-    let fixed = others.irredundant().into_iter().map(|index| others.system().inequalities()[index].clone());
-    let fixed: Vec<Inequality> = fixed.collect();
-    let values = |reading: &Measurement| {
-        let rest = deciding.readings.iter().filter(|other| other.row != reading.row);
-        let rest = rest.flat_map(half_planes).chain(conditions_by_name(&deciding.conditions));
-        let system = System::new(rest.map(|(_, inequality)| inequality).chain(fixed.iter().cloned()));
-        (reading.row, Polyhedron::intersect(system).range(&reading.regressor))
-    };
-    deciding.readings.iter().map(values).collect()
-}
-
 /// The values over what opens beyond the spokes of each reading.
-fn opening(deciding: &Deciding, others: &Polyhedron) -> BTreeMap<usize, Option<Interval>> {
+fn opening(deciding: &Deciding, others: &[(BoundName, Inequality)]) -> BTreeMap<usize, Option<Interval>> {
     let (fps, set) = (&deciding.fps, deciding.fps.polyhedron());
     let spokes = set.irredundant_by_angle();
     let place_of: BTreeMap<usize, usize> =
         spokes.iter().enumerate().map(|(place, &index)| (index, place)).collect();
     let is_spoke: BTreeSet<BoundName> = spokes.iter().map(|&index| fps.name(index)).collect();
     let own = deciding.readings.iter().flat_map(half_planes).filter(|(name, _)| !is_spoke.contains(name));
-    let others = others.irredundant().into_iter().map(|index| &others.system().inequalities()[index]);
-    let redundant = own
-        .map(|(name, inequality)| (name.row(), inequality))
-        .chain(others.map(|inequality| (None, inequality.clone())));
+    // That a condition of the set is among those of the others as well changes nothing.
+    let redundant = own.chain(others.iter().cloned()).map(|(name, inequality)| (name.row(), inequality));
     let mut beyond: Vec<Vec<(Option<usize>, Inequality)>> = vec![Vec::new(); spokes.len()];
     for (row, inequality) in redundant {
         let around = match inequality.constraint() {

@@ -2,10 +2,14 @@
 
 mod csv;
 mod json;
+#[cfg(feature = "files")]
+mod proof;
 mod repair;
 
 pub use csv::StatusCsv;
 pub use json::StatusJson;
+#[cfg(feature = "files")]
+pub use proof::status_proof;
 
 use boundfit_estimation::{Fit, Problem};
 use boundfit_exact::Foreign;

@@ -12,6 +12,11 @@ fn check(name: &str, line: &str, status: i32) {
 }
 
 #[test]
+fn statuses_of_the_transducer() {
+    check("transducer-status", &format!("{TRANSDUCER} --figure status"), 0);
+}
+
+#[test]
 fn the_six_figures_of_the_transducer() {
     for figure in ["data", "eui", "pui", "fps", "corridor", "directions"] {
         check(&format!("transducer-{figure}"), &format!("{TRANSDUCER} --figure {figure}"), 0);
