@@ -75,6 +75,22 @@ impl Measurements {
         Measurements { meaning, readings: Readings::All(rows), others: Vec::new(), origin }
     }
 
+    /// The readings at these positions of [`Measurements::kept`] alone, ascending; the rest of those are to be shown but not
+    /// fitted where that is asked for, and are left out otherwise. Cost: linear in what is taken.
+    pub fn only(&self, positions: &[usize], shows_rest: bool) -> Self {
+        let rows = self.kept();
+        let fitted = positions.iter().filter_map(|&position| rows.get(position)).cloned().collect();
+        let mut others = Vec::new();
+        if shows_rest {
+            let is_left_out =
+                |(position, _): &(usize, &Measurement)| positions.binary_search(position).is_err();
+            let rest = rows.iter().enumerate().filter(is_left_out).map(|(_, row)| row.clone());
+            others = self.others.iter().cloned().chain(rest).collect();
+        }
+        let (meaning, origin) = (self.meaning.clone(), self.origin.clone());
+        Measurements { meaning, readings: Readings::All(fitted), others, origin }
+    }
+
     /// The model.
     pub fn model(&self) -> &Model {
         &self.meaning.model

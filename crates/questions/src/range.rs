@@ -4,7 +4,7 @@
 //! follow a line. Under a stated error bound this is a question with an exact answer: a run of readings is linear when its
 //! feasible parameter set is not empty. Runs within linear runs are linear too, so the longest possible ones say everything.
 
-use boundfit_estimation::{Measurements, Model, Problem};
+use boundfit_estimation::{Model, Problem};
 
 use crate::window::{Contradiction, Window};
 
@@ -105,15 +105,13 @@ impl LinearRange {
         LinearRange { order: positions, runs, alone }
     }
 
-    /// The problem of the readings of a run alone, in the order of rows.
-    pub fn problem_of(&self, run: &Run, problem: &Problem) -> Problem {
-        let Problem { measurements, conditions } = problem;
+    /// The problem of the readings of a run alone, in the order of rows; the others of the problem are to be shown, if that is
+    /// asked for.
+    pub fn problem_of(&self, run: &Run, problem: &Problem, shows_rest: bool) -> Problem {
         let mut positions = self.order[run.first..=run.last].to_vec();
         positions.sort_unstable();
-        let rows = positions.into_iter().map(|position| measurements.kept()[position].clone()).collect();
-        let (model, response) = (measurements.model().clone(), measurements.response().to_owned());
-        let measurements = Measurements::new(model, response, measurements.error_bound().clone(), rows);
-        Problem { measurements, conditions: conditions.clone() }
+        let measurements = problem.measurements.only(&positions, shows_rest);
+        Problem { measurements, conditions: problem.conditions.clone() }
     }
 
     /// The run with the most readings, of several the first; `None` where every reading contradicts the conditions or itself.

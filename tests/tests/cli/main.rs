@@ -28,6 +28,7 @@ mod output;
 mod packed;
 mod polygon;
 mod predict;
+mod range;
 mod reduce;
 mod replacing;
 mod selection;

@@ -17,6 +17,10 @@ fn transducer() {
     let fit = [&fit[..], &["--eps", "0.5e-3"]].concat();
     check("transducer/fit.txt", &fit, 0);
     check("transducer/fit.json", &[&fit[..], &["--format", "json"]].concat(), 0);
+    let range = ["range", "fixtures/transducer/transducer.csv", "--x", "Vz", "--y", "z", "--eps", "0.5e-3"];
+    check("transducer/range.txt", &range, 0);
+    check("transducer/range.csv", &[&range[..], &["--format", "csv"]].concat(), 0);
+    check("transducer/range.json", &[&range[..], &["--format", "json"]].concat(), 0);
     check("transducer/fit-exact.txt", &[&fit[..], &["--exact"]].concat(), 0);
     check("transducer/fit-sweep.txt", &[&fit[..], &["--sweep", "0.5..2"]].concat(), 0);
 }

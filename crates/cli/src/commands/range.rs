@@ -33,7 +33,7 @@ pub(crate) fn run(arguments: &RangeArguments) -> CommandResult {
     let range = while_working("finding runs", || LinearRange::of(&problem, order));
     let all = while_working("fitting", || fit(&problem));
     let longest = range.longest().map(|run| {
-        let own = range.problem_of(run, &problem);
+        let own = range.problem_of(run, &problem, false);
         let fit = fit(&own);
         (own, fit)
     });
