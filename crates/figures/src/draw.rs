@@ -12,7 +12,8 @@ use crate::text::one_line;
 use crate::{data_plane, parameter_plane, render, status};
 
 /// Draws a figure of a fit. Cost: linear in the readings; [`Figure::Directions`] solves a linear program per direction, and
-/// [`Figure::Status`] takes O(N log N). [`Figure::Outliers`] looks for them first: where that has no answer or takes too long, it is the feasible set.
+/// [`Figure::Status`] and [`Figure::Range`] take O(N log N). [`Figure::Outliers`] looks for them first: where that has no answer or
+/// takes too long, it is the feasible set.
 ///
 /// # Errors
 /// Only when a library underneath fails.
@@ -28,6 +29,7 @@ pub fn draw(
         }
         Figure::Fps => parameter_plane::fps(problem, fit, options),
         Figure::Directions => parameter_plane::directions(problem, fit, options),
+        Figure::Range => data_plane::runs(problem, options),
         Figure::Status => status::drawing(problem, fit, options),
         Figure::Outliers => match Outliers::new(problem, &OutlierLimits::default()) {
             Ok(outliers) => parameter_plane::outliers(problem, &outliers, options),

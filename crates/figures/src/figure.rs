@@ -21,6 +21,8 @@ pub enum Figure {
     Status,
     /// What is left without the fewest readings that have to be left out.
     Outliers,
+    /// The readings with the line of the longest run that fits, and a bar for every run.
+    Range,
 }
 
 impl Figure {
@@ -28,7 +30,7 @@ impl Figure {
     pub const OF_FIT: [Figure; 6] =
         [Figure::Data, Figure::Eui, Figure::Pui, Figure::Fps, Figure::Corridor, Figure::Directions];
     /// All figures: those of every fit, and those that answer a question of their own.
-    pub const ALL: [Figure; 8] = [
+    pub const ALL: [Figure; 9] = [
         Figure::Data,
         Figure::Eui,
         Figure::Pui,
@@ -37,6 +39,7 @@ impl Figure {
         Figure::Directions,
         Figure::Status,
         Figure::Outliers,
+        Figure::Range,
     ];
 
     /// A short name, fit for a file: `data`, `eui` and so on.
@@ -50,6 +53,7 @@ impl Figure {
             Figure::Directions => "directions",
             Figure::Status => "status",
             Figure::Outliers => "outliers",
+            Figure::Range => "range",
         }
     }
 
@@ -64,6 +68,7 @@ impl Figure {
             Figure::Directions => "Inner and outer approximation from linear programs",
             Figure::Status => "Statuses: residual and leverage of each reading against the others",
             Figure::Outliers => "What is left without the fewest readings that have to be left out",
+            Figure::Range => "Linear range: the line of the longest run that fits, and all runs",
         }
     }
 }

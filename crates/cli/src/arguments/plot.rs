@@ -78,8 +78,10 @@ impl Figures {
     fn named() -> impl Iterator<Item = (PossibleValue, Figures)> {
         let one =
             |figure: Figure| (PossibleValue::new(figure.name()).help(figure.title()), Figures::One(figure));
-        let all =
-            (PossibleValue::new(ALL).help("Each of the figures of a fit, without status"), Figures::All);
+        let all = (
+            PossibleValue::new(ALL).help("Each of the figures of a fit, without status and range"),
+            Figures::All,
+        );
         Figure::ALL.into_iter().map(one).chain([all])
     }
 }

@@ -59,6 +59,8 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
         let picture = picture.map_err(Failure::data)?;
         picture.encoded(format).map_err(Failure::data)
     };
+    // Runs fit where all readings together do not: the figure is the answer.
+    let is_of_runs = matches!(destination, Destination::One(Figure::Range, _));
     match destination {
         Destination::One(figure, file) => output::write(picture(figure)?, file, &guard)?,
         Destination::All(folder) => {
@@ -70,7 +72,7 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
             output::write_all(folder, &files, &guard)?;
         }
     }
-    Ok(if fit.fps.polyhedron().region().is_empty() { Exit::Empty } else { Exit::Answer })
+    Ok(if fit.is_empty() && !is_of_runs { Exit::Empty } else { Exit::Answer })
 }
 
 fn options(arguments: &PlotArguments, problem: &Problem) -> PlotOptions {

@@ -3,6 +3,7 @@
 
 mod bands;
 mod readings;
+mod runs;
 mod sample;
 mod scene;
 mod view;
@@ -16,6 +17,7 @@ use crate::labels::{self, Conflict};
 use crate::palette::{Dash, FAINT_INK, Stroke, style};
 use crate::render::{BOTTOM_LABELS, LEFT_LABELS, WIDTH};
 use bands::Bands;
+pub(crate) use runs::runs;
 use scene::{MOST_MARKS, Reference, Scene};
 use view::View;
 

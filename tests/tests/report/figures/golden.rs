@@ -24,6 +24,13 @@ fn the_six_figures_of_the_transducer() {
 }
 
 #[test]
+fn runs_that_fit_below_the_line_of_the_longest() {
+    let transducer = "fixtures/transducer/transducer.csv --x Vz --y z --eps 0.5e-3";
+    check("transducer-range", &format!("{transducer} --figure range"), 0);
+    check("two-regressors-range", &of_kind("two-regressors.csv --x u,v --y y --eps 0.01 --figure range"), 0);
+}
+
+#[test]
 fn a_set_of_each_kind() {
     for (kind, fit, status) in KINDS {
         check(&format!("kind-{kind}"), &of_kind(fit), status);
