@@ -27,6 +27,8 @@ pub(crate) mod times {
     pub(crate) const RANGE: u64 = 8;
     /// Sets left without some readings; looking at all crossings of bounds comes on top.
     pub(crate) const OUTLIERS: u64 = 8;
+    /// Both sides of lines under errors in x, and the steps to the least factor.
+    pub(crate) const X_ERRORS: u64 = 16;
     /// A figure; all of them are six.
     pub(crate) const PLOT: u64 = 8;
     /// The statuses of all readings: the set, that of all readings without those that decide, and the values at each.

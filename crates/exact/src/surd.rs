@@ -153,27 +153,23 @@ impl Surd {
         }
     }
 
-    /// The number rounded to so many significant digits. Exact: the decimal is the right one.
-    pub fn rounded(&self, digits: usize, rounding: Rounding) -> Rational {
-        self.settled_by(|end| end.rounded(digits, rounding))
-    }
-
-    /// The nearest double, where it is finite.
-    pub fn to_f64(&self) -> Option<f64> {
-        self.settled_by(Rational::to_finite_f64)
-    }
-
-    /// What both ends of a narrow enough enclosure become; an irrational number is none of those at which that changes.
-    fn settled_by<T: PartialEq>(&self, become_of: impl Fn(&Rational) -> T) -> T {
+    /// A rational number that is rounded like this one, to so many significant digits and to binary64; the number itself where it
+    /// is rational. Exact.
+    pub fn alike(&self, digits: usize, rounding: Rounding) -> Rational {
         let mut bits = 64;
         loop {
             let [low, high] = self.enclosure(bits);
-            let low = become_of(&low);
-            if low == become_of(&high) {
-                return low;
+            let becomes = |end: &Rational| (end.rounded(digits, rounding), end.to_finite_f64());
+            if becomes(&low) == becomes(&high) {
+                return high;
             }
             bits *= 2;
         }
+    }
+
+    /// The number rounded to so many significant digits. Exact: the decimal is the right one.
+    pub fn rounded(&self, digits: usize, rounding: Rounding) -> Rational {
+        self.alike(digits, rounding).rounded(digits, rounding)
     }
 }
 
@@ -301,12 +297,15 @@ mod tests {
             all.extend(Surd::roots(&polynomial(a, b, c)));
         }
         for one in &all {
-            let double = one.to_f64().unwrap();
+            let double = one.alike(5, Rounding::Up).to_f64();
             assert_eq!(order(one.sign()), double.signum() as i8 * i8::from(double != 0.0));
             let [low, high] = one.enclosure(80);
             assert!(low <= high && Surd::from(low) <= *one && *one <= Surd::from(high));
             for other in &all {
-                assert_eq!(one.cmp(other), double.partial_cmp(&other.to_f64().unwrap()).unwrap());
+                assert_eq!(
+                    one.cmp(other),
+                    double.partial_cmp(&other.alike(5, Rounding::Up).to_f64()).unwrap()
+                );
             }
         }
         let golden = &Surd::roots(&polynomial(1, -1, -1))[1];

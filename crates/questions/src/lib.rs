@@ -22,6 +22,6 @@ pub use status::{
 };
 pub use window::{Contradiction, Extent, Moved, Moving, Turn, Window, WindowFit, WindowSet};
 pub use x_errors::{
-    Agreement, BoxBound, Corner, LeastFactor, NoLeastFactor, NoXErrors, Side, SideSet, XBounds, XErrorFit,
-    XErrorProblem,
+    Agreement, BoxBound, Corner, Demand, LeastFactor, NoLeastFactor, NoXErrors, Side, SideSet, SlopeDemand,
+    XBounds, XErrorFit, XErrorProblem,
 };

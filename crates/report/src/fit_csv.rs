@@ -15,8 +15,7 @@ const COLUMNS: [&str; 8] =
 /// readings have bounds of their own. `lower`, `upper` and `value` are doubles: ends rounded outward, `-inf` and `inf` where
 /// there are none, errors and the least error bound up, values to nearest. The last columns are exact.
 pub fn fit_csv(fit: &Fit) -> String {
-    let mut table = Table { writer: Writer::from_writer(Vec::new()) };
-    table.row(COLUMNS.map(str::to_owned));
+    let mut table = Table::new();
     if let Ok(estimate) = &fit.least_squares {
         table.values("least_squares", &estimate.theta);
     }
@@ -42,29 +41,40 @@ pub fn fit_csv(fit: &Fit) -> String {
     if let Some(minimax) = &fit.minimax {
         table.value("least_error_bound", "", up(&minimax.least), &minimax.least);
     }
-    String::from_utf8(table.writer.into_inner().unwrap_or_default()).unwrap_or_default()
+    table.into_text()
 }
 
-const PARAMETERS: [&str; 2] = ["theta1", "theta2"];
+pub(crate) const PARAMETERS: [&str; 2] = ["theta1", "theta2"];
 
-struct Table {
+/// The table of a report.
+pub(crate) struct Table {
     writer: Writer<Vec<u8>>,
 }
 
 impl Table {
-    fn row(&mut self, cells: [String; 8]) {
+    pub(crate) fn new() -> Self {
+        let mut table = Table { writer: Writer::from_writer(Vec::new()) };
+        table.row(COLUMNS.map(str::to_owned));
+        table
+    }
+
+    pub(crate) fn into_text(self) -> String {
+        String::from_utf8(self.writer.into_inner().unwrap_or_default()).unwrap_or_default()
+    }
+
+    pub(crate) fn row(&mut self, cells: [String; 8]) {
         // Writing to memory does not fail.
         let written = self.writer.write_record(&cells);
         debug_assert!(written.is_ok());
     }
 
-    fn value(&mut self, quantity: &str, parameter: &str, double: f64, exact: &Rational) {
+    pub(crate) fn value(&mut self, quantity: &str, parameter: &str, double: f64, exact: &Rational) {
         let [none, no_lower, no_upper, no_end] = [const { String::new() }; 4];
         let (quantity, parameter) = (quantity.to_owned(), parameter.to_owned());
         self.row([quantity, parameter, none, no_lower, shown(double), no_upper, no_end, exact.to_string()]);
     }
 
-    fn values(&mut self, quantity: &str, values: &[Rational; 2]) {
+    pub(crate) fn values(&mut self, quantity: &str, values: &[Rational; 2]) {
         for (parameter, value) in PARAMETERS.iter().zip(values) {
             self.value(quantity, parameter, value.to_f64(), value);
         }
@@ -82,7 +92,7 @@ impl Table {
         self.row([quantity, parameter, lower, upper, String::new(), lower_exact, upper_exact, String::new()]);
     }
 
-    fn intervals(&mut self, quantity: &str, intervals: &[Interval; 2]) {
+    pub(crate) fn intervals(&mut self, quantity: &str, intervals: &[Interval; 2]) {
         for (parameter, interval) in PARAMETERS.iter().zip(intervals) {
             self.interval(quantity, parameter, interval);
         }

@@ -3,6 +3,7 @@
 use boundfit_estimation::{ActiveBounds, BoundName};
 use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::{Direction, Measures, Point, Region, Vertex};
+use boundfit_questions::BoxBound;
 use serde::Serialize;
 
 use crate::number::Number;
@@ -42,6 +43,20 @@ impl From<BoundName> for ActiveJson {
     }
 }
 
+impl From<BoxBound> for ActiveJson {
+    /// `upper left` is the bound at a corner of the box of a reading.
+    fn from(bound: BoxBound) -> Self {
+        match bound {
+            BoxBound::Bound(name, corner) => {
+                let ActiveJson { row, bound } = name.into();
+                let bound = corner.map_or(bound.clone(), |corner| format!("{bound} {corner}"));
+                ActiveJson { row, bound }
+            }
+            BoxBound::Slope(_) => ActiveJson { row: None, bound: bound.to_string() },
+        }
+    }
+}
+
 /// The first names of half-planes in JSON, and how many there are beside them: no key where there are none.
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct ActiveListJson<A> {
@@ -77,7 +92,7 @@ pub(crate) struct TermJson {
 }
 
 impl TermJson {
-    pub(crate) fn new(name: BoundName, multiplier: &Rational, style: &Style) -> Self {
+    pub(crate) fn new(name: impl Into<ActiveJson>, multiplier: &Rational, style: &Style) -> Self {
         let ActiveJson { row, bound } = name.into();
         TermJson { row, bound, multiplier: style.number(multiplier) }
     }

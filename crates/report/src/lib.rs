@@ -62,6 +62,7 @@ mod range;
 mod region;
 mod scale;
 mod script;
+mod slope_lines;
 #[cfg(feature = "files")]
 mod statements;
 #[cfg(feature = "files")]
@@ -76,6 +77,7 @@ mod verify_json;
 mod vertices_csv;
 mod window;
 mod wkt;
+mod x_errors;
 
 pub use cases::{CaseVerdicts, cases_json, cases_table};
 pub use cdd::{h_representation, v_representation};
@@ -128,3 +130,6 @@ pub use verify_json::verify_json;
 pub use vertices_csv::{active_names, vertices_csv};
 pub use window::{WindowReport, WindowSummary, write_window_json};
 pub use wkt::region_wkt;
+#[cfg(feature = "files")]
+pub use x_errors::x_error_proof;
+pub use x_errors::{x_error_csv, x_error_document, x_error_json, x_error_wkt};

@@ -8,7 +8,7 @@ use serde::ser::{Serialize, SerializeStruct, Serializer};
 use crate::style::Reader;
 
 /// A number in JSON: `{"exact": "p/q", "decimal": "1.8194e-3", "value": 0.0018194243326268529}`, where the value is the
-/// nearest double and null beyond the largest one; `exact` is null where the fraction is too long to be written. A person gets
+/// nearest double and null beyond the largest one; `exact` is null where the fraction is too long to be written, or there is none. A person gets
 /// the decimal without powers of ten and no value. It becomes text only where it is written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Number {
@@ -29,6 +29,11 @@ impl Number {
     /// A number without its fraction, from one that is rounded like it to so many digits and to binary64.
     pub(crate) fn without_fraction(alike: Rational, digits: usize, reader: Reader) -> Self {
         Number { value: alike, is_exact: false, digits, rounding: Rounding::Nearest, reader }
+    }
+
+    /// A number that is no fraction, from one that is rounded like it in this way to so many digits and to binary64.
+    pub(crate) fn irrational(alike: Rational, digits: usize, rounding: Rounding, reader: Reader) -> Self {
+        Number { value: alike, is_exact: false, digits, rounding, reader }
     }
 
     /// Whether the fraction is too long to be written.

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use boundfit_exact::english::counted;
-use boundfit_exact::{Decimal, Interval, Limit, Rational, Rounding};
+use boundfit_exact::{Decimal, Interval, Limit, Rational, Rounding, Surd};
 use boundfit_geometry::Measure;
 
 use crate::document::{Inline, Symbol, Text};
@@ -147,6 +147,28 @@ impl Style {
         match measure.exact_within(self.longest_fraction) {
             Some(exact) => self.number(&exact),
             None => Number::without_fraction(measure.rounding_alike_in_binary64(digits), digits, self.reader),
+        }
+    }
+
+    /// Both forms of a number that may be irrational; of an error bound rounded like one.
+    pub(crate) fn surd_number(&self, value: &Surd, is_bound: bool) -> Number {
+        let rounding = if is_bound { self.directed(Rounding::Up) } else { Rounding::Nearest };
+        let digits = self.significant();
+        match value.rational() {
+            Some(value) => self.json_number(value, digits, rounding),
+            None => Number::irrational(value.alike(digits, rounding), digits, rounding, self.reader),
+        }
+    }
+
+    /// A number that may be irrational; of an error bound rounded like one.
+    pub(crate) fn surd(&self, value: &Surd, is_bound: bool) -> Text {
+        let rounding = if is_bound { self.directed(Rounding::Up) } else { Rounding::Nearest };
+        match value.rational() {
+            Some(value) => Text::new().number(self.shown(value, rounding)),
+            None => {
+                let alike = value.alike(self.significant(), rounding);
+                Text::new().number(Style { exact: false, ..*self }.shown(&alike, rounding))
+            }
         }
     }
 

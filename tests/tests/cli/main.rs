@@ -40,3 +40,4 @@ mod ties;
 mod verify;
 mod work;
 mod workbooks;
+mod x_errors;

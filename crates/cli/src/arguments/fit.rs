@@ -7,7 +7,10 @@ use clap::{Args, value_parser};
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::values::parse_column;
-use super::{DataArguments, FactorRange, FractionArguments, OutputArguments, ReportFormat, ThreadArguments};
+use super::{
+    DataArguments, FactorRange, FractionArguments, OutputArguments, ReportFormat, ThreadArguments,
+    XErrorArguments,
+};
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -40,6 +43,10 @@ pub(super) const NOTES: Notes = Notes {
             "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --confidence 0.99",
         ),
         (
+            "Errors in x as well: lines that meet every box U +- 0.15, I +- 1.5",
+            "boundfit fit current.csv --x U --y I --eps 1.5 --x-eps 0.15",
+        ),
+        (
             "Every sensor of a fleet on its own, one line each (--format json or csv for programs)",
             "boundfit fit fleet.csv --by sensor --x V --y level --eps 0.03",
         ),
@@ -70,6 +77,8 @@ pub(super) const NOTES: Notes = Notes {
 pub(crate) struct FitArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
+    #[command(flatten)]
+    pub(crate) x_errors: XErrorArguments,
     /// Also report the sets FPS(s*eps) for all factors s from FROM to TO: where the set is born and changes its shape,
     /// and every vertex and PUI end as an exact function of s
     #[arg(id = "sweep", long = "sweep", value_name = "FROM..TO")]

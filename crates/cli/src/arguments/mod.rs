@@ -23,6 +23,7 @@ mod status;
 mod tolerance;
 mod values;
 mod verify;
+mod x_errors;
 
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
@@ -51,6 +52,7 @@ pub(crate) use solutions::SolutionArguments;
 pub(crate) use status::StatusArguments;
 pub(crate) use values::{FactorRange, number_problem};
 pub(crate) use verify::VerifyArguments;
+pub(crate) use x_errors::XErrorArguments;
 
 /// Exact bounded-error (set-membership) estimation in two parameters, and exact polygons from half-planes.
 ///

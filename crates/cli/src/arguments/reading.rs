@@ -71,6 +71,16 @@ impl<'a> Data<'a> {
         self.origin
     }
 
+    /// The options that say which readings are fitted.
+    pub(super) fn arguments(&self) -> &'a DataArguments {
+        self.arguments
+    }
+
+    /// The file, if it could be opened.
+    pub(super) fn source(self) -> Result<Source, Failure> {
+        self.source
+    }
+
     /// Reads the problem.
     pub(crate) fn problem(self) -> Result<Problem, Failure> {
         self.read(false)
@@ -320,8 +330,17 @@ impl Asked {
         }
     }
 
+    /// Whether the error bound is a multiple of the least one.
+    pub(super) fn is_multiple_of_least(&self) -> bool {
+        self.multiple_of_least.is_some()
+    }
+
     /// The problem of some readings, whose numbers are not too long for a fit.
-    fn short_problem(&self, measurements: Measurements, data: &DataArguments) -> Result<Problem, Failure> {
+    pub(super) fn short_problem(
+        &self,
+        measurements: Measurements,
+        data: &DataArguments,
+    ) -> Result<Problem, Failure> {
         let check = |problem: &Problem| {
             refuse_long_problem(data.file_name(), problem, times::FIT, &data.table.limits)
         };

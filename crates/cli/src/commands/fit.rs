@@ -14,7 +14,7 @@ use boundfit_report::{
 
 use crate::CommandResult;
 use crate::arguments::{FactorRange, FitArguments, ReportFormat};
-use crate::commands::{fleet, window};
+use crate::commands::{fleet, window, x_errors};
 use crate::exit::{Exit, Failure};
 use crate::output;
 use crate::progress::while_working;
@@ -37,6 +37,9 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     let mut guard = arguments.output.file.replace.guard([arguments.data.path()]);
     guard.check(output)?;
     guard.check(arguments.proof.as_deref())?;
+    if arguments.x_errors.are_asked()? {
+        return x_errors::run(arguments, format, &mut guard);
+    }
     if let Some(by) = &arguments.by {
         return fleet::run(arguments, by, format, &guard);
     }

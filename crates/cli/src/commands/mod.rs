@@ -20,3 +20,4 @@ mod solutions;
 pub(crate) mod status;
 pub(crate) mod verify;
 pub(crate) mod window;
+pub(crate) mod x_errors;

@@ -10,7 +10,8 @@ mod reduce;
 mod scan;
 mod stated;
 
-use boundfit_formats::{InputError, ScanOptions, Source, TableOptions, TableRow, read_table};
+use boundfit_exact::Rational;
+use boundfit_formats::{ColumnSelector, InputError, ScanOptions, Source, TableOptions, TableRow, read_table};
 
 pub use columns::{Columns, EpsilonColumn};
 pub use fleet::Fleet;
@@ -31,8 +32,29 @@ impl Measurements {
             let options = ScanOptions { table: options.clone(), ..ScanOptions::default() };
             return Measurements::scan(source, columns, &[], &options, Keep::default());
         }
+        Ok(Measurements::read_beside(source, columns, &[], options)?.0)
+    }
+
+    /// As [`Measurements::read`] of a table that is no reduction, with the numbers of further columns in the order of the readings
+    /// that are fitted, a list for each column.
+    ///
+    /// # Errors
+    /// The first thing wrong with the file, a negative error bound included.
+    pub fn read_beside(
+        source: Source,
+        columns: &Columns,
+        beside: &[ColumnSelector],
+        options: &TableOptions,
+    ) -> Result<(Self, Vec<Vec<Rational>>), InputError> {
         let file = source.name().to_owned();
-        let table = read_table(source, &columns.selectors(), options)?;
+        let own = columns.selectors();
+        let selectors: Vec<ColumnSelector> = own.iter().chain(beside).cloned().collect();
+        let table = read_table(source, &selectors, options)?;
+        let further = |position: usize| {
+            let numbers = table.rows.iter().map(|row| row.numbers.get(own.len() + position).cloned());
+            numbers.map(Option::unwrap_or_default).collect()
+        };
+        let further: Vec<Vec<Rational>> = (0..beside.len()).map(further).collect();
         let mut meaning = columns.meaning(&table.names);
         let measured = |rows: Vec<TableRow>| {
             rows.into_iter().map(|row| meaning.measurement(row.row, row.numbers.into_iter())).collect()
@@ -55,6 +77,6 @@ impl Measurements {
             layout: table.layout,
             sha256: Some(table.sha256),
         };
-        Ok(Measurements { meaning, readings: Readings::All(rows), others, origin })
+        Ok((Measurements { meaning, readings: Readings::All(rows), others, origin }, further))
     }
 }

@@ -51,15 +51,13 @@ impl LeastFactor {
     /// # Errors
     /// When there is none.
     pub fn new(problem: &XErrorProblem) -> Result<Self, NoLeastFactor> {
-        let is_strong = problem.agreement() == Agreement::Strong;
-        let grows = |half_width: Option<&Rational>| half_width.is_some_and(|own| !own.is_negative());
-        let is_stricter =
-            problem.readings().any(|(row, width)| width.is_positive() && !grows(row.half_width().as_deref()));
-        if is_strong && is_stricter {
-            return Err(NoLeastFactor::NotMonotone);
-        }
-        let sides = [Side::Rising, Side::Falling];
-        let found = sides.into_iter().filter_map(|side| SideRows::new(problem, side).least());
+        let [rising, falling] = LeastFactor::of_sides(problem);
+        LeastFactor::best(rising?, falling?)
+    }
+
+    /// The one of both sides that leaves more.
+    pub(super) fn best(rising: Option<Self>, falling: Option<Self>) -> Result<Self, NoLeastFactor> {
+        let found = rising.into_iter().chain(falling);
         found
             .reduce(|best, next| {
                 let is_better = next.value < best.value
@@ -67,6 +65,18 @@ impl LeastFactor {
                 if is_better { next } else { best }
             })
             .ok_or(NoLeastFactor::Never)
+    }
+
+    /// The least factors of rising and of falling lines; `None` where none is enough.
+    pub(super) fn of_sides(problem: &XErrorProblem) -> [Result<Option<Self>, NoLeastFactor>; 2] {
+        let is_strong = problem.agreement() == Agreement::Strong;
+        let grows = |half_width: Option<&Rational>| half_width.is_some_and(|own| !own.is_negative());
+        let is_stricter =
+            problem.readings().any(|(row, width)| width.is_positive() && !grows(row.half_width().as_deref()));
+        if is_strong && is_stricter {
+            return [Err(NoLeastFactor::NotMonotone), Err(NoLeastFactor::NotMonotone)];
+        }
+        [Side::Rising, Side::Falling].map(|side| Ok(SideRows::new(problem, side).least()))
     }
 
     /// Whether the bounds as they are leave a line, as this factor has it.

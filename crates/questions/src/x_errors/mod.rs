@@ -7,17 +7,20 @@
 //! set (Cerone, "Feasible parameter set for linear models with bounded errors in all variables", *Automatica* 29, 1993; Shary's
 //! united and tolerable solution sets of interval systems).
 
+mod demands;
 mod factor;
 mod few;
 mod half_planes;
 
 use boundfit_estimation::{
-    Central, Measurement, Model, ParameterBound, ParameterInterval, Problem, central_of, parameter_intervals,
+    BoundName, Central, Measurement, Model, ParameterBound, ParameterInterval, Problem, central_of,
+    parameter_intervals,
 };
 use boundfit_exact::{Endpoint, Foreign, Interval, Rational};
-use boundfit_geometry::{Polyhedron, ProofError};
+use boundfit_geometry::{Farkas, Multiplier, Polyhedron, ProofError, System, envelope};
 use thiserror::Error;
 
+pub use demands::{Demand, SlopeDemand};
 pub use factor::{LeastFactor, NoLeastFactor};
 pub use half_planes::{BoxBound, Corner, Side};
 
@@ -85,6 +88,9 @@ pub struct SideSet {
     pub names: Vec<BoxBound>,
     /// The parameter uncertainty intervals with their proofs; `None` when the set is empty.
     pub pui: Option<[ParameterInterval; 2]>,
+    /// Of an empty set the half-planes that say why, by their positions: those of the readings that ask for the largest factor, where
+    /// these alone leave nothing.
+    reason: Vec<usize>,
 }
 
 /// What is known of lines under errors in x.
@@ -176,9 +182,18 @@ impl XErrorProblem {
     /// Computes everything. Exact. Cost: O(n log n) for the sets, and about as much for each of the few steps to the least
     /// factor.
     pub fn fit(&self) -> XErrorFit {
-        let sides: Vec<SideSet> = self.sides().into_iter().map(|side| SideSet::new(self, side)).collect();
+        let mut sides: Vec<SideSet> = self.sides().into_iter().map(|side| SideSet::new(self, side)).collect();
         let central = union_box(&sides).and_then(|own| central_of(&own));
-        XErrorFit { sides, central, least: LeastFactor::new(self) }
+        let factors = LeastFactor::of_sides(self);
+        for set in sides.iter_mut().filter(|set| set.is_empty()) {
+            let known = factors.iter().flatten().flatten();
+            let own = known.filter(|own| set.side == Side::Both || set.side == own.side);
+            let deciding: Vec<BoundName> = own.flat_map(|own| own.fixed_by.clone()).collect();
+            set.explain_by(&deciding);
+        }
+        let [rising, falling] = factors;
+        let least = rising.and_then(|rising| LeastFactor::best(rising, falling?));
+        XErrorFit { sides, central, least }
     }
 }
 
@@ -188,7 +203,33 @@ impl SideSet {
         let (names, inequalities): (Vec<BoxBound>, Vec<_>) = half_planes::of_side(problem, side).unzip();
         let polyhedron = Polyhedron::intersect(inequalities.into_iter().collect());
         let pui = parameter_intervals(&polyhedron);
-        SideSet { side, polyhedron, names, pui }
+        let reason = (0..names.len()).collect();
+        SideSet { side, polyhedron, names, pui, reason }
+    }
+
+    /// Takes the bounds of these readings and conditions for the reason of emptiness, if they are one.
+    fn explain_by(&mut self, deciding: &[BoundName]) {
+        let is_deciding = |index: &usize| match self.names[*index] {
+            BoxBound::Bound(name, _) => deciding.contains(&name),
+            BoxBound::Slope(_) => true,
+        };
+        let own: Vec<usize> = (0..self.names.len()).filter(is_deciding).collect();
+        let inequalities = self.polyhedron.system().inequalities();
+        let system = own.iter().map(|&index| inequalities[index].clone()).collect();
+        if envelope::intersect(&system).is_empty() {
+            self.reason = own;
+        }
+    }
+
+    /// Of an empty set at most three of its half-planes whose positive multiples add up to `0 ≤ negative`. Exact.
+    pub fn farkas(&self) -> Option<Vec<Multiplier>> {
+        self.polyhedron.region().certificate()?;
+        let inequalities = self.polyhedron.system().inequalities();
+        let system: System = self.reason.iter().map(|&index| inequalities[index].clone()).collect();
+        let region = envelope::intersect(&system);
+        let multipliers = region.certificate()?.multipliers().iter();
+        let own = |own: &Multiplier| Multiplier { index: self.reason[own.index], value: own.value.clone() };
+        Some(multipliers.map(own).collect())
     }
 
     /// Whether no line of this side agrees.
@@ -218,8 +259,8 @@ impl SideSet {
     /// The first statement that is false.
     pub fn verify(&self) -> Result<(), ProofError> {
         let system = self.polyhedron.system();
-        if let Some(certificate) = self.polyhedron.region().certificate() {
-            certificate.verify(system)?;
+        if let Some(multipliers) = self.farkas() {
+            Farkas::new(multipliers).verify(system)?;
         }
         for interval in self.pui.iter().flatten() {
             for end in [&interval.lower, &interval.upper] {

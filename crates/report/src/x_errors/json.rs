@@ -1,0 +1,229 @@
+//! The JSON report of lines under errors in x, schema `boundfit/x-errors/1`.
+
+use std::collections::BTreeMap;
+
+use boundfit_estimation::{Fit, ParameterBound, ParameterInterval, least_squares_is_feasible};
+use boundfit_exact::Foreign;
+use boundfit_geometry::Multiplier;
+use boundfit_questions::{Agreement, LeastFactor, Side, SideSet, XBounds, XErrorFit, XErrorProblem};
+use serde::Serialize;
+
+use crate::input_json::InputJson;
+use crate::json::{ActiveJson, BoundJson, IntervalJson, RangeJson, RegionJson, TermJson, to_text};
+use crate::number::Number;
+use crate::origin::Origin;
+use crate::style::Style;
+
+#[derive(Serialize)]
+struct XErrorJson {
+    schema: &'static str,
+    input: InputJson,
+    x_epsilon: Option<Number>,
+    x_epsilon_column: Option<Foreign>,
+    agreement: &'static str,
+    sides: Vec<SideJson>,
+    pieces: usize,
+    joined: Option<bool>,
+    pui: Option<[IntervalJson; 2]>,
+    central: Option<CentralJson>,
+    slopes: Option<SlopesJson>,
+    factor: Option<FactorJson>,
+    least_squares: Option<LeastSquaresJson>,
+    eui: Option<[RangeJson; 2]>,
+    reasons: BTreeMap<&'static str, String>,
+}
+
+#[derive(Serialize)]
+struct SideJson {
+    side: &'static str,
+    fps: RegionJson<ActiveJson>,
+    pui: Option<[IntervalJson; 2]>,
+}
+
+#[derive(Serialize)]
+struct CentralJson {
+    theta: [Number; 2],
+    guaranteed_error: [Number; 2],
+    in_fps: bool,
+}
+
+#[derive(Serialize)]
+struct SlopesJson {
+    largest: Option<SlopeJson>,
+    smallest: Option<SlopeJson>,
+}
+
+#[derive(Serialize)]
+struct SlopeJson {
+    theta: [Number; 2],
+    side: &'static str,
+    active: Vec<ActiveJson>,
+}
+
+#[derive(Serialize)]
+struct FactorJson {
+    #[serde(flatten)]
+    value: Number,
+    /// Coefficients of a polynomial of which an irrational factor is a root, and which root.
+    polynomial: Option<[String; 3]>,
+    root: Option<&'static str>,
+    attained: bool,
+    side: &'static str,
+    theta: Option<[Number; 2]>,
+    fixed_by: Vec<ActiveJson>,
+}
+
+#[derive(Serialize)]
+struct LeastSquaresJson {
+    theta: [Number; 2],
+    in_fps: bool,
+    in_fps_without_x_errors: Option<bool>,
+}
+
+/// The report as indented JSON, with a line end.
+pub fn x_error_json(
+    problem: &XErrorProblem,
+    answer: &XErrorFit,
+    plain: &Fit,
+    origin: &Origin,
+    style: &Style,
+) -> String {
+    let (x_epsilon, x_epsilon_column) = match problem.bounds() {
+        XBounds::Uniform(bound) => (Some(style.upper_number(bound)), None),
+        XBounds::PerRow { column, .. } => (None, Some(column.clone())),
+    };
+    let agreement = match problem.agreement() {
+        Agreement::Weak => "weak",
+        Agreement::Strong => "strong",
+    };
+    to_text(&XErrorJson {
+        schema: "boundfit/x-errors/1",
+        input: InputJson::new(problem.problem(), origin, style),
+        x_epsilon,
+        x_epsilon_column,
+        agreement,
+        sides: answer.sides.iter().map(|own| side(own, style)).collect(),
+        pieces: answer.pieces().len(),
+        joined: answer.are_joined(),
+        pui: pui(answer, style),
+        central: answer.central.as_ref().map(|central| CentralJson {
+            theta: style.numbers(&central.theta),
+            guaranteed_error: central.guaranteed_error.each_ref().map(|error| style.upper_number(error)),
+            in_fps: answer.contains(&central.theta),
+        }),
+        slopes: (!answer.is_empty()).then(|| SlopesJson {
+            largest: slope(answer, true, style),
+            smallest: slope(answer, false, style),
+        }),
+        factor: answer.least.as_ref().ok().map(|least| factor(least, style)),
+        least_squares: plain.least_squares.as_ref().ok().map(|estimate| LeastSquaresJson {
+            theta: style.numbers(&estimate.theta),
+            in_fps: answer.contains(&estimate.theta),
+            in_fps_without_x_errors: least_squares_is_feasible(plain),
+        }),
+        eui: plain.eui().map(|eui| eui.each_ref().map(|eui| RangeJson::new(eui, style))),
+        reasons: reasons(answer, plain),
+    })
+}
+
+fn side_name(side: Side) -> &'static str {
+    match side {
+        Side::Rising => "+",
+        Side::Falling => "-",
+        Side::Both => "both",
+    }
+}
+
+fn side(own: &SideSet, style: &Style) -> SideJson {
+    let region = own.polyhedron.region();
+    let measures = region.measures();
+    let names = |indices: &[usize]| {
+        let mut names: Vec<_> = indices.iter().map(|&index| own.names[index]).collect();
+        names.sort_unstable();
+        names.dedup();
+        names.into_iter().map(ActiveJson::from).collect::<Vec<_>>().into()
+    };
+    let farkas = own.contradiction();
+    let farkas =
+        farkas.map(|terms| terms.iter().map(|(name, times)| TermJson::new(*name, times, style)).collect());
+    let interval = |interval: &ParameterInterval| IntervalJson {
+        lower: bound(own, &interval.lower, false, style),
+        upper: bound(own, &interval.upper, true, style),
+    };
+    SideJson {
+        side: side_name(own.side),
+        fps: RegionJson::new(region, &measures, style, names, farkas),
+        pui: own.pui.as_ref().map(|pui| pui.each_ref().map(interval)),
+    }
+}
+
+fn bound(side: &SideSet, bound: &ParameterBound, is_upper: bool, style: &Style) -> BoundJson {
+    match bound {
+        ParameterBound::Unbounded(_) => BoundJson { value: None, active: Vec::new() },
+        ParameterBound::Bounded { value, proof } => {
+            let named = |own: &Multiplier| TermJson::new(side.names[own.index], &own.value, style);
+            let value = if is_upper { style.upper_number(value) } else { style.lower_number(value) };
+            BoundJson { value: Some(value), active: proof.multipliers.iter().map(named).collect() }
+        }
+    }
+}
+
+/// The intervals of all pieces together, each end with the proof of the piece that reaches it.
+fn pui(answer: &XErrorFit, style: &Style) -> Option<[IntervalJson; 2]> {
+    let end = |axis: usize, is_upper: bool| {
+        let (side, own) = answer.end(axis, is_upper)?;
+        Some(bound(side, own, is_upper, style))
+    };
+    let interval = |axis: usize| Some(IntervalJson { lower: end(axis, false)?, upper: end(axis, true)? });
+    Some([interval(0)?, interval(1)?])
+}
+
+/// The line with the largest or the smallest slope, and the bounds that it touches.
+fn slope(answer: &XErrorFit, is_upper: bool, style: &Style) -> Option<SlopeJson> {
+    let (side, ParameterBound::Bounded { proof, .. }) = answer.end(0, is_upper)? else { return None };
+    Some(SlopeJson {
+        theta: style.numbers(&proof.attained_at.coordinates()),
+        side: side_name(side.side),
+        active: proof.multipliers.iter().map(|own| side.names[own.index].into()).collect(),
+    })
+}
+
+fn factor(least: &LeastFactor, style: &Style) -> FactorJson {
+    let is_irrational = least.value.rational().is_none();
+    FactorJson {
+        value: style.surd_number(&least.value, true),
+        polynomial: is_irrational.then(|| least.value.polynomial().map(|integer| integer.to_string())),
+        root: is_irrational.then(|| if least.value.is_larger_root() { "larger" } else { "smaller" }),
+        attained: least.is_attained,
+        side: side_name(least.side),
+        theta: least.theta.as_ref().map(|theta| theta.each_ref().map(|own| style.surd_number(own, false))),
+        fixed_by: least.fixed_by.iter().map(|name| (*name).into()).collect(),
+    }
+}
+
+/// Why each part that is null is null.
+fn reasons(answer: &XErrorFit, plain: &Fit) -> BTreeMap<&'static str, String> {
+    let mut reasons = BTreeMap::new();
+    if let Err(reason) = &answer.least {
+        reasons.insert("factor", reason.to_string());
+    }
+    if answer.is_empty() {
+        for part in ["pui", "central", "slopes"] {
+            reasons.insert(part, "no line agrees with all readings".to_owned());
+        }
+    } else if answer.central.is_none() {
+        reasons.insert("central", "the set is unbounded".to_owned());
+    }
+    match &plain.least_squares {
+        Err(reason) => {
+            reasons.insert("least_squares", reason.to_string());
+            reasons.insert("eui", reason.to_string());
+        }
+        Ok(estimate) => {
+            if let Err(reason) = &estimate.eui {
+                reasons.insert("eui", reason.to_string());
+            }
+        }
+    }
+    reasons
+}
