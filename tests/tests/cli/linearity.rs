@@ -164,6 +164,18 @@ fn every_format_is_written_and_recognised_as_ours() {
 }
 
 #[test]
+fn the_picture_in_the_book_is_the_one_that_is_drawn() {
+    let directory = directory_with(&[]);
+    let data = root().join("fixtures/linearity/lvdt.csv");
+    let line = format!("linearity '{}' --x x_mm --up up_mV --down down_mV", data.display());
+    let run = boundfit(directory.path(), &format!("{line} --x-unit mm --y-unit mV --figure linearity.svg"));
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+    let [drawn, printed] =
+        [directory.path().join("linearity.svg"), root().join("docs/pictures/linearity.svg")].map(fs::read);
+    assert!(drawn.unwrap() == printed.unwrap(), "copy it again");
+}
+
+#[test]
 fn bad_usage_is_refused() {
     let cases = [
         (

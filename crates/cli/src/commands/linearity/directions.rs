@@ -52,7 +52,7 @@ impl Directions {
         // A minus sign as typesetters write it is one.
         let small = text.replace('\u{2212}', "-").to_lowercase();
         let word = if let Some((_, pass)) = KNOWN.iter().find(|(word, _)| *word == small) {
-            let known = &mut self.known[usize::from(*pass == Pass::Down)];
+            let known = of_pass(&mut self.known, *pass);
             if !known.iter().any(|own| own.raw() == text) {
                 known.push(text.into());
             }
@@ -102,9 +102,17 @@ impl Directions {
     pub(super) fn words(&self) -> [Vec<Foreign>; 2] {
         let mut words = self.known.clone();
         for (position, other) in self.others.iter().enumerate() {
-            words[usize::from(self.of_other(position) == Pass::Down)].push(other.clone());
+            of_pass(&mut words, self.of_other(position)).push(other.clone());
         }
         words
+    }
+}
+
+/// Those for up, or those for down.
+fn of_pass<T>([up, down]: &mut [T; 2], pass: Pass) -> &mut T {
+    match pass {
+        Pass::Up => up,
+        Pass::Down => down,
     }
 }
 

@@ -160,8 +160,19 @@ impl Values {
     /// What arithmetic on them takes, beside numbers of so many bits.
     pub(super) fn work(&self, bits: u64) -> Work {
         let mut work = Work::default();
-        for (value, row) in self.iter().zip(1..) {
-            work.add_products(row, value.iter(), bits);
+        for part in &self.parts {
+            // Steps are all about as long as the last one: where that costs nothing, none does.
+            if let Part::Grid { from, step, count } = part {
+                let last = from + step * Rational::from(*count);
+                let mut longest = Work::default();
+                longest.add_products(1, [&last, from], bits);
+                if longest.products(1) == 0 {
+                    continue;
+                }
+            }
+            for (value, row) in self.values(part).zip(1..) {
+                work.add_products(row, value.iter(), bits);
+            }
         }
         work
     }
