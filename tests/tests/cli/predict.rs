@@ -183,7 +183,10 @@ fn a_column_of_values_gives_what_each_gives() {
     let text = unbroken(&boundfit(directory.path(), &format!("{plain} --at new.csv:when")).stdout);
     assert!(text.contains("And 2960 values more, which --format csv and json have."), "{text}");
     let over = boundfit(directory.path(), &format!("{plain} --at new.csv:when --force -o new.csv"));
-    assert_eq!((over.status, over.stderr.as_str()), (1, "error: new.csv: not written: it is read\n"));
+    assert_eq!(
+        (over.status, over.stderr.as_str()),
+        (1, "error: new.csv: not written: it is new.csv, which is read\n")
+    );
 }
 
 #[test]
