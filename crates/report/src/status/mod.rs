@@ -13,7 +13,7 @@ pub use proof::status_proof;
 
 use boundfit_estimation::{Fit, Problem};
 use boundfit_exact::Foreign;
-use boundfit_exact::english::{counted, list};
+use boundfit_exact::english::counted;
 use boundfit_questions::{Judged, NoRepair, Ranking, Repair, Standing, Status};
 
 use crate::document::{Block, Document, Facts, Table, Text};
@@ -94,7 +94,7 @@ fn of_all(problem: &Problem, fit: &Fit, ranking: &Ranking) -> Vec<String> {
         0 => "No reading touches it.".to_owned(),
         1 => format!("Row {} touches it.", boundary[0]),
         _ => {
-            let rows = list(boundary.iter().map(ToString::to_string));
+            let rows = boundary.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
             let rest = match touching - boundary.len() {
                 0 => String::new(),
                 more => format!(" and {more} more"),
