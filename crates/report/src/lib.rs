@@ -101,6 +101,8 @@ pub use linearity::linearity_proof;
 pub use linearity::{LinearityInput, ResponseColumns, linearity_csv, linearity_document, linearity_json};
 pub use number::Number;
 pub use origin::Origin;
+#[cfg(feature = "files")]
+pub use outliers::{NoOutliersProof, outliers_proof};
 pub use outliers::{OutliersReport, outliers_csv, outliers_document, outliers_json};
 #[cfg(feature = "files")]
 pub use polygon::{polygon_document, polygon_json};
@@ -113,6 +115,8 @@ pub use predict::{
 pub use proof_json::proof_json;
 #[cfg(feature = "files")]
 pub use proof_question::ProofQuestion;
+#[cfg(feature = "files")]
+pub use range::range_proof;
 pub use range::{RangeReport, range_csv, range_document, range_json};
 pub use script::region_script;
 #[cfg(feature = "files")]

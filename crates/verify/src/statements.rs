@@ -64,6 +64,7 @@ pub(crate) struct Statement {
 }
 
 #[derive(Debug, Clone)]
+#[allow(clippy::large_enum_variant, reason = "most statements are forms")]
 pub(crate) enum Kind {
     Form { form: Vector, ends: [End; 2] },
     Point(Vector),

@@ -34,6 +34,7 @@ mod replacing;
 mod selection;
 mod small_inputs;
 mod solutions;
+mod statement_proofs;
 mod status;
 mod sweep;
 mod ties;

@@ -1,6 +1,7 @@
 //! The arguments of `boundfit outliers`.
 
 use boundfit_questions::OutlierLimits;
+use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, value_parser};
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
@@ -53,6 +54,10 @@ pub(crate) struct OutliersArguments {
     #[arg(long, value_name = "N", default_value_t = OutlierLimits::default().steps, help_heading = LIMITS,
           hide_short_help = true)]
     max_steps: u64,
+    /// Also write a proof of the answer to this file, which 'boundfit verify' checks against the data; - for standard output
+    /// when the report goes to a file
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    pub(crate) proof: Option<String>,
     #[command(flatten)]
     pub(crate) threads: ThreadArguments,
     #[command(flatten)]

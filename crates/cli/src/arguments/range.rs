@@ -2,6 +2,7 @@
 
 use boundfit_estimation::Model;
 use boundfit_questions::Order;
+use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ValueEnum};
 
 use super::endings::NamedFormat;
@@ -48,6 +49,10 @@ pub(crate) struct RangeArguments {
     /// Take readings in order of rows (what is done for two regressors)
     #[arg(long, conflicts_with = "by_x")]
     by_row: bool,
+    /// Also write a proof of the answer to this file, which 'boundfit verify' checks against the data; - for standard output
+    /// when the report goes to a file
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    pub(crate) proof: Option<String>,
     #[command(flatten)]
     pub(crate) threads: ThreadArguments,
     #[command(flatten)]

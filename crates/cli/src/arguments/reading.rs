@@ -144,7 +144,7 @@ impl<'a> Data<'a> {
     pub(crate) fn every_reading(self, hash: bool) -> Result<Problem, Failure> {
         let asked = self.asked()?;
         let keep = Keep { eui: false, ..Keep::EVERY };
-        self.scanned(asked, keep, |options| ScanOptions { hash, list_rows: false, ..options })
+        self.scanned(asked, keep, |options| ScanOptions { hash, list_rows: hash, ..options })
     }
 
     fn scanned(

@@ -14,6 +14,7 @@ pub(crate) mod outliers;
 pub(crate) mod plot;
 pub(crate) mod polygon;
 pub(crate) mod predict;
+mod proof_file;
 pub(crate) mod range;
 pub(crate) mod reduce;
 mod solutions;

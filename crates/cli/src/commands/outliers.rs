@@ -1,11 +1,14 @@
 //! `boundfit outliers`.
 
 use boundfit_estimation::fit;
-use boundfit_exact::Foreign;
 use boundfit_exact::english::counted;
+use boundfit_exact::{Foreign, Reading};
 use boundfit_questions::{NoOutliers, Outliers};
-use boundfit_report::{OutliersReport, outliers_csv, outliers_document, outliers_json};
+use boundfit_report::{
+    NoOutliersProof, OutliersReport, outliers_csv, outliers_document, outliers_json, outliers_proof,
+};
 
+use super::proof_file;
 use crate::CommandResult;
 use crate::arguments::{OutliersArguments, TableFormat};
 use crate::exit::{Exit, Failure};
@@ -18,11 +21,13 @@ pub(crate) fn run(arguments: &OutliersArguments) -> CommandResult {
     arguments.threads.set()?;
     let format = arguments.output.format()?;
     let output = arguments.output.file.output.as_deref();
-    let guard = arguments.output.file.replace.guard([arguments.data.path()]);
+    let mut guard = arguments.output.file.replace.guard([arguments.data.path()]);
     guard.check(output)?;
+    guard.check(arguments.proof.as_deref())?;
+    proof_file::check(arguments.proof.as_deref(), output)?;
     let data = arguments.data.open();
     let origin = data.origin();
-    let problem = data.every_reading(format == TableFormat::Json)?;
+    let problem = data.every_reading(format == TableFormat::Json || arguments.proof.is_some())?;
     let (file, limits) = (arguments.data.file_name(), arguments.limits());
     refuse_long_outliers(file, &problem, &arguments.data.table.limits)?;
     let fit = while_working("fitting", || fit(&problem));
@@ -57,8 +62,23 @@ pub(crate) fn run(arguments: &OutliersArguments) -> CommandResult {
         TableFormat::Csv => outliers_csv(found.as_ref().ok()),
         TableFormat::Json => outliers_json(&report, &origin, &style),
     };
-    output::write(text, output, &guard)?;
+    let proof = match &arguments.proof {
+        Some(file) => Some((proof(&report, origin.reading, arguments.data.file_name())?, file)),
+        None => None,
+    };
+    let proof = proof.as_ref().map(|(text, file)| (text.as_bytes(), Some(file.as_str())));
+    let parts: Vec<_> = proof.into_iter().chain([(text.as_bytes(), output)]).collect();
+    output::write_together(&parts, &mut guard)?;
     Ok(if found.is_ok() { Exit::Answer } else { Exit::Empty })
+}
+
+fn proof(report: &OutliersReport, reading: Reading, file: Foreign<&str>) -> Result<String, Failure> {
+    outliers_proof(report, reading).map_err(|why| match why {
+        NoOutliersProof::NoText => proof_file::no_text(file),
+        NoOutliersProof::TooMany(most) => {
+            Failure::data(format_args!("{file}: '--proof' would take more than {most} contradictions"))
+        }
+    })
 }
 
 /// Why there is no answer. A number of steps is one that an option can raise.

@@ -1,9 +1,11 @@
 //! `boundfit range`.
 
 use boundfit_estimation::fit;
+use boundfit_exact::{Foreign, Reading};
 use boundfit_questions::LinearRange;
-use boundfit_report::{RangeReport, range_csv, range_document, range_json};
+use boundfit_report::{RangeReport, range_csv, range_document, range_json, range_proof};
 
+use super::proof_file;
 use crate::CommandResult;
 use crate::arguments::{RangeArguments, RangeFormat};
 use crate::exit::{Exit, Failure};
@@ -17,11 +19,13 @@ pub(crate) fn run(arguments: &RangeArguments) -> CommandResult {
     let format = arguments.output.format()?;
     arguments.check_order()?;
     let output = arguments.output.file.output.as_deref();
-    let guard = arguments.output.file.replace.guard([arguments.data.path()]);
+    let mut guard = arguments.output.file.replace.guard([arguments.data.path()]);
     guard.check(output)?;
+    guard.check(arguments.proof.as_deref())?;
+    proof_file::check(arguments.proof.as_deref(), output)?;
     let data = arguments.data.open();
     let origin = data.origin();
-    let problem = data.every_reading(format == RangeFormat::Json)?;
+    let problem = data.every_reading(format == RangeFormat::Json || arguments.proof.is_some())?;
     if problem.measurements.is_of_reductions() {
         let file = arguments.data.file_name();
         return Err(Failure::Usage(format!(
@@ -44,6 +48,22 @@ pub(crate) fn run(arguments: &RangeArguments) -> CommandResult {
         RangeFormat::Json => range_json(&report, &origin, &style),
         RangeFormat::Csv => range_csv(&report),
     };
-    output::write(text, output, &guard)?;
+    let proof = match &arguments.proof {
+        Some(file) => Some((proof(&report, origin.reading, arguments.data.file_name())?, file)),
+        None => None,
+    };
+    let proof = proof.as_ref().map(|(text, file)| (text.as_bytes(), Some(file.as_str())));
+    let parts: Vec<_> = proof.into_iter().chain([(text.as_bytes(), output)]).collect();
+    output::write_together(&parts, &mut guard)?;
     Ok(if range.runs.is_empty() { Exit::Empty } else { Exit::Answer })
+}
+
+/// Runs that a proof may be about, each of which it fits.
+const MOST_PROVED: usize = 1_000;
+
+fn proof(report: &RangeReport, reading: Reading, file: Foreign<&str>) -> Result<String, Failure> {
+    if report.range.runs.len() > MOST_PROVED {
+        return Err(Failure::Usage(format!("'--proof' is about at most {MOST_PROVED} runs")));
+    }
+    range_proof(report, reading).ok_or_else(|| proof_file::no_text(file))
 }

@@ -2,9 +2,13 @@
 
 mod csv;
 mod json;
+#[cfg(feature = "files")]
+mod proof;
 
 pub use csv::outliers_csv;
 pub use json::outliers_json;
+#[cfg(feature = "files")]
+pub use proof::{NoOutliersProof, outliers_proof};
 
 use boundfit_estimation::{Fit, Measurement, Problem, Ties};
 use boundfit_exact::Interval;

@@ -2,10 +2,14 @@
 
 mod csv;
 mod json;
+#[cfg(feature = "files")]
+mod proof;
 
 pub(crate) use csv::exact;
 pub use csv::range_csv;
 pub use json::range_json;
+#[cfg(feature = "files")]
+pub use proof::range_proof;
 
 use boundfit_estimation::{BoundName, Fit, Model, Problem};
 use boundfit_exact::Rational;
