@@ -4,6 +4,7 @@ mod judge;
 mod latex;
 mod models;
 mod octave;
+mod outliers;
 mod polytopes;
 mod predict;
 mod proportion;
