@@ -233,7 +233,7 @@ mod tests {
         let mut reading = |row: usize| {
             let (x, noise) = (next(60) as i64, next(41) as i64 - 20);
             let far = if next(count as u64) < most_outliers { next(300) as i64 - 150 } else { 0 };
-            let epsilon = Rational::from(18 + if row % 2 == 0 { next(3) as i64 } else { 0 });
+            let epsilon = Rational::from(18 + if row.is_multiple_of(2) { next(3) as i64 } else { 0 });
             let regressor = [Rational::from(x), Rational::one()];
             Measurement::around(row, regressor, Rational::from(3 * x + noise + far), epsilon)
         };
