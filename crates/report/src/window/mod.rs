@@ -148,7 +148,7 @@ impl WindowSummary {
             text += &format!("The first empty one is that of rows {first}..{last}\n");
         }
         if moved.is_short {
-            text += &format!("All readings together do not fill a window: the only one has all of them\n");
+            text += "All readings together do not fill a window: the only one has all of them\n";
         } else if moved.left > 0 {
             let readings = counted(moved.left, "reading comes", "readings come");
             text += &format!("{readings} after the last window\n");
