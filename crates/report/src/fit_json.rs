@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use boundfit_estimation::{
-    Central, Family, Fit, FloatEstimate, InverseParameter, LeastSquares, ParameterBound, ParameterInterval,
-    Problem, Ties, least_squares_is_feasible, mending_rows,
+    Central, Family, Fit, FloatEstimate, InverseParameter, LeastSquares, Model, ParameterBound,
+    ParameterInterval, Problem, Ties, least_squares_is_feasible, mending_rows,
 };
 use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::{Measures, Multiplier};
@@ -14,8 +14,8 @@ use serde::Serialize;
 use crate::guarantee::GuaranteeJson;
 use crate::input_json::InputJson;
 use crate::json::{
-    ActiveJson, BoundJson, IntervalJson, RangeJson, RegionJson, TermJson, centroid_json, long_fractions,
-    to_text,
+    ActiveJson, BoundJson, IntervalJson, RangeJson, RegionJson, SlopeJson, SlopesJson, TermJson,
+    centroid_json, long_fractions, to_text,
 };
 use crate::number::Number;
 use crate::origin::Origin;
@@ -26,7 +26,7 @@ use crate::sweep_json::SweepJson;
 pub(crate) const NO_BINARY64: &str = "not computed, since not every reading is kept in memory";
 
 /// The report of a fit, which is serialised as schema `boundfit/fit/1`. A main part that is null (least squares, EUI, PUI,
-/// central, ε_min, minimax, inverse, tightness) has an entry in `reasons`. A family over the error bound becomes the part
+/// central, slopes, ε_min, minimax, inverse, tightness) has an entry in `reasons`. A family over the error bound becomes the part
 /// `sweep`, a guarantee for further readings the part `guarantee`.
 #[derive(Debug, Serialize)]
 pub struct FitJson {
@@ -37,6 +37,7 @@ pub struct FitJson {
     fps: RegionJson<ActiveJson>,
     pui: Option<[IntervalJson; 2]>,
     central: Option<CentralJson>,
+    slopes: Option<SlopesJson>,
     epsilon_min: Option<Number>,
     inverse: Option<BTreeMap<&'static str, InverseJson>>,
     minimax: Option<MinimaxJson>,
@@ -137,6 +138,7 @@ impl FitJson {
             fps,
             pui: pui(fit, style),
             central: central(fit, style),
+            slopes: slopes(problem, fit, style),
             epsilon_min: uniform_minimum(problem, fit).map(|epsilon| style.upper_number(epsilon)),
             inverse: fit.inverse.as_ref().map(|inverse| {
                 let parameters = [("gain", &inverse.gain), ("offset", &inverse.offset)];
@@ -225,6 +227,13 @@ pub(crate) fn central(fit: &Fit, style: &Style) -> Option<CentralJson> {
     fit.central.as_ref().map(|central| central_of(central, style))
 }
 
+/// The lines at the two ends of the PUI of θ1; `None` for an empty set and for two regressors.
+fn slopes(problem: &Problem, fit: &Fit, style: &Style) -> Option<SlopesJson> {
+    let (Model::Line { .. }, Some([pui, _])) = (problem.measurements.model(), &fit.pui) else { return None };
+    let line = |bound| SlopeJson::new(bound, None, |index| fit.fps.name(index), style);
+    Some(SlopesJson { largest: line(&pui.upper), smallest: line(&pui.lower) })
+}
+
 /// A central estimate with its guaranteed error.
 pub(crate) fn central_of(central: &Central, style: &Style) -> CentralJson {
     CentralJson {
@@ -310,6 +319,9 @@ fn reasons(problem: &Problem, fit: &Fit) -> BTreeMap<&'static str, String> {
     }
     if fit.inverse.is_none() {
         reasons.insert("inverse", "the model is not a line".to_owned());
+        reasons.insert("slopes", "the model is not a line".to_owned());
+    } else if region.is_empty() {
+        reasons.insert("slopes", without_fps());
     }
     reasons
 }

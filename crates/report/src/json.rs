@@ -1,6 +1,6 @@
 //! What the JSON documents have in common: numbers, names of half-planes, ends with their proofs, regions.
 
-use boundfit_estimation::{ActiveBounds, BoundName};
+use boundfit_estimation::{ActiveBounds, BoundName, ParameterBound};
 use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::{Direction, Measures, Point, Region, Vertex};
 use boundfit_questions::BoxBound;
@@ -110,6 +110,36 @@ pub(crate) struct BoundJson {
 pub(crate) struct IntervalJson {
     pub(crate) lower: BoundJson,
     pub(crate) upper: BoundJson,
+}
+
+/// The lines at the two ends of the slopes, null where there is no end.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct SlopesJson {
+    pub(crate) largest: Option<SlopeJson>,
+    pub(crate) smallest: Option<SlopeJson>,
+}
+
+/// A line at an end of the slopes, and the bounds that it touches. `side` says in which of several sets it is.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct SlopeJson {
+    theta: [Number; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    side: Option<&'static str>,
+    active: Vec<ActiveJson>,
+}
+
+impl SlopeJson {
+    /// From the end of the interval, with the names of the half-planes; `None` where there is no end.
+    pub(crate) fn new<A: Into<ActiveJson>>(
+        bound: &ParameterBound,
+        side: Option<&'static str>,
+        name: impl Fn(usize) -> A,
+        style: &Style,
+    ) -> Option<Self> {
+        let ParameterBound::Bounded { proof, .. } = bound else { return None };
+        let active = proof.multipliers.iter().map(|own| name(own.index).into()).collect();
+        Some(SlopeJson { theta: style.numbers(&proof.attained_at.coordinates()), side, active })
+    }
 }
 
 /// A corner with the half-planes that meet there. `V` is a coordinate, `A` names a half-plane.

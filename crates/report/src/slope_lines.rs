@@ -1,25 +1,67 @@
 //! The steepest and the shallowest line of a set, in words.
 
-use boundfit_estimation::{Model, ParameterBound, Problem};
+use boundfit_estimation::{BoundName, Fit, Model, ParameterBound, Problem};
 use boundfit_exact::english::list;
 use boundfit_exact::{Foreign, Interval, Rational};
+use boundfit_questions::BoxBound;
 
 use crate::document::{Operator, Text};
 use crate::formula::sum_text;
 use crate::scale::Scale;
 
 /// A line at an end of the PUI of θ1.
-pub(crate) struct SlopeLine<'a> {
+struct SlopeLine<'a> {
     bound: &'a ParameterBound,
-    /// The bounds that it touches, which prove it.
-    names: Vec<String>,
+    /// The readings whose bounds it touches, which prove it.
+    through: Vec<String>,
+    /// The inequalities, not of readings, that end the slopes there.
+    limits: Vec<String>,
 }
 
-/// What the lines at the two ends of the slopes are called, each with whether it is at the upper end.
-pub(crate) fn labels(slopes: &Interval) -> Vec<(&'static str, bool)> {
+/// The lines at both ends of the slopes of a fitted line, each behind what it is called; nothing for an empty set and for two
+/// regressors.
+pub(crate) fn of_fit(problem: &Problem, fit: &Fit, scales: &[Scale; 2]) -> Vec<(Text, Text)> {
+    let (Model::Line { .. }, Some([pui, _])) = (problem.measurements.model(), &fit.pui) else {
+        return Vec::new();
+    };
+    let name = |index: usize| BoxBound::Bound(fit.fps.name(index), None);
+    let line = |is_upper| Some(SlopeLine::new(if is_upper { &pui.upper } else { &pui.lower }, name));
+    lines(&pui.interval(), problem, scales, line)
+}
+
+/// The lines at the ends of these slopes, each behind what it is called. `end` gives the upper or the lower end with the names of
+/// its half-planes.
+pub(crate) fn of_ends<'a, N: Fn(usize) -> BoxBound>(
+    slopes: &Interval,
+    problem: &Problem,
+    scales: &[Scale; 2],
+    end: impl Fn(bool) -> Option<(&'a ParameterBound, N)>,
+) -> Vec<(Text, Text)> {
+    let line = |is_upper| end(is_upper).map(|(bound, name)| SlopeLine::new(bound, name));
+    lines(slopes, problem, scales, line)
+}
+
+fn lines<'a>(
+    slopes: &Interval,
+    problem: &Problem,
+    scales: &[Scale; 2],
+    line: impl Fn(bool) -> Option<SlopeLine<'a>>,
+) -> Vec<(Text, Text)> {
+    let labels = labels(slopes);
+    if labels.is_empty() {
+        return vec![("slope".into(), "any: there are lines as steep as one likes, both ways".into())];
+    }
+    let text = |(label, is_upper): (&str, bool)| Some((label.into(), line(is_upper)?.text(problem, scales)));
+    labels.into_iter().filter_map(text).collect()
+}
+
+/// What the lines at the two ends of the slopes are called, each with whether it is at the upper end; nothing where there is
+/// neither end.
+fn labels(slopes: &Interval) -> Vec<(&'static str, bool)> {
     let zero = Rational::zero();
     let (lower, upper) = (slopes.lower().value(), slopes.upper().value());
     match (lower, upper) {
+        (None, None) => Vec::new(),
         (Some(lower), Some(upper)) if lower == upper => vec![("slope", true)],
         (Some(lower), _) if *lower >= zero => vec![("steepest", true), ("shallowest", false)],
         (_, Some(upper)) if *upper <= zero => vec![("steepest", false), ("shallowest", true)],
@@ -29,20 +71,24 @@ pub(crate) fn labels(slopes: &Interval) -> Vec<(&'static str, bool)> {
 
 impl<'a> SlopeLine<'a> {
     /// From the end of the interval, with the names of the half-planes.
-    pub(crate) fn new(bound: &'a ParameterBound, name: impl Fn(usize) -> String) -> Self {
-        let names = match bound {
-            ParameterBound::Bounded { proof, .. } => {
-                let mut indices: Vec<usize> = proof.multipliers.iter().map(|own| own.index).collect();
-                indices.sort_unstable();
-                indices.into_iter().map(name).collect()
+    fn new(bound: &'a ParameterBound, name: impl Fn(usize) -> BoxBound) -> Self {
+        let mut line = SlopeLine { bound, through: Vec::new(), limits: Vec::new() };
+        let ParameterBound::Bounded { proof, .. } = bound else { return line };
+        let mut names: Vec<BoxBound> = proof.multipliers.iter().map(|own| name(own.index)).collect();
+        names.sort_unstable();
+        for own in names {
+            match own.name() {
+                Some(BoundName::Upper(_) | BoundName::Lower(_)) => line.through.push(own.to_string()),
+                // An equation holds for every line.
+                Some(BoundName::WhereUpper(_) | BoundName::WhereLower(_)) => {}
+                Some(BoundName::Where(_)) | None => line.limits.push(own.to_string()),
             }
-            ParameterBound::Unbounded(_) => Vec::new(),
-        };
-        SlopeLine { bound, names }
+        }
+        line
     }
 
     /// The line, and what it touches.
-    pub(crate) fn text(&self, problem: &Problem, scales: &[Scale; 2]) -> Text {
+    fn text(&self, problem: &Problem, scales: &[Scale; 2]) -> Text {
         let ParameterBound::Bounded { proof, .. } = self.bound else {
             return "none: there are lines as steep as one likes".into();
         };
@@ -60,11 +106,15 @@ impl<'a> SlopeLine<'a> {
         };
         let terms =
             [(theta[0].clone(), size(0), Some(Text::new().given(&x))), (theta[1].clone(), size(1), None)];
-        let line =
-            Text::new().given(measurements.response()).operator(Operator::Equals).then(sum_text(terms));
-        match self.names.is_empty() {
-            true => line,
-            false => line.words(format!(", through {}", list(self.names.iter().cloned()))),
+        // An inequality of the slope alone leaves several lines there.
+        let is_one_of_many = self.through.is_empty() && !measurements.line_form().through_origin;
+        let start = if is_one_of_many { Text::from("such as ") } else { Text::new() };
+        let mut line = start.given(measurements.response()).operator(Operator::Equals).then(sum_text(terms));
+        for (words, names) in [("through", &self.through), ("limited by", &self.limits)] {
+            if !names.is_empty() {
+                line = line.words(format!(", {words} {}", list(names.iter().cloned())));
+            }
         }
+        line
     }
 }

@@ -25,6 +25,10 @@ pub const FIT: &str = r#"{
      "upper": {"value?": "number", "active": [{"row?": "count", "bound": "text", "multiplier": "number"}]}}
   ],
   "central?": {"theta": ["number", "number"], "guaranteed_error": ["number", "number"]},
+  "slopes?": {
+    "largest?": {"theta": ["number", "number"], "active": [{"row?": "count", "bound": "text"}]},
+    "smallest?": {"theta": ["number", "number"], "active": [{"row?": "count", "bound": "text"}]}
+  },
   "epsilon_min?": "number",
   "mended_without?": ["count"],
   "inverse?": {

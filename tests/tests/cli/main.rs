@@ -32,6 +32,7 @@ mod range;
 mod reduce;
 mod replacing;
 mod selection;
+mod slope_lines;
 mod small_inputs;
 mod solutions;
 mod statement_proofs;

@@ -8,12 +8,14 @@ use super::Report;
 use crate::document::{Symbol, Text};
 use crate::fit_json::{NO_BINARY64, NO_WIDTHS};
 use crate::region::measured_point;
+use crate::slope_lines;
 use crate::style::Style;
 
 /// A label, blank where the line goes on with the result above, and the result.
 pub(super) fn lines(report: &Report) -> Vec<(Text, Text)> {
     let (fit, style) = (report.fit, report.style);
     let mut lines: Vec<(Text, Text)> = report.least_error_bound();
+    lines.extend(slope_lines::of_fit(report.problem, fit, &report.theta));
     let region = fit.fps.polyhedron().region();
     let measures = region.measures();
     if let Some(area) = measures.area().filter(|_| !region.is_empty()) {

@@ -9,7 +9,9 @@ use boundfit_questions::{Agreement, LeastFactor, Side, SideSet, XBounds, XErrorF
 use serde::Serialize;
 
 use crate::input_json::InputJson;
-use crate::json::{ActiveJson, BoundJson, IntervalJson, RangeJson, RegionJson, TermJson, to_text};
+use crate::json::{
+    ActiveJson, BoundJson, IntervalJson, RangeJson, RegionJson, SlopeJson, SlopesJson, TermJson, to_text,
+};
 use crate::number::Number;
 use crate::origin::Origin;
 use crate::style::Style;
@@ -45,19 +47,6 @@ struct CentralJson {
     theta: [Number; 2],
     guaranteed_error: [Number; 2],
     in_fps: bool,
-}
-
-#[derive(Serialize)]
-struct SlopesJson {
-    largest: Option<SlopeJson>,
-    smallest: Option<SlopeJson>,
-}
-
-#[derive(Serialize)]
-struct SlopeJson {
-    theta: [Number; 2],
-    side: &'static str,
-    active: Vec<ActiveJson>,
 }
 
 #[derive(Serialize)]
@@ -180,12 +169,8 @@ fn pui(answer: &XErrorFit, style: &Style) -> Option<[IntervalJson; 2]> {
 
 /// The line with the largest or the smallest slope, and the bounds that it touches.
 fn slope(answer: &XErrorFit, is_upper: bool, style: &Style) -> Option<SlopeJson> {
-    let (side, ParameterBound::Bounded { proof, .. }) = answer.end(0, is_upper)? else { return None };
-    Some(SlopeJson {
-        theta: style.numbers(&proof.attained_at.coordinates()),
-        side: side_name(side.side),
-        active: proof.multipliers.iter().map(|own| side.names[own.index].into()).collect(),
-    })
+    let (side, bound) = answer.end(0, is_upper)?;
+    SlopeJson::new(bound, Some(side_name(side.side)), |index| side.names[index], style)
 }
 
 fn factor(least: &LeastFactor, style: &Style) -> FactorJson {

@@ -17,7 +17,7 @@ use crate::formula::products;
 use crate::origin::Origin;
 use crate::region::region_blocks;
 use crate::scale::{Scale, scales};
-use crate::slope_lines::{SlopeLine, labels};
+use crate::slope_lines;
 use crate::style::Style;
 
 pub use json::x_error_json;
@@ -240,13 +240,11 @@ impl<'a> XErrorReport<'a> {
     fn results(&self) -> Vec<(Text, Text)> {
         let mut lines = self.factor();
         if let Some(pui) = self.pui {
-            for (label, is_upper) in labels(&pui[0]) {
-                let line = self.answer.end(0, is_upper).map(|(side, bound)| {
-                    SlopeLine::new(bound, |index| side.names[index].to_string())
-                        .text(self.problem.problem(), &self.theta)
-                });
-                lines.extend(line.map(|line| (label.into(), line)));
-            }
+            let end = |is_upper| {
+                let (side, bound) = self.answer.end(0, is_upper)?;
+                Some((bound, |index: usize| side.names[index]))
+            };
+            lines.extend(slope_lines::of_ends(&pui[0], self.problem.problem(), &self.theta, end));
         }
         if let Some(central) = &self.answer.central
             && !self.answer.contains(&central.theta)
