@@ -258,7 +258,17 @@ fn ranges(range: &Value) -> Vec<[Option<Rational>; 2]> {
 
 #[test]
 fn what_is_null_has_a_reason() {
-    let parts = ["least_squares", "eui", "pui", "central", "epsilon_min", "inverse", "minimax", "tightness"];
+    let parts = [
+        "least_squares",
+        "eui",
+        "pui",
+        "central",
+        "slopes",
+        "epsilon_min",
+        "inverse",
+        "minimax",
+        "tightness",
+    ];
     for_each_fit(|_, report| {
         let reasons = report["reasons"].as_object().unwrap();
         let null: BTreeSet<&str> = parts.into_iter().filter(|part| report[part].is_null()).collect();
