@@ -43,16 +43,16 @@ pub(super) const NOTES: Notes = Notes {
             "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --confidence 0.99",
         ),
         (
-            "Errors in x as well: lines that meet every box U +- 0.15, I +- 1.5",
-            "boundfit fit current.csv --x U --y I --eps 1.5 --x-eps 0.15",
+            "Errors in x as well: lines that meet every box U +- 0.2, I +- 2",
+            "boundfit fit current.csv --x U --y I --eps 2 --x-eps 0.2",
         ),
         (
             "Every sensor of a fleet on its own, one line each (--format json or csv for programs)",
             "boundfit fit fleet.csv --by sensor --x V --y level --eps 0.03",
         ),
         (
-            "The last 100 readings, each time 10 more have come",
-            "boundfit fit clock.csv --x t --y offset --eps 2e-6 --window 100 --step 10",
+            "The last 10 readings, each time 5 more have come",
+            "boundfit fit transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --window 10 --step 5",
         ),
     ],
     statuses: &[
