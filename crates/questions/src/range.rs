@@ -6,7 +6,7 @@
 
 use boundfit_estimation::{Model, Problem};
 
-use crate::window::{Contradiction, Window};
+use crate::window::{Contradiction, Refusal, Window};
 
 /// In which order runs are taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -74,7 +74,7 @@ impl LinearRange {
     ///
     /// Exact. Cost: O(N log N) for sorting; every reading enters and leaves a [`Window`] once, and whether a next reading
     /// fits is decided at once where a known line agrees with it, else in O(log² h) for h half-planes that are not
-    /// superfluous. (O'Rourke, "An on-line algorithm for fitting straight lines between data ranges", Communications of
+    /// superfluous; where it does not, all readings up to the oldest one that contradicts it leave at once. (O'Rourke, "An on-line algorithm for fitting straight lines between data ranges", Communications of
     /// the ACM 24, 1981, finds one run in linear time; here the earliest reading leaves, too.)
     pub fn of(problem: &Problem, order: Order) -> Self {
         let rows = problem.measurements.kept();
@@ -84,7 +84,8 @@ impl LinearRange {
         let (mut first, mut before) = (0, None);
         for (next, &position) in positions.iter().enumerate() {
             let mut is_told = false;
-            while let Err(contradiction) = window.push_if_feasible(rows[position].clone()) {
+            while let Err(refusal) = window.push_or_refuse(rows[position].clone()) {
+                let Refusal { contradiction, oldest } = refusal;
                 if window.is_empty() {
                     alone.push((next, contradiction.clone()));
                     (first, before) = (next + 1, Some(contradiction));
@@ -95,8 +96,10 @@ impl LinearRange {
                     runs.push(Run { first, last: next - 1, before: before.take(), after });
                     is_told = true;
                 }
-                window.pop();
-                (first, before) = (first + 1, Some(contradiction));
+                // Until the oldest reading that contradicts has left, too, the next one does not come in.
+                let leaving = window.len().min(oldest + 1);
+                (0..leaving).for_each(|_| drop(window.pop()));
+                (first, before) = (first + leaving, Some(contradiction));
             }
         }
         if !window.is_empty() {

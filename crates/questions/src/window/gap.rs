@@ -59,7 +59,11 @@ impl Gap {
         let found = both.search(Goal::Gap);
         let (theta1, has_least) = lowest(both, &found, &left, &right);
         let bound = |side: Side| {
-            let own = both.bound_at(side, &theta1)?;
+            let own = match (&found.place, side) {
+                (Some(_), Side::Lower) => both.tightest_at(side, &found.lower, &theta1),
+                (Some(_), Side::Upper) => both.tightest_at(side, &found.upper, &theta1),
+                (None, _) => both.bound_at(side, &theta1),
+            }?;
             Rational::new(
                 own.b() * &theta1.denominator - own.a1() * &theta1.numerator,
                 own.a2() * &theta1.denominator,

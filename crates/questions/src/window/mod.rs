@@ -19,7 +19,7 @@ use boundfit_estimation::{
 };
 use boundfit_exact::Rational;
 use boundfit_geometry::predicates::{Side as Where, side};
-use boundfit_geometry::{Point, Polyhedron, RegionKind, System};
+use boundfit_geometry::{Inequality, Point, Polyhedron, RegionKind, System};
 
 use gap::Gap;
 pub use moving::{Extent, Moved, Moving, Turn};
@@ -61,6 +61,15 @@ pub struct WindowFit {
     pub system: System,
     /// Their names.
     pub names: Vec<BoundName>,
+}
+
+/// Why a reading does not come to a window.
+#[derive(Debug)]
+pub(crate) struct Refusal {
+    pub(crate) contradiction: Contradiction,
+    /// The position of the oldest reading of the contradiction, that of the refused one if it needs no other: as long as this
+    /// reading is in the window, the refused one does not come in.
+    pub(crate) oldest: usize,
 }
 
 /// The irredundant half-planes of a window with the set that they bound.
@@ -151,6 +160,11 @@ impl Window {
     /// # Errors
     /// The contradiction.
     pub fn push_if_feasible(&mut self, reading: Measurement) -> Result<(), Contradiction> {
+        self.push_or_refuse(reading).map_err(|refusal| refusal.contradiction)
+    }
+
+    /// As [`Window::push_if_feasible`], and tells how long the contradiction stays.
+    pub(crate) fn push_or_refuse(&mut self, reading: Measurement) -> Result<(), Refusal> {
         let notes = self.add(reading);
         self.keep_witness();
         if self.witness.is_some() {
@@ -161,14 +175,14 @@ impl Window {
             self.witness = Some(point);
             return Ok(());
         }
-        let contradiction = self.contradiction_at(&gap);
+        let refusal = self.refusal_at(&gap);
         for undo in notes.into_iter().rev().flatten() {
             self.newer.undo(undo);
         }
         self.store.pop_newest();
         self.forget_newest_epsilon();
-        match contradiction {
-            Some(contradiction) => Err(contradiction),
+        match refusal {
+            Some(refusal) => Err(refusal),
             // Not reached: a gap without a point is a contradiction.
             None => Ok(()),
         }
@@ -256,18 +270,32 @@ impl Window {
     }
 
     fn contradiction_at(&self, gap: &Gap) -> Option<Contradiction> {
-        let WindowSet { polyhedron, names } = self.set_of(gap.ids());
-        contradiction_of(&polyhedron, &names)
+        self.refusal_at(gap).map(|refusal| refusal.contradiction)
+    }
+
+    fn refusal_at(&self, gap: &Gap) -> Option<Refusal> {
+        let named = self.named(gap.ids());
+        let ids: Vec<(Id, BoundName)> = named.iter().map(|(id, (name, _))| (*id, *name)).collect();
+        let WindowSet { polyhedron, names } = set_of_named(named);
+        let contradiction = contradiction_of(&polyhedron, &names)?;
+        let is_in = |name: &BoundName| contradiction.terms.iter().any(|(own, _)| own == name);
+        let positions = ids.iter().filter(|(_, name)| is_in(name)).map(|(id, _)| self.store.position(*id));
+        let oldest = positions.flatten().min().unwrap_or(self.len());
+        Some(Refusal { contradiction, oldest })
     }
 
     /// The set of some half-planes, in the order of their names.
-    fn set_of(&self, mut ids: Vec<Id>) -> WindowSet {
+    fn set_of(&self, ids: Vec<Id>) -> WindowSet {
+        set_of_named(self.named(ids))
+    }
+
+    /// Some half-planes in the order of their names.
+    fn named(&self, mut ids: Vec<Id>) -> Vec<(Id, (BoundName, Inequality))> {
         ids.sort_unstable();
         ids.dedup();
-        let mut named: Vec<_> = ids.into_iter().filter_map(|id| self.store.named(id)).collect();
-        named.sort_by_key(|(name, _)| *name);
-        let (names, inequalities): (Vec<_>, Vec<_>) = named.into_iter().unzip();
-        WindowSet { polyhedron: Polyhedron::intersect(System::new(inequalities)), names }
+        let mut named: Vec<_> = ids.into_iter().filter_map(|id| Some((id, self.store.named(id)?))).collect();
+        named.sort_by_key(|(_, (name, _))| *name);
+        named
     }
 
     /// Adds a reading, and tells what changed.
@@ -332,6 +360,11 @@ impl Window {
             }
         }
     }
+}
+
+fn set_of_named(named: Vec<(Id, (BoundName, Inequality))>) -> WindowSet {
+    let (names, inequalities): (Vec<_>, Vec<_>) = named.into_iter().map(|(_, own)| own).unzip();
+    WindowSet { polyhedron: Polyhedron::intersect(System::new(inequalities)), names }
 }
 
 /// Why a set is empty, by name.

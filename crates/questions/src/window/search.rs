@@ -52,7 +52,7 @@ pub(super) struct Found {
     pub(super) lower: Vec<Id>,
     /// Those that bound it from above.
     pub(super) upper: Vec<Id>,
-    /// θ1 of the answer, where a corner of a chain has it.
+    /// θ1 of the answer, where a corner of a chain has it, or two chains of one side meet there.
     pub(super) place: Option<Place>,
     /// Else what it is right of, and left of.
     pub(super) between: [Option<Place>; 2],
@@ -63,6 +63,9 @@ type Active<'a> = Option<[&'a HalfPlane; 2]>;
 
 /// The positions of a chain at which the answer may lie, first and last.
 type Range = Option<[usize; 2]>;
+
+/// The chains: a side and a part of each.
+const CHAINS: [(Side, usize); 4] = [(Side::Lower, 0), (Side::Lower, 1), (Side::Upper, 0), (Side::Upper, 1)];
 
 impl<'a> Both<'a> {
     pub(super) fn chain(&self, side: Side, part: usize) -> &'a Chain {
@@ -80,8 +83,6 @@ impl<'a> Both<'a> {
 
     /// Narrows every chain down to what has the answer. Cost: a squared logarithm of comparisons.
     pub(super) fn search(&self, goal: Goal) -> Found {
-        const CHAINS: [(Side, usize); 4] =
-            [(Side::Lower, 0), (Side::Lower, 1), (Side::Upper, 0), (Side::Upper, 1)];
         let whole = |(side, part): (Side, usize)| {
             let last = self.chain(side, part).ids().len().checked_sub(1)?;
             Some([0, last])
@@ -119,6 +120,9 @@ impl<'a> Both<'a> {
                 }
             }
         }
+        if goal == Goal::Gap && found.place.is_none() {
+            found.place = self.meeting(&ranges);
+        }
         for (&(side, part), range) in CHAINS.iter().zip(ranges) {
             let own = range.map_or(&[][..], |[first, last]| &self.chain(side, part).ids()[first..=last]);
             match side {
@@ -127,6 +131,18 @@ impl<'a> Both<'a> {
             }
         }
         found
+    }
+
+    /// Where the chains of one side meet, if L - U is least there: one half-plane of each chain is left.
+    fn meeting(&self, ranges: &[Range; 4]) -> Option<Place> {
+        let only = |index: usize| {
+            let (side, part) = CHAINS[index];
+            self.store.half_plane(self.chain(side, part).ids()[ranges[index]?[0]])
+        };
+        [[0, 1], [2, 3]].into_iter().find_map(|[older, newer]| {
+            let place = place_of(only(older)?, only(newer)?)?;
+            (self.way(Goal::Gap, &place, ranges) == Way::Here).then_some(place)
+        })
     }
 
     /// Where the answer lies from a place, around which the chains are at these positions.
@@ -183,6 +199,15 @@ impl<'a> Both<'a> {
         })
     }
 
+    /// What of these half-planes of a side bounds θ2 at a place.
+    pub(super) fn tightest_at(&self, side: Side, ids: &[Id], place: &Place) -> Option<&'a HalfPlane> {
+        let own = ids.iter().filter_map(|&id| self.store.half_plane(id));
+        match side {
+            Side::Lower => own.max_by(|f, g| compare_at(f, g, place)),
+            Side::Upper => own.min_by(|f, g| compare_at(f, g, place)),
+        }
+    }
+
     /// What bounds θ2 from a side at a place.
     pub(super) fn bound_at(&self, side: Side, place: &Place) -> Option<&'a HalfPlane> {
         let around = [0, 1].map(|part| {
@@ -191,6 +216,17 @@ impl<'a> Both<'a> {
         });
         self.active(side, around, place).map(|[left, _]| left)
     }
+}
+
+/// Where the boundaries of two half-planes meet, unless they are parallel.
+fn place_of(f: &HalfPlane, g: &HalfPlane) -> Option<Place> {
+    let (f, g) = match normal_turn(f, g) {
+        Turn::Left => (f, g),
+        Turn::Right => (g, f),
+        Turn::None | Turn::Half => return None,
+    };
+    let numerator = f.b() * g.a2() - g.b() * f.a2();
+    Some(Place { numerator, denominator: f.a1() * g.a2() - f.a2() * g.a1() })
 }
 
 /// Where the answer lies from a place between the walls.

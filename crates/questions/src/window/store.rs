@@ -71,6 +71,12 @@ impl Store {
         (first..).take(count).map(Id)
     }
 
+    /// The position of the reading with the bound of a number; `None` for conditions and for a reading that is gone.
+    pub(super) fn position(&self, Id(id): Id) -> Option<usize> {
+        let bound = id.checked_sub(self.conditions.len() as u64)?;
+        Some((bound / 2).checked_sub(self.gone)? as usize)
+    }
+
     /// What a number says; `None` for a reading that is gone.
     pub(super) fn constraint(&self, Id(id): Id) -> Option<&Constraint> {
         match id.checked_sub(self.conditions.len() as u64) {
