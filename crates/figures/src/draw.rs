@@ -3,7 +3,7 @@
 use boundfit_estimation::{Fit, Problem};
 use boundfit_exact::{Foreign, Rational};
 use boundfit_geometry::Polyhedron;
-use boundfit_questions::{OutlierLimits, Outliers};
+use boundfit_questions::{OutlierLimits, Outliers, XErrorFit, XErrorProblem};
 
 use crate::drawing::Drawing;
 use crate::figure::{Figure, PlotOptions};
@@ -50,6 +50,36 @@ pub fn draw_outliers(
     options: &PlotOptions,
 ) -> Result<Picture, FigureError> {
     let mut drawing = parameter_plane::outliers(problem, outliers, options);
+    titled(&mut drawing, options);
+    render::render(&drawing)
+}
+
+/// Draws readings with errors in x as boxes, with the steepest and the shallowest line that agree with all of them; of many readings
+/// some, evenly spread, and those that fix the lines. Cost: linear in the readings.
+///
+/// # Errors
+/// Only when a library underneath fails.
+pub fn draw_boxes(
+    problem: &XErrorProblem,
+    answer: &XErrorFit,
+    options: &PlotOptions,
+) -> Result<Picture, FigureError> {
+    let mut drawing = data_plane::boxes(problem, answer, options);
+    titled(&mut drawing, options);
+    render::render(&drawing)
+}
+
+/// Draws the parameters of the lines that agree under errors in x: at most two convex sets, or of none the readings that contradict
+/// each other. Cost: linear in the vertices, and of none in the readings.
+///
+/// # Errors
+/// Only when a library underneath fails.
+pub fn draw_x_errors(
+    problem: &XErrorProblem,
+    answer: &XErrorFit,
+    options: &PlotOptions,
+) -> Result<Picture, FigureError> {
+    let mut drawing = parameter_plane::x_errors(problem, answer, options);
     titled(&mut drawing, options);
     render::render(&drawing)
 }

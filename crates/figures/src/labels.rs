@@ -160,8 +160,13 @@ impl Conflict {
     /// What contradicts each other; nothing when the set is not empty.
     pub(crate) fn of(problem: &Problem, fit: &Fit) -> Self {
         let contradiction = fit.contradiction(problem.measurements.error_bound()).unwrap_or_default();
+        Conflict::among(contradiction.into_iter().map(|(bound, _)| bound))
+    }
+
+    /// Of these bounds.
+    pub(crate) fn among(bounds: impl Iterator<Item = BoundName>) -> Self {
         let mut conflict = Conflict::default();
-        for (bound, _) in contradiction {
+        for bound in bounds {
             conflict.bounds.push(bound);
             conflict.rows.extend(bound.row());
             conflict.conditions.extend(bound.condition());
@@ -184,9 +189,14 @@ impl Conflict {
 
     /// A sentence about who contradicts whom.
     pub(crate) fn sentence(&self) -> String {
+        sentence(&self.claim())
+    }
+
+    /// The sentence as the end of another one.
+    pub(crate) fn claim(&self) -> String {
         let one = self.rows.len() + self.conditions.len() == 1;
-        let names = sentence(&self.names());
-        if one { format!("{names} cannot be met.") } else { format!("{names} contradict each other.") }
+        let verb = if one { "cannot be met" } else { "contradict each other" };
+        format!("{} {verb}.", self.names())
     }
 }
 

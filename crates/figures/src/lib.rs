@@ -39,8 +39,9 @@ mod render;
 mod samples;
 mod status;
 mod text;
+mod x_errors;
 
-pub use draw::{draw, draw_outliers, draw_program};
+pub use draw::{draw, draw_boxes, draw_outliers, draw_program, draw_x_errors};
 pub use figure::{Figure, PlotOptions};
 pub use linearity::{LinearityLabels, draw_linearity};
 pub use picture::{FigureError, Picture, PictureFormat};

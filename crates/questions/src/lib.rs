@@ -23,5 +23,5 @@ pub use status::{
 pub use window::{Contradiction, Extent, Moved, Moving, Turn, Window, WindowFit, WindowSet};
 pub use x_errors::{
     Agreement, BoxBound, Corner, Demand, LeastFactor, NoLeastFactor, NoXErrors, Side, SideSet, SlopeDemand,
-    XBounds, XErrorFit, XErrorProblem,
+    SlopeEnd, XBounds, XErrorFit, XErrorProblem,
 };

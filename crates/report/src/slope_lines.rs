@@ -2,8 +2,8 @@
 
 use boundfit_estimation::{BoundName, Fit, Model, ParameterBound, Problem};
 use boundfit_exact::english::list;
-use boundfit_exact::{Foreign, Interval, Rational};
-use boundfit_questions::BoxBound;
+use boundfit_exact::{Foreign, Interval};
+use boundfit_questions::{BoxBound, SlopeEnd};
 
 use crate::document::{Operator, Text};
 use crate::formula::sum_text;
@@ -47,25 +47,23 @@ fn lines<'a>(
     scales: &[Scale; 2],
     line: impl Fn(bool) -> Option<SlopeLine<'a>>,
 ) -> Vec<(Text, Text)> {
-    let labels = labels(slopes);
-    if labels.is_empty() {
+    let ends = SlopeEnd::of(slopes);
+    if ends.is_empty() {
         return vec![("slope".into(), "any: there are lines as steep as one likes, both ways".into())];
     }
-    let text = |(label, is_upper): (&str, bool)| Some((label.into(), line(is_upper)?.text(problem, scales)));
-    labels.into_iter().filter_map(text).collect()
+    let text =
+        |(end, is_upper): (SlopeEnd, bool)| Some((label(end).into(), line(is_upper)?.text(problem, scales)));
+    ends.into_iter().filter_map(text).collect()
 }
 
-/// What the lines at the two ends of the slopes are called, each with whether it is at the upper end; nothing where there is
-/// neither end.
-fn labels(slopes: &Interval) -> Vec<(&'static str, bool)> {
-    let zero = Rational::zero();
-    let (lower, upper) = (slopes.lower().value(), slopes.upper().value());
-    match (lower, upper) {
-        (None, None) => Vec::new(),
-        (Some(lower), Some(upper)) if lower == upper => vec![("slope", true)],
-        (Some(lower), _) if *lower >= zero => vec![("steepest", true), ("shallowest", false)],
-        (_, Some(upper)) if *upper <= zero => vec![("steepest", false), ("shallowest", true)],
-        _ => vec![("rises most", true), ("falls most", false)],
+/// What the line at an end of the slopes is called.
+fn label(end: SlopeEnd) -> &'static str {
+    match end {
+        SlopeEnd::Steepest => "steepest",
+        SlopeEnd::Shallowest => "shallowest",
+        SlopeEnd::Only => "slope",
+        SlopeEnd::RisesMost => "rises most",
+        SlopeEnd::FallsMost => "falls most",
     }
 }
 

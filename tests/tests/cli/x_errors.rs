@@ -1,4 +1,4 @@
-//! `fit --x-eps`: the example of the page in every format, proofs that verify, refusals.
+//! `fit --x-eps`: the example of the page in every format, proofs that verify, refusals; `plot --x-eps`.
 
 use boundfit_tests::cli::{boundfit, directory_with};
 use boundfit_tests::program::Run;
@@ -178,4 +178,97 @@ fn what_errors_in_x_do_not_go_with_is_refused() {
         refused("x,y,d\n0,0,1\n1,0,-2\n", "--x x --y y --eps 1 --x-eps d", 1),
         "data.csv: line 3, column 3 (d): \"-2\": the error bound is negative (expected a number that is at least 0)"
     );
+}
+
+fn plot(table: &str, options: &str) -> Run {
+    let directory = directory_with(&[("data.csv", table.as_bytes())]);
+    boundfit(directory.path(), &format!("plot data.csv {options}"))
+}
+
+#[test]
+fn pictures_say_what_the_report_says() {
+    let vertical = "x,y\n1,0\n1,5\n";
+    let limits = "--where theta1<=2 --where theta1>=-2";
+    let own = "--x U --y I";
+    for (table, options, status, sentences) in [
+        (
+            CURRENT,
+            format!("{own} --eps 1.5 --x-eps 0.15 --figure data"),
+            3,
+            vec![
+                "Rising and level lines: rows 2, 3 and 6 contradict each other.",
+                "a factor of at least 1.2651.",
+            ],
+        ),
+        (CURRENT, format!("{own} --eps 1.5 --x-eps 0.15"), 3, vec!["Falling and level lines: rows 1 and 6"]),
+        (CURRENT, format!("{own} --eps 2 --x-eps 0.2"), 0, vec!["θ₁ from 7.0714 to 7.4616"]),
+        (CURRENT, format!("{own} --eps 30 --x-eps 0.5"), 0, vec!["two convex parts, joined at θ₁ = 0"]),
+        (
+            CURRENT,
+            format!("{own} --eps 9 --x-eps 0.2 --strong"),
+            0,
+            vec!["top and bottom of each box", "to 9;"],
+        ),
+        (vertical, format!("--x x --y y --eps 1 --x-eps 1 {limits}"), 0, vec!["two parts with a gap"]),
+        (
+            vertical,
+            "--x x --y y --eps 1 --x-eps 1 --figure data".to_owned(),
+            0,
+            vec!["as steep as one likes"],
+        ),
+        (vertical, "--x x --y y --eps 1 --x-eps 1 --strong".to_owned(), 3, vec!["of at least 2.5."]),
+        (
+            WITH_BOUNDS,
+            "--x x --y y --eps 0.2 --x-eps-column d --rows 1..2".to_owned(),
+            0,
+            vec!["up to d of its row"],
+        ),
+        (
+            "x,lo,up\n1,0,\n2,,5\n",
+            "--x x --lower lo --upper up --x-eps 1 --figure data".to_owned(),
+            0,
+            vec!["reaches the edge"],
+        ),
+    ] {
+        let run = plot(table, &options);
+        assert_eq!((run.status, run.stderr.as_str()), (status, ""), "{options}");
+        for sentence in sentences {
+            assert!(run.stdout.contains(sentence), "{options}: {}", &run.stdout[..run.stdout.len().min(900)]);
+        }
+    }
+}
+
+#[test]
+fn pictures_of_many_boxes_are_thinned_out() {
+    let table: String = (0..3000).map(|row| format!("{row},{}\n", row + row * 7 % 5)).collect();
+    let table = format!("x,y\n{table}");
+    let run = plot(&table, "--x x --y y --eps 4 --x-eps 1 --figure data --rows 1..1500");
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+    assert!(run.stdout.contains("3000 readings; drawn are some, evenly spread"));
+    assert!(run.stdout.len() < 300_000, "{}", run.stdout.len());
+}
+
+#[test]
+fn pictures_that_there_are_not_with_errors_in_x_are_refused() {
+    let own = "--x U --y I --eps 2 --x-eps 0.2";
+    for figure in ["eui", "pui", "corridor", "directions", "status", "outliers", "range", "all"] {
+        let run = plot(CURRENT, &format!("{own} --figure {figure}"));
+        let expected = format!(
+            "error: '--figure {figure}' is about readings whose x is exact: with errors in x ('--x-eps') draw 'data' or 'fps'"
+        );
+        assert_eq!(
+            (run.status, run.stdout.as_str(), run.stderr.lines().next()),
+            (2, "", Some(expected.as_str()))
+        );
+    }
+    for (options, message) in [
+        ("--x U --y I --eps 2 --strong", "'--strong' is about errors in x"),
+        ("--x U,I --y I --eps 2 --x-eps 1", "'--x-eps' is about a line"),
+        ("--x U --y I --eps min --x-eps 1", "'--eps min' is found as if every x were exact"),
+        ("--x U --y I --eps 1 --x-eps -1", "invalid value '-1' for '--x-eps <NUM|COL>': negative"),
+    ] {
+        let run = plot(CURRENT, options);
+        assert_eq!((run.status, run.stdout.as_str()), (2, ""), "{options}");
+        assert!(run.stderr.starts_with(&format!("error: {message}")), "{options}: {}", run.stderr);
+    }
 }

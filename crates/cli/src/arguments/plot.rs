@@ -6,7 +6,7 @@ use clap::{Args, value_parser};
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::values::{explained, named};
-use super::{DataArguments, LabelArguments, ReplaceArguments};
+use super::{DataArguments, LabelArguments, ReplaceArguments, XErrorArguments};
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -19,6 +19,10 @@ pub(super) const NOTES: Notes = Notes {
             "All figures into a folder, with units on the axes",
             "boundfit plot transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 --x-unit V --y-unit m \\\n\
              \x20 --figure all --format png -o figures",
+        ),
+        (
+            "Errors in x as well: readings as boxes, with the steepest and the shallowest line",
+            "boundfit plot current.csv --x U --y I --eps 2 --x-eps 0.2 --figure data -o boxes.svg",
         ),
     ],
     statuses: &[
@@ -36,12 +40,16 @@ pub(super) const NOTES: Notes = Notes {
 /// cover, inside the one of the PUI box). Figures of the parameter plane: fps (the feasible parameter set with its
 /// boxes and estimates), directions (the hull of the optimisers of linear programs and the polygon of their supporting
 /// half-planes, beside the set), outliers (what is left without the fewest readings that have to be left out). And
-/// status: how each reading stands to the set of the others, its residual across and its leverage up.
+/// status: how each reading stands to the set of the others, its residual across and its leverage up. With errors in x
+/// (--x-eps) data shows the readings as boxes with the steepest and the shallowest line that agree with all of them, and
+/// fps the sets of these lines, one for each sign of the slope; there are no other figures then.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
 pub(crate) struct PlotArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
+    #[command(flatten)]
+    pub(crate) x_errors: XErrorArguments,
     /// What to draw
     #[arg(long, default_value = Figure::Fps.name(), value_parser = explained(Figures::named()))]
     pub(crate) figure: Figures,

@@ -4,14 +4,16 @@ use std::io::{self, IsTerminal};
 use std::path::Path;
 
 use boundfit_estimation::{Problem, fit};
-use boundfit_figures::{Figure, PictureFormat, PlotOptions, draw, draw_outliers};
-use boundfit_questions::{NoOutliers, OutlierLimits, Outliers};
+use boundfit_figures::{
+    Figure, FigureError, Picture, PictureFormat, PlotOptions, draw, draw_boxes, draw_outliers, draw_x_errors,
+};
+use boundfit_questions::{NoOutliers, OutlierLimits, Outliers, XErrorFit, XErrorProblem};
 
 use crate::CommandResult;
 use crate::arguments::{Figures, PlotArguments, ending};
 use crate::commands::outliers::refusal;
 use crate::exit::{Exit, Failure};
-use crate::output::{self, Output};
+use crate::output::{self, Guard, Output};
 use crate::progress::while_working;
 use crate::work::{refuse_long_outliers, refuse_long_problem, times};
 
@@ -25,12 +27,19 @@ enum Destination<'a> {
 
 /// Reads the data, fits, draws every picture that is asked for, and then writes them.
 pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
+    let draw_x_errors = match arguments.x_errors.are_asked()? {
+        true => Some(x_error_figure(arguments.figure)?),
+        false => None,
+    };
     let (destination, format) = destination(arguments)?;
     let name = |figure: Figure| format!("{}.{}", figure.name(), format.name());
     let guard = arguments.replace.guard([arguments.data.path()]);
     match destination {
         Destination::One(_, file) => guard.check(file)?,
         Destination::All(folder) => guard.check_all(folder, Figure::OF_FIT.map(name))?,
+    }
+    if let (Some(draw), Destination::One(_, file)) = (draw_x_errors, &destination) {
+        return run_with_x_errors(arguments, draw, format, *file, &guard);
     }
     let problem = arguments.data.open().shown_problem()?;
     let limits = &arguments.data.table.limits;
@@ -73,6 +82,38 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
         }
     }
     Ok(if fit.is_empty() && !is_of_runs { Exit::Empty } else { Exit::Answer })
+}
+
+/// What draws a figure of errors in x.
+type DrawXErrors = fn(&XErrorProblem, &XErrorFit, &PlotOptions) -> Result<Picture, FigureError>;
+
+/// What draws this figure with errors in x.
+fn x_error_figure(figures: Figures) -> Result<DrawXErrors, Failure> {
+    let name = match figures {
+        Figures::One(Figure::Data) => return Ok(draw_boxes),
+        Figures::One(Figure::Fps) => return Ok(draw_x_errors),
+        Figures::One(other) => other.name(),
+        Figures::All => "all",
+    };
+    Err(Failure::Usage(format!(
+        "'--figure {name}' is about readings whose x is exact: with errors in x ('--x-eps') draw 'data' or 'fps'"
+    )))
+}
+
+/// Reads the data with errors in x, fits and draws.
+fn run_with_x_errors(
+    arguments: &PlotArguments,
+    draw: DrawXErrors,
+    format: PictureFormat,
+    file: Option<&str>,
+    guard: &Guard,
+) -> CommandResult {
+    let problem = arguments.data.open().x_error_problem(&arguments.x_errors, true)?;
+    let answer = while_working("fitting", || problem.fit());
+    let options = options(arguments, problem.problem());
+    let picture = while_working("drawing", || draw(&problem, &answer, &options)).map_err(Failure::data)?;
+    output::write(picture.encoded(format).map_err(Failure::data)?, file, guard)?;
+    Ok(if answer.is_empty() { Exit::Empty } else { Exit::Answer })
 }
 
 fn options(arguments: &PlotArguments, problem: &Problem) -> PlotOptions {

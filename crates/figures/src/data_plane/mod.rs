@@ -2,6 +2,7 @@
 //! an error bound that is small against the range of the readings can still be seen.
 
 mod bands;
+mod boxes;
 mod readings;
 mod runs;
 mod sample;
@@ -17,6 +18,7 @@ use crate::labels::{self, Conflict};
 use crate::palette::{Dash, FAINT_INK, Stroke, style};
 use crate::render::{BOTTOM_LABELS, LEFT_LABELS, WIDTH};
 use bands::Bands;
+pub(crate) use boxes::boxes;
 pub(crate) use runs::runs;
 use scene::{MOST_MARKS, Reference, Scene};
 use view::View;

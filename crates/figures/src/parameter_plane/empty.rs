@@ -24,12 +24,12 @@ struct Allowed {
 }
 
 /// Opacity of what a reading allows.
-const FILL: f64 = 0.22;
+pub(super) const FILL: f64 = 0.22;
 /// Width of the bounds that contradict each other.
-const THICK: f64 = 2.2;
+pub(super) const THICK: f64 = 2.2;
 
 /// Fill and edge of what is allowed by the first, second and third.
-const STYLES: [(Colour, Colour, Dash); 3] =
+pub(super) const STYLES: [(Colour, Colour, Dash); 3] =
     [(ORANGE, ORANGE, Dash::Solid), (SKY, BLUE, Dash::Long), (PURPLE, GREEN, Dash::Short)];
 
 /// The figure.
@@ -106,7 +106,7 @@ fn allowed(problem: &Problem, bound: BoundName) -> Option<Allowed> {
 }
 
 /// Where two of the contradicting bounds meet each other.
-fn corners(lines: &[&HalfPlane]) -> Vec<[Rational; 2]> {
+pub(super) fn corners(lines: &[&HalfPlane]) -> Vec<[Rational; 2]> {
     let pairs = lines
         .iter()
         .enumerate()
@@ -114,12 +114,18 @@ fn corners(lines: &[&HalfPlane]) -> Vec<[Rational; 2]> {
     pairs.filter_map(|(f, g)| Some(meet(f, g)?.coordinates())).collect()
 }
 
+/// A window around the triangle between contradicting bounds, if they make one.
+pub(super) fn triangle(corners: &[[Rational; 2]]) -> Option<Window> {
+    let around = Window::around(corners);
+    let is_one = corners.len() > 2 && around.0.iter().all(|[lower, upper]| lower < upper);
+    is_one.then(|| around.padded(&Rational::ratio(3, 5)))
+}
+
 /// The triangle between the contradicting bounds; for parallel ones, the gap between them.
 fn window(fit: &Fit, lines: &[&HalfPlane]) -> Window {
     let corners = corners(lines);
-    let around = Window::around(&corners);
-    if corners.len() > 2 && around.0.iter().all(|[lower, upper]| lower < upper) {
-        return around.padded(&Rational::ratio(3, 5));
+    if let Some(triangle) = triangle(&corners) {
+        return triangle;
     }
     let minimax = || fit.minimax.as_ref().map(|minimax| minimax.theta.clone());
     let between = || match lines {

@@ -47,7 +47,8 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
         panels.push(side);
         legend.push(LegendEntry::new(Swatch::area(style::EUI_FILL, style::EUI_EDGE), "EUI box"));
     }
-    let mut notes: Vec<String> = pui_note(fit, &names).into_iter().collect();
+    let mut notes: Vec<String> =
+        fit.pui_intervals().and_then(|intervals| pui_note(&intervals, &names)).into_iter().collect();
     if let Some(sliver) = sliver {
         panels.push(thin(&sliver, fit, &estimates, panels.len() - 1));
         notes.push(Sliver::note("the set"));
@@ -153,7 +154,7 @@ fn thin(sliver: &Sliver, fit: &Fit, estimates: &[Estimate], index: usize) -> Pan
 }
 
 /// The kind of a set in words: `polygon with 6 vertices`.
-fn kind(region: &Region) -> String {
+pub(super) fn kind(region: &Region) -> String {
     let name = region.kind().name();
     match region.kind() {
         RegionKind::Polygon | RegionKind::UnboundedPolygon => {
@@ -171,8 +172,7 @@ fn kind(region: &Region) -> String {
 const DIGITS: usize = 5;
 
 /// The parameter uncertainty intervals in words; nothing when they are unbounded on all sides.
-fn pui_note(fit: &Fit, names: &[String; 2]) -> Option<String> {
-    let intervals = fit.pui_intervals()?;
+pub(super) fn pui_note(intervals: &[Interval; 2], names: &[String; 2]) -> Option<String> {
     let ends = || {
         intervals.iter().flat_map(|interval| [interval.lower(), interval.upper()]).filter_map(Endpoint::value)
     };

@@ -5,6 +5,7 @@ use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::Region;
 
 use super::region::{at, direction, places};
+use super::sliver::Sliver;
 use crate::clip::{self, Place};
 use crate::drawing::{Anchor, LegendEntry, Panel, Swatch};
 use crate::labels;
@@ -141,6 +142,23 @@ fn neighbours_together(vertices: &[Place]) -> Vec<Vec<usize>> {
         }
     }
     groups
+}
+
+/// A panel of a thin set in its principal axes, its vertices numbered.
+pub(crate) fn thin<'a>(sliver: &Sliver, regions: impl Iterator<Item = &'a Region>) -> Panel {
+    let mut panel = sliver.panel(0);
+    let vertices = regions.flat_map(Region::vertices);
+    let outline: Vec<_> =
+        vertices.filter_map(|vertex| sliver.place(&panel, &vertex.point().coordinates())).collect();
+    panel.area(&outline, style::SET_FILL);
+    panel.outline(&outline, style::SET_EDGE);
+    for at in &outline {
+        panel.mark(*at, style::VERTEX);
+    }
+    if outline.len() <= MOST_NUMBERED {
+        draw_numbers(&mut panel, &outline, [None, None]);
+    }
+    panel
 }
 
 /// Which estimates are on none of the panels, in words.

@@ -12,8 +12,10 @@ mod sliver;
 #[cfg(test)]
 mod tests;
 mod view;
+mod x_errors;
 
 pub(crate) use directions::drawing as directions;
 pub(crate) use fps::drawing as fps;
 pub(crate) use outliers::drawing as outliers;
 pub(crate) use program::drawing as program;
+pub(crate) use x_errors::drawing as x_errors;

@@ -1,15 +1,13 @@
 //! What is left without outliers: as many convex sets as there are ways to leave so few readings out.
 
 use boundfit_estimation::{Problem, half_planes};
-use boundfit_exact::Rational;
 use boundfit_exact::english::{counted, ranges};
-use boundfit_geometry::{Constraint, HalfPlane, Region};
+use boundfit_geometry::{Constraint, HalfPlane};
 use boundfit_questions::{Outliers, Piece};
 
 use super::layout::{finished, main_frame, panel};
 use super::sliver::Sliver;
-use super::view::{self, Window};
-use super::{marks, region};
+use super::{marks, region, view};
 use crate::drawing::{Anchor, Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
@@ -36,8 +34,11 @@ pub(crate) fn drawing(problem: &Problem, outliers: &Outliers, options: &PlotOpti
         [only] => Sliver::of(only.left.polyhedron().region()),
         _ => None,
     };
-    let mut main =
-        panel(main_frame(usize::from(sliver.is_some())), &window(regions(), pieces.len() > 1), &names);
+    let mut main = panel(
+        main_frame(usize::from(sliver.is_some())),
+        &view::of_regions(regions(), pieces.len() > 1),
+        &names,
+    );
     let mut legend = vec![LegendEntry::new(Swatch::area(style::SET_FILL, style::SET_EDGE), left(outliers))];
     if bounds_passed(problem, pieces, &mut main) {
         legend.push(LegendEntry::new(Swatch::line(PASSED), "bounds of the readings left out"));
@@ -57,7 +58,7 @@ pub(crate) fn drawing(problem: &Problem, outliers: &Outliers, options: &PlotOpti
     let mut panels = vec![main];
     let mut notes = told(outliers);
     if let Some(sliver) = sliver {
-        panels.push(thin(&sliver, pieces));
+        panels.push(marks::thin(&sliver, regions()));
         notes.push(Sliver::note("the set"));
     }
     if regions().any(|region| !region.is_bounded()) {
@@ -77,18 +78,6 @@ fn left(outliers: &Outliers) -> String {
             format!("parameters that agree with all readings but {least}, by the number of the set")
         }
     }
-}
-
-/// A window around all of the sets.
-fn window<'a>(regions: impl Iterator<Item = &'a Region>, several: bool) -> Window {
-    let windows = regions.map(|region| view::of_region(region, None, &[]));
-    let corners = |window: Window| {
-        let [[left, right], [bottom, top]] = window.0;
-        [[left, bottom], [right, top]]
-    };
-    let corners: Vec<[Rational; 2]> = windows.flat_map(corners).collect();
-    let window = Window::around(&corners);
-    if several { window.padded(&Rational::ratio(1, 20)) } else { window }
 }
 
 /// Draws the bounds of the readings that are left out, where they are few.
@@ -158,21 +147,4 @@ fn told(outliers: &Outliers) -> Vec<String> {
         told.push(format!("And {}{so_far}.", counted(more, "more set", "more sets")));
     }
     told
-}
-
-/// A thin set in its principal axes.
-fn thin(sliver: &Sliver, pieces: &[Piece]) -> Panel {
-    let mut panel = sliver.panel(0);
-    let vertices = pieces.iter().flat_map(|piece| piece.left.polyhedron().region().vertices());
-    let outline: Vec<_> =
-        vertices.filter_map(|vertex| sliver.place(&panel, &vertex.point().coordinates())).collect();
-    panel.area(&outline, style::SET_FILL);
-    panel.outline(&outline, style::SET_EDGE);
-    for at in &outline {
-        panel.mark(*at, style::VERTEX);
-    }
-    if outline.len() <= marks::MOST_NUMBERED {
-        marks::draw_numbers(&mut panel, &outline, [None, None]);
-    }
-    panel
 }

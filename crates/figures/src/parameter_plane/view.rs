@@ -117,6 +117,18 @@ pub(crate) fn of_region(
     window.padded(&Rational::ratio(9, 100))
 }
 
+/// A window that shows sets that are not empty; with some room around several.
+pub(crate) fn of_regions<'a>(regions: impl Iterator<Item = &'a Region>, several: bool) -> Window {
+    let windows = regions.map(|region| of_region(region, None, &[]));
+    let corners = |window: Window| {
+        let [[left, right], [bottom, top]] = window.0;
+        [[left, bottom], [right, top]]
+    };
+    let corners: Vec<[Rational; 2]> = windows.flat_map(corners).collect();
+    let window = Window::around(&corners);
+    if several { window.padded(&Rational::ratio(1, 20)) } else { window }
+}
+
 /// The box of the vertices; where it has no width, another one around it.
 fn bounded(points: &[[Rational; 2]], around: Option<[[Rational; 2]; 2]>) -> Window {
     let window = Window::around(points);

@@ -93,6 +93,21 @@ pub struct SideSet {
     reason: Vec<usize>,
 }
 
+/// What the line at an end of the slopes of a set of lines is among them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum SlopeEnd {
+    /// All slopes have one sign, and its own is the farthest from 0.
+    Steepest,
+    /// All slopes have one sign, and its own is the nearest to 0.
+    Shallowest,
+    /// There is no other slope.
+    Only,
+    /// There are falling lines too, and no line rises more.
+    RisesMost,
+    /// There are rising lines too, and no line falls more.
+    FallsMost,
+}
+
 /// What is known of lines under errors in x.
 #[derive(Debug, Clone)]
 pub struct XErrorFit {
@@ -103,6 +118,25 @@ pub struct XErrorFit {
     pub central: Option<Central>,
     /// The least factor on all bounds that leaves anything.
     pub least: Result<LeastFactor, NoLeastFactor>,
+}
+
+impl SlopeEnd {
+    /// What the lines at the two ends of these slopes are, each with whether it is at the upper end; nothing where there is neither
+    /// end.
+    pub fn of(slopes: &Interval) -> Vec<(SlopeEnd, bool)> {
+        let zero = Rational::zero();
+        match (slopes.lower().value(), slopes.upper().value()) {
+            (None, None) => Vec::new(),
+            (Some(lower), Some(upper)) if lower == upper => vec![(SlopeEnd::Only, true)],
+            (Some(lower), _) if *lower >= zero => {
+                vec![(SlopeEnd::Steepest, true), (SlopeEnd::Shallowest, false)]
+            }
+            (_, Some(upper)) if *upper <= zero => {
+                vec![(SlopeEnd::Steepest, false), (SlopeEnd::Shallowest, true)]
+            }
+            _ => vec![(SlopeEnd::RisesMost, true), (SlopeEnd::FallsMost, false)],
+        }
+    }
 }
 
 impl XBounds {

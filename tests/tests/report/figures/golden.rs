@@ -63,3 +63,11 @@ fn thin_sets_in_principal_axes() {
     check("thin-fps", &hard("ptp-nanoseconds", "0.00000005"), 0);
     check("thin-empty", &hard("parallel-empty", "0.00009588"), 3);
 }
+
+#[test]
+fn boxes_of_errors_in_x_and_their_sets() {
+    let current = "fixtures/worst-line/current.csv --x U --y I";
+    check("x-errors-data", &format!("{current} --eps 2 --x-eps 0.2 --figure data"), 0);
+    check("x-errors-fps", &format!("{current} --eps 30 --x-eps 0.5"), 0);
+    check("x-errors-empty", &format!("{current} --eps 1.5 --x-eps 0.15"), 3);
+}
