@@ -29,6 +29,8 @@ pub(crate) mod times {
     pub(crate) const OUTLIERS: u64 = 8;
     /// Both sides of lines under errors in x, and the steps to the least factor.
     pub(crate) const X_ERRORS: u64 = 16;
+    /// The steps to the least factor under errors in x, in numbers with a square root, of every word that is not short.
+    pub(crate) const X_ERROR_STEPS: u64 = 135;
     /// A figure; all of them are six.
     pub(crate) const PLOT: u64 = 8;
     /// The statuses of all readings: the set, that of all readings without those that decide, and the values at each.
@@ -58,11 +60,25 @@ pub(crate) fn refuse_long_lesson(
     refuse_long(file, &problem.work(&[]).of_leaving_out_each(readings), 1, limits)
 }
 
+/// Refuses the proof of the statuses of a problem, which has the set without each reading that decides.
+pub(crate) fn refuse_long_status_proof(
+    file: Foreign<&str>,
+    problem: &Problem,
+    limits: &LimitArguments,
+) -> Result<(), Failure> {
+    let readings = problem.measurements.kept().len() as u64;
+    refuse_long(file, &problem.work(&[]).of_leaving_out_each(readings), 1, limits)
+}
+
 /// How much more than of a line under one bound the least bound of a problem takes, which comes from cutting planes then.
 fn looks(problem: &Problem) -> u64 {
     let is_line = matches!(problem.measurements.model(), Model::Line { .. });
     if is_line && problem.measurements.error_bound().is_uniform() { 1 } else { 4 }
 }
+
+/// How much more than a fit of all readings but one takes it is to look at all crossings of the bounds of a reading, which are put
+/// in order.
+const CROSSINGS: u64 = 4;
 
 /// Refuses outliers of a problem, which are looked for where any two bounds cross.
 pub(crate) fn refuse_long_outliers(
@@ -71,7 +87,8 @@ pub(crate) fn refuse_long_outliers(
     limits: &LimitArguments,
 ) -> Result<(), Failure> {
     let readings = problem.measurements.kept().len() as u64;
-    refuse_long_problem(file, problem, times::OUTLIERS + readings, limits)
+    refuse_long_problem(file, problem, times::OUTLIERS + readings, limits)?;
+    refuse_long(file, &problem.work(&[]).of_leaving_out_each(readings), CROSSINGS, limits)
 }
 
 /// Refuses the sets of a problem for factors up to this one.

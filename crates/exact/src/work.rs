@@ -176,6 +176,12 @@ impl Work {
         Work { squares, long: self.not_short, ..*self }
     }
 
+    /// The work of something that takes so much more than a fit that the words which are free in one count.
+    #[must_use]
+    pub fn of_every_word(&self) -> Self {
+        Work { squares: self.all_squares, long: self.not_short, ..*self }
+    }
+
     /// Refuses what takes more products than this.
     ///
     /// # Errors
@@ -359,6 +365,7 @@ mod tests {
         (0..200).for_each(|row| work.add(row, [&number]));
         assert_eq!(work.products(1_000), 0);
         assert_eq!(work.of_leaving_out_each(200).products(1), 40 * 200 * (200 * 40 * 40) / 4);
+        assert_eq!(work.of_every_word().products(3), 3 * 40 * (200 * 40 * 40));
     }
 
     #[test]

@@ -9,6 +9,7 @@ use rand_chacha::ChaCha8Rng;
 use super::files::{as_file, bomb, cdd, gzip, model, rows, size, table};
 use super::mutations::mutated;
 use super::numbers::{Written, bound, number, written};
+use super::questions::asked_of_table;
 use super::{Case, MOST_BYTES, one_of};
 use crate::cli::words;
 use crate::program::root;
@@ -64,6 +65,9 @@ fn table_command(rng: &mut ChaCha8Rng, file: &str) -> Vec<Vec<String>> {
         let words = command.iter().flat_map(|part| words(part));
         words.chain([file.to_owned()]).chain(question.clone()).collect()
     };
+    if rng.random_bool(0.5) {
+        return asked_of_table(rng, file, &question);
+    }
     let fit = match rng.random_range(0..14) {
         0..5 => {
             let format = one_of(rng, &REPORTS);

@@ -5,6 +5,7 @@ mod files;
 mod limited;
 mod mutations;
 mod numbers;
+mod questions;
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;

@@ -209,3 +209,46 @@ fn ten_rows_of_powers_far_apart_are_answered() {
         assert!(matches!(ended.status, Some(0 | 3)), "{line}: {ended:?}");
     }
 }
+
+/// A table of 270 decimals of 900 places, which no fit finds too long.
+fn many_places() -> String {
+    (0..270).fold("x,y,u\n".to_owned(), |mut table, row: usize| {
+        let _ = writeln!(table, "{row},{}e-{},1", row * 37 % 89 + 10, 900 - row);
+        table
+    })
+}
+
+#[test]
+fn words_that_are_free_in_one_fit_count_where_it_is_done_for_each_reading_or_crossing() {
+    let table = many_places();
+    assert!(table.len() < 4_096);
+    let directory = directory_with(&[("data.csv", table.as_bytes())]);
+    let question = "data.csv --x x --y y --eps 1";
+    printed(directory.path(), &format!("fit {question} --no-lp"));
+    for line in [
+        format!("outliers {question}"),
+        format!("outliers {question} --most 100"),
+        format!("plot {question} --figure outliers -o a.svg"),
+        format!("status {question} --proof p.json"),
+        format!("fit {question} --x-eps 1/7"),
+        format!("fit {question} --x-eps u --strong"),
+    ] {
+        let run = boundfit(directory.path(), &line);
+        let place = "error: data.csv: refused: exact arithmetic on ";
+        assert!(run.status == 1 && run.stderr.starts_with(place), "{line}: {run:?}");
+        assert!(run.stderr.ends_with(" (the limit); --max-work raises it\n"), "{line}: {run:?}");
+        assert!(!directory.path().join("p.json").exists() && !directory.path().join("a.svg").exists());
+    }
+    printed(directory.path(), &format!("status {question}"));
+}
+
+#[test]
+fn a_long_bound_on_errors_in_x_counts_for_each_short_row() {
+    let rows = (0..600).fold("x,y\n".to_owned(), |table, row: usize| format!("{table}{row},{}\n", row % 9));
+    assert!(rows.len() < 4_096);
+    let directory = directory_with(&[("data.csv", rows.as_bytes())]);
+    let ends = format!("{}/1{}3", "7".repeat(900), "0".repeat(900));
+    let run = boundfit(directory.path(), &format!("fit data.csv --x x --y y --eps 0 --x-eps {ends}"));
+    assert!(run.status == 1 && run.stderr.contains("refused: exact arithmetic on 600 rows"), "{run:?}");
+    printed(directory.path(), "fit data.csv --x x --y y --eps 5 --x-eps 1/7 --format json");
+}

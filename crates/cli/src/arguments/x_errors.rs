@@ -124,7 +124,9 @@ impl Data<'_> {
             let numbers = [row.lower(), row.upper()];
             work.add(row.row, row.regressor.iter().chain(numbers.iter().flatten()).chain([width]));
         }
-        refuse_long(arguments.file_name(), &work, times::X_ERRORS, &arguments.table.limits)?;
+        let limits = &arguments.table.limits;
+        refuse_long(arguments.file_name(), &work, times::X_ERRORS, limits)?;
+        refuse_long(arguments.file_name(), &work.of_every_word(), times::X_ERROR_STEPS, limits)?;
         Ok(problem)
     }
 }

@@ -14,7 +14,7 @@ use crate::exit::{Exit, Failure};
 use crate::input;
 use crate::output::{self, Output, Stop};
 use crate::progress::while_working;
-use crate::work::{refuse_long_problem, times};
+use crate::work::{refuse_long_problem, refuse_long_status_proof, times};
 
 /// Readings that the text lists where nobody asks for all.
 const MOST_LISTED: usize = 40;
@@ -42,7 +42,11 @@ pub(crate) fn run(arguments: &StatusArguments) -> CommandResult {
         data.held_problem(has_proof)?
     };
     refuse_reductions(arguments, &problem)?;
-    refuse_long_problem(arguments.data.file_name(), &problem, times::STATUS, &arguments.data.table.limits)?;
+    let limits = &arguments.data.table.limits;
+    refuse_long_problem(arguments.data.file_name(), &problem, times::STATUS, limits)?;
+    if arguments.proof.is_some() {
+        refuse_long_status_proof(arguments.data.file_name(), &problem, limits)?;
+    }
     let fit = while_working("fitting", || fit(&problem));
     let style = arguments.output.style();
     let columns = resolved(asked.columns, &problem);
