@@ -333,7 +333,7 @@ fn no_line_meets_all_boxes_of_a_course() {
     let value = least.value.rational().unwrap().clone();
     assert_eq!(value, Rational::ratio(2630, 2079));
     assert_eq!(value.to_decimal(5, boundfit_exact::Rounding::Up), "1.2651");
-    assert!(matches!(answer.sides[0].pui, None));
+    assert!(answer.sides[0].pui.is_none());
     assert!(!boxes(&own).times(&q(&(&value - Rational::scientific(1, -20)))).have_a_line());
     assert!(boxes(&own).times(&q(&value)).have_a_line());
     assert!(!q(&value).is_zero());
