@@ -90,6 +90,8 @@ fn pieces_become_well_known_text_and_tables() {
     );
     let endless = run(vertical, "--x x --y y --eps 1 --x-eps 1");
     assert!(endless.stdout.contains("it leaves no line itself"), "{}", endless.stdout);
+    let nowhere = run(vertical, "--x x --y y --eps 1 --x-eps 1 --where 0*theta1>=1");
+    assert!(nowhere.stdout.contains("Larger error bounds would not help."), "{}", nowhere.stdout);
     let csv = run(vertical, "--x x --y y --eps 1 --x-eps 1 --format csv").stdout;
     assert!(
         csv.contains("pui_rising,theta1,1.5,inf,,3/2,,")

@@ -124,6 +124,12 @@ impl SideRows {
     }
 
     fn least(&self) -> Option<LeastFactor> {
+        // A condition that no line meets would have no say where λ = 1.
+        let is_met_nowhere =
+            |row: &Row| row.slope.is_zero() && row.offset.is_zero() && row.bound.is_negative();
+        if self.rows.iter().any(is_met_nowhere) {
+            return None;
+        }
         let mut few: Vec<usize> = Vec::new();
         let mut least = least_of_few(&[], &self.top)?;
         loop {
