@@ -27,6 +27,12 @@ pub(crate) fn along(from: Place, direction: Place, t: f64) -> Place {
     [from[0] + t * direction[0], from[1] + t * direction[1]]
 }
 
+/// [`along`] where the unit square is entered or left. Of a step that is longer than the square by more digits than a double has,
+/// rounding leaves any place at all, and a line from there would take more dashes than memory holds.
+pub(crate) fn cut(from: Place, direction: Place, t: f64) -> Place {
+    along(from, direction, t).map(|coordinate| coordinate.clamp(0.0, 1.0))
+}
+
 /// The pieces of a polyline inside the unit square.
 pub(crate) fn polyline(points: &[Place]) -> Vec<Vec<Place>> {
     let mut pieces: Vec<Vec<Place>> = Vec::new();
@@ -34,8 +40,8 @@ pub(crate) fn polyline(points: &[Place]) -> Vec<Vec<Place>> {
         let [from, to] = [pair[0], pair[1]];
         let direction = [to[0] - from[0], to[1] - from[1]];
         let Some((enter, leave)) = crossing(from, direction, 0.0, 1.0) else { continue };
-        let start = if enter == 0.0 { from } else { along(from, direction, enter) };
-        let end = if leave == 1.0 { to } else { along(from, direction, leave) };
+        let start = if enter == 0.0 { from } else { cut(from, direction, enter) };
+        let end = if leave == 1.0 { to } else { cut(from, direction, leave) };
         match pieces.last_mut() {
             Some(piece) if piece.last() == Some(&start) => piece.push(end),
             _ => pieces.push(vec![start, end]),
@@ -84,6 +90,11 @@ mod tests {
         assert_eq!(polyline(&bent), vec![vec![[0.0, 0.5], [0.5, 0.5], [0.5, 1.0]]]);
         let twice = [[0.25, -1.0], [0.25, 2.0], [0.75, 2.0], [0.75, -1.0]];
         assert_eq!(polyline(&twice).len(), 2);
+        // Steps that hide the square in their last digit leave no place outside it.
+        for far in [1e30, 1e200, 1e308] {
+            let pieces = polyline(&[[-far, -far / 3.0], [far, far / 7.0], [0.5, 0.5]]);
+            assert!(pieces.iter().flatten().flatten().all(|coordinate| (0.0..=1.0).contains(coordinate)));
+        }
     }
 
     #[test]

@@ -218,12 +218,12 @@ impl Panel {
     /// Adds the part of `from + t·direction`, `t ≥ first`, in the panel, with an arrow where it is cut.
     pub(crate) fn ray(&mut self, from: Place, direction: Place, first: f64, stroke: Stroke) {
         let Some((enter, leave)) = clip::crossing(from, direction, first, f64::INFINITY) else { return };
-        let points = vec![clip::along(from, direction, enter), clip::along(from, direction, leave)];
+        let points = vec![clip::cut(from, direction, enter), clip::cut(from, direction, leave)];
         self.items.push(Item::Line { points, stroke });
-        self.arrow(clip::along(from, direction, leave), direction, stroke.colour);
+        self.arrow(clip::cut(from, direction, leave), direction, stroke.colour);
         if first == f64::NEG_INFINITY {
             let backwards = direction.map(|step| -step);
-            self.arrow(clip::along(from, direction, enter), backwards, stroke.colour);
+            self.arrow(clip::cut(from, direction, enter), backwards, stroke.colour);
         }
     }
 

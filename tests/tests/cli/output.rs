@@ -218,6 +218,7 @@ mod unix {
             "plot: ",
             "plot: ",
             "plot: ",
+            "plot: ",
             "lesson: ",
             "completions: ",
             "man: ",

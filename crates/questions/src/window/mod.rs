@@ -98,7 +98,7 @@ pub struct WindowSet {
 ///     let regressor = [Rational::from(x), Rational::one()];
 ///     window.push(Measurement::around(row, regressor, Rational::from(y), Rational::ratio(1, 2)));
 /// }
-/// assert_eq!(window.contradiction().unwrap().rows(), [1, 2, 4]);
+/// assert_eq!(window.contradiction().unwrap().rows(), [1, 3, 4]);
 /// window.pop();
 /// window.pop();
 /// assert_eq!(window.fit().pui.unwrap()[0].interval().ends(), Some((&Rational::from(6), &Rational::from(8))));
