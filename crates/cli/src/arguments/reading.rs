@@ -119,13 +119,6 @@ impl<'a> Data<'a> {
         self.source.as_ref().is_ok_and(|source| source.path().is_some())
     }
 
-    /// Reads the problem with every reading and the hash of the data, and with the rows fitted if they will be shown.
-    pub(crate) fn held_problem(self, list_rows: bool) -> Result<Problem, Failure> {
-        let asked = self.asked()?;
-        let keep = Keep { eui: false, ..Keep::EVERY };
-        self.scanned(asked, keep, |options| ScanOptions { hash: true, list_rows, ..options })
-    }
-
     /// Reads the problem with the readings that can bound anything under some error bound, others too where they are few.
     pub(crate) fn supporting_problem(self) -> Result<Problem, Failure> {
         let asked = self.asked()?;
@@ -135,16 +128,14 @@ impl<'a> Data<'a> {
 
     /// Reads the problem with every reading, which takes less memory than [`Data::problem`] does, and has no hash of the data.
     pub(crate) fn whole_problem(self) -> Result<Problem, Failure> {
-        let asked = self.asked()?;
-        let keep = Keep { eui: false, ..Keep::EVERY };
-        self.scanned(asked, keep, |options| ScanOptions { hash: false, list_rows: false, ..options })
+        self.every_reading(false, false)
     }
 
-    /// Reads the problem with every reading, and with the hash of the data if it will be shown.
-    pub(crate) fn every_reading(self, hash: bool) -> Result<Problem, Failure> {
+    /// Reads the problem with every reading, with the hash of the data and the rows fitted if they will be shown.
+    pub(crate) fn every_reading(self, hash: bool, list_rows: bool) -> Result<Problem, Failure> {
         let asked = self.asked()?;
         let keep = Keep { eui: false, ..Keep::EVERY };
-        self.scanned(asked, keep, |options| ScanOptions { hash, list_rows: hash, ..options })
+        self.scanned(asked, keep, |options| ScanOptions { hash, list_rows, ..options })
     }
 
     fn scanned(
@@ -385,18 +376,9 @@ impl Asked {
     /// The work on what each of so many readings gets beside its own numbers, estimated before memory is taken for it: the bound
     /// and the origin that are the same for all, and where the bound comes from the readings, what it may take from a condition.
     pub(crate) fn work_of_every(&self, readings: usize) -> Work {
-        let mut numbers = vec![&self.columns.form.x_origin];
-        if let EpsilonColumn::Uniform(epsilon) = &self.columns.epsilon {
-            numbers.push(epsilon);
-        }
         let right_sides = self.conditions.iter().map(|condition| &condition.inequality().b);
         let longest = right_sides.max_by_key(|number| number.bits());
-        numbers.extend(longest.filter(|_| self.multiple_of_least.is_some()));
-        let mut work = Work::default();
-        if Work::of_numbers(&numbers).products(1) > 0 {
-            (1..=readings).for_each(|row| work.add(row, numbers.iter().copied()));
-        }
-        work
+        self.columns.work_of_every(readings, longest.filter(|_| self.multiple_of_least.is_some()))
     }
 
     /// What the answers about many groups stand and fall with, as a line; nothing where the error bound is given.

@@ -27,7 +27,8 @@ pub(crate) fn run(arguments: &OutliersArguments) -> CommandResult {
     proof_file::check(arguments.proof.as_deref(), output)?;
     let data = arguments.data.open();
     let origin = data.origin();
-    let problem = data.every_reading(format == TableFormat::Json || arguments.proof.is_some())?;
+    let shows_data = format == TableFormat::Json || arguments.proof.is_some();
+    let problem = data.every_reading(shows_data, shows_data)?;
     let (file, limits) = (arguments.data.file_name(), arguments.limits());
     refuse_long_outliers(file, &problem, &arguments.data.table.limits)?;
     let fit = while_working("fitting", || fit(&problem));

@@ -25,7 +25,8 @@ pub(crate) fn run(arguments: &RangeArguments) -> CommandResult {
     proof_file::check(arguments.proof.as_deref(), output)?;
     let data = arguments.data.open();
     let origin = data.origin();
-    let problem = data.every_reading(format == RangeFormat::Json || arguments.proof.is_some())?;
+    let shows_data = format == RangeFormat::Json || arguments.proof.is_some();
+    let problem = data.every_reading(shows_data, shows_data)?;
     if problem.measurements.is_of_reductions() {
         let file = arguments.data.file_name();
         return Err(Failure::Usage(format!(

@@ -39,7 +39,7 @@ pub(crate) fn run(arguments: &StatusArguments) -> CommandResult {
     let problem = if data.can_be_read_again() && !arguments.repair {
         data.scanned_problem(false, true, has_proof, false)?
     } else {
-        data.held_problem(has_proof)?
+        data.every_reading(true, has_proof)?
     };
     refuse_reductions(arguments, &problem)?;
     let limits = &arguments.data.table.limits;

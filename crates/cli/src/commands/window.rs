@@ -23,7 +23,7 @@ pub(crate) fn run(
         return Err(Failure::Usage("'--window' and '--window-x' write text, json or csv".to_owned()));
     }
     let data = arguments.data.open();
-    let problem = data.every_reading(false)?;
+    let problem = data.whole_problem()?;
     if problem.measurements.is_of_reductions() {
         let file = arguments.data.file_name();
         return Err(Failure::Usage(format!(

@@ -1,6 +1,6 @@
 //! Which columns of a table are what.
 
-use boundfit_exact::{Column, Foreign, Rational};
+use boundfit_exact::{Column, Foreign, Rational, Work};
 use boundfit_formats::{Batch, ColumnSelector, InputError, InputErrorKind};
 
 use crate::law::Law;
@@ -45,6 +45,25 @@ impl Columns {
     /// Whether the readings that decide the feasible set do so for every error bound: those of a line under a uniform one.
     pub fn are_open(&self) -> bool {
         self.meaning(&[]).is_open()
+    }
+
+    /// The work on what each of so many readings gets beside its own numbers, estimated before memory is taken for it: the bound
+    /// and the origin that are the same for all, and these other numbers.
+    pub fn work_of_every<'a>(
+        &'a self,
+        readings: usize,
+        more: impl IntoIterator<Item = &'a Rational>,
+    ) -> Work {
+        let mut numbers = vec![&self.form.x_origin];
+        if let EpsilonColumn::Uniform(epsilon) = &self.epsilon {
+            numbers.push(epsilon);
+        }
+        numbers.extend(more);
+        let mut work = Work::default();
+        if Work::of_numbers(&numbers).products(1) > 0 {
+            (1..=readings).for_each(|row| work.add(row, numbers.iter().copied()));
+        }
+        work
     }
 
     /// The columns in the order in which they are read: regressors, response, error bound.

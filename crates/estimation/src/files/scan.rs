@@ -121,6 +121,7 @@ impl Measurements {
         // Others are kept only as long as they are few.
         let held = (most_rows == usize::MAX).then(|| HeldRows::limiting(&mut options));
         let mut unbounded = None;
+        let mut held_rows = 0;
         let selectors = columns.selectors();
         // Sums are told of x as it is.
         let as_it_is = Columns { form: LineForm::default(), ..columns.clone() }.meaning(&[]);
@@ -137,6 +138,7 @@ impl Measurements {
             seen(shown);
             rows.into_iter().for_each(|rows| kept_rows.add(rows));
             held.iter().for_each(|held| held.add(digest.batch.rows.len()));
+            held_rows += digest.batch.rows.len();
             unbounded = unbounded.or(digest.unbounded);
             let guess = |sums: &Sums| {
                 let guess = Brackets::of_form(&columns.form, &columns.form.sums(sums.clone()))?;
@@ -144,8 +146,13 @@ impl Measurements {
             };
             all.take(digest, most_rows, &sieve, &bounds, guess);
         });
+        let holds_all = held.is_some();
         held.map_or(Ok(()), |held| held.check(name.raw()))?;
         let scanned = scanned?;
+        if holds_all {
+            let work = columns.work_of_every(held_rows, []).check(1, options.table.sizes.work);
+            work.map_err(|problem| InputError::of_file(&name, problem))?;
+        }
         let (mut meaning, selection) = (columns.meaning(&scanned.names), Selection::of(&options.table));
         if let Some(reductions) = &reductions {
             let stated = Stated::of(reductions, &name, &asked_by_fit(&meaning), &options)?;
