@@ -30,7 +30,11 @@ pub(crate) fn along(from: Place, direction: Place, t: f64) -> Place {
 /// [`along`] where the unit square is entered or left. Of a step that is longer than the square by more digits than a double has,
 /// rounding leaves any place at all, and a line from there would take more dashes than memory holds.
 pub(crate) fn cut(from: Place, direction: Place, t: f64) -> Place {
-    along(from, direction, t).map(|coordinate| coordinate.clamp(0.0, 1.0))
+    inside(along(from, direction, t))
+}
+
+fn inside(place: Place) -> Place {
+    place.map(|coordinate| coordinate.clamp(0.0, 1.0))
 }
 
 /// The pieces of a polyline inside the unit square.
@@ -40,8 +44,8 @@ pub(crate) fn polyline(points: &[Place]) -> Vec<Vec<Place>> {
         let [from, to] = [pair[0], pair[1]];
         let direction = [to[0] - from[0], to[1] - from[1]];
         let Some((enter, leave)) = crossing(from, direction, 0.0, 1.0) else { continue };
-        let start = if enter == 0.0 { from } else { cut(from, direction, enter) };
-        let end = if leave == 1.0 { to } else { cut(from, direction, leave) };
+        let start = if enter == 0.0 { inside(from) } else { cut(from, direction, enter) };
+        let end = if leave == 1.0 { inside(to) } else { cut(from, direction, leave) };
         match pieces.last_mut() {
             Some(piece) if piece.last() == Some(&start) => piece.push(end),
             _ => pieces.push(vec![start, end]),

@@ -66,6 +66,17 @@ impl Columns {
         work
     }
 
+    /// Refuses numbers so long that so many readings, which get them each, would take too much of it.
+    pub(crate) fn refuse_long_in_each(
+        &self,
+        file: &Foreign,
+        readings: usize,
+        limit: u64,
+    ) -> Result<(), InputError> {
+        let work = self.work_of_every(readings, []).check(1, limit);
+        work.map_err(|problem| InputError::of_file(file, problem))
+    }
+
     /// The columns in the order in which they are read: regressors, response, error bound.
     pub(crate) fn selectors(&self) -> Vec<ColumnSelector> {
         let mut selectors = vec![self.first.clone()];

@@ -50,6 +50,7 @@ impl Measurements {
         let own = columns.selectors();
         let selectors: Vec<ColumnSelector> = own.iter().chain(beside).cloned().collect();
         let table = read_table(source, &selectors, options)?;
+        columns.refuse_long_in_each(&file, table.rows.len() + table.others.len(), options.sizes.work)?;
         let further = |position: usize| {
             let numbers = table.rows.iter().map(|row| row.numbers.get(own.len() + position).cloned());
             numbers.map(Option::unwrap_or_default).collect()

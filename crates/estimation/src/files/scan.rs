@@ -150,8 +150,7 @@ impl Measurements {
         held.map_or(Ok(()), |held| held.check(name.raw()))?;
         let scanned = scanned?;
         if holds_all {
-            let work = columns.work_of_every(held_rows, []).check(1, options.table.sizes.work);
-            work.map_err(|problem| InputError::of_file(&name, problem))?;
+            columns.refuse_long_in_each(&name, held_rows, options.table.sizes.work)?;
         }
         let (mut meaning, selection) = (columns.meaning(&scanned.names), Selection::of(&options.table));
         if let Some(reductions) = &reductions {

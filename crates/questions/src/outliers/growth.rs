@@ -34,7 +34,7 @@ impl Growth {
 }
 
 /// How many crossings are kept in memory, some 150 bytes each.
-const MOST_KEPT: usize = 150_000;
+const MOST_KEPT: usize = 100_000;
 
 /// The growth from one q to another. The rows that no θ meets count in every q.
 pub(super) fn of(
