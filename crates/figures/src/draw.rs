@@ -23,7 +23,7 @@ pub fn draw(
     figure: Figure,
     options: &PlotOptions,
 ) -> Result<Picture, FigureError> {
-    let mut drawing = match figure {
+    let drawing = match figure {
         Figure::Data | Figure::Eui | Figure::Pui | Figure::Corridor => {
             data_plane::drawing(problem, fit, figure, options)
         }
@@ -36,8 +36,7 @@ pub fn draw(
             Err(_) => parameter_plane::fps(problem, fit, options),
         },
     };
-    titled(&mut drawing, options);
-    render::render(&drawing)
+    finished(drawing, options)
 }
 
 /// Draws what is left without outliers, which are known. Cost: linear in the vertices of what is left.
@@ -49,9 +48,7 @@ pub fn draw_outliers(
     outliers: &Outliers,
     options: &PlotOptions,
 ) -> Result<Picture, FigureError> {
-    let mut drawing = parameter_plane::outliers(problem, outliers, options);
-    titled(&mut drawing, options);
-    render::render(&drawing)
+    finished(parameter_plane::outliers(problem, outliers, options), options)
 }
 
 /// Draws readings with errors in x as boxes, with the steepest and the shallowest line that agree with all of them; of many readings
@@ -64,9 +61,7 @@ pub fn draw_boxes(
     answer: &XErrorFit,
     options: &PlotOptions,
 ) -> Result<Picture, FigureError> {
-    let mut drawing = data_plane::boxes(problem, answer, options);
-    titled(&mut drawing, options);
-    render::render(&drawing)
+    finished(data_plane::boxes(problem, answer, options), options)
 }
 
 /// Draws the parameters of the lines that agree under errors in x: at most two convex sets, or of none the readings that contradict
@@ -79,17 +74,16 @@ pub fn draw_x_errors(
     answer: &XErrorFit,
     options: &PlotOptions,
 ) -> Result<Picture, FigureError> {
-    let mut drawing = parameter_plane::x_errors(problem, answer, options);
-    titled(&mut drawing, options);
-    render::render(&drawing)
+    finished(parameter_plane::x_errors(problem, answer, options), options)
 }
 
 /// The last touches: the title that is asked for, and no more legend than there is to explain.
-fn titled(drawing: &mut Drawing, options: &PlotOptions) {
+fn finished(mut drawing: Drawing, options: &PlotOptions) -> Result<Picture, FigureError> {
     drawing.keep_legend_of_drawn();
     if let Some(title) = &options.title {
         drawing.title = one_line(title, 90);
     }
+    render::render(&drawing)
 }
 
 /// Draws a linear program in two variables: the feasible set, the optimal points, and where the objective improves, which is to

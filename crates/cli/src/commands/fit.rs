@@ -14,9 +14,8 @@ use boundfit_report::{
 
 use crate::CommandResult;
 use crate::arguments::{FactorRange, FitArguments, ReportFormat};
-use crate::commands::{fleet, window, x_errors};
+use crate::commands::{fleet, proof_file, window, x_errors};
 use crate::exit::{Exit, Failure};
-use crate::output;
 use crate::progress::while_working;
 use crate::work::refuse_long_sweep;
 
@@ -105,12 +104,10 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
         }
     };
     let proof = match &arguments.proof {
-        Some(file) => Some((proof(&problem, &fit, reading, arguments.data.file_name())?, file)),
+        Some(file) => Some((proof(&problem, &fit, reading, arguments.data.file_name())?, file.as_str())),
         None => None,
     };
-    let proof = proof.as_ref().map(|(text, file)| (text.as_bytes(), Some(file.as_str())));
-    let parts: Vec<_> = proof.into_iter().chain([(report.as_bytes(), output)]).collect();
-    output::write_together(&parts, &mut guard)?;
+    proof_file::write(report.as_bytes(), output, proof, &mut guard)?;
     Ok(if fit.fps.polyhedron().region().is_empty() { Exit::Empty } else { Exit::Answer })
 }
 
@@ -131,20 +128,11 @@ fn check_usage_of_parts(arguments: &FitArguments, format: ReportFormat) -> Resul
 
 /// Refuses a proof that would have no file of its own, or be about many sets.
 fn check_usage_of_proof(arguments: &FitArguments) -> Result<(), Failure> {
-    let Some(file) = arguments.proof.as_deref() else { return Ok(()) };
-    if arguments.by.is_some() {
+    if arguments.by.is_some() && arguments.proof.is_some() {
         let instead = "fit the rows of one group with '--rows', or a file with these rows only";
         return Err(Failure::Usage(format!("'--proof' is about one set and '--by' about many: {instead}")));
     }
-    match arguments.output.file.output.as_deref().unwrap_or("-") {
-        "-" if file == "-" => Err(Failure::Usage(
-            "'--proof -' and the report would both go to standard output: give one of them a file".to_owned(),
-        )),
-        output if output != "-" && file != "-" && output::is_one_file(output, file) => {
-            Err(Failure::Usage("'--proof' and '--output' name the same file".to_owned()))
-        }
-        _ => Ok(()),
-    }
+    proof_file::check(arguments.proof.as_deref(), arguments.output.file.output.as_deref())
 }
 
 /// The proof of a fit.

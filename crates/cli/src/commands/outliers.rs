@@ -12,7 +12,6 @@ use super::proof_file;
 use crate::CommandResult;
 use crate::arguments::{OutliersArguments, TableFormat};
 use crate::exit::{Exit, Failure};
-use crate::output;
 use crate::progress::while_working;
 use crate::work::refuse_long_outliers;
 
@@ -64,12 +63,10 @@ pub(crate) fn run(arguments: &OutliersArguments) -> CommandResult {
         TableFormat::Json => outliers_json(&report, &origin, &style),
     };
     let proof = match &arguments.proof {
-        Some(file) => Some((proof(&report, origin.reading, arguments.data.file_name())?, file)),
+        Some(file) => Some((proof(&report, origin.reading, arguments.data.file_name())?, file.as_str())),
         None => None,
     };
-    let proof = proof.as_ref().map(|(text, file)| (text.as_bytes(), Some(file.as_str())));
-    let parts: Vec<_> = proof.into_iter().chain([(text.as_bytes(), output)]).collect();
-    output::write_together(&parts, &mut guard)?;
+    proof_file::write(text.as_bytes(), output, proof, &mut guard)?;
     Ok(if found.is_ok() { Exit::Answer } else { Exit::Empty })
 }
 

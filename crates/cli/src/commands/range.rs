@@ -5,11 +5,10 @@ use boundfit_exact::{Foreign, Reading};
 use boundfit_questions::LinearRange;
 use boundfit_report::{RangeReport, range_csv, range_document, range_json, range_proof};
 
-use super::proof_file;
+use super::{proof_file, refuse_reductions};
 use crate::CommandResult;
 use crate::arguments::{RangeArguments, RangeFormat};
 use crate::exit::{Exit, Failure};
-use crate::output;
 use crate::progress::while_working;
 use crate::work::{refuse_long_problem, times};
 
@@ -27,12 +26,7 @@ pub(crate) fn run(arguments: &RangeArguments) -> CommandResult {
     let origin = data.origin();
     let shows_data = format == RangeFormat::Json || arguments.proof.is_some();
     let problem = data.every_reading(shows_data, shows_data)?;
-    if problem.measurements.is_of_reductions() {
-        let file = arguments.data.file_name();
-        return Err(Failure::Usage(format!(
-            "'range' is about every reading, and {file} is a reduction: ask about the table that it was made from"
-        )));
-    }
+    refuse_reductions(&problem, arguments.data.file_name(), "'range' is")?;
     refuse_long_problem(arguments.data.file_name(), &problem, times::RANGE, &arguments.data.table.limits)?;
     let order = arguments.order(problem.measurements.model());
     let range = while_working("finding runs", || LinearRange::of(&problem, order));
@@ -50,12 +44,10 @@ pub(crate) fn run(arguments: &RangeArguments) -> CommandResult {
         RangeFormat::Csv => range_csv(&report),
     };
     let proof = match &arguments.proof {
-        Some(file) => Some((proof(&report, origin.reading, arguments.data.file_name())?, file)),
+        Some(file) => Some((proof(&report, origin.reading, arguments.data.file_name())?, file.as_str())),
         None => None,
     };
-    let proof = proof.as_ref().map(|(text, file)| (text.as_bytes(), Some(file.as_str())));
-    let parts: Vec<_> = proof.into_iter().chain([(text.as_bytes(), output)]).collect();
-    output::write_together(&parts, &mut guard)?;
+    proof_file::write(text.as_bytes(), output, proof, &mut guard)?;
     Ok(if range.runs.is_empty() { Exit::Empty } else { Exit::Answer })
 }
 

@@ -8,6 +8,7 @@ use boundfit_report::{
     NewReadings, Origin, StatusCsv, StatusJson, StatusReport, Style, status_document, status_proof,
 };
 
+use super::{proof_file, refuse_reductions};
 use crate::CommandResult;
 use crate::arguments::{StatusArguments, TableFormat};
 use crate::exit::{Exit, Failure};
@@ -41,7 +42,7 @@ pub(crate) fn run(arguments: &StatusArguments) -> CommandResult {
     } else {
         data.every_reading(true, has_proof)?
     };
-    refuse_reductions(arguments, &problem)?;
+    refuse_reductions(&problem, arguments.data.file_name(), "'status' is")?;
     let limits = &arguments.data.table.limits;
     refuse_long_problem(arguments.data.file_name(), &problem, times::STATUS, limits)?;
     if arguments.proof.is_some() {
@@ -85,9 +86,7 @@ pub(crate) fn run(arguments: &StatusArguments) -> CommandResult {
         }
     }
     if is_document || proof.is_some() {
-        let proof = proof.as_ref().map(|(text, file)| (text.as_bytes(), Some(*file)));
-        let parts: Vec<_> = proof.into_iter().chain([(report.as_slice(), output)]).collect();
-        output::write_together(&parts, &mut guard)?;
+        proof_file::write(&report, output, proof, &mut guard)?;
     }
     Ok(if fit.is_empty() { Exit::Empty } else { Exit::Answer })
 }
@@ -106,27 +105,7 @@ fn check_usage(arguments: &StatusArguments, format: TableFormat) -> Result<(), F
     if arguments.new.as_deref() == Some("-") && arguments.data.path() == "-" {
         return refuse("DATA and '--new' would both be read from standard input: give one of them a file");
     }
-    let Some(proof) = arguments.proof.as_deref() else { return Ok(()) };
-    match arguments.output.file.output.as_deref().unwrap_or("-") {
-        "-" if proof == "-" => {
-            refuse("'--proof -' and the report would both go to standard output: give one of them a file")
-        }
-        output if output != "-" && proof != "-" && output::is_one_file(output, proof) => {
-            refuse("'--proof' and '--output' name the same file")
-        }
-        _ => Ok(()),
-    }
-}
-
-/// Refuses what has not every reading.
-fn refuse_reductions(arguments: &StatusArguments, problem: &Problem) -> Result<(), Failure> {
-    if !problem.measurements.is_of_reductions() {
-        return Ok(());
-    }
-    let file = arguments.data.file_name();
-    Err(Failure::Usage(format!(
-        "'status' is about every reading, and {file} is a reduction: judge the table that it was made from"
-    )))
+    proof_file::check(arguments.proof.as_deref(), arguments.output.file.output.as_deref())
 }
 
 /// The columns under the error bound that was found from all readings, where it was.

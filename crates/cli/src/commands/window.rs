@@ -6,6 +6,7 @@ use boundfit_estimation::Problem;
 use boundfit_questions::{Moved, Moving, Turn};
 use boundfit_report::{FleetTable, Style, WindowReport, WindowSummary, write_window_json};
 
+use super::refuse_reductions;
 use crate::CommandResult;
 use crate::arguments::{FitArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
@@ -24,12 +25,7 @@ pub(crate) fn run(
     }
     let data = arguments.data.open();
     let problem = data.whole_problem()?;
-    if problem.measurements.is_of_reductions() {
-        let file = arguments.data.file_name();
-        return Err(Failure::Usage(format!(
-            "windows are about every reading, and {file} is a reduction: ask about the table that it was made from"
-        )));
-    }
+    refuse_reductions(&problem, arguments.data.file_name(), "windows are")?;
     refuse_long_problem(arguments.data.file_name(), &problem, times::RANGE, &arguments.data.table.limits)?;
     let mut output = Output::open(arguments.output.file.output.as_deref(), guard)?;
     let mut job = Job {

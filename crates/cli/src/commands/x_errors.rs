@@ -4,10 +4,11 @@ use boundfit_estimation::fit;
 use boundfit_questions::XErrorFit;
 use boundfit_report::{x_error_csv, x_error_document, x_error_json, x_error_proof, x_error_wkt};
 
+use super::proof_file;
 use crate::CommandResult;
 use crate::arguments::{FitArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
-use crate::output::{self, Guard};
+use crate::output::Guard;
 use crate::progress::while_working;
 
 /// Reads the data, finds the lines that agree with all readings, and writes the report.
@@ -30,21 +31,13 @@ pub(crate) fn run(arguments: &FitArguments, format: ReportFormat, guard: &mut Gu
     };
     let proof = match &arguments.proof {
         Some(file) => {
-            let text = x_error_proof(&problem, &answer, origin.reading).ok_or_else(|| {
-                let file = arguments.data.file_name();
-                Failure::Usage(format!(
-                    "'--proof' is about the rows of delimited text, and {file} is not plain delimited text (docs/proof.md): \
-                     prove the fit of the same table as CSV"
-                ))
-            })?;
+            let text = x_error_proof(&problem, &answer, origin.reading)
+                .ok_or_else(|| proof_file::no_text(arguments.data.file_name()))?;
             Some((text, file.as_str()))
         }
         None => None,
     };
-    let proof = proof.as_ref().map(|(text, file)| (text.as_bytes(), Some(*file)));
-    let output = arguments.output.file.output.as_deref();
-    let parts: Vec<_> = proof.into_iter().chain([(report.as_bytes(), output)]).collect();
-    output::write_together(&parts, guard)?;
+    proof_file::write(report.as_bytes(), arguments.output.file.output.as_deref(), proof, guard)?;
     Ok(if answer.is_empty() { Exit::Empty } else { Exit::Answer })
 }
 

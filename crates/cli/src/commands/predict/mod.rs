@@ -12,6 +12,7 @@ use boundfit_report::{
     write_prediction_json,
 };
 
+use super::proof_file;
 use crate::CommandResult;
 use crate::arguments::{PredictArguments, TableFormat};
 use crate::exit::{Exit, Failure};
@@ -71,11 +72,9 @@ pub(crate) fn run(arguments: &PredictArguments) -> CommandResult {
     let report = report(&prediction, arguments, format, &style)?;
     let proof = match &arguments.proof {
         None => None,
-        Some(file) => Some((proof(&prediction, arguments, origin.reading)?, file)),
+        Some(file) => Some((proof(&prediction, arguments, origin.reading)?, file.as_str())),
     };
-    let proof = proof.as_ref().map(|(text, file)| (text.as_bytes(), Some(file.as_str())));
-    let parts: Vec<_> = proof.into_iter().chain([(report.as_slice(), output)]).collect();
-    output::write_together(&parts, &mut guard)?;
+    proof_file::write(&report, output, proof, &mut guard)?;
     Ok(exit)
 }
 
@@ -163,16 +162,7 @@ fn check_usage(
     if inputs + usize::from(arguments.data.path() == "-") > 1 {
         return refuse("standard input is read once: give one of the tables a file");
     }
-    let Some(proof) = arguments.proof.as_deref() else { return Ok(()) };
-    match arguments.output.file.output.as_deref().unwrap_or("-") {
-        "-" if proof == "-" => {
-            refuse("'--proof -' and the report would both go to standard output: give one of them a file")
-        }
-        output if output != "-" && proof != "-" && output::is_one_file(output, proof) => {
-            refuse("'--proof' and '--output' name the same file")
-        }
-        _ => Ok(()),
-    }
+    proof_file::check(arguments.proof.as_deref(), arguments.output.file.output.as_deref())
 }
 
 /// Refuses to ask where a reading comes from of which nothing is known.
