@@ -15,6 +15,7 @@ mod arrow;
 mod binary;
 mod blanks;
 mod cdd;
+mod cells;
 mod chunks;
 mod columns;
 mod dialect;
@@ -25,6 +26,7 @@ mod hash;
 mod lacking;
 mod limits;
 mod mat;
+mod memory;
 mod open;
 mod records;
 mod reduction;
@@ -48,6 +50,7 @@ pub use error::{InputError, InputErrorKind, Place};
 pub use fractions::Fractions;
 pub use half_planes::{GeneratorRows, HalfPlaneFile, HalfPlaneFormat, RowOrigin, read_half_planes};
 pub use limits::{LONGEST_LINE, SizeLimits};
+pub use memory::{MemoryNumbers, MemoryTable};
 pub use open::{HeldRows, read_table, scan};
 pub use reduction::{
     AskedReduction, REDUCTION_MARK, ReducedBounds, ReducedModel, ReductionError, ReductionRecord, Reductions,

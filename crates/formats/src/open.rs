@@ -11,6 +11,7 @@ use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
 use crate::fractions::Fractions;
 use crate::mat::scan_mat;
+use crate::memory::scan_memory;
 use crate::scan::{Batch, Progress, ScanOptions, Scanned, scan_text};
 use crate::selection::RowNumbers;
 use crate::source::{Content, Source};
@@ -101,6 +102,7 @@ fn scan_content<T: Send>(
         #[cfg(feature = "spreadsheets")]
         Content::Archive(bytes) => scan_workbook(name, bytes, columns, options, work, take),
         Content::Bytes(bytes) => scan_text(name, bytes, columns, options, work, take),
+        Content::Memory(table) => scan_memory(name, &table, columns, options, work, take),
     }
 }
 

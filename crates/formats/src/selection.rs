@@ -163,6 +163,28 @@ pub(crate) fn between(ranges: &[Range<usize>], start: usize, end: usize) -> Vec<
     ranges_of(starts.zip(ends).map(|(start, end)| start..end))
 }
 
+/// The most rows that are handed out at a time: two columns of them take 1 MB.
+const BATCH_ROWS: usize = 1 << 16;
+
+/// Rows in groups that are not too large.
+pub(crate) fn in_batches(wanted: &[Range<usize>]) -> Vec<Vec<Range<usize>>> {
+    let (mut batches, mut room) = (Vec::<Vec<Range<usize>>>::new(), 0);
+    for range in wanted {
+        let mut start = range.start;
+        while start < range.end {
+            if room == 0 {
+                batches.push(Vec::new());
+                room = BATCH_ROWS;
+            }
+            let end = range.end.min(start + room);
+            room -= end - start;
+            batches.last_mut().into_iter().for_each(|batch| batch.push(start..end));
+            start = end;
+        }
+    }
+    batches
+}
+
 /// The numbers of some data rows, ascending, counted from 1. Rows one after the other take no more memory than one.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct RowNumbers {

@@ -9,6 +9,7 @@ use boundfit_exact::Foreign;
 
 use crate::binary::{self, BinaryFormat};
 use crate::error::{InputError, InputErrorKind, STANDARD_INPUT};
+use crate::memory::MemoryTable;
 use crate::reduction::record::REDUCTION_MARK;
 use crate::unpack::Packed;
 
@@ -36,6 +37,8 @@ pub(crate) enum Content {
     /// Parquet or Arrow.
     #[cfg(feature = "arrow")]
     Columns(BinaryFormat, File),
+    /// Columns in memory.
+    Memory(MemoryTable),
 }
 
 impl Content {
@@ -57,6 +60,7 @@ impl Content {
             Content::Archive(bytes) => bytes,
             #[cfg(feature = "arrow")]
             Content::Columns(_, file) => Box::new(file),
+            Content::Memory(_) => Box::new(io::empty()),
         }
     }
 }
@@ -111,6 +115,12 @@ impl Source {
         let is_reduction = start.starts_with(REDUCTION_MARK.as_bytes());
         let content = Content::of(&start, bytes);
         Source { name: name.into(), content, packed, length: None, is_file: false, is_reduction }
+    }
+
+    /// A table in memory with a name for messages.
+    pub fn of_table(name: impl Into<Foreign>, table: MemoryTable) -> Self {
+        let content = Content::Memory(table);
+        Source { name: name.into(), content, packed: None, length: None, is_file: false, is_reduction: false }
     }
 
     /// This source with something done to its bytes if they are text.

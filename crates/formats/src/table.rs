@@ -1,18 +1,12 @@
 //! Tables of numbers, and how they are to be read.
 
-#[cfg(feature = "arrow")]
-use boundfit_exact::{DecimalMark, ParseNumberError, ParseNumberErrorKind};
 use boundfit_exact::{Foreign, Limits, Rational, Reading};
 
 use crate::columns::{ColumnPlace, Header};
-#[cfg(feature = "arrow")]
-use crate::columns::{ColumnSelector, decode};
 use crate::dialect::{AskedDialect, Dialect, Missing};
 use crate::error::{InputError, InputErrorKind};
 use crate::fractions::Fractions;
 use crate::limits::SizeLimits;
-#[cfg(feature = "arrow")]
-use crate::roles::instead_of_number;
 use crate::selection::{RowCondition, RowSet};
 
 /// Where in delimited text the numbers asked for stand.
@@ -98,27 +92,6 @@ pub struct Table {
     pub layout: Option<TextLayout>,
     /// SHA-256 of the file's bytes, in hexadecimal.
     pub sha256: String,
-}
-
-/// The number in a text of a column of a binary table.
-#[cfg(feature = "arrow")]
-pub(crate) fn read_number(
-    cell: &[u8],
-    column: &ColumnSelector,
-    options: &TableOptions,
-) -> Result<Rational, InputErrorKind> {
-    if let Some((mantissa, exponent)) = instead_of_number(cell, column, Some(DecimalMark::Point))? {
-        return Ok(Rational::scientific(mantissa, exponent));
-    }
-    // What is said of a comma is about the options that tell how text is written.
-    let number = options.reading.read(decode(cell)?, &options.limits).map_err(|error| match error.kind {
-        ParseNumberErrorKind::Comma => InputErrorKind::Comma,
-        kind => ParseNumberError { kind, ..error }.into(),
-    })?;
-    if column.is_non_negative() && number.is_negative() {
-        return Err(InputErrorKind::NegativeErrorBound);
-    }
-    Ok(number)
 }
 
 /// Refuses a table whose first record, on this line, has too many cells.

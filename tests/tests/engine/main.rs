@@ -9,6 +9,7 @@ mod fleet;
 mod generators;
 mod grid;
 mod guarantee;
+mod in_memory;
 mod intervals;
 mod library;
 mod line_forms;

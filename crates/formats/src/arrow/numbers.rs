@@ -9,16 +9,15 @@ use arrow_array::types::{
 };
 use arrow_array::{Array, ArrayRef, ArrowPrimitiveType};
 use arrow_schema::DataType;
-use boundfit_exact::{
-    Column, DecimalMark, PLAIN_DIGITS, PLAIN_EXPONENT, Rational, Reading, Unit, WorkMeter, plain_decimal,
-};
+use boundfit_exact::{Column, DecimalMark, Rational, Reading, Unit, WorkMeter};
 
 use super::texts::{BadCell, refuse_nulls, text};
+use crate::cells::CellReader;
 use crate::columns::ColumnSelector;
 use crate::error::InputErrorKind;
 use crate::fractions::Fractions;
 use crate::roles::{Role, instead_of_number};
-use crate::table::{TableOptions, read_number};
+use crate::table::TableOptions;
 
 /// What a column takes from an array without a dictionary.
 pub(super) fn numbers(
@@ -138,7 +137,7 @@ fn given_numbers(
     meter: &WorkMeter,
 ) -> Result<Column, BadCell> {
     refuse_nulls(array)?;
-    let reader = Reader { array, selector, options, meter };
+    let reader = Reader { array, cells: CellReader { selector, options, meter } };
     let column = match array.data_type() {
         DataType::Int8 => reader.integers::<Int8Type>(0),
         DataType::Int16 => reader.integers::<Int16Type>(0),
@@ -179,84 +178,30 @@ fn given_numbers(
 
 struct Reader<'a> {
     array: &'a ArrayRef,
-    selector: &'a ColumnSelector,
-    options: &'a TableOptions,
-    meter: &'a WorkMeter,
+    cells: CellReader<'a>,
 }
 
 impl Reader<'_> {
     /// Integers that count `10^-scale`.
     fn integers<T: ArrowPrimitiveType<Native: Into<i128>>>(&self, scale: i8) -> Column {
         let values = self.array.as_primitive::<T>().values();
-        let exponent = -i32::from(scale);
-        if self.options.reading == Reading::Binary64 {
-            return Column::Doubles(values.iter().map(|&value| nearest(value.into(), exponent)).collect());
-        }
-        Column::of_counts(values.iter().map(|&value| value.into()), Unit::TenTo(exponent))
+        self.cells.counts(values.iter().map(|&value| value.into()), -i32::from(scale))
     }
 
-    /// Finite floats: what their shortest text says, or themselves. Others are refused as the text that they would be.
+    /// Finite floats: what their shortest text says, or themselves.
     fn floats<F: LowerExp>(
         &self,
         floats: &[F],
         decimals: impl FnOnce(&[F]) -> Result<Column, usize>,
         doubles: impl FnOnce() -> Result<Column, usize>,
     ) -> Result<Column, BadCell> {
-        let column = match self.options.reading {
-            Reading::Binary64 => doubles(),
-            Reading::Decimal if self.is_plain() => decimals(floats),
-            // Limits this low are those of the text.
-            Reading::Decimal => return self.texts(floats.iter().map(|float| format!("{float:e}"))),
-        };
-        column.map_err(|index| {
-            let problem = floats.get(index).and_then(|float| self.exact(&format!("{float:e}")).err());
-            BadCell::at(self.array, index, problem.unwrap_or(InputErrorKind::NotFinite))
-        })
+        let column = self.cells.floats(floats, decimals, doubles);
+        column.map_err(|(index, problem)| BadCell::at(self.array, index, problem))
     }
 
     /// Numbers as text.
     fn texts<S: AsRef<str>>(&self, texts: impl Iterator<Item = S>) -> Result<Column, BadCell> {
-        let mut column = Column::default();
-        for (index, text) in texts.enumerate() {
-            let added = self.add(text.as_ref(), &mut column);
-            added.map_err(|problem| BadCell::at(self.array, index, problem))?;
-        }
-        Ok(column)
-    }
-
-    /// Whether what `plain_decimal` reads keeps to the limits.
-    fn is_plain(&self) -> bool {
-        let limits = &self.options.limits;
-        limits.digits >= PLAIN_DIGITS && limits.exponent >= PLAIN_EXPONENT
-    }
-
-    fn exact(&self, text: &str) -> Result<Rational, InputErrorKind> {
-        read_number(text.as_bytes(), self.selector, self.options)
-    }
-
-    fn add(&self, text: &str, column: &mut Column) -> Result<(), InputErrorKind> {
-        match (self.options.reading, plain_decimal(text.as_bytes()).filter(|_| self.is_plain())) {
-            (Reading::Decimal, Some((mantissa, exponent))) => column.push_decimal(mantissa, exponent),
-            (Reading::Decimal, None) => {
-                let number = self.exact(text)?;
-                self.meter.add(&number, text.contains('/'), self.options.sizes.work)?;
-                column.push(number);
-            }
-            (Reading::Binary64, _) => column.push_double(self.exact(text)?.to_f64()),
-        }
-        Ok(())
-    }
-}
-
-/// The double nearest to `mantissa · 10^exponent`.
-fn nearest(mantissa: i128, exponent: i32) -> f64 {
-    // The conversion of an integer rounds to the nearest. So does the division of two doubles: integers up to 2⁵³ and
-    // powers of ten up to 10¹⁹ are doubles (Clinger 1990).
-    match exponent {
-        0 => mantissa as f64,
-        -19..0 if mantissa.unsigned_abs() <= 1 << 53 => {
-            mantissa as f64 / 10_u64.pow(exponent.unsigned_abs()) as f64
-        }
-        _ => Rational::scientific(mantissa, exponent).to_f64(),
+        let column = self.cells.texts(texts);
+        column.map_err(|(index, problem)| BadCell::at(self.array, index, problem))
     }
 }

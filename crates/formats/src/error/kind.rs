@@ -80,7 +80,7 @@ pub enum InputErrorKind {
         /// Its columns.
         columns: u64,
     },
-    /// Columns of a MATLAB file that do not make a table.
+    /// Columns of a MATLAB file or in memory that do not make a table.
     #[error("the column {:?} has {} numbers, but {:?} has {}", .first.0, .first.1, .other.0, .other.1)]
     DifferentLengths {
         /// A column and how many numbers it has.

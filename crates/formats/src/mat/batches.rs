@@ -12,12 +12,9 @@ use crate::error::{InputError, InputErrorKind, Place};
 use crate::lacking::Lacking;
 use crate::roles::Role;
 use crate::scan::{Batch, Pieces, ScanOptions, Scanned, csv_line, each_once, readable_rows};
-use crate::selection::{RowCondition, RowNumbers, between};
+use crate::selection::{RowCondition, RowNumbers, between, in_batches};
 use crate::table::check_rows;
 use crate::threads;
-
-/// The most rows that are handed out at a time: two columns of them take 1 MB.
-const BATCH_ROWS: usize = 1 << 16;
 
 /// Reads columns of a MATLAB file as [`scan`](crate::scan) says. Every number is the one that is stored, whichever way text is to be read. With [`ScanOptions::keep_text`], the rows are written as CSV of the columns
 /// asked for, which reads back the same under the binary64 reading.
@@ -82,25 +79,6 @@ pub(crate) fn scan_mat<T: Send>(
         bytes,
         sha256,
     })
-}
-
-/// Rows in groups that are not too large.
-fn in_batches(wanted: &[Range<usize>]) -> Vec<Vec<Range<usize>>> {
-    let (mut batches, mut room) = (Vec::<Vec<Range<usize>>>::new(), 0);
-    for range in wanted {
-        let mut start = range.start;
-        while start < range.end {
-            if room == 0 {
-                batches.push(Vec::new());
-                room = BATCH_ROWS;
-            }
-            let end = range.end.min(start + room);
-            room -= end - start;
-            batches.last_mut().into_iter().for_each(|batch| batch.push(start..end));
-            start = end;
-        }
-    }
-    batches
 }
 
 /// Rows of columns of one length.

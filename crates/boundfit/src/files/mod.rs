@@ -2,7 +2,8 @@
 //!
 //! [`Measurements::scan`] reads a file in parts, in memory that does not grow with it;
 //! [`Measurements::read`] reads a [`Source`], which need not be a file. A column is named by its header or its number, and
-//! every error names file, line, column and text.
+//! every error names file, line, column and text. Columns in memory are a source too ([`MemoryTable`]); a [`Question`] says what is
+//! asked of either.
 //!
 //! ```
 //! use boundfit::files::{LineForm, ColumnSelector, Columns, EpsilonColumn, Measurements, Source, TableOptions};
@@ -21,9 +22,16 @@
 //! # Ok::<(), boundfit::files::InputError>(())
 //! ```
 
-pub use boundfit_estimation::{Columns, EpsilonColumn, Fleet, Keep, LineForm, Measurements, ReducedTable};
+mod question;
+
+pub use boundfit_estimation::{
+    AskedBound, Columns, EpsilonColumn, Fleet, GroupFit, Keep, LineForm, Measurements, ParseBoundError,
+    ReducedTable,
+};
 pub use boundfit_exact::{Limits, Reading};
 pub use boundfit_formats::{
-    ColumnSelector, HalfPlaneFile, Header, InputError, RowRange, ScanOptions, SizeLimits, Source,
+    AskedDialect, ColumnSelector, HalfPlaneFile, Header, InputError, InputErrorKind, MemoryNumbers,
+    MemoryTable, Missing, Pieces, RowCondition, RowRange, RowSet, ScanOptions, SizeLimits, Source,
     TableOptions, read_half_planes,
 };
+pub use question::Question;

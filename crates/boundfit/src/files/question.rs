@@ -1,0 +1,128 @@
+//! What is asked of a table, whatever it comes from.
+
+use boundfit_estimation::{
+    AskedBound, Columns, Condition, EpsilonColumn, Fleet, GroupFit, Keep, LineForm, Measurements,
+    ParseBoundError, Problem, ReducedTable, fit_group,
+};
+use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_formats::{ColumnSelector, InputError, ScanOptions, Source};
+
+/// Which columns of a table are fitted, under which bounds on the errors, and what is known of the parameters besides. Files and
+/// columns in memory ([`Source::of_table`]) are asked in the same words, and so are whole tables, fleets and what is to be reduced.
+///
+/// ```
+/// use boundfit::Reading;
+/// use boundfit::files::{ColumnSelector, MemoryNumbers, MemoryTable, Question, Source};
+///
+/// let mut table = MemoryTable::default();
+/// table.push("x", MemoryNumbers::Integers(vec![0, 1, 2]));
+/// table.push("y", MemoryNumbers::Doubles(vec![0.0, 1.5, 2.0]));
+/// let [x, y] = ["x", "y"].map(ColumnSelector::name_or_number);
+/// let question = Question::line(x, Some(y)).within("2*min", Reading::Decimal)?;
+/// let problem = question.problem(Source::of_table("readings", table), &Default::default(), Default::default())?;
+/// let [slope, _] = problem.fit().pui_intervals().unwrap();
+/// assert_eq!(slope.to_string(), "[1/2, 3/2]");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Question {
+    /// The columns.
+    pub columns: Columns,
+    /// What the parameters are known to satisfy.
+    pub conditions: Vec<Condition>,
+    /// How many times ε_min of the readings bounds every error, in the place of the bound in `columns`.
+    pub multiple_of_least: Option<Rational>,
+}
+
+impl Question {
+    /// A line, y = θ1·x + θ2 + e, of whose errors nothing is said yet: they are 0.
+    pub fn line(x: ColumnSelector, y: Option<ColumnSelector>) -> Self {
+        Question::of(x, None, y)
+    }
+
+    /// Two regressors, y = θ1·φ1 + θ2·φ2 + e, of whose errors nothing is said yet: they are 0.
+    pub fn regressors(phi1: ColumnSelector, phi2: ColumnSelector, y: Option<ColumnSelector>) -> Self {
+        Question::of(phi1, Some(phi2), y)
+    }
+
+    fn of(first: ColumnSelector, second: Option<ColumnSelector>, response: Option<ColumnSelector>) -> Self {
+        let (epsilon, form) = (EpsilonColumn::Uniform(Rational::zero()), LineForm::default());
+        let columns = Columns { first, second, response, epsilon, form };
+        Question { columns, conditions: Vec::new(), multiple_of_least: None }
+    }
+
+    /// With a bound on the errors in words: a number, a law such as `0.05%*|y| + 2e-3`, or a multiple of ε_min such as
+    /// `1.2*min` ([`AskedBound::parse`]).
+    ///
+    /// # Errors
+    /// With the place where the text stops making sense.
+    pub fn within(mut self, bound: &str, reading: Reading) -> Result<Self, ParseBoundError> {
+        self.multiple_of_least = None;
+        self.columns.epsilon = match AskedBound::parse(bound, reading, &Limits::default())? {
+            AskedBound::Number(number) => EpsilonColumn::Uniform(number),
+            AskedBound::Law(law) => EpsilonColumn::Law(*law),
+            AskedBound::TimesLeast(factor) => {
+                self.multiple_of_least = Some(factor);
+                // It has no say in what the least bound follows from.
+                EpsilonColumn::Uniform(Rational::zero())
+            }
+        };
+        Ok(self)
+    }
+
+    /// With bounds from columns.
+    #[must_use]
+    pub fn within_columns(mut self, epsilon: EpsilonColumn) -> Self {
+        self.multiple_of_least = None;
+        self.columns.epsilon = epsilon;
+        self
+    }
+
+    /// The problem, in memory that does not grow with the table beyond what `keep` says. Exact. Cost: one pass, and what
+    /// [`Measurements::scan`] says.
+    ///
+    /// # Errors
+    /// The first thing wrong with the table.
+    pub fn problem(&self, source: Source, options: &ScanOptions, keep: Keep) -> Result<Problem, InputError> {
+        let no_intercept = self.columns.form.through_origin.then(Condition::no_intercept);
+        let conditions: Vec<Condition> = self.conditions.iter().cloned().chain(no_intercept).collect();
+        // Where the bounds are going to move, those that decide under these are not enough.
+        let keeps_all = self.multiple_of_least.is_some() && !self.columns.are_open();
+        let keep = if keeps_all { Keep { eui: keep.eui, ..Keep::EVERY } } else { keep };
+        let measurements = Measurements::scan(source, &self.columns, &conditions, options, keep)?;
+        Ok(self.of_measurements(measurements))
+    }
+
+    /// The problem of readings of these columns.
+    pub fn of_measurements(&self, measurements: Measurements) -> Problem {
+        let problem = Problem { measurements, conditions: self.conditions.clone() };
+        let problem = if self.columns.form.through_origin { problem.through_origin() } else { problem };
+        match &self.multiple_of_least {
+            Some(factor) => problem.with_multiple_of_least(factor),
+            None => problem,
+        }
+    }
+
+    /// What a fleet that was read for these columns says of one of its groups: see [`Fleet::group_fit`]. Exact.
+    ///
+    /// # Panics
+    /// When there are not that many groups.
+    pub fn of_group(&self, fleet: &Fleet, group: usize) -> GroupFit {
+        let is_plain = self.conditions.is_empty()
+            && self.multiple_of_least.is_none()
+            && !self.columns.form.through_origin;
+        let line = is_plain.then(|| fleet.group_fit(group)).flatten();
+        line.unwrap_or_else(|| {
+            let problem = self.of_measurements(fleet.measurements(group));
+            GroupFit::of(&problem, &fit_group(&problem))
+        })
+    }
+
+    /// The readings that decide, as a text that files of readings may be in the place of: see [`ReducedTable::scan`].
+    ///
+    /// # Errors
+    /// The first thing wrong with the table.
+    pub fn reduce(&self, source: Source, options: &ScanOptions) -> Result<ReducedTable, InputError> {
+        ReducedTable::scan(source, &self.columns, options)
+    }
+}

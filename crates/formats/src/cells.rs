@@ -1,0 +1,112 @@
+//! Cells of tables that are not text, on their way into columns.
+
+use std::fmt::LowerExp;
+
+use boundfit_exact::{
+    Column, DecimalMark, PLAIN_DIGITS, PLAIN_EXPONENT, ParseNumberError, ParseNumberErrorKind, Rational,
+    Reading, Unit, WorkMeter, plain_decimal,
+};
+
+use crate::columns::{ColumnSelector, decode};
+use crate::error::InputErrorKind;
+use crate::roles::instead_of_number;
+use crate::table::TableOptions;
+
+/// How the cells of one column become numbers.
+#[derive(Clone, Copy)]
+pub(crate) struct CellReader<'a> {
+    pub(crate) selector: &'a ColumnSelector,
+    pub(crate) options: &'a TableOptions,
+    pub(crate) meter: &'a WorkMeter,
+}
+
+/// Which cell cannot be used, and why.
+pub(crate) type BadIndex = (usize, InputErrorKind);
+
+impl CellReader<'_> {
+    /// So many units of a power of ten each; under the binary64 reading the doubles that are nearest to them.
+    pub(crate) fn counts(&self, counts: impl Iterator<Item = i128> + Clone, exponent: i32) -> Column {
+        if self.options.reading == Reading::Binary64 {
+            return Column::Doubles(counts.map(|count| nearest(count, exponent)).collect());
+        }
+        Column::of_counts(counts, Unit::TenTo(exponent))
+    }
+
+    /// Finite floats: what their shortest text says, or themselves. Others are refused as the text that they would be.
+    pub(crate) fn floats<F: LowerExp>(
+        &self,
+        floats: &[F],
+        decimals: impl FnOnce(&[F]) -> Result<Column, usize>,
+        doubles: impl FnOnce() -> Result<Column, usize>,
+    ) -> Result<Column, BadIndex> {
+        let column = match self.options.reading {
+            Reading::Binary64 => doubles(),
+            Reading::Decimal if self.is_plain() => decimals(floats),
+            // Limits this low are those of the text.
+            Reading::Decimal => return self.texts(floats.iter().map(|float| format!("{float:e}"))),
+        };
+        column.map_err(|index| {
+            let problem = floats.get(index).and_then(|float| self.exact(&format!("{float:e}")).err());
+            (index, problem.unwrap_or(InputErrorKind::NotFinite))
+        })
+    }
+
+    /// Numbers as text.
+    pub(crate) fn texts<S: AsRef<str>>(&self, texts: impl Iterator<Item = S>) -> Result<Column, BadIndex> {
+        let mut column = Column::default();
+        for (index, text) in texts.enumerate() {
+            self.add(text.as_ref(), &mut column).map_err(|problem| (index, problem))?;
+        }
+        Ok(column)
+    }
+
+    /// Whether what `plain_decimal` reads keeps to the limits.
+    fn is_plain(&self) -> bool {
+        let limits = &self.options.limits;
+        limits.digits >= PLAIN_DIGITS && limits.exponent >= PLAIN_EXPONENT
+    }
+
+    /// The number in a text.
+    pub(crate) fn exact(&self, text: &str) -> Result<Rational, InputErrorKind> {
+        let (cell, column) = (text.as_bytes(), self.selector);
+        if let Some((mantissa, exponent)) = instead_of_number(cell, column, Some(DecimalMark::Point))? {
+            return Ok(Rational::scientific(mantissa, exponent));
+        }
+        // What is said of a comma is about the options that tell how text is written.
+        let number = self.options.reading.read(decode(cell)?, &self.options.limits);
+        let number = number.map_err(|error| match error.kind {
+            ParseNumberErrorKind::Comma => InputErrorKind::Comma,
+            kind => ParseNumberError { kind, ..error }.into(),
+        })?;
+        if column.is_non_negative() && number.is_negative() {
+            return Err(InputErrorKind::NegativeErrorBound);
+        }
+        Ok(number)
+    }
+
+    fn add(&self, text: &str, column: &mut Column) -> Result<(), InputErrorKind> {
+        match (self.options.reading, plain_decimal(text.as_bytes()).filter(|_| self.is_plain())) {
+            (Reading::Decimal, Some((mantissa, exponent))) => column.push_decimal(mantissa, exponent),
+            (Reading::Decimal, None) => {
+                let number = self.exact(text)?;
+                self.meter.add(&number, text.contains('/'), self.options.sizes.work)?;
+                column.push(number);
+            }
+            (Reading::Binary64, _) => column.push_double(self.exact(text)?.to_f64()),
+        }
+        Ok(())
+    }
+}
+
+/// The double nearest to `mantissa · 10^exponent`.
+fn nearest(mantissa: i128, exponent: i32) -> f64 {
+    // The conversion of an integer rounds to the nearest. So does the division of two doubles: integers up to 2⁵³ and
+    // powers of ten up to 10¹⁹ are doubles (Clinger 1990).
+    match exponent {
+        0 => mantissa as f64,
+        -19..0 if mantissa.unsigned_abs() <= 1 << 53 => {
+            mantissa as f64 / 10_u64.pow(exponent.unsigned_abs()) as f64
+        }
+        _ => Rational::scientific(mantissa, exponent).to_f64(),
+    }
+}

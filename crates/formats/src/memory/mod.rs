@@ -1,0 +1,306 @@
+//! Columns in memory, handed out as those of a file are.
+
+mod numbers;
+
+use std::ops::Range;
+
+use boundfit_exact::{Column, Foreign, Rational, WorkMeter};
+
+use crate::cells::CellReader;
+use crate::columns::{ColumnPlace, ColumnSelector, Header, Heading};
+use crate::error::{InputError, InputErrorKind, Place};
+use crate::lacking::Lacking;
+use crate::scan::{Batch, Pieces, ScanOptions, Scanned, csv_line, each_once, readable_rows};
+use crate::selection::{RowCondition, RowNumbers, between, in_batches};
+use crate::table::check_rows;
+use crate::threads;
+
+use numbers::BadNumber;
+
+/// A table whose columns are in memory. [`Source::of_table`](crate::Source::of_table) makes an input of it, which
+/// [`scan`](crate::scan) hands out as it does a file's: what reads files reads it, and refuses the same things.
+///
+/// ```
+/// use boundfit_exact::Rational;
+/// use boundfit_formats::{ColumnSelector, MemoryNumbers, MemoryTable, Source, TableOptions, read_table};
+///
+/// let mut table = MemoryTable::default();
+/// table.push("I", MemoryNumbers::Doubles(vec![0.1, 0.2]));
+/// table.push("U", MemoryNumbers::Texts(vec!["1/3".into(), "0.7".into()]));
+/// let columns = ["U", "I"].map(ColumnSelector::name_or_number);
+/// let read = read_table(Source::of_table("resistor", table), &columns, &TableOptions::default())?;
+/// assert_eq!(read.rows[0].numbers, [Rational::ratio(1, 3), Rational::ratio(1, 10)]);
+/// # Ok::<(), boundfit_formats::InputError>(())
+/// ```
+#[derive(Debug, Clone, Default)]
+pub struct MemoryTable {
+    names: Vec<Foreign>,
+    columns: Vec<MemoryNumbers>,
+}
+
+/// The cells of a column in memory.
+#[derive(Debug, Clone)]
+pub enum MemoryNumbers {
+    /// Doubles. Each stands, under [`Reading::Decimal`](boundfit_exact::Reading::Decimal), for the shortest decimal that is read
+    /// as it, which is what a CSV of them shows (0.1 is 1/10); under [`Reading::Binary64`](boundfit_exact::Reading::Binary64) for
+    /// itself. A NaN is a number that is missing.
+    Doubles(Vec<f64>),
+    /// Floats of 32 bits, like doubles.
+    Floats(Vec<f32>),
+    /// Integers; under the binary64 reading the doubles that are nearest to them.
+    Integers(Vec<i64>),
+    /// Exact numbers, whatever the reading is.
+    Exact(Vec<Rational>),
+    /// Texts of numbers, as they stand in the cells of a CSV with decimal points, or of keys. An empty text, or a word for
+    /// that such as `NA`, is a number that is missing.
+    Texts(Vec<String>),
+}
+
+impl MemoryTable {
+    /// Adds a column at the right. The columns must be equally long by the time they are read.
+    pub fn push(&mut self, name: impl Into<Foreign>, numbers: MemoryNumbers) {
+        self.names.push(name.into());
+        self.columns.push(numbers);
+    }
+
+    fn rows(&self) -> usize {
+        self.columns.first().map_or(0, MemoryNumbers::len)
+    }
+}
+
+/// Reads columns in memory as [`scan`](crate::scan) says. With [`ScanOptions::keep_text`], the rows are written as CSV of the
+/// columns asked for, which reads back as the same numbers. There are no bytes to hash.
+///
+/// Exact. Cost: one pass.
+///
+/// # Errors
+/// The first thing wrong, with the row and column; columns that are not equally long.
+pub(crate) fn scan_memory<T: Send>(
+    name: &str,
+    table: &MemoryTable,
+    columns: &[ColumnSelector],
+    options: &ScanOptions,
+    work: impl Fn(Batch) -> T + Sync,
+    mut take: impl FnMut(T),
+) -> Result<Scanned, InputError> {
+    let rows_of = Rows::new(name, table, columns, options)?;
+    let rows = table.rows();
+    check_rows(name, rows, &options.table.rows)?;
+    let asked = options.table.rows.among(1, rows + 1);
+    let mut lacking = Lacking::default();
+    let [satisfying, wanted] = rows_of.with_values(&asked, &mut lacking)?;
+    let used = wanted.iter().map(ExactSizeIterator::len).sum();
+    let ((), rows_missing) = lacking.settle(Ok(()), used, options.table.missing)?;
+    for group in in_batches(&wanted).chunks(threads::count()) {
+        let batch = |rows: Vec<Range<usize>>| rows_of.batch(&rows).map(&work);
+        let done: Vec<Result<T, InputError>> = threads::map(group.to_vec(), batch);
+        for result in done {
+            take(result?);
+        }
+        if options.progress.as_deref().is_some_and(|progress| progress.is_cancelled()) {
+            return Err(InputError::of_file(name, InputErrorKind::Interrupted));
+        }
+    }
+    if options.table.keep_others && options.table.selects_rows() {
+        let unwanted = between(&satisfying, 1, rows + 1).into_iter();
+        let others = unwanted.flat_map(|rows| readable_rows(rows, &|rows| rows_of.batch(&[rows]))).collect();
+        take(work(Batch { others, ..rows_of.batch(&[])? }));
+    }
+    let names: Vec<Foreign> = rows_of.places.iter().map(ColumnPlace::title).collect();
+    Ok(Scanned {
+        layout: None,
+        header_line: options
+            .keep_text
+            .then(|| csv_line(each_once(&names, &names).map(|name| name.raw().to_owned()))),
+        header: table.names.clone(),
+        units: vec![None; names.len()],
+        names,
+        fractions: Vec::new(),
+        key_name: rows_of.key.as_ref().map(ColumnPlace::title),
+        rows_total: rows,
+        ranges: Vec::new(),
+        rows_missing,
+        bytes: 0,
+        sha256: None,
+    })
+}
+
+/// The rows of a table, and which of its columns are asked for.
+struct Rows<'a> {
+    file: &'a str,
+    table: &'a MemoryTable,
+    options: &'a ScanOptions,
+    selectors: &'a [ColumnSelector],
+    places: Vec<ColumnPlace>,
+    key: Option<ColumnPlace>,
+    /// What must hold for rows to be wanted, and where the columns are that it is about.
+    conditions: Vec<(ColumnPlace, &'a RowCondition)>,
+    /// The work on the numbers that were read as text.
+    meter: WorkMeter,
+}
+
+impl<'a> Rows<'a> {
+    fn new(
+        file: &'a str,
+        table: &'a MemoryTable,
+        selectors: &'a [ColumnSelector],
+        options: &'a ScanOptions,
+    ) -> Result<Self, InputError> {
+        let key = options.key.as_ref();
+        let conditions = &options.table.conditions;
+        let others: Vec<&ColumnSelector> =
+            key.into_iter().chain(conditions.iter().map(RowCondition::column)).collect();
+        let cells: Vec<&[u8]> = table.names.iter().map(|name| name.raw().as_bytes()).collect();
+        let heading = Heading::new(file, &cells, 1, Header::Present, selectors, &others)?;
+        let find = |selector| {
+            heading.find(file, selector).map_err(|mut error| {
+                // There are no lines here.
+                error.place.line = None;
+                error
+            })
+        };
+        let described = |index: usize| {
+            let name = table.names.get(index).cloned().unwrap_or_default();
+            (name, table.columns.get(index).map_or(0, MemoryNumbers::len) as u64)
+        };
+        let rows = table.rows();
+        if let Some(other) = table.columns.iter().position(|column| column.len() != rows) {
+            let problem = InputErrorKind::DifferentLengths { first: described(0), other: described(other) };
+            return Err(InputError::of_file(file, problem));
+        }
+        Ok(Rows {
+            file,
+            table,
+            options,
+            selectors,
+            places: selectors.iter().map(find).collect::<Result<_, _>>()?,
+            key: key.map(find).transpose()?,
+            conditions: conditions
+                .iter()
+                .map(|condition| Ok((find(condition.column())?, condition)))
+                .collect::<Result<_, InputError>>()?,
+            meter: WorkMeter::default(),
+        })
+    }
+
+    fn cells(&self, place: &ColumnPlace) -> Option<&MemoryNumbers> {
+        self.table.columns.get(place.position - 1)
+    }
+
+    /// Of rows in these ranges, those whose numbers satisfy the conditions as far as they are there, and those of them that lack
+    /// no number.
+    fn with_values(
+        &self,
+        rows: &[Range<usize>],
+        lacking: &mut Lacking,
+    ) -> Result<[Vec<Range<usize>>; 2], InputError> {
+        let looked_at = self.conditions.iter().map(|(place, _)| place);
+        let needed =
+            self.places.iter().zip(self.selectors).filter(|(_, selector)| selector.role().is_needed());
+        let needed = looked_at.chain(needed.map(|(place, _)| place));
+        let needed: Vec<&ColumnPlace> =
+            needed.filter(|place| self.cells(place).is_some_and(MemoryNumbers::has_missing)).collect();
+        if needed.is_empty() && self.conditions.is_empty() {
+            return Ok([rows.to_vec(), rows.to_vec()]);
+        }
+        let is_missing = |place: &ColumnPlace, row: usize| {
+            self.cells(place).is_some_and(|cells| cells.is_missing(row - 1))
+        };
+        let [mut satisfying, mut wanted] = [RowNumbers::default(), RowNumbers::default()];
+        for range in rows {
+            let numbers = self
+                .conditions
+                .iter()
+                .map(|(place, condition)| self.numbers(place, range, &condition.column().clone().optional()));
+            let numbers: Vec<Column> = numbers.collect::<Result<_, _>>()?;
+            for row in range.clone() {
+                let satisfies = self.conditions.iter().zip(&numbers).all(|((place, condition), numbers)| {
+                    is_missing(place, row) || condition.holds(&numbers.get(row - range.start))
+                });
+                if !satisfies {
+                    continue;
+                }
+                satisfying.push(row);
+                match needed.iter().find(|place| is_missing(place, row)) {
+                    None => wanted.push(row),
+                    Some(place) => lacking.notice(|| {
+                        let text = self.cells(place).map(|cells| cells.text(row - 1)).unwrap_or_default();
+                        self.error(place, BadNumber { index: row - 1, text, problem: InputErrorKind::Null })
+                    }),
+                }
+            }
+        }
+        Ok([satisfying, wanted].map(|rows| rows.ranges().map(|[first, last]| first..last + 1).collect()))
+    }
+
+    /// What a column takes from the rows of a range, counted from 1.
+    fn numbers(
+        &self,
+        place: &ColumnPlace,
+        rows: &Range<usize>,
+        selector: &ColumnSelector,
+    ) -> Result<Column, InputError> {
+        let Some(cells) = self.cells(place) else { return Ok(Column::default()) };
+        let reader = CellReader { selector, options: &self.options.table, meter: &self.meter };
+        cells.column(rows.start - 1..rows.end - 1, reader).map_err(|bad| self.error(place, bad))
+    }
+
+    /// The rows of these ranges, counted from 1.
+    fn batch(&self, ranges: &[Range<usize>]) -> Result<Batch, InputError> {
+        let mut columns = Vec::new();
+        for (place, selector) in self.places.iter().zip(self.selectors) {
+            let mut parts = ranges.iter().map(|range| self.numbers(place, range, selector));
+            let mut numbers = parts.next().transpose()?.unwrap_or_default();
+            for part in parts {
+                let part = part?;
+                numbers.append(&part, 0..part.len());
+            }
+            columns.push(numbers);
+        }
+        let rows = || ranges.iter().cloned().flatten();
+        let text = |place: &ColumnPlace, row: usize| {
+            self.cells(place).map(|cells| cells.text(row - 1)).unwrap_or_default()
+        };
+        let keys = self.key.as_ref().map(|key| {
+            let mut keys = Pieces::<String>::default();
+            match self.cells(key) {
+                Some(MemoryNumbers::Texts(texts)) => {
+                    rows().for_each(|row| keys.push(texts.get(row - 1).map_or("", |text| trimmed(text))))
+                }
+                _ => rows().for_each(|row| keys.push(&text(key, row))),
+            }
+            keys
+        });
+        let lines = self.options.keep_text.then(|| {
+            let mut lines = Pieces::<Vec<u8>>::default();
+            let titles: Vec<Foreign> = self.places.iter().map(ColumnPlace::title).collect();
+            let places: Vec<&ColumnPlace> = each_once(&self.places, &titles).collect();
+            rows().for_each(|row| lines.push(&csv_line(places.iter().map(|place| text(place, row)))));
+            lines
+        });
+        Ok(Batch {
+            rows: ranges.iter().cloned().collect(),
+            columns,
+            keys,
+            lines,
+            fractions: Vec::new(),
+            others: Vec::new(),
+        })
+    }
+
+    fn error(&self, place: &ColumnPlace, bad: BadNumber) -> InputError {
+        let ColumnPlace { position, name } = place.clone();
+        let place = Place {
+            row: Some(bad.index + 1),
+            column: Some((position, name)),
+            text: Some(bad.text.into()),
+            ..Place::default()
+        };
+        InputError::new(self.file, place, bad.problem)
+    }
+}
+
+/// A key without the spaces and tabs around it.
+fn trimmed(key: &str) -> &str {
+    key.trim_matches([' ', '\t'])
+}

@@ -1,0 +1,174 @@
+//! Cells in memory as columns of exact numbers.
+
+use std::ops::Range;
+
+use boundfit_exact::{Column, DecimalMark, Rational, Reading, Unit, is_missing};
+
+use super::MemoryNumbers;
+use crate::cells::{BadIndex, CellReader};
+use crate::columns::ColumnSelector;
+use crate::error::InputErrorKind;
+use crate::roles::{Role, instead_of_number};
+
+/// A cell that cannot be used: which one from 0, its text, and why.
+pub(super) struct BadNumber {
+    pub(super) index: usize,
+    pub(super) text: String,
+    pub(super) problem: InputErrorKind,
+}
+
+impl MemoryNumbers {
+    /// How many cells there are.
+    pub fn len(&self) -> usize {
+        match self {
+            MemoryNumbers::Doubles(doubles) => doubles.len(),
+            MemoryNumbers::Floats(floats) => floats.len(),
+            MemoryNumbers::Integers(integers) => integers.len(),
+            MemoryNumbers::Exact(numbers) => numbers.len(),
+            MemoryNumbers::Texts(texts) => texts.len(),
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Whether a cell has no number.
+    pub(super) fn has_missing(&self) -> bool {
+        match self {
+            // Not `any`, so that many are compared at a time.
+            MemoryNumbers::Doubles(doubles) => {
+                doubles.iter().fold(false, |found, double| found | double.is_nan())
+            }
+            MemoryNumbers::Floats(floats) => floats.iter().fold(false, |found, float| found | float.is_nan()),
+            MemoryNumbers::Integers(_) | MemoryNumbers::Exact(_) => false,
+            MemoryNumbers::Texts(texts) => texts.iter().any(|text| is_missing(text)),
+        }
+    }
+
+    /// Whether this cell has no number.
+    pub(super) fn is_missing(&self, index: usize) -> bool {
+        match self {
+            MemoryNumbers::Doubles(doubles) => doubles.get(index).is_some_and(|double| double.is_nan()),
+            MemoryNumbers::Floats(floats) => floats.get(index).is_some_and(|float| float.is_nan()),
+            MemoryNumbers::Integers(_) | MemoryNumbers::Exact(_) => false,
+            MemoryNumbers::Texts(texts) => texts.get(index).is_some_and(|text| is_missing(text)),
+        }
+    }
+
+    /// A cell as a CSV would show it.
+    pub(super) fn text(&self, index: usize) -> String {
+        match self {
+            MemoryNumbers::Doubles(doubles) => doubles.get(index).map(shown),
+            MemoryNumbers::Floats(floats) => floats.get(index).map(shown),
+            MemoryNumbers::Integers(integers) => integers.get(index).map(ToString::to_string),
+            MemoryNumbers::Exact(numbers) => numbers.get(index).map(ToString::to_string),
+            MemoryNumbers::Texts(texts) => texts.get(index).cloned(),
+        }
+        .unwrap_or_default()
+    }
+
+    /// What a column takes from the cells in a range.
+    pub(super) fn column(&self, range: Range<usize>, reader: CellReader) -> Result<Column, BadNumber> {
+        let column = match reader.selector.role() {
+            Role::Number | Role::NonNegative => self.given(range.clone(), reader),
+            Role::Presence => {
+                let counts = range.clone().map(|index| i128::from(!self.is_missing(index)));
+                Ok(Column::of_counts(counts, Unit::TenTo(0)))
+            }
+            Role::Optional => self.optional(range.clone(), reader),
+            Role::HalfUnit => self.half_units(range.clone(), reader.selector),
+        };
+        column.map_err(|(index, problem)| {
+            let index = range.start + index;
+            BadNumber { index, text: self.text(index), problem }
+        })
+    }
+
+    /// The numbers in a range, all of which are there.
+    fn given(&self, range: Range<usize>, reader: CellReader) -> Result<Column, BadIndex> {
+        let column = match self {
+            MemoryNumbers::Doubles(doubles) => {
+                let doubles = part(doubles, range);
+                reader.floats(doubles, Column::of_shortest, || Column::of_doubles(doubles))?
+            }
+            MemoryNumbers::Floats(floats) => {
+                let floats = part(floats, range);
+                let doubles = || floats.iter().map(|&float| f64::from(float)).collect::<Vec<f64>>();
+                reader.floats(floats, Column::of_shortest_f32, || Column::of_doubles(&doubles()))?
+            }
+            MemoryNumbers::Integers(integers) => {
+                reader.counts(part(integers, range).iter().map(|&integer| integer.into()), 0)
+            }
+            MemoryNumbers::Exact(numbers) => {
+                let mut column = Column::default();
+                for (index, number) in part(numbers, range).iter().enumerate() {
+                    // A fraction is one whatever it is read as.
+                    let work = reader.meter.add(number, true, reader.options.sizes.work);
+                    work.map_err(|problem| (index, problem.into()))?;
+                    column.push(number.clone());
+                }
+                column
+            }
+            MemoryNumbers::Texts(texts) => reader.texts(part(texts, range).iter())?,
+        };
+        match column.first_negative() {
+            Some(index) if reader.selector.is_non_negative() => {
+                Err((index, InputErrorKind::NegativeErrorBound))
+            }
+            _ => Ok(column),
+        }
+    }
+
+    /// The numbers in a range, with 0 where there is none.
+    fn optional(&self, range: Range<usize>, reader: CellReader) -> Result<Column, BadIndex> {
+        if !range.clone().any(|index| self.is_missing(index)) {
+            return self.given(range, reader);
+        }
+        if let MemoryNumbers::Doubles(doubles) = self {
+            let filled =
+                part(doubles, range).iter().map(|&double| if double.is_nan() { 0.0 } else { double });
+            let filled = MemoryNumbers::Doubles(filled.collect());
+            return filled.given(0..filled.len(), reader);
+        }
+        let mut column = Column::default();
+        for index in range.clone() {
+            if self.is_missing(index) {
+                match reader.options.reading {
+                    Reading::Binary64 => column.push_double(0.0),
+                    Reading::Decimal => column.push_decimal(0, 0),
+                }
+            } else {
+                let own = self.given(index..index + 1, reader);
+                column.append(&own.map_err(|(_, problem)| (index - range.start, problem))?, 0..1);
+            }
+        }
+        Ok(column)
+    }
+
+    /// Half a unit of the last digit of each cell, where the cells have digits.
+    fn half_units(&self, range: Range<usize>, selector: &ColumnSelector) -> Result<Column, BadIndex> {
+        let texts = match self {
+            MemoryNumbers::Texts(texts) => part(texts, range),
+            _ => return Err((0, InputErrorKind::NoDigits { format: "a column that is not of texts" })),
+        };
+        let mut column = Column::default();
+        for (index, text) in texts.iter().enumerate() {
+            let value = instead_of_number(text.as_bytes(), selector, Some(DecimalMark::Point));
+            let (mantissa, exponent) = value.map_err(|problem| (index, problem))?.unwrap_or_default();
+            column.push(Rational::scientific(mantissa, exponent));
+        }
+        Ok(column)
+    }
+}
+
+/// A float as its shortest text.
+fn shown(float: &impl std::fmt::Debug) -> String {
+    format!("{float:?}")
+}
+
+/// Some of the cells; those that there are.
+fn part<T>(cells: &[T], range: Range<usize>) -> &[T] {
+    cells.get(range).unwrap_or_default()
+}
