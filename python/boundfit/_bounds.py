@@ -1,0 +1,109 @@
+"""Ends of intervals: exact fractions whose doubles do not cut anything off."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import NamedTuple
+
+
+def _nearest(value: Fraction) -> float:
+    try:
+        return value.numerator / value.denominator
+    except OverflowError:
+        return math.inf if value > 0 else -math.inf
+
+
+class LowerBound(Fraction):
+    """A lower end: a ``Fraction`` whose ``float()`` is the largest double that is not above it.
+
+    >>> end = LowerBound(1, 3)
+    >>> Fraction(float(end)) <= end
+    True
+    """
+
+    __slots__ = ()
+
+    def __float__(self) -> float:
+        double = _nearest(self)
+        return math.nextafter(double, -math.inf) if double == math.inf or Fraction(double) > self else double
+
+
+class UpperBound(Fraction):
+    """An upper end: a ``Fraction`` whose ``float()`` is the smallest double that is not below it.
+
+    >>> end = UpperBound(1, 3)
+    >>> Fraction(float(end)) >= end
+    True
+    """
+
+    __slots__ = ()
+
+    def __float__(self) -> float:
+        double = _nearest(self)
+        return math.nextafter(double, math.inf) if double == -math.inf or Fraction(double) < self else double
+
+
+def lower_bound(value: Fraction | None) -> LowerBound | None:
+    return None if value is None else LowerBound(value.numerator, value.denominator)
+
+
+def upper_bound(value: Fraction | None) -> UpperBound | None:
+    return None if value is None else UpperBound(value.numerator, value.denominator)
+
+
+@dataclass(frozen=True, slots=True)
+class Interval:
+    """The values between two ends, which belong to it; ``None`` where there is no end.
+
+    >>> Interval(LowerBound(1, 2), None)
+    Interval(lower=LowerBound(1, 2), upper=None)
+    """
+
+    lower: LowerBound | None
+    upper: UpperBound | None
+
+    @property
+    def width(self) -> Fraction | None:
+        """The distance of the ends; ``None`` where one is missing."""
+        return None if self.lower is None or self.upper is None else self.upper - self.lower
+
+    def __contains__(self, value: Fraction | float) -> bool:
+        return (self.lower is None or self.lower <= value) and (self.upper is None or value <= self.upper)
+
+    def __array__(self, dtype: object = None, copy: bool | None = None) -> object:
+        import numpy
+
+        return numpy.array(self.to_floats(), dtype=float if dtype is None else dtype)  # type: ignore[call-overload]
+
+    def to_floats(self) -> tuple[float, float]:
+        """Both ends as doubles, rounded outward; infinite where there is none."""
+        lower = -math.inf if self.lower is None else float(self.lower)
+        return lower, math.inf if self.upper is None else float(self.upper)
+
+
+class Term(NamedTuple):
+    """A multiple of the bound that a reading or a condition sets: of proofs.
+
+    ``row`` counts from 1 and is ``None`` for a condition; ``bound`` is ``"upper"``, ``"lower"`` or ``"where:K"``.
+    """
+
+    row: int | None
+    bound: str
+    multiplier: Fraction
+
+
+@dataclass(frozen=True, slots=True)
+class ProvedInterval(Interval):
+    """An interval with what proves its ends: at most two multiples, which add up to the end's inequality."""
+
+    lower_proof: tuple[Term, ...] = ()
+    upper_proof: tuple[Term, ...] = ()
+
+
+class Intervals(NamedTuple):
+    """The intervals of both parameters."""
+
+    theta1: Interval
+    theta2: Interval

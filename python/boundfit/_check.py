@@ -1,0 +1,40 @@
+"""Claims about the intervals, judged exactly."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from ._columns import Number
+from ._fit import Fit
+
+
+class Judgement(NamedTuple):
+    """What a claimed end is worth."""
+
+    end: str
+    """Which end: ``"theta1-min"``, ``"theta1-max"``, ``"theta2-min"`` or ``"theta2-max"``."""
+    verdict: str
+    """``"exact"``, ``"rounded"``, ``"within tolerance"``, ``"loose"``, ``"unsafe"`` and others: docs/judging.md has the table."""
+    exact: Fraction | None
+    """The true end; ``None`` where there is none."""
+    claimed: Fraction | None
+    """The claimed end."""
+    excess: Fraction | None
+    """How far the claim is outside (positive) or inside (negative) of the true end."""
+
+
+def check(problem: Fit, claim: Sequence[Sequence[Number]]) -> list[Judgement]:
+    """Judges claimed intervals, ``[(lower, upper) of theta1, (lower, upper) of theta2]``. A float is meant exactly, a text is as
+    precise as its last digit.
+
+    >>> import boundfit
+    >>> fit = boundfit.fit([0, 1, 2], [0, 1.5, 2], "1/2")
+    >>> [own.verdict for own in check(fit, [(0.6, 1.5), (-0.5, 0.7)])]
+    ['unsafe', 'exact', 'loose', 'loose']
+    """
+    ends = [end for interval in claim for end in interval]
+    if len(ends) != 4:
+        raise ValueError(f"the claim has {len(ends)} ends: expected two of each parameter")
+    return [Judgement(*own) for own in problem._core.check(ends)]

@@ -1,0 +1,235 @@
+"""From what people have to columns that the compiled part takes, and the words of a call to what it is asked."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any, Literal, TypeAlias
+
+Number: TypeAlias = "int | float | str | Decimal | Fraction"
+#: A numpy array, a pandas or polars Series, a pyarrow array or a sequence of numbers.
+Column: TypeAlias = Any
+Reading: TypeAlias = Literal["decimal", "binary64"]
+Missing: TypeAlias = Literal["refuse", "skip"]
+Rows: TypeAlias = "str | Iterable[int] | None"
+
+NamedColumns = list[tuple[str, Any]]
+
+
+def cells(values: Any, name: str) -> Any:
+    """A buffer of numbers where there is one without a loss, else a list."""
+    if isinstance(values, list):
+        return values
+    module = type(values).__module__.partition(".")[0]
+    if module == "numpy":
+        if values.ndim == 2 and 1 in values.shape:
+            values = values.reshape(-1)
+        if values.ndim != 1:
+            raise ValueError(f"{name} has {values.ndim} dimensions: expected a column, which has one")
+        if values.dtype.kind in "iuf" and values.dtype.itemsize <= 8 and values.dtype.isnative:
+            return values if values.dtype != "float16" else values.astype("float32")
+        return values.tolist()
+    if module == "pandas":
+        if values.dtype.kind in "iuf" and not getattr(values.dtype, "_is_numeric", False):
+            return cells(values.to_numpy(), name)
+        return values.astype(object).tolist()
+    if module == "polars":
+        if (values.dtype.is_float() or values.dtype.is_integer()) and values.null_count() == 0:
+            return cells(values.to_numpy(), name)
+        return values.to_list()
+    if module == "pyarrow":
+        import pyarrow
+
+        is_plain = pyarrow.types.is_floating(values.type) or pyarrow.types.is_integer(values.type)
+        if is_plain and values.null_count == 0:
+            return cells(values.to_numpy(zero_copy_only=False) if isinstance(values, pyarrow.Array) else values.to_numpy(), name)
+        return values.to_pylist()
+    if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
+        if hasattr(values, "__buffer__") or isinstance(values, (bytearray, memoryview)):
+            return values
+        raise ValueError(f"{name} is of type {type(values).__name__}: expected an array or a list of numbers")
+    if module == "array":
+        return values
+    return list(values)
+
+
+def is_number(value: Any) -> bool:
+    """Whether this is one number rather than a column of them."""
+    return isinstance(value, (str, int, float, Decimal, Fraction)) or getattr(value, "shape", None) == ()
+
+
+def text(value: Any) -> str:
+    """A number as its shortest text."""
+    if isinstance(value, float):
+        return float.__repr__(value)
+    return str(value)
+
+
+def regressors(x: Any) -> list[Any]:
+    """The column of x, or both columns of two regressors: a tuple of two, an array of two columns, a frame of two."""
+    if isinstance(x, tuple):
+        return list(x) if len(x) == 2 and not is_number(x[0]) else [x]
+    if getattr(x, "ndim", 1) == 2 or hasattr(x, "columns") or hasattr(x, "column_names"):
+        width = len(x.column_names) if hasattr(x, "column_names") else x.shape[1]
+        if width not in (1, 2):
+            raise ValueError(f"x has {width} columns: expected one, or two of a model with two regressors")
+        if hasattr(x, "iloc"):
+            return [x.iloc[:, index] for index in range(width)]
+        if hasattr(x, "column_names"):
+            return [x.column(index) for index in range(width)]
+        return [x[:, index] for index in range(width)]
+    return [x]
+
+
+def named(values: Any, default: str, taken: set[str]) -> str:
+    """The name of a Series, where it has one that no other column of this call has."""
+    name = getattr(values, "name", None)
+    name = name.strip() if isinstance(name, str) else ""
+    if not name or name.isdigit() or name in taken:
+        name = default
+    while name in taken:
+        name += "'"
+    taken.add(name)
+    return name
+
+
+def rows(asked: Rows, name: str) -> list[tuple[int, int | None]]:
+    """Ranges of rows, from 1: ``"14..36"``, ``"1..22,24.."`` or row numbers."""
+    if asked is None:
+        return []
+    if not isinstance(asked, str):
+        return [(int(row), int(row)) for row in asked]
+    ranges: list[tuple[int, int | None]] = []
+    for part in asked.split(","):
+        match = re.fullmatch(r"\s*(?:(\d+)|(\d*)\s*\.\.\s*(\d*))\s*", part)
+        if match is None or not part.strip(" ."):
+            raise ValueError(f"{name}={asked!r}: expected rows from 1 such as 14..36, 5, ..10, 10.. or a list of these")
+        only, first, last = match.groups()
+        if only:
+            ranges.append((int(only), int(only)))
+        else:
+            ranges.append((int(first or 1), int(last) if last else None))
+    return ranges
+
+
+def asked(
+    *,
+    regressors: int,
+    response: bool,
+    eps: Any,
+    lower: bool,
+    upper: bool,
+    where: str | Sequence[str],
+    through_origin: bool,
+    x_origin: Any,
+    reading: str,
+    missing: str,
+    eui: bool,
+    eps_column: bool,
+) -> dict[str, Any]:
+    """What the compiled part is asked. ``eps`` is a text, or a column of its own."""
+    if not eps_column and eps is None and not lower and not upper:
+        raise ValueError("nothing bounds the errors: expected eps, or lower and upper")
+    if (eps is not None or eps_column) and (lower or upper):
+        raise ValueError("eps, and lower and upper, both bound the errors: expected one of them")
+    if not response and (eps is not None or eps_column):
+        raise ValueError("y is missing: expected a column of y, or lower and upper")
+    return {
+        "regressors": regressors,
+        "response": response,
+        "eps": None if eps is None else text(eps),
+        "eps_column": eps_column,
+        "lower": lower,
+        "upper": upper,
+        "conditions": [where] if isinstance(where, str) else list(where),
+        "through_origin": through_origin,
+        "x_origin": None if x_origin is None else text(x_origin),
+        "reading": reading,
+        "missing": missing,
+        "eui": eui,
+    }
+
+
+def in_memory(
+    x: Any,
+    y: Any,
+    eps: Any,
+    *,
+    lower: Any,
+    upper: Any,
+    where: str | Sequence[str],
+    through_origin: bool,
+    x_origin: Any,
+    reading: str,
+    missing: str,
+    eui: bool,
+) -> tuple[NamedColumns, dict[str, Any]]:
+    """The columns of a call in the order of their roles, and what is asked about them."""
+    taken: set[str] = set()
+    columns: NamedColumns = []
+
+    def add(values: Any, default: str) -> None:
+        columns.append((named(values, default, taken), cells(values, default)))
+
+    phi = regressors(x)
+    if len(phi) == 1:
+        add(phi[0], "x")
+    else:
+        add(phi[0], "phi1")
+        add(phi[1], "phi2")
+    if y is not None:
+        add(y, "y")
+    eps_column = eps is not None and not is_number(eps)
+    if eps_column:
+        add(eps, "eps")
+    for side, name in ((lower, "lower"), (upper, "upper")):
+        if side is not None:
+            add(side, name)
+    question = asked(
+        regressors=len(phi),
+        response=y is not None,
+        eps=None if eps_column else eps,
+        lower=lower is not None,
+        upper=upper is not None,
+        where=where,
+        through_origin=through_origin,
+        x_origin=x_origin,
+        reading=reading,
+        missing=missing,
+        eui=eui,
+        eps_column=eps_column,
+    )
+    return columns, question
+
+
+DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t", "space": " ", "pipe": "|"}
+
+
+def table(
+    *,
+    rows_asked: Rows,
+    without: Rows,
+    where_row: str | Sequence[str],
+    header: bool | None,
+    delimiter: str | None,
+    sheet: str | int | None,
+    skip_lines: int,
+    units_row: bool,
+) -> dict[str, Any]:
+    """How a file is read."""
+    if delimiter is not None:
+        delimiter = DELIMITERS.get(delimiter, delimiter)
+        if delimiter not in DELIMITERS.values():
+            raise ValueError(f"delimiter={delimiter!r}: expected one of {', '.join(DELIMITERS)}")
+    return {
+        "rows": rows(rows_asked, "rows"),
+        "without": rows(without, "without"),
+        "where_row": [where_row] if isinstance(where_row, str) else list(where_row),
+        "header": header,
+        "delimiter": None if delimiter is None else ord(delimiter),
+        "sheet": None if sheet is None else str(sheet),
+        "skip_lines": skip_lines,
+        "units_row": units_row,
+    }

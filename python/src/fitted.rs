@@ -1,0 +1,369 @@
+//! A fit, and what Python asks of it.
+
+use boundfit::engine::estimation::least_squares_is_feasible;
+use boundfit::engine::exact::Foreign;
+use boundfit::engine::lp::Printed;
+use boundfit::check::{BoundClaim, Claimed, PuiEnd, judge};
+use boundfit::figures::{Figure, PictureFormat, PlotOptions, draw};
+use boundfit::files::{ColumnSelector, Source};
+use boundfit::lesson::{LessonOptions, page};
+use boundfit::report::{
+    InverseLine, Origin, Style, brief_document, fit_csv, fit_document, fit_json, h_representation, proof_json,
+    region_wkt, v_representation,
+};
+use boundfit::{BoundName, Endpoint, Fit, Interval, Number as _, ParameterBound, Problem, Rational, Reading};
+use pyo3::prelude::*;
+
+use crate::asked::{Asked, AskedTable, in_words, problem_of_table, short};
+use crate::cells::{NamedColumn, table};
+use crate::numbers::{Number, exact, outward, pair, refuse};
+
+/// A problem with its answer.
+#[pyclass(frozen, module = "boundfit._boundfit")]
+pub(crate) struct Fitted {
+    problem: Problem,
+    fit: Fit,
+    reading: Reading,
+    file: Option<String>,
+    is_stored: bool,
+}
+
+/// Fits columns in memory. The interpreter is free meanwhile.
+#[pyfunction]
+pub(crate) fn fit_columns(py: Python<'_>, columns: Vec<NamedColumn<'_>>, asked: Asked) -> PyResult<Fitted> {
+    let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
+    let (question, options, reading) = (asked.question(&names, ColumnSelector::name)?, asked.options()?, asked.reading()?);
+    let (table, keep) = (table(&columns)?, asked.keep());
+    let fitted = py.detach(|| {
+        let problem = problem_of_table(&question, table, &options, keep)?;
+        let fit = problem.fit();
+        Ok(Fitted { problem, fit, reading, file: None, is_stored: false })
+    });
+    fitted.map_err(|error: String| refuse(error))
+}
+
+/// Fits columns of a file of any format. The interpreter is free meanwhile.
+#[pyfunction]
+pub(crate) fn fit_file(
+    py: Python<'_>,
+    path: String,
+    names: Vec<String>,
+    asked: Asked,
+    table: AskedTable,
+) -> PyResult<Fitted> {
+    let question = asked.question(&names, ColumnSelector::name_or_number)?;
+    let keep = asked.keep();
+    let asked_reading = asked.reading()?;
+    let is_stored = Source::open(&path).map_err(|error| refuse(in_words(&error)))?.is_stored();
+    let reading = if is_stored { Reading::Binary64 } else { asked_reading };
+    let options = asked.file_options(&table, reading)?;
+    let fitted = py.detach(|| {
+        let source = Source::open(&path).map_err(|error| in_words(&error))?;
+        let problem = question.problem(source, &options, keep).map_err(|error| in_words(&error))?;
+        let problem = short(problem)?;
+        let fit = problem.fit();
+        Ok(Fitted { problem, fit, reading, file: Some(path), is_stored })
+    });
+    fitted.map_err(|error: String| refuse(error))
+}
+
+/// The row of a half-plane, if it is one of a reading, and which bound it is.
+type Name = (Option<usize>, String);
+
+fn name_of(name: BoundName) -> Name {
+    let bound = match name {
+        BoundName::Upper(_) => "upper".to_owned(),
+        BoundName::Lower(_) => "lower".to_owned(),
+        of_condition => of_condition.to_string(),
+    };
+    (name.row(), bound)
+}
+
+/// Both ends; `None` where there is none.
+fn ends(interval: &Interval) -> (Option<Number<'_>>, Option<Number<'_>>) {
+    (interval.lower().value().map(Number), interval.upper().value().map(Number))
+}
+
+type Ends<'a> = (Option<Number<'a>>, Option<Number<'a>>);
+/// The value of an end, and the half-planes with multipliers that prove it.
+type ProvedEnd<'a> = (Option<Number<'a>>, Vec<(Name, Number<'a>)>);
+
+impl Fitted {
+    fn origin(&self) -> Origin<'_> {
+        Origin { file: self.file.as_deref().map(Foreign::of), reading: self.reading, is_stored: self.is_stored }
+    }
+
+    fn proved(&self, end: &ParameterBound) -> ProvedEndOwned {
+        match end {
+            ParameterBound::Unbounded(_) => (None, Vec::new()),
+            ParameterBound::Bounded { value, proof } => {
+                let term = |m: &boundfit::engine::geometry::Multiplier| {
+                    (name_of(self.fit.fps.name(m.index)), m.value.clone())
+                };
+                (Some(value.clone()), proof.multipliers.iter().map(term).collect())
+            }
+        }
+    }
+}
+
+type ProvedEndOwned = (Option<Rational>, Vec<(Name, Rational)>);
+
+#[pymethods]
+impl Fitted {
+    /// How many readings are fitted.
+    #[getter]
+    fn rows(&self) -> usize {
+        self.problem.measurements.fitted()
+    }
+
+    /// How many rows there are, fitted or not.
+    #[getter]
+    fn rows_total(&self) -> usize {
+        self.problem.measurements.rows_total()
+    }
+
+    #[getter]
+    fn kind(&self) -> &'static str {
+        self.fit.fps.polyhedron().region().kind().name()
+    }
+
+    #[getter]
+    fn reading(&self) -> &'static str {
+        self.reading.name()
+    }
+
+    /// The names of the regressors, and of y.
+    #[getter]
+    fn names(&self) -> (Vec<String>, String) {
+        let model = self.problem.measurements.model();
+        let regressors = match model {
+            boundfit::engine::estimation::Model::Line { x } => vec![x.raw().to_owned()],
+            boundfit::engine::estimation::Model::TwoRegressors { regressors } => {
+                regressors.iter().map(|own| own.raw().to_owned()).collect()
+            }
+        };
+        (regressors, self.problem.measurements.response().raw().to_owned())
+    }
+
+    fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        self.fit.vertices().iter().map(|theta| Ok(pair(theta).into_pyobject(py)?.into_any())).collect()
+    }
+
+    fn directions<'py>(&self, py: Python<'py>, lines: bool) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let region = self.fit.fps.polyhedron().region();
+        let directions = if lines { region.lines() } else { region.rays() };
+        let numbers = directions.iter().map(|d| [d.dx(), d.dy()].map(|c| Rational::from(c)));
+        numbers.map(|theta| Ok(pair(&theta).into_pyobject(py)?.into_any())).collect()
+    }
+
+    fn witness<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let witness = self.fit.fps.polyhedron().region().witness();
+        witness.map(|point| Ok(pair(&point.coordinates()).into_pyobject(py)?.into_any())).transpose()
+    }
+
+    fn area<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let area = self.fit.fps.polyhedron().region().area();
+        area.map(|area| Number(&area).into_pyobject(py)).transpose()
+    }
+
+    /// Both intervals, each of two ends with their proofs; nothing of an empty set.
+    fn pui<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let Some(pui) = &self.fit.pui else { return Ok(None) };
+        let owned = pui.each_ref().map(|own| [self.proved(&own.lower), self.proved(&own.upper)]);
+        let shown = owned.each_ref().map(|own| {
+            own.each_ref().map(|(value, terms)| -> ProvedEnd<'_> {
+                let terms = terms.iter().map(|(name, times)| (name.clone(), Number(times))).collect();
+                (value.as_ref().map(Number), terms)
+            })
+        });
+        Ok(Some(shown.into_pyobject(py)?.into_any()))
+    }
+
+    fn eui(&self) -> Option<[Ends<'_>; 2]> {
+        self.fit.eui().map(|eui| eui.each_ref().map(ends))
+    }
+
+    fn central(&self) -> Option<[(Number<'_>, Number<'_>); 2]> {
+        self.fit.central.as_ref().map(|central| [pair(&central.theta), pair(&central.guaranteed_error)])
+    }
+
+    fn least_squares(&self) -> Option<(Number<'_>, Number<'_>)> {
+        self.fit.least_squares.as_ref().ok().map(|own| pair(&own.theta))
+    }
+
+    fn least_squares_is_feasible(&self) -> Option<bool> {
+        least_squares_is_feasible(&self.fit)
+    }
+
+    /// ε_min or the least factor, a minimiser, and whether it is the only one.
+    fn minimax(&self) -> Option<(Number<'_>, (Number<'_>, Number<'_>), bool)> {
+        self.fit.minimax.as_ref().map(|own| (Number(&own.least), pair(&own.theta), own.unique))
+    }
+
+    /// Of an empty set the half-planes that contradict each other.
+    fn contradiction<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let Some(terms) = self.fit.contradiction(self.problem.measurements.error_bound()) else { return Ok(None) };
+        let terms: Vec<_> = terms.iter().map(|(name, times)| (name_of(*name), Number(times))).collect();
+        Ok(Some(terms.into_pyobject(py)?.into_any()))
+    }
+
+    /// Whether a point belongs to the set.
+    fn contains(&self, theta1: &Bound<'_, PyAny>, theta2: &Bound<'_, PyAny>) -> PyResult<bool> {
+        let theta = [exact(theta1)?, exact(theta2)?];
+        Ok(!self.fit.is_empty() && self.fit.fps.polyhedron().membership(&theta).is_inside())
+    }
+
+    /// The smallest and the largest φ·θ over the set; `None` for one that is not bounded, or both of an empty set.
+    fn range<'py>(
+        &self,
+        py: Python<'py>,
+        phi1: &Bound<'py, PyAny>,
+        phi2: &Bound<'py, PyAny>,
+    ) -> PyResult<Option<(Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>)>> {
+        let form = [exact(phi1)?, exact(phi2)?];
+        Ok(match self.range_of(&form) {
+            None => None,
+            Some([lower, upper]) => {
+                let end = |end: &Endpoint| end.value().map(|value| Number(value).into_pyobject(py)).transpose();
+                Some((end(&lower)?, end(&upper)?))
+            }
+        })
+    }
+
+    /// As `range`, of many φ whose numbers are taken as they are, as doubles that are rounded outward.
+    fn ranges(&self, py: Python<'_>, phi1: Vec<f64>, phi2: Vec<f64>) -> PyResult<(Vec<f64>, Vec<f64>)> {
+        let rows = py.detach(|| {
+            let row = |(phi1, phi2): (&f64, &f64)| {
+                let form = [phi1.exact().ok()?, phi2.exact().ok()?];
+                let [lower, upper] = self.range_of(&form)?;
+                let lower = lower.value().map_or(f64::NEG_INFINITY, |value| outward(value, false));
+                Some((lower, upper.value().map_or(f64::INFINITY, |value| outward(value, true))))
+            };
+            phi1.iter().zip(&phi2).map(|own| row(own).unwrap_or((f64::NAN, f64::NAN))).unzip()
+        });
+        Ok(rows)
+    }
+
+    /// Recomputes every proof of the answer from the readings.
+    fn verify(&self, py: Python<'_>) -> PyResult<()> {
+        py.detach(|| self.fit.verify(&self.problem)).map_err(refuse)
+    }
+
+    /// The report of schema boundfit/fit/1.
+    fn json(&self, py: Python<'_>) -> String {
+        py.detach(|| fit_json(&self.problem, &self.fit, None, &self.origin(), &Style::default()))
+    }
+
+    /// The answer in another format.
+    fn text(&self, format: &str, brief: bool, digits: Option<usize>) -> PyResult<String> {
+        let style = Style { digits, ..Style::default() };
+        let document = || match brief {
+            true => brief_document(&self.problem, &self.fit, &self.origin(), &style),
+            false => fit_document(&self.problem, &self.fit, &self.origin(), InverseLine::default(), &style),
+        };
+        let polyhedron = self.fit.fps.polyhedron();
+        Ok(match format {
+            "text" => document().to_text(),
+            "markdown" => document().to_markdown(),
+            "latex" => document().to_latex(),
+            "csv" => fit_csv(&self.fit),
+            "wkt" => region_wkt(polyhedron, &style).map_err(refuse)?,
+            "ine" => h_representation(polyhedron),
+            "ext" => v_representation(polyhedron),
+            other => {
+                return Err(refuse(format_args!(
+                    "format={other:?}: expected \"text\", \"markdown\", \"latex\", \"csv\", \"wkt\", \"ine\" or \"ext\""
+                )));
+            }
+        })
+    }
+
+    /// The proof, where the readings come from delimited text.
+    fn proof(&self, py: Python<'_>) -> Option<String> {
+        py.detach(|| proof_json(&self.problem, &self.fit, self.reading))
+    }
+
+    /// A figure as SVG, or as the bytes of a PNG.
+    #[pyo3(signature = (figure, format, title, x_unit, y_unit, flip))]
+    fn figure(
+        &self,
+        py: Python<'_>,
+        figure: &str,
+        format: &str,
+        title: Option<String>,
+        x_unit: Option<String>,
+        y_unit: Option<String>,
+        flip: bool,
+    ) -> PyResult<Vec<u8>> {
+        let all = || Figure::ALL.map(|own| format!("{:?}", own.name())).join(", ");
+        let asked = Figure::ALL.into_iter().find(|own| own.name() == figure);
+        let asked = asked.ok_or_else(|| refuse(format_args!("figure={figure:?}: expected one of {}", all())))?;
+        let format = if format == "png" { PictureFormat::Png } else { PictureFormat::Svg };
+        let foreign = |text: Option<String>| text.map(Foreign::from);
+        let options = PlotOptions {
+            title: foreign(title),
+            x_unit: foreign(x_unit),
+            y_unit: foreign(y_unit),
+            flip,
+            ..PlotOptions::default()
+        };
+        py.detach(|| draw(&self.problem, &self.fit, asked, &options)?.encoded(format)).map_err(refuse)
+    }
+
+    /// The web page about these readings.
+    fn lesson(&self, py: Python<'_>, title: Option<String>) -> PyResult<String> {
+        let file = self.file.clone().unwrap_or_else(|| "readings".to_owned());
+        let options = LessonOptions { file: file.into(), title: title.map(Foreign::from), ..LessonOptions::default() };
+        py.detach(|| page(&self.problem, &self.fit, self.reading, &options)).map_err(refuse)
+    }
+
+    /// Judges claimed ends: lower and upper of θ1, then of θ2. A text is as precise as its last digit, all else is meant exactly.
+    fn check<'py>(
+        &self,
+        py: Python<'py>,
+        claims: Vec<Bound<'py, PyAny>>,
+    ) -> PyResult<Vec<(String, &'static str, Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>)>>
+    {
+        let mut given = claims.iter();
+        let claims = PuiEnd::try_each(|_| {
+            let claim = given.next().ok_or_else(|| refuse("a claim has four ends"))?;
+            let value = exact(claim)?;
+            let printed = match claim.extract::<String>() {
+                Ok(text) => Printed::typed(&text, value),
+                Err(_) => Printed::exact(value),
+            };
+            Ok::<_, PyErr>(BoundClaim::bare(Claimed::Value(printed)))
+        })?;
+        let judged = py.detach(|| judge(&self.problem, &claims));
+        let number = |value: &Option<Rational>| {
+            value.as_ref().map(|value| Number(value).into_pyobject(py)).transpose()
+        };
+        PuiEnd::ALL
+            .into_iter()
+            .map(|end| {
+                let judgement = end.of(&judged);
+                Ok((
+                    end.name().to_owned(),
+                    judgement.verdict.name(),
+                    number(&judgement.exact)?,
+                    number(&judgement.claimed)?,
+                    number(&judgement.excess)?,
+                ))
+            })
+            .collect()
+    }
+}
+
+impl Fitted {
+    fn range_of(&self, form: &[Rational; 2]) -> Option<[Endpoint; 2]> {
+        use boundfit::Support::{Bounded, Empty, Unbounded};
+        let polyhedron = self.fit.fps.polyhedron();
+        let end = |form: &[Rational; 2], is_lower: bool| match polyhedron.support(form) {
+            Empty(_) => None,
+            Unbounded(_) => Some(Endpoint::Unbounded),
+            Bounded { proof, .. } => Some(Endpoint::Finite(if is_lower { -&proof.value } else { proof.value })),
+        };
+        let [phi1, phi2] = form;
+        Some([end(&[-phi1, -phi2], true)?, end(form, false)?])
+    }
+}

@@ -1,0 +1,195 @@
+//! Fleets and reductions of columns in memory.
+
+use boundfit::files::{ColumnSelector, Fleet, GroupFit, MemoryTable, Question, ScanOptions, Source};
+use boundfit::Rational;
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+
+use crate::asked::{Asked, AskedTable, in_words};
+use crate::cells::{NamedColumn, table};
+use crate::numbers::{outward, refuse};
+
+/// A number of every group: what it is called, and which way its double is rounded.
+const NUMBERS: [(&str, Rounded); 11] = [
+    ("theta1_lower", Rounded::Down),
+    ("theta1_upper", Rounded::Up),
+    ("theta2_lower", Rounded::Down),
+    ("theta2_upper", Rounded::Up),
+    ("theta1_central", Rounded::Nearest),
+    ("theta1_error", Rounded::Up),
+    ("theta2_central", Rounded::Nearest),
+    ("theta2_error", Rounded::Up),
+    ("theta1_least_squares", Rounded::Nearest),
+    ("theta2_least_squares", Rounded::Nearest),
+    ("epsilon_min", Rounded::Up),
+];
+
+#[derive(Clone, Copy)]
+enum Rounded {
+    Down,
+    Nearest,
+    Up,
+}
+
+impl Rounded {
+    fn double(self, value: &Rational) -> f64 {
+        match self {
+            Rounded::Down => outward(value, false),
+            Rounded::Nearest => value.to_f64(),
+            Rounded::Up => outward(value, true),
+        }
+    }
+}
+
+/// A column of numbers on its way to a frame: doubles, NaN where there is none, and exact texts.
+#[derive(Default)]
+struct Numbers {
+    doubles: Vec<u8>,
+    texts: Vec<Option<String>>,
+}
+
+impl Numbers {
+    fn push(&mut self, value: Option<&Rational>, unbounded: Option<f64>, rounded: Rounded) {
+        let double = value.map_or(unbounded.unwrap_or(f64::NAN), |value| rounded.double(value));
+        self.doubles.extend_from_slice(&double.to_ne_bytes());
+        self.texts.push(value.map(ToString::to_string));
+    }
+}
+
+/// What is said of some groups.
+#[derive(Default)]
+struct Lines {
+    keys: Vec<String>,
+    rows: Vec<usize>,
+    kinds: Vec<&'static str>,
+    numbers: [Numbers; NUMBERS.len()],
+}
+
+impl Lines {
+    fn push(&mut self, key: &str, group: &GroupFit) {
+        self.keys.push(key.to_owned());
+        self.rows.push(group.rows);
+        self.kinds.push(group.kind.name());
+        let [pui1, pui2] = group.pui.as_ref().map_or([None, None], |[first, second]| [Some(first), Some(second)]);
+        let central = group.central.as_ref();
+        let estimate = group.least_squares.as_ref();
+        let values: [Option<&Rational>; NUMBERS.len()] = [
+            pui1.and_then(|own| own.lower().value()),
+            pui1.and_then(|own| own.upper().value()),
+            pui2.and_then(|own| own.lower().value()),
+            pui2.and_then(|own| own.upper().value()),
+            central.map(|own| &own.theta[0]),
+            central.map(|own| &own.guaranteed_error[0]),
+            central.map(|own| &own.theta[1]),
+            central.map(|own| &own.guaranteed_error[1]),
+            estimate.map(|own| &own[0]),
+            estimate.map(|own| &own[1]),
+            group.least.as_ref(),
+        ];
+        let unbounded = |index: usize| {
+            let infinity = if index % 2 == 0 { f64::NEG_INFINITY } else { f64::INFINITY };
+            (index < 4 && group.pui.is_some()).then_some(infinity)
+        };
+        for (index, (own, value)) in self.numbers.iter_mut().zip(values).enumerate() {
+            own.push(value, unbounded(index), NUMBERS[index].1);
+        }
+    }
+
+    fn append(&mut self, later: Lines) {
+        self.keys.extend(later.keys);
+        self.rows.extend(later.rows);
+        self.kinds.extend(later.kinds);
+        for (own, later) in self.numbers.iter_mut().zip(later.numbers) {
+            own.doubles.extend(later.doubles);
+            own.texts.extend(later.texts);
+        }
+    }
+}
+
+/// Fits each group of rows with one key, as a dictionary of columns: of each number its doubles as bytes, and its exact texts.
+#[pyfunction]
+pub(crate) fn fit_groups<'py>(
+    py: Python<'py>,
+    columns: Vec<NamedColumn<'py>>,
+    key: NamedColumn<'py>,
+    asked: Asked,
+) -> PyResult<Bound<'py, PyDict>> {
+    let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
+    let (question, options) = (asked.question(&names, ColumnSelector::name)?, asked.options()?);
+    let by = ColumnSelector::name(&key.0);
+    let table = table(&columns.into_iter().chain([key]).collect::<Vec<_>>())?;
+    let (lines, per_row) = py.detach(|| lines(&question, table, &by, options)).map_err(refuse)?;
+    let dict = PyDict::new(py);
+    dict.set_item("group", lines.keys)?;
+    dict.set_item("rows", lines.rows)?;
+    dict.set_item("kind", lines.kinds)?;
+    for ((name, _), numbers) in NUMBERS.iter().zip(lines.numbers) {
+        let name = if per_row && *name == "epsilon_min" { "epsilon_factor" } else { name };
+        dict.set_item(name, PyBytes::new(py, &numbers.doubles))?;
+        dict.set_item(format!("{name}_exact"), numbers.texts)?;
+    }
+    Ok(dict)
+}
+
+fn lines(
+    question: &Question,
+    table: MemoryTable,
+    by: &ColumnSelector,
+    options: ScanOptions,
+) -> Result<(Lines, bool), String> {
+    let fleet = Fleet::read(Source::of_table("readings", table), &question.columns, by, options);
+    let fleet = fleet.map_err(|error| in_words(&error))?;
+    let mut all = Lines::default();
+    let piece = |groups: std::ops::Range<usize>| {
+        let mut lines = Lines::default();
+        groups.for_each(|group| lines.push(fleet.key(group).raw(), &question.of_group(&fleet, group)));
+        lines
+    };
+    let taken = fleet.in_order(piece, |lines| {
+        all.append(lines);
+        Ok::<(), std::convert::Infallible>(())
+    });
+    match taken {
+        Ok(()) => Ok((all, fleet.is_bounded_per_row())),
+        Err(never) => match never {},
+    }
+}
+
+/// Reduces columns in memory to the readings that decide.
+#[pyfunction]
+pub(crate) fn reduce_columns<'py>(
+    py: Python<'py>,
+    columns: Vec<NamedColumn<'py>>,
+    asked: Asked,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
+    let (question, options) = (asked.question(&names, ColumnSelector::name)?, asked.options()?);
+    let table = table(&columns)?;
+    let text = py.detach(|| reduced(&question, Source::of_table("readings", table), &options));
+    Ok(PyBytes::new(py, &text.map_err(refuse)?))
+}
+
+/// Reduces a file, or the union of reductions.
+#[pyfunction]
+pub(crate) fn reduce_file<'py>(
+    py: Python<'py>,
+    path: String,
+    names: Vec<String>,
+    asked: Asked,
+    table: AskedTable,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let question = asked.question(&names, ColumnSelector::name_or_number)?;
+    let options = asked.file_options(&table, asked.reading()?)?;
+    let text = py.detach(|| {
+        let source = Source::open(&path).map_err(|error| in_words(&error))?;
+        reduced(&question, source, &options)
+    });
+    Ok(PyBytes::new(py, &text.map_err(refuse)?))
+}
+
+fn reduced(question: &Question, source: Source, options: &ScanOptions) -> Result<Vec<u8>, String> {
+    let table = question.reduce(source, options).map_err(|error| in_words(&error))?;
+    let mut text = Vec::new();
+    table.write(&mut text).map_err(|error| error.to_string())?;
+    Ok(text)
+}

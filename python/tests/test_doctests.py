@@ -1,0 +1,25 @@
+"""The examples of the package and of its page in the guide."""
+
+from __future__ import annotations
+
+import doctest
+import importlib
+import pkgutil
+
+import boundfit
+import pytest
+
+from conftest import ROOT
+
+MODULES = ["boundfit", *(f"boundfit.{own.name}" for own in pkgutil.iter_modules(boundfit.__path__) if own.name != "_boundfit")]
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_examples_of_the_package(name: str) -> None:
+    assert doctest.testmod(importlib.import_module(name)).failed == 0
+
+
+@pytest.mark.parametrize("page", ["docs/python.md", "python/README.md"])
+def test_examples_of_the_guide(page: str) -> None:
+    tested = doctest.testfile(str(ROOT / page), module_relative=False)
+    assert tested.attempted > 0 and tested.failed == 0
