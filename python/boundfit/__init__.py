@@ -6,7 +6,7 @@ of them, exactly:
 >>> import boundfit
 >>> fit = boundfit.fit([0, 1, 2], [0, 1.5, 2], "1/2")
 >>> fit.vertices
-[(Fraction(1, 2), Fraction(1, 2)), (Fraction(1, 1), Fraction(0, 1)), (Fraction(3, 2), Fraction(0, 1))]
+[(Fraction(1, 2), Fraction(1, 2)), (Fraction(3, 2), Fraction(-1, 2)), (Fraction(1, 1), Fraction(1, 2))]
 >>> fit.pui.theta1.lower, fit.pui.theta1.upper
 (LowerBound(1, 2), UpperBound(3, 2))
 >>> fit.epsilon_min

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
@@ -27,7 +28,9 @@ class LowerBound(Fraction):
 
     def __float__(self) -> float:
         double = _nearest(self)
-        return math.nextafter(double, -math.inf) if double == math.inf or Fraction(double) > self else double
+        if math.isinf(double):
+            return min(double, sys.float_info.max)
+        return math.nextafter(double, -math.inf) if Fraction(double) > self else double
 
 
 class UpperBound(Fraction):
@@ -42,7 +45,9 @@ class UpperBound(Fraction):
 
     def __float__(self) -> float:
         double = _nearest(self)
-        return math.nextafter(double, math.inf) if double == -math.inf or Fraction(double) < self else double
+        if math.isinf(double):
+            return max(double, -sys.float_info.max)
+        return math.nextafter(double, math.inf) if Fraction(double) < self else double
 
 
 def lower_bound(value: Fraction | None) -> LowerBound | None:

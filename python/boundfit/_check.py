@@ -32,7 +32,7 @@ def check(problem: Fit, claim: Sequence[Sequence[Number]]) -> list[Judgement]:
     >>> import boundfit
     >>> fit = boundfit.fit([0, 1, 2], [0, 1.5, 2], "1/2")
     >>> [own.verdict for own in check(fit, [(0.6, 1.5), (-0.5, 0.7)])]
-    ['unsafe', 'exact', 'loose', 'loose']
+    ['unsafe', 'exact', 'exact', 'loose']
     """
     ends = [end for interval in claim for end in interval]
     if len(ends) != 4:

@@ -168,7 +168,7 @@ class Fit:
         A float is the dyadic number that it is; write ``"0.1"`` for 1/10. Where x was counted from an origin, so is this x.
 
         >>> fit([0, 1, 2], [0, 1.5, 2], "1/2").response(3)
-        Interval(lower=LowerBound(2, 1), upper=UpperBound(9, 2))
+        Interval(lower=LowerBound(2, 1), upper=UpperBound(4, 1))
         """
         both = self._core.range(x, 1 if x2 is None else x2)
         return None if both is None else Interval(lower_bound(both[0]), upper_bound(both[1]))
@@ -305,8 +305,11 @@ def fit(
 
     :raises ValueError: with the row, for NaN, infinities, texts that are no numbers, and columns of different lengths.
 
-    >>> fit([1, 2, 3], ["2.1", "3.9", "6.2"], 0.5, through_origin=True).pui.theta1
-    ProvedInterval(lower=LowerBound(19, 10), upper=UpperBound(11, 5), lower_proof=(Term(row=3, bound='lower', multiplier=Fraction(1, 3)), Term(row=None, bound='where:1', multiplier=Fraction(1, 3))), upper_proof=(Term(row=2, bound='upper', multiplier=Fraction(1, 2)), Term(row=None, bound='where:1', multiplier=Fraction(1, 2))))
+    >>> through = fit([1, 2, 3], ["2.1", "3.9", "6.2"], 0.5, through_origin=True)
+    >>> through.pui.theta1.lower, through.pui.theta1.upper
+    (LowerBound(19, 10), UpperBound(11, 5))
+    >>> through.pui.theta1.upper_proof[0]
+    Term(row=2, bound='upper', multiplier=Fraction(1, 2))
     """
     columns, question = in_memory(
         x,

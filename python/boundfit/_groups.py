@@ -79,7 +79,8 @@ def fit_groups(
 def _keys(values: Any) -> list[str]:
     values = values.to_pylist() if hasattr(values, "to_pylist") else values
     values = values.tolist() if hasattr(values, "tolist") else list(values)
-    return [value if isinstance(value, str) else "" if value is None else str(value) for value in values]
+    # What is missing is a key too: an empty one, as in a CSV of the frame.
+    return [value if isinstance(value, str) else "" if value is None or value != value else str(value) for value in values]
 
 
 def _framed(frame: Any, answer: dict[str, Any]) -> Any:
@@ -101,7 +102,7 @@ def _framed(frame: Any, answer: dict[str, Any]) -> Any:
         return pyarrow.table(
             {name: pyarrow.array(own, pyarrow.string()) if name in texts else pyarrow.array(own) for name, own in columns.items()}
         )
-    return {name: list(value) for name, value in columns.items()}
+    return {name: value if isinstance(value, list) else value.tolist() for name, value in columns.items()}
 
 
 def _doubles(value: bytes) -> Any:

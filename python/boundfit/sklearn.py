@@ -5,7 +5,7 @@
 >>> model.predict([[3.0]])
 array([3.])
 >>> [float(end) for end in model.predict_interval([[3.0]])[0]]
-[2.0, 4.5]
+[2.0, 4.0]
 """
 
 from __future__ import annotations
@@ -45,15 +45,33 @@ class BoundedErrorRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc
         :raises ValueError: where there are not one or two features, or the parameters that ``estimator`` names do not exist.
         """
         X, y = validate_data(self, X, y, y_numeric=True, dtype="float64", ensure_min_samples=2)
-        if X.shape[1] not in (1, 2):
-            raise ValueError(f"X has {X.shape[1]} features: a set of two parameters takes one feature, or two")
-        columns = tuple(X.T.copy())
-        regressors: Any = columns[0] if len(columns) == 1 else columns
-        self.fit_: Fit = fit(regressors, y.astype("float64"), self.eps, reading=self.reading, eui=False)
+        columns = tuple(self._features(X).T.copy())
+        # An answer is not kept in a pickle, but what it follows from.
+        self._readings = columns, y.astype("float64")
+        self.fit_: Fit = self._answer()
         theta = self._theta(self.fit_)
         self.coef_ = theta[:1] if len(columns) == 1 else theta
         self.intercept_ = float(theta[1]) if len(columns) == 1 else 0.0
         return self
+
+    def _features(self, X: numpy.ndarray[Any, Any]) -> numpy.ndarray[Any, Any]:
+        """The features that are fitted: all of them."""
+        if X.shape[1] not in (1, 2):
+            raise ValueError(f"X has {X.shape[1]} features: a set of two parameters takes one feature, or two")
+        return X
+
+    def _answer(self) -> Fit:
+        columns, y = self._readings
+        regressors: Any = columns[0] if len(columns) == 1 else columns
+        return fit(regressors, y, self.eps, reading=self.reading, eui=False)
+
+    def __getstate__(self) -> Any:
+        return {name: value for name, value in super().__getstate__().items() if name != "fit_"}
+
+    def __setstate__(self, state: Any) -> None:
+        super().__setstate__(state)
+        if "_readings" in state:
+            self.fit_ = self._answer()
 
     def _theta(self, answer: Fit) -> numpy.ndarray[Any, Any]:
         match self.estimator:
@@ -77,7 +95,7 @@ class BoundedErrorRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc
     def predict(self, X: Any) -> numpy.ndarray[Any, Any]:
         """The values of the estimate."""
         check_is_fitted(self)
-        X = validate_data(self, X, reset=False, dtype="float64")
+        X = self._features(validate_data(self, X, reset=False, dtype="float64"))
         values: numpy.ndarray[Any, Any] = X @ self.coef_ + self.intercept_
         return values
 
@@ -85,7 +103,7 @@ class BoundedErrorRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc
         """A row of two ends for each row of X: where the true line lies, if no error was larger than its bound. Rounded outward;
         infinite where nothing bounds it, NaN where the set is empty."""
         check_is_fitted(self)
-        X = validate_data(self, X, reset=False, dtype="float64")
+        X = self._features(validate_data(self, X, reset=False, dtype="float64"))
         first = X[:, 0].tolist()
         second = X[:, 1].tolist() if X.shape[1] == 2 else [1.0] * len(first)
         return numpy.column_stack(self.fit_._core.ranges(first, second))

@@ -89,19 +89,26 @@ impl Asked {
             && !is_line
             && law.needs_x()
         {
-            return Err(refuse("eps: two regressors have no |x| (expected a law of |y|, range(y) and written)"));
+            return Err(refuse(
+                "eps: two regressors have no |x| (expected a law of |y|, range(y) and written)",
+            ));
         }
         if !is_line && (self.through_origin || self.x_origin.is_some()) {
-            return Err(refuse("through_origin and x_origin are about a line: two regressors have no constant"));
+            return Err(refuse(
+                "through_origin and x_origin are about a line: two regressors have no constant",
+            ));
         }
         let limits = TableOptions::default().limits;
         for text in &self.conditions {
             let condition = Condition::parse(text, reading, &limits);
-            question.conditions.push(condition.map_err(|error| refuse(format_args!("where={text:?}: {error}")))?);
+            question
+                .conditions
+                .push(condition.map_err(|error| refuse(format_args!("where={text:?}: {error}")))?);
         }
         question.columns.form.through_origin = self.through_origin;
         if let Some(origin) = &self.x_origin {
-            let origin = reading.read(origin, &limits).map_err(|error| refuse(format_args!("x_origin: {error}")));
+            let origin =
+                reading.read(origin, &limits).map_err(|error| refuse(format_args!("x_origin: {error}")));
             question.columns.form.x_origin = origin?;
         }
         Ok(question)

@@ -27,7 +27,10 @@ fn numbers(name: &str, values: &Bound<'_, PyAny>) -> PyResult<MemoryNumbers> {
         return Ok(MemoryNumbers::Doubles(floats));
     }
     let texts = (1..).zip(list.iter()).map(|(row, value)| {
-        text(&value).map_err(|problem| PyValueError::new_err(format!("row {row} of {name}: {problem}")))
+        text(&value).map_err(|problem| {
+            let problem = problem.value(values.py());
+            PyValueError::new_err(format!("row {row} of {name}: {problem}"))
+        })
     });
     Ok(MemoryNumbers::Texts(texts.collect::<PyResult<_>>()?))
 }
@@ -48,7 +51,10 @@ fn text(value: &Bound<'_, PyAny>) -> PyResult<String> {
     match kind.to_str()? {
         "NoneType" | "NAType" => Ok(String::new()),
         "Decimal" | "Fraction" => Ok(value.str()?.to_str()?.to_owned()),
-        _ if value.cast::<PyInt>().is_ok() || value.hasattr("__index__")? || value.hasattr("__float__")? => {
+        _ if value.cast::<PyInt>().is_ok()
+            || value.hasattr("__index__")?
+            || value.hasattr("__float__")? =>
+        {
             Ok(value.str()?.to_str()?.to_owned())
         }
         other => Err(PyValueError::new_err(format!(

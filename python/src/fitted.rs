@@ -1,15 +1,15 @@
 //! A fit, and what Python asks of it.
 
+use boundfit::check::{BoundClaim, Claimed, PuiEnd, judge};
 use boundfit::engine::estimation::least_squares_is_feasible;
 use boundfit::engine::exact::Foreign;
 use boundfit::engine::lp::Printed;
-use boundfit::check::{BoundClaim, Claimed, PuiEnd, judge};
 use boundfit::figures::{Figure, PictureFormat, PlotOptions, draw};
 use boundfit::files::{ColumnSelector, Source};
 use boundfit::lesson::{LessonOptions, page};
 use boundfit::report::{
-    InverseLine, Origin, Style, brief_document, fit_csv, fit_document, fit_json, h_representation, proof_json,
-    region_wkt, v_representation,
+    InverseLine, Origin, Style, brief_document, fit_csv, fit_document, fit_json, h_representation,
+    proof_json, region_wkt, v_representation,
 };
 use boundfit::{BoundName, Endpoint, Fit, Interval, Number as _, ParameterBound, Problem, Rational, Reading};
 use pyo3::prelude::*;
@@ -32,7 +32,8 @@ pub(crate) struct Fitted {
 #[pyfunction]
 pub(crate) fn fit_columns(py: Python<'_>, columns: Vec<NamedColumn<'_>>, asked: Asked) -> PyResult<Fitted> {
     let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
-    let (question, options, reading) = (asked.question(&names, ColumnSelector::name)?, asked.options()?, asked.reading()?);
+    let (question, options, reading) =
+        (asked.question(&names, ColumnSelector::name)?, asked.options()?, asked.reading()?);
     let (table, keep) = (table(&columns)?, asked.keep());
     let fitted = py.detach(|| {
         let problem = problem_of_table(&question, table, &options, keep)?;
@@ -89,8 +90,20 @@ type Ends<'a> = (Option<Number<'a>>, Option<Number<'a>>);
 type ProvedEnd<'a> = (Option<Number<'a>>, Vec<(Name, Number<'a>)>);
 
 impl Fitted {
+    /// As [`Fitted::origin`], for people: what comes from no file is not from standard input either.
+    fn shown_origin(&self) -> Origin<'_> {
+        Origin {
+            file: Some(Foreign::of(self.file.as_deref().unwrap_or("columns in memory"))),
+            ..self.origin()
+        }
+    }
+
     fn origin(&self) -> Origin<'_> {
-        Origin { file: self.file.as_deref().map(Foreign::of), reading: self.reading, is_stored: self.is_stored }
+        Origin {
+            file: self.file.as_deref().map(Foreign::of),
+            reading: self.reading,
+            is_stored: self.is_stored,
+        }
     }
 
     fn proved(&self, end: &ParameterBound) -> ProvedEndOwned {
@@ -202,7 +215,9 @@ impl Fitted {
 
     /// Of an empty set the half-planes that contradict each other.
     fn contradiction<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
-        let Some(terms) = self.fit.contradiction(self.problem.measurements.error_bound()) else { return Ok(None) };
+        let Some(terms) = self.fit.contradiction(self.problem.measurements.error_bound()) else {
+            return Ok(None);
+        };
         let terms: Vec<_> = terms.iter().map(|(name, times)| (name_of(*name), Number(times))).collect();
         Ok(Some(terms.into_pyobject(py)?.into_any()))
     }
@@ -224,7 +239,8 @@ impl Fitted {
         Ok(match self.range_of(&form) {
             None => None,
             Some([lower, upper]) => {
-                let end = |end: &Endpoint| end.value().map(|value| Number(value).into_pyobject(py)).transpose();
+                let end =
+                    |end: &Endpoint| end.value().map(|value| Number(value).into_pyobject(py)).transpose();
                 Some((end(&lower)?, end(&upper)?))
             }
         })
@@ -258,8 +274,10 @@ impl Fitted {
     fn text(&self, format: &str, brief: bool, digits: Option<usize>) -> PyResult<String> {
         let style = Style { digits, ..Style::default() };
         let document = || match brief {
-            true => brief_document(&self.problem, &self.fit, &self.origin(), &style),
-            false => fit_document(&self.problem, &self.fit, &self.origin(), InverseLine::default(), &style),
+            true => brief_document(&self.problem, &self.fit, &self.shown_origin(), &style),
+            false => {
+                fit_document(&self.problem, &self.fit, &self.shown_origin(), InverseLine::default(), &style)
+            }
         };
         let polyhedron = self.fit.fps.polyhedron();
         Ok(match format {
@@ -297,7 +315,8 @@ impl Fitted {
     ) -> PyResult<Vec<u8>> {
         let all = || Figure::ALL.map(|own| format!("{:?}", own.name())).join(", ");
         let asked = Figure::ALL.into_iter().find(|own| own.name() == figure);
-        let asked = asked.ok_or_else(|| refuse(format_args!("figure={figure:?}: expected one of {}", all())))?;
+        let asked =
+            asked.ok_or_else(|| refuse(format_args!("figure={figure:?}: expected one of {}", all())))?;
         let format = if format == "png" { PictureFormat::Png } else { PictureFormat::Svg };
         let foreign = |text: Option<String>| text.map(Foreign::from);
         let options = PlotOptions {
@@ -313,7 +332,8 @@ impl Fitted {
     /// The web page about these readings.
     fn lesson(&self, py: Python<'_>, title: Option<String>) -> PyResult<String> {
         let file = self.file.clone().unwrap_or_else(|| "readings".to_owned());
-        let options = LessonOptions { file: file.into(), title: title.map(Foreign::from), ..LessonOptions::default() };
+        let options =
+            LessonOptions { file: file.into(), title: title.map(Foreign::from), ..LessonOptions::default() };
         py.detach(|| page(&self.problem, &self.fit, self.reading, &options)).map_err(refuse)
     }
 
@@ -322,8 +342,15 @@ impl Fitted {
         &self,
         py: Python<'py>,
         claims: Vec<Bound<'py, PyAny>>,
-    ) -> PyResult<Vec<(String, &'static str, Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>)>>
-    {
+    ) -> PyResult<
+        Vec<(
+            String,
+            &'static str,
+            Option<Bound<'py, PyAny>>,
+            Option<Bound<'py, PyAny>>,
+            Option<Bound<'py, PyAny>>,
+        )>,
+    > {
         let mut given = claims.iter();
         let claims = PuiEnd::try_each(|_| {
             let claim = given.next().ok_or_else(|| refuse("a claim has four ends"))?;
@@ -361,7 +388,9 @@ impl Fitted {
         let end = |form: &[Rational; 2], is_lower: bool| match polyhedron.support(form) {
             Empty(_) => None,
             Unbounded(_) => Some(Endpoint::Unbounded),
-            Bounded { proof, .. } => Some(Endpoint::Finite(if is_lower { -&proof.value } else { proof.value })),
+            Bounded { proof, .. } => {
+                Some(Endpoint::Finite(if is_lower { -&proof.value } else { proof.value }))
+            }
         };
         let [phi1, phi2] = form;
         Some([end(&[-phi1, -phi2], true)?, end(form, false)?])

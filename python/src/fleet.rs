@@ -1,7 +1,7 @@
 //! Fleets and reductions of columns in memory.
 
-use boundfit::files::{ColumnSelector, Fleet, GroupFit, MemoryTable, Question, ScanOptions, Source};
 use boundfit::Rational;
+use boundfit::files::{ColumnSelector, Fleet, GroupFit, MemoryTable, Question, ScanOptions, Source};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
@@ -70,7 +70,8 @@ impl Lines {
         self.keys.push(key.to_owned());
         self.rows.push(group.rows);
         self.kinds.push(group.kind.name());
-        let [pui1, pui2] = group.pui.as_ref().map_or([None, None], |[first, second]| [Some(first), Some(second)]);
+        let [pui1, pui2] =
+            group.pui.as_ref().map_or([None, None], |[first, second]| [Some(first), Some(second)]);
         let central = group.central.as_ref();
         let estimate = group.least_squares.as_ref();
         let values: [Option<&Rational>; NUMBERS.len()] = [

@@ -77,9 +77,8 @@ impl Plane {
     /// The box around the set, two ends for each axis; nothing of an empty set.
     fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
         let Some(bounds) = self.polyhedron.bounding_box() else { return Ok(None) };
-        let ends = bounds.each_ref().map(|own| {
-            [own.lower().value().map(Number), own.upper().value().map(Number)]
-        });
+        let ends =
+            bounds.each_ref().map(|own| [own.lower().value().map(Number), own.upper().value().map(Number)]);
         Ok(Some(ends.into_pyobject(py)?.into_any()))
     }
 

@@ -3,7 +3,8 @@
 use boundfit::Rational;
 use boundfit::engine::lp::Printed;
 use boundfit::judge::{
-    Answer, Bounds, Given, Ground, Model, ModelColumn, ModelRow, ObjectiveSense, Solution, SolverStatus, Tolerances,
+    Answer, Bounds, Given, Ground, Model, ModelColumn, ModelRow, ObjectiveSense, Solution, SolverStatus,
+    Tolerances,
 };
 use pyo3::prelude::*;
 
@@ -36,14 +37,20 @@ pub(crate) fn judge<'py>(
     bounds: Vec<Ends<'py>>,
     claimed: Option<Claimed<'py>>,
     tolerance: &Bound<'py, PyAny>,
-) -> PyResult<(&'static str, Option<Bound<'py, PyAny>>, Vec<Bound<'py, PyAny>>, Vec<(&'static str, &'static str, Option<Bound<'py, PyAny>>)>)> {
+) -> PyResult<(
+    &'static str,
+    Option<Bound<'py, PyAny>>,
+    Vec<Bound<'py, PyAny>>,
+    Vec<(&'static str, &'static str, Option<Bound<'py, PyAny>>)>,
+)> {
     let model = model(&costs, &rows, &bounds)?;
     let tolerances = Tolerances { relative: exact(tolerance)?, digits_as_printed: false };
     let solution = claimed.map(|claimed| claimed.solution()).transpose()?;
     let (answer, findings) = py
         .detach(|| {
             let answer = Answer::of(&model)?;
-            let findings = solution.map(|solution| Ground::new(&model, &answer).judge(&solution, &tolerances));
+            let findings =
+                solution.map(|solution| Ground::new(&model, &answer).judge(&solution, &tolerances));
             Ok::<_, boundfit::judge::SolveError>((answer, findings))
         })
         .map_err(refuse)?;

@@ -81,8 +81,7 @@ def of_program(group: dict[str, Any]) -> Any:
     return (
         group["fps"]["kind"],
         group["fps"]["vertex_count"],
-        both(pui) if pui is None or not isinstance(pui[0]["lower"], dict) or "exact" in pui[0]["lower"] else
-        [(exact(own["lower"]["value"]), exact(own["upper"]["value"])) for own in pui],
+        None if pui is None else [(exact(own["lower"]["value"]), exact(own["upper"]["value"])) for own in pui],
         both(group["eui"]),
         None if group["least_squares"] is None else [exact(own) for own in group["least_squares"]["theta"]],
         None if group["central"] is None else [exact(own) for own in group["central"]["theta"]],
@@ -91,11 +90,13 @@ def of_program(group: dict[str, Any]) -> Any:
 
 
 def of_fit(fit: boundfit.Fit) -> Any:
+    # The program's fleets have no interval without any end.
     both = lambda ends: None if ends is None else [(own.lower, own.upper) for own in ends]  # noqa: E731
+    pui = both(fit.pui)
     return (
         fit.kind,
         len(fit.vertices),
-        both(fit.pui),
+        None if pui == [(None, None)] * 2 else pui,
         both(fit.eui),
         None if fit.least_squares is None else list(fit.least_squares),
         None if fit.central is None else list(fit.central[:2]),

@@ -31,7 +31,7 @@ FILES: list[tuple[str, dict[str, Any], list[str]]] = [
         {"x": "x", "y": "y", "eps": "3", "through_origin": True},
         ["--x", "x", "--y", "y", "--eps", "3", "--through-origin"],
     ),
-    ("clock/offset.csv", {"x": 1, "y": 2, "eps": "1"}, ["--x", "1", "--y", "2", "--eps", "1"]),
+    ("clock/offset.csv", {"x": 1, "lower": "at_least", "upper": "at_most"}, ["--x", "1", "--lower", "at_least", "--upper", "at_most"]),
     *(
         (
             f"hard-lp/{case.stem}.csv",
@@ -65,10 +65,8 @@ def test_a_file_is_fitted_like_by_the_program(
 
 @pytest.mark.parametrize("file", ["pyarrow.parquet", "pyarrow.arrow", "polars.parquet", "polars.arrow", "pyarrow.arrows", "readings.csv"])
 def test_every_format_gives_the_same_set(file: str) -> None:
-    import pyarrow.parquet
-
-    names = pyarrow.parquet.read_table(FIXTURES / "arrow" / "pyarrow.parquet").column_names
-    fits = [boundfit.fit_file(FIXTURES / "arrow" / own, names[0], names[1], 1) for own in (file, "readings.csv")]
+    names = (FIXTURES / "arrow" / "readings.csv").read_text().splitlines()[0].split(",")
+    fits = [boundfit.fit_file(FIXTURES / "arrow" / own, names[1], names[2], 1) for own in (file, "readings.csv")]
     assert fits[0].vertices == fits[1].vertices
 
 
