@@ -66,7 +66,8 @@ class BoundedErrorRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc
         return fit(regressors, y, self.eps, reading=self.reading, eui=False)
 
     def __getstate__(self) -> Any:
-        return {name: value for name, value in super().__getstate__().items() if name != "fit_"}
+        state: Any = super().__getstate__()
+        return {name: value for name, value in state.items() if name != "fit_"}
 
     def __setstate__(self, state: Any) -> None:
         super().__setstate__(state)
@@ -95,7 +96,8 @@ class BoundedErrorRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc
     def predict(self, X: Any) -> numpy.ndarray[Any, Any]:
         """The values of the estimate."""
         check_is_fitted(self)
-        X = self._features(validate_data(self, X, reset=False, dtype="float64"))
+        validated: Any = validate_data(self, X, reset=False, dtype="float64")
+        X = self._features(validated)
         values: numpy.ndarray[Any, Any] = X @ self.coef_ + self.intercept_
         return values
 
@@ -103,7 +105,8 @@ class BoundedErrorRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc
         """A row of two ends for each row of X: where the true line lies, if no error was larger than its bound. Rounded outward;
         infinite where nothing bounds it, NaN where the set is empty."""
         check_is_fitted(self)
-        X = self._features(validate_data(self, X, reset=False, dtype="float64"))
+        validated: Any = validate_data(self, X, reset=False, dtype="float64")
+        X = self._features(validated)
         first = X[:, 0].tolist()
         second = X[:, 1].tolist() if X.shape[1] == 2 else [1.0] * len(first)
         return numpy.column_stack(self.fit_._core.ranges(first, second))
