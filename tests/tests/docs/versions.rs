@@ -22,3 +22,12 @@ fn crates_ask_for_each_other_in_this_version() {
     let version = format!("version = \"{}\"", env!("CARGO_PKG_VERSION"));
     assert!(own.len() > 10 && own.iter().all(|line| line.contains(&version)), "{own:?}");
 }
+
+#[test]
+fn the_python_package_has_this_version() {
+    let version = format!("version = \"{}\"", env!("CARGO_PKG_VERSION"));
+    for file in ["pyproject.toml", "python/Cargo.toml"] {
+        let text = fs::read_to_string(root().join(file)).unwrap();
+        assert!(text.lines().any(|line| line == version), "{file}");
+    }
+}

@@ -265,7 +265,9 @@ impl<'a> Rows<'a> {
             let mut keys = Pieces::<String>::default();
             match self.cells(key) {
                 Some(MemoryNumbers::Texts(texts)) => {
-                    rows().for_each(|row| keys.push(texts.get(row - 1).map_or("", |text| trimmed(text))))
+                    for row in rows() {
+                        keys.push(texts.get(row - 1).map_or("", |text| trimmed(text)));
+                    }
                 }
                 _ => rows().for_each(|row| keys.push(&text(key, row))),
             }
