@@ -267,7 +267,7 @@ impl Fitted {
 
     /// The report of schema boundfit/fit/1.
     fn json(&self, py: Python<'_>) -> String {
-        py.detach(|| fit_json(&self.problem, &self.fit, None, &self.origin(), &Style::default()))
+        py.detach(|| fit_json(&self.problem, &self.fit, None, None, &self.origin(), &Style::default()))
     }
 
     /// The answer in another format.
