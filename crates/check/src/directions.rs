@@ -37,15 +37,20 @@ pub struct Directions {
 
 /// Solves a program in each of `count` directions spread around the circle. Cost: `count` exact simplex runs.
 pub fn directions(problem: &Problem, rows: &ProgramRows, count: usize) -> Directions {
+    directions_along(problem, rows, &spread_objectives(count))
+}
+
+/// Solves a program for each of some objectives, which are to be made small. Cost: one exact simplex run for each.
+pub fn directions_along(problem: &Problem, rows: &ProgramRows, objectives: &[[Rational; 2]]) -> Directions {
     let simplex = rows.exact_simplex();
     let mut optimisers = Vec::new();
     let mut supporting = System::default();
     let (mut unbounded, mut empty) = (0, false);
-    for objective in spread_objectives(count) {
-        match simplex.minimise(&objective) {
+    for objective in objectives {
+        match simplex.minimise(objective) {
             ExactOutcome::Optimal { theta, value, .. } => {
                 optimisers.push(Point::new(&theta[0], &theta[1]));
-                let [a1, a2] = objective;
+                let [a1, a2] = objective.clone();
                 supporting.push(Inequality::new(-a1, -a2, -value));
             }
             ExactOutcome::Unbounded { .. } => unbounded += 1,
@@ -54,7 +59,7 @@ pub fn directions(problem: &Problem, rows: &ProgramRows, count: usize) -> Direct
     }
     let exact = Fps::new(&problem.measurements, &problem.conditions);
     Directions {
-        count,
+        count: objectives.len(),
         unbounded,
         inner: (!empty).then(|| hull(optimisers)),
         exact: approximation(exact.polyhedron()),

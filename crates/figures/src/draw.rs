@@ -8,6 +8,7 @@ use boundfit_questions::{OutlierLimits, Outliers, XErrorFit, XErrorProblem};
 use crate::drawing::Drawing;
 use crate::figure::{Figure, PlotOptions};
 use crate::picture::{FigureError, Picture};
+use crate::render::Look;
 use crate::text::one_line;
 use crate::{data_plane, parameter_plane, render, status};
 
@@ -77,13 +78,17 @@ pub fn draw_x_errors(
     finished(parameter_plane::x_errors(problem, answer, options), options)
 }
 
-/// The last touches: the title that is asked for, and no more legend than there is to explain.
+/// The last touches: the title that is asked for, no more legend than there is to explain, size and colours.
 fn finished(mut drawing: Drawing, options: &PlotOptions) -> Result<Picture, FigureError> {
     drawing.keep_legend_of_drawn();
     if let Some(title) = &options.title {
         drawing.title = one_line(title, 90);
+        if drawing.title.is_empty() {
+            drawing.subtitle.clear();
+        }
     }
-    render::render(&drawing)
+    let look = Look { width: options.width, greyscale: options.greyscale };
+    render::render_as(&drawing, &look)
 }
 
 /// Draws a linear program in two variables: the feasible set, the optimal points, and where the objective improves, which is to

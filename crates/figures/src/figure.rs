@@ -1,6 +1,6 @@
 //! Which figures there are, and how they may be drawn.
 
-use boundfit_exact::Foreign;
+use boundfit_exact::{Foreign, Rational};
 
 /// What to draw.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -80,8 +80,21 @@ pub struct PlotOptions {
     pub x_unit: Option<Foreign>,
     /// Unit of y for the axes.
     pub y_unit: Option<Foreign>,
-    /// The line above the figure; a plain description when left out.
+    /// The line above the figure; a plain description when left out. An empty one leaves out what stands above the panels.
     pub title: Option<Foreign>,
+    /// The name of the horizontal axis, or of its coordinate where axes are flipped, in place of the one that follows from the
+    /// data; it may be empty.
+    pub x_label: Option<Foreign>,
+    /// The name of the other axis.
+    pub y_label: Option<Foreign>,
+    /// The ends of the axis of x, or of θ1, the lower one first.
+    pub x_range: Option<[Rational; 2]>,
+    /// The ends of the axis of y, or of θ2.
+    pub y_range: Option<[Rational; 2]>,
+    /// The width of the picture in micrometres: everything on it is scaled alike. 800 pixels of 1/96 inch when left out.
+    pub width: Option<u32>,
+    /// Whether it is drawn in greys.
+    pub greyscale: bool,
     /// Whether the response runs along the horizontal axis of figures of the data plane.
     pub flip: bool,
     /// How many directions [`Figure::Directions`] has, at least 3.
@@ -89,8 +102,20 @@ pub struct PlotOptions {
 }
 
 impl Default for PlotOptions {
-    /// No units, plain titles, the response upwards, 16 directions.
+    /// No units, plain titles and names, all that there is to see, the usual size in colours, the response upwards, 16 directions.
     fn default() -> Self {
-        PlotOptions { x_unit: None, y_unit: None, title: None, flip: false, directions: 16 }
+        PlotOptions {
+            x_unit: None,
+            y_unit: None,
+            title: None,
+            x_label: None,
+            y_label: None,
+            x_range: None,
+            y_range: None,
+            width: None,
+            greyscale: false,
+            flip: false,
+            directions: 16,
+        }
     }
 }

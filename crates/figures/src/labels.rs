@@ -10,6 +10,8 @@ use crate::text::one_line;
 
 /// The longest name of a column or unit that fits an axis.
 pub(crate) const LONGEST_NAME: usize = 32;
+/// The longest name of an axis that was asked for.
+const LONGEST_LABEL: usize = 90;
 /// Significant digits of the error bound.
 const BOUND_DIGITS: usize = 12;
 
@@ -28,6 +30,9 @@ pub(crate) fn unit(text: &Option<Foreign>) -> Option<String> {
 
 /// The name of the abscissa of figures of the data plane: x, or the number of the row.
 pub(crate) fn abscissa(problem: &Problem, options: &PlotOptions) -> String {
+    if let Some(label) = &options.x_label {
+        return one_line(label, LONGEST_LABEL);
+    }
     match problem.measurements.model() {
         Model::Line { x } => with_unit(&counted_x(problem, x), unit(&options.x_unit).as_deref()),
         Model::TwoRegressors { .. } => "data row".to_owned(),
@@ -47,12 +52,24 @@ fn counted_x(problem: &Problem, x: &Foreign) -> String {
 
 /// The name of the response with its unit.
 pub(crate) fn response(problem: &Problem, options: &PlotOptions) -> String {
+    if let Some(label) = &options.y_label {
+        return one_line(label, LONGEST_LABEL);
+    }
     with_unit(&one_line(problem.measurements.response(), LONGEST_NAME), unit(&options.y_unit).as_deref())
 }
 
-/// The name of a distance from a line, with the unit of the response.
-pub(crate) fn distance(options: &PlotOptions) -> String {
-    with_unit("distance", unit(&options.y_unit).as_deref())
+/// The name of what a reading is above a line, with the unit of the response.
+pub(crate) fn residual(options: &PlotOptions) -> String {
+    with_unit("residual", unit(&options.y_unit).as_deref())
+}
+
+/// The names of the axes of both parameters: those asked for, or `θ₁ [m/V]` and `θ₂ [m]`.
+pub(crate) fn axes_of_parameters(problem: &Problem, options: &PlotOptions) -> [String; 2] {
+    let [first, second] = parameters(problem, options);
+    let asked = |label: &Option<Foreign>, plain: String| {
+        label.as_ref().map_or(plain, |label| one_line(label, LONGEST_LABEL))
+    };
+    [asked(&options.x_label, first), asked(&options.y_label, second)]
 }
 
 /// `θ₁ [m/V]` and `θ₂ [m]`.
@@ -143,7 +160,7 @@ pub(crate) fn number(value: &Rational, digits: usize, rounding: Rounding) -> Str
 
 /// A number rounded up to a few digits, and the sign that says whether it was.
 pub(crate) fn rounded_up(value: &Rational) -> (&'static str, String) {
-    const DIGITS: usize = 4;
+    const DIGITS: usize = 5;
     let exact = value.to_decimal(DIGITS, Rounding::Down) == value.to_decimal(DIGITS, Rounding::Up);
     (if exact { "=" } else { "≈" }, number(value, DIGITS, Rounding::Up))
 }

@@ -1,4 +1,4 @@
-//! Figures of a bounded-error fit: readings, bands and the feasible parameter set as SVG and PNG.
+//! Figures of a bounded-error fit: readings, bands and the feasible parameter set as SVG, PNG and PDF.
 //!
 //! [`draw`] makes a [`Picture`] of a [`Figure`]; the picture is one and the same in both encodings. Every number goes
 //! into a figure exactly and becomes a float only as a fraction of the axis it is shown on. Unbounded sets are cut at
@@ -33,6 +33,7 @@ mod labels;
 mod linearity;
 mod palette;
 mod parameter_plane;
+mod pdf;
 mod picture;
 mod render;
 #[cfg(test)]
@@ -44,4 +45,4 @@ mod x_errors;
 pub use draw::{draw, draw_boxes, draw_outliers, draw_program, draw_x_errors};
 pub use figure::{Figure, PlotOptions};
 pub use linearity::{LinearityLabels, draw_linearity};
-pub use picture::{FigureError, Picture, PictureFormat};
+pub use picture::{Encoding, FigureError, Picture, PictureFormat};

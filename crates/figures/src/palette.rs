@@ -18,6 +18,8 @@ pub(crate) const GREEN: Colour = Colour(0x00, 0x9e, 0x73);
 pub(crate) const BLUE: Colour = Colour(0x00, 0x72, 0xb2);
 pub(crate) const VERMILLION: Colour = Colour(0xd5, 0x5e, 0x00);
 pub(crate) const PURPLE: Colour = Colour(0xcc, 0x79, 0xa7);
+/// For edges of purple areas.
+pub(crate) const DARK_PURPLE: Colour = Colour(0x8f, 0x3c, 0x6b);
 
 /// How a line is broken. Lengths are in pixels of the nominal size.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,6 +72,8 @@ pub(crate) enum Shape {
     Disc,
     /// A circle with a white inside.
     Circle,
+    /// A circle around other marks.
+    Ring,
     /// A filled square, the cheapest mark in bytes.
     Square,
     /// A filled square on its tip.
@@ -111,6 +115,8 @@ pub(crate) mod style {
     pub(crate) const SET_EDGE: Stroke = Stroke::new(BLUE, 1.5, Dash::Solid);
     pub(crate) const SET_FILL: Fill = Fill { colour: BLUE, opacity: 0.3 };
     pub(crate) const VERTEX: Mark = Mark::new(Shape::Disc, 2.8, BLUE);
+    /// A set that is one point, which estimates cover.
+    pub(crate) const POINT: Mark = Mark::new(Shape::Ring, 9.5, BLUE);
     pub(crate) const READING: Mark = Mark::new(Shape::Disc, 2.2, INK);
     pub(crate) const READING_BAR: Stroke = Stroke::new(FAINT_INK, 1.0, Dash::Solid);
     pub(crate) const OTHER: Mark = Mark::new(Shape::Circle, 2.6, GREY);
@@ -118,6 +124,12 @@ pub(crate) mod style {
     pub(crate) const DENSE_BAR: Stroke = Stroke::new(LIGHT_GREY, 0.7, Dash::Solid);
     pub(crate) const DENSE_OTHER: Mark = Mark::new(Shape::Square, 1.2, GREY);
     pub(crate) const ALL_READINGS: Fill = Fill { colour: GRID, opacity: 1.0 };
+    /// From few to many readings at a place.
+    pub(crate) const COUNTS: [Fill; 4] = [grey(0xc2), grey(0x96), grey(0x62), grey(0x2b)];
     pub(crate) const CONFLICT: Mark = Mark::new(Shape::Diamond, 5.0, PURPLE);
     pub(crate) const CONFLICT_BAR: Stroke = Stroke::new(PURPLE, 2.4, Dash::Solid);
+
+    const fn grey(light: u8) -> Fill {
+        Fill { colour: Colour(light, light, light), opacity: 1.0 }
+    }
 }

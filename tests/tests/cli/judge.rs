@@ -246,7 +246,7 @@ fn a_picture_shows_set_and_optimum() {
             DIET,
             "--plot a.pdf",
             2,
-            "a picture is either SVG or PNG (expected a name that ends in .svg or .png)",
+            "a picture is SVG, PNG or PDF (expected a name that ends in .svg, .png or .pdf)",
         ),
         (DIET, "--plot a.svg -o a.svg", 2, "'--plot' and '--output' name the same file"),
         (&fixed, "--plot a.svg", 1, "'--plot' draws two columns, and bounds fix all but one of this model"),

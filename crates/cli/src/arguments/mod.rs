@@ -7,6 +7,7 @@ mod fit;
 mod judge;
 mod lesson;
 mod linearity;
+mod look;
 mod notes;
 mod outliers;
 mod plot;

@@ -4,6 +4,7 @@ use boundfit_figures::{Figure, PictureFormat};
 use clap::builder::{NonEmptyStringValueParser, PossibleValue};
 use clap::{Args, value_parser};
 
+use super::look::LookArguments;
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::values::{explained, named};
 use super::{DataArguments, LabelArguments, ReplaceArguments, XErrorArguments};
@@ -33,7 +34,7 @@ pub(super) const NOTES: Notes = Notes {
     ],
 };
 
-/// Draw the readings, the intervals and the feasible parameter set as SVG or PNG
+/// Draw the readings, the intervals and the feasible parameter set as SVG, PNG or PDF
 ///
 /// Figures of the data plane: data (readings with error bars and the least-squares line), eui and pui (the band of
 /// lines with parameters at the corners of the EUI or PUI box), corridor (the band that all feasible lines really
@@ -61,10 +62,12 @@ pub(crate) struct PlotArguments {
     /// How many directions the figure 'directions' has
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = value_parser!(u16).range(3..=1000))]
     pub(crate) directions: u16,
-    /// SVG or PNG; told by the end of the output file's name when left out, else SVG
+    /// SVG, PNG or PDF; told by the end of the output file's name when left out, else SVG
     #[arg(long, value_parser = named(PictureFormat::ALL.map(|format| (format.name(), format))))]
     pub(crate) format: Option<PictureFormat>,
-    /// Write to this .svg or .png file, or for all figures into this folder, instead of standard output; each file
+    #[command(flatten)]
+    pub(crate) look: LookArguments,
+    /// Write to this .svg, .png or .pdf file, or for all figures into this folder, instead of standard output; each file
     /// whole or not at all
     #[arg(short, long, value_name = "FILE|DIR", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) output: Option<String>,

@@ -130,7 +130,7 @@ fn picture_format(file: &str) -> Result<PictureFormat, Failure> {
         Some(format) => Ok(format),
         None if file == "-" => Ok(PictureFormat::Svg),
         None => {
-            let problem = "a picture is either SVG or PNG (expected a name that ends in .svg or .png)";
+            let problem = "a picture is SVG, PNG or PDF (expected a name that ends in .svg, .png or .pdf)";
             Err(Failure::value("--plot <FILE>", file, problem))
         }
     }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use boundfit_estimation::{Problem, fit};
 use boundfit_figures::{
-    Figure, FigureError, Picture, PictureFormat, PlotOptions, draw, draw_boxes, draw_outliers, draw_x_errors,
+    Encoding, Figure, FigureError, Picture, PictureFormat, PlotOptions, draw, draw_boxes, draw_outliers, draw_x_errors,
 };
 use boundfit_questions::{NoOutliers, OutlierLimits, Outliers, XErrorFit, XErrorProblem};
 
@@ -56,17 +56,19 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
             Ok(outliers) => Some(draw_outliers(&problem, &outliers, &options(arguments, &problem))),
         };
         if let Some(picture) = picture {
-            let picture = picture.and_then(|picture| picture.encoded(format)).map_err(Failure::data)?;
+            let encoded = |picture: Picture| picture.encoded_as(format, &encoding(arguments));
+            let picture = picture.and_then(encoded).map_err(Failure::data)?;
             output::write(picture, file, &guard)?;
             return Ok(Exit::Answer);
         }
     }
     let fit = fit(&problem);
     let options = options(arguments, &problem);
+    let encoding = encoding(arguments);
     let picture = |figure: Figure| {
         let picture = while_working("drawing", || draw(&problem, &fit, figure, &options));
         let picture = picture.map_err(Failure::data)?;
-        picture.encoded(format).map_err(Failure::data)
+        picture.encoded_as(format, &encoding).map_err(Failure::data)
     };
     // Runs fit where all readings together do not: the figure is the answer.
     let is_of_runs = matches!(destination, Destination::One(Figure::Range, _));
@@ -122,9 +124,19 @@ fn options(arguments: &PlotArguments, problem: &Problem) -> PlotOptions {
         x_unit,
         y_unit,
         title: arguments.labels.title.clone(),
+        x_label: arguments.look.x_label.clone(),
+        y_label: arguments.look.y_label.clone(),
+        x_range: arguments.look.x_range.clone(),
+        y_range: arguments.look.y_range.clone(),
+        width: arguments.look.size,
+        greyscale: arguments.look.greyscale,
         flip: arguments.flip,
         directions: usize::from(arguments.directions),
     }
+}
+
+fn encoding(arguments: &PlotArguments) -> Encoding {
+    Encoding { real_text: arguments.look.real_text, dpi: arguments.look.dpi }
 }
 
 /// What goes where, and in which format.
@@ -155,7 +167,7 @@ fn destination(arguments: &PlotArguments) -> Result<(Destination<'_>, PictureFor
     match (told_by_name(file), asked) {
         (_, Some(format)) | (Some(format), None) => Ok((Destination::One(figure, Some(file)), format)),
         (None, None) => refuse(
-            "a picture is either SVG or PNG (expected a name that ends in .svg or .png, or '--format')"
+            "a picture is SVG, PNG or PDF (expected a name that ends in .svg, .png or .pdf, or '--format')"
                 .to_owned(),
         ),
     }

@@ -45,6 +45,7 @@ const MARKS: &[(&str, &str)] = &[
     ("\\ theta", ", that agrees with every reading\n"),
     // Pictures and pages.
     ("<svg ", "<metadata>boundfit</metadata>\n"),
+    ("%PDF-", "(boundfit)"),
     ("<!doctype html>\n", "<meta name=\"generator\" content=\"boundfit\">\n"),
     // Completions and manual pages.
     ("_boundfit() {\n", ""),

@@ -1,8 +1,9 @@
-//! Figures of the data plane: readings and bands of lines above, and below the same as distances from one line, where
+//! Figures of the data plane: readings and bands of lines above, and below the residuals of one line, where
 //! an error bound that is small against the range of the readings can still be seen.
 
 mod bands;
 mod boxes;
+mod density;
 mod readings;
 mod runs;
 mod sample;
@@ -20,7 +21,7 @@ use crate::render::{BOTTOM_LABELS, LEFT_LABELS, WIDTH};
 use bands::Bands;
 pub(crate) use boxes::boxes;
 pub(crate) use runs::runs;
-use scene::{MOST_MARKS, Reference, Scene};
+use scene::{Reference, Scene};
 use view::View;
 
 /// Distance of panels from the right edge of the picture.
@@ -37,12 +38,12 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, figure: Figure, options: &Pl
     let mut panels = vec![panel(&whole, &bands, frames[0], names)];
     if let Some(reference) = &scene.reference {
         let view = View { scene: &scene, reference: Some(reference) };
-        let names = [labels::abscissa(problem, options), labels::distance(options)];
+        let names = [labels::abscissa(problem, options), labels::residual(options)];
         let mut distances = panel(&view, &bands, frames[1], names);
         if bands.go_beyond(&view, &distances) {
             notes.push("The band goes on beyond this view.".to_owned());
         }
-        distances.heading = format!("distance from the {}", reference.name);
+        distances.heading = format!("residuals of the {}", reference.name);
         panels.push(distances);
         let shared = usize::from(options.flip);
         let without = if options.flip { 1 } else { 0 };
@@ -82,6 +83,7 @@ fn panel(view: &View, bands: &Bands, frame: Frame, names: [String; 2]) -> Panel 
     view.interval_of_fitted_rows(&mut panel);
     let bars = readings::bars(view, &panel);
     readings::shade(view, &mut panel, &bars);
+    density::draw(view, &mut panel);
     bands.draw(view, &mut panel);
     view.lines(&mut panel);
     readings::draw(view, &mut panel, &bars);
@@ -128,7 +130,7 @@ fn description(scene: &Scene, notes: &[String]) -> String {
     let [up, across] = [labels::response(problem, options), labels::abscissa(problem, options)];
     let mut sentences = vec![format!("First panel: {up} against {across}.")];
     if let Some(reference) = &scene.reference {
-        sentences.push(format!("Second panel: the same as distance from the {}.", reference.name));
+        sentences.push(format!("Second panel: the residuals of the {}.", reference.name));
     }
     let fitted = counted(problem.measurements.fitted(), "reading", "readings");
     sentences.push(match problem.measurements.others().len() {
@@ -153,6 +155,7 @@ fn legend(scene: &Scene, bands: &Bands) -> Vec<LegendEntry> {
     entries.push(LegendEntry::new(Swatch::bar(bar, mark), bound));
     let all = "from the lowest to the highest reading, with ε";
     entries.push(LegendEntry::new(Swatch::inside(style::ALL_READINGS), all));
+    entries.extend(density::legend());
     if !scene.conflict.rows.is_empty() {
         let text = format!("contradicting: {}", scene.conflict.names());
         entries.push(LegendEntry::new(Swatch::bar(style::CONFLICT_BAR, style::CONFLICT), text));
@@ -184,9 +187,14 @@ fn notes(scene: &Scene, bands: &Bands) -> Vec<String> {
         );
     }
     notes.extend(bands.notes());
-    if scene.count > MOST_MARKS {
+    if scene.is_crowded() {
+        let others = if scene.readings.iter().all(|shown| shown.fitted) {
+            ""
+        } else {
+            ", and of those not fitted the extreme ones of every three pixels"
+        };
         notes.push(format!(
-            "{}; marked are the extreme ones of every three pixels and those that fix the set.",
+            "{}, counted in squares of 3 pixels; marked are those that fix the set{others}.",
             counted(scene.count, "reading", "readings")
         ));
     }

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use boundfit_estimation::Bounds;
 use boundfit_exact::Rational;
 
-use super::scene::{MOST_MARKS, Shown};
+use super::scene::Shown;
 use super::view::View;
 use crate::clip::Place;
 use crate::drawing::{Anchor, Panel};
@@ -14,7 +14,7 @@ use crate::palette::{INK, Mark, Stroke, style};
 /// With more readings than this, error bars have no caps.
 const MOST_CAPS: usize = 60;
 /// How wide a column is in which the extreme readings are kept, in pixels.
-const COLUMN: f64 = 3.0;
+pub(super) const COLUMN: f64 = 3.0;
 
 /// How far a bar without a bound on one side goes on beyond what is known, in parts of the panel.
 const OPEN_END: f64 = 0.06;
@@ -82,7 +82,7 @@ fn length(panel: &Panel) -> f64 {
 
 /// Of readings that are thinned out, how far they reach in every column with their bounds.
 pub(crate) fn shade(view: &View, panel: &mut Panel, bars: &[Bar]) {
-    if view.scene.count <= MOST_MARKS {
+    if !view.scene.is_crowded() {
         return;
     }
     let columns = columns(length(panel));
@@ -99,27 +99,36 @@ pub(crate) fn shade(view: &View, panel: &mut Panel, bars: &[Bar]) {
 
 /// Draws the readings of a view: others first, conflicting ones last.
 pub(crate) fn draw(view: &View, panel: &mut Panel, bars: &[Bar]) {
-    let kept = match view.scene.count {
-        ..=MOST_MARKS => bars.iter().collect(),
-        _ => thinned(bars, columns(length(panel))),
-    };
+    let kept: Vec<&Bar> =
+        if view.scene.is_crowded() { thinned(bars, columns(length(panel))) } else { bars.iter().collect() };
     let caps = if kept.len() <= MOST_CAPS { 3.0 / length(panel) } else { 0.0 };
+    let dense = view.scene.is_dense();
     for conflicting in [false, true] {
-        for bar in kept.iter().filter(|bar| bar.shown.conflicting == conflicting) {
-            draw_bar(panel, bar, caps, view.scene.is_dense());
+        let drawn = || kept.iter().filter(|bar| bar.shown.conflicting == conflicting);
+        // Many bars would cover each other's marks.
+        if dense {
+            drawn().for_each(|bar| draw_bar(panel, bar, caps, dense));
+            drawn().for_each(|bar| draw_mark(panel, bar, dense));
+        } else {
+            drawn().for_each(|bar| {
+                draw_bar(panel, bar, caps, dense);
+                draw_mark(panel, bar, dense);
+            });
         }
     }
 }
 
+/// Bar and mark of a fitted reading.
+fn style_of(bar: &Bar, dense: bool) -> (Stroke, Mark) {
+    if bar.shown.conflicting { (style::CONFLICT_BAR, style::CONFLICT) } else { style_of_fitted(dense) }
+}
+
 fn draw_bar(panel: &mut Panel, bar: &Bar, caps: f64, dense: bool) {
     let place = |across: f64, up: f64| -> Place { [across, up] };
-    let middle = panel.oriented(place(bar.at, bar.middle));
     if !bar.shown.fitted {
-        panel.mark(middle, style_of_other(dense));
         return;
     }
-    let conflict = (style::CONFLICT_BAR, style::CONFLICT);
-    let (stroke, mark) = if bar.shown.conflicting { conflict } else { style_of_fitted(dense) };
+    let (stroke, _) = style_of(bar, dense);
     if bar.high > bar.low {
         let ends = [bar.low, bar.high];
         panel.line(&ends.map(|up| place(bar.at, up)).map(|p| panel.oriented(p)), stroke);
@@ -134,9 +143,17 @@ fn draw_bar(panel: &mut Panel, bar: &Bar, caps: f64, dense: bool) {
             }
         }
     }
+}
+
+fn draw_mark(panel: &mut Panel, bar: &Bar, dense: bool) {
+    let middle = panel.oriented([bar.at, bar.middle]);
+    if !bar.shown.fitted {
+        panel.mark(middle, style_of_other(dense));
+        return;
+    }
     // Bounds without a y have nothing between them to be marked.
     if bar.shown.measurement.response().is_some() || bar.high <= bar.low {
-        panel.mark(middle, mark);
+        panel.mark(middle, style_of(bar, dense).1);
     }
     if bar.shown.conflicting {
         label(panel, bar);
@@ -158,12 +175,11 @@ fn label(panel: &mut Panel, bar: &Bar) {
     panel.text(panel.oriented([bar.at, end]), text, Anchor { across, up }, INK);
 }
 
-/// Of each column the reading that reaches highest and the one that reaches lowest, and those that are kept anyway.
+/// Of readings that are not fitted the one that reaches highest and the one that reaches lowest in each column; of those that are,
+/// which are counted as well, those that are kept anyway.
 fn thinned<'a, 'b>(bars: &'b [Bar<'a>], columns: f64) -> Vec<&'b Bar<'a>> {
     let mut kept: BTreeSet<usize> = BTreeSet::new();
-    for fitted in [false, true] {
-        kept.extend(extremes(bars, columns, fitted).into_iter().flatten().flatten());
-    }
+    kept.extend(extremes(bars, columns, false).into_iter().flatten().flatten());
     kept.extend(bars.iter().enumerate().filter(|(_, bar)| bar.shown.kept).map(|(index, _)| index));
     kept.into_iter().map(|index| &bars[index]).collect()
 }

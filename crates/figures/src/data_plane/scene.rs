@@ -15,8 +15,12 @@ use crate::figure::{Figure, PlotOptions};
 use crate::labels::Conflict;
 use crate::palette::{Dash, Stroke, style};
 
-/// With more readings than this, marks thin out: they would cover each other and hide the shape of the data.
-pub(super) const MOST_MARKS: usize = 250;
+/// With more readings than this, a figure shows how many there are at a place instead of each of them.
+pub(super) const MOST_MARKS: usize = 10_000;
+/// With more readings than this, each is drawn small.
+const MOST_LARGE_MARKS: usize = 125;
+/// With more rows than this, what is drawn at a row would cover what is drawn at the next one.
+const MOST_ROWS: usize = 250;
 /// How many of the rows that fix the set are kept, whatever the columns say: a set may have a vertex for every reading.
 const MOST_KEPT_BY_NAME: usize = 100;
 
@@ -36,7 +40,7 @@ impl Reference {
 }
 
 /// Where a reading stands: at y or the middle of its bounds, else at its only bound.
-fn level(reading: &Measurement) -> Rational {
+pub(super) fn level(reading: &Measurement) -> Rational {
     let value = reading.value().map(Cow::into_owned);
     value.or_else(|| reading.lower()).or_else(|| reading.upper()).unwrap_or_default()
 }
@@ -78,13 +82,16 @@ impl<'a> Scene<'a> {
         let reference = reference(problem, fit, figure);
         let others = if figure == Figure::Corridor { &[] } else { problem.measurements.others() };
         let fitted = problem.measurements.kept();
-        let abscissas = abscissas([others, fitted], is_line(problem));
+        let asked = options.x_range.clone();
+        let abscissas = asked.unwrap_or_else(|| abscissas([others, fitted], is_line(problem)));
         let frame = frames(options.flip)[0];
         let columns = columns(if options.flip { frame.height } else { frame.width });
         let theta = reference.as_ref().map(|reference| &reference.theta);
         let seen = match others {
             // Only of a line they are beside each other.
-            [] if is_line(problem) => may_be_seen(fitted, theta, &abscissas, columns),
+            [] if is_line(problem) && fitted.len() > MOST_MARKS => {
+                may_be_seen(fitted, theta, &abscissas, columns)
+            }
             _ => None,
         };
         let readings =
@@ -100,12 +107,17 @@ impl<'a> Scene<'a> {
 
     /// Whether each reading is drawn small, to leave room for the others.
     pub(crate) fn is_dense(&self) -> bool {
-        self.count > MOST_MARKS / 2
+        self.count > MOST_LARGE_MARKS
+    }
+
+    /// Whether there are more readings than can be told apart.
+    pub(crate) fn is_crowded(&self) -> bool {
+        self.count > MOST_MARKS
     }
 
     /// The fitted rows, or as many of them, evenly spread, as have room side by side.
     pub(crate) fn rows_with_room(&self) -> impl Iterator<Item = &Shown> {
-        let step = self.readings.len().div_ceil(MOST_MARKS).max(1);
+        let step = self.readings.len().div_ceil(MOST_ROWS).max(1);
         let kept = move |(index, shown): &(usize, &Shown)| shown.fitted && (index % step == 0 || shown.kept);
         self.readings.iter().enumerate().filter(kept).map(|(_, shown)| shown)
     }
@@ -124,12 +136,14 @@ fn abscissas(readings: [&[Measurement]; 2], is_line: bool) -> [Rational; 2] {
             false => extent.include(&Rational::from(reading.row)),
         }
     }
-    let [mut lower, mut upper] = extent.padded(&Rational::ratio(1, 20)).into_ends();
-    if !is_line {
-        // Room for the whole band of the first and of the last row.
+    let [lower, upper] = if is_line {
+        extent.padded(&Rational::ratio(1, 20)).into_ends()
+    } else {
+        // Rows are counted from 1: room for the whole band of the first and of the last one, and none for a row 0.
+        let [first, last] = extent.into_ends();
         let half = Rational::ratio(3, 5);
-        (lower, upper) = (lower - &half, upper + half);
-    }
+        [first - &half, last + half]
+    };
     // The axis widens what has no width; bands need to know how far.
     let axis = Axis::new(String::new(), &lower, &upper, 1);
     [axis.lower().clone(), axis.lower() + axis.width()]

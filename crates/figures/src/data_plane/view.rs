@@ -54,7 +54,8 @@ impl View<'_> {
         let most = |along_width: bool| {
             if along_width { frame.width / 62.0 } else { frame.height / 33.0 }
         };
-        let [lower, upper] = self.extent(bands).into_ends();
+        let asked = self.scene.options.y_range.clone().filter(|_| self.reference.is_none());
+        let [lower, upper] = asked.unwrap_or_else(|| self.extent(bands).into_ends());
         let abscissas = if self.scene.is_line() { Axis::new } else { Axis::counting };
         [
             abscissas(across, &self.scene.abscissas[0], &self.scene.abscissas[1], most(!flip) as usize),

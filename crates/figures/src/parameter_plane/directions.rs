@@ -3,7 +3,7 @@
 
 use boundfit_check::{Directions, ProgramRows};
 use boundfit_estimation::{Fit, Problem};
-use boundfit_exact::{Rational, Rounding};
+use boundfit_exact::{Interval, Rational, Rounding};
 use boundfit_geometry::{Inequality, Polyhedron, Region, Support, System};
 use boundfit_lp::spread_objectives;
 
@@ -32,11 +32,13 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     if polyhedron.region().is_empty() {
         return empty::drawing(problem, fit, options);
     }
-    let found = boundfit_check::directions(problem, &ProgramRows::new(problem), options.directions);
-    let outer = outer(polyhedron, options.directions);
-    let names = labels::parameters(problem, options);
+    let (objectives, is_scaled) = objectives(fit, options.directions);
+    let found = boundfit_check::directions_along(problem, &ProgramRows::new(problem), &objectives);
+    let outer = outer(polyhedron, &objectives);
+    let names = labels::axes_of_parameters(problem, options);
     let sliver = Sliver::of(polyhedron.region());
-    let mut main = panel(main_frame(usize::from(sliver.is_some())), &window(fit, &outer), &names);
+    let mut main =
+        panel(main_frame(usize::from(sliver.is_some())), &window(fit, &outer).asked_for(options), &names);
     if !matches!(outer.region(), Region::Plane) {
         region::draw(&mut main, &outer, OUTER_FILL, OUTER_EDGE);
     }
@@ -51,6 +53,9 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     inner(&mut main, &places);
     let mut panels = vec![main];
     let mut notes = notes(&found);
+    if is_scaled {
+        notes.push("The directions are spread evenly where the PUI box is seen as a square.".to_owned());
+    }
     if let Some(sliver) = sliver {
         panels.push(thin(&sliver, polyhedron, &outer, hull));
         notes.push(Sliver::note("the exact set"));
@@ -63,10 +68,24 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     finished(problem, options, title, panels, legend(options.directions), notes)
 }
 
-/// The intersection of the supporting half-planes of the set in as many directions as linear programs are solved.
-fn outer(polyhedron: &Polyhedron, count: usize) -> Polyhedron {
-    let supporting = spread_objectives(count).into_iter().filter_map(|objective| {
-        let [c1, c2] = objective.map(|c| -c);
+/// The objectives, and whether they are spread evenly where the PUI box is a square: in θ itself nearly all of them look along
+/// one axis when the parameters are of different sizes. Without a bounded box of some width they are spread in θ.
+fn objectives(fit: &Fit, count: usize) -> (Vec<[Rational; 2]>, bool) {
+    let width = |interval: &Interval| interval.ends().map(|(lower, upper)| upper - lower);
+    let ratio = fit.pui_intervals().and_then(|[first, second]| width(&first)?.checked_div(&width(&second)?));
+    // A direction need not be exact: what is found along it is.
+    let ratio = ratio.and_then(|ratio| Rational::from_f64(ratio.to_f64())).filter(Rational::is_positive);
+    let spread = spread_objectives(count);
+    match ratio {
+        Some(ratio) => (spread.into_iter().map(|[c1, c2]| [c1, c2 * &ratio]).collect(), true),
+        None => (spread, false),
+    }
+}
+
+/// The intersection of the supporting half-planes of the set in all directions in which linear programs are solved.
+fn outer(polyhedron: &Polyhedron, objectives: &[[Rational; 2]]) -> Polyhedron {
+    let supporting = objectives.iter().filter_map(|objective| {
+        let [c1, c2] = objective.each_ref().map(|c| -c);
         match polyhedron.support(&[c1.clone(), c2.clone()]) {
             Support::Bounded { proof, .. } => Some(Inequality::new(c1, c2, proof.value)),
             Support::Unbounded(_) | Support::Empty(_) => None,

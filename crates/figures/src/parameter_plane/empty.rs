@@ -13,7 +13,7 @@ use crate::clip::{self, Place};
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels::{self, Conflict};
-use crate::palette::{BLUE, Colour, Dash, Fill, GREEN, ORANGE, PURPLE, SKY, Stroke, style};
+use crate::palette::{BLUE, Colour, DARK_PURPLE, Dash, Fill, ORANGE, PURPLE, SKY, Stroke, style};
 
 /// The set of parameters that one reading or condition allows.
 struct Allowed {
@@ -30,16 +30,17 @@ pub(super) const THICK: f64 = 2.2;
 
 /// Fill and edge of what is allowed by the first, second and third.
 pub(super) const STYLES: [(Colour, Colour, Dash); 3] =
-    [(ORANGE, ORANGE, Dash::Solid), (SKY, BLUE, Dash::Long), (PURPLE, GREEN, Dash::Short)];
+    [(ORANGE, ORANGE, Dash::Solid), (SKY, BLUE, Dash::Long), (PURPLE, DARK_PURPLE, Dash::Short)];
 
 /// The figure.
 pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Drawing {
     let conflict = Conflict::of(problem, fit);
     let allowed: Vec<Allowed> = conflict.bounds.iter().filter_map(|bound| allowed(problem, *bound)).collect();
     let lines: Vec<&HalfPlane> = allowed.iter().filter_map(|allowed| allowed.bound.as_ref()).collect();
-    let names = labels::parameters(problem, options);
+    let names = labels::axes_of_parameters(problem, options);
     let thin = thin(&allowed, fit);
-    let mut panel = panel(main_frame(usize::from(thin.is_some())), &window(fit, &lines), &names);
+    let mut panel =
+        panel(main_frame(usize::from(thin.is_some())), &window(fit, &lines).asked_for(options), &names);
     let mut legend = Vec::new();
     for (Allowed { name, polyhedron, bound }, (fill, edge, dash)) in allowed.iter().zip(STYLES.iter().cycle())
     {

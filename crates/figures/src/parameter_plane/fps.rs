@@ -34,7 +34,8 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     let sliver = Sliver::of(polyhedron.region());
     let overview = eui_corners.clone().filter(|_| !eui_fits);
     let beside = usize::from(sliver.is_some()) + usize::from(overview.is_some());
-    let mut main = panel(main_frame(beside), &window, &names);
+    let axes = labels::axes_of_parameters(problem, options);
+    let mut main = panel(main_frame(beside), &window.clone().asked_for(options), &axes);
     let numbered = sliver.is_none();
     let content = Content { eui: eui_fits && eui_corners.is_some(), main: true, numbered };
     let mut legend = contents(&mut main, fit, &estimates, content);
@@ -81,6 +82,7 @@ fn contents(panel: &mut Panel, fit: &Fit, estimates: &[Estimate], content: Conte
     let region_kind = polyhedron.region().kind();
     let mut legend = Vec::new();
     let set = match region_kind {
+        RegionKind::Point if main => Swatch::mark(style::POINT),
         RegionKind::Point => Swatch::mark(style::VERTEX),
         RegionKind::Segment | RegionKind::Ray | RegionKind::Line => Swatch::line(style::SET_EDGE),
         _ => Swatch::area(style::SET_FILL, style::SET_EDGE),
@@ -103,6 +105,11 @@ fn contents(panel: &mut Panel, fit: &Fit, estimates: &[Estimate], content: Conte
     if main {
         marks::draw_vertices(panel, polyhedron.region(), numbered);
         legend.extend(marks::draw_estimates(panel, estimates));
+        if let (RegionKind::Point, [at]) =
+            (region_kind, region::places(panel, polyhedron.region()).as_slice())
+        {
+            panel.mark(*at, style::POINT);
+        }
     } else {
         mark_if_tiny(panel, fit);
         let small: Vec<Estimate> = estimates

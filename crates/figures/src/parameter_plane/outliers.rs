@@ -27,7 +27,7 @@ const PASSED: Stroke = Stroke::new(ORANGE, 1.2, Dash::Short);
 
 /// The figure.
 pub(crate) fn drawing(problem: &Problem, outliers: &Outliers, options: &PlotOptions) -> Drawing {
-    let names = labels::parameters(problem, options);
+    let names = labels::axes_of_parameters(problem, options);
     let pieces = outliers.pieces.get(..MOST_DRAWN).unwrap_or(&outliers.pieces);
     let regions = || pieces.iter().map(|piece| piece.left.polyhedron().region());
     let sliver = match pieces {
@@ -36,7 +36,7 @@ pub(crate) fn drawing(problem: &Problem, outliers: &Outliers, options: &PlotOpti
     };
     let mut main = panel(
         main_frame(usize::from(sliver.is_some())),
-        &view::of_regions(regions(), pieces.len() > 1),
+        &view::of_regions(regions(), pieces.len() > 1).asked_for(options),
         &names,
     );
     let mut legend = vec![LegendEntry::new(Swatch::area(style::SET_FILL, style::SET_EDGE), left(outliers))];

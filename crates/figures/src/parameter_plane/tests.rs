@@ -6,7 +6,7 @@ use boundfit_exact::Rational;
 use super::sliver::Sliver;
 use crate::drawing::{Drawing, Item, Panel};
 use crate::figure::PlotOptions;
-use crate::palette::style;
+use crate::palette::{Mark, style};
 use crate::samples::problem;
 
 fn figure(problem: &Problem) -> Drawing {
@@ -18,8 +18,9 @@ fn arrows(panel: &Panel) -> usize {
 }
 
 fn vertices(panel: &Panel) -> usize {
-    let colour = style::VERTEX.colour;
-    panel.items.iter().filter(|item| matches!(item, Item::Mark { mark, .. } if mark.colour == colour)).count()
+    let Mark { shape, colour, .. } = style::VERTEX;
+    let is_vertex = |mark: &Mark| (mark.shape, mark.colour) == (shape, colour);
+    panel.items.iter().filter(|item| matches!(item, Item::Mark { mark, .. } if is_vertex(mark))).count()
 }
 
 #[test]

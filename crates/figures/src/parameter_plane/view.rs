@@ -6,6 +6,7 @@ use boundfit_geometry::constructions::foot;
 use boundfit_geometry::{Direction, HalfPlane, Point, Region, Vertex};
 
 use crate::extent::Extent;
+use crate::figure::PlotOptions;
 
 /// The ends of the view: of θ1 and of θ2.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -19,6 +20,12 @@ impl Window {
             points.iter().for_each(|point| extent.include(&point[j]));
             extent.ends().cloned().unwrap_or_default()
         }))
+    }
+
+    /// The ends that were asked for, and its own where none were.
+    pub(crate) fn asked_for(self, options: &PlotOptions) -> Self {
+        let [first, second] = self.0;
+        Window([options.x_range.clone().unwrap_or(first), options.y_range.clone().unwrap_or(second)])
     }
 
     /// Both ends of both axes moved apart by a part of the width.

@@ -58,6 +58,7 @@ impl<'a, 'b> Brush<'a, 'b> {
                 self.circle(at, r, WHITE.filled())?;
                 self.circle(at, r, rgb(colour).stroke_width(FINE as u32))
             }
+            Shape::Ring => self.circle(at, r, rgb(colour).stroke_width((1.8 * FINE) as u32)),
             Shape::Square => self.area(&around(&[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]), solid),
             Shape::Diamond => self.area(&around(&[[-1.0, 0.0], [0.0, -1.0], [1.0, 0.0], [0.0, 1.0]]), solid),
             Shape::Triangle => self.area(&around(&[[-0.95, 0.75], [0.95, 0.75], [0.0, -1.0]]), solid),

@@ -5,9 +5,10 @@ use plotters::style::{Color, TRANSPARENT};
 
 use super::brush::{Align, Brush, Pixel, rgb, text_style};
 use super::canvas::{CanvasResult, FINE};
+use super::placing::{self, Label, Rectangle};
 use crate::axis::Axis;
 use crate::clip::Place;
-use crate::drawing::{Anchor, Frame, Item, Panel};
+use crate::drawing::{Frame, Item, Panel};
 use crate::palette::{Dash, FAINT_INK, FRAME, Fill, GRID, INK, PAPER, Stroke};
 
 const LABEL_SIZE: f64 = 11.5;
@@ -17,8 +18,8 @@ pub(crate) const LEFT_LABELS: f64 = 66.0;
 /// Room for labels and name below a panel.
 pub(crate) const BOTTOM_LABELS: f64 = 42.0;
 const TICK: f64 = 4.0;
-/// Half the height of a label.
-const HALF_LINE: f64 = 7.0;
+/// How far above a panel its heading and the scale of its vertical axis stand.
+const ABOVE: f64 = 9.0;
 /// Least distance between two texts side by side.
 const APART: f64 = 10.0;
 
@@ -39,13 +40,49 @@ pub(super) fn draw(brush: &Brush, panel: &Panel, top: f64) -> CanvasResult {
     let mut scale_width = 0.0;
     if panel.labelled[1] {
         let scale = brush.fitted(vertical.scale(), LABEL_SIZE, width)?;
-        brush.text([left, top - 9.0], &scale, LABEL_SIZE, FAINT_INK, Align::Start)?;
+        brush.text([left, top - ABOVE], &scale, LABEL_SIZE, FAINT_INK, Align::Start)?;
         scale_width = brush.text_width(&scale, LABEL_SIZE)?;
     }
     let heading = brush.fitted(&panel.heading, NAME_SIZE, width)?;
-    let free = (width - brush.text_width(&heading, NAME_SIZE)?) / 2.0;
+    let heading_width = brush.text_width(&heading, NAME_SIZE)?;
+    let free = (width - heading_width) / 2.0;
     let raised = if free < scale_width + APART { 15.0 } else { 0.0 };
-    brush.text([left + width / 2.0, top - 9.0 - raised], &heading, NAME_SIZE, INK, Align::Middle)
+    brush.text([left + width / 2.0, top - ABOVE - raised], &heading, NAME_SIZE, INK, Align::Middle)?;
+    let above = [([left, top - ABOVE], scale_width), ([left + free, top - ABOVE - raised], heading_width)];
+    let above = above.into_iter().filter(|(_, width)| *width > 0.0);
+    labels(brush, panel, frame, above.map(|(at, width)| Rectangle::of_text(at, width)).collect())
+}
+
+/// The texts among the items, beside what they belong to, on plates that let lines shine through.
+fn labels(brush: &Brush, panel: &Panel, frame: Frame, taken: Vec<Rectangle>) -> CanvasResult {
+    let texts = || {
+        panel.items.iter().filter_map(|item| match item {
+            Item::Text { at, text, anchor, colour } => Some((*at, text, *anchor, *colour)),
+            _ => None,
+        })
+    };
+    let mut wanted = Vec::new();
+    for (place, text, anchor, _) in texts() {
+        let width = brush.text_width(text, LABEL_SIZE)?;
+        wanted.push(Label { place, at: pixel(place, frame), anchor, width });
+    }
+    let marks = panel.items.iter().filter_map(|item| match item {
+        Item::Mark { at, mark } => Some(Rectangle::around(pixel(*at, frame), mark.radius)),
+        _ => None,
+    });
+    let found = placing::placed(&wanted, taken, &marks.collect::<Vec<_>>(), frame);
+    for ((at, label), (_, text, _, colour)) in found.into_iter().zip(&wanted).zip(texts()) {
+        let Rectangle { left, top, right, bottom } = Rectangle::of_text(at, label.width);
+        let plate = [[left, top], [right, top], [right, bottom], [left, bottom]];
+        brush.area(&plate, Fill { colour: PAPER, opacity: 0.7 })?;
+        brush.text(at, text, LABEL_SIZE, colour, Align::Start)?;
+    }
+    Ok(())
+}
+
+/// Where a place falls on the canvas.
+fn pixel([x, y]: Place, frame: Frame) -> Pixel {
+    [frame.left + x * frame.width, frame.top + (1.0 - y) * frame.height]
 }
 
 /// The name of the horizontal axis in the middle, or where the scale leaves no room for that, at the left.
@@ -97,8 +134,7 @@ fn mesh(brush: &Brush, panel: &Panel, frame: Frame) -> CanvasResult {
 }
 
 fn item(brush: &Brush, item: &Item, frame: Frame) -> CanvasResult {
-    let pixel =
-        |[x, y]: Place| -> Pixel { [frame.left + x * frame.width, frame.top + (1.0 - y) * frame.height] };
+    let pixel = |place: Place| pixel(place, frame);
     let pixels = |places: &[Place]| places.iter().copied().map(pixel).collect::<Vec<_>>();
     match item {
         Item::Area { outline, fill } => brush.area(&pixels(outline), *fill),
@@ -108,35 +144,7 @@ fn item(brush: &Brush, item: &Item, frame: Frame) -> CanvasResult {
             let down = [direction[0] * frame.width, -direction[1] * frame.height];
             brush.arrow_head(pixel(*tip), down, *colour)
         }
-        Item::Text { at, text, anchor, colour } => {
-            let width = brush.text_width(text, LABEL_SIZE)?;
-            let [left, middle] = beside(*at, pixel(*at), *anchor, width, frame);
-            let (right, top, bottom) = (left + width, middle - HALF_LINE, middle + HALF_LINE);
-            let plate = [[left, top], [right, top], [right, bottom], [left, bottom]];
-            brush.area(&plate, Fill { colour: PAPER, opacity: 0.7 })?;
-            brush.text([left, middle], text, LABEL_SIZE, *colour, Align::Start)
-        }
+        // Texts are placed when all else is known.
+        Item::Text { .. } => Ok(()),
     }
-}
-
-/// The left end and the middle line of a text beside a point: wholly beyond the line through the point that the
-/// direction of its anchor is normal to. A text whose place is inside of the frame is kept inside.
-fn beside(place: Place, at: Pixel, anchor: Anchor, width: f64, frame: Frame) -> Pixel {
-    const GAP: f64 = 3.5;
-    const EDGE: f64 = 2.0;
-    let Anchor { across, up } = anchor;
-    let far = GAP + across.abs() * (width / 2.0 + 1.0) + up.abs() * HALF_LINE;
-    let left = at[0] + across * far - width / 2.0;
-    let middle = at[1] - up * far;
-    let inside = |coordinate: f64| coordinate > 0.0 && coordinate < 1.0;
-    let kept = |value: f64, least: f64, most: f64| value.min(most).max(least);
-    let (right, bottom) = (frame.left + frame.width, frame.top + frame.height);
-    [
-        if inside(place[0]) { kept(left, frame.left + EDGE, right - EDGE - width) } else { left },
-        if inside(place[1]) {
-            kept(middle, frame.top + HALF_LINE + EDGE, bottom - HALF_LINE - EDGE)
-        } else {
-            middle
-        },
-    ]
 }

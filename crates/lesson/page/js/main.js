@@ -87,21 +87,17 @@ function connectTheme() {
   apply();
 }
 
-// On paper every answer is there to read.
+// On paper the explanation is there to read; answers that nobody opened stay closed, so that it can be handed out.
 function connectPrinting() {
-  /** @type {HTMLDetailsElement[]} */
-  let opened = [];
+  const details = /** @type {HTMLDetailsElement} */ (document.querySelector("#introduction details"));
+  let wasOpen = details.open;
   addEventListener("beforeprint", () => {
-    opened = [.../** @type {NodeListOf<HTMLDetailsElement>} */ (document.querySelectorAll("details:not([open])"))];
-    opened.forEach((details) => {
-      details.open = true;
-    });
+    wasOpen = details.open;
+    details.open = true;
   });
-  addEventListener("afterprint", () =>
-    opened.forEach((details) => {
-      details.open = false;
-    }),
-  );
+  addEventListener("afterprint", () => {
+    details.open = wasOpen;
+  });
 }
 
 /**

@@ -13,12 +13,12 @@ fn refused(more: &str) -> (i32, String) {
 }
 
 #[test]
-fn a_name_that_says_neither_svg_nor_png() {
-    for name in ["picture.pdf", "picture", "folder/", ".svg"] {
+fn a_name_that_says_no_format() {
+    for name in ["picture.gif", "picture", "folder/", ".svg"] {
         let (status, message) = refused(&format!("-o {name}"));
         assert_eq!(status, 2, "{name}");
         let expected =
-            "a picture is either SVG or PNG (expected a name that ends in .svg or .png, or '--format')";
+            "a picture is SVG, PNG or PDF (expected a name that ends in .svg, .png or .pdf, or '--format')";
         assert_eq!(message, format!("error: invalid value '{name}' for '--output <FILE|DIR>': {expected}"));
     }
 }

@@ -85,7 +85,7 @@ fn figure(arguments: &LinearityArguments) -> Result<Option<(&str, PictureFormat)
     let endings = PictureFormat::ALL.map(|format| (format.name(), format));
     let refuse = |problem: &str| Err(Failure::value("--figure <FILE>", file, problem));
     let Ok(Some(format)) = told_by_name(Some(file), &endings, None) else {
-        return refuse("a picture is either SVG or PNG (expected a name that ends in .svg or .png)");
+        return refuse("a picture is SVG, PNG or PDF (expected a name that ends in .svg, .png or .pdf)");
     };
     match arguments.output.file.output.as_deref() {
         Some(output) if output != "-" && output::is_one_file(output, file) => {

@@ -1,6 +1,7 @@
 // @ts-check
 // The stops of the ε slider: every breakpoint of the engine, exactly, and round values between them.
 
+import { decimal, withMinus } from "./format.js";
 import { ONE, Rational, decimalPower } from "./rational.js";
 
 const ROUND_STOPS = 100;
@@ -60,4 +61,18 @@ function addStop(stops, breakpoints, s) {
 export function givenStop(stops) {
   const found = stops.findIndex((stop) => stop.s.equals(ONE));
   return found < 0 ? stops.length - 1 : found;
+}
+
+/**
+ * The one error bound at a stop, or the factor where readings have bounds of their own: exact, and as it is written everywhere.
+ * @param {Lesson} lesson
+ * @param {Stop} stop
+ * @returns {{ name: string, exact: Rational, shown: string }}
+ */
+export function boundAtStop(lesson, stop) {
+  const exact = lesson.epsilon === null ? stop.s : stop.s.times(lesson.epsilon);
+  const engine = stop.breakpoint === null ? null : lesson.data.sweep?.breakpoints[stop.breakpoint];
+  const written = lesson.epsilon === null ? engine?.s : engine?.epsilon;
+  const shown = written ? withMinus(written.decimal) : decimal(exact, 8);
+  return { name: lesson.epsilon === null ? "s" : "ε", exact, shown };
 }

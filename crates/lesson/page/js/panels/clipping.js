@@ -105,7 +105,7 @@ function redundancy(lesson, redundant) {
 }
 
 /**
- * What a step did, in one sentence for the live region.
+ * What a step did, in one sentence: beside the buttons, and for the live region.
  * @param {Lesson} lesson
  * @param {State} state
  * @param {Scene} scene
@@ -144,7 +144,9 @@ export function drawClipping(lesson, state, scene) {
   for (const id of ["step-first", "step-back"]) byId(id).ariaDisabled = `${state.step === 0}`;
   for (const id of ["step-forward", "step-last"])
     byId(id).ariaDisabled = `${state.step === order.steps.length}`;
-  if (state.mode === "clip") patch(byId("step-story"), story(lesson, state, scene));
+  if (state.mode !== "clip") return;
+  byId("step-sentence").textContent = stepSentence(lesson, state, scene);
+  patch(byId("step-story"), story(lesson, state, scene));
 }
 
 /**
@@ -153,7 +155,7 @@ export function drawClipping(lesson, state, scene) {
  * @param {Scene} scene
  */
 function story(lesson, state, scene) {
-  if (scene.current === null) return [element("p", {}, stepSentence(lesson, state, scene))];
+  if (scene.current === null) return [];
   const halfPlane = lesson.halfPlanes[scene.current.half_plane];
   const { born, lost, redundant } = scene.current;
   const lists = [

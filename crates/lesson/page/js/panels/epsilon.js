@@ -3,11 +3,14 @@
 
 import { byId, element, patch, targetOf } from "../dom.js";
 import { Rational } from "../model/rational.js";
-import { decimal, withMinus } from "../model/format.js";
 import { numberWithFraction } from "./summary.js";
 import { namesText } from "./clipping.js";
 import { demands, hopeless, sweepOf } from "../model/lesson.js";
-import { givenStop } from "../model/sweep.js";
+import { boundAtStop, givenStop } from "../model/sweep.js";
+
+// Parts of the slider that two labels side by side, or half a label at an end, take on a narrow screen.
+const NEAR_LABELS = 0.35;
+const NEAR_END = 0.12;
 
 /**
  * Connects the slider and its buttons.
@@ -50,11 +53,16 @@ function drawTicks(lesson) {
   const last = Math.max(1, stops.length - 1);
   const least = leastStop(lesson);
   const at = stops.flatMap((stop, k) => (stop.breakpoint === null && k !== givenStop(stops) ? [] : [k]));
+  const given = givenStop(stops);
+  const smallest = lesson.epsilon === null ? "s min" : "ε min";
+  // Two labels that would run into each other stand below each other.
+  const isNear = least >= 0 && Math.abs(given - least) / last < NEAR_LABELS;
   const marks = at.map((k) => {
-    const kind = k === least ? "least" : k === givenStop(stops) ? "given" : "";
-    const label =
-      k === least ? (lesson.epsilon === null ? "s min" : "ε min") : k === givenStop(stops) ? "as given" : "";
-    return element("span", { class: `stop ${kind}`, style: `left:${((100 * k) / last).toFixed(3)}%` }, label);
+    const kind = k === least ? "least" : k === given ? `given${isNear ? " below" : ""}` : "";
+    const label = k === least ? (k === given ? `${smallest}, as given` : smallest) : k === given ? "as given" : "";
+    // Labels at the ends of the slider stay on it.
+    const side = k / last < NEAR_END ? " first" : k / last > 1 - NEAR_END ? " last" : "";
+    return element("span", { class: `stop ${kind}${side}`, style: `left:${((100 * k) / last).toFixed(3)}%` }, label);
   });
   patch(byId("epsilon-ticks"), marks);
 }
@@ -65,7 +73,8 @@ function drawTicks(lesson) {
  * @param {Stop} stop
  */
 export function epsilonText(lesson, stop) {
-  return lesson.epsilon === null ? `s = ${decimal(stop.s)}` : `ε = ${decimal(stop.s.times(lesson.epsilon))}`;
+  const { name, shown } = boundAtStop(lesson, stop);
+  return `${name} = ${shown}`;
 }
 
 /**
@@ -108,14 +117,11 @@ export function drawEpsilon(lesson, state) {
     "aria-valuetext",
     epsilonText(lesson, stop) + (stop.breakpoint === null ? "" : ", a breakpoint"),
   );
-  const exact = lesson.epsilon === null ? stop.s : stop.s.times(lesson.epsilon);
-  const engine = stop.breakpoint === null ? null : sweepOf(lesson).breakpoints[stop.breakpoint];
-  const given = lesson.epsilon === null ? engine?.s : engine?.epsilon;
-  const shown = given ? withMinus(given.decimal) : decimal(exact, 8);
+  const { name, exact, shown } = boundAtStop(lesson, stop);
   const value = byId("epsilon-value");
   value.dataset.s = stop.s.toString();
   value.dataset.breakpoint = `${stop.breakpoint ?? ""}`;
-  patch(value, [lesson.epsilon === null ? "s = " : "ε = ", numberWithFraction(exact, shown)]);
+  patch(value, [`${name} = `, numberWithFraction(exact, shown)]);
   byId("epsilon-story").textContent = epsilonSentence(lesson, stop);
   byId("epsilon-least").disabled = leastStop(lesson) < 0;
 }

@@ -5,6 +5,7 @@ import { byId, element, patch } from "../dom.js";
 import { ONE, Rational, ZERO, evaluate } from "../model/rational.js";
 import { THETA, boundClass, boundMark, decimal, endText, kindText, shortFraction } from "../model/format.js";
 import { activeAt, partOf } from "../model/lesson.js";
+import { boundAtStop } from "../model/sweep.js";
 
 const MOST_ACTIVE = 12;
 
@@ -40,10 +41,11 @@ function sentence(lesson, state, scene) {
     return `Clipping, step ${state.step} of ${order.steps.length}, half-planes ${order.name}.`;
   }
   if (state.mode === "epsilon") {
-    const times = scene.s.equals(ONE) ? "as given" : `times ${decimal(scene.s)}`;
+    const { name, shown } = boundAtStop(lesson, lesson.stops[state.stop]);
+    if (scene.s.equals(ONE)) return lesson.epsilon === null ? "Every error bound as given." : `${name} = ${shown} (as given).`;
     return lesson.epsilon === null
-      ? `Every error bound ${times}.`
-      : `ε = ${decimal(scene.s.times(lesson.epsilon))} (${times}).`;
+      ? `Every error bound times ${shown}.`
+      : `${name} = ${shown} (${decimal(scene.s)} times the given one).`;
   }
   if (state.mode === "leave-one-out" && state.without !== null)
     return `Reading ${state.without} is switched off.`;

@@ -30,7 +30,8 @@ export function dataFrame(lesson, residual) {
     return { unit, origin: low.roundedTo(unit) };
   };
   const widest = readings.length === 0 ? ONE : extremes(readings.map((reading) => reading.epsilon))[1];
-  const x = unitOf(across, ZERO);
+  // Rows are counted: ticks and predictions take a whole unit for each, however many there are.
+  const x = lesson.isLine ? unitOf(across, ZERO) : { unit: ONE, origin: ZERO };
   // Relative heights keep the true zero.
   const y = unitOf(heights, widest);
   if (residual) y.origin = ZERO;

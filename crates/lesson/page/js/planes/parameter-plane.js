@@ -73,7 +73,11 @@ export function drawParameterPlane(lesson, state, scene, layers, size, focused) 
       { role: "group", "aria-label": "Vertices", id: "vertices" },
       vertexMarks(lesson, state, scene, map, focused),
     ),
-    element("g", { "aria-hidden": "true", id: "vertex-numbers" }, vertexNumbers(state, scene, map)),
+    element(
+      "g",
+      { "aria-hidden": "true", id: "vertex-numbers" },
+      vertexNumbers(state, scene, map, layerMarks(layers, state, frame, map)),
+    ),
     chosenPoint(lesson, state, scene, map),
     emptyNote(scene, map),
   ]);
@@ -242,6 +246,19 @@ function strip(scene, chosen, map) {
       true,
     ),
   });
+}
+
+/**
+ * Where the layers that are shown have marks, in pixels.
+ * @param {Layer[]} layers
+ * @param {State} state
+ * @param {ParameterFrame} frame
+ * @param {ScreenMap} map
+ */
+function layerMarks(layers, state, frame, map) {
+  return layers
+    .filter(({ id, shape }) => shape !== null && state.layers.has(id))
+    .flatMap(({ points }) => points.map((point) => map.to(frame.place(point))));
 }
 
 /**

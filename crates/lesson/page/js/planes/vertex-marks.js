@@ -6,12 +6,18 @@ import { round } from "./axes.js";
 import { activeAt } from "../model/lesson.js";
 import { boundText, shortEnumeration, vertexName, vertexNames } from "../model/format.js";
 
-const NEAREST_LABELS = 24;
-const LABEL_DISTANCE = 16;
-const DIGIT_WIDTH = 8;
+const DIGIT_WIDTH = 8.5;
+const HALF_HEIGHT = 7;
 const BASELINE = 5;
-// Labels stand beside marks rather than above or below them when the way out is mostly to a side.
-const SIDEWAYS = 0.7;
+/** What a mark takes, with its outline. */
+const MARK_RADIUS = 6.5;
+/** How far labels stand from their marks, and how they turn away from the way out. */
+const DISTANCES = [7, 13, 22, 36];
+const TURNS = [0, 0.4, -0.4, 0.8, -0.8, 1.25, -1.25, 1.75, -1.75, 2.4, -2.4, Math.PI];
+/** After so many attempts labels without room are left out. */
+const MOST_ROUNDS = 40;
+
+/** @typedef {{ left: number, right: number, top: number, bottom: number }} Box */
 
 /**
  * The vertices of the region shown, each a button of its own.
@@ -62,73 +68,144 @@ function isInside([x, y], { left, top, width, height }) {
 }
 
 /**
- * The numbers beside the vertices.
+ * The numbers beside the vertices, each where it covers no mark and no other number. Vertices whose marks cover each other share
+ * a number's place; so do, where there is no room at all, neighbours.
  * @param {State} state
  * @param {Scene} scene
  * @param {ScreenMap} map
+ * @param {Place[]} marks what else is marked, in pixels
  */
-export function vertexNumbers(state, scene, map) {
+export function vertexNumbers(state, scene, map, marks) {
   const chosen = state.hover ?? state.selection;
   const pixels = scene.places.map(map.to);
   /** @param {number} axis */
   const share = (axis) => pixels.reduce((sum, pixel) => sum + pixel[axis] / pixels.length, 0);
   const centre = [share(0), share(1)];
-  return labelGroups(pixels, map.area).map((group) => {
+  const seen = pixels.flatMap((pixel, index) => (isInside(pixel, map.area) ? [index] : []));
+  const obstacles = [...seen.map((index) => pixels[index]), ...marks].map(([x, y]) => around(x, y, MARK_RADIUS, MARK_RADIUS));
+  let groups = together(seen, pixels);
+  let labels = placedLabels(groups, pixels, centre, obstacles, map.area);
+  for (let attempt = 0; labels.includes(null) && groups.length > 1 && attempt < MOST_ROUNDS; attempt += 1) {
+    groups = withNeighbour(groups, labels.indexOf(null), pixels);
+    labels = placedLabels(groups, pixels, centre, obstacles, map.area);
+  }
+  return groups.flatMap((group, k) => {
+    const label = labels[k];
+    if (label === null) return [];
     const isChosen = chosen?.kind === "vertex" && group.includes(chosen.index);
-    return element(
-      "text",
-      { class: `vertex-number${isChosen ? " chosen" : ""}`, ...besideGroup(group, pixels, centre, map.area) },
-      vertexNames(group),
-    );
+    const middle = { x: round((label.left + label.right) / 2), y: round((label.top + label.bottom) / 2 + BASELINE) };
+    return [
+      element(
+        "text",
+        { class: `vertex-number${isChosen ? " chosen" : ""}`, ...middle, "text-anchor": "middle" },
+        vertexNames(group),
+      ),
+    ];
   });
 }
 
 /**
- * The vertices in view, in groups that share a label: labels that cover each other say nothing.
- * @param {Place[]} pixels
- * @param {Area} area
+ * A box around a point.
+ * @param {number} x
+ * @param {number} y
+ * @param {number} halfWidth
+ * @param {number} halfHeight
+ * @returns {Box}
  */
-function labelGroups(pixels, area) {
+function around(x, y, halfWidth, halfHeight) {
+  return { left: x - halfWidth, right: x + halfWidth, top: y - halfHeight, bottom: y + halfHeight };
+}
+
+/**
+ * @param {Box} one
+ * @param {Box} other
+ */
+function overlap(one, other) {
+  return one.left < other.right && other.left < one.right && one.top < other.bottom && other.top < one.bottom;
+}
+
+/**
+ * The vertices in view, in groups whose marks cover each other.
+ * @param {number[]} seen
+ * @param {Place[]} pixels
+ */
+function together(seen, pixels) {
   /** @type {number[][]} */
   const groups = [];
-  pixels.forEach(([x, y], index) => {
-    if (!isInside([x, y], area)) return;
-    const near = groups.find((group) =>
-      group.some((other) => Math.hypot(pixels[other][0] - x, pixels[other][1] - y) <= NEAREST_LABELS),
-    );
+  for (const index of seen) {
+    const [x, y] = pixels[index];
+    const near = groups.find(([first]) => Math.hypot(pixels[first][0] - x, pixels[first][1] - y) <= 2 * MARK_RADIUS);
     if (near === undefined) groups.push([index]);
     else near.push(index);
-  });
+  }
   return groups;
 }
 
 /**
- * Where the label of a group stands: on the outer side of the set, clear of the group's marks.
+ * The groups with one of them joined to the one that is nearest to it.
+ * @param {number[][]} groups
+ * @param {number} joined
+ * @param {Place[]} pixels
+ */
+function withNeighbour(groups, joined, pixels) {
+  /** @param {number[]} group */
+  const distance = (group) =>
+    Math.hypot(...[0, 1].map((axis) => pixels[group[0]][axis] - pixels[groups[joined][0]][axis]));
+  const others = groups.filter((_, k) => k !== joined);
+  const nearest = others.reduce((best, group) => (distance(group) < distance(best) ? group : best));
+  return others.map((group) =>
+    group === nearest ? [...group, ...groups[joined]].sort((p, q) => p - q) : group,
+  );
+}
+
+/**
+ * Where the label of each group stands; null where there is no room for it.
+ * @param {number[][]} groups
+ * @param {Place[]} pixels
+ * @param {Place} centre
+ * @param {Box[]} obstacles
+ * @param {Area} area
+ */
+function placedLabels(groups, pixels, centre, obstacles, area) {
+  /** @type {Box[]} */
+  const taken = [...obstacles];
+  return groups.map((group) => {
+    const found = candidates(group, pixels, centre).find(
+      (box) => fitsInto(box, area) && !taken.some((other) => overlap(box, other)),
+    );
+    if (found !== undefined) taken.push(found);
+    return found ?? null;
+  });
+}
+
+/**
+ * The places for a label, best first: outwards from the set, then to the sides, then farther away.
  * @param {number[]} group
  * @param {Place[]} pixels
  * @param {Place} centre
+ */
+function candidates(group, pixels, centre) {
+  const middle = [0, 1].map((axis) => group.reduce((sum, index) => sum + pixels[index][axis], 0) / group.length);
+  const away = pixels.length === 1 ? [1, -1] : [middle[0] - centre[0], middle[1] - centre[1]];
+  const straight = Math.atan2(away[1], away[0]);
+  const halfWidth = (DIGIT_WIDTH * vertexNames(group).length) / 2 + 1;
+  const spread = Math.max(...group.map((index) => Math.hypot(...[0, 1].map((axis) => pixels[index][axis] - middle[axis]))));
+  return DISTANCES.flatMap((distance) =>
+    TURNS.map((turn) => {
+      const [dx, dy] = [Math.cos(straight + turn), Math.sin(straight + turn)];
+      // Far enough for the whole box to be beyond the marks in this direction.
+      const far = distance + spread + Math.abs(dx) * halfWidth + Math.abs(dy) * HALF_HEIGHT;
+      return around(middle[0] + dx * far, middle[1] + dy * far, halfWidth, HALF_HEIGHT);
+    }),
+  );
+}
+
+/**
+ * @param {Box} box
  * @param {Area} area
  */
-function besideGroup(group, pixels, centre, { left, width }) {
-  const [xs, ys] = [0, 1].map((axis) => group.map((index) => pixels[index][axis]));
-  const middle = [xs, ys].map((values) => values.reduce((sum, value) => sum + value, 0) / values.length);
-  const away = pixels.length === 1 ? [1, -1] : [middle[0] - centre[0], middle[1] - centre[1]];
-  const length = Math.hypot(...away) || 1;
-  const [dx, dy] = away.map((value) => value / length);
-  const beside = middle[1] + dy * LABEL_DISTANCE + BASELINE;
-  const right = Math.max(...xs) + LABEL_DISTANCE / 2;
-  const isRoom = right + DIGIT_WIDTH * vertexNames(group).length < left + width;
-  /**
-   * @param {number} x
-   * @param {number} y
-   * @param {string} anchor
-   */
-  const place = (x, y, anchor) => ({ x: round(x), y: round(y), "text-anchor": anchor });
-  if (dx > SIDEWAYS && isRoom) return place(right, beside, "start");
-  if (dx < -SIDEWAYS) return place(Math.min(...xs) - LABEL_DISTANCE / 2, beside, "end");
-  if (group.length === 1) return place(middle[0] + dx * LABEL_DISTANCE, beside, "middle");
-  const edge = dy < 0 ? Math.min(...ys) - LABEL_DISTANCE : Math.max(...ys) + LABEL_DISTANCE;
-  return place(middle[0], edge + BASELINE, "middle");
+function fitsInto(box, { left, top, width, height }) {
+  return box.left >= left + 1 && box.right <= left + width - 1 && box.top >= top + 1 && box.bottom <= top + height - 1;
 }
 
 /**

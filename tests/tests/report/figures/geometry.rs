@@ -1,0 +1,211 @@
+//! Every figure of every fit of `fixtures/tables`, by geometry: no two labels cover each other, nothing leaves the picture, ticks
+//! match the data.
+
+use std::fs;
+use std::sync::Arc;
+
+use boundfit_tests::program::root;
+use resvg::usvg::{Group, Node, Options, Tree, fontdb::Database};
+
+use super::{picture, svg};
+
+const FIGURES: [&str; 6] = ["data", "eui", "pui", "fps", "corridor", "directions"];
+
+/// The fits of `fixtures/tables/fits.txt`, each with its exit status.
+fn fits() -> Vec<(i32, String)> {
+    let text = fs::read_to_string(root().join("fixtures/tables/fits.txt")).unwrap();
+    let lines = text.lines().filter(|line| !line.starts_with('#'));
+    let fits: Vec<(i32, String)> = lines
+        .map(|line| {
+            let (status, rest) = line.split_once(' ').unwrap();
+            (status.parse().unwrap(), format!("fixtures/{rest}"))
+        })
+        .collect();
+    assert!(fits.len() >= 40, "{}", fits.len());
+    fits
+}
+
+/// A label, and left, top, right and bottom of its letters.
+type Label = (String, [f32; 4]);
+
+/// All labels of a figure whose texts are texts, and the size of the picture.
+fn labels(svg: &str) -> (Vec<Label>, [f32; 2]) {
+    let mut fonts = Database::new();
+    fonts.load_font_data(fs::read(root().join("crates/figures/fonts/Inter-Regular-subset.otf")).unwrap());
+    let options = Options { fontdb: Arc::new(fonts), ..Options::default() };
+    let tree = Tree::from_str(svg, &options).unwrap();
+    let mut found = Vec::new();
+    collect(tree.root(), &mut found);
+    (found, [tree.size().width(), tree.size().height()])
+}
+
+fn collect(group: &Group, found: &mut Vec<Label>) {
+    for node in group.children() {
+        match node {
+            Node::Group(group) => collect(group, found),
+            Node::Text(text) => {
+                let words: String = text.chunks().iter().map(|chunk| chunk.text()).collect();
+                let bounds = text.flattened().abs_bounding_box();
+                found.push((words, [bounds.left(), bounds.top(), bounds.right(), bounds.bottom()]));
+            }
+            _ => {}
+        }
+    }
+}
+
+fn overlap(one: &[f32; 4], other: &[f32; 4]) -> bool {
+    one[0] < other[2] && other[0] < one[2] && one[1] < other[3] && other[1] < one[3]
+}
+
+#[test]
+fn no_two_labels_overlap_and_none_leaves_the_picture() {
+    for (status, fit) in fits() {
+        for figure in FIGURES {
+            for flip in ["", " --flip"] {
+                if !flip.is_empty() && matches!(figure, "fps" | "directions") {
+                    continue;
+                }
+                let line = format!("{fit} --figure {figure} --real-text{flip}");
+                let (labels, [width, height]) = labels(&svg(&line, status));
+                assert!(labels.len() > 4, "{line}");
+                for (index, (text, bounds)) in labels.iter().enumerate() {
+                    let [left, top, right, bottom] = *bounds;
+                    let is_inside = left >= 0.0 && top >= 0.0 && right <= width && bottom <= height;
+                    assert!(is_inside, "{line}: \"{text}\" at {bounds:?} leaves {width} by {height}");
+                    for (other, others) in &labels[..index] {
+                        assert!(
+                            !overlap(bounds, others),
+                            "{line}: \"{text}\" {bounds:?} and \"{other}\" {others:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A number as figures write it.
+fn number(text: &str) -> Option<f64> {
+    text.replace('−', "-").parse().ok()
+}
+
+/// Ticks on one line of labels, as places and values: the slope and the value at 0, and how far they are from a line.
+fn scale(ticks: &[(f64, f64)]) -> Option<([f64; 2], f64)> {
+    let ((first, start), (last, end)) = (ticks.first()?, ticks.last()?);
+    let slope = (end - start) / (last - first);
+    let off =
+        ticks.iter().map(|(at, value)| (start + slope * (at - first) - value).abs()).fold(0.0, f64::max);
+    Some(([slope, start - slope * first], off / slope.abs()))
+}
+
+/// The ticks of the lowest horizontal axis, and of the vertical axis farthest to the left.
+fn ticks(labels: &[Label]) -> [Vec<(f64, f64)>; 2] {
+    let middle = |low: f32, high: f32| f64::from(low + high) / 2.0;
+    let numbers: Vec<(f64, &[f32; 4])> =
+        labels.iter().filter_map(|(text, bounds)| Some((number(text.trim())?, bounds))).collect();
+    // Labels of an axis stand on one line: digits have one bottom, and upright axes one right edge.
+    let in_line = |edge: usize, most: &dyn Fn(f32, f32) -> bool, from: &[usize; 2]| {
+        let count =
+            |line: f32| numbers.iter().filter(|(_, bounds)| (bounds[edge] - line).abs() < 1.5).count();
+        let lines = numbers.iter().map(|(_, bounds)| bounds[edge]).filter(|&line| count(line) > 1);
+        let line = lines.reduce(|best, line| if most(line, best) { line } else { best });
+        let on =
+            numbers.iter().filter(|(_, bounds)| line.is_some_and(|line| (bounds[edge] - line).abs() < 1.5));
+        on.map(|(value, bounds)| (middle(bounds[from[0]], bounds[from[1]]), *value)).collect::<Vec<_>>()
+    };
+    [in_line(3, &|line, best| line > best, &[0, 2]), in_line(2, &|line, best| line < best, &[1, 3])]
+}
+
+#[test]
+fn ticks_stand_where_their_numbers_are() {
+    for (status, fit) in fits() {
+        for figure in ["data", "fps"] {
+            let line = format!("{fit} --figure {figure} --real-text");
+            let (labels, _) = labels(&svg(&line, status));
+            for (axis, ticks) in ticks(&labels).iter().enumerate() {
+                let mut ticks = ticks.clone();
+                ticks.sort_by(|one, other| one.0.total_cmp(&other.0));
+                // The ticks of the first panel; to those of the next one there is another step.
+                let step = |pair: &[(f64, f64)]| [pair[1].0 - pair[0].0, pair[1].1 - pair[0].1];
+                let first = ticks.windows(2).next().map_or([0.0; 2], step);
+                let is_next = |pair: &[(f64, f64)]| {
+                    let [far, by] = step(pair);
+                    (far - first[0]).abs() > 4.0 || (by - first[1]).abs() > 1e-6 * first[1].abs()
+                };
+                let next = ticks.windows(2).position(is_next);
+                ticks.truncate(next.map_or(ticks.len(), |end| end + 1));
+                let Some((_, off)) = scale(&ticks).filter(|_| ticks.len() > 2) else { continue };
+                // A label is centred to within the side bearings of its digits and its sign.
+                assert!(off < 4.5, "{line}: axis {axis}: {off} pixels: {ticks:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn rows_of_two_regressors_are_counted_from_one() {
+    for (status, fit) in fits().into_iter().filter(|(_, fit)| fit.contains("--x ") && fit.contains(",")) {
+        let line = format!("{fit} --figure corridor --real-text");
+        let (labels, _) = labels(&svg(&line, status));
+        if !labels.iter().any(|(text, _)| text.contains("data row")) {
+            continue;
+        }
+        let [across, _] = ticks(&labels);
+        assert!(across.iter().all(|(_, row)| *row >= 1.0 && row.fract() == 0.0), "{line}: {across:?}");
+    }
+}
+
+#[test]
+fn every_reading_up_to_ten_thousand_is_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("many.csv");
+    for (count, is_each) in [(272_usize, true), (2_500, true), (10_000, true), (10_001, false)] {
+        let rows: String =
+            (0..count).map(|k| format!("{k},{}\n", k * 7919 % 10_007 + k * k % 104_729)).collect();
+        fs::write(&data, format!("t,U\n{rows}")).unwrap();
+        let text = svg(&format!("{} --x t --y U --eps 200000 --figure data", data.display()), 0);
+        // Squares of two pixels, in one path in each of two panels.
+        let squares = text
+            .lines()
+            .filter(|line| line.contains("fill=\"#262626\""))
+            .map(|line| line.matches(" Z").count());
+        let most = squares.max().unwrap_or(0);
+        assert_eq!(most >= count, is_each, "{count} readings, {most} marks");
+        assert_eq!(text.contains("counted in squares"), !is_each, "{count}");
+        assert!(text.len() < 3_000_000, "{count}: {} bytes", text.len());
+    }
+}
+
+#[test]
+fn a_set_of_one_point_is_seen_around_its_estimates() {
+    let text = svg("fixtures/figures/on-a-line.csv --x x --y y --eps 0 --real-text", 0);
+    assert!(text.contains("<circle cx=") && text.contains("r=\"95\""), "no ring");
+}
+
+#[test]
+fn directions_are_spread_where_the_box_is_a_square() {
+    for fit in [
+        "tables/cars.csv --x speed --y dist --eps 45",
+        "tables/trees.csv --x Girth,Height --y Volume --eps 30",
+    ] {
+        let text = svg(&format!("fixtures/{fit} --figure directions"), 0);
+        let areas = text.split("Inner area: ").nth(1).and_then(|rest| rest.split(" %").next()).unwrap();
+        let part: f64 = areas.replace("×10⁻", "e-").parse().unwrap();
+        assert!(part > 50.0, "{fit}: {part} %");
+    }
+}
+
+#[test]
+fn a_pdf_is_one_page_of_the_size_of_the_svg() {
+    for figure in FIGURES {
+        let line = format!("fixtures/tables/cars.csv --x speed --y dist --eps 45 --figure {figure}");
+        let pdf = picture(&format!("{line} --format pdf"), 0);
+        let text = String::from_utf8_lossy(&pdf);
+        assert!(text.starts_with("%PDF-1.7") && text.trim_end().ends_with("%%EOF"), "{figure}");
+        let tree = Tree::from_str(&svg(&line, 0), &Options::default()).unwrap();
+        let [width, height] = [tree.size().width(), tree.size().height()].map(|length| length * 0.75);
+        assert!(text.contains(&format!("[0 0 {width} {height}]")), "{figure}: {width} {height}");
+        assert!(text.contains("(boundfit)"), "{figure}");
+        assert_eq!(pdf, picture(&format!("{line} --format pdf"), 0), "{figure}: another run, other bytes");
+    }
+}
