@@ -142,6 +142,92 @@ fn ticks_stand_where_their_numbers_are() {
     }
 }
 
+/// The number behind `name="` in a tag.
+fn attribute(tag: &str, name: &str) -> Option<f64> {
+    tag.split_once(&format!(" {name}=\""))?.1.split_once('"')?.0.parse().ok()
+}
+
+/// Values at the ticks of the first panel: those on the line of labels nearest below or beside its frame.
+fn first_panel(svg: &str, across: bool) -> Vec<(f64, f64)> {
+    let anchor = if across { "text-anchor=\"middle\"" } else { "text-anchor=\"end\"" };
+    let [along, fixed] = if across { ["x", "y"] } else { ["y", "x"] };
+    let tags = svg.split("<text ").skip(1).filter(|tag| tag.contains(anchor) && !tag.contains("rotate"));
+    let numbered = tags.filter_map(|tag| {
+        let words = tag.split_once('>')?.1.split_once('<')?.0;
+        Some((
+            attribute(&format!(" {tag}"), fixed)?,
+            attribute(&format!(" {tag}"), along)?,
+            number(words.trim())?,
+        ))
+    });
+    let numbered: Vec<(f64, f64, f64)> = numbered.collect();
+    // Panels are drawn one after the other, the largest first.
+    let Some((line, ..)) = numbered.first().copied() else { return Vec::new() };
+    let mut ticks: Vec<(f64, f64)> =
+        numbered.iter().take_while(|(at, ..)| *at == line).map(|(_, at, value)| (*at, *value)).collect();
+    let rises = |pair: &[(f64, f64)]| (pair[1].1 > pair[0].1) == (ticks[1].1 > ticks[0].1);
+    let end = ticks.windows(2).position(|pair| !rises(pair)).map_or(ticks.len(), |end| end + 1);
+    ticks.truncate(end);
+    ticks
+}
+
+#[test]
+fn vertices_stand_at_their_numbers() {
+    let mut checked = 0;
+    for (status, fit) in fits() {
+        let text = svg(&format!("{fit} --figure fps --real-text"), status);
+        // What is taken out of tick labels is written beside the axis.
+        if !text.contains("Feasible parameter set: polygon") || text.contains("×10") || text.contains("\n+")
+        {
+            continue;
+        }
+        let [across, up] = [true, false].map(|across| scale(&first_panel(&text, across)));
+        let (Some((across, _)), Some((up, _))) = (across, up) else { continue };
+        let plain: Vec<&str> = fit.split_whitespace().collect();
+        let plain: Vec<&str> = plain
+            .iter()
+            .scan(false, |unit, word| {
+                let drop = std::mem::replace(unit, word.ends_with("-unit")) || word.ends_with("-unit");
+                Some((!drop).then_some(*word))
+            })
+            .flatten()
+            .collect();
+        let output = std::process::Command::new(boundfit_tests::program::binary())
+            .arg("fit")
+            .args(&plain)
+            .args(["--format", "json"])
+            .current_dir(root())
+            .output()
+            .unwrap();
+        let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let found: Vec<[f64; 2]> = text
+            .split("<circle ")
+            .skip(1)
+            .map(|tag| format!(" {tag}"))
+            .filter(|tag| attribute(tag, "r") == Some(28.0) && tag.contains("fill=\"#0072B2\""))
+            .filter_map(|tag| {
+                let [x, y] = ["cx", "cy"].map(|name| attribute(&tag, name));
+                Some([across[0] * x? + across[1], up[0] * y? + up[1]])
+            })
+            .collect();
+        let vertices = report["fps"]["vertices"].as_array().unwrap();
+        if vertices.len() > 12 {
+            continue;
+        }
+        for vertex in vertices {
+            let theta = [0, 1].map(|j| vertex["theta"][j]["value"].as_f64().unwrap());
+            // Within a pixel, of ten units each.
+            let near = |point: &[f64; 2]| {
+                (point[0] - theta[0]).abs() < 10.0 * across[0].abs()
+                    && (point[1] - theta[1]).abs() < 10.0 * up[0].abs()
+            };
+            assert!(found.iter().any(near), "{fit}: {theta:?} is not among {found:?}");
+            checked += 1;
+        }
+    }
+    assert!(checked > 60, "only {checked}");
+}
+
 #[test]
 fn rows_of_two_regressors_are_counted_from_one() {
     for (status, fit) in fits().into_iter().filter(|(_, fit)| fit.contains("--x ") && fit.contains(",")) {
