@@ -19,6 +19,7 @@ const MODULES: &[(&str, &str)] = &[
     module!("dom.js"),
     module!("main.js"),
     module!("model/format.js"),
+    module!("model/intersection.js"),
     module!("model/lesson.js"),
     module!("model/rational.js"),
     module!("model/sweep.js"),

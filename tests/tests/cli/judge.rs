@@ -244,7 +244,7 @@ fn a_picture_shows_set_and_optimum() {
     for (model, line, status, problem) in [
         (
             DIET,
-            "--plot a.pdf",
+            "--plot a.gif",
             2,
             "a picture is SVG, PNG or PDF (expected a name that ends in .svg, .png or .pdf)",
         ),

@@ -33,7 +33,7 @@ import { connectLeaveOneOut, drawLeaveOneOut, drawReadings } from "./panels/leav
 import { drawQuestions } from "./panels/questions.js";
 import { connectDataPlane, connectParameterPlane, connectZoom } from "./planes/interaction.js";
 import { fillIntroduction } from "./panels/introduction.js";
-import { kindText } from "./model/format.js";
+import { kindText, switchedOff } from "./model/format.js";
 
 /** @type {Mode[]} */
 const MODES = ["explore", "clip", "epsilon", "leave-one-out"];
@@ -42,7 +42,7 @@ const MODES = ["explore", "clip", "epsilon", "leave-one-out"];
 function connectModes(store) {
   const tabs = MODES.map((mode) => byId(`tab-${mode}`));
   tabs.forEach((tab, k) => {
-    tab.addEventListener("click", () => store.change({ mode: MODES[k], playing: false, without: null }));
+    tab.addEventListener("click", () => store.change({ mode: MODES[k], playing: false, without: [] }));
     tab.addEventListener("keydown", (event) => {
       const next = rove(event.key, k, tabs.length);
       if (next === null) return;
@@ -117,9 +117,9 @@ function announcement(lesson, state, before, scene) {
   }
   if (changed("mode", "without")) {
     const shown = kindText(scene.region.kind, scene.region.vertices.length);
-    if (state.without === null) return `All readings are used. The set is ${shown}.`;
-    const matters = lesson.matters.get(state.without);
-    return `Reading ${state.without} is switched off. ${matters ? `It matters: the set is now ${shown}.` : "It does not matter: the set is the same."}`;
+    if (state.without.length === 0) return `All readings are used. The set is ${shown}.`;
+    const matters = state.without.length > 1 || lesson.matters.get(state.without[0]);
+    return `${switchedOff(state.without)} ${matters ? `The set is now ${shown}.` : "It does not matter: the set is the same."}`;
   }
   if (changed("selection") && state.selection?.kind === "point")
     return byId("violations")?.textContent ?? null;

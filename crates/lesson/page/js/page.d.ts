@@ -68,8 +68,8 @@ interface Region {
   s: Rational;
   /** Half-planes, one for each whole line that bounds a region without vertices. */
   boundaries: number[];
-  /** The row that is switched off. */
-  without: number | null;
+  /** The rows that are switched off, ascending. */
+  without: number[];
   /** The half-planes added so far; null: all of them. */
   among: number[] | null;
 }
@@ -201,8 +201,8 @@ interface State {
   step: number;
   /** The stop of the ε slider, by index. */
   stop: number;
-  /** The row that is switched off. */
-  without: number | null;
+  /** The rows that are switched off, ascending. */
+  without: number[];
   selection: Choice | null;
   /** What the pointer or the focus is on; it wins over the selection. */
   hover: Choice | null;

@@ -25,7 +25,7 @@ export function createStore(lesson) {
     order: 0,
     step: 0,
     stop: givenStop(lesson.stops),
-    without: null,
+    without: [],
     selection: null,
     hover: null,
     layers: new Set(),
@@ -42,7 +42,7 @@ export function createStore(lesson) {
       const before = state;
       state = { ...state, ...changes };
       /** @param {State} s */
-      const shown = (s) => [s.mode, s.order, s.step, s.stop, s.without].join();
+      const shown = (s) => [s.mode, s.order, s.step, s.stop, s.without.join("+")].join();
       // Vertices of another region are other vertices.
       if (shown(before) !== shown(state)) {
         if (!("hover" in changes) && state.hover?.kind === "vertex") state.hover = null;
@@ -89,7 +89,7 @@ let latest = null;
  */
 export function sceneOf(lesson, state) {
   const { mode, order, step, stop, without, straighten } = state;
-  const key = [mode, order, step, stop, without, straighten].join();
+  const key = [mode, order, step, stop, without.join("+"), straighten].join();
   if (latest?.key !== key) latest = { key, scene: makeScene(lesson, state) };
   return latest.scene;
 }
@@ -111,9 +111,8 @@ function makeScene(lesson, { mode, order, step, stop, without, straighten }) {
   } else if (mode === "epsilon" && lesson.stops.length > 0) {
     scene.region = sweptRegion(lesson, lesson.stops[stop]);
     scene.before = lesson.fps;
-  } else if (mode === "leave-one-out" && without !== null) {
-    const entry = lesson.data.leave_one_out.find(({ row }) => row === without);
-    scene.region = regionWithout(lesson, /** @type {WithoutData} */ (entry));
+  } else if (mode === "leave-one-out" && without.length > 0) {
+    scene.region = regionWithout(lesson, without);
     scene.before = lesson.fps;
   }
   scene.s = scene.region.s;

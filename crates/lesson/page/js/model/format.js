@@ -286,3 +286,13 @@ export function kindText(kind, vertices) {
   const count = kind.endsWith("polygon") ? ` with ${counted(vertices, "vertex", "vertices")}` : "";
   return KINDS[kind] + count;
 }
+
+/**
+ * "Reading 3 is switched off." or "Readings 3 and 5 are switched off."
+ * @param {number[]} rows
+ */
+export function switchedOff(rows) {
+  return rows.length === 1
+    ? `Reading ${rows[0]} is switched off.`
+    : `Readings ${shortEnumeration(rows)} are switched off.`;
+}

@@ -3,6 +3,7 @@
 // document it comes from.
 
 import { withMinus } from "./format.js";
+import { intersection } from "./intersection.js";
 import { ONE, Rational, ZERO, dot, evaluate, extremes } from "./rational.js";
 
 /** @param {Exact | NumberData} number */
@@ -108,10 +109,10 @@ function referenceLine(lesson) {
 /**
  * @param {Lesson} lesson
  * @param {RegionSource} source
- * @param {{ s?: Rational, without?: number | null, among?: number[] | null }} [options]
+ * @param {{ s?: Rational, without?: number[], among?: number[] | null }} [options]
  * @returns {Region}
  */
-function regionOf(lesson, source, { s = ONE, without = null, among = null } = {}) {
+function regionOf(lesson, source, { s = ONE, without = [], among = null } = {}) {
   const vertices = source.vertices.map((vertex) => {
     if (typeof vertex === "number") return { theta: lesson.points[vertex], active: null };
     const theta = vertex.theta.map((value) =>
@@ -158,7 +159,7 @@ export function rightHandSide(halfPlane, s) {
 export function halfPlanesOf(lesson, region) {
   const all =
     region.among === null ? lesson.halfPlanes : region.among.map((index) => lesson.halfPlanes[index]);
-  return all.filter((halfPlane) => region.without === null || halfPlane.name.row !== region.without);
+  return all.filter((halfPlane) => halfPlane.name.row === null || !region.without.includes(halfPlane.name.row));
 }
 
 /**
@@ -205,12 +206,18 @@ export function sweptRegion(lesson, stop) {
 }
 
 /**
- * The region when one row is switched off.
+ * The region when some rows are switched off: of one row as the engine has it, of several computed here.
  * @param {Lesson} lesson
- * @param {WithoutData} entry
+ * @param {number[]} rows
+ * @returns {Region}
  */
-export function regionWithout(lesson, entry) {
-  return regionOf(lesson, entry, { without: entry.row });
+export function regionWithout(lesson, rows) {
+  const entry = rows.length === 1 ? lesson.data.leave_one_out.find(({ row }) => row === rows[0]) : undefined;
+  if (entry !== undefined) return regionOf(lesson, entry, { without: rows });
+  const left = lesson.halfPlanes.filter(({ name }) => name.row === null || !rows.includes(name.row));
+  const found = intersection(left);
+  const vertices = found.vertices.map((theta) => ({ theta, active: null }));
+  return { ...found, vertices, s: ONE, without: rows, among: null };
 }
 
 /**
@@ -243,7 +250,7 @@ export function conflict(lesson) {
  * @param {Region} region
  */
 function isStillInConflict(lesson, { among, without, s }) {
-  if (among !== null || without !== null) return false;
+  if (among !== null || without.length > 0) return false;
   return s.compare(ONE) <= 0 || conflict(lesson).every(({ index }) => lesson.halfPlanes[index].reading === null);
 }
 

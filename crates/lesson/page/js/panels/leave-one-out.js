@@ -3,7 +3,8 @@
 
 import { byId, closest, element, patch, targetOf } from "../dom.js";
 import { boundsOf } from "../model/lesson.js";
-import { THETA, endText, plain, withMinus } from "../model/format.js";
+import { THETA, decimal, endText, plain, shortEnumeration, switchedOff, withMinus } from "../model/format.js";
+import { ZERO } from "../model/rational.js";
 
 const LONG_NAME = 14;
 /** @type {{ parameter: string, axis: number, end: "lower" | "upper" }[]} */
@@ -15,15 +16,19 @@ const ENDS = [
 ];
 
 /**
- * Connects the table: a switch turns one reading off and any other one on again.
+ * Connects the table, in which any number of readings can be switched off, and the list, which switches off one.
  * @param {Lesson} lesson
  * @param {Store} store
  */
 export function connectLeaveOneOut(lesson, store) {
   byId("readings").addEventListener("change", (event) => {
     const row = Number(targetOf(event).dataset.row);
-    if (targetOf(event).checked) store.change({ mode: "explore", without: null });
-    else store.change({ mode: "leave-one-out", without: row });
+    const { mode, without } = store.get();
+    const off = new Set(mode === "leave-one-out" ? without : []);
+    if (targetOf(event).checked) off.delete(row);
+    else off.add(row);
+    const rows = [...off].sort((p, q) => p - q);
+    store.change({ mode: rows.length === 0 ? "explore" : "leave-one-out", without: rows });
   });
   byId("readings").addEventListener("click", (event) => {
     const button = closest(event, "button[data-show-row]");
@@ -35,8 +40,8 @@ export function connectLeaveOneOut(lesson, store) {
     });
   });
   byId("leave-out").addEventListener("change", (event) => {
-    const row = targetOf(event).value === "" ? null : Number(targetOf(event).value);
-    store.change({ mode: "leave-one-out", without: row });
+    const { value } = targetOf(event);
+    store.change({ mode: "leave-one-out", without: value === "" ? [] : [Number(value)] });
   });
   /** @param {WithoutData} options */
   const option = ({ row, matters }) =>
@@ -59,25 +64,50 @@ function shownEnd(interval, end) {
 }
 
 /**
+ * How far an end moved outwards; null for without end.
+ * @param {Rational | null} before
+ * @param {Rational | null} after
+ */
+function movedBy(before, after) {
+  if (before === null) return ZERO;
+  return after === null ? null : after.minus(before).absolute();
+}
+
+/**
+ * Whether two regions are the same set.
+ * @param {Region} one
+ * @param {Region} other
+ */
+function isSame(one, other) {
+  /** @param {Region} region */
+  const corners = ({ vertices }) => vertices.map(({ theta }) => theta.join()).sort().join(";");
+  return one.kind === other.kind && one.rays.length === other.rays.length && corners(one) === corners(other);
+}
+
+/**
  * @param {Lesson} lesson
  * @param {State} state
  * @param {Scene} scene
  */
 function effect(lesson, state, scene) {
-  const entry = lesson.data.leave_one_out.find(({ row }) => row === state.without);
-  if (entry === undefined)
-    return [element("p", {}, "Choose a reading to switch off, here or in the table of readings below.")];
-  if (!entry.matters) {
+  const rows = state.without;
+  if (rows.length === 0)
+    return [element("p", {}, "Choose a reading to switch off, here, or several in the table of readings below.")];
+  const readings = `Reading${rows.length === 1 ? "" : "s"} ${shortEnumeration(rows)}`;
+  const [does, them] = rows.length === 1 ? ["does", "it"] : ["do", "them"];
+  const entry = rows.length === 1 ? lesson.data.leave_one_out.find(({ row }) => row === rows[0]) : undefined;
+  if (entry === undefined ? isSame(lesson.fps, scene.region) : !entry.matters) {
     return [
       element(
         "p",
         { id: "leave-one-out-verdict", "data-matters": "false" },
         lesson.fps.kind === "empty"
-          ? `Reading ${entry.row} does not matter: without it the feasible parameter set is empty as well.`
-          : `Reading ${entry.row} does not matter: without it the feasible parameter set is exactly the same, and so is the PUI.`,
+          ? `${readings} ${does} not matter: without ${them} the feasible parameter set is empty as well.`
+          : `${readings} ${does} not matter: without ${them} the feasible parameter set is exactly the same, and so is the PUI.`,
       ),
     ];
   }
+  const matter = rows.length === 1 ? "matters" : "matter";
   const before = boundsOf(lesson.fps);
   const after = scene.bounds;
   if (before === null) {
@@ -85,34 +115,34 @@ function effect(lesson, state, scene) {
       element(
         "p",
         { id: "leave-one-out-verdict", "data-matters": "true" },
-        `Reading ${entry.row} matters: without it the set is ${after === null ? "still empty, for another reason" : "no longer empty"}.`,
+        `${readings} ${matter}: without ${them} the set is ${after === null ? "still empty, for another reason" : "no longer empty"}.`,
       ),
     ];
   }
-  const rows = ENDS.map(({ parameter, axis, end }) => {
-    const moved = entry.moved.find((move) => move.parameter === parameter && move.end === end);
-    const by =
-      moved === undefined ? "not at all" : moved.by === null ? "to infinity" : withMinus(moved.by.decimal);
+  const ends = ENDS.map(({ parameter, axis, end }) => {
+    const moved = entry?.moved.find((move) => move.parameter === parameter && move.end === end);
+    const exact = movedBy(before[axis][end], after === null ? null : after[axis][end]);
+    const by = exact === null ? "to infinity" : exact.isZero() ? "not at all" : withMinus(moved?.by?.decimal ?? decimal(exact));
     return element(
       "tr",
       {
         "data-moved": `${parameter}-${end}`,
-        "data-by": moved?.by?.exact ?? (moved === undefined ? "0" : ""),
+        "data-by": exact?.toString() ?? "",
       },
       element("th", { scope: "row" }, `${THETA[axis]} ${end}`),
       element("td", { class: "number" }, shownEnd(before[axis], end)),
       element("td", { class: "number" }, after === null ? "–" : shownEnd(after[axis], end)),
-      element("td", { class: "number", title: moved?.by?.exact ?? null }, by),
+      element("td", { class: "number", title: exact?.toString() ?? null }, by),
     );
   });
-  const heads = ["PUI end", "with it", "without it", "moves outward by"].map((head) =>
+  const heads = ["PUI end", `with ${them}`, `without ${them}`, "moves outward by"].map((head) =>
     element("th", { scope: "col" }, head),
   );
   return [
     element(
       "p",
       { id: "leave-one-out-verdict", "data-matters": "true" },
-      `Reading ${entry.row} matters. The set without it (solid) contains the one with it (dashed).`,
+      `${readings} ${matter}. The set without ${them} (solid) contains the one with ${them} (dashed).`,
     ),
     element(
       "div",
@@ -121,7 +151,7 @@ function effect(lesson, state, scene) {
         "table",
         { id: "leave-one-out-effect" },
         element("thead", {}, element("tr", {}, heads)),
-        element("tbody", {}, rows),
+        element("tbody", {}, ends),
       ),
     ),
   ];
@@ -134,8 +164,12 @@ function effect(lesson, state, scene) {
  * @param {Scene} scene
  */
 export function drawLeaveOneOut(lesson, state, scene) {
-  byId("leave-out").value = state.without === null ? "" : `${state.without}`;
-  if (state.mode === "leave-one-out") patch(byId("leave-one-out-story"), effect(lesson, state, scene));
+  byId("leave-out").value = state.without.length === 1 ? `${state.without[0]}` : "";
+  if (state.mode !== "leave-one-out") return;
+  const rows = state.without;
+  byId("switch-sentence").textContent =
+    rows.length === 0 ? "All readings are used." : `${switchedOff(rows)} The set is now ${scene.summary}.`;
+  patch(byId("leave-one-out-story"), effect(lesson, state, scene));
 }
 
 /**
@@ -150,7 +184,7 @@ export function drawReadings(lesson, state) {
   /** @param {Reading} reading */
   const row = (reading) => {
     const matters = lesson.matters.get(reading.row);
-    const off = state.mode === "leave-one-out" && state.without === reading.row;
+    const off = state.mode === "leave-one-out" && state.without.includes(reading.row);
     const chosen = state.selection?.kind === "reading" && state.selection.row === reading.row;
     return element(
       "tr",

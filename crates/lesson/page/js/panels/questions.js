@@ -52,7 +52,7 @@ export function drawQuestions(lesson, layers, store) {
  */
 function show(what, layers, store) {
   /** @type {Partial<State>} */
-  const changes = { mode: "explore", without: null, hover: null, parameterView: null };
+  const changes = { mode: "explore", without: [], hover: null, parameterView: null };
   if (what.kind === "vertex") changes.selection = { kind: "vertex", index: what.index };
   else if (what.kind === "row") changes.selection = { kind: "reading", row: what.row };
   else {

@@ -3,7 +3,7 @@
 
 import { byId, element, patch } from "../dom.js";
 import { ONE, Rational, ZERO, evaluate } from "../model/rational.js";
-import { THETA, boundClass, boundMark, decimal, endText, kindText, shortFraction } from "../model/format.js";
+import { THETA, boundClass, boundMark, decimal, endText, kindText, shortFraction, switchedOff } from "../model/format.js";
 import { activeAt, partOf } from "../model/lesson.js";
 import { boundAtStop } from "../model/sweep.js";
 
@@ -47,8 +47,7 @@ function sentence(lesson, state, scene) {
       ? `Every error bound times ${shown}.`
       : `${name} = ${shown} (${decimal(scene.s)} times the given one).`;
   }
-  if (state.mode === "leave-one-out" && state.without !== null)
-    return `Reading ${state.without} is switched off.`;
+  if (state.mode === "leave-one-out" && state.without.length > 0) return switchedOff(state.without);
   return "All readings, error bounds as given.";
 }
 

@@ -296,7 +296,7 @@ function readingUse(scene, reading) {
   const { among } = scene;
   const bounds = [reading.halfPlanes.upper, reading.halfPlanes.lower].filter((index) => index !== null);
   return {
-    off: scene.region.without === reading.row || (among !== null && !bounds.some((index) => among.has(index))),
+    off: scene.region.without.includes(reading.row) || (among !== null && !bounds.some((index) => among.has(index))),
     shaping: bounds.some((index) => scene.shaping.has(index)),
     current: scene.current !== null && bounds.includes(scene.current.half_plane),
   };

@@ -1,0 +1,70 @@
+// Readings switched off: one as the engine has it, several as the page computes them.
+
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+
+import { intersection } from "../../crates/lesson/page/js/model/intersection.js";
+import { Rational } from "../../crates/lesson/page/js/model/rational.js";
+import { DATA, boundfit, fitReport, launch, openLesson } from "./harness.js";
+
+let browser;
+
+before(async () => {
+  browser = await launch();
+});
+after(() => browser?.close());
+
+const lines = readFileSync(new URL("../../fixtures/tables/fits.txt", import.meta.url), "utf8").trimEnd().split("\n");
+const FITS = lines.filter((line) => !line.startsWith("#")).map((line) => line.split(" ").slice(1));
+
+test("sets with each reading off are those of the engine, for every fit", () => {
+  const exact = (number) => Rational.parse(typeof number === "string" ? number : number.exact);
+  const kinds = new Set();
+  let compared = 0;
+  for (const [file, ...options] of FITS) {
+    const page = boundfit("lesson", `fixtures/${file}`, ...options, "--max-readings", "400");
+    const data = JSON.parse(page.split('id="lesson-data">')[1].split("</script>")[0]);
+    const sides = data.half_planes.map(({ a, b, name }, index) => ({ index, a: a.map(exact), b: exact(b), row: name.row }));
+    const entries = data.leave_one_out.length > 40 ? data.leave_one_out.filter((_, k) => k % 9 === 0) : data.leave_one_out;
+    for (const entry of entries) {
+      const found = intersection(sides.filter(({ row }) => row === null || row !== entry.row));
+      const where = `${file} ${options.join(" ")} without ${entry.row}`;
+      assert.equal(found.kind, entry.kind, where);
+      const vertices = entry.vertices.map((vertex) =>
+        (typeof vertex === "number" ? data.points[vertex] : vertex.theta).map((value) => exact(value).toString()).join());
+      assert.deepEqual(found.vertices.map((theta) => theta.join()), vertices, where);
+      assert.equal(found.rays.length, entry.rays.length, where);
+      assert.equal(found.lines.length, entry.lines.length, where);
+      assert.equal(found.boundaries.length, entry.boundaries.length, where);
+      kinds.add(found.kind);
+      compared += 1;
+    }
+  }
+  assert.ok(compared > 700 && kinds.size >= 8, `${compared} sets of ${[...kinds]}`);
+});
+
+test("any number of readings can be switched off, and each on again", async () => {
+  const { page, complaints, close } = await openLesson(browser, DATA.transducer);
+  const [header, ...rows] = readFileSync(new URL(`../../${DATA.transducer[0]}`, import.meta.url), "utf8").trimEnd().split("\n");
+  const file = join(tmpdir(), `boundfit-switches-${process.pid}.csv`);
+  const off = [];
+  for (const row of [34, 14, 27, 24]) {
+    await page.locator(`#leave-out-${row}`).uncheck();
+    off.push(row);
+    const left = rows.filter((_, k) => k >= 13 && k < 36 && !off.includes(k + 1));
+    writeFileSync(file, [header, ...left].join("\n"));
+    const { fps } = fitReport([file, "--x", "Vz", "--y", "z", "--eps", "0.5e-3"]);
+    const shown = await page.locator("#parameter-plane [data-vertex]").evaluateAll((marks) =>
+      marks.map(({ dataset }) => [dataset.theta1, dataset.theta2].join()));
+    assert.deepEqual(shown, fps.vertices.map(({ theta }) => theta.map(({ exact }) => exact).join()), `${off}`);
+    assert.equal(await page.locator("#readings input:not(:checked)").count(), off.length);
+  }
+  assert.match(await page.locator("#shown").textContent(), /Readings 14, 24, 27 and 34 are switched off\./);
+  for (const row of off) await page.locator(`#leave-out-${row}`).check();
+  assert.equal(await page.locator("body").getAttribute("data-mode"), "explore");
+  assert.deepEqual(complaints, []);
+  await close();
+});
