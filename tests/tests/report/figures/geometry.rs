@@ -5,6 +5,7 @@ use std::fs;
 use std::sync::Arc;
 
 use boundfit_tests::program::root;
+use resvg::tiny_skia::Pixmap;
 use resvg::usvg::{Group, Node, Options, Tree, fontdb::Database};
 
 use super::{picture, svg};
@@ -293,5 +294,48 @@ fn a_pdf_is_one_page_of_the_size_of_the_svg() {
         assert!(text.contains(&format!("[0 0 {width} {height}]")), "{figure}: {width} {height}");
         assert!(text.contains("(boundfit)"), "{figure}");
         assert_eq!(pdf, picture(&format!("{line} --format pdf"), 0), "{figure}: another run, other bytes");
+    }
+}
+
+#[test]
+fn a_picture_is_as_large_as_it_is_asked_to_be() {
+    let fit = "fixtures/tables/cars.csv --x speed --y dist --eps 45";
+    for (size, pixels, points) in [("84mm", 84.0 / 25.4 * 96.0, 84.0 / 25.4 * 72.0), ("2in", 192.0, 144.0)] {
+        let line = format!("{fit} --size {size}");
+        let tree = Tree::from_str(&svg(&line, 0), &Options::default()).unwrap();
+        assert!((f64::from(tree.size().width()) - pixels).abs() < 0.01, "{size}: {}", tree.size().width());
+        let png = Pixmap::decode_png(&picture(&format!("{line} --format png --dpi 300"), 0)).unwrap();
+        assert_eq!(png.width(), (pixels / 96.0 * 300.0).round() as u32, "{size}");
+        let pdf = picture(&format!("{line} --format pdf"), 0);
+        let text = String::from_utf8_lossy(&pdf).into_owned();
+        let page = text.split_once("[0 0 ").unwrap().1.split_once(' ').unwrap().0;
+        assert!((page.parse::<f64>().unwrap() - points).abs() < 0.01, "{size}: {page}");
+    }
+    // 192 dots per inch are 7559 in a metre.
+    let png = picture(&format!("{fit} --format png"), 0);
+    assert!(
+        png.windows(12)
+            .any(|part| part == [&b"pHYs"[..], &7559_u32.to_be_bytes(), &7559_u32.to_be_bytes()].concat())
+    );
+}
+
+#[test]
+fn axes_names_and_colours_are_those_asked_for() {
+    let fit = "fixtures/tables/cars.csv --x speed --y dist --eps 45 --real-text";
+    let words = |more: &str| {
+        let (labels, _) = labels(&svg(&format!("{fit} {more}"), 0));
+        labels.into_iter().map(|(text, _)| text.trim().to_owned()).collect::<Vec<_>>()
+    };
+    let found = words("--x-label a --y-label b --x-range -10..10 --y-range -200..200");
+    for label in ["a", "b", "−10", "10", "−200", "200"] {
+        assert!(found.iter().any(|text| text == label), "{label} is not among {found:?}");
+    }
+    let data = words("--figure data --x-range 0..50 --y-range -50..400 --title Cars");
+    for label in ["Cars", "50", "400", "residuals of the least-squares line"] {
+        assert!(data.iter().any(|text| text == label), "{label} is not among {data:?}");
+    }
+    let grey = svg(&format!("{fit} --greyscale"), 0);
+    for part in grey.split("=\"#").skip(1) {
+        assert!(part[..2] == part[2..4] && part[2..4] == part[4..6], "{}", &part[..6]);
     }
 }

@@ -66,3 +66,34 @@ fn bad_data_leaves_no_folder_behind() {
     let output = plot(&format!("no-such-file.csv --x 1 --y 2 --eps 1 --figure all -o {}", inside.display()));
     assert_eq!((output.status.code(), inside.exists()), (Some(1), false));
 }
+
+#[test]
+fn sizes_and_ranges_that_are_none() {
+    let size = "expected a width from 10mm to 2000mm, as 85mm, 8.5cm, 3.3in, 240pt or 600px";
+    let range = "expected LOWER..UPPER, two numbers as in -1.5..2";
+    for (more, problem) in [
+        ("--size 85", size.to_owned()),
+        ("--size 1mm", size.to_owned()),
+        ("--size 3m", size.to_owned()),
+        ("--size 1e3px", size.to_owned()),
+        ("--size=-5cm", size.to_owned()),
+        ("--size ..cm", size.to_owned()),
+        ("--x-range 3", range.to_owned()),
+        ("--x-range 3..3", "the lower end is not below the upper one".to_owned()),
+        ("--y-range 2..-1", "the lower end is not below the upper one".to_owned()),
+    ] {
+        let (status, message) = refused(more);
+        assert_eq!((status, message.ends_with(&problem)), (2, true), "{more}: {message}");
+    }
+    let (status, message) = refused("--x-range a..3");
+    assert_eq!((status, message.contains("not a number")), (2, true), "{message}");
+    for more in ["--dpi 10", "--dpi 5000"] {
+        assert_eq!(refused(more).0, 2, "{more}");
+    }
+}
+
+#[test]
+fn more_pixels_than_fit_into_memory() {
+    let (status, message) = refused("--size 2000mm --dpi 1200 --format png");
+    assert_eq!((status, message.contains("pixels are too many")), (1, true), "{message}");
+}
