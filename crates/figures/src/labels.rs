@@ -65,7 +65,11 @@ pub(crate) fn residual(options: &PlotOptions) -> String {
 
 /// The names of the axes of both parameters: those asked for, or `θ₁ [m/V]` and `θ₂ [m]`.
 pub(crate) fn axes_of_parameters(problem: &Problem, options: &PlotOptions) -> [String; 2] {
-    let [first, second] = parameters(problem, options);
+    asked_for(options, parameters(problem, options))
+}
+
+/// The names of both axes that were asked for, and these where none were.
+pub(crate) fn asked_for(options: &PlotOptions, [first, second]: [String; 2]) -> [String; 2] {
     let asked = |label: &Option<Foreign>, plain: String| {
         label.as_ref().map_or(plain, |label| one_line(label, LONGEST_LABEL))
     };

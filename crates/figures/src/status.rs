@@ -47,7 +47,7 @@ struct Spot {
 pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Drawing {
     let judged = judged(problem, fit);
     let (spots, unplaced) = spots(&judged, fit.is_empty());
-    let mut panel = panel(&spots);
+    let mut panel = panel(&spots, options);
     let mut taken = regions(&mut panel);
     let far = mark(&mut panel, &spots, &mut taken);
     let line = |fill: Fill, text: &str| LegendEntry::new(Swatch::area(fill, BORDER), text);
@@ -114,7 +114,7 @@ fn spots(judged: &[(RowStatus, bool)], is_empty: bool) -> (Vec<Spot>, usize) {
 }
 
 /// Axes that show the corners of all regions, and readings that are not too far.
-fn panel(spots: &[Spot]) -> Panel {
+fn panel(spots: &[Spot], options: &PlotOptions) -> Panel {
     let reach = |axis: usize, least: Rational| {
         let values = spots.iter().map(|spot| spot.at[axis].abs());
         let most = values.filter(|value| *value <= Rational::from(FARTHEST[axis])).max().unwrap_or_default();
@@ -124,9 +124,10 @@ fn panel(spots: &[Spot]) -> Panel {
     // Outliers have their region at every height, also those at the edge.
     let across = reach(0, &up + Rational::one());
     let lower = -(&up * Rational::ratio(1, 40));
+    let [residual, leverage] = labels::asked_for(options, ["residual r".to_owned(), "leverage l".to_owned()]);
     let axes = [
-        Axis::new("residual r".to_owned(), &-&across, &across, (FRAME.width / 75.0) as usize),
-        Axis::new("leverage l".to_owned(), &lower, &up, (FRAME.height / 40.0) as usize),
+        Axis::new(residual, &-&across, &across, (FRAME.width / 75.0) as usize),
+        Axis::new(leverage, &lower, &up, (FRAME.height / 40.0) as usize),
     ];
     Panel::new(FRAME, axes, false)
 }

@@ -161,6 +161,9 @@ fn every_format_is_written_and_recognised_as_ours() {
     let png = boundfit(directory.path(), &format!("{line} -o a.txt --figure a.png"));
     assert_eq!(png.status, 0);
     assert!(fs::read(directory.path().join("a.png")).unwrap().starts_with(b"\x89PNG"));
+    let pdf = boundfit(directory.path(), &format!("{line} -o b.txt --figure b.pdf"));
+    assert_eq!(pdf.status, 0);
+    assert!(fs::read(directory.path().join("b.pdf")).unwrap().starts_with(b"%PDF-"));
 }
 
 #[test]
@@ -196,8 +199,8 @@ fn bad_usage_is_refused() {
             "invalid value '3' for '--through <X,Y>': expected two numbers X,Y such as 0,0 or 2.5,-1/3",
         ),
         (
-            "--figure a.pdf",
-            "invalid value 'a.pdf' for '--figure <FILE>': a picture is either SVG or PNG (expected a name that ends in .svg or .png)",
+            "--figure a.gif",
+            "invalid value 'a.gif' for '--figure <FILE>': a picture is SVG, PNG or PDF (expected a name that ends in .svg, .png or .pdf)",
         ),
     ];
     for (options, message) in cases {

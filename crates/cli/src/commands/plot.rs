@@ -5,7 +5,8 @@ use std::path::Path;
 
 use boundfit_estimation::{Problem, fit};
 use boundfit_figures::{
-    Encoding, Figure, FigureError, Picture, PictureFormat, PlotOptions, draw, draw_boxes, draw_outliers, draw_x_errors,
+    Encoding, Figure, FigureError, Picture, PictureFormat, PlotOptions, draw, draw_boxes, draw_outliers,
+    draw_x_errors,
 };
 use boundfit_questions::{NoOutliers, OutlierLimits, Outliers, XErrorFit, XErrorProblem};
 
@@ -31,6 +32,7 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
         true => Some(x_error_figure(arguments.figure)?),
         false => None,
     };
+    refuse_ranges_of_statuses(arguments)?;
     let (destination, format) = destination(arguments)?;
     let name = |figure: Figure| format!("{}.{}", figure.name(), format.name());
     let guard = arguments.replace.guard([arguments.data.path()]);
@@ -86,6 +88,18 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
     Ok(if fit.is_empty() && !is_of_runs { Exit::Empty } else { Exit::Answer })
 }
 
+/// The axes of statuses are those of residuals and leverages, whose regions are to be seen whole.
+fn refuse_ranges_of_statuses(arguments: &PlotArguments) -> Result<(), Failure> {
+    let asked = [("--x-range", &arguments.look.x_range), ("--y-range", &arguments.look.y_range)];
+    let asked = asked.into_iter().find(|(_, range)| range.is_some());
+    match (arguments.figure, asked) {
+        (Figures::One(Figure::Status), Some((option, _))) => Err(Failure::Usage(format!(
+            "'{option}' is about x, y, theta1 and theta2: the axes of '--figure status' are residuals and leverages"
+        ))),
+        _ => Ok(()),
+    }
+}
+
 /// What draws a figure of errors in x.
 type DrawXErrors = fn(&XErrorProblem, &XErrorFit, &PlotOptions) -> Result<Picture, FigureError>;
 
@@ -114,7 +128,8 @@ fn run_with_x_errors(
     let answer = while_working("fitting", || problem.fit());
     let options = options(arguments, problem.problem());
     let picture = while_working("drawing", || draw(&problem, &answer, &options)).map_err(Failure::data)?;
-    output::write(picture.encoded(format).map_err(Failure::data)?, file, guard)?;
+    let picture = picture.encoded_as(format, &encoding(arguments)).map_err(Failure::data)?;
+    output::write(picture, file, guard)?;
     Ok(if answer.is_empty() { Exit::Empty } else { Exit::Answer })
 }
 
@@ -157,9 +172,11 @@ fn destination(arguments: &PlotArguments) -> Result<(Destination<'_>, PictureFor
     };
     let Some(file) = file else {
         let format = asked.unwrap_or(PictureFormat::Svg);
-        if format == PictureFormat::Png && io::stdout().is_terminal() {
-            let problem = "a PNG is nothing for a terminal: name a file with '--output', or pipe it on";
-            return Err(Failure::Usage(problem.to_owned()));
+        if format != PictureFormat::Svg && io::stdout().is_terminal() {
+            let kind = format.name().to_uppercase();
+            let problem =
+                format!("a {kind} is nothing for a terminal: name a file with '--output', or pipe it on");
+            return Err(Failure::Usage(problem));
         }
         return Ok((Destination::One(figure, None), format));
     };

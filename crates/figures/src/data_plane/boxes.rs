@@ -139,9 +139,10 @@ fn panel(problem: &XErrorProblem, has_labels: bool, options: &PlotOptions) -> Pa
         across.include(&other.regressor[0]);
         other.value().iter().for_each(|value| up.include(value));
     }
-    let [left, right] = across.padded(&Rational::ratio(1, 20)).into_ends();
+    let room = Rational::ratio(1, 20);
+    let [left, right] = options.x_range.clone().unwrap_or_else(|| across.padded(&room).into_ends());
     let margin = if has_labels { Rational::ratio(1, 9) } else { Rational::ratio(1, 16) };
-    let [bottom, top] = up.padded(&margin).into_ends();
+    let [bottom, top] = options.y_range.clone().unwrap_or_else(|| up.padded(&margin).into_ends());
     let left_edge = LEFT_LABELS + 16.0;
     let frame = Frame { left: left_edge, top: 20.0, width: WIDTH - left_edge - RIGHT, height: 420.0 };
     let most = |is_along: bool| if is_along { frame.width / 62.0 } else { frame.height / 33.0 } as usize;

@@ -30,8 +30,9 @@ pub(crate) fn drawing(problem: &XErrorProblem, answer: &XErrorFit, options: &Plo
         [only] => Sliver::of(only.polyhedron.region()),
         _ => None,
     };
-    let window = view::of_regions(regions(), pieces.len() > 1);
-    let mut main = panel(main_frame(usize::from(sliver.is_some())), &window, &names);
+    let window = view::of_regions(regions(), pieces.len() > 1).asked_for(options);
+    let axes = labels::axes_of_parameters(problem.problem(), options);
+    let mut main = panel(main_frame(usize::from(sliver.is_some())), &window, &axes);
     let mut legend = vec![LegendEntry::new(
         Swatch::area(style::SET_FILL, style::SET_EDGE),
         "parameters of the lines that agree with all readings",
@@ -83,7 +84,7 @@ fn level(panel: &mut Panel) -> Option<LegendEntry> {
 fn nothing(problem: &XErrorProblem, answer: &XErrorFit, options: &PlotOptions) -> Drawing {
     let nearest = answer.least.as_ref().map_or(Side::Both, |least| least.side);
     let side = answer.sides.iter().find(|side| side.side == nearest).or(answer.sides.first());
-    let names = labels::parameters(problem.problem(), options);
+    let names = labels::axes_of_parameters(problem.problem(), options);
     let lines = side.map(bounds).unwrap_or_default();
     let own: Vec<&HalfPlane> = lines.iter().map(|(_, line)| line).collect();
     let corners = empty::corners(&own);
@@ -91,7 +92,7 @@ fn nothing(problem: &XErrorProblem, answer: &XErrorFit, options: &PlotOptions) -
         let centre = corners.first().cloned().unwrap_or_else(|| Point::origin().coordinates());
         view::around_lines(&centre, &own)
     });
-    let mut panel = panel(main_frame(0), &window, &names);
+    let mut panel = panel(main_frame(0), &window.asked_for(options), &names);
     let mut legend = Vec::new();
     let conflict = side.map(conflict).unwrap_or_default();
     let rows = conflict.rows.iter().map(|&row| (format!("allowed by row {row}"), Some(row), None));

@@ -93,6 +93,17 @@ fn sizes_and_ranges_that_are_none() {
 }
 
 #[test]
+fn ranges_of_axes_that_are_neither_of_readings_nor_of_parameters() {
+    for option in ["--x-range", "--y-range"] {
+        let (status, message) = refused(&format!("--figure status {option} 0..1"));
+        let problem = format!(
+            "'{option}' is about x, y, theta1 and theta2: the axes of '--figure status' are residuals and leverages"
+        );
+        assert_eq!((status, message.contains(&problem)), (2, true), "{message}");
+    }
+}
+
+#[test]
 fn more_pixels_than_fit_into_memory() {
     let (status, message) = refused("--size 2000mm --dpi 1200 --format png");
     assert_eq!((status, message.contains("pixels are too many")), (1, true), "{message}");
