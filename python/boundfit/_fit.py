@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import json
 import os
 from collections.abc import Sequence
@@ -243,7 +242,8 @@ class Fit:
         return self._core.figure(figure, "png", title, None, None, flip)
 
     def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
-        """Draws the set on axes of matplotlib, with the box of the intervals and the estimates. Unbounded sets are not drawn."""
+        """Draws the set on axes of matplotlib, with the box of the intervals and the estimates; ``style`` is that of the filled
+        polygon. Of an unbounded set the part within the axes' limits is drawn, of an empty one the title says that it is."""
         from ._plot import plot
 
         return plot(self, ax, **style)
@@ -269,12 +269,9 @@ class Fit:
         return self._core.text("text", False, None)
 
     def _repr_html_(self) -> str:
-        report = f"<pre>{html.escape(self._core.text('text', True, None))}</pre>"
-        try:
-            picture = self.svg("fps")
-        except ValueError:
-            return report
-        return f"<div style='max-width:40em'>{picture}</div>{report}"
+        from ._html import of_fit
+
+        return of_fit(self)
 
 
 def fit(

@@ -254,13 +254,6 @@ def test_what_is_shown() -> None:
     assert repr(fit) == "<boundfit.Fit of 3 readings: polygon, about theta1 in [0.5, 1.5], theta2 in [-0.5, 0.5]>"
     assert "<svg" in fit._repr_html_() and "FPS" in str(fit) or "easible" in str(fit)
     assert (1, 0) in fit and (1, "1/4") in fit and (2, 0) not in fit
-    import matplotlib
-
-    matplotlib.use("Agg")
-    axes = fit.plot()
-    assert axes.get_xlabel() == "theta1" and len(axes.patches) == 1
-    with pytest.raises(ValueError, match="nothing but a bounded set"):
-        boundfit.fit([0], [0], 1).plot()
 
 
 def test_many_readings_are_fitted_in_little_memory() -> None:
