@@ -8,6 +8,8 @@ from decimal import Decimal
 from fractions import Fraction
 from typing import Any, Literal, TypeAlias
 
+from ._cells import cells
+
 Number: TypeAlias = "int | float | str | Decimal | Fraction"
 #: A numpy array, a pandas or polars Series, a pyarrow array or a sequence of numbers.
 Column: TypeAlias = Any
@@ -16,43 +18,6 @@ Missing: TypeAlias = Literal["refuse", "skip"]
 Rows: TypeAlias = "str | Iterable[int] | None"
 
 NamedColumns = list[tuple[str, Any]]
-
-
-def cells(values: Any, name: str) -> Any:
-    """A buffer of numbers where there is one without a loss, else a list."""
-    if isinstance(values, list):
-        return values
-    module = type(values).__module__.partition(".")[0]
-    if module == "numpy":
-        if values.ndim == 2 and 1 in values.shape:
-            values = values.reshape(-1)
-        if values.ndim != 1:
-            raise ValueError(f"{name} has {values.ndim} dimensions: expected a column, which has one")
-        if values.dtype.kind in "iuf" and values.dtype.itemsize <= 8 and values.dtype.isnative:
-            return values if values.dtype != "float16" else values.astype("float32")
-        return values.tolist()
-    if module == "pandas":
-        if values.dtype.kind in "iuf" and not getattr(values.dtype, "_is_numeric", False):
-            return cells(values.to_numpy(), name)
-        return values.astype(object).tolist()
-    if module == "polars":
-        if (values.dtype.is_float() or values.dtype.is_integer()) and values.null_count() == 0:
-            return cells(values.to_numpy(), name)
-        return values.to_list()
-    if module == "pyarrow":
-        import pyarrow
-
-        is_plain = pyarrow.types.is_floating(values.type) or pyarrow.types.is_integer(values.type)
-        if is_plain and values.null_count == 0:
-            return cells(values.to_numpy(zero_copy_only=False) if isinstance(values, pyarrow.Array) else values.to_numpy(), name)
-        return values.to_pylist()
-    if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
-        if hasattr(values, "__buffer__") or isinstance(values, (bytearray, memoryview)):
-            return values
-        raise ValueError(f"{name} is of type {type(values).__name__}: expected an array or a list of numbers")
-    if module == "array":
-        return values
-    return list(values)
 
 
 def is_number(value: Any) -> bool:
@@ -171,7 +136,7 @@ def in_memory(
     columns: NamedColumns = []
 
     def add(values: Any, default: str) -> None:
-        columns.append((named(values, default, taken), cells(values, default)))
+        columns.append((named(values, default, taken), cells(values, default, reading)))
 
     phi = regressors(x)
     if len(phi) == 1:

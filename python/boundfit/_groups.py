@@ -80,7 +80,12 @@ def _keys(values: Any) -> list[str]:
     values = values.to_pylist() if hasattr(values, "to_pylist") else values
     values = values.tolist() if hasattr(values, "tolist") else list(values)
     # What is missing is a key too: an empty one, as in a CSV of the frame.
-    return [value if isinstance(value, str) else "" if value is None or value != value else str(value) for value in values]
+    return [value if isinstance(value, str) else "" if _is_missing(value) else str(value) for value in values]
+
+
+def _is_missing(value: Any) -> bool:
+    # The missing value of pandas refuses to be compared.
+    return value is None or type(value).__name__ == "NAType" or value != value
 
 
 def _framed(frame: Any, answer: dict[str, Any]) -> Any:

@@ -1,0 +1,142 @@
+"""From what people have to what the compiled part takes: a buffer of numbers where there is one without a loss, else a list."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Set
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any
+
+#: What the compiled part knows the meaning of. Anything else in a list is looked at.
+_KNOWN = {int, float, str, Decimal, Fraction, type(None)}
+
+
+def cells(values: Any, name: str, reading: str = "decimal") -> Any:
+    """A buffer of numbers where there is one without a loss, else a list.
+
+    :raises ValueError: where it is no column, or one of times.
+    """
+    if isinstance(values, list):
+        return _items(values, reading)
+    match type(values).__module__.partition(".")[0]:
+        case "numpy":
+            return _of_numpy(values, name, reading)
+        case "pandas":
+            return _of_pandas(values, name, reading)
+        case "polars":
+            return _of_polars(values, name, reading)
+        case "pyarrow":
+            return _of_pyarrow(values, name, reading)
+        case "array":
+            return values
+    if isinstance(values, (bytearray, memoryview)) or (hasattr(values, "__buffer__") and not isinstance(values, bytes)):
+        return values
+    # Of a set nobody knows the order, and of a mapping nobody knows whether keys are meant.
+    if isinstance(values, (str, bytes, Set, Mapping)) or not isinstance(values, Iterable):
+        raise _no_column(values, name)
+    return _items(list(values), reading)
+
+
+def _no_column(values: Any, name: str) -> ValueError:
+    return ValueError(f"{name} is of type {type(values).__name__}: expected an array or a list of numbers")
+
+
+def _times(name: str, kind: Any) -> ValueError:
+    return ValueError(
+        f"{name} holds times ({kind}), not numbers: expected numbers, such as those of (t - t0) / one second, from a time t0 on"
+    )
+
+
+def _items(values: list[Any], reading: str) -> list[Any]:
+    """A list; scalars of pyarrow in it as what they hold, and short floats, which have no meaning but in an array, as doubles
+    where the stored number is asked for."""
+    strange = {kind for kind in set(map(type, values)) if kind not in _KNOWN and kind.__module__ in ("numpy", "pyarrow.lib")}
+    if not strange:
+        return values
+
+    def item(value: Any) -> Any:
+        if type(value).__module__ == "pyarrow.lib":
+            return value.as_py()
+        short = getattr(value, "dtype", None)
+        if short is not None and value.shape == () and (short.kind == "b" or (short.kind == "f" and reading == "binary64")):
+            return value.item()
+        return value
+
+    return [item(value) if type(value) in strange else value for value in values]
+
+
+def _of_numpy(values: Any, name: str, reading: str) -> Any:
+    if values.ndim == 2 and 1 in values.shape:
+        values = values.reshape(-1)
+    if values.ndim != 1:
+        raise ValueError(f"{name} has {values.ndim} dimensions: expected a column, which has one")
+    kind = values.dtype.kind
+    if kind in "mM":
+        raise _times(name, values.dtype)
+    if hasattr(values, "mask"):
+        # What is masked is missing, whatever is stored there.
+        if not values.mask.any():
+            return _of_numpy(values.data, name, reading)
+        return _of_numpy(values.filled(float("nan")), name, reading) if kind == "f" else values.tolist()
+    if kind == "f" and values.dtype.itemsize == 2:
+        return values.astype("float64") if reading == "binary64" else list(map(str, values))
+    if kind in "iuf" and values.dtype.itemsize <= 8:
+        return values if values.dtype.isnative else values.astype(values.dtype.newbyteorder("="))
+    return _items(values.tolist(), reading)
+
+
+def _of_pandas(values: Any, name: str, reading: str) -> Any:
+    if hasattr(values, "columns"):
+        return cells(_only_column(values, name).iloc[:, 0], name, reading)
+    if not hasattr(values, "dtype"):
+        raise _no_column(values, name)
+    dtype = values.dtype
+    if hasattr(values, "cat") and dtype.categories.dtype.kind == "f":
+        return cells(values.astype(dtype.categories.dtype), name, reading)
+    if dtype.kind in "mM":
+        raise _times(name, dtype)
+    # Nullable columns, and those of Arrow, have the type of numpy that they are stored as.
+    stored = getattr(dtype, "numpy_dtype", dtype if dtype.kind in "iuf" and not hasattr(dtype, "subtype") else None)
+    if stored is not None and stored.kind == "f":
+        return _of_numpy(values.to_numpy(dtype=stored, na_value=float("nan")), name, reading)
+    if stored is not None and stored.kind in "iu" and not values.isna().any():
+        return _of_numpy(values.to_numpy(dtype=stored), name, reading)
+    return _items(values.astype(object).tolist(), reading)
+
+
+def _of_polars(values: Any, name: str, reading: str) -> Any:
+    if hasattr(values, "get_columns"):
+        return cells(_only_column(values, name).to_series(), name, reading)
+    if not hasattr(values, "to_list"):
+        raise _no_column(values, name)
+    if values.dtype.is_temporal():
+        raise _times(name, values.dtype)
+    # A short float that is null is one that is not a number: a list would hold doubles.
+    if values.dtype.is_float() or (values.dtype.is_integer() and values.null_count() == 0 and "128" not in str(values.dtype)):
+        return _of_numpy(values.to_numpy(), name, reading)
+    return _items(values.to_list(), reading)
+
+
+def _of_pyarrow(values: Any, name: str, reading: str) -> Any:
+    import pyarrow
+
+    if hasattr(values, "column_names"):
+        return cells(_only_column(values, name).column(0), name, reading)
+    if not hasattr(values, "null_count"):
+        raise _no_column(values, name)
+    types = pyarrow.types
+    if types.is_dictionary(values.type):
+        values = values.cast(values.type.value_type)
+    if types.is_temporal(values.type):
+        raise _times(name, values.type)
+    if types.is_floating(values.type) or (types.is_integer(values.type) and values.null_count == 0):
+        plain = values.to_numpy(zero_copy_only=False) if isinstance(values, pyarrow.Array) else values.to_numpy()
+        return _of_numpy(plain, name, reading)
+    return _items(values.to_pylist(), reading)
+
+
+def _only_column(frame: Any, name: str) -> Any:
+    width = frame.shape[1]
+    if width != 1:
+        raise ValueError(f"{name} has {width} columns: expected one")
+    return frame
