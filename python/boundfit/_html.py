@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 def of_fit(fit: Fit) -> str:
     """The picture of the set and the short report. Nothing in it has an id, so that many of them can be in one page."""
-    report = f"<pre style='line-height:1.3;margin:0.5em 0'>{html.escape(fit.report(brief=True))}</pre>"
+    report = f"<pre style='font-family:monospace;line-height:1.3;margin:0.5em 0'>{html.escape(fit.report(brief=True))}</pre>"
     try:
         picture = in_page(fit.svg("fps"))
     except ValueError:
