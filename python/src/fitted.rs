@@ -284,7 +284,7 @@ impl Fitted {
             "text" => document().to_text(),
             "markdown" => document().to_markdown(),
             "latex" => document().to_latex(),
-            "csv" => fit_csv(&self.fit),
+            "csv" => fit_csv(&self.problem, &self.fit),
             "wkt" => region_wkt(polyhedron, &style).map_err(refuse)?,
             "ine" => h_representation(polyhedron),
             "ext" => v_representation(polyhedron),

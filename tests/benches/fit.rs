@@ -1,6 +1,6 @@
 //! The whole fit, proofs included, of readings in memory.
 
-use boundfit_estimation::{Problem, fit, fit_bounds};
+use boundfit_estimation::{Problem, fit};
 use boundfit_tests::readings::{noisy_line, parabola};
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 
@@ -17,13 +17,5 @@ fn whole_fit(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// What a fleet of sensors computes for each.
-fn bounds_alone(criterion: &mut Criterion) {
-    criterion.bench_function("fit_bounds/noisy line/23", |bencher| {
-        let problem = noisy_line(23);
-        bencher.iter(|| fit_bounds(&problem));
-    });
-}
-
-criterion_group!(benches, whole_fit, bounds_alone);
+criterion_group!(benches, whole_fit);
 criterion_main!(benches);

@@ -1,9 +1,8 @@
 //! Parts of a fit by their definitions, where the engine has a shorter way to the same answer.
 
 use boundfit_estimation::{
-    BoundName, Condition, ErrorBound, FitBounds, Fps, GrowingInequality, LeastGrowth, Measurement,
-    ParameterBound, Problem, Section, SectionBoundary, SectionVertex, conditions_by_name, fit_bounds,
-    least_growth,
+    BoundName, Condition, ErrorBound, Fit, Fps, GrowingInequality, LeastGrowth, Measurement, ParameterBound,
+    Problem, Section, SectionBoundary, SectionVertex, conditions_by_name, fit, least_growth,
 };
 use boundfit_exact::{Endpoint, Integer, Interval, Rational};
 use boundfit_geometry::{
@@ -152,7 +151,7 @@ pub struct Answer {
 }
 
 /// What a fit of a problem says, over a unit.
-pub fn answer(problem: &Problem, fit: &FitBounds, unit: &Rational) -> Answer {
+pub fn answer(problem: &Problem, fit: &Fit, unit: &Rational) -> Answer {
     // Error bounds per reading have a least factor, in no unit, and multipliers that add them up to 1.
     let (least_unit, multiplier_unit) = match problem.measurements.error_bound() {
         ErrorBound::Uniform(_) => (unit.clone(), Rational::one()),
@@ -200,5 +199,5 @@ pub fn answer(problem: &Problem, fit: &FitBounds, unit: &Rational) -> Answer {
 /// The answer as it comes without machine integers, from the problem in another unit.
 pub fn answer_in_general(problem: &Problem) -> Answer {
     let unit = Rational::from(Integer::power_of_two(80));
-    answer(problem, &fit_bounds(&in_unit(problem, &unit)), &unit)
+    answer(problem, &fit(&in_unit(problem, &unit)), &unit)
 }

@@ -27,26 +27,11 @@ pub struct Fit {
     pub central: Option<Central>,
     /// The least error bound and the minimax estimate; `None` when no error bound leaves anything.
     pub minimax: Option<Minimax>,
-    /// Gain and offset of the inverse line; `None` unless the model is a line.
-    pub inverse: Option<Inverse>,
-}
-
-/// What is computed from the readings themselves: all of a [`Fit`] but the inverse line, which follows from it.
-#[derive(Debug, Clone)]
-pub struct FitBounds {
-    /// As [`Fit::least_squares`].
-    pub least_squares: Result<LeastSquares, NoLeastSquares>,
-    /// As [`Fit::fps`].
-    pub fps: Fps,
-    /// As [`Fit::pui`].
-    pub pui: Option<[ParameterInterval; 2]>,
-    /// As [`Fit::central`].
-    pub central: Option<Central>,
-    /// As [`Fit::minimax`].
-    pub minimax: Option<Minimax>,
 }
 
 /// Computes everything. Exact. Cost: O(N log N).
+///
+/// Sums and hulls are decided on machine integers where the readings, as integers on common denominators, fit into them.
 ///
 /// ```
 /// use boundfit_estimation::{Columns, EpsilonColumn, LineForm, Measurements, Problem, fit};
@@ -68,24 +53,6 @@ pub struct FitBounds {
 /// # Ok::<(), boundfit_formats::InputError>(())
 /// ```
 pub fn fit(problem: &Problem) -> Fit {
-    let FitBounds { least_squares, fps, pui, central, minimax } = fit_bounds(problem);
-    let inverse = matches!(problem.measurements.model(), Model::Line { .. }).then(|| {
-        let estimate = least_squares.as_ref().ok();
-        Inverse::new(
-            fps.polyhedron(),
-            pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval)).as_ref(),
-            estimate.and_then(|estimate| estimate.eui.as_ref().ok()),
-            central.as_ref().map(|central| &central.theta),
-            estimate.map(|estimate| &estimate.theta),
-        )
-    });
-    Fit { least_squares, fps, pui, central, minimax, inverse }
-}
-
-/// Computes everything but the inverse line. Exact. Cost: O(N log N).
-///
-/// Sums and hulls are decided on machine integers where the readings, as integers on common denominators, fit into them.
-pub fn fit_bounds(problem: &Problem) -> FitBounds {
     let Problem { measurements, conditions } = problem;
     let grid = Grid::new(measurements);
     let least_squares = LeastSquares::with_grid(measurements, grid.as_ref());
@@ -94,7 +61,7 @@ pub fn fit_bounds(problem: &Problem) -> FitBounds {
     let pui = parameter_intervals(fps.polyhedron());
     let central = pui.as_ref().and_then(central);
     let minimax = Minimax::with_extremes(measurements, conditions, extremes.as_ref());
-    FitBounds { least_squares, fps, pui, central, minimax }
+    Fit { least_squares, fps, pui, central, minimax }
 }
 
 impl Fit {
@@ -120,6 +87,20 @@ impl Fit {
     /// The parameter uncertainty intervals without their proofs.
     pub fn pui_intervals(&self) -> Option<[Interval; 2]> {
         self.pui.as_ref().map(|pui| pui.each_ref().map(ParameterInterval::interval))
+    }
+
+    /// Gain and offset of the inverse line, x as a function of y; `None` unless the model is a line. Exact. Cost: that of
+    /// [`Inverse::new`].
+    pub fn inverse(&self, model: &Model) -> Option<Inverse> {
+        let Model::Line { .. } = model else { return None };
+        let estimate = self.least_squares.as_ref().ok();
+        Some(Inverse::new(
+            self.fps.polyhedron(),
+            self.pui_intervals().as_ref(),
+            self.eui(),
+            self.central.as_ref().map(|central| &central.theta),
+            estimate.map(|estimate| &estimate.theta),
+        ))
     }
 
     /// The EUI, when there is one.

@@ -33,10 +33,10 @@ mod bounds;
 mod condition;
 mod corridor;
 mod family;
+mod feasibility;
 #[cfg(feature = "files")]
 mod files;
 mod fit;
-mod fit_group;
 #[cfg(feature = "float-least-squares")]
 mod float_least_squares;
 mod fps;
@@ -70,10 +70,10 @@ pub use family::{
     AreaGrowth, Breakpoint, Family, Linear, MovingArea, MovingBoundary, MovingVertex, Piece, Section,
     SectionBoundary, SectionVertex,
 };
+pub use feasibility::least_squares_is_feasible;
 #[cfg(feature = "files")]
 pub use files::{Columns, EpsilonColumn, Fleet, ReducedTable};
-pub use fit::{Fit, FitBounds, fit, fit_bounds};
-pub use fit_group::{fit_group, least_squares_is_feasible};
+pub use fit::{Fit, fit};
 #[cfg(feature = "float-least-squares")]
 pub use float_least_squares::{FloatEstimate, FloatLeastSquares};
 pub use fps::{

@@ -30,12 +30,7 @@ impl Rational {
             return None;
         }
         let (significand, exponent) = significand_and_exponent(value);
-        let power = Integer::power_of_two(u64::from(exponent.unsigned_abs()));
-        if exponent >= 0 {
-            Some(Rational::from(Integer::from(significand) * power))
-        } else {
-            Rational::new(Integer::from(significand), power)
-        }
+        Some(Rational::dyadic(significand, exponent))
     }
 
     /// The nearest binary64, ties to even, as IEEE 754 rounds: overflows to an infinity, underflows to 0.

@@ -1,6 +1,6 @@
 //! The estimates and intervals of a fit as CSV.
 
-use boundfit_estimation::{Fit, InverseParameter};
+use boundfit_estimation::{Fit, InverseParameter, Problem};
 use boundfit_exact::{Endpoint, Interval, Rational};
 use csv::Writer;
 
@@ -14,7 +14,7 @@ const COLUMNS: [&str; 8] =
 /// feasible set, in several rows where it has several parts. The last row is `least_error_bound`, which is a factor where the
 /// readings have bounds of their own. `lower`, `upper` and `value` are doubles: ends rounded outward, `-inf` and `inf` where
 /// there are none, errors and the least error bound up, values to nearest. The last columns are exact.
-pub fn fit_csv(fit: &Fit) -> String {
+pub fn fit_csv(problem: &Problem, fit: &Fit) -> String {
     let mut table = Table::new();
     if let Ok(estimate) = &fit.least_squares {
         table.values("least_squares", &estimate.theta);
@@ -34,7 +34,7 @@ pub fn fit_csv(fit: &Fit) -> String {
     if let Some(minimax) = &fit.minimax {
         table.values("minimax", &minimax.theta);
     }
-    if let Some(inverse) = &fit.inverse {
+    if let Some(inverse) = fit.inverse(problem.measurements.model()) {
         table.inverse("gain", &inverse.gain);
         table.inverse("offset", &inverse.offset);
     }

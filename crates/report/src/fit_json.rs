@@ -140,7 +140,7 @@ impl FitJson {
             central: central(fit, style),
             slopes: slopes(problem, fit, style),
             epsilon_min: uniform_minimum(problem, fit).map(|epsilon| style.upper_number(epsilon)),
-            inverse: fit.inverse.as_ref().map(|inverse| {
+            inverse: fit.inverse(problem.measurements.model()).as_ref().map(|inverse| {
                 let parameters = [("gain", &inverse.gain), ("offset", &inverse.offset)];
                 parameters.map(|(name, parameter)| (name, inverse_parameter(parameter, style))).into()
             }),
@@ -317,7 +317,7 @@ fn reasons(problem: &Problem, fit: &Fit) -> BTreeMap<&'static str, String> {
     if region.is_empty() && problem.measurements.all().is_none() {
         reasons.insert("mended_without", NO_MENDING.to_owned());
     }
-    if fit.inverse.is_none() {
+    if !matches!(problem.measurements.model(), Model::Line { .. }) {
         reasons.insert("inverse", "the model is not a line".to_owned());
         reasons.insert("slopes", "the model is not a line".to_owned());
     } else if region.is_empty() {

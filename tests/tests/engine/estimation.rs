@@ -183,7 +183,7 @@ fn the_inverse_line_covers_every_feasible_line() {
     for case in 0..CASES {
         let problem = problem(&mut rng);
         let fit = fit(&problem);
-        let Some(inverse) = &fit.inverse else { continue };
+        let Some(inverse) = fit.inverse(problem.measurements.model()) else { continue };
         let covers = |ranges: &[Interval], value: &Rational| ranges.iter().any(|range| range.contains(value));
         with_both_signs += usize::from(inverse.gain.exact_range.len() == 2);
         let region = fit.fps.polyhedron().region();

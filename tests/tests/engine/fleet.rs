@@ -5,7 +5,7 @@ use std::io::Cursor;
 
 use boundfit_estimation::{
     Bounds, Columns, EpsilonColumn, ErrorBound, Fleet, GroupFit, LineForm, Measurement, Measurements, Model,
-    Problem, fit, fit_group, least_squares_is_feasible,
+    Problem, fit, least_squares_is_feasible,
 };
 use boundfit_exact::{Foreign, Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, RowRange, ScanOptions, Source, TableOptions};
@@ -143,7 +143,7 @@ fn every_group_is_fitted_as_it_would_be_alone() {
             let measurements = fleet.measurements(number);
             assert_eq!(measurements, alone.measurements, "{}", fleet.key(number));
             let problem = Problem { measurements, conditions: alone.conditions.clone() };
-            let (own, expected) = (fit_group(&problem), fit(alone));
+            let (own, expected) = (fit(&problem), fit(alone));
             assert_eq!(own.least_squares, expected.least_squares);
             assert_eq!(own.fps.polyhedron().region(), expected.fps.polyhedron().region());
             assert_eq!((&own.pui, &own.central), (&expected.pui, &expected.central));
@@ -200,7 +200,7 @@ fn the_line_of_a_group_is_that_of_its_fit() {
         let fleet = read(&table, &columns, ScanOptions::default());
         for group in 0..fleet.len() {
             let problem = Problem::new(fleet.measurements(group));
-            let expected = GroupFit::of(&problem, &fit_group(&problem));
+            let expected = GroupFit::of(&problem, &fit(&problem));
             let is_polygon = expected.kind == RegionKind::Polygon;
             match fleet.group_fit(group) {
                 Some(line) => {

@@ -142,7 +142,7 @@ fn integers_bounds_per_row_and_conditions_are_those_of_the_program() {
     let observations = Observations::regressors(x, &ones, y).unwrap();
     let problem = observations.error_bounds(eps).unwrap().condition("theta1 >= 12.5").unwrap();
     assert_eq!(answer(&problem), expected);
-    assert!(problem.fit().inverse.is_none());
+    assert!(problem.fit().inverse(problem.measurements.model()).is_none());
 }
 
 #[test]

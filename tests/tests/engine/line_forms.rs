@@ -150,8 +150,8 @@ fn a_line_through_the_origin_is_what_one_dimension_says() {
                 assert_eq!(own.eui, Ok([eui, zero()]), "{context}");
             }
         }
-        for offset in fit.inverse.iter().flat_map(|inverse| &inverse.offset.exact_range) {
-            assert_eq!(*offset, zero(), "{context}");
+        for offset in fit.inverse(problem.measurements.model()).unwrap().offset.exact_range {
+            assert_eq!(offset, zero(), "{context}");
         }
         assert_eq!(fit.verify(&problem), Ok(()), "{context}");
     }
@@ -177,10 +177,11 @@ fn an_equation_is_two_inequalities() {
         let (equation, inequalities) = (fit(&one), fit(&two));
         let context = format!("{number}: {rows:?} {}", one.conditions[0].text());
         let region = |fit: &Fit| fit.fps.polyhedron().region().clone();
+        let inverse = |fit: &Fit| fit.inverse(one.measurements.model());
         assert_eq!(region(&equation), region(&inequalities), "{context}");
         assert_eq!(equation.pui, inequalities.pui, "{context}");
         assert_eq!(equation.central, inequalities.central, "{context}");
-        assert_eq!(equation.inverse, inequalities.inverse, "{context}");
+        assert_eq!(inverse(&equation), inverse(&inequalities), "{context}");
         let least =
             |fit: &Fit| fit.minimax.as_ref().map(|minimax| (minimax.least.clone(), minimax.theta.clone()));
         assert_eq!(least(&equation), least(&inequalities), "{context}");
@@ -225,7 +226,7 @@ fn essence(problem: &Problem) -> String {
         fit.central,
         fit.minimax,
         fit.least_squares,
-        fit.inverse
+        fit.inverse(problem.measurements.model())
     )
 }
 

@@ -66,7 +66,7 @@ fn the_transducer_reproduces_every_published_figure() {
     let epsilon = EpsilonColumn::Uniform(number(published["epsilon"].as_str().unwrap()));
     let problem = problem("transducer/transducer.csv", ["Vz", "z"], epsilon, RowRange::new(14, 36));
     let fit = fit(&problem);
-    let inverse = fit.inverse.as_ref().unwrap();
+    let inverse = fit.inverse(problem.measurements.model()).unwrap();
     let mut figures = 0;
     let mut check = |found: &[String], section: &str, key: &str| {
         let expected = match &published[section][key] {

@@ -2,7 +2,7 @@
 
 use boundfit_estimation::{
     AskedBound, Columns, Condition, EpsilonColumn, Fleet, GroupFit, Keep, LineForm, Measurements,
-    ParseBoundError, Problem, ReducedTable, fit_group,
+    ParseBoundError, Problem, ReducedTable,
 };
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{ColumnSelector, InputError, ScanOptions, Source};
@@ -114,7 +114,7 @@ impl Question {
         let line = is_plain.then(|| fleet.group_fit(group)).flatten();
         line.unwrap_or_else(|| {
             let problem = self.of_measurements(fleet.measurements(group));
-            GroupFit::of(&problem, &fit_group(&problem))
+            GroupFit::of(&problem, &problem.fit())
         })
     }
 

@@ -89,7 +89,7 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
         ReportFormat::Json => fit_json(&problem, &fit, family.as_ref(), guarantee.as_ref(), &origin, &style),
         ReportFormat::Latex => document(None).to_latex(),
         ReportFormat::Markdown => document(None).to_markdown(),
-        ReportFormat::Csv if !arguments.vertices => fit_csv(&fit),
+        ReportFormat::Csv if !arguments.vertices => fit_csv(&problem, &fit),
         ReportFormat::Csv => {
             vertices_csv(fit.fps.polyhedron(), &|indices| active_names(&fit, indices), &style)
         }

@@ -3,7 +3,7 @@
 use std::io::{self, IsTerminal, Write};
 use std::ops::Range;
 
-use boundfit_estimation::{Fleet, GroupFit, fit_group};
+use boundfit_estimation::{Fleet, GroupFit};
 use boundfit_exact::{Foreign, Work};
 use boundfit_formats::{ColumnSelector, ScanOptions};
 use boundfit_report::{FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, Style, write_group_json};
@@ -130,7 +130,7 @@ impl Job<'_> {
             let line = self.asked.is_plain().then(|| self.fleet.group_fit(group)).flatten();
             let line = line.unwrap_or_else(|| {
                 let problem = self.asked.problem(self.fleet.measurements(group));
-                GroupFit::of(&problem, &fit_group(&problem))
+                GroupFit::of(&problem, &problem.fit())
             });
             summary.add(self.fleet.key(group), &line);
             show(self.fleet.key(group), &line);
@@ -143,7 +143,7 @@ impl Job<'_> {
         let mut summary = FleetSummary::default();
         for group in groups {
             let problem = self.asked.problem(self.fleet.measurements(group));
-            let fit = fit_group(&problem);
+            let fit = problem.fit();
             let line = GroupFit::of(&problem, &fit);
             summary.add(self.fleet.key(group), &line);
             show(GroupReport { key: self.fleet.key(group), problem: &problem, fit: &fit, line: &line });

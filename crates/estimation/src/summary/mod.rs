@@ -214,11 +214,14 @@ impl LineSummary {
 
     /// Adds what is kept of other readings, and lets the sieve learn from it. Exact.
     pub(crate) fn merge(&mut self, other: LineSummary, sieve: &SharedSieve) {
+        /// After fewer readings at once, most likely none are to come, for which a sieve would have to be made.
+        const FEW: usize = 1000;
+        let is_all = self.sums.count == 0 && other.sums.count < FEW;
         self.sums.merge(other.sums);
         for (bound, support) in other.support {
             self.support.entry(bound).or_default().merge(support, sieve.most_listed);
         }
-        if let Some(support) = self.support.get(&None) {
+        if !is_all && let Some(support) = self.support.get(&None) {
             sieve.learn(support, self.sums.count);
         }
     }

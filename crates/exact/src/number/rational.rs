@@ -190,6 +190,20 @@ impl Rational {
         Rational::new(mantissa, power).unwrap_or_default()
     }
 
+    /// `significand · 2^exponent`. Exact. Only twos divide a power of two, which takes no greatest common divisor.
+    pub(crate) fn dyadic(significand: i64, exponent: i32) -> Self {
+        if significand == 0 {
+            return Rational::zero();
+        }
+        let twos = significand.trailing_zeros();
+        let (odd, exponent) = (Integer::from(significand >> twos), exponent + twos as i32);
+        let power = Integer::power_of_two(exponent.unsigned_abs().into());
+        if exponent >= 0 {
+            return Rational::from(odd * power);
+        }
+        Rational { numerator: odd, denominator: power }
+    }
+
     /// `mantissa / 10^places`, for at most 18 places. Only 2 and 5 divide a power of ten, which takes a tenth of the time of
     /// a greatest common divisor.
     #[allow(clippy::indexing_slicing, reason = "there are 19 powers for at most 18 places")]

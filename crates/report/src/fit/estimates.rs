@@ -21,7 +21,7 @@ pub(super) fn blocks(report: &Report) -> Vec<Block> {
         let gain = Text::from("gain ").number(1).mark("/").symbol(Symbol::Theta1);
         let offset = Text::from("offset ").mark("-").symbol(Symbol::Theta2).mark("/").symbol(Symbol::Theta1);
         blocks.push(Block::Space);
-        blocks.push(Block::Table(Table::new([Text::new(), gain, offset], inverse_rows(report, inverse))));
+        blocks.push(Block::Table(Table::new([Text::new(), gain, offset], inverse_rows(report, &inverse))));
     }
     blocks.extend([Block::Paragraph(note(report).into()), Block::Facts(words)]);
     blocks

@@ -139,12 +139,13 @@ impl<'a> Report<'a> {
     }
 
     /// The inverse line, if it is to be shown.
-    fn inverse(&self) -> Option<&'a Inverse> {
+    fn inverse(&self) -> Option<Inverse> {
         let exists = || {
             let pui = self.fit.pui_intervals();
             pui.is_some_and(|[theta1, _]| !theta1.contains(&Rational::zero()))
         };
-        self.fit.inverse.as_ref().filter(|_| self.inverse_line == InverseLine::Always || exists())
+        let is_shown = self.inverse_line == InverseLine::Always || exists();
+        self.fit.inverse(self.problem.measurements.model()).filter(|_| is_shown)
     }
 
     /// What was fitted, in which way.

@@ -1,17 +1,9 @@
-//! What a fleet reports of each group.
+//! Whether least squares is one of the answers.
 
 use boundfit_geometry::Point;
 use boundfit_geometry::predicates::{Side, side};
 
-use crate::fit::{Fit, FitBounds, fit_bounds};
-use crate::problem::Problem;
-
-/// The [`fit`](crate::fit()) without its inverse line, which is `None`. Exact.
-/// Cost: O(N log N), less than half of the whole.
-pub fn fit_group(problem: &Problem) -> Fit {
-    let FitBounds { least_squares, fps, pui, central, minimax } = fit_bounds(problem);
-    Fit { least_squares, fps, pui, central, minimax, inverse: None }
-}
+use crate::fit::Fit;
 
 /// Whether the least-squares estimate lies in the FPS; `None` when there is no estimate. Exact. Cost: linear in the number
 /// of vertices.
