@@ -7,6 +7,7 @@ use boundfit_questions::{OutlierLimits, Outliers, XErrorFit, XErrorProblem};
 
 use crate::drawing::Drawing;
 use crate::figure::{Figure, PlotOptions};
+use crate::page::Page;
 use crate::picture::{FigureError, Picture};
 use crate::render::Look;
 use crate::text::one_line;
@@ -87,7 +88,7 @@ fn finished(mut drawing: Drawing, options: &PlotOptions) -> Result<Picture, Figu
             drawing.subtitle.clear();
         }
     }
-    let look = Look { width: options.width, greyscale: options.greyscale };
+    let look = Look { page: Page::of(options), greyscale: options.greyscale };
     render::render_as(&drawing, &look)
 }
 

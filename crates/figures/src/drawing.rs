@@ -103,7 +103,7 @@ pub(crate) struct Swatch {
 }
 
 impl Swatch {
-    const NOTHING: Swatch = Swatch { fill: None, edge: None, line: None, bar: None, mark: None };
+    pub(crate) const NOTHING: Swatch = Swatch { fill: None, edge: None, line: None, bar: None, mark: None };
 
     pub(crate) fn area(fill: Fill, edge: Stroke) -> Self {
         Swatch { fill: Some(fill), edge: Some(edge), ..Swatch::NOTHING }

@@ -91,8 +91,10 @@ pub struct PlotOptions {
     pub x_range: Option<[Rational; 2]>,
     /// The ends of the axis of y, or of θ2.
     pub y_range: Option<[Rational; 2]>,
-    /// The width of the picture in micrometres: everything on it is scaled alike. 800 pixels of 1/96 inch when left out.
+    /// The width of the picture in micrometres: everything on it is scaled alike, but for letters of a size of their own. 800 pixels of 1/96 inch when left out.
     pub width: Option<u32>,
+    /// The size of letters in micrometres: panels get what these leave. 3/200 of the width when left out.
+    pub letters: Option<u32>,
     /// Whether it is drawn in greys.
     pub greyscale: bool,
     /// Whether the response runs along the horizontal axis of figures of the data plane.
@@ -113,6 +115,7 @@ impl Default for PlotOptions {
             x_range: None,
             y_range: None,
             width: None,
+            letters: None,
             greyscale: false,
             flip: false,
             directions: 16,

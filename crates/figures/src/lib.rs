@@ -31,6 +31,7 @@ mod extent;
 mod figure;
 mod labels;
 mod linearity;
+mod page;
 mod palette;
 mod parameter_plane;
 mod pdf;

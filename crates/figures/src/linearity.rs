@@ -9,9 +9,10 @@ use crate::clip::Place;
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::extent::Extent;
 use crate::labels::{LONGEST_NAME, number, unit, with_unit};
+use crate::page::WIDTH;
 use crate::palette::{BLUE, Dash, FAINT_INK, Fill, GREEN, INK, Mark, PURPLE, SKY, Shape, Stroke, VERMILLION};
 use crate::picture::{FigureError, Picture};
-use crate::render::{self, BOTTOM_LABELS, LEFT_LABELS, WIDTH};
+use crate::render::{self, BOTTOM_LABELS, LEFT_LABELS};
 use crate::text::one_line;
 
 const TOP: f64 = 24.0;

@@ -12,13 +12,12 @@ use crate::clip::Place;
 use crate::drawing::{Anchor, Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
+use crate::page::Page;
 use crate::palette::{
     BLUE, Colour, Dash, FAINT_INK, Fill, GREEN, INK, Mark, ORANGE, PURPLE, SKY, Shape, Stroke, VERMILLION,
 };
-use crate::render::{BOTTOM_LABELS, LEFT_LABELS, WIDTH};
+use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
 
-const FRAME: Frame =
-    Frame { left: LEFT_LABELS + 16.0, top: 24.0, width: WIDTH - LEFT_LABELS - 38.0, height: 430.0 };
 const INNER: Fill = Fill { colour: GREEN, opacity: 0.12 };
 const OUTER: Fill = Fill { colour: SKY, opacity: 0.14 };
 const STRICTLY: Fill = Fill { colour: ORANGE, opacity: 0.14 };
@@ -76,7 +75,7 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
         ),
         title,
         subtitle: labels::subtitle(problem, options),
-        height: FRAME.top + FRAME.height + BOTTOM_LABELS + 8.0,
+        height: panel.frame.top + panel.frame.height + BOTTOM_LABELS + 8.0,
         panels: vec![panel],
         legend,
         notes,
@@ -124,12 +123,15 @@ fn panel(spots: &[Spot], options: &PlotOptions) -> Panel {
     // Outliers have their region at every height, also those at the edge.
     let across = reach(0, &up + Rational::one());
     let lower = -(&up * Rational::ratio(1, 40));
+    let page = Page::of(options);
+    let width = page.width - LEFT_LABELS - 38.0;
+    let frame = Frame { left: LEFT_LABELS + 16.0, top: 24.0, width, height: page.height(430.0) };
     let [residual, leverage] = labels::asked_for(options, ["residual r".to_owned(), "leverage l".to_owned()]);
     let axes = [
-        Axis::new(residual, &-&across, &across, (FRAME.width / 75.0) as usize),
-        Axis::new(leverage, &lower, &up, (FRAME.height / 40.0) as usize),
+        Axis::new(residual, &-&across, &across, (frame.width / 75.0) as usize),
+        Axis::new(leverage, &lower, &up, (frame.height / 40.0) as usize),
     ];
-    Panel::new(FRAME, axes, false)
+    Panel::new(frame, axes, false)
 }
 
 /// Where a point of whole numbers is.
@@ -169,21 +171,22 @@ fn regions(panel: &mut Panel) -> Vec<[f64; 4]> {
     let mut taken = Vec::new();
     for (place, name) in names {
         panel.text(place, name, Anchor { across: 0.0, up: 0.0 }, FAINT_INK);
-        taken.push(room(place, name, [0.0, 0.0]));
+        taken.push(room(panel.frame, place, name, [0.0, 0.0]));
     }
     taken
 }
 
 /// The room of a text in pixels: left, bottom, right, top.
-fn room(place: Place, text: &str, towards: [f64; 2]) -> [f64; 4] {
+fn room(frame: Frame, place: Place, text: &str, towards: [f64; 2]) -> [f64; 4] {
     let (width, height) = (LETTER * text.chars().count() as f64, LINE);
-    let x = place[0] * FRAME.width + towards[0] * (width / 2.0 + 6.0);
-    let y = place[1] * FRAME.height + towards[1] * (height / 2.0 + 6.0);
+    let x = place[0] * frame.width + towards[0] * (width / 2.0 + 6.0);
+    let y = place[1] * frame.height + towards[1] * (height / 2.0 + 6.0);
     [x - width / 2.0, y - height / 2.0, x + width / 2.0, y + height / 2.0]
 }
 
 /// Marks readings, those that matter most last and with their rows where there is room; gives how many are too far out.
 fn mark(panel: &mut Panel, spots: &[Spot], taken: &mut Vec<[f64; 4]>) -> usize {
+    let frame = panel.frame;
     let mut far = 0;
     let mut seen: BTreeSet<(i64, i64, bool)> = BTreeSet::new();
     let mut placed: Vec<(Place, Mark, usize)> = Vec::new();
@@ -194,20 +197,20 @@ fn mark(panel: &mut Panel, spots: &[Spot], taken: &mut Vec<[f64; 4]>) -> usize {
         let edge = |length: f64| (FAR.radius + 1.5) / length;
         let kept = |coordinate: f64, length: f64| coordinate.clamp(edge(length), 1.0 - edge(length));
         let place = match is_far {
-            true => [kept(place[0], FRAME.width), kept(place[1], FRAME.height)],
+            true => [kept(place[0], frame.width), kept(place[1], frame.height)],
             false => place,
         };
         let mark = if is_far { FAR } else { spot.mark };
         // What no pixel shows is left out.
         let pixel = |coordinate: f64, length: f64| (coordinate * length * 2.0) as i64;
-        let cell = (pixel(place[0], FRAME.width), pixel(place[1], FRAME.height), mark == OTHERS);
+        let cell = (pixel(place[0], frame.width), pixel(place[1], frame.height), mark == OTHERS);
         if seen.insert(cell) {
             placed.push((place, mark, spot.row));
         }
     }
     for (place, mark, _) in placed.iter().rev() {
         panel.mark(*place, *mark);
-        let [x, y] = [place[0] * FRAME.width, place[1] * FRAME.height];
+        let [x, y] = [place[0] * frame.width, place[1] * frame.height];
         taken.push([x - mark.radius, y - mark.radius, x + mark.radius, y + mark.radius]);
     }
     for (place, mark, row) in placed.iter().take(MOST_LABELS) {
@@ -222,15 +225,16 @@ fn label(panel: &mut Panel, place: Place, text: &str, colour: Colour, taken: &mu
     let overlap = |one: &[f64; 4], other: &[f64; 4]| {
         one[0] < other[2] && other[0] < one[2] && one[1] < other[3] && other[1] < one[3]
     };
+    let frame = panel.frame;
     let is_inside = |own: &[f64; 4]| {
-        own[0] >= 2.0 && own[1] >= 2.0 && own[2] <= FRAME.width - 2.0 && own[3] <= FRAME.height - 2.0
+        own[0] >= 2.0 && own[1] >= 2.0 && own[2] <= frame.width - 2.0 && own[3] <= frame.height - 2.0
     };
     let free = SIDES.into_iter().find(|&towards| {
-        let own = room(place, text, towards);
+        let own = room(frame, place, text, towards);
         is_inside(&own) && !taken.iter().any(|other| overlap(&own, other))
     });
     if let Some(towards) = free {
-        taken.push(room(place, text, towards));
+        taken.push(room(frame, place, text, towards));
         panel.text(place, text, Anchor { across: towards[0], up: towards[1] }, colour);
     }
 }

@@ -219,6 +219,7 @@ mod unix {
             "plot: ",
             "plot: ",
             "plot: ",
+            "plot: ",
             "lesson: ",
             "completions: ",
             "man: ",
@@ -226,7 +227,8 @@ mod unix {
         assert_eq!(starts, expected);
         let written = ["completions-boundfit", "boundfit-fit.1"].map(|file| directory.path().join(file));
         assert!(written.iter().all(|file| fs::read_to_string(file).unwrap().contains("boundfit")));
-        let pictures = ["fps.svg", "fps.png", "figures/data.png", "figures/directions.png", "lesson.html"];
+        let pictures =
+            ["fps.svg", "fps.png", "fps.pdf", "figures/data.png", "figures/directions.png", "lesson.html"];
         assert!(pictures.iter().all(|file| directory.path().join(file).exists()));
     }
 

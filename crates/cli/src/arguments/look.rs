@@ -11,10 +11,13 @@ const LOOK: &str = "Look";
 /// Options of a figure that a paper or a report has wishes about.
 #[derive(Debug, Args)]
 pub(crate) struct LookArguments {
-    /// How wide the picture is, as 85mm, 8.5cm, 3.3in, 240pt or 600px; all that is on it grows or shrinks with it [default:
-    /// 800px]
+    /// How wide the picture is, as 85mm, 8.5cm, 3.3in, 240pt or 600px; all that is on it grows or shrinks with it, but for
+    /// letters of --font-size [default: 800px]
     #[arg(long, help_heading = LOOK, value_name = "WIDTH", value_parser = parse_size)]
     pub(crate) size: Option<u32>,
+    /// How large letters are, as 8pt: panels get the room that these leave [default: 9pt, or in proportion to --size]
+    #[arg(long, help_heading = LOOK, value_name = "SIZE", value_parser = parse_font_size)]
+    pub(crate) font_size: Option<u32>,
     /// Dots per inch of a PNG
     #[arg(long, help_heading = LOOK, value_name = "N", default_value_t = 192, value_parser = value_parser!(u16).range(30..=1200))]
     pub(crate) dpi: u16,
@@ -43,19 +46,29 @@ const UNITS: [(&str, f64); 5] =
     [("mm", 1e3), ("cm", 1e4), ("in", 25_400.0), ("pt", 25_400.0 / 72.0), ("px", 25_400.0 / 96.0)];
 /// The narrowest and the widest picture in micrometres.
 const WIDTHS: [f64; 2] = [1e4, 2e6];
+/// The smallest and the largest letters in micrometres, 1 and 200 points.
+const FONT_SIZES: [f64; 2] = [25_400.0 / 72.0, 200.0 * 25_400.0 / 72.0];
 
 /// A width in micrometres.
 fn parse_size(text: &str) -> Result<u32, String> {
-    const EXPECTED: &str = "expected a width from 10mm to 2000mm, as 85mm, 8.5cm, 3.3in, 240pt or 600px";
+    let expected = "expected a width from 10mm to 2000mm, as 85mm, 8.5cm, 3.3in, 240pt or 600px";
+    parse_length(text, WIDTHS).ok_or_else(|| expected.to_owned())
+}
+
+/// The size of letters in micrometres.
+fn parse_font_size(text: &str) -> Result<u32, String> {
+    let expected = "expected a size from 1pt to 200pt, as 8pt or 3mm";
+    parse_length(text, FONT_SIZES).ok_or_else(|| expected.to_owned())
+}
+
+/// A length in micrometres between these.
+fn parse_length(text: &str, [least, most]: [f64; 2]) -> Option<u32> {
     let found = UNITS.iter().find_map(|(unit, micrometres)| Some((text.strip_suffix(unit)?, micrometres)));
-    let (number, micrometres) = found.ok_or(EXPECTED)?;
+    let (number, micrometres) = found?;
     let is_plain = number.starts_with(|c: char| c.is_ascii_digit())
         && number.chars().all(|c| c.is_ascii_digit() || c == '.');
-    let width = number.parse::<f64>().ok().filter(|_| is_plain).map(|number| number * micrometres);
-    match width {
-        Some(width) if (WIDTHS[0]..=WIDTHS[1]).contains(&width) => Ok(width.round() as u32),
-        _ => Err(EXPECTED.to_owned()),
-    }
+    let length = number.parse::<f64>().ok().filter(|_| is_plain).map(|number| number * micrometres)?;
+    (least..=most).contains(&length).then_some(length.round() as u32)
 }
 
 /// Two ends of an axis, the lower one first.

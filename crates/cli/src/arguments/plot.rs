@@ -22,6 +22,11 @@ pub(super) const NOTES: Notes = Notes {
              \x20 --figure all --format png -o figures",
         ),
         (
+            "For a column of a paper: a PDF of its width, with letters of its size and without a title",
+            "boundfit plot transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 \\\n\
+             \x20 --size 85mm --font-size 8pt --title '' -o fps.pdf",
+        ),
+        (
             "Errors in x as well: readings as boxes, with the steepest and the shallowest line",
             "boundfit plot current.csv --x U --y I --eps 2 --x-eps 0.2 --figure data -o boxes.svg",
         ),

@@ -33,6 +33,7 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
         false => None,
     };
     refuse_ranges_of_statuses(arguments)?;
+    refuse_letters_without_room(arguments)?;
     let (destination, format) = destination(arguments)?;
     let name = |figure: Figure| format!("{}.{}", figure.name(), format.name());
     let guard = arguments.replace.guard([arguments.data.path()]);
@@ -100,6 +101,19 @@ fn refuse_ranges_of_statuses(arguments: &PlotArguments) -> Result<(), Failure> {
     }
 }
 
+/// Words and numbers around panels need some room.
+fn refuse_letters_without_room(arguments: &PlotArguments) -> Result<(), Failure> {
+    let look = &arguments.look;
+    let options = PlotOptions { width: look.size, letters: look.font_size, ..PlotOptions::default() };
+    match options.have_letters_room() {
+        true => Ok(()),
+        false => Err(Failure::Usage(
+            "with '--font-size' a picture has to be 27 to 266 times as wide as its letters are large: change it, or '--size'"
+                .to_owned(),
+        )),
+    }
+}
+
 /// What draws a figure of errors in x.
 type DrawXErrors = fn(&XErrorProblem, &XErrorFit, &PlotOptions) -> Result<Picture, FigureError>;
 
@@ -144,6 +158,7 @@ fn options(arguments: &PlotArguments, problem: &Problem) -> PlotOptions {
         x_range: arguments.look.x_range.clone(),
         y_range: arguments.look.y_range.clone(),
         width: arguments.look.size,
+        letters: arguments.look.font_size,
         greyscale: arguments.look.greyscale,
         flip: arguments.flip,
         directions: usize::from(arguments.directions),

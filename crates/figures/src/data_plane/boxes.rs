@@ -15,8 +15,9 @@ use crate::drawing::{Anchor, Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::extent::Extent;
 use crate::figure::PlotOptions;
 use crate::labels;
+use crate::page::Page;
 use crate::palette::{BLUE, Dash, Fill, GREY, INK, Mark, PURPLE, Stroke, VERMILLION, style};
-use crate::render::{BOTTOM_LABELS, LEFT_LABELS, WIDTH};
+use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
 use crate::x_errors::{asked, conflict, emptiness};
 
 const BOX: Fill = Fill { colour: GREY, opacity: 0.2 };
@@ -144,7 +145,9 @@ fn panel(problem: &XErrorProblem, has_labels: bool, options: &PlotOptions) -> Pa
     let margin = if has_labels { Rational::ratio(1, 9) } else { Rational::ratio(1, 16) };
     let [bottom, top] = options.y_range.clone().unwrap_or_else(|| up.padded(&margin).into_ends());
     let left_edge = LEFT_LABELS + 16.0;
-    let frame = Frame { left: left_edge, top: 20.0, width: WIDTH - left_edge - RIGHT, height: 420.0 };
+    let page = Page::of(options);
+    let width = page.width - left_edge - RIGHT;
+    let frame = Frame { left: left_edge, top: 20.0, width, height: page.height(420.0) };
     let most = |is_along: bool| if is_along { frame.width / 62.0 } else { frame.height / 33.0 } as usize;
     let names = [labels::abscissa(problem.problem(), options), labels::response(problem.problem(), options)];
     let [x, y] = names;

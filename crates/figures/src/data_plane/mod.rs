@@ -16,8 +16,9 @@ use boundfit_exact::english::counted;
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::figure::{Figure, PlotOptions};
 use crate::labels::{self, Conflict};
+use crate::page::Page;
 use crate::palette::{Dash, FAINT_INK, Stroke, style};
-use crate::render::{BOTTOM_LABELS, LEFT_LABELS, WIDTH};
+use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
 use bands::Bands;
 pub(crate) use boxes::boxes;
 pub(crate) use runs::runs;
@@ -31,7 +32,7 @@ const RIGHT: f64 = 22.0;
 pub(crate) fn drawing(problem: &Problem, fit: &Fit, figure: Figure, options: &PlotOptions) -> Drawing {
     let scene = Scene::new(problem, fit, figure, options);
     let bands = Bands::new(&scene);
-    let frames = frames(options.flip);
+    let frames = frames(options);
     let names = [labels::abscissa(problem, options), labels::response(problem, options)];
     let mut notes = notes(&scene, &bands);
     let whole = View { scene: &scene, reference: None };
@@ -45,9 +46,11 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, figure: Figure, options: &Pl
         }
         distances.heading = format!("residuals of the {}", reference.name);
         panels.push(distances);
-        let shared = usize::from(options.flip);
-        let without = if options.flip { 1 } else { 0 };
-        panels[without].labelled[shared] = false;
+        match options.flip {
+            false => panels[0].labelled[0] = false,
+            true if are_side_by_side(options) => panels[1].labelled[1] = false,
+            true => {}
+        }
     }
     let last = panels.last().map_or(frames[0], |panel| panel.frame);
     Drawing {
@@ -61,18 +64,26 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, figure: Figure, options: &Pl
     }
 }
 
-/// Above each other, or flipped beside each other, so that they share the axis of x.
-fn frames(flip: bool) -> [Frame; 2] {
+/// Above each other, or flipped beside each other, so that they share the axis of x, where the page is wide enough for that.
+fn frames(options: &PlotOptions) -> [Frame; 2] {
+    let page = Page::of(options);
     let left = LEFT_LABELS + 16.0;
-    let width = WIDTH - left - RIGHT;
-    if flip {
-        let frame = |left, width| Frame { left, top: 20.0, width, height: 420.0 };
+    let width = page.width - left - RIGHT;
+    if are_side_by_side(options) {
+        let frame = |left, width| Frame { left, top: 20.0, width, height: page.height(420.0) };
         let [first, gap] = [width * 0.56, 34.0];
         [frame(left, first), frame(left + first + gap, width - first - gap)]
     } else {
-        let frame = |top, height| Frame { left, top, width, height };
-        [frame(20.0, 250.0), frame(302.0, 170.0)]
+        let [first, second] = if options.flip { [420.0, 420.0] } else { [250.0, 170.0] };
+        let frame = |top, height| Frame { left, top, width, height: page.height(height) };
+        let labels = if options.flip { BOTTOM_LABELS } else { 0.0 };
+        [frame(20.0, first), frame(20.0 + page.height(first) + labels + 32.0, second)]
     }
+}
+
+/// Whether the panels of a figure stand beside each other.
+fn are_side_by_side(options: &PlotOptions) -> bool {
+    options.flip && !Page::of(options).is_narrow()
 }
 
 /// One panel with everything on it, from the back to the front.

@@ -5,13 +5,13 @@ use boundfit_exact::Rational;
 use boundfit_exact::english::counted;
 use boundfit_questions::{LinearRange, Order, Run};
 
-use super::{RIGHT, drawing};
+use super::drawing;
 use crate::axis::Axis;
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::figure::{Figure, PlotOptions};
 use crate::labels;
 use crate::palette::{BLUE, Dash, GREY, Stroke};
-use crate::render::{BOTTOM_LABELS, LEFT_LABELS, WIDTH};
+use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
 
 /// With more runs than this, only the longest are drawn: bars would cover each other.
 const MOST_BARS: usize = 60;
@@ -99,8 +99,10 @@ fn bars(
     let left = LEFT_LABELS + 16.0;
     let room = (180.0 / shown.len() as f64).clamp(BAR_ROOM[0], BAR_ROOM[1]);
     let height = (room * (shown.len() + 1) as f64).max(40.0);
-    let frame = Frame { left, top, width: WIDTH - left - RIGHT, height };
-    let across = drawing.panels.first().map(|panel| panel.axes[0].clone());
+    let first = drawing.panels.first();
+    let width = first.map_or(0.0, |panel| panel.frame.width);
+    let frame = Frame { left, top, width, height };
+    let across = first.map(|panel| panel.axes[0].clone());
     let zero = Rational::zero();
     let across = across.unwrap_or_else(|| Axis::new(String::new(), &zero, &Rational::one(), 5));
     let last = Rational::from(shown.len() + 1);

@@ -84,7 +84,7 @@ impl<'a> Scene<'a> {
         let fitted = problem.measurements.kept();
         let asked = options.x_range.clone();
         let abscissas = asked.unwrap_or_else(|| abscissas([others, fitted], is_line(problem)));
-        let frame = frames(options.flip)[0];
+        let frame = frames(options)[0];
         let columns = columns(if options.flip { frame.height } else { frame.width });
         let theta = reference.as_ref().map(|reference| &reference.theta);
         let seen = match others {

@@ -15,6 +15,7 @@ use crate::clip::Place;
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
+use crate::page::Page;
 use crate::palette::{Dash, FAINT_INK, Fill, GREY, INK, Mark, Shape, Stroke, VERMILLION, style};
 
 const EXACT_FILL: Fill = Fill { colour: GREY, opacity: 0.28 };
@@ -35,10 +36,14 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     let (objectives, is_scaled) = objectives(fit, options.directions);
     let found = boundfit_check::directions_along(problem, &ProgramRows::new(problem), &objectives);
     let outer = outer(polyhedron, &objectives);
+    let page = Page::of(options);
     let names = labels::axes_of_parameters(problem, options);
     let sliver = Sliver::of(polyhedron.region());
-    let mut main =
-        panel(main_frame(usize::from(sliver.is_some())), &window(fit, &outer).asked_for(options), &names);
+    let mut main = panel(
+        main_frame(usize::from(sliver.is_some()), page),
+        &window(fit, &outer).asked_for(options),
+        &names,
+    );
     if !matches!(outer.region(), Region::Plane) {
         region::draw(&mut main, &outer, OUTER_FILL, OUTER_EDGE);
     }
@@ -57,7 +62,7 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
         notes.push("The directions are spread evenly where the PUI box is seen as a square.".to_owned());
     }
     if let Some(sliver) = sliver {
-        panels.push(thin(&sliver, polyhedron, &outer, hull));
+        panels.push(thin(sliver.panel(0, page), &sliver, polyhedron, &outer, hull));
         notes.push(Sliver::note("the exact set"));
     }
     let title = if hull.is_empty() && matches!(outer.region(), Region::Plane) {
@@ -113,8 +118,13 @@ fn inner(panel: &mut Panel, hull: &[Place]) {
     }
 }
 
-fn thin(sliver: &Sliver, exact: &Polyhedron, outer: &Polyhedron, hull: &[[Rational; 2]]) -> Panel {
-    let mut panel = sliver.panel(0);
+fn thin(
+    mut panel: Panel,
+    sliver: &Sliver,
+    exact: &Polyhedron,
+    outer: &Polyhedron,
+    hull: &[[Rational; 2]],
+) -> Panel {
     let places = |panel: &Panel, points: &[[Rational; 2]]| -> Vec<Place> {
         points.iter().filter_map(|theta| sliver.place(panel, theta)).collect()
     };

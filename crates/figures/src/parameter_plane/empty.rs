@@ -13,6 +13,7 @@ use crate::clip::{self, Place};
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels::{self, Conflict};
+use crate::page::Page;
 use crate::palette::{BLUE, Colour, DARK_PURPLE, Dash, Fill, ORANGE, PURPLE, SKY, Stroke, style};
 
 /// The set of parameters that one reading or condition allows.
@@ -38,9 +39,10 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     let allowed: Vec<Allowed> = conflict.bounds.iter().filter_map(|bound| allowed(problem, *bound)).collect();
     let lines: Vec<&HalfPlane> = allowed.iter().filter_map(|allowed| allowed.bound.as_ref()).collect();
     let names = labels::axes_of_parameters(problem, options);
-    let thin = thin(&allowed, fit);
+    let page = Page::of(options);
+    let thin = thin(&allowed, fit, page);
     let mut panel =
-        panel(main_frame(usize::from(thin.is_some())), &window(fit, &lines).asked_for(options), &names);
+        panel(main_frame(usize::from(thin.is_some()), page), &window(fit, &lines).asked_for(options), &names);
     let mut legend = Vec::new();
     for (Allowed { name, polyhedron, bound }, (fill, edge, dash)) in allowed.iter().zip(STYLES.iter().cycle())
     {
@@ -140,12 +142,12 @@ fn window(fit: &Fit, lines: &[&HalfPlane]) -> Window {
 
 /// The triangle between three bounds in its principal axes, when it is thin. Each bound allows the side away from the
 /// corner that is not on it.
-fn thin(allowed: &[Allowed], fit: &Fit) -> Option<Panel> {
+fn thin(allowed: &[Allowed], fit: &Fit, page: Page) -> Option<Panel> {
     let lines: Vec<&HalfPlane> = allowed.iter().filter_map(|allowed| allowed.bound.as_ref()).collect();
     let [_, _, _] = lines.as_slice() else { return None };
     let corners = corners(&lines);
     let sliver = Sliver::of_corners(&corners).filter(|_| corners.len() == 3)?;
-    let mut panel = sliver.panel(0);
+    let mut panel = sliver.panel(0, page);
     // Corners are where the lines 1 and 0, 2 and 0, 2 and 1 meet.
     for ((line, ends), (fill, edge, dash)) in [[0, 1], [0, 2], [1, 2]].into_iter().enumerate().zip(STYLES) {
         let [from, to] = ends.map(|corner| sliver.place(&panel, &corners[corner]));

@@ -12,6 +12,7 @@ use super::{empty, region};
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
+use crate::page::Page;
 use crate::palette::{Mark, style};
 
 /// The figure.
@@ -20,6 +21,7 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     if polyhedron.region().is_empty() {
         return empty::drawing(problem, fit, options);
     }
+    let page = Page::of(options);
     let names = labels::parameters(problem, options);
     let estimates = marks::estimates(problem, fit);
     let eui = fit.eui();
@@ -35,14 +37,14 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     let overview = eui_corners.clone().filter(|_| !eui_fits);
     let beside = usize::from(sliver.is_some()) + usize::from(overview.is_some());
     let axes = labels::axes_of_parameters(problem, options);
-    let mut main = panel(main_frame(beside), &window.clone().asked_for(options), &axes);
+    let mut main = panel(main_frame(beside, page), &window.clone().asked_for(options), &axes);
     let numbered = sliver.is_none();
     let content = Content { eui: eui_fits && eui_corners.is_some(), main: true, numbered };
     let mut legend = contents(&mut main, fit, &estimates, content);
     let mut panels = vec![main];
     if let Some([lower, upper]) = overview {
         let around = window.with(&lower).with(&upper).padded(&Rational::ratio(1, 12));
-        let mut side = panel(side_frame(0), &around, &names);
+        let mut side = panel(side_frame(0, page), &around, &names);
         side.heading = "EUI box".to_owned();
         contents(&mut side, fit, &estimates, Content { eui: true, main: false, numbered: false });
         panels.push(side);
@@ -51,7 +53,7 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     let mut notes: Vec<String> =
         fit.pui_intervals().and_then(|intervals| pui_note(&intervals, &names)).into_iter().collect();
     if let Some(sliver) = sliver {
-        panels.push(thin(&sliver, fit, &estimates, panels.len() - 1));
+        panels.push(thin(sliver.panel(panels.len() - 1, page), &sliver, fit, &estimates));
         notes.push(Sliver::note("the set"));
     }
     notes.extend(marks::outside_note(&panels, &estimates));
@@ -139,8 +141,7 @@ fn mark_if_tiny(panel: &mut Panel, fit: &Fit) {
 }
 
 /// A thin set in its principal axes.
-fn thin(sliver: &Sliver, fit: &Fit, estimates: &[Estimate], index: usize) -> Panel {
-    let mut panel = sliver.panel(index);
+fn thin(mut panel: Panel, sliver: &Sliver, fit: &Fit, estimates: &[Estimate]) -> Panel {
     let vertices = fit.fps.polyhedron().region().vertices();
     let outline: Vec<_> =
         vertices.iter().filter_map(|vertex| sliver.place(&panel, &vertex.point().coordinates())).collect();

@@ -7,7 +7,8 @@ use crate::axis::Axis;
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel};
 use crate::figure::PlotOptions;
 use crate::labels;
-use crate::render::{BOTTOM_LABELS, LEFT_LABELS, WIDTH};
+use crate::page::Page;
+use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
 
 const TOP: f64 = 24.0;
 const HEIGHT: f64 = 430.0;
@@ -16,17 +17,26 @@ const RIGHT: f64 = 22.0;
 /// Side of a panel beside the main one.
 const SIDE: f64 = 178.0;
 
-/// The frame of the main panel, with this many smaller ones beside it.
-pub(super) fn main_frame(beside: usize) -> Frame {
-    let room = WIDTH - LEFT - RIGHT;
-    let width = if beside == 0 { room } else { room - SIDE - LEFT_LABELS - 18.0 };
-    Frame { left: LEFT, top: TOP, width, height: HEIGHT }
+/// From one panel to the next one below it: labels, and a heading.
+const BETWEEN: f64 = BOTTOM_LABELS + 34.0;
+
+/// The frame of the main panel, with this many smaller ones beside it, which narrow pages have below it.
+pub(super) fn main_frame(beside: usize, page: Page) -> Frame {
+    let room = page.width - LEFT - RIGHT;
+    let is_wide = beside == 0 || page.is_narrow();
+    let width = if is_wide { room } else { room - SIDE - LEFT_LABELS - 18.0 };
+    Frame { left: LEFT, top: TOP, width, height: page.height(HEIGHT) }
 }
 
-/// The frame of a smaller panel on the right.
-pub(super) fn side_frame(index: usize) -> Frame {
-    let top = TOP + index as f64 * (HEIGHT - SIDE);
-    Frame { left: WIDTH - RIGHT - SIDE, top, width: SIDE, height: SIDE }
+/// The frame of a smaller panel, on the right or below.
+pub(super) fn side_frame(index: usize, page: Page) -> Frame {
+    let height = page.height(HEIGHT);
+    if page.is_narrow() {
+        let top = TOP + height + BETWEEN + index as f64 * (SIDE + BETWEEN);
+        return Frame { left: LEFT, top, width: page.width - LEFT - RIGHT, height: SIDE };
+    }
+    let top = TOP + index as f64 * (height - SIDE);
+    Frame { left: page.width - RIGHT - SIDE, top, width: SIDE, height: SIDE }
 }
 
 /// An empty panel of both parameters.
@@ -39,7 +49,7 @@ pub(super) fn panel(frame: Frame, window: &Window, names: &[String; 2]) -> Panel
     Panel::new(frame, axes, false)
 }
 
-/// A figure with all its parts; the first panel is the tallest.
+/// A figure with all its parts.
 pub(super) fn finished(
     problem: &Problem,
     options: &PlotOptions,
@@ -49,12 +59,13 @@ pub(super) fn finished(
     notes: Vec<String>,
 ) -> Drawing {
     let axes = described_axes(&labels::parameters(problem, options));
-    let main = panels[0].frame;
+    let bottoms = panels.iter().map(|panel| panel.frame.top + panel.frame.height);
+    let bottom = bottoms.fold(0.0, f64::max);
     Drawing {
         description: format!("{title}. {axes} {}", notes.join(" ")),
         title,
         subtitle: labels::subtitle(problem, options),
-        height: main.top + main.height + BOTTOM_LABELS + 8.0,
+        height: bottom + BOTTOM_LABELS + 8.0,
         panels,
         legend,
         notes,

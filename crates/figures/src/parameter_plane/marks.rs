@@ -9,6 +9,7 @@ use super::sliver::Sliver;
 use crate::clip::{self, Place};
 use crate::drawing::{Anchor, LegendEntry, Panel, Swatch};
 use crate::labels;
+use crate::page::Page;
 use crate::palette::{BLUE, Fill, Mark, Stroke, style};
 
 /// Vertices are numbered up to this count: beyond it the numbers would cover the figure.
@@ -145,8 +146,8 @@ fn neighbours_together(vertices: &[Place]) -> Vec<Vec<usize>> {
 }
 
 /// A panel of a thin set in its principal axes, its vertices numbered.
-pub(crate) fn thin<'a>(sliver: &Sliver, regions: impl Iterator<Item = &'a Region>) -> Panel {
-    let mut panel = sliver.panel(0);
+pub(crate) fn thin<'a>(sliver: &Sliver, regions: impl Iterator<Item = &'a Region>, page: Page) -> Panel {
+    let mut panel = sliver.panel(0, page);
     let vertices = regions.flat_map(Region::vertices);
     let outline: Vec<_> =
         vertices.filter_map(|vertex| sliver.place(&panel, &vertex.point().coordinates())).collect();

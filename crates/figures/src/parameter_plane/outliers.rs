@@ -11,6 +11,7 @@ use super::{marks, region, view};
 use crate::drawing::{Anchor, Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
+use crate::page::Page;
 use crate::palette::{BLUE, Dash, ORANGE, Stroke, style};
 
 /// Sets that are drawn, numbered, and told with their rows below the figure.
@@ -35,7 +36,7 @@ pub(crate) fn drawing(problem: &Problem, outliers: &Outliers, options: &PlotOpti
         _ => None,
     };
     let mut main = panel(
-        main_frame(usize::from(sliver.is_some())),
+        main_frame(usize::from(sliver.is_some()), Page::of(options)),
         &view::of_regions(regions(), pieces.len() > 1).asked_for(options),
         &names,
     );
@@ -58,7 +59,7 @@ pub(crate) fn drawing(problem: &Problem, outliers: &Outliers, options: &PlotOpti
     let mut panels = vec![main];
     let mut notes = told(outliers);
     if let Some(sliver) = sliver {
-        panels.push(marks::thin(&sliver, regions()));
+        panels.push(marks::thin(&sliver, regions(), Page::of(options)));
         notes.push(Sliver::note("the set"));
     }
     if regions().any(|region| !region.is_bounded()) {

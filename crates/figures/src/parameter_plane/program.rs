@@ -8,6 +8,7 @@ use super::region::{at, direction};
 use super::{marks, region, view};
 use crate::clip;
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
+use crate::page::Page;
 use crate::palette::{Dash, Mark, Shape, Stroke, VERMILLION, style};
 use crate::render::BOTTOM_LABELS;
 use crate::text::one_line;
@@ -31,7 +32,7 @@ pub(crate) fn drawing(
 ) -> Drawing {
     let names = names.each_ref().map(|name| one_line(name, 30));
     let window = view::of_region(polyhedron.region(), room_around(polyhedron), &[]);
-    let mut panel = panel(main_frame(0), &window, &names);
+    let mut panel = panel(main_frame(0, Page::default()), &window, &names);
     region::draw(&mut panel, polyhedron, style::SET_FILL, style::SET_EDGE);
     marks::draw_vertices(&mut panel, polyhedron.region(), true);
     let set = match polyhedron.region().kind() {

@@ -8,6 +8,7 @@ use crate::axis::Axis;
 use crate::clip::Place;
 use crate::drawing::Panel;
 use crate::extent::Extent;
+use crate::page::Page;
 
 /// A set with a width below this part of its length, seen in its own box, is thin.
 const THIN: (i64, i64) = (3, 100);
@@ -74,8 +75,8 @@ impl Sliver {
     }
 
     /// An empty panel in these coordinates.
-    pub(crate) fn panel(&self, index: usize) -> Panel {
-        let frame = side_frame(index);
+    pub(crate) fn panel(&self, index: usize, page: Page) -> Panel {
+        let frame = side_frame(index, page);
         // Room for the numbers of the vertices.
         let margin = Rational::ratio(1, 6);
         let width = &self.across[1] - &self.across[0];

@@ -6,6 +6,7 @@ use boundfit_exact::Rational;
 use super::sliver::Sliver;
 use crate::drawing::{Drawing, Item, Panel};
 use crate::figure::PlotOptions;
+use crate::page::Page;
 use crate::palette::{Mark, style};
 use crate::samples::problem;
 
@@ -91,7 +92,7 @@ fn a_thin_set_keeps_its_form_in_principal_axes() {
     let [zero, one, half] = [Rational::zero(), Rational::one(), Rational::ratio(1, 2)];
     let corners = [[zero.clone(), zero.clone()], [one.clone(), one.clone()], [half.clone(), &half + &least]];
     let sliver = Sliver::of_corners(&corners).unwrap();
-    let panel = sliver.panel(0);
+    let panel = sliver.panel(0, Page::default());
     let places: Vec<[f64; 2]> = corners.iter().filter_map(|corner| sliver.place(&panel, corner)).collect();
     let margin = 1.0 / 8.0;
     // From the corner (1, 1) the diagonal runs to (0, 0), and the third corner is on its right.

@@ -12,6 +12,7 @@ use super::{marks, region, view};
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
 use crate::figure::PlotOptions;
 use crate::labels;
+use crate::page::Page;
 use crate::palette::{Dash, FAINT_INK, Fill, Stroke, style};
 use crate::x_errors::{asked, conflict, emptiness};
 
@@ -32,7 +33,7 @@ pub(crate) fn drawing(problem: &XErrorProblem, answer: &XErrorFit, options: &Plo
     };
     let window = view::of_regions(regions(), pieces.len() > 1).asked_for(options);
     let axes = labels::axes_of_parameters(problem.problem(), options);
-    let mut main = panel(main_frame(usize::from(sliver.is_some())), &window, &axes);
+    let mut main = panel(main_frame(usize::from(sliver.is_some()), Page::of(options)), &window, &axes);
     let mut legend = vec![LegendEntry::new(
         Swatch::area(style::SET_FILL, style::SET_EDGE),
         "parameters of the lines that agree with all readings",
@@ -58,7 +59,7 @@ pub(crate) fn drawing(problem: &XErrorProblem, answer: &XErrorFit, options: &Plo
     notes.extend(answer.pui().and_then(|intervals| pui_note(&intervals, &names)));
     let mut panels = vec![main];
     if let Some(sliver) = sliver {
-        panels.push(marks::thin(&sliver, regions()));
+        panels.push(marks::thin(&sliver, regions(), Page::of(options)));
         notes.push(Sliver::note("the set"));
     }
     if regions().any(|region| !region.is_bounded()) {
@@ -92,7 +93,7 @@ fn nothing(problem: &XErrorProblem, answer: &XErrorFit, options: &PlotOptions) -
         let centre = corners.first().cloned().unwrap_or_else(|| Point::origin().coordinates());
         view::around_lines(&centre, &own)
     });
-    let mut panel = panel(main_frame(0), &window.asked_for(options), &names);
+    let mut panel = panel(main_frame(0, Page::of(options)), &window.asked_for(options), &names);
     let mut legend = Vec::new();
     let conflict = side.map(conflict).unwrap_or_default();
     let rows = conflict.rows.iter().map(|&row| (format!("allowed by row {row}"), Some(row), None));

@@ -32,6 +32,11 @@ impl<'a, 'b> Brush<'a, 'b> {
         Brush { canvas }
     }
 
+    /// The width of the page.
+    pub(super) fn page_width(&self) -> f64 {
+        f64::from(self.canvas.dim_in_pixel().0) / FINE
+    }
+
     pub(super) fn line(&self, points: &[Pixel], stroke: Stroke) -> CanvasResult {
         let style = rgb(stroke.colour).stroke_width((stroke.width * FINE).round() as u32);
         for piece in dashes(points, stroke.dash.pattern()) {

@@ -7,8 +7,6 @@ use plotters::coord::Shift;
 use plotters::drawing::DrawingAreaErrorKind;
 use plotters::prelude::{DrawingArea, SVGBackend};
 
-/// Nominal width of every figure in pixels.
-pub(crate) const WIDTH: f64 = 800.0;
 /// Distance of texts from the left edge of the picture.
 pub(super) const MARGIN: f64 = 14.0;
 /// Canvas units per nominal pixel.

@@ -1,7 +1,7 @@
 //! The legend: below the panels, where it covers nothing.
 
 use super::brush::{Align, Brush};
-use super::canvas::{CanvasResult, MARGIN, WIDTH};
+use super::canvas::{CanvasResult, MARGIN};
 use crate::drawing::{LegendEntry, Swatch};
 use crate::palette::{INK, Mark};
 
@@ -17,18 +17,22 @@ pub(super) type Row<'a> = Vec<(f64, &'a Swatch, String)>;
 /// Fills rows from left to right.
 pub(super) fn layout<'a>(brush: &Brush, entries: &'a [LegendEntry]) -> CanvasResult<Vec<Row<'a>>> {
     let mut rows: Vec<Row> = Vec::new();
-    let mut left = WIDTH;
+    let page = brush.page_width();
+    let mut left = page;
     for entry in entries {
-        let text = brush.fitted(&entry.text, SIZE, WIDTH - 2.0 * MARGIN - SWATCH - GAP)?;
-        let width = SWATCH + GAP + brush.text_width(&text, SIZE)?;
-        if left + width > WIDTH - MARGIN {
-            rows.push(Vec::new());
-            left = MARGIN;
+        let lines = brush.wrapped(&entry.text, SIZE, page - 2.0 * MARGIN - SWATCH - GAP)?;
+        for (index, text) in lines.into_iter().enumerate() {
+            let width = SWATCH + GAP + brush.text_width(&text, SIZE)?;
+            if index > 0 || left + width > page - MARGIN {
+                rows.push(Vec::new());
+                left = MARGIN;
+            }
+            let swatch = if index == 0 { &entry.swatch } else { &Swatch::NOTHING };
+            if let Some(row) = rows.last_mut() {
+                row.push((left, swatch, text));
+            }
+            left += width + BETWEEN;
         }
-        if let Some(row) = rows.last_mut() {
-            row.push((left, &entry.swatch, text));
-        }
-        left += width + BETWEEN;
     }
     Ok(rows)
 }

@@ -6,7 +6,6 @@ mod legend;
 mod panel;
 mod placing;
 
-pub(crate) use canvas::WIDTH;
 pub(crate) use panel::{BOTTOM_LABELS, LEFT_LABELS};
 
 use plotters::drawing::DrawingAreaErrorKind;
@@ -14,14 +13,18 @@ use plotters::prelude::{IntoDrawingArea, SVGBackend};
 use plotters::style::WHITE;
 
 use crate::drawing::Drawing;
+use crate::page::Page;
 use crate::palette::{Colour, FAINT_INK, INK};
 use crate::picture::{FigureError, Picture};
 use crate::text;
 use brush::{Align, Brush};
 use canvas::{Canvas, CanvasResult, FINE, MARGIN};
 
-/// Height of title and subtitle.
+/// Height of title and subtitle of one line each.
 const HEADER: f64 = 52.0;
+/// Letters of the title, and height of a line of it.
+const TITLE_SIZE: f64 = 15.5;
+const TITLE_LINE: f64 = 20.0;
 /// Height of a line of notes.
 const NOTE_LINE: f64 = 17.0;
 /// Letters of subtitle and notes.
@@ -30,13 +33,9 @@ const NOTE_SIZE: f64 = 11.5;
 /// How large a picture is, and in which colours.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Look {
-    /// In micrometres.
-    pub(crate) width: Option<u32>,
+    pub(crate) page: Page,
     pub(crate) greyscale: bool,
 }
-
-/// Micrometres in a nominal pixel: 96 to an inch.
-const PIXEL: f64 = 25_400.0 / 96.0;
 
 /// Draws a figure. Cost: the number of items.
 pub(crate) fn render(drawing: &Drawing) -> Result<Picture, FigureError> {
@@ -47,26 +46,48 @@ pub(crate) fn render(drawing: &Drawing) -> Result<Picture, FigureError> {
 pub(crate) fn render_as(drawing: &Drawing, look: &Look) -> Result<Picture, FigureError> {
     text::register();
     let fail = |error: DrawingAreaErrorKind<std::io::Error>| FigureError(error.to_string());
-    let (rows, notes) = measured(drawing).map_err(fail)?;
-    let notes_top = header(drawing) + drawing.height + legend::height(rows.len());
-    let height = notes_top + notes.len() as f64 * NOTE_LINE + MARGIN * 0.7;
-    let size = [WIDTH, height].map(|length| (length * FINE).round() as u32);
+    let words = measured(drawing, look.page).map_err(fail)?;
+    let height = words.notes_top(drawing) + words.notes.len() as f64 * NOTE_LINE + MARGIN * 0.7;
+    let size = [look.page.width, height].map(|length| (length * FINE).round() as u32);
     let mut svg = String::new();
     let canvas = SVGBackend::with_string(&mut svg, (size[0], size[1])).into_drawing_area();
-    draw(&canvas, drawing, &rows, (&notes, notes_top)).map_err(fail)?;
+    draw(&canvas, drawing, &words).map_err(fail)?;
     drop(canvas);
     // The view box keeps the canvas's own units, so that a smaller size scales everything. Plotters has no setting for it.
     let large = format!("width=\"{}\" height=\"{}\"", size[0], size[1]);
-    let width = look.width.map_or(WIDTH, |width| f64::from(width) / PIXEL);
-    let nominal = format!("width=\"{width}\" height=\"{}\"", f64::from(size[1]) / FINE * width / WIDTH);
+    let [width, height] = size.map(|length| f64::from(length) / FINE * look.page.scale);
+    let nominal = format!("width=\"{width}\" height=\"{height}\"");
     let svg = svg.replacen(&large, &nominal, 1);
     let svg = if look.greyscale { in_greys(&svg) } else { svg };
     Picture::new(&svg, drawing.title.clone(), drawing.description.clone())
 }
 
-/// Height of what stands above the panels.
-fn header(drawing: &Drawing) -> f64 {
-    if drawing.title.is_empty() && drawing.subtitle.is_empty() { 4.0 } else { HEADER }
+/// What stands around the panels, in lines that have room.
+struct Words<'a> {
+    title: Vec<String>,
+    subtitle: Vec<String>,
+    legend: Vec<legend::Row<'a>>,
+    notes: Vec<String>,
+}
+
+impl Words<'_> {
+    /// Height of what stands above the panels.
+    fn header(&self) -> f64 {
+        if self.title.is_empty() && self.subtitle.is_empty() {
+            return 4.0;
+        }
+        self.below_title() + self.subtitle.len().saturating_sub(1) as f64 * NOTE_LINE + HEADER
+    }
+
+    /// How far a title of several lines moves what is below it.
+    fn below_title(&self) -> f64 {
+        self.title.len().saturating_sub(1) as f64 * TITLE_LINE
+    }
+
+    /// Where notes begin.
+    fn notes_top(&self, drawing: &Drawing) -> f64 {
+        self.header() + drawing.height + legend::height(self.legend.len())
+    }
 }
 
 /// A document with each colour as the grey that is as light (Rec. 709).
@@ -87,42 +108,42 @@ fn in_greys(svg: &str) -> String {
     grey
 }
 
-/// The rows of the legend and the lines of the notes, as long as there is room.
-fn measured(drawing: &Drawing) -> CanvasResult<(Vec<legend::Row<'_>>, Vec<String>)> {
-    // Measuring needs a canvas, but nothing is drawn on this one.
+/// Cuts what stands around the panels into lines.
+fn measured(drawing: &Drawing, page: Page) -> CanvasResult<Words<'_>> {
+    // Measuring needs a canvas as wide, but nothing is drawn on this one.
     let mut scratch = String::new();
-    let canvas = SVGBackend::with_string(&mut scratch, (1, 1)).into_drawing_area();
+    let canvas =
+        SVGBackend::with_string(&mut scratch, ((page.width * FINE).round() as u32, 1)).into_drawing_area();
     let brush = Brush::new(&canvas);
-    let rows = legend::layout(&brush, &drawing.legend)?;
-    let mut lines = Vec::new();
+    let lines = |text: &str, size: f64| match text.is_empty() {
+        true => Ok(Vec::new()),
+        false => brush.wrapped(text, size, brush.page_width() - 2.0 * MARGIN),
+    };
+    let [title, subtitle] = [lines(&drawing.title, TITLE_SIZE)?, lines(&drawing.subtitle, NOTE_SIZE)?];
+    let mut notes = Vec::new();
     for note in &drawing.notes {
-        lines.extend(brush.wrapped(note, NOTE_SIZE, WIDTH - 2.0 * MARGIN)?);
+        notes.extend(lines(note, NOTE_SIZE)?);
     }
-    Ok((rows, lines))
+    Ok(Words { title, subtitle, legend: legend::layout(&brush, &drawing.legend)?, notes })
 }
 
-fn draw(
-    canvas: &Canvas,
-    drawing: &Drawing,
-    rows: &[legend::Row],
-    (notes, notes_top): (&[String], f64),
-) -> CanvasResult {
+fn draw(canvas: &Canvas, drawing: &Drawing, words: &Words) -> CanvasResult {
     canvas.fill(&WHITE)?;
     let brush = Brush::new(canvas);
-    let top = header(drawing);
-    let header = |text: &str, middle: f64, size: f64, colour: Colour| {
-        let text = brush.fitted(text, size, WIDTH - 2.0 * MARGIN)?;
-        brush.text([MARGIN, middle], &text, size, colour, Align::Start)
+    let top = words.header();
+    let lines = |lines: &[String], first: f64, step: f64, size: f64, colour: Colour| -> CanvasResult {
+        for (index, line) in lines.iter().enumerate() {
+            brush.text([MARGIN, first + index as f64 * step], line, size, colour, Align::Start)?;
+        }
+        Ok(())
     };
-    header(&drawing.title, 19.0, 15.5, INK)?;
-    header(&drawing.subtitle, 39.0, NOTE_SIZE, FAINT_INK)?;
+    lines(&words.title, 19.0, TITLE_LINE, TITLE_SIZE, INK)?;
+    lines(&words.subtitle, 39.0 + words.below_title(), NOTE_LINE, NOTE_SIZE, FAINT_INK)?;
     for panel in &drawing.panels {
         panel::draw(&brush, panel, top)?;
     }
-    legend::draw(&brush, rows, top + drawing.height)?;
-    for (index, note) in notes.iter().enumerate() {
-        let middle = notes_top + (index as f64 + 0.5) * NOTE_LINE;
-        brush.text([MARGIN, middle], note, NOTE_SIZE, FAINT_INK, Align::Start)?;
-    }
+    legend::draw(&brush, &words.legend, top + drawing.height)?;
+    let first = words.notes_top(drawing) + 0.5 * NOTE_LINE;
+    lines(&words.notes, first, NOTE_LINE, NOTE_SIZE, FAINT_INK)?;
     canvas.present()
 }

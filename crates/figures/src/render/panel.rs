@@ -70,7 +70,7 @@ fn labels(brush: &Brush, panel: &Panel, frame: Frame, taken: Vec<Rectangle>) -> 
         Item::Mark { at, mark } => Some(Rectangle::around(pixel(*at, frame), mark.radius)),
         _ => None,
     });
-    let found = placing::placed(&wanted, taken, &marks.collect::<Vec<_>>(), frame);
+    let found = placing::placed(&wanted, taken, &marks.collect::<Vec<_>>(), frame, brush.page_width());
     for ((at, label), (_, text, _, colour)) in found.into_iter().zip(&wanted).zip(texts()) {
         let Rectangle { left, top, right, bottom } = Rectangle::of_text(at, label.width);
         let plate = [[left, top], [right, top], [right, bottom], [left, bottom]];

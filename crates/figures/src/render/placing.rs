@@ -1,7 +1,6 @@
 //! Where the texts of a panel stand: beside their places, so that none covers a mark or another text while there is room.
 
 use super::brush::Pixel;
-use super::canvas::WIDTH;
 use crate::clip::Place;
 use crate::drawing::{Anchor, Frame};
 
@@ -56,12 +55,14 @@ pub(super) struct Label {
     pub(super) width: f64,
 }
 
-/// The left end and the middle line of each text. `texts` are there already, `marks` as well. Cost: texts by marks.
+/// The left end and the middle line of each text. `texts` are there already, `marks` as well; the page
+/// is this wide. Cost: texts by marks.
 pub(super) fn placed(
     labels: &[Label],
     mut texts: Vec<Rectangle>,
     marks: &[Rectangle],
     frame: Frame,
+    page: f64,
 ) -> Vec<Pixel> {
     let mut found = Vec::with_capacity(labels.len());
     for label in labels {
@@ -71,7 +72,7 @@ pub(super) fn placed(
             count(&texts) * OF_TEXT + count(marks)
         };
         let mut best: Option<(usize, Pixel)> = None;
-        for at in candidates(label, frame) {
+        for at in candidates(label, frame, page) {
             let score = covered(&at);
             if best.is_none_or(|(least, _)| score < least) {
                 best = Some((score, at));
@@ -88,22 +89,22 @@ pub(super) fn placed(
 }
 
 /// Where a text may stand, best first.
-fn candidates(label: &Label, frame: Frame) -> Vec<Pixel> {
+fn candidates(label: &Label, frame: Frame, page: f64) -> Vec<Pixel> {
     let Anchor { across, up } = label.anchor;
     let straight = up.atan2(across);
     let is_inside = label.place.iter().all(|&coordinate| coordinate > 0.0 && coordinate < 1.0);
     if !is_inside {
-        let [left, middle] = beside(label, label.anchor, GAPS[0], frame);
-        let moved = |steps: i32| [kept_on_page(left + f64::from(steps) * STEP, label.width), middle];
+        let [left, middle] = beside(label, label.anchor, GAPS[0], frame, page);
+        let moved = |steps: i32| [kept_on_page(left + f64::from(steps) * STEP, label.width, page), middle];
         return (0..40).flat_map(|steps| [moved(steps), moved(-steps)]).collect();
     }
     let turned = |turn: f64| Anchor { across: (straight + turn).cos(), up: (straight + turn).sin() };
-    GAPS.iter().flat_map(|&gap| TURNS.map(|turn| beside(label, turned(turn), gap, frame))).collect()
+    GAPS.iter().flat_map(|&gap| TURNS.map(|turn| beside(label, turned(turn), gap, frame, page))).collect()
 }
 
 /// The left end and the middle line of a text beside a point: wholly beyond the line through the point that the
 /// direction of its anchor is normal to. A text whose place is inside of the frame is kept inside.
-fn beside(label: &Label, Anchor { across, up }: Anchor, gap: f64, frame: Frame) -> Pixel {
+fn beside(label: &Label, Anchor { across, up }: Anchor, gap: f64, frame: Frame, page: f64) -> Pixel {
     let Label { place, at, width, .. } = label;
     let far = gap + across.abs() * (width / 2.0 + 1.0) + up.abs() * HALF_LINE;
     let left = at[0] + across * far - width / 2.0;
@@ -115,7 +116,7 @@ fn beside(label: &Label, Anchor { across, up }: Anchor, gap: f64, frame: Frame) 
         if inside(place[0]) {
             kept(left, frame.left + EDGE, right - EDGE - width)
         } else {
-            kept_on_page(left, *width)
+            kept_on_page(left, *width, page)
         },
         if inside(place[1]) {
             kept(middle, frame.top + HALF_LINE + EDGE, bottom - HALF_LINE - EDGE)
@@ -125,8 +126,8 @@ fn beside(label: &Label, Anchor { across, up }: Anchor, gap: f64, frame: Frame) 
     ]
 }
 
-fn kept_on_page(left: f64, width: f64) -> f64 {
-    left.min(WIDTH - EDGE - width).max(EDGE)
+fn kept_on_page(left: f64, width: f64, page: f64) -> f64 {
+    left.min(page - EDGE - width).max(EDGE)
 }
 
 #[cfg(test)]
@@ -145,7 +146,7 @@ mod tests {
         let marks: Vec<Rectangle> =
             (0..12).map(|k| Rectangle::around([100.0 + f64::from(k) * 5.0, 100.0], 5.0)).collect();
         let labels: Vec<Label> = (0..6).map(|k| label([100.0 + f64::from(k) * 10.0, 100.0])).collect();
-        let found = placed(&labels, Vec::new(), &marks, FRAME);
+        let found = placed(&labels, Vec::new(), &marks, FRAME, 200.0);
         let texts: Vec<Rectangle> = found.iter().map(|&at| Rectangle::of_text(at, 20.0)).collect();
         for (index, text) in texts.iter().enumerate() {
             assert!(marks.iter().all(|mark| !text.overlaps(mark)), "{index}");
@@ -155,6 +156,6 @@ mod tests {
 
     #[test]
     fn a_text_with_room_stands_where_it_is_to() {
-        assert_eq!(placed(&[label([100.0, 100.0])], Vec::new(), &[], FRAME), [[104.5, 100.0]]);
+        assert_eq!(placed(&[label([100.0, 100.0])], Vec::new(), &[], FRAME, 200.0), [[104.5, 100.0]]);
     }
 }

@@ -62,11 +62,12 @@ fn overlap(one: &[f32; 4], other: &[f32; 4]) -> bool {
 fn no_two_labels_overlap_and_none_leaves_the_picture() {
     for (status, fit) in fits() {
         for figure in FIGURES {
-            for flip in ["", " --flip"] {
-                if !flip.is_empty() && matches!(figure, "fps" | "directions") {
+            for look in ["", " --flip", " --size 85mm --font-size 8pt", " --size 85mm --font-size 8pt --flip"]
+            {
+                if look.ends_with("--flip") && matches!(figure, "fps" | "directions") {
                     continue;
                 }
-                let line = format!("{fit} --figure {figure} --real-text{flip}");
+                let line = format!("{fit} --figure {figure} --real-text{look}");
                 let (labels, [width, height]) = labels(&svg(&line, status));
                 assert!(labels.len() > 4, "{line}");
                 for (index, (text, bounds)) in labels.iter().enumerate() {

@@ -87,6 +87,16 @@ fn sizes_and_ranges_that_are_none() {
     }
     let (status, message) = refused("--x-range a..3");
     assert_eq!((status, message.contains("not a number")), (2, true), "{message}");
+    let letters = "expected a size from 1pt to 200pt, as 8pt or 3mm";
+    for more in ["--font-size 8", "--font-size 0.5pt", "--font-size 3in", "--font-size=-8pt"] {
+        let (status, message) = refused(more);
+        assert_eq!((status, message.ends_with(letters)), (2, true), "{more}: {message}");
+    }
+    for more in ["--size 30mm --font-size 8pt", "--size 2000mm --font-size 8pt", "--font-size 200pt"] {
+        let (status, message) = refused(more);
+        let problem = "has to be 27 to 266 times as wide as its letters are large";
+        assert_eq!((status, message.contains(problem)), (2, true), "{more}: {message}");
+    }
     for more in ["--dpi 10", "--dpi 5000"] {
         assert_eq!(refused(more).0, 2, "{more}");
     }
