@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+import re
 import sys
 from dataclasses import dataclass
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -82,10 +84,30 @@ class Interval:
 
         return numpy.array(self.to_floats(), dtype=float if dtype is None else dtype)  # type: ignore[call-overload]
 
+    def __format__(self, spec: str) -> str:
+        """Both ends as decimals of so many digits, rounded outward.
+
+        >>> f"{Interval(LowerBound(1, 3), UpperBound(2, 3)):.4}"
+        '[0.3333, 0.6667]'
+        """
+        if not spec:
+            return str(self)
+        digits = re.fullmatch(r"\.([1-9]\d{0,3})g?", spec)
+        if digits is None:
+            raise ValueError(f"format {spec!r} of an interval: expected how many digits, such as .5")
+        return f"[{_decimal(self.lower, int(digits[1]), True)}, {_decimal(self.upper, int(digits[1]), False)}]"
+
     def to_floats(self) -> tuple[float, float]:
         """Both ends as doubles, rounded outward; infinite where there is none."""
         lower = -math.inf if self.lower is None else float(self.lower)
         return lower, math.inf if self.upper is None else float(self.upper)
+
+
+def _decimal(value: Fraction | None, digits: int, is_lower: bool) -> str:
+    if value is None:
+        return "-inf" if is_lower else "inf"
+    context = Context(prec=digits, rounding=ROUND_FLOOR if is_lower else ROUND_CEILING)
+    return format(context.divide(Decimal(value.numerator), Decimal(value.denominator)), "g")
 
 
 class Term(NamedTuple):

@@ -261,8 +261,7 @@ class Fit:
         assert pui is not None
         ends = []
         for name, interval in zip(pui._fields, pui, strict=True):
-            lower, upper = interval.to_floats()
-            ends.append(f"{name} in [{lower:.6g}, {upper:.6g}]")
+            ends.append(f"{name} in {interval:.6}")
         return f"<boundfit.Fit of {self.rows} readings: {self.kind}, about {', '.join(ends)}>"
 
     def __str__(self) -> str:

@@ -20,6 +20,11 @@ def test_examples_of_the_package(name: str) -> None:
 
 
 @pytest.mark.parametrize("page", ["docs/python.md", "python/README.md"])
-def test_examples_of_the_guide(page: str) -> None:
+def test_examples_of_the_guide(page: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    # Files are named from the top of the repository.
+    monkeypatch.chdir(ROOT)
     tested = doctest.testfile(str(ROOT / page), module_relative=False)
     assert tested.attempted > 0 and tested.failed == 0
+    # What is not an example is not run: every block has to be one.
+    blocks = (ROOT / page).read_text(encoding="utf-8").split("```python\n")[1:]
+    assert all(block.startswith(">>> ") for block in blocks)

@@ -241,6 +241,22 @@ def test_ends_are_rounded_outward() -> None:
         assert Fraction(points[:, axis].min()) <= interval.lower and Fraction(points[:, axis].max()) >= interval.upper
 
 
+def test_intervals_are_printed_outward() -> None:
+    both = boundfit.fit([0, 3], ["0", "-1e-7"], "1e-9").pui
+    assert both is not None
+    assert f"{both.theta1:.3}" == "[-3.4e-8, -3.26e-8]" and f"{both.theta1:.20}" == "[-3.4e-8, -3.2666666666666666666e-8]"
+    assert f"{both.theta2:.3g}" == "[-1e-9, 1e-9]" and f"{both.theta1}" == str(both.theta1)
+    for digits in range(1, 30):
+        lower, upper = (Fraction(end) for end in f"{both.theta1:.{digits}}"[1:-1].split(", "))
+        assert both.theta1.lower is not None and both.theta1.upper is not None
+        assert lower <= both.theta1.lower and both.theta1.upper <= upper
+        assert max(both.theta1.lower - lower, upper - both.theta1.upper) < Fraction(10) ** (-7 - digits)
+    assert f"{boundfit.Interval(None, boundfit.UpperBound(10**400)):.2}" == "[-inf, 1.0e+400]"
+    for spec in ("d", ".0", ".5f", ".99999", "10.3"):
+        with pytest.raises(ValueError, match="expected how many digits, such as .5"):
+            format(both.theta1, spec)
+
+
 def test_an_empty_set_is_an_answer() -> None:
     fit = boundfit.fit([0, 1, 2], [0, 1, 0], "0.4")
     assert fit.is_empty and fit.vertices == [] and fit.pui is None and fit.contradiction is not None
