@@ -11,6 +11,13 @@ from fractions import Fraction
 from typing import NamedTuple
 
 
+def nearest(value: Fraction) -> float:
+    """The nearest double; of a bound that on its outer side."""
+    if isinstance(value, (LowerBound, UpperBound)):
+        return float(value)
+    return _nearest(value)
+
+
 def _nearest(value: Fraction) -> float:
     try:
         return value.numerator / value.denominator
@@ -113,10 +120,11 @@ def _decimal(value: Fraction | None, digits: int, is_lower: bool) -> str:
 class Term(NamedTuple):
     """A multiple of the bound that a reading or a condition sets: of proofs.
 
-    ``row`` counts from 1 and is ``None`` for a condition; ``bound`` is ``"upper"``, ``"lower"`` or ``"where:K"``.
+    ``row`` counts from 1 and is ``None`` for a condition, or the text of the row's identity where the table was fitted in parts that
+    name one; ``bound`` is ``"upper"``, ``"lower"`` or ``"where:K"``.
     """
 
-    row: int | None
+    row: int | str | None
     bound: str
     multiplier: Fraction
 

@@ -37,8 +37,7 @@ pub(crate) fn fit_columns(py: Python<'_>, columns: Vec<NamedColumn<'_>>, asked: 
     let (table, keep) = (table(&columns)?, asked.keep());
     let fitted = py.detach(|| {
         let problem = problem_of_table(&question, table, &options, keep)?;
-        let fit = problem.fit();
-        Ok(Fitted { problem, fit, reading, file: None, is_stored: false })
+        Ok(Fitted::of(problem, reading))
     });
     fitted.map_err(|error: String| refuse(error))
 }
@@ -90,6 +89,12 @@ type Ends<'a> = (Option<Number<'a>>, Option<Number<'a>>);
 type ProvedEnd<'a> = (Option<Number<'a>>, Vec<(Name, Number<'a>)>);
 
 impl Fitted {
+    /// A problem of no file, with its answer.
+    pub(crate) fn of(problem: Problem, reading: Reading) -> Self {
+        let fit = problem.fit();
+        Fitted { problem, fit, reading, file: None, is_stored: false }
+    }
+
     /// As [`Fitted::origin`], for people: what comes from no file is not from standard input either.
     fn shown_origin(&self) -> Origin<'_> {
         Origin {

@@ -5,6 +5,7 @@ mod cells;
 mod fitted;
 mod fleet;
 mod numbers;
+mod partitions;
 mod plane;
 mod program;
 mod proofs;
@@ -18,6 +19,8 @@ mod _boundfit {
     use crate::fitted::{Fitted, fit_columns, fit_file};
     #[pymodule_export]
     use crate::fleet::{fit_groups, reduce_columns, reduce_file};
+    #[pymodule_export]
+    use crate::partitions::{fit_reductions, merge_reductions, reduce_part};
     #[pymodule_export]
     use crate::plane::{Plane, polygon_of_file, polygon_of_text};
     #[pymodule_export]

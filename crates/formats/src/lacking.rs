@@ -2,6 +2,7 @@
 
 use crate::dialect::Missing;
 use crate::error::{InputError, InputErrorKind};
+use crate::scan::ScanOptions;
 
 /// Rows that lack a number: how many, and the place of the first one.
 #[derive(Debug, Default)]
@@ -31,15 +32,15 @@ impl Lacking {
         self,
         read: Result<T, InputError>,
         used: usize,
-        missing: Missing,
+        options: &ScanOptions,
     ) -> Result<(T, usize), InputError> {
         let Lacking { rows, first } = self;
         let is_complete = read.is_ok();
         match first {
-            Some(place) if missing == Missing::Refuse && !was_stopped(&read) => {
+            Some(place) if options.table.missing == Missing::Refuse && !was_stopped(&read) => {
                 Err(InputError { kind: InputErrorKind::Missing { rows, is_complete }, ..place })
             }
-            Some(place) if is_complete && used == 0 => {
+            Some(place) if is_complete && used == 0 && !options.allow_nothing => {
                 Err(InputError { kind: InputErrorKind::AllMissing { rows }, ..place })
             }
             _ => Ok((read?, rows)),

@@ -65,7 +65,7 @@ pub fn scan<T: Send>(
         take(made);
     };
     let scanned = scan_content(name.raw(), content, columns, &inner, work, take)?;
-    if wanted.count == 0 {
+    if wanted.count == 0 && !options.allow_nothing {
         let conditions =
             options.table.conditions.iter().map(|condition| Foreign::from(condition.text())).collect();
         let problem = InputErrorKind::NoRowWanted { total: scanned.rows_total, conditions };

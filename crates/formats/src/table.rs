@@ -7,6 +7,7 @@ use crate::dialect::{AskedDialect, Dialect, Missing};
 use crate::error::{InputError, InputErrorKind};
 use crate::fractions::Fractions;
 use crate::limits::SizeLimits;
+use crate::scan::ScanOptions;
 use crate::selection::{RowCondition, RowSet};
 
 /// Where in delimited text the numbers asked for stand.
@@ -107,9 +108,10 @@ pub(crate) fn check_columns(
     Err(InputError::of_line(file, line, InputErrorKind::TooManyColumns { limit: sizes.columns }))
 }
 
-/// Refuses a table without rows, or without all the rows that were named.
-pub(crate) fn check_rows(file: &str, total: usize, wanted: &RowSet) -> Result<(), InputError> {
-    if total == 0 {
+/// Refuses a table without rows, unless it may be one, or without all the rows that were named.
+pub(crate) fn check_rows(file: &str, total: usize, options: &ScanOptions) -> Result<(), InputError> {
+    let wanted = &options.table.rows;
+    if total == 0 && !options.allow_nothing {
         return Err(InputError::of_file(file, InputErrorKind::NoRows));
     }
     match wanted.beyond(total) {

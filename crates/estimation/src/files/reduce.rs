@@ -70,7 +70,7 @@ impl ReducedTable {
     /// with a column of bounds those that decide for every multiple of these; of anything else those that decide under the
     /// bounds asked for. Feasible set, PUI and least squares are the same before and after, whatever the conditions and
     /// [`Columns::form`], with rows counted anew; so is ε_min where the bounds are not fixed. The union of reductions,
-    /// reduced, is the reduction of the union.
+    /// reduced, is the reduction of the union. With [`ScanOptions::allow_nothing`] what has no rows is reduced to none.
     ///
     /// Exact. Cost: one pass; memory for the rows that are kept.
     ///
@@ -79,6 +79,8 @@ impl ReducedTable {
     /// is a line.
     pub fn scan(source: Source, columns: &Columns, options: &ScanOptions) -> Result<Self, InputError> {
         let name = source.name().to_owned();
+        // Identities may have several lines, and go together with counted rows of other parts.
+        let is_named = options.identity.is_some();
         // Which readings decide does not depend on where x is counted from, and the sums are told of x as it is.
         let columns = Columns { form: LineForm::default(), ..columns.clone() };
         let unnamed = columns.meaning(&[]);
@@ -89,6 +91,8 @@ impl ReducedTable {
             options.table.header = reductions.header();
             // Whether they fit together comes first.
             options.unbounded_rows = true;
+            // Those of nothing are reductions too.
+            options.allow_nothing = true;
         }
         // Of a reduction the rows stand for others by their numbers.
         let rule = Rule::new(&unnamed, if reductions.is_some() { usize::MAX } else { 1 });
@@ -137,7 +141,7 @@ impl ReducedTable {
         let record = ReductionRecord {
             rows: own.count,
             kept: rows.iter().map(|row| 1 + row.iter().filter(|&&byte| byte == b'\n').count()).sum(),
-            counted: counts.iter().any(|&count| count > 1),
+            counted: counts.iter().any(|&count| count > 1) || is_named && rows.iter().any(|row| row.contains(&b'\n')),
             header: scanned.header_line.is_some(),
             reading: options.table.reading.name().to_owned(),
             model: asked.model,

@@ -97,7 +97,7 @@ pub(crate) fn scan_arrow<T: Send>(
                     }
                     Err(error) => {
                         return lacking
-                            .settle(Err(error), used, options.table.missing)
+                            .settle(Err(error), used, options)
                             .map(|(never, _)| never);
                     }
                 }
@@ -108,8 +108,8 @@ pub(crate) fn scan_arrow<T: Send>(
         progress.at(file.stream_position().unwrap_or_default()).map_err(fail)?;
     }
     progress.at(bytes).map_err(fail)?;
-    check_rows(name, rows_total, &options.table.rows)?;
-    let ((), rows_missing) = lacking.settle(Ok(()), used, options.table.missing)?;
+    check_rows(name, rows_total, options)?;
+    let ((), rows_missing) = lacking.settle(Ok(()), used, options)?;
     let titles: Vec<Foreign> = layout.places.iter().map(ColumnPlace::title).collect();
     Ok(Scanned {
         header: names,
@@ -117,7 +117,7 @@ pub(crate) fn scan_arrow<T: Send>(
         key_name: layout.key.as_ref().map(ColumnPlace::title),
         header_line: options
             .keep_text
-            .then(|| csv_line(each_once(&titles, &titles).map(|title| title.raw().to_owned()))),
+            .then(|| csv_line(layout.written().iter().map(|place| place.title().raw().to_owned()))),
         names: titles,
         layout: None,
         units: vec![None; columns.len()],
@@ -144,6 +144,7 @@ struct Layout<'a> {
     selectors: &'a [ColumnSelector],
     places: Vec<ColumnPlace>,
     key: Option<ColumnPlace>,
+    identity: Option<ColumnPlace>,
     /// What must hold for rows to be wanted, and where the columns are that it is about.
     conditions: Vec<(ColumnPlace, &'a RowCondition)>,
     /// The work on the numbers that were read as text.
@@ -159,8 +160,9 @@ impl<'a> Layout<'a> {
     ) -> Result<Self, InputError> {
         let key = options.key.as_ref();
         let conditions = &options.table.conditions;
+        let identity = options.identity.as_ref();
         let others: Vec<&ColumnSelector> =
-            key.into_iter().chain(conditions.iter().map(RowCondition::column)).collect();
+            key.into_iter().chain(identity).chain(conditions.iter().map(RowCondition::column)).collect();
         let cells: Vec<&[u8]> = names.iter().map(|name| name.raw().as_bytes()).collect();
         let heading = Heading::new(file, &cells, 1, Header::Present, selectors, &others)?;
         let find = |selector| {
@@ -176,6 +178,7 @@ impl<'a> Layout<'a> {
             selectors,
             places: selectors.iter().map(find).collect::<Result<_, _>>()?,
             key: key.map(find).transpose()?,
+            identity: identity.map(find).transpose()?,
             conditions: conditions
                 .iter()
                 .map(|condition| Ok((find(condition.column())?, condition)))
@@ -184,10 +187,17 @@ impl<'a> Layout<'a> {
         })
     }
 
+    /// The columns that rows have as text, each once.
+    fn written(&self) -> Vec<&ColumnPlace> {
+        let places = || self.places.iter().chain(&self.identity);
+        let titles: Vec<Foreign> = places().map(ColumnPlace::title).collect();
+        each_once(places(), &titles).collect()
+    }
+
     /// The indices of all columns that are read, ascending.
     fn positions(&self) -> Vec<usize> {
         let looked_at = self.conditions.iter().map(|(place, _)| place);
-        let places = self.places.iter().chain(&self.key).chain(looked_at);
+        let places = self.places.iter().chain(&self.key).chain(&self.identity).chain(looked_at);
         let mut positions: Vec<usize> = places.map(|place| place.position - 1).collect();
         positions.sort_unstable();
         positions.dedup();
@@ -308,8 +318,7 @@ impl<'a> Layout<'a> {
         };
         let keys = self.key.as_ref().map(key_column).transpose()?;
         let lines = if self.options.keep_text {
-            let titles: Vec<Foreign> = self.places.iter().map(ColumnPlace::title).collect();
-            let arrays = each_once(&self.places, &titles).map(|place| self.array(place, batch));
+            let arrays = self.written().into_iter().map(|place| self.array(place, batch));
             Some(lines(&arrays.collect::<Result<Vec<_>, _>>()?, self.options.table.reading))
         } else {
             None

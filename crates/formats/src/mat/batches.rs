@@ -34,19 +34,20 @@ pub(crate) fn scan_mat<T: Send>(
     let fail = |problem: InputErrorKind| InputError::of_file(name, problem);
     let conditions = &options.table.conditions;
     let looked_at = conditions.iter().map(RowCondition::column);
-    let selectors: Vec<&ColumnSelector> = columns.iter().chain(&options.key).chain(looked_at).collect();
+    let selectors: Vec<&ColumnSelector> = columns.iter().chain(&options.key).chain(&options.identity).chain(looked_at).collect();
     let progress = options.progress.as_deref();
     let found = MatColumns::read(file, &selectors, &options.table.sizes, options.hash, progress);
     let MatColumns { columns: found, rows, sha256, bytes } = found.map_err(fail)?;
-    check_rows(name, rows, &options.table.rows)?;
+    check_rows(name, rows, options)?;
     let (numbers, others) = found.split_at_checked(columns.len()).unwrap_or_default();
     let (key, looked_at) = others.split_at_checked(options.key.iter().len()).unwrap_or_default();
-    let rows_of = Rows { file: name, selectors: columns, columns: numbers, key: key.first(), options };
+    let (identity, looked_at) = looked_at.split_at_checked(options.identity.iter().len()).unwrap_or_default();
+    let rows_of = Rows { file: name, selectors: columns, columns: numbers, key: key.first(), identity, options };
     let asked = options.table.rows.among(1, rows + 1);
     let mut lacking = Lacking::default();
     let [satisfying, wanted] = rows_of.with_values(conditions, looked_at, &asked, &mut lacking)?;
     let used = wanted.iter().map(ExactSizeIterator::len).sum();
-    let ((), rows_missing) = lacking.settle(Ok(()), used, options.table.missing)?;
+    let ((), rows_missing) = lacking.settle(Ok(()), used, options)?;
     for group in in_batches(&wanted).chunks(threads::count()) {
         let batch = |rows: Vec<Range<usize>>| rows_of.batch(&rows).map(&work);
         let done: Vec<Result<T, InputError>> = threads::map(group.to_vec(), batch);
@@ -67,7 +68,7 @@ pub(crate) fn scan_mat<T: Send>(
         layout: None,
         header_line: options
             .keep_text
-            .then(|| csv_line(each_once(&names, &names).map(|name| name.raw().to_owned()))),
+            .then(|| csv_line(rows_of.written().iter().map(|column| column.place.title().raw().to_owned()))),
         names,
         header: Vec::new(),
         fractions: Vec::new(),
@@ -87,10 +88,19 @@ struct Rows<'a> {
     selectors: &'a [ColumnSelector],
     columns: &'a [MatColumn],
     key: Option<&'a MatColumn>,
+    /// One, or none.
+    identity: &'a [MatColumn],
     options: &'a ScanOptions,
 }
 
 impl Rows<'_> {
+    /// The columns that rows have as text, each once.
+    fn written(&self) -> Vec<&MatColumn> {
+        let columns = || self.columns.iter().chain(self.identity);
+        let titles: Vec<Foreign> = columns().map(|column| column.place.title()).collect();
+        each_once(columns(), &titles).collect()
+    }
+
     /// Of rows in these ranges, those whose numbers in some columns satisfy the conditions on them, as far as they are there, and
     /// those of them that lack no number.
     fn with_values(
@@ -164,8 +174,7 @@ impl Rows<'_> {
         });
         let lines = self.options.keep_text.then(|| {
             let mut lines = Pieces::<Vec<u8>>::default();
-            let titles: Vec<Foreign> = self.columns.iter().map(|column| column.place.title()).collect();
-            let columns: Vec<&MatColumn> = each_once(self.columns, &titles).collect();
+            let columns = self.written();
             for row in rows() {
                 lines.push(&csv_line(columns.iter().map(|column| text(column, row))));
             }

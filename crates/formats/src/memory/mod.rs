@@ -85,12 +85,12 @@ pub(crate) fn scan_memory<T: Send>(
 ) -> Result<Scanned, InputError> {
     let rows_of = Rows::new(name, table, columns, options)?;
     let rows = table.rows();
-    check_rows(name, rows, &options.table.rows)?;
+    check_rows(name, rows, options)?;
     let asked = options.table.rows.among(1, rows + 1);
     let mut lacking = Lacking::default();
     let [satisfying, wanted] = rows_of.with_values(&asked, &mut lacking)?;
     let used = wanted.iter().map(ExactSizeIterator::len).sum();
-    let ((), rows_missing) = lacking.settle(Ok(()), used, options.table.missing)?;
+    let ((), rows_missing) = lacking.settle(Ok(()), used, options)?;
     for group in in_batches(&wanted).chunks(threads::count()) {
         let batch = |rows: Vec<Range<usize>>| rows_of.batch(&rows).map(&work);
         let done: Vec<Result<T, InputError>> = threads::map(group.to_vec(), batch);
@@ -111,7 +111,7 @@ pub(crate) fn scan_memory<T: Send>(
         layout: None,
         header_line: options
             .keep_text
-            .then(|| csv_line(each_once(&names, &names).map(|name| name.raw().to_owned()))),
+            .then(|| csv_line(rows_of.written().iter().map(|place| place.title().raw().to_owned()))),
         header: table.names.clone(),
         units: vec![None; names.len()],
         names,
@@ -133,6 +133,7 @@ struct Rows<'a> {
     selectors: &'a [ColumnSelector],
     places: Vec<ColumnPlace>,
     key: Option<ColumnPlace>,
+    identity: Option<ColumnPlace>,
     /// What must hold for rows to be wanted, and where the columns are that it is about.
     conditions: Vec<(ColumnPlace, &'a RowCondition)>,
     /// The work on the numbers that were read as text.
@@ -148,8 +149,9 @@ impl<'a> Rows<'a> {
     ) -> Result<Self, InputError> {
         let key = options.key.as_ref();
         let conditions = &options.table.conditions;
+        let identity = options.identity.as_ref();
         let others: Vec<&ColumnSelector> =
-            key.into_iter().chain(conditions.iter().map(RowCondition::column)).collect();
+            key.into_iter().chain(identity).chain(conditions.iter().map(RowCondition::column)).collect();
         let cells: Vec<&[u8]> = table.names.iter().map(|name| name.raw().as_bytes()).collect();
         let heading = Heading::new(file, &cells, 1, Header::Present, selectors, &others)?;
         let find = |selector| {
@@ -175,12 +177,20 @@ impl<'a> Rows<'a> {
             selectors,
             places: selectors.iter().map(find).collect::<Result<_, _>>()?,
             key: key.map(find).transpose()?,
+            identity: identity.map(find).transpose()?,
             conditions: conditions
                 .iter()
                 .map(|condition| Ok((find(condition.column())?, condition)))
                 .collect::<Result<_, InputError>>()?,
             meter: WorkMeter::default(),
         })
+    }
+
+    /// The columns that rows have as text, each once.
+    fn written(&self) -> Vec<&ColumnPlace> {
+        let places = || self.places.iter().chain(&self.identity);
+        let titles: Vec<Foreign> = places().map(ColumnPlace::title).collect();
+        each_once(places(), &titles).collect()
     }
 
     fn cells(&self, place: &ColumnPlace) -> Option<&MemoryNumbers> {
@@ -275,8 +285,7 @@ impl<'a> Rows<'a> {
         });
         let lines = self.options.keep_text.then(|| {
             let mut lines = Pieces::<Vec<u8>>::default();
-            let titles: Vec<Foreign> = self.places.iter().map(ColumnPlace::title).collect();
-            let places: Vec<&ColumnPlace> = each_once(&self.places, &titles).collect();
+            let places = self.written();
             rows().for_each(|row| lines.push(&csv_line(places.iter().map(|place| text(place, row)))));
             lines
         });

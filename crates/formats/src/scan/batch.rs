@@ -105,6 +105,11 @@ pub struct ScanOptions {
     pub key: Option<ColumnSelector>,
     /// Whether the text of the rows is handed out too.
     pub keep_text: bool,
+    /// A column that tells rows apart. With `keep_text`, rows that are not text to begin with, of which else only the columns asked
+    /// for are written, are written with its cells at the end; rows of text have all their cells anyway.
+    pub identity: Option<ColumnSelector>,
+    /// Whether a table without rows, or without any that are wanted, is nothing but that. It is refused otherwise.
+    pub allow_nothing: bool,
     /// Whether the bytes are hashed.
     pub hash: bool,
     /// Whether it is told which rows were wanted: that may be as many ranges as half of the rows.
@@ -127,6 +132,8 @@ impl Default for ScanOptions {
             table: TableOptions::default(),
             key: None,
             keep_text: false,
+            identity: None,
+            allow_nothing: false,
             hash: true,
             list_rows: true,
             unbounded_rows: false,

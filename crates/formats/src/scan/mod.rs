@@ -54,8 +54,8 @@ pub(crate) fn scan_text<T: Send>(
     let read = run.read_chunks(&mut layout, &mut reader, position, &mut notes);
     layout.mark = notes.mark_after(layout.mark);
     layout.has_comments = notes.has_comments;
-    let (rows_total, rows_missing) = notes.settle(read, options.table.missing)?;
-    check_rows(file, rows_total, &options.table.rows)?;
+    let (rows_total, rows_missing) = notes.settle(read, options)?;
+    check_rows(file, rows_total, options)?;
     let places = &layout.places;
     Ok(Scanned {
         names: places.iter().map(ColumnPlace::title).collect(),

@@ -3,10 +3,10 @@
 
 use boundfit_exact::DecimalMark;
 
-use crate::dialect::Missing;
 use crate::error::InputError;
 use crate::lacking::Lacking;
 
+use super::batch::ScanOptions;
 use super::values::Mark;
 
 /// What was noticed in some consecutive rows. Lines in its errors count from where the rows were read.
@@ -110,9 +110,9 @@ impl Notes {
     pub(super) fn settle(
         self,
         read: Result<usize, InputError>,
-        missing: Missing,
+        options: &ScanOptions,
     ) -> Result<(usize, usize), InputError> {
-        let (rows, missing) = self.missing.settle(read, self.used, missing)?;
+        let (rows, missing) = self.missing.settle(read, self.used, options)?;
         Ok((rows - self.tail.rows, missing))
     }
 }

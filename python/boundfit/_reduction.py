@@ -1,0 +1,326 @@
+"""Reductions of tables in parts: what each part comes to, put together in any order and in any tree."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import io
+import json
+import os
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from . import _boundfit
+from ._bounds import Interval, Intervals, ProvedInterval, Term
+from ._columns import Missing, NamedColumns, Number, Reading, asked, text
+from ._fit import Fit
+
+#: How many reductions are put together at a time.
+FAN_IN = 256
+
+Names = str | Sequence[str]
+
+
+@dataclass(frozen=True)
+class Readings:
+    """Which columns of a table are what, and what is asked of them: small, plain and the same on every machine."""
+
+    x: tuple[str, ...]
+    y: str | None = None
+    eps: str | None = None
+    eps_column: str | None = None
+    lower: str | None = None
+    upper: str | None = None
+    where: tuple[str, ...] = ()
+    through_origin: bool = False
+    x_origin: str | None = None
+    reading: Reading = "decimal"
+    missing: Missing = "refuse"
+    #: The columns that say to which group a row belongs.
+    by: tuple[str, ...] = ()
+    #: The column that says which row it is.
+    identity: str | None = None
+
+    @property
+    def roles(self) -> list[str]:
+        """The columns that are fitted, in the order of their roles."""
+        columns = (*self.x, self.y, self.eps_column, self.lower, self.upper)
+        return [column for column in columns if column is not None]
+
+    @property
+    def reduced_columns(self) -> list[str]:
+        """The columns that a reduction has, each once."""
+        identity = [] if self.identity is None else [self.identity]
+        return list(dict.fromkeys([*self.roles, *identity]))
+
+    @property
+    def columns(self) -> list[str]:
+        """All columns that are looked at, each once."""
+        return list(dict.fromkeys([*self.by, *self.reduced_columns]))
+
+    def asked(self) -> dict[str, Any]:
+        """What the compiled part is asked."""
+        return asked(
+            regressors=len(self.x),
+            response=self.y is not None,
+            eps=self.eps,
+            eps_column=self.eps_column is not None,
+            lower=self.lower is not None,
+            upper=self.upper is not None,
+            where=self.where,
+            through_origin=self.through_origin,
+            x_origin=self.x_origin,
+            reading=self.reading,
+            missing=self.missing,
+            eui=False,
+        )
+
+    def nothing(self) -> bytes:
+        """The reduction of no rows. Asking for it finds what is wrong with the question before any row is moved."""
+        return reduce_columns([(name, []) for name in self.reduced_columns], self)
+
+    def decide_alone(self) -> bool:
+        """Whether a reduction tells everything that is said of a group: not where ε_min needs readings that it leaves out."""
+        return self.nothing().startswith((b"# boundfit/reduced/1 ", b"# boundfit/reduced/3 "))
+
+
+def readings(
+    x: Names,
+    y: str | None = None,
+    eps: Number | None = None,
+    *,
+    by: Names = (),
+    id: str | None = None,
+    eps_column: str | None = None,
+    lower: str | None = None,
+    upper: str | None = None,
+    where: Names = (),
+    through_origin: bool = False,
+    x_origin: Number | None = None,
+    reading: Reading = "decimal",
+    missing: Missing = "refuse",
+) -> Readings:
+    """The columns and the question of a call.
+
+    :raises ValueError: when the question makes no sense, whatever the readings are.
+    """
+    regressors = _tuple(x)
+    if len(regressors) not in (1, 2):
+        raise ValueError(f"x names {len(regressors)} columns: expected one, or two of a model with two regressors")
+    own = Readings(
+        x=regressors,
+        y=y,
+        eps=None if eps is None else text(eps),
+        eps_column=eps_column,
+        lower=lower,
+        upper=upper,
+        where=_tuple(where),
+        through_origin=through_origin,
+        x_origin=None if x_origin is None else text(x_origin),
+        reading=reading,
+        missing=missing,
+        by=_tuple(by),
+        identity=id,
+    )
+    own.asked()
+    return own
+
+
+def to_reduce(x: Names, y: str | None, eps: Number | None, fan_in: int, **question: Any) -> Readings:
+    """The columns and the question of a reduction in a tree. Where columns bound the readings, no number does.
+
+    :raises ValueError: when it makes no sense, whatever the readings are.
+    """
+    if fan_in < 2:
+        raise ValueError(f"fan_in={fan_in}: expected at least 2 reductions to be put together at a time")
+    if any(question.get(other) is not None for other in ("eps_column", "lower", "upper")):
+        eps = None
+    own = readings(x, y, eps, **question)
+    own.nothing()
+    return own
+
+
+def _tuple(names: Names) -> tuple[str, ...]:
+    return (names,) if isinstance(names, str) else tuple(names)
+
+
+def reduce_columns(columns: NamedColumns, own: Readings) -> bytes:
+    """The reduction of some rows, which may be none."""
+    return _boundfit.reduce_part(columns, own.roles, own.identity, own.asked())
+
+
+def merged(texts: Iterable[bytes], own: Readings) -> bytes:
+    """One reduction of what all these are reductions of. A tree of such calls gives what one of them gives."""
+    level = list(texts) or [own.nothing()]
+    while len(level) > 1:
+        groups = [level[start : start + FAN_IN] for start in range(0, len(level), FAN_IN)]
+        level = [_boundfit.merge_reductions(b"".join(group), own.roles, own.identity, own.asked()) for group in groups]
+    return level[0]
+
+
+@dataclass(frozen=True)
+class Part:
+    """What one part of a table comes to: its reduction, or why it has none."""
+
+    #: The smallest number of the parts that it is made of, which says where it stands in the table.
+    number: int
+    reduction: bytes | None
+    problem: str | None = None
+
+
+def of_part(number: int, reduce: Callable[[], bytes]) -> Part:
+    """What a part comes to. Readings that are wrong are an answer: a task that failed for them would fail each time it is retried."""
+    try:
+        return Part(number, reduce())
+    except ValueError as problem:
+        return Part(number, None, f"part {number}: {problem}")
+
+
+def merge_parts(parts: Iterable[Part], own: Readings) -> Part:
+    """Parts put together in the order of their numbers. What a task that was run twice has sent twice counts once."""
+    once: dict[int, Part] = {}
+    for part in parts:
+        before = once.setdefault(part.number, part)
+        if before is not part and _stated(before.reduction) != _stated(part.reduction):
+            raise ValueError(f"part {part.number} came twice with different readings: do the parts of the table change between reads?")
+    in_order = [once[number] for number in sorted(once)]
+    number = in_order[0].number if in_order else 0
+    for part in in_order:
+        if part.problem is not None:
+            return Part(number, None, part.problem)
+    return Part(number, merged([part.reduction for part in in_order if part.reduction is not None], own))
+
+
+def _stated(reduction: bytes | None) -> Any:
+    """What a reduction says of all its readings, whichever of equal ones it keeps."""
+    if reduction is None:
+        return None
+    record = _record(reduction)
+    return record["rows"], record["sums"]
+
+
+def _record(reduction: bytes) -> dict[str, Any]:
+    line = reduction.split(b"\n", 1)[0]
+    record: dict[str, Any] = json.loads(line.split(b" ", 2)[2])
+    return record
+
+
+@dataclass(frozen=True)
+class Reduction:
+    """The readings of a table that decide, with the sums over all of them: :meth:`fit` says what :func:`boundfit.fit` of all would.
+
+    ``text`` is what ``boundfit reduce`` writes; :func:`boundfit.fit_file` and the program read it.
+    """
+
+    text: bytes
+    readings: Readings
+
+    @property
+    def rows(self) -> int:
+        """How many readings there are in all."""
+        rows: int = _record(self.text)["rows"]
+        return rows
+
+    @property
+    def kept(self) -> int:
+        """How many readings are kept."""
+        return len(self._rows())
+
+    @property
+    def ids(self) -> list[str] | None:
+        """The identities of the readings that are kept; ``None`` where no column of them was named. Of several equal readings
+        the first one stands for all."""
+        name = self.readings.identity
+        if name is None:
+            return None
+        header = next(csv.reader([self.text.split(b"\n", 2)[1].decode()]))
+        return [row[header.index(name)] for row in self._rows()]
+
+    def _rows(self) -> list[list[str]]:
+        lines = self.text.decode().split("\n")[2:]
+        if self.text.startswith((b"# boundfit/reduced/3 ", b"# boundfit/reduced/4 ")):
+            lines = [re.sub(r"^\d+ ", "", line) for line in lines]
+        return list(csv.reader(io.StringIO("\n".join(lines), newline="")))
+
+    def fit(
+        self,
+        eps: Number | None = None,
+        *,
+        where: Names | None = None,
+        through_origin: bool | None = None,
+        x_origin: Number | None = None,
+    ) -> ReducedFit:
+        """The fit of all readings. What is not said here is what the reduction was asked with; of a line under one bound for all
+        readings any ``eps`` may be asked, of anything else the one that it was made with.
+
+        :raises ValueError: when it was made for something else, or of no readings at all.
+        """
+        own = self.readings
+        changes: dict[str, Any] = {}
+        if eps is not None:
+            changes["eps"] = text(eps)
+        if where is not None:
+            changes["where"] = _tuple(where)
+        if through_origin is not None:
+            changes["through_origin"] = through_origin
+        if x_origin is not None:
+            changes["x_origin"] = text(x_origin)
+        own = dataclasses.replace(own, **changes)
+        if self.rows == 0:
+            raise ValueError("the table has no readings: expected at least one")
+        return ReducedFit(_boundfit.fit_reductions(self.text, own.roles, own.asked()), self.ids)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the reduction as a file."""
+        with open(path, "wb") as file:
+            file.write(self.text)
+
+    def __repr__(self) -> str:
+        return f"<boundfit.Reduction of {self.rows} readings to {self.kept}>"
+
+
+class ReducedFit(Fit):
+    """The fit of a reduction. Where rows have identities, proofs name these in place of row numbers; reports, which count the
+    rows of the reduction, name row ``n`` where :attr:`ids` has it at ``n - 1``."""
+
+    __slots__ = ("ids",)
+
+    def __init__(self, core: _boundfit.Fitted, ids: list[str] | None) -> None:
+        super().__init__(core)
+        #: The identities of the readings that are kept, in the order in which reports count them.
+        self.ids = ids
+
+    @property
+    def rows(self) -> int:
+        """How many readings the fit is of."""
+        return self._core.rows_total
+
+    @property
+    def pui(self) -> Intervals | None:
+        """The interval of each parameter over the set, with proofs; ``None`` of an empty set."""
+        both = super().pui
+        if both is None or self.ids is None:
+            return both
+        return Intervals(*(self._named(interval) for interval in both))
+
+    @property
+    def contradiction(self) -> tuple[Term, ...] | None:
+        """Of an empty set at most three bounds that contradict each other: these multiples add up to 0 ≤ something negative."""
+        terms = super().contradiction
+        return None if terms is None else self._terms(terms)
+
+    def _named(self, interval: Interval) -> Interval:
+        if not isinstance(interval, ProvedInterval):
+            return interval
+        lower_proof, upper_proof = self._terms(interval.lower_proof), self._terms(interval.upper_proof)
+        return dataclasses.replace(interval, lower_proof=lower_proof, upper_proof=upper_proof)
+
+    def _terms(self, terms: tuple[Term, ...]) -> tuple[Term, ...]:
+        ids = self.ids
+        if ids is None:
+            return terms
+        return tuple(term if not isinstance(term.row, int) else term._replace(row=ids[term.row - 1]) for term in terms)
+
+

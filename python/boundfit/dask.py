@@ -1,0 +1,93 @@
+# pyright: reportMissingImports=false
+"""Fleets, reductions and fits of data frames of Dask: ``pip install 'boundfit[dask]'``.
+
+One call is made per partition. The functions are those of :mod:`boundfit.spark`, which says what they do.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import dask.dataframe
+import pandas
+import pyarrow
+from dask.base import compute
+from dask.delayed import delayed
+
+from . import _partitions
+from ._columns import Number, text
+from ._reduction import FAN_IN, Names, Part, Readings, ReducedFit, Reduction, merge_parts, readings, to_reduce
+
+__all__ = ["fit", "fit_groups", "reduce"]
+
+
+def fit_groups(
+    ddf: dask.dataframe.DataFrame,
+    by: Names,
+    x: Names,
+    y: str | None = None,
+    eps: Number | None = None,
+    *,
+    partitions: int | None = None,
+    combine: int | None = None,
+    **question: Any,
+) -> dask.dataframe.DataFrame:
+    """Fits the rows of each key on their own: see :func:`boundfit.spark.fit_groups`."""
+    own = readings(x, y, eps, by=by, **question)
+    key = _table(ddf._meta[list(own.by)]).schema
+    answer = _partitions.schema_of_groups(list(key), own).empty_table().to_pandas()
+    ddf = ddf[own.columns]
+    if combine is not None and own.decide_alone():
+        moved = ddf._meta.assign(**{_partitions.REDUCTION: pandas.Series([], dtype=object)})
+        ddf = ddf.map_partitions(_combined, own, combine, meta=moved)
+    shuffled = ddf.shuffle(on=list(own.by), npartitions=partitions)
+    return shuffled.map_partitions(_fitted, own, key, meta=answer)
+
+
+def reduce(
+    ddf: dask.dataframe.DataFrame, x: Names, y: str | None = None, eps: Number | None = 0, *, fan_in: int = FAN_IN, **question: Any
+) -> Reduction:
+    """The readings that decide, with the sums over all: see :func:`boundfit.spark.reduce`."""
+    own = to_reduce(x, y, eps, fan_in, **question)
+    parts = [delayed(_reduced)(number, frame, own) for number, frame in enumerate(ddf[own.columns].to_delayed())]
+    while len(parts) > 1:
+        parts = [delayed(merge_parts)(parts[start : start + fan_in], own) for start in range(0, len(parts), fan_in)]
+    [part] = compute(*parts)
+    if part.reduction is None:
+        raise ValueError(part.problem)
+    return Reduction(part.reduction, own)
+
+
+def fit(
+    ddf: dask.dataframe.DataFrame, x: Names, y: str | None = None, eps: Number | None = None, *, fan_in: int = FAN_IN, **question: Any
+) -> ReducedFit:
+    """Fits all rows: see :func:`boundfit.spark.fit`."""
+    return reduce(ddf, x, y, eps, fan_in=fan_in, **question).fit()
+
+
+def _reduced(number: int, frame: pandas.DataFrame, own: Readings) -> Part:
+    return _partitions.reduce_partition(number, _table(frame).to_batches(), own)
+
+
+def _combined(frame: pandas.DataFrame, own: Readings, most_rows: int) -> Any:
+    batches = list(_partitions.combine_partition(_table(frame).to_batches(), own, most_rows))
+    if not batches:
+        return frame.assign(**{_partitions.REDUCTION: pandas.Series([], dtype=object)})
+    return pyarrow.Table.from_batches(batches).to_pandas()
+
+
+def _fitted(frame: pandas.DataFrame, own: Readings, key: pyarrow.Schema) -> Any:
+    schema = _partitions.schema_of_groups(list(key), own)
+    batches = list(_partitions.fit_partition(_table(frame).to_batches(), own))
+    return pyarrow.concat_tables([schema.empty_table(), *(pyarrow.table(batch).cast(schema) for batch in batches)]).to_pandas()
+
+
+def _table(frame: pandas.DataFrame) -> pyarrow.Table:
+    """A frame as Arrow has it; a column of objects of several kinds as their texts, which are as exact."""
+    columns = {}
+    for name in frame.columns:
+        try:
+            columns[name] = pyarrow.array(frame[name], from_pandas=True)
+        except (pyarrow.ArrowInvalid, pyarrow.ArrowTypeError):
+            columns[name] = pyarrow.array([None if pandas.isna(value) else text(value) for value in frame[name]], pyarrow.string())
+    return pyarrow.table(columns)

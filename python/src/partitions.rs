@@ -1,0 +1,96 @@
+//! Parts of a table that no machine has whole: their reductions, and fits of these.
+
+use boundfit::files::{ColumnSelector, Question, ReducedTable, ScanOptions, Source};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use crate::asked::{Asked, in_words, short};
+use crate::cells::{NamedColumn, table};
+use crate::fitted::Fitted;
+use crate::numbers::refuse;
+
+/// What reductions are called in messages.
+const NAME: &str = "reductions";
+
+/// Reduces columns in memory, of which those with `names` have the roles that are asked about, to the rows that decide, each with its
+/// cell of the column `identity`. No rows become a reduction of none.
+#[pyfunction]
+pub(crate) fn reduce_part<'py>(
+    py: Python<'py>,
+    columns: Vec<NamedColumn<'py>>,
+    names: Vec<String>,
+    identity: Option<String>,
+    asked: Asked,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let question = reducible(&asked, &names)?;
+    let options = ScanOptions {
+        identity: identity.map(|name| ColumnSelector::name(&name)),
+        allow_nothing: true,
+        ..asked.options()?
+    };
+    let table = table(&columns)?;
+    let text = py.detach(|| written(question.reduce(Source::of_table("readings", table), &options)));
+    Ok(PyBytes::new(py, &text.map_err(refuse)?))
+}
+
+/// Reduces reductions, one after the other in a text, to one.
+#[pyfunction]
+pub(crate) fn merge_reductions<'py>(
+    py: Python<'py>,
+    text: Vec<u8>,
+    names: Vec<String>,
+    identity: Option<String>,
+    asked: Asked,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let question = reducible(&asked, &names)?;
+    let options = ScanOptions { identity: identity.map(|name| ColumnSelector::name(&name)), ..of_reductions(&asked)? };
+    let text = py.detach(|| written(question.reduce(source(text), &options)));
+    Ok(PyBytes::new(py, &text.map_err(refuse)?))
+}
+
+/// Fits reductions, one after the other in a text.
+#[pyfunction]
+pub(crate) fn fit_reductions(
+    py: Python<'_>,
+    text: Vec<u8>,
+    names: Vec<String>,
+    asked: Asked,
+) -> PyResult<Fitted> {
+    let (question, options, reading) = (reducible(&asked, &names)?, of_reductions(&asked)?, asked.reading()?);
+    let keep = asked.keep();
+    let fitted = py.detach(|| {
+        let problem = question.problem(source(text), &options, keep).map_err(|error| in_words(&error))?;
+        Ok(Fitted::of(short(problem)?, reading))
+    });
+    fitted.map_err(|error: String| refuse(error))
+}
+
+/// The question, if a reduction can answer it.
+fn reducible(asked: &Asked, names: &[String]) -> PyResult<Question> {
+    let question = asked.question(names, ColumnSelector::name)?;
+    if question.multiple_of_least.is_some() && question.columns.second.is_some() {
+        return Err(refuse(
+            "eps: which readings decide under a multiple of the least bound is not known before all of them are, unless the model \
+             is a line (expected a number or a law)",
+        ));
+    }
+    Ok(question)
+}
+
+fn source(text: Vec<u8>) -> Source {
+    Source::new(NAME, std::io::Cursor::new(text))
+}
+
+/// Reductions of columns in memory have commas between their cells, whatever is in these.
+fn of_reductions(asked: &Asked) -> PyResult<ScanOptions> {
+    let mut options = asked.options()?;
+    options.table.dialect.delimiter = Some(b',');
+    Ok(options)
+}
+
+fn written(reduced: Result<ReducedTable, boundfit::files::InputError>) -> Result<Vec<u8>, String> {
+    let mut text = Vec::new();
+    let reduced = reduced.map_err(|error| in_words(&error))?;
+    reduced.write(&mut text).map_err(|error| error.to_string())?;
+    Ok(text)
+}
