@@ -19,7 +19,7 @@ import pyarrow
 
 from . import _boundfit
 from ._bounds import nearest, upper_bound
-from ._columns import cells
+from ._cells import cells
 from ._fit import Fit
 from ._reduction import Part, Readings, Reduction, merge_parts, merged, of_part, reduce_columns
 
@@ -43,7 +43,7 @@ def reduce_partition(number: int, batches: Batches, own: Readings) -> Part:
 
     def reduction() -> bytes:
         tables = _gathered(batches, own.columns, ROWS_AT_A_TIME)
-        return merged((reduce_columns(_columns(table, own.reduced_columns), own) for table in tables), own)
+        return merged((reduce_columns(_columns(table, own.reduced_columns, own), own) for table in tables), own)
 
     return of_part(number, reduction)
 
@@ -164,7 +164,7 @@ class _Held:
             is_own = codes == group
             rows = table.filter(pyarrow.array(is_own))
             try:
-                reduction = reduce_columns(_columns(rows, self.own.reduced_columns), self.own)
+                reduction = reduce_columns(_columns(rows, self.own.reduced_columns, self.own), self.own)
             except ValueError:
                 continue
             self._keep(rows.select(list(self.own.by)).slice(0, 1), reduction)
@@ -223,7 +223,7 @@ class _Groups:
         rows = self.table if is_all else self.rows(start, end)
         codes = self.codes if is_all else self.codes[self._order[self._starts[start] : self._starts[end]]]
         try:
-            answer = _fitted(_columns(rows, self.own.roles), self.own, codes)
+            answer = _fitted(_columns(rows, self.own.roles, self.own), self.own, codes)
         except ValueError as problem:
             if end - start == 1:
                 why = _nothing(0, _NO_NUMBERS) if _lacks_all(rows, self.own) else _nothing(len(rows), _in_words(problem, rows, self.own))
@@ -254,7 +254,7 @@ def _gathered(batches: Batches, columns: list[str] | None, rows: int) -> Iterato
         yield pyarrow.Table.from_batches(held)
 
 
-def _columns(table: pyarrow.Table, names: list[str]) -> list[tuple[str, Any]]:
+def _columns(table: pyarrow.Table, names: list[str], own: Readings) -> list[tuple[str, Any]]:
     """Columns as the compiled part takes them; one with two roles is there twice, under two names."""
     columns: list[tuple[str, Any]] = []
     taken: set[str] = set()
@@ -263,22 +263,14 @@ def _columns(table: pyarrow.Table, names: list[str]) -> list[tuple[str, Any]]:
         while unique in taken:
             unique += "'"
         taken.add(unique)
-        columns.append((unique, _cells(table.column(name), name)))
+        column = table.column(name).combine_chunks()
+        if pyarrow.types.is_dictionary(column.type):
+            column = column.dictionary_decode()
+        if pyarrow.types.is_decimal(column.type) or (name not in own.roles and not pyarrow.types.is_integer(column.type)):
+            # Exactly what is stored, without an object for each; identities may be anything that has a text.
+            column = column.cast(pyarrow.string())
+        columns.append((unique, cells(column, name, own.reading)))
     return columns
-
-
-def _cells(column: pyarrow.ChunkedArray, name: str) -> Any:
-    column = column.combine_chunks()
-    if pyarrow.types.is_dictionary(column.type):
-        column = column.dictionary_decode()
-    if pyarrow.types.is_decimal(column.type):
-        # Exactly what is stored, without an object for each.
-        column = column.cast(pyarrow.string())
-    elif pyarrow.types.is_floating(column.type) and column.null_count:
-        column = column.fill_null(float("nan"))
-    elif pyarrow.types.is_temporal(column.type):
-        column = column.cast(pyarrow.string())
-    return cells(column, name)
 
 
 def _codes(table: pyarrow.Table, by: tuple[str, ...]) -> tuple[Any, Any]:
@@ -317,7 +309,7 @@ def _fit_in_parts(rows: pyarrow.Table, reductions: list[bytes], own: Readings) -
     """What is said of one group that came in reductions and rows: what is said of its rows together."""
     count = sum(Reduction(text, own).rows for text in reductions)
     try:
-        reduction = Reduction(merged([*reductions, reduce_columns(_columns(rows, own.reduced_columns), own)], own), own)
+        reduction = Reduction(merged([*reductions, reduce_columns(_columns(rows, own.reduced_columns, own), own)], own), own)
         if reduction.rows == 0:
             return _nothing(0, _NO_NUMBERS)
         fit = reduction.fit()
@@ -350,7 +342,7 @@ def numbers_of(fit: Fit) -> dict[str, Fraction | float | None]:
 
 def _lacks_all(rows: pyarrow.Table, own: Readings) -> bool:
     try:
-        return own.missing == "skip" and Reduction(reduce_columns(_columns(rows, own.reduced_columns), own), own).rows == 0
+        return own.missing == "skip" and Reduction(reduce_columns(_columns(rows, own.reduced_columns, own), own), own).rows == 0
     except ValueError:
         return False
 

@@ -43,7 +43,8 @@ pub(crate) fn merge_reductions<'py>(
     asked: Asked,
 ) -> PyResult<Bound<'py, PyBytes>> {
     let question = reducible(&asked, &names)?;
-    let options = ScanOptions { identity: identity.map(|name| ColumnSelector::name(&name)), ..of_reductions(&asked)? };
+    let options =
+        ScanOptions { identity: identity.map(|name| ColumnSelector::name(&name)), ..of_reductions(&asked)? };
     let text = py.detach(|| written(question.reduce(source(text), &options)));
     Ok(PyBytes::new(py, &text.map_err(refuse)?))
 }

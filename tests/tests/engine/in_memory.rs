@@ -1,6 +1,6 @@
 //! Columns in memory: fits, reductions and fleets of them are those of the same numbers as text.
 
-use boundfit_estimation::{Fit, Fleet, Keep, Measurements, Problem};
+use boundfit_estimation::{Columns, EpsilonColumn, Fit, Fleet, Keep, LineForm, Measurements, Problem};
 use boundfit_exact::{Limits, Rational, Reading};
 use boundfit_formats::{
     ColumnSelector, MemoryNumbers, MemoryTable, RowRange, ScanOptions, Source, TableOptions, read_table,
@@ -8,7 +8,7 @@ use boundfit_formats::{
 use boundfit_tests::generate::seeded;
 use rand::RngExt;
 
-use crate::reducing::{reduced, reduced_source};
+use crate::reducing::{reduced, reduced_source, try_reduced};
 use crate::reduction::{essence, options};
 use crate::streams::Case;
 
@@ -223,4 +223,60 @@ fn what_is_wrong_is_told_with_row_and_column() {
         scan,
     );
     assert!(none.unwrap_err().to_string().starts_with("memory: there is no column \"sensor\""));
+}
+
+#[test]
+fn rows_that_are_kept_have_their_identities_and_none_are_a_reduction_too() {
+    let mut table = doubles(&[("x", &[0.0, 1.0, 2.0, 3.0]), ("y", &[0.0, 1.5, 1.5, 3.0])]);
+    let names = ["a", "two\nlines", "c,\"d\"", ""];
+    table.push("id", MemoryNumbers::Texts(names.map(str::to_owned).to_vec()));
+    let columns = Columns {
+        first: ColumnSelector::name("x"),
+        second: None,
+        response: Some(ColumnSelector::name("y")),
+        epsilon: EpsilonColumn::Uniform(Rational::zero()),
+        form: LineForm::default(),
+    };
+    let named = ScanOptions {
+        identity: Some(ColumnSelector::name("id")),
+        allow_nothing: true,
+        ..ScanOptions::default()
+    };
+    let reduced = |table: &MemoryTable, options: &ScanOptions| {
+        reduced_source(Source::of_table("memory", table.clone()), &columns, options)
+    };
+    let sums = "\"reading\":\"decimal\",\"x\":\"x\",\"y\":\"y\",\"epsilon\":null,\"sums\"";
+    assert_eq!(
+        reduced(&table, &named).unwrap(),
+        // A row of two lines needs a count beside rows with counts of other parts.
+        format!(
+            "# boundfit/reduced/3 {{\"rows\":4,\"kept\":5,\"header\":true,{sums}:[\"6\",\"6\",\"14\",\"27/2\"]}}\nx,y,id\n1 0.0,0.0,a\n\
+             1 1.0,1.5,\"two\n0 lines\"\n1 2.0,1.5,\"c,\"\"d\"\"\"\n1 3.0,3.0,\n"
+        )
+    );
+    let nothing = doubles(&[("x", &[]), ("y", &[]), ("id", &[])]);
+    let none = format!(
+        "# boundfit/reduced/1 {{\"rows\":0,\"kept\":0,\"header\":true,{sums}:[\"0\",\"0\",\"0\",\"0\"]}}\nx,y,id\n"
+    );
+    assert_eq!(reduced(&nothing, &named).unwrap(), none);
+    let skip = TableOptions { missing: boundfit_formats::Missing::Skip, ..TableOptions::default() };
+    let missing = doubles(&[("x", &[f64::NAN]), ("y", &[1.0]), ("id", &[7.0])]);
+    assert_eq!(reduced(&missing, &ScanOptions { table: skip, ..named.clone() }).unwrap(), none);
+    let refusal =
+        |table: &MemoryTable, options: &ScanOptions| reduced(table, options).unwrap_err().to_string();
+    assert_eq!(
+        refusal(&nothing, &ScanOptions::default()),
+        "memory: the file has a header but no data rows (expected at least one row of numbers)"
+    );
+    let elsewhere = ScanOptions { identity: Some(ColumnSelector::name("key")), ..named };
+    assert_eq!(
+        refusal(&table, &elsewhere),
+        "memory: there is no column \"key\" (expected one of \"x\", \"y\", \"id\" or a number from 1 to 3)"
+    );
+    // Those of nothing go together with others, and with each other.
+    let text = |text: String| try_reduced(&text, &columns, &ScanOptions::default());
+    let whole = reduced(&table, &ScanOptions { identity: None, ..elsewhere }).unwrap();
+    let nothing = none.replace(",id", "");
+    assert_eq!(text(format!("{nothing}{whole}{nothing}")).unwrap(), whole);
+    assert_eq!(text(format!("{nothing}{nothing}")).unwrap(), nothing);
 }

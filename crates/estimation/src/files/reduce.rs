@@ -141,7 +141,8 @@ impl ReducedTable {
         let record = ReductionRecord {
             rows: own.count,
             kept: rows.iter().map(|row| 1 + row.iter().filter(|&&byte| byte == b'\n').count()).sum(),
-            counted: counts.iter().any(|&count| count > 1) || is_named && rows.iter().any(|row| row.contains(&b'\n')),
+            counted: counts.iter().any(|&count| count > 1)
+                || is_named && rows.iter().any(|row| row.contains(&b'\n')),
             header: scanned.header_line.is_some(),
             reading: options.table.reading.name().to_owned(),
             model: asked.model,

@@ -96,9 +96,7 @@ pub(crate) fn scan_arrow<T: Send>(
                         lacking.add(later);
                     }
                     Err(error) => {
-                        return lacking
-                            .settle(Err(error), used, options)
-                            .map(|(never, _)| never);
+                        return lacking.settle(Err(error), used, options).map(|(never, _)| never);
                     }
                 }
             }

@@ -34,7 +34,8 @@ pub(crate) fn scan_mat<T: Send>(
     let fail = |problem: InputErrorKind| InputError::of_file(name, problem);
     let conditions = &options.table.conditions;
     let looked_at = conditions.iter().map(RowCondition::column);
-    let selectors: Vec<&ColumnSelector> = columns.iter().chain(&options.key).chain(&options.identity).chain(looked_at).collect();
+    let selectors: Vec<&ColumnSelector> =
+        columns.iter().chain(&options.key).chain(&options.identity).chain(looked_at).collect();
     let progress = options.progress.as_deref();
     let found = MatColumns::read(file, &selectors, &options.table.sizes, options.hash, progress);
     let MatColumns { columns: found, rows, sha256, bytes } = found.map_err(fail)?;
@@ -42,7 +43,8 @@ pub(crate) fn scan_mat<T: Send>(
     let (numbers, others) = found.split_at_checked(columns.len()).unwrap_or_default();
     let (key, looked_at) = others.split_at_checked(options.key.iter().len()).unwrap_or_default();
     let (identity, looked_at) = looked_at.split_at_checked(options.identity.iter().len()).unwrap_or_default();
-    let rows_of = Rows { file: name, selectors: columns, columns: numbers, key: key.first(), identity, options };
+    let rows_of =
+        Rows { file: name, selectors: columns, columns: numbers, key: key.first(), identity, options };
     let asked = options.table.rows.among(1, rows + 1);
     let mut lacking = Lacking::default();
     let [satisfying, wanted] = rows_of.with_values(conditions, looked_at, &asked, &mut lacking)?;
