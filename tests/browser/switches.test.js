@@ -68,3 +68,27 @@ test("any number of readings can be switched off, and each on again", async () =
   assert.deepEqual(complaints, []);
   await close();
 });
+
+test("the fewest readings to leave out are those of the engine, and a button leaves them out", async () => {
+  const options = ["fixtures/tables/cars.csv", "--x", "speed", "--y", "dist", "--eps", "20"];
+  const { page, complaints, close } = await openLesson(browser, options);
+  const told = JSON.parse(boundfit("outliers", ...options, "--format", "json"));
+  await page.locator("#tab-leave-one-out").click();
+  assert.match(await page.locator("#outliers").textContent(), /At least 6 readings have to be left out/);
+  assert.equal(await page.locator("#outliers button").count(), told.sets.length);
+  await page.locator("#outliers button").first().click();
+  const off = await page.locator("#readings input:not(:checked)").evaluateAll((inputs) => inputs.map(({ dataset }) => Number(dataset.row)));
+  assert.deepEqual(off, told.sets[0]);
+  const shown = await page.locator("#parameter-plane [data-vertex]").evaluateAll((marks) =>
+    marks.map(({ dataset }) => [dataset.theta1, dataset.theta2].join()));
+  assert.deepEqual(shown, told.pieces[0].map(({ theta }) => theta.map(({ exact }) => exact).join()));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("without a contradiction there is nothing to leave out", async () => {
+  const { page, close } = await openLesson(browser, DATA.transducer);
+  await page.locator("#tab-leave-one-out").click();
+  assert.equal(await page.locator("#outliers").textContent(), "");
+  await close();
+});

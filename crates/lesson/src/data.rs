@@ -11,6 +11,7 @@ use crate::layers::{self, LayersJson, programs};
 use crate::leave_one_out::{self, WithoutJson, leave_one_out};
 use crate::number::STYLE;
 use crate::orders::{OrderJson, orders};
+use crate::outliers::{OutliersJson, outliers};
 use crate::points::Points;
 use crate::questions::{Facts, Question, questions};
 use crate::readings::{self, ConditionJson, EpsilonJson, ModelJson, ReadingJson};
@@ -38,6 +39,7 @@ pub(crate) struct LessonJson {
     sweep: SweepJson,
     layers: LayersJson,
     leave_one_out: Vec<WithoutJson>,
+    outliers: Option<OutliersJson>,
     questions: Vec<Question>,
 }
 
@@ -97,6 +99,7 @@ pub(crate) fn build(
         sweep: sweep(problem, fit),
         layers: layers::to_json(&programs, reading, &styles, &mut points),
         leave_one_out: leave_one_out::to_json(&without, measurements.kept(), &styles, &mut points),
+        outliers: outliers(problem, fit),
         questions: questions(&facts),
         points: points.into_numbers(),
     })

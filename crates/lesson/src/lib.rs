@@ -2,7 +2,7 @@
 //!
 //! [`lesson_data`] computes everything that the page shows, exactly: the half-planes and what each step of clipping
 //! does, the family of sets under growing error bounds, the estimates with what linear programs make of the same data,
-//! the set without each reading, and questions with answers. [`page`] puts it into one HTML file
+//! the set without each reading, the fewest readings to leave out, and questions with answers. [`page`] puts it into one HTML file
 //! whose script draws it, and computes, as exactly, what depends on where the mouse is.
 //!
 //! What the page's script may rely on is the schema `boundfit/lesson/1`, whose types are in `page/js/lesson.d.ts`; its sources
@@ -36,6 +36,7 @@ mod layers;
 mod leave_one_out;
 mod number;
 mod orders;
+mod outliers;
 mod points;
 mod questions;
 mod readings;
@@ -116,7 +117,7 @@ pub fn page(
 /// intervals outward, error bounds upward, all others to nearest.
 ///
 /// Cost: for N readings one fit without each of them, O(N² log N), and three runs of clipping; every LP solver of this
-/// build on four programs, each for at most ten seconds.
+/// build on four programs, each for at most ten seconds; of readings that contradict each other at most two million crossings.
 ///
 /// # Errors
 /// With more than [`LessonOptions::most_rows`] readings.

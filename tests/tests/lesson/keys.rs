@@ -50,6 +50,7 @@ const LESSON: &str = r#"{
     "lines": [["text", "text"]], "boundaries": ["count"],
     "pui?": [{"lower?": "number", "upper?": "number"}, {"lower?": "number", "upper?": "number"}],
     "moved": [{"parameter": "text", "end": "text", "by?": "number"}]}],
+  "outliers?": {"least": "count", "ways": [["count"]], "complete": "flag"},
   "questions": [{"id": "text", "question": "text", "answer": "text", "show?": {"kind": "text"}}]
 }"#;
 

@@ -7,6 +7,7 @@ mod keys;
 mod layers;
 mod leave_one_out;
 mod orders;
+mod outliers;
 mod page;
 mod questions;
 mod statements;

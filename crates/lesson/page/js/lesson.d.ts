@@ -234,5 +234,7 @@ interface LessonData {
     lp: { source: string; claims: ClaimData[] }[];
   };
   leave_one_out: WithoutData[];
+  /** The fewest readings without which some parameters are left, one list of rows for each way; null where all agree or it is not known. */
+  outliers: { least: number; ways: number[][]; complete: boolean } | null;
   questions: QuestionData[];
 }

@@ -43,6 +43,12 @@ export function connectLeaveOneOut(lesson, store) {
     const { value } = targetOf(event);
     store.change({ mode: "leave-one-out", without: value === "" ? [] : [Number(value)] });
   });
+  patch(byId("outliers"), outlierButtons(lesson));
+  byId("outliers").addEventListener("click", (event) => {
+    const button = closest(event, "button[data-way]");
+    const way = lesson.data.outliers?.ways[Number(button?.dataset.way)];
+    if (way !== undefined) store.change({ mode: "leave-one-out", without: way });
+  });
   /** @param {WithoutData} options */
   const option = ({ row, matters }) =>
     element("option", { value: `${row}` }, `reading ${row}${matters ? "" : " (does not matter)"}`);
@@ -50,6 +56,29 @@ export function connectLeaveOneOut(lesson, store) {
     byId("leave-out"),
     [element("option", { value: "" }, "none"), lesson.data.leave_one_out.map(option)].flat(),
   );
+}
+
+/**
+ * The fewest readings to leave out, with a button for each way, where not all agree.
+ * @param {Lesson} lesson
+ */
+function outlierButtons({ data, fps }) {
+  if (fps.kind !== "empty") return [];
+  if (data.outliers === null)
+    return [element("small", {}, "The fewest readings to leave out are not known: conditions alone leave nothing, or it takes too long.")];
+  const { least, ways, complete } = data.outliers;
+  const fewest = least === 1 ? "One reading has" : `At least ${least} readings have`;
+  const count = complete && ways.length === 1 ? "there is one way" : `${complete ? "" : "some "}ways to do so`;
+  return [
+    element("span", {}, `${fewest} to be left out for anything to agree; ${count}: `),
+    element(
+      "span",
+      { class: "buttons", role: "group", "aria-label": "Fewest readings to leave out" },
+      ways.map((rows, index) =>
+        element("button", { type: "button", "data-way": `${index}` }, `without ${shortEnumeration(rows)}`),
+      ),
+    ),
+  ];
 }
 
 /**
