@@ -4,10 +4,16 @@ from __future__ import annotations
 
 import html
 import re
+from decimal import Context, Decimal
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from ._fit import Fit
+    from ._judge import JudgedProgram
+
+#: Fractions of more letters are shown as decimals.
+_LONGEST = 24
 
 
 def of_fit(fit: Fit) -> str:
@@ -18,6 +24,33 @@ def of_fit(fit: Fit) -> str:
     except ValueError:
         return report
     return f"<div>{picture}{report}</div>"
+
+
+def of_judged(judged: JudgedProgram) -> str:
+    """The exact answer in a sentence, and a row for each finding."""
+    answer = f"exactly: <b>{judged.status}</b>"
+    if judged.value is not None:
+        answer += f", {_number(judged.value)}"
+        points = [f"({', '.join(map(_number, point))})" for point in judged.points]
+        answer += f", attained at {' and '.join(points)}" if points else ""
+    if not judged.findings:
+        return f"<p>{answer}</p>"
+    rows = []
+    for finding in judged.findings:
+        worth = f"<b>{finding.worth}</b>" if finding.worth == "refuted" else finding.worth
+        error = "" if not finding.error else _number(finding.error)
+        rows.append(f"<tr><td>{finding.aspect}</td><td>{worth}</td><td>{error}</td></tr>")
+    head = "<tr><th>what the result says</th><th>is</th><th>off by</th></tr>"
+    return f"<p>{answer}; the result is, at worst, <b>{judged.worst}</b></p><table>{head}{''.join(rows)}</table>"
+
+
+def _number(value: Fraction) -> str:
+    """A fraction, or where it is long about how large it is."""
+    text = str(value)
+    if len(text) <= _LONGEST:
+        return text
+    # The largest doubles are passed by numbers that a judge may meet.
+    return f"about {format(Context(prec=5).divide(Decimal(value.numerator), Decimal(value.denominator)), 'g')}"
 
 
 def in_page(svg: str) -> str:

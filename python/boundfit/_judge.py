@@ -45,6 +45,11 @@ class JudgedProgram:
         """Whether something is refuted."""
         return self.worst == "refuted"
 
+    def _repr_html_(self) -> str:
+        from ._html import of_judged
+
+        return of_judged(self)
+
 
 def judge(
     c: Sequence[Any],

@@ -16,6 +16,7 @@ import pandas
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.path import Path
+from scipy.optimize import linprog
 
 from conftest import FIXTURES
 
@@ -192,3 +193,18 @@ def test_a_path_of_more_than_whole_numbers_is_left_alone() -> None:
 
     for path in ("M 0.5 1 L 2 3 Z", "M 0 0 A 1 1 0 0 1 2 2", "M 0 0 L 1 1 2 2"):
         assert f'd="{path}"' in in_page(f'<svg width="1" height="1"><path d="{path}"/></svg>')
+
+
+def test_a_judged_program_is_a_table() -> None:
+    c, A, b = [-1, -1], [[1, 2], [3, 1]], [4, 6]
+    assert boundfit.judge(c, A, b)._repr_html_() == "<p>exactly: <b>optimal</b>, -14/5, attained at (8/5, 6/5)</p>"
+    result = linprog(c, A, b)
+    result.fun -= 0.1
+    shown = boundfit.judge(c, A, b, result=result)._repr_html_()
+    assert "the result is, at worst, <b>refuted</b></p><table>" in shown
+    assert "<tr><td>objective</td><td><b>refuted</b></td><td>about 0.1" in shown and "<tr><td>status</td><td>exact</td><td></td></tr>" in shown
+    assert shown.count("<tr>") == 1 + len(boundfit.judge(c, A, b, result=result).findings)
+    empty = boundfit.judge([1, 0], [[1, 0], [-1, 0]], [-1, -1], (None, None))
+    assert empty._repr_html_() == "<p>exactly: <b>infeasible</b></p>"
+    huge = boundfit.judge([1, 0], [[-1, 0], [0, -1]], ["-1" + "0" * 400, 0], (None, None))
+    assert "about 1" in huge._repr_html_() and "e+400" in huge._repr_html_()
