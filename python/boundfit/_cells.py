@@ -31,6 +31,11 @@ def cells(values: Any, name: str, reading: str = "decimal") -> Any:
             return values
     if isinstance(values, (bytearray, memoryview)) or (hasattr(values, "__buffer__") and not isinstance(values, bytes)):
         return values
+    if hasattr(values, "__array__"):
+        # Arrays of other libraries, such as xarray's and h5py's.
+        import numpy
+
+        return _of_numpy(numpy.asarray(values), name, reading)
     # Of a set nobody knows the order, and of a mapping nobody knows whether keys are meant.
     if isinstance(values, (str, bytes, Set, Mapping)) or not isinstance(values, Iterable):
         raise _no_column(values, name)

@@ -193,6 +193,23 @@ def test_one_column_of_a_frame_may_be_a_frame() -> None:
             boundfit.fit([0, 1], frame, 0)
 
 
+def test_arrays_of_other_libraries_are_arrays() -> None:
+    class Array:
+        def __init__(self, values: Any) -> None:
+            self.values = values
+
+        def __array__(self, dtype: Any = None, copy: bool | None = None) -> Any:
+            return self.values
+
+    short = numpy.array([0, 0.1], dtype="float32")
+    assert boundfit.fit([0, 1], Array(short), 0).vertices == [(Fraction(1, 10), 0)]
+    assert boundfit.fit([0, 1], Array(short), 0, reading="binary64").vertices == [(Fraction(float(short[1])), 0)]
+    with pytest.raises(ValueError, match="y has 2 dimensions: expected a column"):
+        boundfit.fit([0, 1], Array(numpy.zeros((2, 2))), 0)
+    with pytest.raises(ValueError, match="y holds times"):
+        boundfit.fit([0, 1], Array(numpy.array(DAYS[:2], dtype="datetime64[s]")), 0)
+
+
 DAYS = [datetime.datetime(2020, 1, day) for day in (1, 2, 3)]
 TIMES: dict[str, Any] = {
     "pandas": pandas.Series(DAYS),
