@@ -13,38 +13,88 @@ of them, exactly:
 Fraction(1, 4)
 """
 
+from ._answers import Answer
 from ._bounds import Interval, Intervals, LowerBound, ProvedInterval, Term, UpperBound
 from ._check import Judgement, check
-from ._fit import Central, Fit, Minimax, fit, fit_file
+from ._fit import Central, Fit, Guarantee, Minimax
+from ._fitting import fit, fit_file
 from ._groups import fit_groups
 from ._judge import Finding, JudgedProgram, judge
+from ._linearity import Characteristic, Linearity, LinearityLine, linearity, linearity_file
 from ._polygon import Polygon, generators, polygon, polygon_file
 from ._proof import verify
+from ._questions import (
+    Growth,
+    LinearRange,
+    Outliers,
+    PossibleX,
+    PredictedValue,
+    Prediction,
+    Repair,
+    RowStatus,
+    Run,
+    Statuses,
+    Widened,
+    WindowFit,
+    outliers,
+    predict,
+    status,
+    windows,
+)
+# Not among the names of a star: there it would take the place of the builtin.
+from ._questions import range as range
 from ._reduce import reduce, reduce_file
+from ._x_errors import Factor, Side, XErrorFit
 
 __all__ = [
+    "Answer",
     "Central",
+    "Characteristic",
+    "Factor",
     "Finding",
     "Fit",
+    "Growth",
+    "Guarantee",
     "Interval",
     "Intervals",
     "JudgedProgram",
     "Judgement",
+    "LinearRange",
+    "Linearity",
+    "LinearityLine",
     "LowerBound",
     "Minimax",
+    "Outliers",
     "Polygon",
+    "PossibleX",
+    "PredictedValue",
+    "Prediction",
     "ProvedInterval",
+    "Repair",
+    "RowStatus",
+    "Run",
+    "Side",
+    "Statuses",
     "Term",
     "UpperBound",
+    "Widened",
+    "WindowFit",
+    "XErrorFit",
     "check",
     "fit",
     "fit_file",
     "fit_groups",
     "generators",
     "judge",
+    "linearity",
+    "linearity_file",
+    "outliers",
     "polygon",
     "polygon_file",
+    "predict",
     "reduce",
     "reduce_file",
+    "status",
     "verify",
+    "windows",
 ]

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from . import _boundfit
 from ._columns import Number
 from ._fit import Fit
 
@@ -37,4 +38,4 @@ def check(problem: Fit, claim: Sequence[Sequence[Number]]) -> list[Judgement]:
     ends = [end for interval in claim for end in interval]
     if len(ends) != 4:
         raise ValueError(f"the claim has {len(ends)} ends: expected two of each parameter")
-    return [Judgement(*own) for own in problem._core.check(ends)]
+    return [Judgement(*own) for own in _boundfit.check(problem._core, ends)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any, Literal, TypeAlias
@@ -30,6 +30,14 @@ def text(value: Any) -> str:
     if isinstance(value, float):
         return float.__repr__(value)
     return str(value)
+
+
+def fraction(value: Any, name: str) -> Fraction:
+    """A number as its shortest text says it."""
+    try:
+        return Fraction(text(value).strip())
+    except ValueError:
+        raise ValueError(f"{name}: {value!r} is not a number") from None
 
 
 def regressors(x: Any) -> list[Any]:
@@ -60,7 +68,7 @@ def named(values: Any, default: str, taken: set[str]) -> str:
     return name
 
 
-def rows(asked: Rows, name: str) -> list[tuple[int, int | None]]:
+def row_ranges(asked: Rows, name: str) -> list[tuple[int, int | None]]:
     """Ranges of rows, from 1: ``"14..36"``, ``"1..22,24.."`` or row numbers."""
     if asked is None:
         return []
@@ -91,14 +99,20 @@ def asked(
     x_origin: Any,
     reading: str,
     missing: str,
-    eui: bool,
     eps_column: bool,
+    x_eps: Any = None,
+    x_eps_column: bool = False,
+    strong: bool = False,
 ) -> dict[str, Any]:
-    """What the compiled part is asked. ``eps`` is a text, or a column of its own."""
+    """What the compiled part is asked. ``eps`` is a text, or a column of its own, and so is ``x_eps``."""
     if not eps_column and eps is None and not lower and not upper:
         raise ValueError("nothing bounds the errors: expected eps, or lower and upper")
     if (eps is not None or eps_column) and (lower or upper):
         raise ValueError("eps, and lower and upper, both bound the errors: expected one of them")
+    if eps is not None and eps_column:
+        raise ValueError("eps and eps_column both bound the errors: expected one of them")
+    if x_eps is not None and x_eps_column:
+        raise ValueError("x_eps and x_eps_column both bound the errors of x: expected one of them")
     if not response and (eps is not None or eps_column):
         raise ValueError("y is missing: expected a column of y, or lower and upper")
     return {
@@ -113,7 +127,9 @@ def asked(
         "x_origin": None if x_origin is None else text(x_origin),
         "reading": reading,
         "missing": missing,
-        "eui": eui,
+        "x_eps": None if x_eps is None else text(x_eps),
+        "x_eps_column": x_eps_column,
+        "strong": strong,
     }
 
 
@@ -122,14 +138,15 @@ def in_memory(
     y: Any,
     eps: Any,
     *,
-    lower: Any,
-    upper: Any,
-    where: str | Sequence[str],
-    through_origin: bool,
-    x_origin: Any,
-    reading: str,
-    missing: str,
-    eui: bool,
+    lower: Any = None,
+    upper: Any = None,
+    where: str | Sequence[str] = (),
+    through_origin: bool = False,
+    x_origin: Any = None,
+    reading: str = "decimal",
+    missing: str = "refuse",
+    x_eps: Any = None,
+    strong: bool = False,
 ) -> tuple[NamedColumns, dict[str, Any]]:
     """The columns of a call in the order of their roles, and what is asked about them."""
     taken: set[str] = set()
@@ -152,6 +169,9 @@ def in_memory(
     for side, name in ((lower, "lower"), (upper, "upper")):
         if side is not None:
             add(side, name)
+    x_eps_column = x_eps is not None and not is_number(x_eps)
+    if x_eps_column:
+        add(x_eps, "x_eps")
     question = asked(
         regressors=len(phi),
         response=y is not None,
@@ -163,8 +183,10 @@ def in_memory(
         x_origin=x_origin,
         reading=reading,
         missing=missing,
-        eui=eui,
         eps_column=eps_column,
+        x_eps=None if x_eps_column else x_eps,
+        x_eps_column=x_eps_column,
+        strong=strong,
     )
     return columns, question
 
@@ -174,14 +196,18 @@ DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t", "space": " ", "pipe":
 
 def table(
     *,
-    rows_asked: Rows,
-    without: Rows,
-    where_row: str | Sequence[str],
-    header: bool | None,
-    delimiter: str | None,
-    sheet: str | int | None,
-    skip_lines: int,
-    units_row: bool,
+    rows: Rows = None,
+    without: Rows = None,
+    where_row: str | Sequence[str] = (),
+    header: bool | None = None,
+    delimiter: str | None = None,
+    decimal: str | None = None,
+    thousands: str | None = None,
+    comment: str | None = None,
+    sheet: str | int | None = None,
+    skip_lines: int = 0,
+    units_row: bool = False,
+    limits: Mapping[str, int] | None = None,
 ) -> dict[str, Any]:
     """How a file is read."""
     if delimiter is not None:
@@ -189,12 +215,16 @@ def table(
         if delimiter not in DELIMITERS.values():
             raise ValueError(f"delimiter={delimiter!r}: expected one of {', '.join(DELIMITERS)}")
     return {
-        "rows": rows(rows_asked, "rows"),
-        "without": rows(without, "without"),
+        "rows": row_ranges(rows, "rows"),
+        "without": row_ranges(without, "without"),
         "where_row": [where_row] if isinstance(where_row, str) else list(where_row),
         "header": header,
         "delimiter": None if delimiter is None else ord(delimiter),
         "sheet": None if sheet is None else str(sheet),
+        "decimal": decimal,
+        "thousands": thousands,
+        "comment": comment,
         "skip_lines": skip_lines,
         "units_row": units_row,
+        "limits": list((limits or {}).items()),
     }

@@ -1,16 +1,17 @@
-"""Fits of readings in memory and in files."""
+"""What a fit answers."""
 
 from __future__ import annotations
 
 import json
 import os
-from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import _boundfit
+from ._answers import value
 from ._bounds import Interval, Intervals, ProvedInterval, Term, lower_bound, upper_bound
-from ._columns import Column, Missing, Number, Reading, Rows, asked, in_memory, table
+from ._columns import Number
+from ._questions import Asked
 
 if TYPE_CHECKING:
     import numpy
@@ -39,13 +40,30 @@ class Minimax(NamedTuple):
     unique: bool
 
 
-class Fit:
-    """All parameters that agree with all readings, with what follows from them. Every number is exact."""
+class Guarantee(NamedTuple):
+    """Which share of further readings lies in the band of the least error bound, at least, if all readings are independent draws
+    from one source, whatever it is."""
+
+    confidence: Fraction
+    covered: Fraction
+    """The share; less than the true one, by less than one in 10^15."""
+    readings: int
+    assumes: list[str]
+    source: str
+
+
+class Fit(Asked):
+    """All parameters that agree with all readings, with what follows from them. Every number is exact.
+
+    The readings stay at hand for further questions: :meth:`status`, :meth:`predict`, :meth:`outliers`, :meth:`range` and
+    :meth:`windows`. Columns in memory are kept for that as they were, in the copy from which they were fitted.
+    """
 
     __slots__ = ("_core",)
 
-    def __init__(self, core: _boundfit.Fitted) -> None:
-        self._core = core
+    def __init__(self, readings: _boundfit.Readings, eui: bool = True, confidence: str | None = None) -> None:
+        super().__init__(readings)
+        self._core = readings.fit(eui, confidence)
 
     @property
     def kind(self) -> str:
@@ -158,6 +176,14 @@ class Fit:
         terms = self._core.contradiction()
         return None if terms is None else tuple(Term(row, bound, times) for (row, bound), times in terms)
 
+    @property
+    def guarantee(self) -> Guarantee | None:
+        """What is guaranteed of further readings, where ``confidence`` was asked for; ``None`` where there is no least bound."""
+        own = json.loads(self._core.json()).get("guarantee")
+        if own is None:
+            return None
+        return Guarantee(value(own["confidence"]), value(own["covered"]), own["readings"], own["assumes"], own["source"])
+
     def __contains__(self, theta: tuple[Number, Number]) -> bool:
         return self._core.contains(*theta)
 
@@ -166,6 +192,7 @@ class Fit:
 
         A float is the dyadic number that it is; write ``"0.1"`` for 1/10. Where x was counted from an origin, so is this x.
 
+        >>> from boundfit import fit
         >>> fit([0, 1, 2], [0, 1.5, 2], "1/2").response(3)
         Interval(lower=LowerBound(2, 1), upper=UpperBound(4, 1))
         """
@@ -212,16 +239,40 @@ class Fit:
         """The report as ``"text"``, ``"markdown"`` or ``"latex"``; the set as ``"wkt"``, ``"ine"`` or ``"ext"``; ``"csv"``."""
         return self._core.text(format, brief, digits)
 
-    def proof(self) -> str:
-        """The proof of the answer as JSON text, which :func:`boundfit.verify` and ``boundfit verify`` check against the file.
+    def to_csv(self, path: str | os.PathLike[str] | None = None) -> bytes:
+        """The columns in memory as CSV, every number exactly as it was read, and row K behind K lines: the bytes that proofs are
+        about. They are also written to ``path``, if there is one.
 
-        :raises ValueError: where the readings do not come from plain delimited text: proofs are about the bytes of a file.
+        >>> from boundfit import fit
+        >>> fit([0, 1, 2], ["0", "1.50", "1/3"], 1).to_csv()
+        b'x,y\\n0,0\\n1,1.50\\n2,1/3\\n'
+
+        :raises ValueError: where the readings come from a file.
         """
-        proof = self._core.proof()
+        text = self._readings.csv()
+        if text is None:
+            raise ValueError("the readings come from a file, which proofs are about as it is")
+        if path is not None:
+            with open(path, "wb") as file:
+                file.write(text)
+        return text
+
+    def proof(self) -> str:
+        """The proof of the answer as JSON text, which :func:`boundfit.verify` and ``boundfit verify`` check against the file; of
+        columns in memory, against the bytes of :meth:`to_csv`.
+
+        >>> from boundfit import fit, verify
+        >>> through = fit([0, 1, 2], [0.1, 1.5, 2], "1/2")
+        >>> verify(through.proof(), through.to_csv()) is None
+        True
+
+        :raises ValueError: where the readings come from a file that is not plain delimited text.
+        """
+        proof = self._readings.proof() if self._readings.is_in_memory else self._core.proof()
         if proof is None:
             raise ValueError(
-                "a proof is about the rows of delimited text, and these readings come from something else: save them as CSV and "
-                "use fit_file"
+                "a proof is about the rows of plain delimited text, and the file is none that the checkers read: save the table as "
+                "CSV, or hand over its columns"
             )
         return proof
 
@@ -235,11 +286,13 @@ class Fit:
         flip: bool = False,
     ) -> str:
         """A figure as SVG: ``"data"``, ``"eui"``, ``"pui"``, ``"fps"``, ``"corridor"`` or ``"directions"``."""
-        return self._core.figure(figure, "svg", title, x_unit, y_unit, flip).decode()
+        labels = {"title": title, "x_unit": x_unit, "y_unit": y_unit, "flip": flip}
+        return _boundfit.figure(self._core, figure, "svg", labels).decode()
 
     def png(self, figure: str = "fps", *, title: str | None = None, flip: bool = False) -> bytes:
         """A figure as the bytes of a PNG."""
-        return self._core.figure(figure, "png", title, None, None, flip)
+        labels = {"title": title, "x_unit": None, "y_unit": None, "flip": flip}
+        return _boundfit.figure(self._core, figure, "png", labels)
 
     def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
         """Draws the set on axes of matplotlib, with the box of the intervals and the estimates; ``style`` is that of the filled
@@ -250,7 +303,7 @@ class Fit:
 
     def lesson(self, path: str | os.PathLike[str], *, title: str | None = None) -> None:
         """Writes the web page that teaches about these readings."""
-        page = self._core.lesson(title)
+        page = _boundfit.lesson(self._core, title)
         with open(path, "w", encoding="utf-8", newline="\n") as file:
             file.write(page)
 
@@ -271,142 +324,3 @@ class Fit:
         from ._html import of_fit
 
         return of_fit(self)
-
-
-def fit(
-    x: Column | tuple[Column, Column],
-    y: Column | None = None,
-    eps: Number | Column | None = None,
-    *,
-    lower: Column | None = None,
-    upper: Column | None = None,
-    where: str | Sequence[str] = (),
-    through_origin: bool = False,
-    x_origin: Number | None = None,
-    reading: Reading = "decimal",
-    missing: Missing = "refuse",
-    eui: bool = True,
-) -> Fit:
-    """Fits a line, y = theta1*x + theta2 + e, or with two regressors in ``x``, y = theta1*phi1 + theta2*phi2 + e.
-
-    Columns are numpy arrays, pandas or polars Series, pyarrow arrays, or lists of int, float, ``Decimal``, ``Fraction`` and str.
-    Texts, decimals and fractions are exact. A float stands, under ``reading="decimal"``, for its shortest text, so that a frame
-    gives the answer of the CSV that it came from (0.1 is 1/10); under ``"binary64"`` for the number that is stored.
-
-    ``eps`` bounds every error: a number, a column of one per reading, a law such as ``"0.05%*|y| + 2e-3"``, or a multiple of the
-    least bound, ``"1.2*min"``. In its place ``lower`` and ``upper`` may bound the line itself at each reading; a NaN or ``None``
-    is no bound. ``where`` has what is known of the parameters, such as ``"theta1 >= 0"``.
-
-    Rows without a number are refused, or left out with ``missing="skip"``. ``eui=False`` saves the look that the EUI takes.
-
-    :raises ValueError: with the row, for NaN, infinities, texts that are no numbers, and columns of different lengths.
-
-    >>> through = fit([1, 2, 3], ["2.1", "3.9", "6.2"], 0.5, through_origin=True)
-    >>> through.pui.theta1.lower, through.pui.theta1.upper
-    (LowerBound(19, 10), UpperBound(11, 5))
-    >>> through.pui.theta1.upper_proof[0]
-    Term(row=2, bound='upper', multiplier=Fraction(1, 2))
-    """
-    columns, question = in_memory(
-        x,
-        y,
-        eps,
-        lower=lower,
-        upper=upper,
-        where=where,
-        through_origin=through_origin,
-        x_origin=x_origin,
-        reading=reading,
-        missing=missing,
-        eui=eui,
-    )
-    return Fit(_boundfit.fit_columns(columns, question))
-
-
-def fit_file(
-    path: str | os.PathLike[str],
-    x: str | int | Sequence[str | int],
-    y: str | int | None = None,
-    eps: Number | None = None,
-    *,
-    eps_column: str | int | None = None,
-    lower: str | int | None = None,
-    upper: str | int | None = None,
-    where: str | Sequence[str] = (),
-    through_origin: bool = False,
-    x_origin: Number | None = None,
-    reading: Reading = "decimal",
-    missing: Missing = "refuse",
-    eui: bool = True,
-    rows: Rows = None,
-    without: Rows = None,
-    where_row: str | Sequence[str] = (),
-    header: bool | None = None,
-    delimiter: str | None = None,
-    sheet: str | int | None = None,
-    skip_lines: int = 0,
-    units_row: bool = False,
-) -> Fit:
-    """Fits columns of a file in any format that the program reads: CSV in many dialects, workbooks, MATLAB, Parquet, Arrow, and
-    reductions, packed or not. Columns are named by their headers, or numbered from 1; two in ``x`` are two regressors. Rows are
-    numbered from 1 without the header: ``rows="14..36"``. Everything else is as in :func:`fit`.
-    """
-    question, names, how = of_file(
-        x, y, eps, eps_column, lower, upper, where, through_origin, x_origin, reading, missing, eui,
-        rows, without, where_row, header, delimiter, sheet, skip_lines, units_row,
-    )  # fmt: skip
-    return Fit(_boundfit.fit_file(os.fspath(path), names, question, how))
-
-
-def of_file(
-    x: str | int | Sequence[str | int],
-    y: str | int | None,
-    eps: Number | None,
-    eps_column: str | int | None,
-    lower: str | int | None,
-    upper: str | int | None,
-    where: str | Sequence[str],
-    through_origin: bool,
-    x_origin: Number | None,
-    reading: str,
-    missing: str,
-    eui: bool,
-    rows: Rows,
-    without: Rows,
-    where_row: str | Sequence[str],
-    header: bool | None,
-    delimiter: str | None,
-    sheet: str | int | None,
-    skip_lines: int,
-    units_row: bool,
-) -> tuple[dict[str, Any], list[str], dict[str, Any]]:
-    """What is asked of a file, the columns in the order of their roles, and how it is read."""
-    regressors = [x] if isinstance(x, (str, int)) else list(x)
-    if len(regressors) not in (1, 2):
-        raise ValueError(f"x names {len(regressors)} columns: expected one, or two of a model with two regressors")
-    columns = [*regressors, y, eps_column, lower, upper]
-    question = asked(
-        regressors=len(regressors),
-        response=y is not None,
-        eps=eps,
-        lower=lower is not None,
-        upper=upper is not None,
-        where=where,
-        through_origin=through_origin,
-        x_origin=x_origin,
-        reading=reading,
-        missing=missing,
-        eui=eui,
-        eps_column=eps_column is not None,
-    )
-    how = table(
-        rows_asked=rows,
-        without=without,
-        where_row=where_row,
-        header=header,
-        delimiter=delimiter,
-        sheet=sheet,
-        skip_lines=skip_lines,
-        units_row=units_row,
-    )
-    return question, [str(column) for column in columns if column is not None], how

@@ -65,7 +65,6 @@ def fit_groups(
         x_origin=x_origin,
         reading=reading,
         missing=missing,
-        eui=False,
     )
     taken = {name for name, _ in columns}
     key = "group"

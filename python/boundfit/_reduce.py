@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from typing import Unpack
 
 from . import _boundfit
-from ._columns import Column, Missing, Number, Reading, Rows, in_memory
-from ._fit import of_file
+from ._asking import Name, Table, readings, readings_of_file
+from ._columns import Column, Missing, Number, Reading
 
 
 def reduce(
@@ -28,47 +29,28 @@ def reduce(
     >>> text.splitlines()[1:]
     [b'x,y', b'0.0,0.0', b'1.0,1.5', b'2.0,1.5', b'3.0,3.0']
     """
-    columns, question = in_memory(
-        x,
-        y,
-        None if lower is not None or upper is not None else eps,
-        lower=lower,
-        upper=upper,
-        where=(),
-        through_origin=False,
-        x_origin=None,
-        reading=reading,
-        missing=missing,
-        eui=False,
-    )
-    return _boundfit.reduce_columns(columns, question)
+    bound = None if lower is not None or upper is not None else eps
+    return _boundfit.reduce(readings(x, y, bound, lower=lower, upper=upper, reading=reading, missing=missing))
 
 
 def reduce_file(
     path: str | os.PathLike[str],
-    x: str | int | Sequence[str | int],
-    y: str | int | None = None,
+    x: Name | Sequence[Name],
+    y: Name | None = None,
     eps: Number | None = None,
     *,
-    eps_column: str | int | None = None,
-    lower: str | int | None = None,
-    upper: str | int | None = None,
+    eps_column: Name | None = None,
+    lower: Name | None = None,
+    upper: Name | None = None,
     reading: Reading = "decimal",
     missing: Missing = "refuse",
-    rows: Rows = None,
-    without: Rows = None,
-    where_row: str | Sequence[str] = (),
-    header: bool | None = None,
-    delimiter: str | None = None,
-    sheet: str | int | None = None,
-    skip_lines: int = 0,
-    units_row: bool = False,
+    **how: Unpack[Table],
 ) -> bytes:
-    """As :func:`reduce`, of columns of a file, or of reductions one after the other in it."""
+    """As :func:`reduce`, of columns of a file, or of reductions one after the other in it. How it is read is told as in
+    :func:`boundfit.fit_file`."""
     if eps is None and eps_column is None and lower is None and upper is None:
         eps = 0
-    question, names, how = of_file(
-        x, y, eps, eps_column, lower, upper, (), False, None, reading, missing, False,
-        rows, without, where_row, header, delimiter, sheet, skip_lines, units_row,
-    )  # fmt: skip
-    return _boundfit.reduce_file(os.fspath(path), names, question, how)
+    asked = readings_of_file(
+        path, x, y, eps, eps_column=eps_column, lower=lower, upper=upper, reading=reading, missing=missing, **how
+    )
+    return _boundfit.reduce(asked)

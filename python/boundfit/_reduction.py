@@ -74,7 +74,6 @@ class Readings:
             x_origin=self.x_origin,
             reading=self.reading,
             missing=self.missing,
-            eui=False,
         )
 
     def nothing(self) -> bytes:
@@ -270,7 +269,7 @@ class Reduction:
         own = dataclasses.replace(own, **changes)
         if self.rows == 0:
             raise ValueError("the table has no readings: expected at least one")
-        return ReducedFit(_boundfit.fit_reductions(self.text, own.roles, own.asked()), self.ids)
+        return ReducedFit(_boundfit.readings_of_reductions(self.text, own.roles, own.asked()), self.ids)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the reduction as a file."""
@@ -287,8 +286,8 @@ class ReducedFit(Fit):
 
     __slots__ = ("ids",)
 
-    def __init__(self, core: _boundfit.Fitted, ids: list[str] | None) -> None:
-        super().__init__(core)
+    def __init__(self, readings: _boundfit.Readings, ids: list[str] | None) -> None:
+        super().__init__(readings, eui=False)
         #: The identities of the readings that are kept, in the order in which reports count them.
         self.ids = ids
 

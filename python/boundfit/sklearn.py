@@ -17,7 +17,8 @@ from sklearn.base import BaseEstimator, RegressorMixin
 from sklearn.utils.validation import check_is_fitted, validate_data
 
 from ._columns import Number, Reading
-from ._fit import Fit, fit
+from ._fit import Fit
+from ._fitting import fit
 
 
 class BoundedErrorRegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]

@@ -1,10 +1,12 @@
 //! What is asked, as Python hands it over.
 
+use boundfit::engine::exact::{DecimalMark, Limit, Thousands};
 use boundfit::files::{
-    AskedDialect, ColumnSelector, EpsilonColumn, Header, InputError, Keep, MemoryTable, Missing, Question,
-    RowCondition, RowRange, RowSet, ScanOptions, SizeLimits, Source, TableOptions,
+    AskedDialect, ColumnSelector, CommentMark, EpsilonColumn, Header, InputError, Limits, Missing, Question,
+    RowCondition, RowRange, RowSet, ScanOptions, SizeLimits, TableOptions,
 };
-use boundfit::{Condition, Problem, Reading};
+use boundfit::questions::Agreement;
+use boundfit::{Condition, Rational, Reading};
 use pyo3::prelude::*;
 
 use crate::numbers::refuse;
@@ -28,9 +30,28 @@ pub(crate) struct Asked {
     conditions: Vec<String>,
     through_origin: bool,
     x_origin: Option<String>,
-    pub(crate) reading: String,
+    reading: String,
     missing: String,
-    eui: bool,
+    /// The bound on the errors of x, the same for all readings.
+    x_eps: Option<String>,
+    /// Whether a column of bounds on the errors of x follows.
+    x_eps_column: bool,
+    /// Whether a line has to agree for every x that they allow.
+    strong: bool,
+}
+
+/// The bounds on the errors of x.
+#[derive(Clone)]
+pub(crate) enum AskedXBounds {
+    Uniform(Rational),
+    Column(ColumnSelector),
+}
+
+/// What is said of errors in x.
+#[derive(Clone)]
+pub(crate) struct XErrors {
+    pub(crate) bounds: AskedXBounds,
+    pub(crate) agreement: Agreement,
 }
 
 /// How a file is read.
@@ -45,6 +66,10 @@ pub(crate) struct AskedTable {
     sheet: Option<String>,
     skip_lines: u64,
     units_row: bool,
+    decimal: Option<String>,
+    thousands: Option<String>,
+    comment: Option<String>,
+    limits: Vec<(String, u64)>,
 }
 
 impl Asked {
@@ -57,13 +82,14 @@ impl Asked {
         }
     }
 
-    /// The question about columns with these names, in the order of their roles.
+    /// The question about columns with these names, in the order of their roles, and what is said of errors in x.
     pub(crate) fn question(
         &self,
         names: &[String],
         selector: impl Fn(&str) -> ColumnSelector,
-    ) -> PyResult<Question> {
-        let reading = self.reading()?;
+        reading: Reading,
+        limits: &Limits,
+    ) -> PyResult<(Question, Option<XErrors>)> {
         let mut names = names.iter();
         let mut next = || selector(names.next().map_or("", String::as_str));
         let first = next();
@@ -74,6 +100,7 @@ impl Asked {
         } else {
             EpsilonColumn::Interval { lower: self.lower.then(&mut next), upper: self.upper.then(&mut next) }
         };
+        let x_column = self.x_eps_column.then(&mut next);
         let is_line = second.is_none();
         let question = match second {
             None => Question::line(first, response),
@@ -98,9 +125,8 @@ impl Asked {
                 "through_origin and x_origin are about a line: two regressors have no constant",
             ));
         }
-        let limits = TableOptions::default().limits;
         for text in &self.conditions {
-            let condition = Condition::parse(text, reading, &limits);
+            let condition = Condition::parse(text, reading, limits);
             question
                 .conditions
                 .push(condition.map_err(|error| refuse(format_args!("where={text:?}: {error}")))?);
@@ -108,10 +134,50 @@ impl Asked {
         question.columns.form.through_origin = self.through_origin;
         if let Some(origin) = &self.x_origin {
             let origin =
-                reading.read(origin, &limits).map_err(|error| refuse(format_args!("x_origin: {error}")));
+                reading.read(origin, limits).map_err(|error| refuse(format_args!("x_origin: {error}")));
             question.columns.form.x_origin = origin?;
         }
-        Ok(question)
+        let x_errors = self.x_errors(x_column, reading, limits)?;
+        if x_errors.is_some() && !is_line {
+            return Err(refuse(
+                "x_eps is about a line: of two regressors it is not known how their errors go together",
+            ));
+        }
+        if x_errors.is_some() && question.multiple_of_least.is_some() {
+            return Err(refuse(format_args!(
+                "eps={:?} is found as if every x were exact: beside x_eps it is a number, and factor tells how far all bounds may \
+                 shrink or have to grow",
+                self.eps.as_deref().unwrap_or_default()
+            )));
+        }
+        Ok((question, x_errors))
+    }
+
+    fn x_errors(
+        &self,
+        column: Option<ColumnSelector>,
+        reading: Reading,
+        limits: &Limits,
+    ) -> PyResult<Option<XErrors>> {
+        let bounds = match (&self.x_eps, column) {
+            (None, None) if self.strong => {
+                return Err(refuse("strong is about errors in x: x_eps says how large they may be"));
+            }
+            (None, None) => return Ok(None),
+            (_, Some(column)) => AskedXBounds::Column(column.non_negative()),
+            (Some(text), None) => {
+                let number = reading.read(text, limits);
+                let number = number.map_err(|error| refuse(format_args!("x_eps={text:?}: {error}")))?;
+                if number.is_negative() {
+                    return Err(refuse(format_args!(
+                        "x_eps={text:?}: negative (expected a number that is at least 0)"
+                    )));
+                }
+                AskedXBounds::Uniform(number)
+            }
+        };
+        let agreement = if self.strong { Agreement::Strong } else { Agreement::Weak };
+        Ok(Some(XErrors { bounds, agreement }))
     }
 
     /// How a table in memory is read.
@@ -128,6 +194,7 @@ impl Asked {
     /// How a file is read; with its hash and the rows that are fitted, which proofs are about.
     pub(crate) fn file_options(&self, asked: &AskedTable, reading: Reading) -> PyResult<ScanOptions> {
         let ScanOptions { table, .. } = self.options()?;
+        let table = TableOptions { limits: asked.number_limits(), sizes: asked.size_limits()?, ..table };
         let conditions = asked.where_row.iter().map(|text| {
             let condition = RowCondition::parse(text, reading, &table.limits);
             condition.map_err(|error| refuse(format_args!("where_row={text:?}: {error}")))
@@ -141,12 +208,7 @@ impl Asked {
         let table = TableOptions {
             header,
             sheet: asked.sheet.clone(),
-            dialect: AskedDialect {
-                delimiter: asked.delimiter,
-                skip_lines: asked.skip_lines,
-                units_row: asked.units_row,
-                ..AskedDialect::default()
-            },
+            dialect: asked.dialect()?,
             rows: rows.ok_or_else(|| refuse("without: no row is left"))?,
             conditions: conditions.collect::<PyResult<_>>()?,
             reading,
@@ -154,35 +216,118 @@ impl Asked {
         };
         Ok(ScanOptions { table, ..ScanOptions::default() })
     }
+}
 
-    /// What is kept of many readings.
-    pub(crate) fn keep(&self) -> Keep {
-        Keep { eui: self.eui, ..Keep::default() }
+impl AskedTable {
+    fn dialect(&self) -> PyResult<AskedDialect> {
+        let decimal = match self.decimal.as_deref() {
+            None => None,
+            Some("point") => Some(DecimalMark::Point),
+            Some("comma") => Some(DecimalMark::Comma),
+            Some(other) => {
+                return Err(refuse(format_args!("decimal={other:?}: expected \"point\" or \"comma\"")));
+            }
+        };
+        let thousands = self.thousands.as_deref().map(|text| {
+            let mark = Thousands::ALL.into_iter().find(|own| own.mark() == text);
+            mark.ok_or_else(|| {
+                refuse(format_args!("thousands={text:?}: expected \",\", \".\", \" \" or \"'\""))
+            })
+        });
+        let thousands = thousands.transpose()?;
+        if let (Some(decimal), Some(thousands)) = (decimal, thousands)
+            && thousands.mark().as_bytes() == [decimal.byte()]
+        {
+            return Err(refuse(
+                "decimal and thousands name one mark, which cannot both group digits and come before decimals",
+            ));
+        }
+        let comment = match self.comment.as_deref() {
+            None => CommentMark::Auto,
+            Some("none") => CommentMark::None,
+            Some(text) => match text.as_bytes() {
+                [mark] if mark.is_ascii_punctuation() => CommentMark::Mark(*mark),
+                _ => {
+                    return Err(refuse(format_args!(
+                        "comment={text:?}: expected \"none\", or one character such as \"#\""
+                    )));
+                }
+            },
+        };
+        let (skip_lines, units_row) = (self.skip_lines, self.units_row);
+        Ok(AskedDialect { delimiter: self.delimiter, decimal, thousands, comment, skip_lines, units_row })
+    }
+
+    /// What one number may ask for.
+    pub(crate) fn number_limits(&self) -> Limits {
+        let mut own = Limits::default();
+        for (name, most) in &self.limits {
+            match name.as_str() {
+                "digits" => own.digits = size(*most).min(1_000_000),
+                "exponent" => own.exponent = u32::try_from(*most).unwrap_or(u32::MAX).min(1_000_000),
+                _ => {}
+            }
+        }
+        own
+    }
+
+    /// What a file may ask for.
+    fn size_limits(&self) -> PyResult<SizeLimits> {
+        let mut own = SizeLimits::default();
+        for (name, most) in &self.limits {
+            match name.as_str() {
+                "digits" | "exponent" => {}
+                "line" => own.line = size(*most),
+                "columns" => own.columns = size(*most),
+                "rows" => own.rows = size(*most),
+                "elements" => own.elements = size(*most),
+                "unpacked" => own.unpacked = *most,
+                "ratio" => own.ratio = *most,
+                "workbook" => own.workbook = *most,
+                "work" => own.work = *most,
+                other => {
+                    return Err(refuse(format_args!(
+                        "limits: {other:?}: expected digits, exponent, line, columns, rows, elements, unpacked, ratio, workbook or \
+                         work"
+                    )));
+                }
+            }
+        }
+        Ok(own)
     }
 }
 
-/// The problem of a table in memory.
-pub(crate) fn problem_of_table(
-    question: &Question,
-    table: MemoryTable,
-    options: &ScanOptions,
-    keep: Keep,
-) -> Result<Problem, String> {
-    let problem = question.problem(Source::of_table("readings", table), options, keep);
-    short(problem.map_err(|error| in_words(&error))?)
+/// A size that no memory of this machine holds is as good as the largest one.
+fn size(asked: u64) -> usize {
+    usize::try_from(asked).unwrap_or(usize::MAX)
 }
 
-/// A problem whose numbers are not too long for a fit.
-pub(crate) fn short(problem: Problem) -> Result<Problem, String> {
-    let work = problem.work(&[]).check(4, SizeLimits::default().work);
-    work.map_err(|error| error.to_string())?;
-    Ok(problem)
-}
+/// Limits that the program has options for.
+const LIMITS: [(Limit, &str); 10] = [
+    (Limit::Digits, "digits"),
+    (Limit::Exponent, "exponent"),
+    (Limit::Line, "line"),
+    (Limit::Columns, "columns"),
+    (Limit::Rows, "rows"),
+    (Limit::Elements, "elements"),
+    (Limit::Unpacked, "unpacked"),
+    (Limit::Ratio, "ratio"),
+    (Limit::Workbook, "workbook"),
+    (Limit::Work, "work"),
+];
 
 /// What is wrong with a table, in the words of this package.
 pub(crate) fn in_words(error: &InputError) -> String {
     // What the program calls an option is an argument here.
-    error.to_string().replace("--missing skip", "missing=\"skip\"")
+    let mut text = error.to_string().replace("--missing skip", "missing=\"skip\"");
+    // Columns in memory have this name, and no header.
+    text = text.replace("readings: the file has a header but no data rows", "readings: the columns are empty");
+    if text.contains("--max-") {
+        for (limit, name) in LIMITS {
+            text = text.replace(limit.flag(), &format!("limits={{\"{name}\": ...}}"));
+        }
+    }
+    text
 }
 
 fn ranges(asked: &[(usize, Option<usize>)]) -> PyResult<Vec<RowRange>> {

@@ -19,7 +19,7 @@ pub(crate) fn table(columns: &[NamedColumn<'_>]) -> PyResult<MemoryTable> {
 }
 
 /// The cells of a column: of a buffer of one dimension, or of a list.
-fn numbers(name: &str, values: &Bound<'_, PyAny>) -> PyResult<MemoryNumbers> {
+pub(crate) fn numbers(name: &str, values: &Bound<'_, PyAny>) -> PyResult<MemoryNumbers> {
     let Ok(list) = values.cast::<PyList>() else { return of_buffer(name, values) };
     let floats: Option<Vec<f64>> =
         list.iter().map(|value| value.cast::<PyFloat>().ok().map(|float| float.value())).collect();

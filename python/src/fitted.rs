@@ -1,70 +1,26 @@
 //! A fit, and what Python asks of it.
 
-use boundfit::check::{BoundClaim, Claimed, PuiEnd, judge};
 use boundfit::engine::estimation::least_squares_is_feasible;
 use boundfit::engine::exact::Foreign;
-use boundfit::engine::lp::Printed;
-use boundfit::figures::{Figure, PictureFormat, PlotOptions, draw};
-use boundfit::files::{ColumnSelector, Source};
-use boundfit::lesson::{LessonOptions, page};
+use boundfit::questions::Guarantee;
 use boundfit::report::{
-    InverseLine, Origin, Style, brief_document, fit_csv, fit_document, fit_json, h_representation,
-    proof_json, region_wkt, v_representation,
+    InverseLine, Origin, Style, brief_document, fit_csv, fit_document, fit_json, guarantee_document,
+    h_representation, proof_json, region_wkt, v_representation,
 };
 use boundfit::{BoundName, Endpoint, Fit, Interval, Number as _, ParameterBound, Problem, Rational, Reading};
 use pyo3::prelude::*;
 
-use crate::asked::{Asked, AskedTable, in_words, problem_of_table, short};
-use crate::cells::{NamedColumn, table};
 use crate::numbers::{Number, exact, outward, pair, refuse};
 
 /// A problem with its answer.
 #[pyclass(frozen, module = "boundfit._boundfit")]
 pub(crate) struct Fitted {
-    problem: Problem,
-    fit: Fit,
-    reading: Reading,
-    file: Option<String>,
-    is_stored: bool,
-}
-
-/// Fits columns in memory. The interpreter is free meanwhile.
-#[pyfunction]
-pub(crate) fn fit_columns(py: Python<'_>, columns: Vec<NamedColumn<'_>>, asked: Asked) -> PyResult<Fitted> {
-    let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
-    let (question, options, reading) =
-        (asked.question(&names, ColumnSelector::name)?, asked.options()?, asked.reading()?);
-    let (table, keep) = (table(&columns)?, asked.keep());
-    let fitted = py.detach(|| {
-        let problem = problem_of_table(&question, table, &options, keep)?;
-        Ok(Fitted::of(problem, reading))
-    });
-    fitted.map_err(|error: String| refuse(error))
-}
-
-/// Fits columns of a file of any format. The interpreter is free meanwhile.
-#[pyfunction]
-pub(crate) fn fit_file(
-    py: Python<'_>,
-    path: String,
-    names: Vec<String>,
-    asked: Asked,
-    table: AskedTable,
-) -> PyResult<Fitted> {
-    let question = asked.question(&names, ColumnSelector::name_or_number)?;
-    let keep = asked.keep();
-    let asked_reading = asked.reading()?;
-    let is_stored = Source::open(&path).map_err(|error| refuse(in_words(&error)))?.is_stored();
-    let reading = if is_stored { Reading::Binary64 } else { asked_reading };
-    let options = asked.file_options(&table, reading)?;
-    let fitted = py.detach(|| {
-        let source = Source::open(&path).map_err(|error| in_words(&error))?;
-        let problem = question.problem(source, &options, keep).map_err(|error| in_words(&error))?;
-        let problem = short(problem)?;
-        let fit = problem.fit();
-        Ok(Fitted { problem, fit, reading, file: Some(path), is_stored })
-    });
-    fitted.map_err(|error: String| refuse(error))
+    pub(crate) problem: Problem,
+    pub(crate) fit: Fit,
+    pub(crate) guarantee: Option<Guarantee>,
+    pub(crate) reading: Reading,
+    pub(crate) file: Option<String>,
+    pub(crate) is_stored: bool,
 }
 
 /// The row of a half-plane, if it is one of a reading, and which bound it is.
@@ -89,12 +45,6 @@ type Ends<'a> = (Option<Number<'a>>, Option<Number<'a>>);
 type ProvedEnd<'a> = (Option<Number<'a>>, Vec<(Name, Number<'a>)>);
 
 impl Fitted {
-    /// A problem of no file, with its answer.
-    pub(crate) fn of(problem: Problem, reading: Reading) -> Self {
-        let fit = problem.fit();
-        Fitted { problem, fit, reading, file: None, is_stored: false }
-    }
-
     /// As [`Fitted::origin`], for people: what comes from no file is not from standard input either.
     fn shown_origin(&self) -> Origin<'_> {
         Origin {
@@ -272,7 +222,10 @@ impl Fitted {
 
     /// The report of schema boundfit/fit/1.
     fn json(&self, py: Python<'_>) -> String {
-        py.detach(|| fit_json(&self.problem, &self.fit, None, None, &self.origin(), &Style::default()))
+        py.detach(|| {
+            let guarantee = self.guarantee.as_ref();
+            fit_json(&self.problem, &self.fit, None, guarantee, &self.origin(), &Style::default())
+        })
     }
 
     /// The answer in another format.
@@ -281,7 +234,13 @@ impl Fitted {
         let document = || match brief {
             true => brief_document(&self.problem, &self.fit, &self.shown_origin(), &style),
             false => {
-                fit_document(&self.problem, &self.fit, &self.shown_origin(), InverseLine::default(), &style)
+                let origin = self.shown_origin();
+                let mut document =
+                    fit_document(&self.problem, &self.fit, &origin, InverseLine::default(), &style);
+                if let Some(guarantee) = &self.guarantee {
+                    document.append(guarantee_document(&self.problem, &self.fit, guarantee, &style));
+                }
+                document
             }
         };
         let polyhedron = self.fit.fps.polyhedron();
@@ -304,85 +263,6 @@ impl Fitted {
     /// The proof, where the readings come from delimited text.
     fn proof(&self, py: Python<'_>) -> Option<String> {
         py.detach(|| proof_json(&self.problem, &self.fit, self.reading))
-    }
-
-    /// A figure as SVG, or as the bytes of a PNG.
-    #[pyo3(signature = (figure, format, title, x_unit, y_unit, flip))]
-    fn figure(
-        &self,
-        py: Python<'_>,
-        figure: &str,
-        format: &str,
-        title: Option<String>,
-        x_unit: Option<String>,
-        y_unit: Option<String>,
-        flip: bool,
-    ) -> PyResult<Vec<u8>> {
-        let all = || Figure::ALL.map(|own| format!("{:?}", own.name())).join(", ");
-        let asked = Figure::ALL.into_iter().find(|own| own.name() == figure);
-        let asked =
-            asked.ok_or_else(|| refuse(format_args!("figure={figure:?}: expected one of {}", all())))?;
-        let format = if format == "png" { PictureFormat::Png } else { PictureFormat::Svg };
-        let foreign = |text: Option<String>| text.map(Foreign::from);
-        let options = PlotOptions {
-            title: foreign(title),
-            x_unit: foreign(x_unit),
-            y_unit: foreign(y_unit),
-            flip,
-            ..PlotOptions::default()
-        };
-        py.detach(|| draw(&self.problem, &self.fit, asked, &options)?.encoded(format)).map_err(refuse)
-    }
-
-    /// The web page about these readings.
-    fn lesson(&self, py: Python<'_>, title: Option<String>) -> PyResult<String> {
-        let file = self.file.clone().unwrap_or_else(|| "readings".to_owned());
-        let options =
-            LessonOptions { file: file.into(), title: title.map(Foreign::from), ..LessonOptions::default() };
-        py.detach(|| page(&self.problem, &self.fit, self.reading, &options)).map_err(refuse)
-    }
-
-    /// Judges claimed ends: lower and upper of θ1, then of θ2. A text is as precise as its last digit, all else is meant exactly.
-    fn check<'py>(
-        &self,
-        py: Python<'py>,
-        claims: Vec<Bound<'py, PyAny>>,
-    ) -> PyResult<
-        Vec<(
-            String,
-            &'static str,
-            Option<Bound<'py, PyAny>>,
-            Option<Bound<'py, PyAny>>,
-            Option<Bound<'py, PyAny>>,
-        )>,
-    > {
-        let mut given = claims.iter();
-        let claims = PuiEnd::try_each(|_| {
-            let claim = given.next().ok_or_else(|| refuse("a claim has four ends"))?;
-            let value = exact(claim)?;
-            let printed = match claim.extract::<String>() {
-                Ok(text) => Printed::typed(&text, value),
-                Err(_) => Printed::exact(value),
-            };
-            Ok::<_, PyErr>(BoundClaim::bare(Claimed::Value(printed)))
-        })?;
-        let judged = py.detach(|| judge(&self.problem, &claims));
-        let number = |value: &Option<Rational>| {
-            value.as_ref().map(|value| Number(value).into_pyobject(py)).transpose()
-        };
-        PuiEnd::ALL
-            .into_iter()
-            .map(|end| {
-                let judgement = end.of(&judged);
-                Ok((
-                    end.name().to_owned(),
-                    judgement.verdict.name(),
-                    number(&judgement.exact)?,
-                    number(&judgement.claimed)?,
-                    number(&judgement.excess)?,
-                ))
-            })
-            .collect()
     }
 }
 

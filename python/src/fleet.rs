@@ -1,13 +1,14 @@
 //! Fleets and reductions of columns in memory.
 
 use boundfit::Rational;
-use boundfit::files::{ColumnSelector, Fleet, GroupFit, MemoryTable, Question, ScanOptions, Source};
+use boundfit::files::{ColumnSelector, Fleet, GroupFit, Limits, MemoryTable, Question, ScanOptions, Source};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::asked::{Asked, AskedTable, in_words};
+use crate::asked::{Asked, in_words};
 use crate::cells::{NamedColumn, table};
 use crate::numbers::{outward, refuse};
+use crate::readings::Readings;
 
 /// A number of every group: what it is called, and which way its double is rounded.
 const NUMBERS: [(&str, Rounded); 11] = [
@@ -91,8 +92,9 @@ impl Lines {
             let infinity = if index % 2 == 0 { f64::NEG_INFINITY } else { f64::INFINITY };
             (index < 4 && group.pui.is_some()).then_some(infinity)
         };
-        for (index, (own, value)) in self.numbers.iter_mut().zip(values).enumerate() {
-            own.push(value, unbounded(index), NUMBERS[index].1);
+        let columns = self.numbers.iter_mut().zip(&NUMBERS).zip(values);
+        for (index, ((own, (_, rounded)), value)) in columns.enumerate() {
+            own.push(value, unbounded(index), *rounded);
         }
     }
 
@@ -116,7 +118,8 @@ pub(crate) fn fit_groups<'py>(
     asked: Asked,
 ) -> PyResult<Bound<'py, PyDict>> {
     let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
-    let (question, options) = (asked.question(&names, ColumnSelector::name)?, asked.options()?);
+    let (question, _) = asked.question(&names, ColumnSelector::name, asked.reading()?, &Limits::default())?;
+    let options = asked.options()?;
     let by = ColumnSelector::name(&key.0);
     let table = table(&columns.into_iter().chain([key]).collect::<Vec<_>>())?;
     let (lines, per_row) = py.detach(|| lines(&question, table, &by, options)).map_err(refuse)?;
@@ -156,41 +159,14 @@ fn lines(
     }
 }
 
-/// Reduces columns in memory to the readings that decide.
+/// Reduces readings to those that decide, or the union of reductions.
 #[pyfunction]
-pub(crate) fn reduce_columns<'py>(
-    py: Python<'py>,
-    columns: Vec<NamedColumn<'py>>,
-    asked: Asked,
-) -> PyResult<Bound<'py, PyBytes>> {
-    let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
-    let (question, options) = (asked.question(&names, ColumnSelector::name)?, asked.options()?);
-    let table = table(&columns)?;
-    let text = py.detach(|| reduced(&question, Source::of_table("readings", table), &options));
-    Ok(PyBytes::new(py, &text.map_err(refuse)?))
-}
-
-/// Reduces a file, or the union of reductions.
-#[pyfunction]
-pub(crate) fn reduce_file<'py>(
-    py: Python<'py>,
-    path: String,
-    names: Vec<String>,
-    asked: Asked,
-    table: AskedTable,
-) -> PyResult<Bound<'py, PyBytes>> {
-    let question = asked.question(&names, ColumnSelector::name_or_number)?;
-    let options = asked.file_options(&table, asked.reading()?)?;
+pub(crate) fn reduce<'py>(py: Python<'py>, readings: &Readings) -> PyResult<Bound<'py, PyBytes>> {
     let text = py.detach(|| {
-        let source = Source::open(&path).map_err(|error| in_words(&error))?;
-        reduced(&question, source, &options)
+        let table = readings.question.reduce(readings.source()?, &readings.options);
+        let mut text = Vec::new();
+        table.map_err(|error| in_words(&error))?.write(&mut text).map_err(|error| error.to_string())?;
+        Ok(text)
     });
-    Ok(PyBytes::new(py, &text.map_err(refuse)?))
-}
-
-fn reduced(question: &Question, source: Source, options: &ScanOptions) -> Result<Vec<u8>, String> {
-    let table = question.reduce(source, options).map_err(|error| in_words(&error))?;
-    let mut text = Vec::new();
-    table.write(&mut text).map_err(|error| error.to_string())?;
-    Ok(text)
+    Ok(PyBytes::new(py, &text.map_err(|error: String| refuse(error))?))
 }

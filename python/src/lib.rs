@@ -2,13 +2,21 @@
 
 mod asked;
 mod cells;
+mod claims;
+mod data;
 mod fitted;
 mod fleet;
+mod forms;
+mod linearity;
 mod numbers;
 mod partitions;
+mod pictures;
 mod plane;
+mod predictions;
 mod program;
 mod proofs;
+mod questions;
+mod readings;
 
 use pyo3::prelude::*;
 
@@ -16,15 +24,27 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _boundfit {
     #[pymodule_export]
-    use crate::fitted::{Fitted, fit_columns, fit_file};
+    use crate::claims::check;
     #[pymodule_export]
-    use crate::fleet::{fit_groups, reduce_columns, reduce_file};
+    use crate::fitted::Fitted;
     #[pymodule_export]
-    use crate::partitions::{fit_reductions, merge_reductions, reduce_part};
+    use crate::fleet::{fit_groups, reduce};
+    #[pymodule_export]
+    use crate::linearity::{Calibrated, calibration_of_columns, calibration_of_file, linearity};
+    #[pymodule_export]
+    use crate::pictures::{figure, lesson};
+    #[pymodule_export]
+    use crate::partitions::{merge_reductions, readings_of_reductions, reduce_part};
     #[pymodule_export]
     use crate::plane::{Plane, polygon_of_file, polygon_of_text};
+    #[pymodule_export]
+    use crate::predictions::{predict, status};
     #[pymodule_export]
     use crate::program::judge;
     #[pymodule_export]
     use crate::proofs::verify;
+    #[pymodule_export]
+    use crate::questions::{outliers, range, windows, x_errors};
+    #[pymodule_export]
+    use crate::readings::{Readings, readings_of_columns, readings_of_file};
 }

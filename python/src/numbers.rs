@@ -1,7 +1,8 @@
 //! Exact numbers on their way to and from Python.
 
+use boundfit::files::Limits;
 use boundfit::num_rational::BigRational;
-use boundfit::{Number as _, Rational};
+use boundfit::{Number as _, Rational, Reading};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -50,6 +51,12 @@ pub(crate) fn exact(object: &Bound<'_, PyAny>) -> PyResult<Rational> {
         Ok(float) => float.value().exact().map_err(refuse),
         Err(_) => object.str()?.to_str()?.exact().map_err(refuse),
     }
+}
+
+/// A number exactly as it is written.
+pub(crate) fn decimal(text: &str, name: &str) -> PyResult<Rational> {
+    let number = Reading::Decimal.read(text, &Limits::default());
+    number.map_err(|error| refuse(format_args!("{name}={text:?}: {error}")))
 }
 
 /// The double on the outer side of an end: at most the number for a lower end, at least for an upper one. Exact but for that.

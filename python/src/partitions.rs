@@ -1,13 +1,14 @@
 //! Parts of a table that no machine has whole: their reductions, and fits of these.
 
-use boundfit::files::{ColumnSelector, Question, ReducedTable, ScanOptions, Source};
+use boundfit::files::{ColumnSelector, Limits, Question, ReducedTable, ScanOptions, Source};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use crate::asked::{Asked, in_words, short};
+use crate::asked::{Asked, in_words};
 use crate::cells::{NamedColumn, table};
-use crate::fitted::Fitted;
+use crate::data::Data;
 use crate::numbers::refuse;
+use crate::readings::Readings;
 
 /// What reductions are called in messages.
 const NAME: &str = "reductions";
@@ -49,26 +50,17 @@ pub(crate) fn merge_reductions<'py>(
     Ok(PyBytes::new(py, &text.map_err(refuse)?))
 }
 
-/// Fits reductions, one after the other in a text.
+/// Reductions, one after the other in a text, to be fitted.
 #[pyfunction]
-pub(crate) fn fit_reductions(
-    py: Python<'_>,
-    text: Vec<u8>,
-    names: Vec<String>,
-    asked: Asked,
-) -> PyResult<Fitted> {
+pub(crate) fn readings_of_reductions(text: Vec<u8>, names: Vec<String>, asked: Asked) -> PyResult<Readings> {
     let (question, options, reading) = (reducible(&asked, &names)?, of_reductions(&asked)?, asked.reading()?);
-    let keep = asked.keep();
-    let fitted = py.detach(|| {
-        let problem = question.problem(source(text), &options, keep).map_err(|error| in_words(&error))?;
-        Ok(Fitted::of(short(problem)?, reading))
-    });
-    fitted.map_err(|error: String| refuse(error))
+    let data = Data::Text(NAME, text.into());
+    Ok(Readings { data, names, question, options, x_errors: None, reading, is_stored: false })
 }
 
 /// The question, if a reduction can answer it.
 fn reducible(asked: &Asked, names: &[String]) -> PyResult<Question> {
-    let question = asked.question(names, ColumnSelector::name)?;
+    let (question, _) = asked.question(names, ColumnSelector::name, asked.reading()?, &Limits::default())?;
     if question.multiple_of_least.is_some() && question.columns.second.is_some() {
         return Err(refuse(
             "eps: which readings decide under a multiple of the least bound is not known before all of them are, unless the model \

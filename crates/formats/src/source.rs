@@ -4,6 +4,7 @@ use std::fs::File;
 #[cfg(feature = "arrow")]
 use std::io::Seek;
 use std::io::{self, Cursor, Read};
+use std::sync::Arc;
 
 use boundfit_exact::Foreign;
 
@@ -38,7 +39,7 @@ pub(crate) enum Content {
     #[cfg(feature = "arrow")]
     Columns(BinaryFormat, File),
     /// Columns in memory.
-    Memory(MemoryTable),
+    Memory(Arc<MemoryTable>),
 }
 
 impl Content {
@@ -117,9 +118,9 @@ impl Source {
         Source { name: name.into(), content, packed, length: None, is_file: false, is_reduction }
     }
 
-    /// A table in memory with a name for messages.
-    pub fn of_table(name: impl Into<Foreign>, table: MemoryTable) -> Self {
-        let content = Content::Memory(table);
+    /// A table in memory with a name for messages. One that is shared may be read as often as one likes.
+    pub fn of_table(name: impl Into<Foreign>, table: impl Into<Arc<MemoryTable>>) -> Self {
+        let content = Content::Memory(table.into());
         Source { name: name.into(), content, packed: None, length: None, is_file: false, is_reduction: false }
     }
 

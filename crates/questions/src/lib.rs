@@ -6,14 +6,17 @@ mod outliers;
 mod predict;
 mod range;
 mod status;
+pub mod times;
 mod window;
 mod x_errors;
 
 pub use guarantee::{Guarantee, guaranteed_share};
 pub use linearity::{
     AlternatingPoint, CalibrationPoint, CalibrationReading, Characteristic, Difference, Linearity,
-    LinearityLine, LinearityOptions, NoLine, Pass,
+    LinearityInput, LinearityLine, LinearityOptions, NoLine, Pass, ResponseColumns,
 };
+#[cfg(feature = "files")]
+pub use linearity::{Calibration, CalibrationColumns, CalibrationError, CalibrationResponse};
 pub use outliers::{Growth, NoOutliers, OutlierLimits, Outliers, Piece};
 pub use predict::{FurtherError, NoFurtherError, PossibleEnd, PossibleX, Predictor};
 pub use range::{LinearRange, Order, Run};

@@ -96,9 +96,9 @@ pub use generators::ActiveNames;
 pub use guarantee::guarantee_document;
 pub use json::{ActiveJson, RangeJson};
 pub use judge::{JudgeJson, judge_document, judge_json, lean_theorems};
+pub use linearity::{linearity_csv, linearity_document, linearity_json};
 #[cfg(feature = "files")]
-pub use linearity::linearity_proof;
-pub use linearity::{LinearityInput, ResponseColumns, linearity_csv, linearity_document, linearity_json};
+pub use linearity::{linearity_proof, linearity_question};
 pub use number::Number;
 pub use origin::Origin;
 #[cfg(feature = "files")]

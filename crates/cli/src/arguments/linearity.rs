@@ -2,6 +2,7 @@
 
 use boundfit_exact::{Rational, Reading};
 use boundfit_formats::ColumnSelector;
+use boundfit_questions::{CalibrationColumns, CalibrationResponse};
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 
@@ -80,6 +81,22 @@ pub(crate) struct LinearityArguments {
 }
 
 impl LinearityArguments {
+    /// The columns of the calibration.
+    pub(crate) fn columns(&self) -> CalibrationColumns {
+        let response = match (&self.y, &self.up, &self.down, &self.direction) {
+            (None, Some(up), Some(down), _) => {
+                CalibrationResponse::Two { up: up.clone(), down: down.clone() }
+            }
+            // The command line asks for one or the other.
+            (y, _, _, None) => CalibrationResponse::One(y.clone().unwrap_or_else(|| self.x.clone())),
+            (y, _, _, Some(direction)) => CalibrationResponse::Directed {
+                y: y.clone().unwrap_or_else(|| self.x.clone()),
+                direction: direction.clone(),
+            },
+        };
+        CalibrationColumns { x: self.x.clone(), response }
+    }
+
     /// What percents are of, if it is given.
     pub(crate) fn full_scale(&self) -> Result<Option<Rational>, Failure> {
         const EXPECTED: &str = "expected a number above 0, such as 4 or 153/40";

@@ -4,7 +4,7 @@ mod numbers;
 
 use std::ops::Range;
 
-use boundfit_exact::{Column, Foreign, Rational, WorkMeter};
+use boundfit_exact::{Column, Foreign, Rational, Reading, WorkMeter};
 
 use crate::cells::CellReader;
 use crate::columns::{ColumnPlace, ColumnSelector, Header, Heading};
@@ -61,6 +61,29 @@ impl MemoryTable {
     pub fn push(&mut self, name: impl Into<Foreign>, numbers: MemoryNumbers) {
         self.names.push(name.into());
         self.columns.push(numbers);
+    }
+
+    /// The table as CSV with a header, UTF-8 with a line feed behind each line: under the reading that it is written for it reads
+    /// back as the same numbers, in the same rows. What is missing is NaN, or an empty cell where the table has a text. Numbers of
+    /// [`MemoryNumbers::Exact`] are fractions, of which the binary64 reading would take the nearest doubles.
+    ///
+    /// ```
+    /// use boundfit_exact::Reading;
+    /// use boundfit_formats::{MemoryNumbers, MemoryTable};
+    ///
+    /// let mut table = MemoryTable::default();
+    /// table.push("#, x", MemoryNumbers::Floats(vec![0.1]));
+    /// assert_eq!(table.to_csv(Reading::Decimal), b"\"#, x\"\n0.1\n");
+    /// assert_eq!(table.to_csv(Reading::Binary64), b"\"#, x\"\n0.10000000149011612\n");
+    /// ```
+    pub fn to_csv(&self, reading: Reading) -> Vec<u8> {
+        let mut text = csv_line(self.names.iter().map(|name| name.raw().to_owned()));
+        text.push(b'\n');
+        for row in 0..self.rows() {
+            text.extend(csv_line(self.columns.iter().map(|column| column.text(row, reading))));
+            text.push(b'\n');
+        }
+        text
     }
 
     fn rows(&self) -> usize {
@@ -234,7 +257,10 @@ impl<'a> Rows<'a> {
                 match needed.iter().find(|place| is_missing(place, row)) {
                     None => wanted.push(row),
                     Some(place) => lacking.notice(|| {
-                        let text = self.cells(place).map(|cells| cells.text(row - 1)).unwrap_or_default();
+                        let text = self
+                            .cells(place)
+                            .map(|cells| cells.text(row - 1, self.options.table.reading))
+                            .unwrap_or_default();
                         self.error(place, BadNumber { index: row - 1, text, problem: InputErrorKind::Null })
                     }),
                 }
@@ -269,7 +295,7 @@ impl<'a> Rows<'a> {
         }
         let rows = || ranges.iter().cloned().flatten();
         let text = |place: &ColumnPlace, row: usize| {
-            self.cells(place).map(|cells| cells.text(row - 1)).unwrap_or_default()
+            self.cells(place).map(|cells| cells.text(row - 1, self.options.table.reading)).unwrap_or_default()
         };
         let keys = self.key.as_ref().map(|key| {
             let mut keys = Pieces::<String>::default();

@@ -57,11 +57,15 @@ impl MemoryNumbers {
         }
     }
 
-    /// A cell as a CSV would show it.
-    pub(super) fn text(&self, index: usize) -> String {
+    /// A cell as a CSV would show it, for this reading: the shortest text of a float of 32 bits is not that of the double which
+    /// it is.
+    pub(super) fn text(&self, index: usize, reading: Reading) -> String {
         match self {
             MemoryNumbers::Doubles(doubles) => doubles.get(index).map(shown),
-            MemoryNumbers::Floats(floats) => floats.get(index).map(shown),
+            MemoryNumbers::Floats(floats) => floats.get(index).map(|float| match reading {
+                Reading::Decimal => shown(float),
+                Reading::Binary64 => shown(&f64::from(*float)),
+            }),
             MemoryNumbers::Integers(integers) => integers.get(index).map(ToString::to_string),
             MemoryNumbers::Exact(numbers) => numbers.get(index).map(ToString::to_string),
             MemoryNumbers::Texts(texts) => texts.get(index).cloned(),
@@ -82,7 +86,7 @@ impl MemoryNumbers {
         };
         column.map_err(|(index, problem)| {
             let index = range.start + index;
-            BadNumber { index, text: self.text(index), problem }
+            BadNumber { index, text: self.text(index, reader.options.reading), problem }
         })
     }
 

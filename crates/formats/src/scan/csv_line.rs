@@ -4,7 +4,8 @@ use boundfit_exact::Foreign;
 
 /// Cells, not all of them empty, as a line of CSV, without its end.
 pub(crate) fn csv_line(cells: impl IntoIterator<Item = String>) -> Vec<u8> {
-    let quoted = |cell: String| match cell.contains([',', '"', '\r', '\n']) {
+    // A line that begins with a mark of comments would be one.
+    let quoted = |cell: String| match cell.contains([',', '"', '\r', '\n']) || cell.starts_with(['#', '%']) {
         true => format!("\"{}\"", cell.replace('"', "\"\"")),
         false => cell,
     };

@@ -6,12 +6,20 @@
 //! Theory*, 1966, chapter 2). *Terminal* linearity is measured from the line through both ends of the range, *zero-based*
 //! linearity from the best line through a given point, *least-squares* linearity from the least-squares line.
 
+#[cfg(feature = "files")]
+mod calibration;
 mod characteristic;
+#[cfg(feature = "files")]
+mod directions;
+mod input;
 mod points;
 
 use boundfit_exact::Rational;
 
+#[cfg(feature = "files")]
+pub use calibration::{Calibration, CalibrationColumns, CalibrationError, CalibrationResponse};
 pub use characteristic::{AlternatingPoint, Characteristic, LinearityLine, NoLine};
+pub use input::{LinearityInput, ResponseColumns};
 pub use points::CalibrationPoint;
 
 use points::{Passes, points_of_passes, points_of_readings};

@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 
 use boundfit_exact::{Foreign, Rational};
 use boundfit_questions::{
-    AlternatingPoint, Characteristic, Difference, Linearity, LinearityLine, LinearityOptions,
+    AlternatingPoint, Characteristic, Difference, Linearity, LinearityInput, LinearityLine, LinearityOptions,
+    ResponseColumns,
 };
 use serde::Serialize;
 
-use super::{LinearityInput, NO_PERCENT, ResponseColumns};
+use super::NO_PERCENT;
 use crate::input_json::{FractionsJson, SelectionJson, fractions, selection};
 use crate::json::to_text;
 use crate::number::Number;

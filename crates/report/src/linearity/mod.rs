@@ -5,10 +5,12 @@ mod json;
 #[cfg(feature = "files")]
 mod proof;
 
-use boundfit_estimation::{FractionCells, Selection};
 use boundfit_exact::english::{counted, list};
 use boundfit_exact::{Foreign, Rational, Reading};
-use boundfit_questions::{Characteristic, Difference, Linearity, LinearityLine, LinearityOptions, NoLine};
+use boundfit_questions::{
+    Characteristic, Difference, Linearity, LinearityInput, LinearityLine, LinearityOptions, NoLine,
+    ResponseColumns,
+};
 
 use crate::document::{Block, Document, Facts, Operator, Table, Text};
 use crate::fit::fractions;
@@ -19,55 +21,7 @@ use crate::style::Style;
 pub use csv::linearity_csv;
 pub use json::linearity_json;
 #[cfg(feature = "files")]
-pub use proof::linearity_proof;
-
-/// What a calibration was read from.
-#[derive(Debug, Clone)]
-pub struct LinearityInput {
-    /// The column of x.
-    pub x: Foreign,
-    /// The columns of readings.
-    pub response: ResponseColumns,
-    /// How many rows are used.
-    pub rows: usize,
-    /// How many data rows the file has.
-    pub rows_total: usize,
-    /// How many rows were left out since they lack a number.
-    pub rows_missing: usize,
-    /// Which rows were asked for.
-    pub selection: Selection,
-    /// Columns with cells that are fractions.
-    pub fractions: Vec<FractionCells>,
-    /// What is unusual about how the file is written.
-    pub written: Option<String>,
-    /// The units of x and of the readings, where the file states them.
-    pub units: [Option<Foreign>; 2],
-    /// SHA-256 of the file's bytes.
-    pub sha256: Option<String>,
-}
-
-/// The columns of readings.
-#[derive(Debug, Clone)]
-pub enum ResponseColumns {
-    /// One, of which no direction is known.
-    One(Foreign),
-    /// One, beside a column that tells the direction.
-    Directed {
-        /// The readings.
-        y: Foreign,
-        /// The direction.
-        direction: Foreign,
-        /// Its words for up and for down.
-        words: [Vec<Foreign>; 2],
-    },
-    /// One for each direction.
-    Two {
-        /// Upscale.
-        up: Foreign,
-        /// Downscale.
-        down: Foreign,
-    },
-}
+pub use proof::{linearity_proof, linearity_question};
 
 /// The four ways, in the order in which they are shown, with what each is measured from.
 pub(crate) const METHODS: [(&str, &str); 4] = [

@@ -1,11 +1,53 @@
 //! The proof of independent linearity.
 
-use boundfit_estimation::BoundName;
-use boundfit_questions::Linearity;
+use boundfit_estimation::{BoundName, Columns, EpsilonColumn, LineForm, Measurements, Problem};
+use boundfit_exact::{Rational, Reading};
+use boundfit_formats::{ColumnSelector, InputError, Source, TableOptions};
+use boundfit_questions::{CalibrationColumns, CalibrationResponse, Linearity};
 
 use crate::proof_question::ProofQuestion;
 use crate::statements::{Claim, ErrorScale, HalfPlaneName, Multiple, Scope, Statement};
 use crate::statements_json::statements_json;
+
+/// The question that a proof of linearity is about, from data that are read once more, twice where there are two columns, of
+/// which the mean is the characteristic. `None` where they are no delimited text of which each row is a point.
+///
+/// # Errors
+/// The first thing wrong with the data.
+pub fn linearity_question(
+    columns: &CalibrationColumns,
+    options: &TableOptions,
+    reading: Reading,
+    open: impl Fn() -> Result<Source, InputError>,
+) -> Result<Option<ProofQuestion>, InputError> {
+    let measurements = |response: &ColumnSelector| {
+        let columns = Columns {
+            first: columns.x.clone(),
+            second: None,
+            response: Some(response.clone()),
+            epsilon: EpsilonColumn::Uniform(Rational::zero()),
+            form: LineForm::default(),
+        };
+        Measurements::read(open()?, &columns, options)
+    };
+    let question =
+        |measurements| ProofQuestion::new(&Problem { measurements, conditions: Vec::new() }, reading);
+    Ok(match &columns.response {
+        CalibrationResponse::One(y) => question(measurements(y)?),
+        CalibrationResponse::Directed { .. } => None,
+        CalibrationResponse::Two { up, down } => {
+            let both = [measurements(up)?, measurements(down)?];
+            let column = |own: &Measurements| own.layout()?.columns.get(1).copied();
+            let half = |own: &Measurements| Some((column(own)?, Rational::ratio(1, 2)));
+            let halves = both.each_ref().map(half);
+            let [up, _] = both;
+            match halves {
+                [Some(first), Some(second)] => question(up).map(|own| own.with_response(&[first, second])),
+                _ => None,
+            }
+        }
+    })
+}
 
 /// The proof that no line is nearer to the characteristic than the independent linearity says, schema `boundfit/proof/2`: the
 /// least error bound of these readings. `None` where a point of the characteristic is not one row.

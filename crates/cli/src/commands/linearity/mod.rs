@@ -1,13 +1,11 @@
 //! `boundfit linearity`.
 
-mod directions;
 mod proof;
-mod readings;
 
 use boundfit_exact::{Foreign, Reading, Work};
 use boundfit_figures::{LinearityLabels, PictureFormat, draw_linearity};
 use boundfit_formats::Source;
-use boundfit_questions::{Linearity, LinearityOptions};
+use boundfit_questions::{Calibration, Linearity, LinearityOptions};
 use boundfit_report::{Origin, linearity_csv, linearity_document, linearity_json};
 
 use crate::CommandResult;
@@ -17,7 +15,6 @@ use crate::input;
 use crate::output;
 use crate::progress::while_working;
 use crate::work::{refuse_long, times};
-use readings::Calibration;
 
 /// Reads the calibration and writes its linearity, and its picture if one is asked for.
 pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
@@ -35,7 +32,10 @@ pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
     let reading = if is_stored { Reading::Binary64 } else { arguments.table.reading() };
     let origin =
         Origin { file: (arguments.data != "-").then_some(Foreign::of(&arguments.data)), reading, is_stored };
-    let Calibration { readings, input } = Calibration::read(source?, arguments)?;
+    let source = source?;
+    let scan_options = arguments.table.scan_options(&source, Some(&arguments.rows))?;
+    let calibration = Calibration::read(source, &arguments.columns(), &scan_options);
+    let Calibration { readings, input } = calibration.map_err(Failure::data)?;
     let mut work = Work::default();
     let given = [options.full_scale.as_ref(), Some(&options.through[0]), Some(&options.through[1])];
     for reading in &readings {

@@ -1,10 +1,8 @@
 //! The proof of independent linearity, about the data as they are read once more.
 
-use boundfit_estimation::{Columns, EpsilonColumn, LineForm, Measurements, Problem};
-use boundfit_exact::{Foreign, Rational, Reading};
-use boundfit_formats::ColumnSelector;
+use boundfit_exact::{Foreign, Reading};
 use boundfit_questions::Linearity;
-use boundfit_report::{ProofQuestion, linearity_proof};
+use boundfit_report::{linearity_proof, linearity_question};
 
 use crate::arguments::LinearityArguments;
 use crate::exit::Failure;
@@ -39,35 +37,10 @@ pub(super) fn written(
     linearity: &Linearity,
     reading: Reading,
 ) -> Result<String, Failure> {
-    let measurements = |response: &ColumnSelector| {
-        let columns = Columns {
-            first: arguments.x.clone(),
-            second: None,
-            response: Some(response.clone()),
-            epsilon: EpsilonColumn::Uniform(Rational::zero()),
-            form: LineForm::default(),
-        };
-        let options = arguments.table.options(reading, Some(&arguments.rows))?;
-        let source = input::open(&arguments.data).map_err(Failure::data)?;
-        Measurements::read(source, &columns, &options).map_err(Failure::data)
-    };
+    let options = arguments.table.options(reading, Some(&arguments.rows))?;
+    let open = || input::open(&arguments.data);
     let question =
-        |measurements| ProofQuestion::new(&Problem { measurements, conditions: Vec::new() }, reading);
-    let question = match (&arguments.y, &arguments.up, &arguments.down) {
-        (Some(y), ..) => question(measurements(y)?),
-        (None, Some(up), Some(down)) => {
-            let both = [measurements(up)?, measurements(down)?];
-            let column = |own: &Measurements| own.layout()?.columns.get(1).copied();
-            let half = |own: &Measurements| Some((column(own)?, Rational::ratio(1, 2)));
-            let halves = both.each_ref().map(half);
-            let [up, _] = both;
-            match halves {
-                [Some(first), Some(second)] => question(up).map(|own| own.with_response(&[first, second])),
-                _ => None,
-            }
-        }
-        _ => None,
-    };
+        linearity_question(&arguments.columns(), &options, reading, open).map_err(Failure::data)?;
     let proof = question.and_then(|question| linearity_proof(linearity, &question));
     proof.ok_or_else(|| {
         let file = Foreign::of(&arguments.data);

@@ -6,6 +6,7 @@ use std::io::{self, BufWriter, Write};
 
 use boundfit_estimation::{AskedBound, Law, Problem, fit};
 use boundfit_exact::{Limits, Reading};
+use boundfit_questions::times::bits_of_corner;
 use boundfit_questions::{FurtherError, NoFurtherError};
 use boundfit_report::{
     AskedValues, Prediction, Style, prediction_document, prediction_proof, write_prediction_csv,
@@ -188,14 +189,10 @@ fn refuse_long_values(
     problem: &Problem,
     values: [&Values; 2],
 ) -> Result<(), Failure> {
-    let bits = |reading: &boundfit_estimation::Measurement| {
-        let ends = [reading.lower(), reading.upper()].into_iter().flatten();
-        ends.map(|end| end.bits()).max().unwrap_or(0) + reading.regressor[0].bits()
-    };
-    let longest = problem.measurements.kept().iter().map(bits).max().unwrap_or(0);
+    let bits = bits_of_corner(problem);
     for values in values {
         let limits = &arguments.data.table.limits;
-        refuse_long(arguments.data.file_name(), &values.work(2 * longest), times::PREDICT, limits)?;
+        refuse_long(arguments.data.file_name(), &values.work(bits), times::PREDICT, limits)?;
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! Which words of a column say that x was rising, and which that it was falling.
 
+use super::Pass;
 use boundfit_exact::Foreign;
-use boundfit_questions::Pass;
 
 /// Words that need no explanation, in small letters.
 const KNOWN: [(&str, Pass); 22] = [

@@ -1,0 +1,52 @@
+//! What a calibration was read from.
+
+use boundfit_estimation::{FractionCells, Selection};
+use boundfit_exact::Foreign;
+
+/// What a calibration was read from.
+#[derive(Debug, Clone)]
+pub struct LinearityInput {
+    /// The column of x.
+    pub x: Foreign,
+    /// The columns of readings.
+    pub response: ResponseColumns,
+    /// How many rows are used.
+    pub rows: usize,
+    /// How many data rows the file has.
+    pub rows_total: usize,
+    /// How many rows were left out since they lack a number.
+    pub rows_missing: usize,
+    /// Which rows were asked for.
+    pub selection: Selection,
+    /// Columns with cells that are fractions.
+    pub fractions: Vec<FractionCells>,
+    /// What is unusual about how the file is written.
+    pub written: Option<String>,
+    /// The units of x and of the readings, where the file states them.
+    pub units: [Option<Foreign>; 2],
+    /// SHA-256 of the file's bytes.
+    pub sha256: Option<String>,
+}
+
+/// The columns of readings.
+#[derive(Debug, Clone)]
+pub enum ResponseColumns {
+    /// One, of which no direction is known.
+    One(Foreign),
+    /// One, beside a column that tells the direction.
+    Directed {
+        /// The readings.
+        y: Foreign,
+        /// The direction.
+        direction: Foreign,
+        /// Its words for up and for down.
+        words: [Vec<Foreign>; 2],
+    },
+    /// One for each direction.
+    Two {
+        /// Upscale.
+        up: Foreign,
+        /// Downscale.
+        down: Foreign,
+    },
+}

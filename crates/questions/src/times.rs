@@ -1,0 +1,40 @@
+//! How often a question does what a fit does, as far as long numbers are concerned: what it takes for readings of thousands of
+//! digits, divided by what a fit takes. [`Problem::work`] times one of these is what is to be refused where it is too much.
+
+use boundfit_estimation::{Measurement, Model, Problem};
+
+/// A fit, or one answer about a linear program.
+pub const FIT: u64 = 1;
+/// A few products for each value that is asked about.
+pub const PREDICT: u64 = 2;
+/// The statuses of all readings: the set, that of all readings without those that decide, and the values at each.
+pub const STATUS: u64 = 6;
+/// The minimax lines of three characteristics, each in general and through a point.
+pub const LINEARITY: u64 = 6;
+/// The runs that fit, or windows: every reading comes and goes, and what is left is asked for places between.
+pub const RANGE: u64 = 8;
+/// Sets left without some readings; looking at all [crossings](CROSSINGS) of bounds comes on top.
+pub const OUTLIERS: u64 = 8;
+/// How much more than a fit of all readings but one takes it is to look at all crossings of the bounds of a reading, which are put
+/// in order.
+pub const CROSSINGS: u64 = 4;
+/// Both sides of lines under errors in x, and the steps to the least factor.
+pub const X_ERRORS: u64 = 16;
+/// The steps to the least factor under errors in x, in numbers with a square root, of every word that is not short.
+pub const X_ERROR_STEPS: u64 = 135;
+
+/// How much more than of a line under one bound the least bound of a problem takes, which comes from cutting planes then.
+pub fn looks(problem: &Problem) -> u64 {
+    let is_line = matches!(problem.measurements.model(), Model::Line { .. });
+    if is_line && problem.measurements.error_bound().is_uniform() { 1 } else { 4 }
+}
+
+/// About how many bits the numbers of a corner of the set have, from which predictions are taken: those of the longest reading,
+/// twice.
+pub fn bits_of_corner(problem: &Problem) -> u64 {
+    let bits = |reading: &Measurement| {
+        let ends = [reading.lower(), reading.upper()].into_iter().flatten();
+        ends.map(|end| end.bits()).max().unwrap_or(0) + reading.regressor[0].bits()
+    };
+    2 * problem.measurements.kept().iter().map(bits).max().unwrap_or(0)
+}

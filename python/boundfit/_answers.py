@@ -1,0 +1,104 @@
+"""Answers that are the program's documents, with numbers as fractions."""
+
+from __future__ import annotations
+
+import html
+import json
+from collections.abc import Callable, Iterable
+from fractions import Fraction
+from typing import Any
+
+from ._bounds import Interval, Intervals, LowerBound, ProvedInterval, Term, UpperBound
+
+Point = tuple[Fraction, Fraction]
+#: What gives an answer in a format, with so many digits.
+Ask = Callable[[str, "int | None"], str]
+
+
+class Answer:
+    """An answer to a question about readings. Every number is exact."""
+
+    __slots__ = ("_ask", "_document", "_json")
+
+    def __init__(self, ask: Ask) -> None:
+        self._ask = ask
+        self._json = ask("json", None)
+        self._document: dict[str, Any] = json.loads(self._json)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The document that the program writes with ``--format json``; ``to_dict()["schema"]`` names its schema."""
+        document: dict[str, Any] = json.loads(self._json)
+        return document
+
+    def to_json(self) -> str:
+        """As :meth:`to_dict`, as text."""
+        return self._json
+
+    def report(self, format: str = "text", *, digits: int | None = None) -> str:
+        """The report as ``"text"``, ``"markdown"`` or ``"latex"``; what is a table as ``"csv"``."""
+        return self._ask(format, digits)
+
+    def proof(self) -> str:
+        """The proof of the answer as JSON text, which :func:`boundfit.verify` and ``boundfit verify`` check against the file; of
+        columns in memory, against the bytes of :meth:`boundfit.Fit.to_csv`.
+
+        :raises ValueError: where the readings come from a file that is not plain delimited text, or a proof would be too long.
+        """
+        return self._ask("proof", None)
+
+    def __str__(self) -> str:
+        return self._ask("text", None)
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{html.escape(self._ask('text', None))}</pre>"
+
+
+def number(own: Any) -> Fraction | None:
+    """A number of a document; ``None`` where there is none, or its fraction is too long to be written."""
+    return None if own is None or own["exact"] is None else Fraction(own["exact"])
+
+
+def value(own: Any) -> Fraction:
+    """A number of a document that is always there."""
+    return Fraction(own["exact"])
+
+
+def point(own: Any) -> Point:
+    """The numbers of both parameters."""
+    return value(own[0]), value(own[1])
+
+
+def lower(own: Any) -> LowerBound | None:
+    """A lower end."""
+    return None if own is None else LowerBound(own["exact"])
+
+
+def upper(own: Any) -> UpperBound | None:
+    """An upper end."""
+    return None if own is None else UpperBound(own["exact"])
+
+
+def interval(own: Any) -> Interval:
+    """An interval without proofs."""
+    return Interval(lower(own["lower"]), upper(own["upper"]))
+
+
+def terms(own: Iterable[Any] | None) -> tuple[Term, ...]:
+    """Multiples of bounds."""
+    return tuple(Term(term["row"], term["bound"], value(term["multiplier"])) for term in own or ())
+
+
+def intervals(own: Any) -> Intervals | None:
+    """The intervals of both parameters, with their proofs where the document has them."""
+    if own is None:
+        return None
+
+    def of(one: Any) -> Interval:
+        ends = [one["lower"], one["upper"]]
+        if all(end is None or "active" not in end for end in ends):
+            return interval(one)
+        least, most = (None if end is None else end["value"] for end in ends)
+        proofs = (() if end is None else terms(end["active"]) for end in ends)
+        return ProvedInterval(lower(least), upper(most), *proofs)
+
+    return Intervals(of(own[0]), of(own[1]))

@@ -1,0 +1,100 @@
+"""One way of saying what is asked of readings, whatever it is and wherever they come from."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal, TypeAlias, TypedDict, Unpack
+
+from . import _boundfit
+from ._columns import Column, Missing, Number, Reading, Rows, asked, in_memory, table
+
+#: A column of a file, by its header or its number from 1.
+Name: TypeAlias = "str | int"
+
+
+class How(TypedDict, total=False):
+    """What is said of columns besides x, y and eps: see :func:`boundfit.fit`."""
+
+    lower: Column | None
+    upper: Column | None
+    where: str | Sequence[str]
+    through_origin: bool
+    x_origin: Number | None
+    reading: Reading
+    missing: Missing
+
+
+class Table(TypedDict, total=False):
+    """How a file is read: see :func:`boundfit.fit_file`."""
+
+    rows: Rows
+    without: Rows
+    where_row: str | Sequence[str]
+    header: bool | None
+    delimiter: str | None
+    decimal: Literal["point", "comma"] | None
+    thousands: str | None
+    comment: str | None
+    sheet: str | int | None
+    skip_lines: int
+    units_row: bool
+    limits: Mapping[str, int] | None
+
+
+def readings(
+    x: Column | tuple[Column, Column],
+    y: Column | None,
+    eps: Number | Column | None,
+    *,
+    x_eps: Number | Column | None = None,
+    strong: bool = False,
+    **how: Unpack[How],
+) -> _boundfit.Readings:
+    """Columns in memory, and what is asked of them."""
+    columns, question = in_memory(x, y, eps, x_eps=x_eps, strong=strong, **how)
+    return _boundfit.readings_of_columns(columns, question)
+
+
+def readings_of_file(
+    path: str | os.PathLike[str],
+    x: Name | Sequence[Name],
+    y: Name | None,
+    eps: Number | None,
+    *,
+    eps_column: Name | None = None,
+    lower: Name | None = None,
+    upper: Name | None = None,
+    x_eps: Number | None = None,
+    x_eps_column: Name | None = None,
+    strong: bool = False,
+    where: str | Sequence[str] = (),
+    through_origin: bool = False,
+    x_origin: Number | None = None,
+    reading: Reading = "decimal",
+    missing: Missing = "refuse",
+    **how: Unpack[Table],
+) -> _boundfit.Readings:
+    """Columns of a file, and what is asked of them."""
+    regressors = [x] if isinstance(x, (str, int)) else list(x)
+    if len(regressors) not in (1, 2):
+        raise ValueError(f"x names {len(regressors)} columns: expected one, or two of a model with two regressors")
+    names = [*regressors, y, eps_column, lower, upper, x_eps_column]
+    question = asked(
+        regressors=len(regressors),
+        response=y is not None,
+        eps=eps,
+        lower=lower is not None,
+        upper=upper is not None,
+        where=where,
+        through_origin=through_origin,
+        x_origin=x_origin,
+        reading=reading,
+        missing=missing,
+        eps_column=eps_column is not None,
+        x_eps=x_eps,
+        x_eps_column=x_eps_column is not None,
+        strong=strong,
+    )
+    named: list[Any] = [name for name in names if name is not None]
+    return _boundfit.readings_of_file(os.fspath(path), list(map(str, named)), question, table(**how))

@@ -1,0 +1,205 @@
+"""How far a sensor is from a straight line."""
+
+from __future__ import annotations
+
+import os
+from fractions import Fraction
+from functools import partial
+from typing import Any, NamedTuple, Unpack
+
+from . import _boundfit
+from ._answers import Answer, Point, number, point, value
+from ._asking import Name, Table
+from ._columns import Column, Missing, Number, Reading, asked, cells, named, table, text
+
+
+class LinearityLine(NamedTuple):
+    """The largest deviation from a line."""
+
+    deviation: Fraction
+    percent: Fraction | None
+    """Of full scale; ``None`` where that is 0."""
+    theta: Point
+    """Slope and offset of the line."""
+    rows: list[int]
+    """Where it is reached."""
+    unique: bool
+    """Whether no other line has a deviation as small."""
+
+
+class Characteristic(NamedTuple):
+    """The four linearities of one characteristic."""
+
+    full_scale: Fraction
+    """What percents are of."""
+    span: Fraction
+    """The span of the response."""
+    independent: LinearityLine
+    """From the line that makes the largest deviation smallest."""
+    terminal: LinearityLine | None
+    """From the line through both ends of the range."""
+    zero_based: LinearityLine
+    """From the best line through a given point."""
+    least_squares: LinearityLine | None
+    """From the least-squares line."""
+
+
+class Linearity(Answer):
+    """How far a sensor is from a straight line, as laws and data sheets state it."""
+
+    __slots__ = ()
+
+    @property
+    def average(self) -> Characteristic:
+        """Of the actual characteristic: the average of upscale and downscale readings, or every reading where none is known."""
+        return _characteristic(self._document)
+
+    @property
+    def up(self) -> Characteristic | None:
+        """Of the upscale readings alone."""
+        own = self._document["up"]
+        return None if own is None else _characteristic(own)
+
+    @property
+    def down(self) -> Characteristic | None:
+        """Of the downscale readings alone."""
+        own = self._document["down"]
+        return None if own is None else _characteristic(own)
+
+    @property
+    def independent(self) -> LinearityLine:
+        """Independent linearity of the average."""
+        return self.average.independent
+
+    @property
+    def terminal(self) -> LinearityLine | None:
+        """Terminal linearity of the average; ``None`` where no two x differ."""
+        return self.average.terminal
+
+    @property
+    def zero_based(self) -> LinearityLine:
+        """Zero-based linearity of the average."""
+        return self.average.zero_based
+
+    @property
+    def least_squares(self) -> LinearityLine | None:
+        """Least-squares linearity of the average; ``None`` where no two x differ."""
+        return self.average.least_squares
+
+    @property
+    def hysteresis(self) -> Fraction | None:
+        """The largest difference of upscale and downscale averages at one x; ``None`` where no x has both."""
+        return number(self._document["hysteresis"])
+
+    @property
+    def repeatability(self) -> Fraction | None:
+        """The largest spread of readings at one x in one direction; ``None`` where no x was read twice in one."""
+        return number(self._document["repeatability"])
+
+
+def _characteristic(own: Any) -> Characteristic:
+    def line(one: Any) -> LinearityLine:
+        return LinearityLine(value(one["deviation"]), number(one["percent"]), point(one["theta"]), one["rows"], one["unique"])
+
+    terminal, squares = own["terminal"], own["least_squares"]
+    return Characteristic(
+        value(own["full_scale"]),
+        value(own["span"]),
+        line(own["independent"]),
+        None if terminal is None else line(terminal),
+        line(own["zero_based"]),
+        None if squares is None else line(squares),
+    )
+
+
+def linearity(
+    x: Column,
+    y: Column | None = None,
+    *,
+    up: Column | None = None,
+    down: Column | None = None,
+    direction: Column | None = None,
+    full_scale: Number | None = None,
+    through: tuple[Number, Number] = (0, 0),
+    reading: Reading = "decimal",
+    missing: Missing = "refuse",
+) -> Linearity:
+    """Independent, terminal, zero-based and least-squares linearity of readings y of what was applied, x; with hysteresis and
+    repeatability where it is known whether x was rising: readings ``up`` and ``down`` in place of y, either of which may be
+    missing, or beside y a column ``direction`` of words such as up and down.
+
+    Percents are of ``full_scale``, or else of the span of y. The line of zero-based linearity goes ``through`` a point.
+
+    >>> found = linearity([0, 1, 2, 3], [0, 1.25, 2, 3])
+    >>> found.independent.deviation, found.independent.rows
+    (Fraction(1, 8), [1, 2, 3, 4])
+    """
+    taken: set[str] = set()
+    response = _response(y, up, down, direction)
+    given = {"x": x, "y": y, "direction": direction, "up": up, "down": down}
+    columns = [(named(own, name, taken), cells(own, name, reading)) for name, own in given.items() if own is not None]
+    if direction is not None:
+        columns[2] = (columns[2][0], _words(columns[2][1]))
+    calibrated = _boundfit.calibration_of_columns(columns, response, _how(reading, missing))
+    return _answer(calibrated, full_scale, through)
+
+
+def linearity_file(
+    path: str | os.PathLike[str],
+    x: Name,
+    y: Name | None = None,
+    *,
+    up: Name | None = None,
+    down: Name | None = None,
+    direction: Name | None = None,
+    full_scale: Number | None = None,
+    through: tuple[Number, Number] = (0, 0),
+    reading: Reading = "decimal",
+    missing: Missing = "refuse",
+    **how: Unpack[Table],
+) -> Linearity:
+    """As :func:`linearity`, of columns of a file, by name or number. How it is read is told as in :func:`boundfit.fit_file`."""
+    response = _response(y, up, down, direction)
+    names = [str(own) for own in (x, y, direction, up, down) if own is not None]
+    calibrated = _boundfit.calibration_of_file(os.fspath(path), names, response, _how(reading, missing), table(**how))
+    return _answer(calibrated, full_scale, through)
+
+
+def _response(y: Any, up: Any, down: Any, direction: Any) -> str:
+    match (y is not None, up is not None, down is not None, direction is not None):
+        case (True, False, False, False):
+            return "one"
+        case (True, False, False, True):
+            return "directed"
+        case (False, True, True, False):
+            return "two"
+    raise ValueError("expected y, or y and direction, or up and down")
+
+
+def _words(column: Any) -> list[str]:
+    values = column.tolist() if hasattr(column, "tolist") else list(column)
+    return ["" if own is None or own != own else str(own) for own in values]
+
+
+def _how(reading: Reading, missing: Missing) -> dict[str, Any]:
+    """What is said besides the columns, in the words of a question within bounds, of which there are none here."""
+    return asked(
+        regressors=1,
+        response=True,
+        eps=0,
+        lower=False,
+        upper=False,
+        where=(),
+        through_origin=False,
+        x_origin=None,
+        reading=reading,
+        missing=missing,
+        eps_column=False,
+    )
+
+
+def _answer(calibrated: _boundfit.Calibrated, full_scale: Number | None, through: tuple[Number, Number]) -> Linearity:
+    if len(through) != 2:
+        raise ValueError(f"through={through!r}: expected a point, such as (0, 0)")
+    at = (text(through[0]), text(through[1]))
+    return Linearity(partial(_boundfit.linearity, calibrated, None if full_scale is None else text(full_scale), at))

@@ -1,0 +1,489 @@
+"""What readings say beyond their set: of each other, of further ones, and of what they are like."""
+
+from __future__ import annotations
+
+import builtins
+import json
+from fractions import Fraction
+from functools import partial
+from typing import Any, Literal, NamedTuple, Unpack
+
+from . import _boundfit
+from ._answers import Answer, Point, interval, intervals, number, point, terms, value
+from ._asking import How, readings
+from ._bounds import Interval, Intervals, Term
+from ._columns import Column, Number, cells, fraction, is_number, regressors, text
+
+
+class RowStatus(NamedTuple):
+    """What a reading and a set say of each other. Statuses are ``"inner"``, ``"boundary"``, ``"outer"``, ``"strictly outer"`` and
+    ``"outlier"`` (docs/status.md); ``None`` where the set is empty."""
+
+    row: int
+    status: str | None
+    """Against the set of all readings."""
+    leverage: Fraction | None
+    """Half the range of the model over the set at the reading, over half the reading's width."""
+    residual: Fraction | None
+    """The distance of both middles over the same."""
+    without: str | None
+    """Against the set of the others; of further readings as ``status``."""
+    without_leverage: Fraction | None
+    without_residual: Fraction | None
+
+
+class Widened(NamedTuple):
+    """A reading whose bound has to be wider."""
+
+    row: int
+    factor: Fraction
+    half_width: Fraction
+
+
+class Repair(NamedTuple):
+    """The least total widening under which something meets all bounds."""
+
+    total: Fraction | None
+    """The sum of all factors, each at least 1; ``None`` where conditions contradict each other."""
+    theta: Point | None
+    """Parameters that meet the wider bounds."""
+    widened: list[Widened]
+
+
+class Statuses(Answer):
+    """What every reading and the set of all, and that of the others, say of each other."""
+
+    __slots__ = ()
+
+    @property
+    def kind(self) -> str:
+        """Which kind of set there is: of :attr:`boundfit.Fit.kind`."""
+        kind: str = self._document["set"]["kind"]
+        return kind
+
+    @property
+    def contradiction(self) -> tuple[Term, ...] | None:
+        """Of an empty set bounds that contradict each other."""
+        own = self._document["set"]["contradiction"]
+        return None if own is None else terms(own)
+
+    @property
+    def deciding(self) -> list[int]:
+        """The rows without which the set of the others may be another one."""
+        return list(self._document["deciding"])
+
+    @property
+    def rows(self) -> list[RowStatus]:
+        """All readings, in order of rows."""
+        return [_status(own, "without") for own in self._document["rows"]]
+
+    @property
+    def new(self) -> list[RowStatus]:
+        """The further readings, which change nothing."""
+        return [_status(own, "") for own in self._document.get("new", {"rows": []})["rows"]]
+
+    @property
+    def repair(self) -> Repair | None:
+        """The least total widening, where it is asked for."""
+        own = self._document.get("repair")
+        if own is None:
+            return None
+        widened = [Widened(one["row"], value(one["factor"]), value(one["half_width"])) for one in own["widened"]]
+        return Repair(number(own["total"]), None if own["theta"] is None else point(own["theta"]), widened)
+
+
+def _status(own: Any, without: str) -> RowStatus:
+    against_all = own["status"], number(own["leverage"]), number(own["residual"])
+    if not without:
+        return RowStatus(own["row"], *against_all, *against_all)
+    return RowStatus(own["row"], *against_all, own["without"], number(own["without_leverage"]), number(own["without_residual"]))
+
+
+class PredictedValue(NamedTuple):
+    """What is predicted at one x, or at one pair of regressors."""
+
+    x: Fraction | Point
+    line: Interval
+    """The values of the true line there, if all bounds hold."""
+    reading: Interval | None
+    """Where a further reading lies; ``None`` where nothing is known of its error."""
+
+
+class PossibleX(NamedTuple):
+    """The x that a reading may come from."""
+
+    y: Fraction
+    x: list[Interval]
+    """One interval or two; none where no x gives such a reading."""
+
+
+class Prediction(Answer):
+    """Where the line runs, where further readings lie, and where readings may come from."""
+
+    __slots__ = ()
+
+    @property
+    def kind(self) -> str:
+        """Which kind of set there is; an empty one predicts nothing."""
+        kind: str = self._document["fps"]["kind"]
+        return kind
+
+    @property
+    def at(self) -> list[PredictedValue]:
+        """The values asked for, in their order."""
+
+        def one(own: Any) -> PredictedValue:
+            x: Fraction | Point = point(own["x"]) if isinstance(own["x"], list) else value(own["x"])
+            return PredictedValue(x, interval(own["line"]), None if own["reading"] is None else interval(own["reading"]))
+
+        return [one(own) for own in self._document["at"]]
+
+    @property
+    def from_(self) -> list[PossibleX]:
+        """The readings asked about, in their order."""
+        return [PossibleX(value(own["y"]), [interval(one) for one in own["x"]]) for own in self._document["from"]]
+
+
+class Outliers(Answer):
+    """The fewest readings to leave out so that some parameters agree with all others, and what is left then."""
+
+    __slots__ = ()
+
+    @property
+    def least(self) -> int | None:
+        """How many have to be left out; ``None`` where conditions contradict each other."""
+        least: int | None = self._document["least"]
+        return least
+
+    @property
+    def sets(self) -> list[list[int]]:
+        """Every set of so many rows without which something is left."""
+        return [list(rows) for rows in self._document["sets"]]
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether all such sets are listed."""
+        complete: bool = self._document["complete"]
+        return complete
+
+    @property
+    def pieces(self) -> list[list[Point]]:
+        """What is left without each of the sets: its corners."""
+        return [[point(vertex["theta"]) for vertex in piece] for piece in self._document["pieces"]]
+
+    @property
+    def pui(self) -> Intervals | None:
+        """The intervals of both parameters over all that is left."""
+        return intervals(self._document["pui"])
+
+    @property
+    def growth(self) -> list[Growth]:
+        """How the set grows when up to so many readings may be missed."""
+        return [
+            Growth(own["most"], own["pieces"], own["holes"], intervals(own["pui"]), number(own["area"]))
+            for own in self._document["growth"]
+        ]
+
+
+class Growth(NamedTuple):
+    """The parameters that miss at most so many readings."""
+
+    most: int
+    pieces: int
+    holes: int
+    pui: Intervals | None
+    area: Fraction | None
+
+
+class Run(NamedTuple):
+    """A run of readings, in order of x or of rows, that some parameters agree with, and that cannot be made longer."""
+
+    first: int
+    """Its first and last place in the order, from 1."""
+    last: int
+    rows: tuple[int, int]
+    """The rows that stand there."""
+    x: tuple[Fraction, Fraction] | None
+    """Its least and largest x; ``None`` with two regressors."""
+
+
+class LinearRange(Answer):
+    """Every run of readings that some parameters agree with."""
+
+    __slots__ = ()
+
+    @property
+    def order(self) -> list[int]:
+        """The rows in the order that is used."""
+        return list(self._document["order"])
+
+    @property
+    def runs(self) -> list[Run]:
+        """All runs, from the first."""
+        return [
+            Run(own["first"], own["last"], tuple(own["rows"]), None if own["x"] is None else point(own["x"]))
+            for own in self._document["parts"]
+        ]
+
+    def _run(self, ends: Any) -> Run | None:
+        return next((run for run in self.runs if [run.first, run.last] == ends), None)
+
+    @property
+    def longest(self) -> Run | None:
+        """The run with the most readings; ``None`` where no reading fits, not even alone."""
+        return self._run(self._document["longest"])
+
+    @property
+    def widest(self) -> Run | None:
+        """The run that is widest in x."""
+        return self._run(self._document["widest"])
+
+    @property
+    def fewest(self) -> list[Run]:
+        """As few runs as can be that have every reading."""
+        asked = self._document["fewest"]
+        return [run for run in self.runs if [run.first, run.last] in asked]
+
+    @property
+    def pui(self) -> Intervals | None:
+        """The intervals of both parameters of the longest run."""
+        own = self._document["longest_fit"]
+        return None if own is None else intervals(own["pui"])
+
+
+class WindowFit(NamedTuple):
+    """The fit of a window of readings."""
+
+    first_row: int
+    last_row: int
+    rows: int
+    kind: str
+    pui: Intervals | None
+    central: Point | None
+    epsilon_min: Fraction | None
+    """``None`` unless the readings are of a line under one error bound, and there is no condition."""
+    contradiction: tuple[Term, ...] | None
+    document: dict[str, Any]
+    """The line that the program writes, schema boundfit/window/1."""
+
+
+def _window(line: str) -> WindowFit:
+    own = json.loads(line)
+    certificate, central = own["fps"]["certificate"], own["central"]
+    return WindowFit(
+        own["first_row"],
+        own["last_row"],
+        own["rows"],
+        own["fps"]["kind"],
+        intervals(own["pui"]),
+        None if central is None else point(central["theta"]),
+        number(own["epsilon_min"]),
+        None if certificate is None else terms(certificate["farkas"]),
+        own,
+    )
+
+
+class Asked:
+    """Readings that can be asked: what :class:`boundfit.Fit` and the functions of this module have in common."""
+
+    __slots__ = ("_readings",)
+
+    def __init__(self, readings: _boundfit.Readings) -> None:
+        self._readings = readings
+
+    def status(self, *, repair: bool = False, new: Any = None) -> Statuses:
+        """What every reading and the set of all, and that of the others, say of each other: which are outliers, which decide.
+
+        ``repair`` also finds the least total widening of the bounds under which something meets all of them. ``new`` are further
+        readings, which change nothing: a tuple of columns in the order in which they were given (x, y, and the bounds if they are
+        columns), or of a file the path of another one.
+        """
+        further = new if new is None or isinstance(new, str) else _further(new, self._readings.reading)
+        return Statuses(partial(_boundfit.status, self._readings, repair, further))
+
+    def predict(
+        self,
+        at: Any = None,
+        *,
+        from_: Any = None,
+        grid: tuple[Number, Number, int] | None = None,
+        new_eps: Number | None = None,
+        proofs: bool = False,
+    ) -> Prediction:
+        """Where the line runs ``at`` an x, or at many, and where a further reading lies there; and which x a reading ``from_`` which
+        is known may come from. All of it is guaranteed if no error is larger than its bound.
+
+        ``at`` and ``from_`` are numbers or columns; with two regressors ``at`` is a tuple of two columns, or an array of them.
+        ``grid=(0, 10, 100)`` asks at 101 values in equal steps. ``new_eps`` bounds the error of a further reading, where it is not
+        that of the fitted ones: a number, or a law. ``proofs`` shows the readings that prove each end in reports.
+        """
+        count = self._readings.regressors
+        if count == 2 and (from_ is not None or grid is not None):
+            raise ValueError("from_ and grid are about a line: with two regressors there is no single x (ask at pairs)")
+        columns = [] if at is None else _values(at, "at", count, self._readings.reading)
+        if grid is not None:
+            columns = [("at", _of_grid(grid) + [own for _, column in columns for own in list(column)])]
+        if not columns and from_ is None:
+            raise ValueError("nothing is to be predicted: expected at, grid or from_")
+        asked = {
+            "at": columns,
+            "from_": None if from_ is None else _values(from_, "from_", 1, self._readings.reading)[0],
+            "new_eps": None if new_eps is None else text(new_eps),
+            "proofs": proofs,
+        }
+        return Prediction(partial(_boundfit.predict, self._readings, asked))
+
+    def outliers(self, *, most: int | None = None, max_sets: int | None = None, max_steps: int | None = None) -> Outliers:
+        """The fewest readings to leave out so that something agrees with all others, every such choice, and what is left then. With
+        ``most`` how the set grows when up to so many may be missed. At most ``max_sets`` choices are listed, and ``max_steps``
+        crossings of bounds looked at.
+
+        :raises ValueError: where that is too much.
+        """
+        return Outliers(partial(_boundfit.outliers, self._readings, most, max_sets, max_steps))
+
+    def range(self, *, by: Literal["x", "row"] | None = None) -> LinearRange:
+        """Every run of readings, in order of x or of rows, that some parameters agree with: where a sensor is linear."""
+        return LinearRange(partial(_boundfit.range, self._readings, by))
+
+    def windows(self, window: int | None = None, *, window_x: Number | None = None, step: int = 1) -> list[WindowFit]:
+        """The fits of the last ``window`` readings in order of rows, or of those whose x is at most ``window_x`` less than the
+        newest's in order of x, again and again as the window moves on by ``step`` readings."""
+        if window is not None and window_x is not None:
+            raise ValueError("window and window_x both say how far a window reaches back: expected one of them")
+        asked = {"readings": window, "x": None if window_x is None else text(window_x), "step": step}
+        return [_window(line) for line in _boundfit.windows(self._readings, asked, "json", None).splitlines()]
+
+
+def _further(columns: Any, reading: str) -> list[Any]:
+    if hasattr(columns, "__fspath__"):
+        raise ValueError("new: expected a tuple of columns, or the path of a file as a str")
+    if not isinstance(columns, tuple):
+        raise ValueError(f"new is of type {type(columns).__name__}: expected a tuple of columns such as (x, y)")
+    return [cells(column, "new", reading) for column in columns]
+
+
+def _values(asked: Any, name: str, regressors_of_each: int, reading: str) -> list[tuple[str, Any]]:
+    """The columns of values that are asked about: one, or both of two regressors."""
+    if regressors_of_each == 1:
+        columns = [[asked]] if is_number(asked) else regressors(list(asked) if isinstance(asked, tuple) else asked)
+    elif isinstance(asked, tuple) and len(asked) == 2 and all(map(is_number, asked)):
+        columns = [[one] for one in asked]
+    elif isinstance(asked, list) and all(isinstance(pair, (tuple, list)) and len(pair) == 2 for pair in asked):
+        columns = [[pair[side] for pair in asked] for side in (0, 1)]
+    else:
+        columns = [] if is_number(asked) else regressors(asked)
+    if len(columns) != regressors_of_each:
+        expected = "numbers, or a column of them" if regressors_of_each == 1 else "pairs of numbers, or two columns"
+        raise ValueError(f"{name}: expected {expected}")
+    columns = [cells(column, name, reading) for column in columns]
+    if len({len(column) for column in columns}) > 1:
+        raise ValueError(f"{name} has columns of different lengths")
+    return [(name, column) for column in columns]
+
+
+def _of_grid(grid: tuple[Number, Number, int]) -> list[Fraction]:
+    first, last = fraction(grid[0], "grid"), fraction(grid[1], "grid")
+    steps = int(grid[2])
+    if not first < last or not 1 <= steps < 10_000_000:
+        raise ValueError(f"grid={grid!r}: expected (from, to, steps) with from < to and at least one step, such as (0, 10, 100)")
+    return [first + (last - first) * Fraction(index, steps) for index in builtins.range(steps + 1)]
+
+
+def status(
+    x: Column | tuple[Column, Column],
+    y: Column | None = None,
+    eps: Number | Column | None = None,
+    *,
+    repair: bool = False,
+    new: Any = None,
+    **how: Unpack[How],
+) -> Statuses:
+    """What every reading and the set say of each other: :meth:`boundfit.Fit.status` of columns, which are as in
+    :func:`boundfit.fit`.
+
+    >>> [(own.row, own.status, own.without) for own in status([0, 1, 2, 3], [0, 1, 2, 9], 1).rows]
+    [(1, None, None), (2, None, None), (3, None, 'outlier'), (4, None, 'outlier')]
+    """
+    return Asked(readings(x, y, eps, **how)).status(repair=repair, new=new)
+
+
+def predict(
+    x: Column | tuple[Column, Column],
+    y: Column | None = None,
+    eps: Number | Column | None = None,
+    *,
+    at: Any = None,
+    from_: Any = None,
+    grid: tuple[Number, Number, int] | None = None,
+    new_eps: Number | None = None,
+    proofs: bool = False,
+    **how: Unpack[How],
+) -> Prediction:
+    """Where the line runs, and where further readings lie: :meth:`boundfit.Fit.predict` of columns, which are as in
+    :func:`boundfit.fit`.
+
+    >>> predicted = predict([0, 1, 2], [0, 1.5, 2], "1/2", at=3, from_=1)
+    >>> predicted.at[0].reading
+    Interval(lower=LowerBound(3, 2), upper=UpperBound(9, 2))
+    >>> predicted.from_[0].x
+    [Interval(lower=LowerBound(0, 1), upper=UpperBound(2, 1))]
+    """
+    asked = Asked(readings(x, y, eps, **how))
+    return asked.predict(at, from_=from_, grid=grid, new_eps=new_eps, proofs=proofs)
+
+
+def outliers(
+    x: Column | tuple[Column, Column],
+    y: Column | None = None,
+    eps: Number | Column | None = None,
+    *,
+    most: int | None = None,
+    max_sets: int | None = None,
+    max_steps: int | None = None,
+    **how: Unpack[How],
+) -> Outliers:
+    """The fewest readings to leave out: :meth:`boundfit.Fit.outliers` of columns, which are as in :func:`boundfit.fit`.
+
+    >>> found = outliers([0, 1, 2, 3], [0, 1, 2, 9], 1)
+    >>> found.least, found.sets
+    (1, [[3], [4]])
+    """
+    return Asked(readings(x, y, eps, **how)).outliers(most=most, max_sets=max_sets, max_steps=max_steps)
+
+
+def windows(
+    x: Column | tuple[Column, Column],
+    y: Column | None = None,
+    eps: Number | Column | None = None,
+    *,
+    window: int | None = None,
+    window_x: Number | None = None,
+    step: int = 1,
+    **how: Unpack[How],
+) -> list[WindowFit]:
+    """The last readings, fitted again and again: :meth:`boundfit.Fit.windows` of columns, which are as in :func:`boundfit.fit`.
+
+    >>> [(own.last_row, own.kind) for own in windows([0, 1, 2, 3], [0, 1, 2, 9], 1, window=3)]
+    [(3, 'polygon'), (4, 'empty')]
+    """
+    return Asked(readings(x, y, eps, **how)).windows(window, window_x=window_x, step=step)
+
+
+# The last of this module, which takes the name of the builtin.
+def range(
+    x: Column | tuple[Column, Column],
+    y: Column | None = None,
+    eps: Number | Column | None = None,
+    *,
+    by: Literal["x", "row"] | None = None,
+    **how: Unpack[How],
+) -> LinearRange:
+    """Every run of readings that some parameters agree with: :meth:`boundfit.Fit.range` of columns, which are as in
+    :func:`boundfit.fit`.
+
+    >>> import boundfit
+    >>> boundfit.range([0, 1, 2, 3], [0, 1, 2, 9], 1).longest.rows
+    (1, 3)
+    """
+    return Asked(readings(x, y, eps, **how)).range(by=by)

@@ -1,0 +1,110 @@
+"""Lines that agree with readings whose x have errors too."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from ._answers import Answer, Point, interval, intervals, number, point
+from ._bounds import Intervals
+
+
+class Side(NamedTuple):
+    """The lines of one side: those that do not fall, or do not rise; or all, where they are one set."""
+
+    side: str
+    """``"+"``, ``"-"`` or ``"both"``."""
+    kind: str
+    vertices: list[Point]
+    pui: Intervals | None
+    area: Fraction | None
+
+
+class Factor(NamedTuple):
+    """The least factor on all bounds, of x and of y, under which any line agrees."""
+
+    value: Fraction | None
+    """``None`` where it is irrational: see ``polynomial``."""
+    decimal: str
+    """The value rounded up."""
+    polynomial: tuple[int, int, int] | None
+    """Of an irrational value, coefficients of a polynomial of which it is a root."""
+    attained: bool
+    """Whether some line agrees under it, and not only under every larger one."""
+    theta: Point | None
+    """That line; ``None`` where there is none, or its numbers are irrational."""
+
+
+class XErrorFit(Answer):
+    """All lines that agree with all readings when x has errors too: one set, or one for each sign of theta1. Every number is exact.
+
+    >>> import boundfit
+    >>> fit = boundfit.fit([0, 1, 2], [0, 1.5, 2], "1/2", x_eps="1/10")
+    >>> [(own.side, own.kind) for own in fit.sides]
+    [('+', 'polygon'), ('-', 'empty')]
+    >>> fit.pui.theta1.upper
+    UpperBound(5, 3)
+    """
+
+    __slots__ = ()
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether no line agrees with all readings."""
+        return all(own.kind == "empty" for own in self.sides)
+
+    @property
+    def sides(self) -> list[Side]:
+        """The sets, of which every line that agrees is in one."""
+
+        def one(own: Any) -> Side:
+            fps = own["fps"]
+            vertices = [point(vertex["theta"]) for vertex in fps["vertices"]]
+            return Side(own["side"], fps["kind"], vertices, intervals(own["pui"]), number(fps["area"]))
+
+        return [one(own) for own in self._document["sides"]]
+
+    @property
+    def pieces(self) -> int:
+        """In how many pieces the sets lie: 0, 1 or 2."""
+        pieces: int = self._document["pieces"]
+        return pieces
+
+    @property
+    def pui(self) -> Intervals | None:
+        """The interval of each parameter over all sets, with proofs; ``None`` where they are empty."""
+        return intervals(self._document["pui"])
+
+    @property
+    def central(self) -> Point | None:
+        """The middle of both intervals; ``None`` unless they are bounded."""
+        own = self._document["central"]
+        return None if own is None else point(own["theta"])
+
+    @property
+    def factor(self) -> Factor | None:
+        """By which factor all bounds may shrink, or have to grow; ``None`` where no factor helps."""
+        own = self._document["factor"]
+        if own is None:
+            return None
+        of_root = own["polynomial"]
+        theta = None
+        if own["theta"] is not None and all(one["exact"] is not None for one in own["theta"]):
+            theta = point(own["theta"])
+        polynomial = None if of_root is None else (int(of_root[0]), int(of_root[1]), int(of_root[2]))
+        return Factor(number(own) if polynomial is None else None, own["decimal"], polynomial, own["attained"], theta)
+
+    @property
+    def least_squares(self) -> Point | None:
+        """The least-squares estimate, as if x were exact; ``None`` where there is none."""
+        own = self._document["least_squares"]
+        return None if own is None else point(own["theta"])
+
+    @property
+    def eui(self) -> Intervals | None:
+        """How far errors of y within their bounds can move the least-squares estimate."""
+        own = self._document["eui"]
+        return None if own is None else Intervals(interval(own[0]), interval(own[1]))
+
+    def __repr__(self) -> str:
+        return f"<boundfit.XErrorFit: {', '.join(f'{own.side} {own.kind}' for own in self.sides)}>"

@@ -1,0 +1,63 @@
+//! Where readings come from, to be read as often as they are asked about.
+
+use std::io::Cursor;
+use std::sync::Arc;
+
+use boundfit::Reading;
+use boundfit::engine::exact::Foreign;
+use boundfit::files::{Header, InputError, MemoryTable, ScanOptions, Source};
+use boundfit::report::Origin;
+
+/// Where readings come from.
+#[derive(Clone)]
+pub(crate) enum Data {
+    Columns(Arc<MemoryTable>),
+    /// Text with a name for messages: the same columns as CSV, or reductions.
+    Text(&'static str, Arc<[u8]>),
+    File(String),
+}
+
+impl Data {
+    /// Another look at them.
+    pub(crate) fn source(&self) -> Result<Source, InputError> {
+        match self {
+            Data::Columns(table) => Ok(Source::of_table("readings", Arc::clone(table))),
+            Data::Text(name, text) => Ok(Source::new(*name, Cursor::new(Arc::clone(text)))),
+            Data::File(path) => Source::open(path),
+        }
+    }
+
+    /// The file, if they are one.
+    pub(crate) fn path(&self) -> Option<&str> {
+        match self {
+            Data::File(path) => Some(path),
+            Data::Columns(_) | Data::Text(..) => None,
+        }
+    }
+
+    /// How numbers of them are read, if that is asked for: what is stored in binary is as it is stored.
+    pub(crate) fn reading(&self, asked: Reading) -> Result<(Reading, bool), InputError> {
+        let is_stored = self.path().is_some() && self.source()?.is_stored();
+        Ok((if is_stored { Reading::Binary64 } else { asked }, is_stored))
+    }
+
+    /// Columns in memory as the text that proofs are about, and how that is read; files as they are.
+    pub(crate) fn written(&self, options: &ScanOptions, reading: Reading) -> (Self, ScanOptions) {
+        let Data::Columns(table) = self else { return (self.clone(), options.clone()) };
+        let mut options = ScanOptions { hash: true, list_rows: true, ..options.clone() };
+        options.table.header = Header::Present;
+        options.table.dialect.delimiter = Some(b',');
+        (Data::Text("readings.csv", table.to_csv(reading).into()), options)
+    }
+
+    /// Where they come from, for programs.
+    pub(crate) fn origin(&self, reading: Reading, is_stored: bool) -> Origin<'_> {
+        Origin { file: self.path().map(Foreign::of), reading, is_stored }
+    }
+
+    /// Where they come from, for people: what comes from no file is not from standard input either.
+    pub(crate) fn shown_origin(&self, reading: Reading, is_stored: bool) -> Origin<'_> {
+        let file = Some(Foreign::of(self.path().unwrap_or("columns in memory")));
+        Origin { file, ..self.origin(reading, is_stored) }
+    }
+}

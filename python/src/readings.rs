@@ -1,0 +1,200 @@
+//! Readings with what is asked of them, to be read as often as they are asked about.
+
+use std::sync::Arc;
+
+use boundfit::engine::exact::Work;
+use boundfit::files::{ColumnSelector, Keep, Limits, Question, ScanOptions, Source};
+use boundfit::questions::{Guarantee, times};
+use boundfit::report::{Origin, proof_json};
+use boundfit::{ErrorBound, Problem, Reading};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use crate::asked::{Asked, AskedTable, XErrors, in_words};
+use crate::cells::{NamedColumn, table};
+use crate::data::Data;
+use crate::fitted::Fitted;
+use crate::numbers::{decimal, refuse};
+
+/// Readings, and what is asked of them.
+#[pyclass(frozen, module = "boundfit._boundfit")]
+pub(crate) struct Readings {
+    pub(crate) data: Data,
+    /// The names of the columns in the order of their roles.
+    pub(crate) names: Vec<String>,
+    pub(crate) question: Question,
+    pub(crate) options: ScanOptions,
+    pub(crate) x_errors: Option<XErrors>,
+    pub(crate) reading: Reading,
+    pub(crate) is_stored: bool,
+}
+
+/// Columns in memory, each copied once.
+#[pyfunction]
+pub(crate) fn readings_of_columns(columns: Vec<NamedColumn<'_>>, asked: Asked) -> PyResult<Readings> {
+    let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
+    let reading = asked.reading()?;
+    let (question, x_errors) = asked.question(&names, ColumnSelector::name, reading, &Limits::default())?;
+    let options = asked.options()?;
+    let data = Data::Columns(Arc::new(table(&columns)?));
+    Ok(Readings { data, names, question, options, x_errors, reading, is_stored: false })
+}
+
+/// Columns of a file of any format.
+#[pyfunction]
+pub(crate) fn readings_of_file(
+    path: String,
+    names: Vec<String>,
+    asked: Asked,
+    table: AskedTable,
+) -> PyResult<Readings> {
+    let data = Data::File(path);
+    let (reading, is_stored) = data.reading(asked.reading()?).map_err(|error| refuse(in_words(&error)))?;
+    let (question, x_errors) =
+        asked.question(&names, ColumnSelector::name_or_number, reading, &table.number_limits())?;
+    let options = asked.file_options(&table, reading)?;
+    Ok(Readings { data, names, question, options, x_errors, reading, is_stored })
+}
+
+#[pymethods]
+impl Readings {
+    /// Fits them. The interpreter is free meanwhile.
+    #[pyo3(signature = (eui, confidence))]
+    fn fit(&self, py: Python<'_>, eui: bool, confidence: Option<&str>) -> PyResult<Fitted> {
+        let confidence = confidence.map(|text| decimal(text, "confidence")).transpose()?;
+        py.detach(|| {
+            let problem = self.problem(Keep { eui, ..Keep::default() })?;
+            let guarantee = match &confidence {
+                None => None,
+                Some(_) if matches!(problem.measurements.error_bound(), ErrorBound::Interval { .. }) => {
+                    return Err(
+                        "confidence is about error bounds around y, and lower and upper are none".to_owned()
+                    );
+                }
+                Some(confidence) => Some(
+                    Guarantee::new(&problem.measurements, confidence)
+                        .ok_or("confidence: expected a number between 0 and 1, such as \"0.99\"")?,
+                ),
+            };
+            let fit = problem.fit();
+            Ok(Fitted {
+                problem,
+                fit,
+                guarantee,
+                reading: self.reading,
+                file: self.data.path().map(str::to_owned),
+                is_stored: self.is_stored,
+            })
+        })
+        .map_err(|error: String| refuse(error))
+    }
+
+    /// How many regressors there are: one of a line, or two.
+    #[getter]
+    fn regressors(&self) -> usize {
+        if self.question.columns.second.is_some() { 2 } else { 1 }
+    }
+
+    /// How numbers are read.
+    #[getter]
+    fn reading(&self) -> &'static str {
+        self.reading.name()
+    }
+
+    #[getter]
+    fn is_in_memory(&self) -> bool {
+        self.data.path().is_none()
+    }
+
+    /// The columns in memory as CSV; nothing of a file.
+    fn csv<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyBytes>> {
+        match &self.data {
+            Data::Columns(table) => {
+                let text = py.detach(|| table.to_csv(self.reading));
+                Some(PyBytes::new(py, &text))
+            }
+            Data::Text(_, text) => Some(PyBytes::new(py, text)),
+            Data::File(_) => None,
+        }
+    }
+
+    /// The proof of their fit, where they are, or can be written as, delimited text.
+    fn proof(&self, py: Python<'_>) -> PyResult<Option<String>> {
+        py.detach(|| {
+            let written = self.written();
+            let problem = written.problem(Keep { eui: false, ..Keep::default() })?;
+            Ok(proof_json(&problem, &problem.fit(), self.reading))
+        })
+        .map_err(|error: String| refuse(error))
+    }
+}
+
+impl Readings {
+    /// Another look at them.
+    pub(crate) fn source(&self) -> Result<Source, String> {
+        self.data.source().map_err(|error| in_words(&error))
+    }
+
+    /// Columns in memory as the text that proofs are about, and files as they are.
+    pub(crate) fn written(&self) -> Readings {
+        let (data, options) = self.data.written(&self.options, self.reading);
+        Readings {
+            data,
+            names: self.names.clone(),
+            question: self.question.clone(),
+            options,
+            x_errors: self.x_errors.clone(),
+            reading: self.reading,
+            is_stored: self.is_stored,
+        }
+    }
+
+    /// The problem; its numbers are not too long for a fit.
+    pub(crate) fn problem(&self, keep: Keep) -> Result<Problem, String> {
+        let problem = self.question.problem(self.source()?, &self.options, keep);
+        self.short(problem.map_err(|error| in_words(&error))?)
+    }
+
+    /// The problem with every reading in memory.
+    pub(crate) fn every_reading(&self, what_is: &str) -> Result<Problem, String> {
+        let problem = self.problem(Keep { eui: false, ..Keep::EVERY })?;
+        match problem.measurements.is_of_reductions() {
+            true => Err(format!(
+                "{what_is} about every reading, and the file is a reduction: ask about the table that it was made from"
+            )),
+            false => Ok(problem),
+        }
+    }
+
+    /// A problem whose numbers are not too long for a fit.
+    pub(crate) fn short(&self, problem: Problem) -> Result<Problem, String> {
+        self.check_problem(&problem, times::FIT)?;
+        Ok(problem)
+    }
+
+    /// Refuses a problem that takes so many times what its fit takes.
+    pub(crate) fn check_problem(&self, problem: &Problem, times: u64) -> Result<(), String> {
+        self.check(&problem.work(&[]), times * times::looks(problem))
+    }
+
+    /// Refuses so many times this work.
+    pub(crate) fn check(&self, work: &Work, times: u64) -> Result<(), String> {
+        check_work(work, times, &self.options)
+    }
+
+    /// Where they come from, for programs.
+    pub(crate) fn origin(&self) -> Origin<'_> {
+        self.data.origin(self.reading, self.is_stored)
+    }
+
+    /// Where they come from, for people.
+    pub(crate) fn shown_origin(&self) -> Origin<'_> {
+        self.data.shown_origin(self.reading, self.is_stored)
+    }
+}
+
+/// Refuses so many times this work.
+pub(crate) fn check_work(work: &Work, times: u64, options: &ScanOptions) -> Result<(), String> {
+    let refused = work.check(times, options.table.sizes.work);
+    refused.map_err(|error| format!("{error}; limits={{\"work\": ...}} raises it"))
+}
