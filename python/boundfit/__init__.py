@@ -18,12 +18,7 @@ from ._bounds import Interval, Intervals, LowerBound, ProvedInterval, Term, Uppe
 from ._check import Judgement, check
 from ._fit import Central, Fit, Guarantee, Minimax
 from ._fitting import fit, fit_file
-from ._groups import fit_groups
-from ._judge import Finding, JudgedProgram, judge
-from ._linearity import Characteristic, Linearity, LinearityLine, linearity, linearity_file
-from ._polygon import Polygon, generators, polygon, polygon_file
-from ._proof import verify
-from ._questions import (
+from ._found import (
     Growth,
     LinearRange,
     Outliers,
@@ -36,11 +31,14 @@ from ._questions import (
     Statuses,
     Widened,
     WindowFit,
-    outliers,
-    predict,
-    status,
-    windows,
 )
+from ._groups import fit_groups
+from ._judge import Finding, JudgedProgram, judge
+from ._linearity import Characteristic, Linearity, LinearityLine, linearity, linearity_file
+from ._polygon import Polygon, generators, polygon, polygon_file
+from ._proof import verify
+from ._questions import outliers, predict, status, windows
+
 # Not among the names of a star: there it would take the place of the builtin.
 from ._questions import range as range
 from ._reduce import reduce, reduce_file

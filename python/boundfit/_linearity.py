@@ -10,7 +10,8 @@ from typing import Any, NamedTuple, Unpack
 from . import _boundfit
 from ._answers import Answer, Point, number, point, value
 from ._asking import Name, Table
-from ._columns import Column, Missing, Number, Reading, asked, cells, named, table, text
+from ._cells import cells
+from ._columns import Column, Missing, Number, Reading, asked, named, table, text
 
 
 class LinearityLine(NamedTuple):

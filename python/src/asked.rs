@@ -321,7 +321,8 @@ pub(crate) fn in_words(error: &InputError) -> String {
     // What the program calls an option is an argument here.
     let mut text = error.to_string().replace("--missing skip", "missing=\"skip\"");
     // Columns in memory have this name, and no header.
-    text = text.replace("readings: the file has a header but no data rows", "readings: the columns are empty");
+    text =
+        text.replace("readings: the file has a header but no data rows", "readings: the columns are empty");
     if text.contains("--max-") {
         for (limit, name) in LIMITS {
             text = text.replace(limit.flag(), &format!("limits={{\"{name}\": ...}}"));

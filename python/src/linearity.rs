@@ -5,7 +5,8 @@ use std::sync::Arc;
 use boundfit::engine::exact::Work;
 use boundfit::files::{ColumnSelector, ScanOptions};
 use boundfit::questions::{
-    Calibration, CalibrationColumns, CalibrationResponse, Linearity, LinearityOptions, times,
+    Calibration, CalibrationColumns, CalibrationError, CalibrationResponse, Linearity, LinearityOptions,
+    times,
 };
 use boundfit::report::{
     Style, linearity_csv, linearity_document, linearity_json, linearity_proof, linearity_question,
@@ -122,7 +123,10 @@ fn of(
     let Calibrated { data, columns, options: how, reading, is_stored } = calibrated;
     let source = data.source().map_err(|error| in_words(&error))?;
     let Calibration { readings, input } =
-        Calibration::read(source, columns, how).map_err(|error| error.to_string())?;
+        Calibration::read(source, columns, how).map_err(|error| match error {
+            CalibrationError::Input(error) => in_words(&error),
+            of_row => of_row.to_string(),
+        })?;
     let mut work = Work::default();
     let given = [options.full_scale.as_ref(), Some(&options.through[0]), Some(&options.through[1])];
     for reading in &readings {

@@ -192,7 +192,7 @@ REFUSALS: list[tuple[dict[str, Any], str]] = [
     ({"x": [0, pandas.NA], "y": [0, 1]}, "row 2, column 1"),
     ({"x": [0, True], "y": [0, 1]}, "row 2 of x: True is a truth value"),
     ({"x": [0, {}], "y": [0, 1]}, "row 2 of x: dict is not a number"),
-    ({"x": [], "y": []}, "no data rows"),
+    ({"x": [], "y": []}, "readings: the columns are empty"),
     ({"x": 1, "y": [0]}, "x is of type int: expected an array or a list"),
     ({"x": [0], "y": numpy.zeros((2, 2))}, "y has 2 dimensions"),
     ({"x": [0], "y": [0], "eps": -1}, "eps='-1'|eps=\"-1\": negative"),

@@ -82,8 +82,11 @@ def test_a_proof_of_a_file_is_the_programs_and_is_verified(program: Program, tmp
     assert false is not None and "other bytes" in false or false
     with pytest.raises(ValueError, match="not a proof"):
         boundfit.verify("{}", b"x,y\n")
-    with pytest.raises(ValueError, match="save them as CSV"):
-        boundfit.fit([0, 1], [0, 1], 1).proof()
+    names = (FIXTURES / "arrow" / "readings.csv").read_text().splitlines()[0].split(",")
+    stored = boundfit.fit_file(FIXTURES / "arrow" / "pyarrow.parquet", names[1], names[2], 1)
+    for refused in (stored, stored.status()):
+        with pytest.raises(ValueError, match="save the table as CSV"):
+            refused.proof()
 
 
 def test_figures_and_lesson_are_the_programs(program: Program, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

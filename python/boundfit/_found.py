@@ -1,0 +1,278 @@
+"""What is answered about readings beyond their set: of each other, of further ones, and of what they are like."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from ._answers import Answer, Point, interval, intervals, number, point, terms, value
+from ._bounds import Interval, Intervals, Term
+
+
+class RowStatus(NamedTuple):
+    """What a reading and a set say of each other. Statuses are ``"inner"``, ``"boundary"``, ``"outer"``, ``"strictly outer"`` and
+    ``"outlier"`` (docs/status.md); ``None`` where the set is empty."""
+
+    row: int
+    status: str | None
+    """Against the set of all readings."""
+    leverage: Fraction | None
+    """Half the range of the model over the set at the reading, over half the reading's width."""
+    residual: Fraction | None
+    """The distance of both middles over the same."""
+    without: str | None
+    """Against the set of the others; of further readings as ``status``."""
+    without_leverage: Fraction | None
+    without_residual: Fraction | None
+
+
+class Widened(NamedTuple):
+    """A reading whose bound has to be wider."""
+
+    row: int
+    factor: Fraction
+    half_width: Fraction
+
+
+class Repair(NamedTuple):
+    """The least total widening under which something meets all bounds."""
+
+    total: Fraction | None
+    """The sum of all factors, each at least 1; ``None`` where conditions contradict each other."""
+    theta: Point | None
+    """Parameters that meet the wider bounds."""
+    widened: list[Widened]
+
+
+class Statuses(Answer):
+    """What every reading and the set of all, and that of the others, say of each other."""
+
+    __slots__ = ()
+
+    @property
+    def kind(self) -> str:
+        """Which kind of set there is: of :attr:`boundfit.Fit.kind`."""
+        kind: str = self._document["set"]["kind"]
+        return kind
+
+    @property
+    def contradiction(self) -> tuple[Term, ...] | None:
+        """Of an empty set bounds that contradict each other."""
+        own = self._document["set"]["contradiction"]
+        return None if own is None else terms(own)
+
+    @property
+    def deciding(self) -> list[int]:
+        """The rows without which the set of the others may be another one."""
+        return list(self._document["deciding"])
+
+    @property
+    def rows(self) -> list[RowStatus]:
+        """All readings, in order of rows."""
+        return [_status(own, "without") for own in self._document["rows"]]
+
+    @property
+    def new(self) -> list[RowStatus]:
+        """The further readings, which change nothing."""
+        return [_status(own, "") for own in self._document.get("new", {"rows": []})["rows"]]
+
+    @property
+    def repair(self) -> Repair | None:
+        """The least total widening, where it is asked for."""
+        own = self._document.get("repair")
+        if own is None:
+            return None
+        widened = [Widened(one["row"], value(one["factor"]), value(one["half_width"])) for one in own["widened"]]
+        return Repair(number(own["total"]), None if own["theta"] is None else point(own["theta"]), widened)
+
+
+def _status(own: Any, without: str) -> RowStatus:
+    against_all = own["status"], number(own["leverage"]), number(own["residual"])
+    if not without:
+        return RowStatus(own["row"], *against_all, *against_all)
+    return RowStatus(own["row"], *against_all, own["without"], number(own["without_leverage"]), number(own["without_residual"]))
+
+
+class PredictedValue(NamedTuple):
+    """What is predicted at one x, or at one pair of regressors."""
+
+    x: Fraction | Point
+    line: Interval
+    """The values of the true line there, if all bounds hold."""
+    reading: Interval | None
+    """Where a further reading lies; ``None`` where nothing is known of its error."""
+
+
+class PossibleX(NamedTuple):
+    """The x that a reading may come from."""
+
+    y: Fraction
+    x: list[Interval]
+    """One interval or two; none where no x gives such a reading."""
+
+
+class Prediction(Answer):
+    """Where the line runs, where further readings lie, and where readings may come from."""
+
+    __slots__ = ()
+
+    @property
+    def kind(self) -> str:
+        """Which kind of set there is; an empty one predicts nothing."""
+        kind: str = self._document["fps"]["kind"]
+        return kind
+
+    @property
+    def at(self) -> list[PredictedValue]:
+        """The values asked for, in their order."""
+
+        def one(own: Any) -> PredictedValue:
+            x: Fraction | Point = point(own["x"]) if isinstance(own["x"], list) else value(own["x"])
+            return PredictedValue(x, interval(own["line"]), None if own["reading"] is None else interval(own["reading"]))
+
+        return [one(own) for own in self._document["at"]]
+
+    @property
+    def from_(self) -> list[PossibleX]:
+        """The readings asked about, in their order."""
+        return [PossibleX(value(own["y"]), [interval(one) for one in own["x"]]) for own in self._document["from"]]
+
+
+class Outliers(Answer):
+    """The fewest readings to leave out so that some parameters agree with all others, and what is left then."""
+
+    __slots__ = ()
+
+    @property
+    def least(self) -> int | None:
+        """How many have to be left out; ``None`` where conditions contradict each other."""
+        least: int | None = self._document["least"]
+        return least
+
+    @property
+    def sets(self) -> list[list[int]]:
+        """Every set of so many rows without which something is left."""
+        return [list(rows) for rows in self._document["sets"]]
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether all such sets are listed."""
+        complete: bool = self._document["complete"]
+        return complete
+
+    @property
+    def pieces(self) -> list[list[Point]]:
+        """What is left without each of the sets: its corners."""
+        return [[point(vertex["theta"]) for vertex in piece] for piece in self._document["pieces"]]
+
+    @property
+    def pui(self) -> Intervals | None:
+        """The intervals of both parameters over all that is left."""
+        return intervals(self._document["pui"])
+
+    @property
+    def growth(self) -> list[Growth]:
+        """How the set grows when up to so many readings may be missed."""
+        return [
+            Growth(own["most"], own["pieces"], own["holes"], intervals(own["pui"]), number(own["area"]))
+            for own in self._document["growth"]
+        ]
+
+
+class Growth(NamedTuple):
+    """The parameters that miss at most so many readings."""
+
+    most: int
+    pieces: int
+    holes: int
+    pui: Intervals | None
+    area: Fraction | None
+
+
+class Run(NamedTuple):
+    """A run of readings, in order of x or of rows, that some parameters agree with, and that cannot be made longer."""
+
+    first: int
+    """Its first and last place in the order, from 1."""
+    last: int
+    rows: tuple[int, int]
+    """The rows that stand there."""
+    x: tuple[Fraction, Fraction] | None
+    """Its least and largest x; ``None`` with two regressors."""
+
+
+class LinearRange(Answer):
+    """Every run of readings that some parameters agree with."""
+
+    __slots__ = ()
+
+    @property
+    def order(self) -> list[int]:
+        """The rows in the order that is used."""
+        return list(self._document["order"])
+
+    @property
+    def runs(self) -> list[Run]:
+        """All runs, from the first."""
+        return [
+            Run(own["first"], own["last"], tuple(own["rows"]), None if own["x"] is None else point(own["x"]))
+            for own in self._document["parts"]
+        ]
+
+    def _run(self, ends: Any) -> Run | None:
+        return next((run for run in self.runs if [run.first, run.last] == ends), None)
+
+    @property
+    def longest(self) -> Run | None:
+        """The run with the most readings; ``None`` where no reading fits, not even alone."""
+        return self._run(self._document["longest"])
+
+    @property
+    def widest(self) -> Run | None:
+        """The run that is widest in x."""
+        return self._run(self._document["widest"])
+
+    @property
+    def fewest(self) -> list[Run]:
+        """As few runs as can be that have every reading."""
+        asked = self._document["fewest"]
+        return [run for run in self.runs if [run.first, run.last] in asked]
+
+    @property
+    def pui(self) -> Intervals | None:
+        """The intervals of both parameters of the longest run."""
+        own = self._document["longest_fit"]
+        return None if own is None else intervals(own["pui"])
+
+
+class WindowFit(NamedTuple):
+    """The fit of a window of readings."""
+
+    first_row: int
+    last_row: int
+    rows: int
+    kind: str
+    pui: Intervals | None
+    central: Point | None
+    epsilon_min: Fraction | None
+    """``None`` unless the readings are of a line under one error bound, and there is no condition."""
+    contradiction: tuple[Term, ...] | None
+    document: dict[str, Any]
+    """The line that the program writes, schema boundfit/window/1."""
+
+
+def window(line: str) -> WindowFit:
+    own = json.loads(line)
+    certificate, central = own["fps"]["certificate"], own["central"]
+    return WindowFit(
+        own["first_row"],
+        own["last_row"],
+        own["rows"],
+        own["fps"]["kind"],
+        intervals(own["pui"]),
+        None if central is None else point(central["theta"]),
+        number(own["epsilon_min"]),
+        None if certificate is None else terms(certificate["farkas"]),
+        own,
+    )
