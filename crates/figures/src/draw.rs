@@ -120,3 +120,18 @@ pub fn draw_program(
     drawing.keep_legend_of_drawn();
     render::render(&drawing)
 }
+
+/// Draws a set of half-planes with its vertices, and arrows where it goes on without end. An empty set leaves the panel empty.
+/// Cost: linear in the half-planes of the set.
+///
+/// # Errors
+/// Only when a library underneath fails.
+pub fn draw_region(
+    polyhedron: &Polyhedron,
+    names: &[Foreign; 2],
+    title: &Foreign,
+) -> Result<Picture, FigureError> {
+    let mut drawing = parameter_plane::region_of_half_planes(polyhedron, names, title);
+    drawing.keep_legend_of_drawn();
+    render::render(&drawing)
+}

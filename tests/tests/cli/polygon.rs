@@ -420,3 +420,42 @@ fn the_limit_on_rows_can_be_set() {
     assert_eq!((run.status, run.stdout.as_str(), run.stderr.as_str()), (1, "", message));
     printed_with_input(&root(), "polygon - --max-rows 3", matrix);
 }
+
+#[test]
+fn pictures_show_every_kind_of_set() {
+    let mut kinds = BTreeSet::new();
+    for Case { kind, csv, equations } in cases().into_iter().filter(|case| case.kind != "empty") {
+        let csv = h_representation(&csv, equations);
+        let directory = directory_with(&[("set.ine", csv.as_bytes())]);
+        let report = printed(directory.path(), "polygon set.ine --plot set.svg");
+        assert_eq!(report, printed(directory.path(), "polygon set.ine"), "{csv}");
+        let svg = std::fs::read_to_string(directory.path().join("set.svg")).unwrap();
+        let description =
+            format!("<desc>Set of set.ine, set: {kind}. Horizontal axis: θ₁. Vertical axis: θ₂.");
+        assert!(svg.contains(&description), "{csv}: {}", svg.chars().take(400).collect::<String>());
+        let is_bounded = ["point", "segment", "polygon"].contains(&kind);
+        assert_eq!(svg.contains("without end.") || svg.contains("Every point"), !is_bounded, "{csv}");
+        kinds.insert(kind);
+    }
+    assert_eq!(kinds.len(), 9, "{kinds:?}");
+}
+
+#[test]
+fn pictures_that_cannot_be_drawn_or_written_are_refused() {
+    let directory = directory_with(&[]);
+    let table = "a1,a2,b\n-1,0,0\n0,-1,0\n2,3,6\n";
+    for (csv, line, status, problem) in [
+        (table, "--plot a.gif", 2, "expected a name that ends in .svg, .png or .pdf"),
+        (table, "--plot a.svg -o a.svg", 2, "'--plot' and '--output' name the same file"),
+        (table, "--plot -", 2, "'--plot -' and the report would both go to standard output"),
+        ("a1,a2,b\n1,0,0\n-1,0,-1\n", "--plot a.svg", 1, "'--plot' has nothing to draw: the set is empty"),
+    ] {
+        let run = boundfit_with_input(directory.path(), &format!("polygon - {line}"), csv.as_bytes());
+        assert_eq!((run.status, run.stdout.as_str()), (status, ""), "{line}");
+        assert!(run.stderr.contains(problem), "{line}: {}", run.stderr);
+        assert!(!directory.path().join("a.svg").exists());
+    }
+    let run = boundfit_with_input(directory.path(), "polygon - --plot - -o a.txt", table.as_bytes());
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    assert!(run.stdout.starts_with("<svg "), "{}", run.stdout);
+}

@@ -1,6 +1,7 @@
 //! The arguments of `boundfit polygon`.
 
 use clap::Args;
+use clap::builder::NonEmptyStringValueParser;
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::{FractionArguments, OutputArguments, ReportFormat, TableArguments};
@@ -40,6 +41,9 @@ pub(super) const NOTES: Notes = Notes {
 pub(crate) struct PolygonArguments {
     /// FILE.ine or FILE.ext (H- or V-representation of cdd and lrs) or FILE.csv (columns a1,a2,b), or - for standard input
     pub(crate) file: String,
+    /// Also draw the set: FILE.svg, FILE.png or FILE.pdf
+    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
+    pub(crate) plot: Option<String>,
     #[command(flatten)]
     pub(crate) table: TableArguments,
     #[command(flatten)]

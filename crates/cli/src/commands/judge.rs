@@ -92,8 +92,15 @@ fn check_usage_of_format(arguments: &JudgeArguments, format: JudgeFormat) -> Res
 /// Refuses files that would not be each for itself: of the report, of theorems, of the picture.
 fn check_usage_of_files(arguments: &JudgeArguments) -> Result<(), Failure> {
     let report = Some(arguments.output.file.output.as_deref().unwrap_or("-"));
-    let all =
-        [("--output", report), ("--lean", arguments.lean.as_deref()), ("--plot", arguments.plot.as_deref())];
+    files_apart(&[
+        ("--output", report),
+        ("--lean", arguments.lean.as_deref()),
+        ("--plot", arguments.plot.as_deref()),
+    ])
+}
+
+/// Refuses options that would write to one file, the report first.
+pub(super) fn files_apart(all: &[(&str, Option<&str>)]) -> Result<(), Failure> {
     for (index, (option, file)) in all.iter().enumerate() {
         for (other, other_file) in all.iter().skip(index + 1) {
             let (Some(file), Some(other_file)) = (file, other_file) else { continue };
@@ -123,7 +130,7 @@ fn check_usage_of_files(arguments: &JudgeArguments) -> Result<(), Failure> {
 }
 
 /// The format that the name of a picture tells; standard output has SVG.
-fn picture_format(file: &str) -> Result<PictureFormat, Failure> {
+pub(super) fn picture_format(file: &str) -> Result<PictureFormat, Failure> {
     let told =
         ending(file).and_then(|ending| PictureFormat::ALL.into_iter().find(|own| own.name() == ending));
     match told {

@@ -1,6 +1,7 @@
 //! `boundfit polygon`.
 
 use boundfit_exact::Foreign;
+use boundfit_figures::{PictureFormat, draw_region};
 use boundfit_formats::read_half_planes;
 use boundfit_geometry::Polyhedron;
 use boundfit_report::{
@@ -8,6 +9,7 @@ use boundfit_report::{
     vertices_csv,
 };
 
+use super::judge::{files_apart, picture_format};
 use crate::CommandResult;
 use crate::arguments::{PolygonArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
@@ -17,10 +19,13 @@ use crate::work::{refuse_long, times};
 
 /// Reads the half-planes, or finds those of generators, intersects them and writes the report.
 pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
-    let format = arguments.output.format()?;
-    let guard = arguments.output.file.replace.guard([arguments.file.as_str()]);
     let output = arguments.output.file.output.as_deref();
+    files_apart(&[("--output", Some(output.unwrap_or("-"))), ("--plot", arguments.plot.as_deref())])?;
+    let plot = arguments.plot.as_deref().map(picture_format).transpose()?;
+    let format = arguments.output.format()?;
+    let mut guard = arguments.output.file.replace.guard([arguments.file.as_str()]);
     guard.check(output)?;
+    guard.check(arguments.plot.as_deref())?;
     let reading = arguments.table.reading();
     let options = arguments.table.options(reading, None)?;
     let source = input::open(&arguments.file).map_err(Failure::data)?;
@@ -52,6 +57,19 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
         ReportFormat::Ine => h_representation(&polyhedron),
         ReportFormat::Ext => v_representation(&polyhedron),
     };
-    output::write(&report, output, &guard)?;
+    let picture = plot.map(|format| picture(&polyhedron, &name, format)).transpose()?;
+    let picture = picture.as_deref().map(|picture| (picture, arguments.plot.as_deref()));
+    let parts: Vec<_> = picture.into_iter().chain([(report.as_bytes(), output)]).collect();
+    output::write_together(&parts, &mut guard)?;
     Ok(if polyhedron.region().is_empty() { Exit::Empty } else { Exit::Answer })
+}
+
+/// The set, encoded.
+fn picture(polyhedron: &Polyhedron, file: &Foreign, format: PictureFormat) -> Result<Vec<u8>, Failure> {
+    if polyhedron.region().is_empty() {
+        return Err(Failure::data(format_args!("{file}: '--plot' has nothing to draw: the set is empty")));
+    }
+    let names = ["θ₁".into(), "θ₂".into()];
+    let picture = draw_region(polyhedron, &names, &Foreign::from(format!("Set of {}", file.raw())));
+    picture.map_err(Failure::data)?.encoded(format).map_err(Failure::data)
 }

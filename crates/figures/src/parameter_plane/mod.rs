@@ -17,5 +17,5 @@ mod x_errors;
 pub(crate) use directions::drawing as directions;
 pub(crate) use fps::drawing as fps;
 pub(crate) use outliers::drawing as outliers;
-pub(crate) use program::drawing as program;
+pub(crate) use program::{drawing as program, region as region_of_half_planes};
 pub(crate) use x_errors::drawing as x_errors;

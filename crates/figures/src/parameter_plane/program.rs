@@ -1,4 +1,4 @@
-//! A linear program: its feasible set, where the objective improves, and the optimal points.
+//! A set of half-planes, and a linear program over it: where the objective improves, and the optimal points.
 
 use boundfit_exact::{Foreign, Rational};
 use boundfit_geometry::{Direction, Face, Polyhedron, RegionKind, Support};
@@ -23,6 +23,41 @@ const ARROW: f64 = 0.16;
 /// Farther than a panel is wide or high.
 const ACROSS: f64 = 4.0;
 
+/// The figure of a set, with axes of these names.
+pub(crate) fn region(polyhedron: &Polyhedron, names: &[Foreign; 2], title: &Foreign) -> Drawing {
+    let names = names.each_ref().map(|name| one_line(name, 30));
+    let (panel, set) = panel_of(polyhedron, &names);
+    let kind = polyhedron.region().kind();
+    let note = match kind {
+        RegionKind::Empty => "No point is in all half-planes.",
+        _ if polyhedron.region().is_bounded() => "",
+        RegionKind::Plane => "Every point is in all half-planes.",
+        _ => "Arrows: the set goes on without end.",
+    };
+    finished(
+        one_line(title, 90),
+        format!("set: {}", kind.name()),
+        &names,
+        panel,
+        vec![LegendEntry::new(set, "set")],
+        (note, true),
+    )
+}
+
+/// An empty panel with a set that is not empty, and how its legend shows it.
+fn panel_of(polyhedron: &Polyhedron, names: &[String; 2]) -> (Panel, Swatch) {
+    let window = view::of_region(polyhedron.region(), room_around(polyhedron), &[]);
+    let mut panel = panel(main_frame(0, Page::default()), &window, names);
+    region::draw(&mut panel, polyhedron, style::SET_FILL, style::SET_EDGE);
+    marks::draw_vertices(&mut panel, polyhedron.region(), true);
+    let set = match polyhedron.region().kind() {
+        RegionKind::Point => Swatch::mark(style::VERTEX),
+        RegionKind::Segment | RegionKind::Ray | RegionKind::Line => Swatch::line(style::SET_EDGE),
+        _ => Swatch::area(style::SET_FILL, style::SET_EDGE),
+    };
+    (panel, set)
+}
+
 /// The figure of a set that is not empty, with axes of these names and an objective that is to be made large.
 pub(crate) fn drawing(
     polyhedron: &Polyhedron,
@@ -31,15 +66,7 @@ pub(crate) fn drawing(
     title: &Foreign,
 ) -> Drawing {
     let names = names.each_ref().map(|name| one_line(name, 30));
-    let window = view::of_region(polyhedron.region(), room_around(polyhedron), &[]);
-    let mut panel = panel(main_frame(0, Page::default()), &window, &names);
-    region::draw(&mut panel, polyhedron, style::SET_FILL, style::SET_EDGE);
-    marks::draw_vertices(&mut panel, polyhedron.region(), true);
-    let set = match polyhedron.region().kind() {
-        RegionKind::Point => Swatch::mark(style::VERTEX),
-        RegionKind::Segment | RegionKind::Ray | RegionKind::Line => Swatch::line(style::SET_EDGE),
-        _ => Swatch::area(style::SET_FILL, style::SET_EDGE),
-    };
+    let (mut panel, set) = panel_of(polyhedron, &names);
     let improves = LegendEntry::new(Swatch::line(LEVEL), "the objective improves along the arrow");
     let mut legend = vec![LegendEntry::new(set, "feasible set")];
     // What the description says of the optimum, and whether that is to stand below the figure.
@@ -62,20 +89,30 @@ pub(crate) fn drawing(
         }
         Support::Empty(_) => ("No point is feasible.", true),
     };
-    let title = one_line(title, 90);
     let subtitle = format!("feasible set: {}", polyhedron.region().kind().name());
+    finished(one_line(title, 90), subtitle, &names, panel, legend, (note, is_shown))
+}
+
+/// A figure with all its parts; of the note, whether it stands below the panel.
+fn finished(
+    title: String,
+    subtitle: String,
+    names: &[String; 2],
+    panel: Panel,
+    legend: Vec<LegendEntry>,
+    (note, is_shown): (&str, bool),
+) -> Drawing {
     let main = panel.frame;
+    let description =
+        format!("{title}, {subtitle}. Horizontal axis: {}. Vertical axis: {}. {note}", names[0], names[1]);
     Drawing {
-        description: format!(
-            "{title}, {subtitle}. Horizontal axis: {}. Vertical axis: {}. {note}",
-            names[0], names[1]
-        ),
+        description: description.trim_end().to_owned(),
         title,
         subtitle,
         height: main.top + main.height + BOTTOM_LABELS + 8.0,
         panels: vec![panel],
         legend,
-        notes: if is_shown { vec![note.to_owned()] } else { Vec::new() },
+        notes: Some(note.to_owned()).filter(|note| is_shown && !note.is_empty()).into_iter().collect(),
     }
 }
 
