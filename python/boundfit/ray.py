@@ -6,21 +6,27 @@ One task is run per block. The functions are those of :mod:`boundfit.spark`, whi
 
 from __future__ import annotations
 
-from typing import Any
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 import pyarrow
-import ray
-import ray.data
 
 from . import _partitions
 from ._columns import Number
 from ._reduction import FAN_IN, Names, Part, Readings, ReducedFit, Reduction, merge_parts, readings, to_reduce
 
+if TYPE_CHECKING:
+    from ray.data import Dataset
+
 __all__ = ["fit", "fit_groups", "reduce"]
+
+# Where it is not installed, checkers of types would take this module for it.
+ray: Any = import_module("ray")
+import_module("ray.data")
 
 
 def fit_groups(
-    dataset: ray.data.Dataset,
+    dataset: Dataset,
     by: Names,
     x: Names,
     y: str | None = None,
@@ -29,7 +35,7 @@ def fit_groups(
     partitions: int | None = None,
     combine: int | None = None,
     **question: Any,
-) -> ray.data.Dataset:
+) -> Dataset:
     """Fits the rows of each key on their own: see :func:`boundfit.spark.fit_groups`. The tasks are run at once."""
     own = readings(x, y, eps, by=by, **question)
     blocks = dataset.select_columns(own.columns).to_arrow_refs()
@@ -43,7 +49,7 @@ def fit_groups(
 
 
 def reduce(
-    dataset: ray.data.Dataset, x: Names, y: str | None = None, eps: Number | None = 0, *, fan_in: int = FAN_IN, **question: Any
+    dataset: Dataset, x: Names, y: str | None = None, eps: Number | None = 0, *, fan_in: int = FAN_IN, **question: Any
 ) -> Reduction:
     """The readings that decide, with the sums over all: see :func:`boundfit.spark.reduce`."""
     own = to_reduce(x, y, eps, fan_in, **question)
@@ -58,7 +64,7 @@ def reduce(
 
 
 def fit(
-    dataset: ray.data.Dataset, x: Names, y: str | None = None, eps: Number | None = None, *, fan_in: int = FAN_IN, **question: Any
+    dataset: Dataset, x: Names, y: str | None = None, eps: Number | None = None, *, fan_in: int = FAN_IN, **question: Any
 ) -> ReducedFit:
     """Fits all rows: see :func:`boundfit.spark.fit`."""
     return reduce(dataset, x, y, eps, fan_in=fan_in, **question).fit()

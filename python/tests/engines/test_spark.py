@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import time
 from collections.abc import Iterator
@@ -100,6 +101,17 @@ def test_keys_keep_their_types(df: DataFrame) -> None:
     answer = boundfit.spark.fit_groups(df, ["sensor", "d"], "x", "y", "0.1")
     assert [field.dataType for field in answer.schema][:2] == [df.schema["sensor"].dataType, df.schema["d"].dataType]
     assert answer.count() == df.select("sensor", "d").distinct().count()
+
+
+def test_the_page_of_the_guide(spark: SparkSession, table: pyarrow.Table, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    page = (Path(__file__).resolve().parents[3] / "docs/past-one-machine.md").read_text()
+    [block] = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    monkeypatch.chdir(tmp_path)
+    path = str(tmp_path)
+    spark.createDataFrame(table.select(["row", "sensor", "x", "y"])).write.parquet(f"{path}/readings.parquet")
+    exec(block.replace('parquet("', f'parquet("{path}/'), {"spark": spark})
+    assert (tmp_path / "reduced.csv").read_text().startswith("# boundfit/reduced/")
+    assert spark.read.parquet(f"{path}/sensors.parquet").count() == 60
 
 
 def killing(marker: Path, partition: int) -> Any:
