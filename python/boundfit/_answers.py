@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import html
 import json
 from collections.abc import Callable, Iterable
 from fractions import Fraction
 from typing import Any
 
 from ._bounds import Interval, Intervals, LowerBound, ProvedInterval, Term, UpperBound
+from ._html import of_text
 
 Point = tuple[Fraction, Fraction]
 #: What gives an answer in a format, with so many digits.
@@ -50,7 +50,7 @@ class Answer:
         return self._ask("text", None)
 
     def _repr_html_(self) -> str:
-        return f"<pre>{html.escape(self._ask('text', None))}</pre>"
+        return of_text(self._ask("text", None))
 
 
 def number(own: Any) -> Fraction | None:

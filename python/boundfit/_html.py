@@ -16,9 +16,14 @@ if TYPE_CHECKING:
 _LONGEST = 24
 
 
+def of_text(text: str) -> str:
+    """A report. JupyterLab shows what is preformatted in letters of different widths, unless it is told not to."""
+    return f"<pre style='font-family:monospace;line-height:1.3;margin:0.5em 0'>{html.escape(text)}</pre>"
+
+
 def of_fit(fit: Fit) -> str:
     """The picture of the set and the short report. Nothing in it has an id, so that many of them can be in one page."""
-    report = f"<pre style='font-family:monospace;line-height:1.3;margin:0.5em 0'>{html.escape(fit.report(brief=True))}</pre>"
+    report = of_text(fit.report(brief=True))
     try:
         picture = in_page(fit.svg("fps"))
     except ValueError:

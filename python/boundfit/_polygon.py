@@ -11,6 +11,7 @@ from typing import Any
 from . import _boundfit
 from ._bounds import Interval, Intervals, lower_bound, upper_bound
 from ._columns import Number, Reading, text
+from ._html import of_text
 
 Point = tuple[Fraction, Fraction]
 
@@ -83,6 +84,9 @@ class Polygon:
 
     def __str__(self) -> str:
         return self._core.text("text")
+
+    def _repr_html_(self) -> str:
+        return of_text(str(self))
 
 
 def _exact(value: Any, reading: str) -> Fraction:

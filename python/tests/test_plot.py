@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import re
 from fractions import Fraction
 from typing import Any
@@ -193,6 +194,15 @@ def test_a_path_of_more_than_whole_numbers_is_left_alone() -> None:
 
     for path in ("M 0.5 1 L 2 3 Z", "M 0 0 A 1 1 0 0 1 2 2", "M 0 0 L 1 1 2 2"):
         assert f'd="{path}"' in in_page(f'<svg width="1" height="1"><path d="{path}"/></svg>')
+
+
+def test_reports_keep_their_columns_in_a_page() -> None:
+    fit = boundfit.fit([0, 1, 2, 3], [0, 1, 9, 3], "1/2")
+    triangle = boundfit.polygon([[-1, 0], [0, -1], [2, 3]], [0, 0, 6])
+    for answer in (fit.outliers(), fit.status(), boundfit.linearity([0, 1, 2], [0, 1, 2.5]), triangle):
+        shown = answer._repr_html_()
+        assert shown.startswith("<pre style='font-family:monospace;") and shown.endswith("</pre>")
+        assert html.unescape(shown.partition(">")[2].removesuffix("</pre>")) == str(answer)
 
 
 def test_a_judged_program_is_a_table() -> None:

@@ -152,7 +152,7 @@ def test_typed_answers_are_those_of_the_documents() -> None:
     assert runs.order == [1, 2, 3, 4] and runs.longest == runs.widest == runs.runs[0]
     assert runs.longest is not None and runs.longest.rows == (1, 3) and runs.longest.x == (0, 2)
     assert runs.pui == boundfit.Intervals(*(boundfit.ProvedInterval(*own) for own in zip_ends(boundfit.fit([0, 1, 2], [0, 1, 2], 1))))
-    assert "polygon" in str(statuses.to_dict()) and statuses._repr_html_().startswith("<pre>")
+    assert "polygon" in str(statuses.to_dict()) and statuses._repr_html_().startswith("<pre ")
 
 
 def zip_ends(fit: boundfit.Fit) -> list[tuple[Any, Any, Any, Any]]:
