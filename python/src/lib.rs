@@ -32,9 +32,9 @@ mod _boundfit {
     #[pymodule_export]
     use crate::linearity::{Calibrated, calibration_of_columns, calibration_of_file, linearity};
     #[pymodule_export]
-    use crate::pictures::{figure, lesson};
-    #[pymodule_export]
     use crate::partitions::{merge_reductions, readings_of_reductions, reduce_part};
+    #[pymodule_export]
+    use crate::pictures::{figure, lesson};
     #[pymodule_export]
     use crate::plane::{Plane, polygon_of_file, polygon_of_text};
     #[pymodule_export]
