@@ -53,6 +53,11 @@ class Answer:
         return of_text(self._ask("text", None))
 
 
+def counted(count: int, word: str) -> str:
+    """So many of something, for people."""
+    return f"{count} {word}{'' if count == 1 else 's'}"
+
+
 def number(own: Any) -> Fraction | None:
     """A number of a document; ``None`` where there is none, or its fraction is too long to be written."""
     return None if own is None or own["exact"] is None else Fraction(own["exact"])

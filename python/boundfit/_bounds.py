@@ -102,7 +102,7 @@ class Interval:
         digits = re.fullmatch(r"\.([1-9]\d{0,3})g?", spec)
         if digits is None:
             raise ValueError(f"format {spec!r} of an interval: expected how many digits, such as .5")
-        return f"[{_decimal(self.lower, int(digits[1]), True)}, {_decimal(self.upper, int(digits[1]), False)}]"
+        return f"[{decimal(self.lower, int(digits[1]), True)}, {decimal(self.upper, int(digits[1]), False)}]"
 
     def to_floats(self) -> tuple[float, float]:
         """Both ends as doubles, rounded outward; infinite where there is none."""
@@ -110,7 +110,8 @@ class Interval:
         return lower, math.inf if self.upper is None else float(self.upper)
 
 
-def _decimal(value: Fraction | None, digits: int, is_lower: bool) -> str:
+def decimal(value: Fraction | None, digits: int, is_lower: bool) -> str:
+    """An end as a decimal of so many digits, down for a lower one and up for any other."""
     if value is None:
         return "-inf" if is_lower else "inf"
     context = Context(prec=digits, rounding=ROUND_FLOOR if is_lower else ROUND_CEILING)

@@ -6,7 +6,7 @@ import json
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from ._answers import Answer, Point, interval, intervals, number, point, terms, value
+from ._answers import Answer, Point, counted, interval, intervals, number, point, terms, value
 from ._bounds import Interval, Intervals, Term
 
 
@@ -49,6 +49,10 @@ class Statuses(Answer):
     """What every reading and the set of all, and that of the others, say of each other."""
 
     __slots__ = ()
+
+    def __repr__(self) -> str:
+        readings = counted(len(self._document["rows"]), "reading")
+        return f"<boundfit.Statuses of {readings}: {self.kind}, decided by rows {self.deciding}>"
 
     @property
     def kind(self) -> str:
@@ -117,6 +121,10 @@ class Prediction(Answer):
 
     __slots__ = ()
 
+    def __repr__(self) -> str:
+        readings = counted(len(self._document["from"]), "reading")
+        return f"<boundfit.Prediction at {len(self._document['at'])} x and from {readings}: {self.kind}>"
+
     @property
     def kind(self) -> str:
         """Which kind of set there is; an empty one predicts nothing."""
@@ -143,6 +151,12 @@ class Outliers(Answer):
     """The fewest readings to leave out so that some parameters agree with all others, and what is left then."""
 
     __slots__ = ()
+
+    def __repr__(self) -> str:
+        if self.least is None:
+            return "<boundfit.Outliers: the conditions contradict each other>"
+        sets = counted(len(self.sets), "set")
+        return f"<boundfit.Outliers: {counted(self.least, 'reading')} to leave out, {sets if self.is_complete else f'{sets} and more'}>"
 
     @property
     def least(self) -> int | None:
@@ -206,6 +220,11 @@ class LinearRange(Answer):
     """Every run of readings that some parameters agree with."""
 
     __slots__ = ()
+
+    def __repr__(self) -> str:
+        own = self.longest
+        longest = "no reading fits" if own is None else f"the longest from row {own.rows[0]} to row {own.rows[1]}"
+        return f"<boundfit.LinearRange: {counted(len(self.runs), 'run')}, {longest}>"
 
     @property
     def order(self) -> list[int]:

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple, Unpack
 
 from . import _boundfit
 from ._answers import Answer, Point, number, point, value
+from ._bounds import decimal
 from ._asking import Name, Table
 from ._cells import cells
 from ._columns import Column, Missing, Number, Reading, asked, named, table, text
@@ -49,6 +50,11 @@ class Linearity(Answer):
     """How far a sensor is from a straight line, as laws and data sheets state it."""
 
     __slots__ = ()
+
+    def __repr__(self) -> str:
+        independent = self.independent
+        percent = "" if independent.percent is None else f", {decimal(independent.percent, 6, False)} % of full scale"
+        return f"<boundfit.Linearity: independent {decimal(independent.deviation, 6, False)}{percent}>"
 
     @property
     def average(self) -> Characteristic:

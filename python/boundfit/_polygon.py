@@ -80,7 +80,8 @@ class Polygon:
         return self._core.text(format)
 
     def __repr__(self) -> str:
-        return f"<boundfit.Polygon: {self.kind}, {len(self.vertices)} vertices>"
+        count = len(self.vertices)
+        return f"<boundfit.Polygon: {self.kind}, {count} {'vertex' if count == 1 else 'vertices'}>"
 
     def __str__(self) -> str:
         return self._core.text("text")

@@ -428,3 +428,13 @@ def test_intervals_are_asked_too() -> None:
     fit = boundfit.fit([0, 1, 2, 3], lower=lower, upper=upper)
     assert fit.predict(at=1).at[0].reading is None
     assert len(fit.status().rows) == 4 and fit.outliers().least == 0 and fit.range().longest is not None
+
+
+def test_answers_say_what_they_are_in_a_line() -> None:
+    x, y = [0, 1, 2, 3], [0, 1, 5, 3]
+    assert repr(boundfit.status(x, y, 2)) == "<boundfit.Statuses of 4 readings: polygon, decided by rows [1, 3, 4]>"
+    assert repr(boundfit.predict(x, y, 2, at=["1/3"], from_=[1])) == "<boundfit.Prediction at 1 x and from 1 reading: polygon>"
+    assert repr(boundfit.outliers(x, y, "0.1")) == "<boundfit.Outliers: 1 reading to leave out, 1 set>"
+    assert repr(boundfit.range(x, y, "0.1")) == "<boundfit.LinearRange: 3 runs, the longest from row 1 to row 2>"
+    assert repr(boundfit.linearity(x, [0, 1, 2, 4])) == "<boundfit.Linearity: independent 0.333334, 8.33334 % of full scale>"
+    assert repr(boundfit.polygon([[1, 0], [0, 1]], [1, 1])) == "<boundfit.Polygon: unbounded-polygon, 1 vertex>"
