@@ -1,6 +1,6 @@
 //! From a fit to a picture.
 
-use boundfit_estimation::{Fit, Problem};
+use boundfit_estimation::{Family, Fit, Problem};
 use boundfit_exact::{Foreign, Rational};
 use boundfit_geometry::Polyhedron;
 use boundfit_questions::{OutlierLimits, Outliers, XErrorFit, XErrorProblem};
@@ -51,6 +51,19 @@ pub fn draw_outliers(
     options: &PlotOptions,
 ) -> Result<Picture, FigureError> {
     finished(parameter_plane::outliers(problem, outliers, options), options)
+}
+
+/// Draws feasible sets under growing error bounds, one in another: five of the family, evenly spread from the smallest that is not
+/// empty, and that of the bounds as given; `None` where no factor of the family leaves any parameters. Cost: linear in the vertices.
+///
+/// # Errors
+/// Only when a library underneath fails.
+pub fn draw_sweep(
+    problem: &Problem,
+    family: &Family,
+    options: &PlotOptions,
+) -> Result<Option<Picture>, FigureError> {
+    parameter_plane::nested(problem, family, options).map(|drawing| finished(drawing, options)).transpose()
 }
 
 /// Draws readings with errors in x as boxes, with the steepest and the shallowest line that agree with all of them; of many readings

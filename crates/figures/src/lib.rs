@@ -43,7 +43,7 @@ mod status;
 mod text;
 mod x_errors;
 
-pub use draw::{draw, draw_boxes, draw_outliers, draw_program, draw_region, draw_x_errors};
+pub use draw::{draw, draw_boxes, draw_outliers, draw_program, draw_region, draw_sweep, draw_x_errors};
 pub use figure::{Figure, PlotOptions};
 pub use linearity::{LinearityLabels, draw_linearity};
 pub use picture::{Encoding, FigureError, Picture, PictureFormat};

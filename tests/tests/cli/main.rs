@@ -23,6 +23,7 @@ mod line_forms;
 mod linearity;
 mod long_sums;
 mod names;
+mod nested;
 mod outliers;
 mod output;
 mod packed;

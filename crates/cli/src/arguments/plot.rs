@@ -6,8 +6,9 @@ use clap::{Args, value_parser};
 
 use super::look::LookArguments;
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
-use super::values::{explained, named};
+use super::values::{FactorRange, explained, named, parse_factors};
 use super::{DataArguments, LabelArguments, ReplaceArguments, XErrorArguments};
+use crate::exit::Failure;
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -59,6 +60,9 @@ pub(crate) struct PlotArguments {
     /// What to draw
     #[arg(long, default_value = Figure::Fps.name(), value_parser = explained(Figures::named()))]
     pub(crate) figure: Figures,
+    /// Draw, as the figure fps, the sets of some factors of all error bounds from FROM to TO, one in another
+    #[arg(long, value_name = "FROM..TO", conflicts_with_all = ["x_eps", "x_eps_column"])]
+    pub(super) sweep: Option<String>,
     #[command(flatten)]
     pub(crate) labels: LabelArguments,
     /// Draw the response y along the horizontal axis and x along the vertical one
@@ -78,6 +82,14 @@ pub(crate) struct PlotArguments {
     pub(crate) output: Option<String>,
     #[command(flatten)]
     pub(crate) replace: ReplaceArguments,
+}
+
+impl PlotArguments {
+    /// The factors of `--sweep`, if they are asked for.
+    pub(crate) fn factors(&self) -> Result<Option<FactorRange>, Failure> {
+        let limits = self.data.table.limits.number();
+        self.sweep.as_deref().map(|text| parse_factors(text, &limits)).transpose()
+    }
 }
 
 /// The value of `--figure` that asks for each figure of a fit.

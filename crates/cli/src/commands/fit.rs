@@ -19,7 +19,7 @@ use crate::exit::{Exit, Failure};
 use crate::progress::while_working;
 use crate::work::refuse_long_sweep;
 
-const SWEEP_OF_FIXED: &str = "'--sweep' moves the error bounds, and the data are a reduction under bounds that are fixed: sweep \
+pub(super) const SWEEP_OF_FIXED: &str = "'--sweep' moves the error bounds, and the data are a reduction under bounds that are fixed: sweep \
                               the table that it was made from";
 
 const CONFIDENCE_OF_INTERVALS: &str = "'--confidence' is about error bounds around y, and intervals are none: a further reading need \

@@ -3,20 +3,21 @@
 use std::io::{self, IsTerminal};
 use std::path::Path;
 
-use boundfit_estimation::{Problem, fit};
+use boundfit_estimation::{Family, Problem, fit};
 use boundfit_figures::{
     Encoding, Figure, FigureError, Picture, PictureFormat, PlotOptions, draw, draw_boxes, draw_outliers,
-    draw_x_errors,
+    draw_sweep, draw_x_errors,
 };
 use boundfit_questions::{NoOutliers, OutlierLimits, Outliers, XErrorFit, XErrorProblem};
 
 use crate::CommandResult;
-use crate::arguments::{Figures, PlotArguments, ending};
+use crate::arguments::{FactorRange, Figures, PlotArguments, ending};
+use crate::commands::fit::SWEEP_OF_FIXED;
 use crate::commands::outliers::refusal;
 use crate::exit::{Exit, Failure};
 use crate::output::{self, Guard, Output};
 use crate::progress::while_working;
-use crate::work::{refuse_long_outliers, refuse_long_problem, times};
+use crate::work::{refuse_long_outliers, refuse_long_problem, refuse_long_sweep, times};
 
 /// Where pictures go.
 enum Destination<'a> {
@@ -32,6 +33,12 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
         true => Some(x_error_figure(arguments.figure)?),
         false => None,
     };
+    let factors = arguments.factors()?;
+    if factors.is_some() && !matches!(arguments.figure, Figures::One(Figure::Fps)) {
+        return Err(Failure::Usage(
+            "'--sweep' draws sets of parameters: with '--figure fps' alone".to_owned(),
+        ));
+    }
     refuse_ranges_of_statuses(arguments)?;
     refuse_letters_without_room(arguments)?;
     let (destination, format) = destination(arguments)?;
@@ -64,6 +71,9 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
             output::write(picture, file, &guard)?;
             return Ok(Exit::Answer);
         }
+    }
+    if let (Some(factors), Destination::One(_, file)) = (&factors, &destination) {
+        return run_with_factors(arguments, &problem, factors, format, (*file, &guard));
     }
     let fit = fit(&problem);
     let options = options(arguments, &problem);
@@ -145,6 +155,32 @@ fn run_with_x_errors(
     let picture = picture.encoded_as(format, &encoding(arguments)).map_err(Failure::data)?;
     output::write(picture, file, guard)?;
     Ok(if answer.is_empty() { Exit::Empty } else { Exit::Answer })
+}
+
+/// Draws sets under growing error bounds, one in another.
+fn run_with_factors(
+    arguments: &PlotArguments,
+    problem: &Problem,
+    FactorRange { from, to }: &FactorRange,
+    format: PictureFormat,
+    (file, guard): (Option<&str>, &Guard),
+) -> CommandResult {
+    if !problem.measurements.are_open() {
+        return Err(Failure::Usage(SWEEP_OF_FIXED.to_owned()));
+    }
+    refuse_long_sweep(arguments.data.file_name(), problem, to, &arguments.data.table.limits)?;
+    let family = while_working("sweeping", || Family::new(problem, from.clone(), to.clone()));
+    let options = options(arguments, problem);
+    let picture =
+        while_working("drawing", || draw_sweep(problem, &family, &options)).map_err(Failure::data)?;
+    let nothing = || {
+        let name = arguments.data.file_name();
+        Failure::data(format_args!("{name}: no factor of '--sweep' leaves any parameters"))
+    };
+    let picture =
+        picture.ok_or_else(nothing)?.encoded_as(format, &encoding(arguments)).map_err(Failure::data)?;
+    output::write(picture, file, guard)?;
+    Ok(Exit::Answer)
 }
 
 fn options(arguments: &PlotArguments, problem: &Problem) -> PlotOptions {

@@ -1,0 +1,114 @@
+//! The feasible sets under growing error bounds, one in another.
+
+use boundfit_estimation::{Family, Problem, Section};
+use boundfit_exact::{Rational, Rounding};
+use boundfit_geometry::{Generator, Generators, Inequality, Point, Polyhedron};
+
+use super::layout::{finished, main_frame, panel};
+use super::{marks, region, view};
+use crate::drawing::{Anchor, Drawing, LegendEntry, Panel, Swatch};
+use crate::figure::PlotOptions;
+use crate::labels;
+use crate::page::Page;
+use crate::palette::{BLUE, Dash, Fill, INK, ORANGE, Stroke};
+
+/// How many sets are drawn, evenly spread, beside that of the bounds as given.
+const SETS: i64 = 5;
+/// Light enough for one set to be seen through others.
+const FILL: Fill = Fill { colour: BLUE, opacity: 0.16 };
+const EDGE: Stroke = Stroke::new(BLUE, 1.0, Dash::Solid);
+/// The set of the bounds as given.
+const GIVEN: Stroke = Stroke::new(ORANGE, 1.9, Dash::Long);
+/// Significant digits of factors.
+const DIGITS: usize = 4;
+
+/// A set of the family.
+struct Nested {
+    factor: Rational,
+    set: Polyhedron,
+}
+
+/// The figure; `None` where no factor of the family leaves any parameters.
+pub(crate) fn drawing(problem: &Problem, family: &Family, options: &PlotOptions) -> Option<Drawing> {
+    let names = labels::axes_of_parameters(problem, options);
+    let sets = sets(family);
+    let largest = sets.last()?;
+    // Sets grow with the factor: the last one has all others in it.
+    let window = view::of_region(largest.set.region(), None, &[]).asked_for(options);
+    let mut panel = panel(main_frame(0, Page::of(options)), &window, &names);
+    for nested in sets.iter().rev() {
+        let is_given = nested.factor == Rational::one();
+        region::draw(&mut panel, &nested.set, FILL, if is_given { GIVEN } else { EDGE });
+        marks::draw_vertices(&mut panel, nested.set.region(), false);
+    }
+    sets.iter().for_each(|nested| name(&mut panel, nested));
+    let mut legend = vec![LegendEntry::new(
+        Swatch::area(FILL, EDGE),
+        "feasible parameters when all error bounds grow by this factor",
+    )];
+    if sets.iter().any(|nested| nested.factor == Rational::one()) {
+        legend.push(LegendEntry::new(Swatch::area(FILL, GIVEN), "with error bounds as given"));
+    }
+    let mut notes: Vec<String> = family
+        .least()
+        .filter(|least| least.is_positive())
+        .map(|least| format!("Below the factor {} nothing is left.", shown("", least, Rounding::Up)))
+        .into_iter()
+        .collect();
+    if sets.iter().any(|nested| !nested.set.region().is_bounded()) {
+        notes.push("Arrows: the set goes on without end.".to_owned());
+    }
+    let title = "Feasible parameter sets under growing error bounds".to_owned();
+    Some(finished(problem, options, title, vec![panel], legend, notes))
+}
+
+/// The sets to be drawn, from the smallest factor on.
+fn sets(family: &Family) -> Vec<Nested> {
+    let ends = || family.breakpoints().iter().map(|breakpoint| &breakpoint.s);
+    let (Some(least), Some(from), Some(to)) = (family.least(), ends().next(), ends().next_back()) else {
+        return Vec::new();
+    };
+    let from = from.max(least);
+    if from > to {
+        return Vec::new();
+    }
+    let step = (to - from) * Rational::ratio(1, SETS - 1);
+    let mut factors: Vec<Rational> = (0..SETS).map(|k| from + &step * Rational::from(k)).collect();
+    factors.push(Rational::one());
+    factors.retain(|factor| from <= factor && factor <= to);
+    factors.sort();
+    factors.dedup();
+    let set = |factor: Rational| Some(Nested { set: polyhedron(&family.at(&factor)?), factor });
+    factors.into_iter().filter_map(set).collect()
+}
+
+/// The set of a section: of its vertices and rays, and without a vertex of its boundaries.
+fn polyhedron(section: &Section) -> Polyhedron {
+    if section.vertices.is_empty() {
+        let half_planes = section.boundaries.iter().map(|boundary| {
+            let [a1, a2] =
+                [boundary.normal.dx(), boundary.normal.dy()].map(|part| Rational::from(part.clone()));
+            Inequality::new(a1, a2, boundary.offset.clone())
+        });
+        return Polyhedron::intersect(half_planes.collect());
+    }
+    let points = section.vertices.iter().map(|vertex| Point::new(&vertex.theta[0], &vertex.theta[1]));
+    let rays = section.rays.iter().cloned().map(Generator::Ray);
+    points.map(Generator::Point).chain(rays).collect::<Generators>().polyhedron()
+}
+
+/// Writes the factor at the highest vertex.
+fn name(panel: &mut Panel, nested: &Nested) {
+    let places = region::places(panel, nested.set.region());
+    let shows = |place: &[f64; 2]| place.iter().all(|coordinate| (0.0..=1.0).contains(coordinate));
+    let highest = places.into_iter().filter(shows).max_by(|one, other| one[1].total_cmp(&other[1]));
+    if let Some(at) = highest {
+        panel.text(at, shown("×", &nested.factor, Rounding::Nearest), Anchor { across: 0.4, up: 1.0 }, INK);
+    }
+}
+
+/// A factor behind a sign, and another sign where digits are left out.
+fn shown(sign: &str, factor: &Rational, rounding: Rounding) -> String {
+    let about = if factor.exact_decimal(DIGITS).is_some() { "" } else { "≈ " };
+    format!("{about}{sign}{}", labels::number(factor, DIGITS, rounding))
+}

@@ -1,0 +1,69 @@
+//! `boundfit plot --sweep`: sets under growing error bounds, one in another.
+
+use boundfit_tests::cli::{boundfit, directory_with};
+
+const TABLE: &str = "x,y\n0,0\n1,1.5\n2,2\n3,3.5\n";
+
+fn plot(table: &str, line: &str) -> (i32, String, String) {
+    let directory = directory_with(&[("data.csv", table.as_bytes())]);
+    let run = boundfit(directory.path(), &format!("plot data.csv --x x --y y --real-text {line}"));
+    (run.status, run.stdout, run.stderr)
+}
+
+/// The factors that are written beside sets.
+fn factors(svg: &str) -> Vec<String> {
+    let texts =
+        svg.split('×').skip(1).map(|text| text.split('<').next().unwrap_or_default().trim().to_owned());
+    texts.filter(|text| !text.starts_with("10")).collect()
+}
+
+#[test]
+fn sets_are_drawn_from_the_least_factor_on() {
+    // The least error bound is 1/4.
+    let (status, svg, messages) = plot(TABLE, "--eps 1/2 --sweep 0..3");
+    assert_eq!((status, messages.as_str()), (0, ""));
+    assert_eq!(factors(&svg), ["0.5", "1", "1.125", "1.75", "2.375", "3"]);
+    for text in ["Below the factor 0.5 nothing is left.", "with error bounds as given"] {
+        assert!(svg.contains(text), "{text}");
+    }
+    let (_, svg, _) = plot(TABLE, "--eps 1/2 --sweep 1..2");
+    assert_eq!(factors(&svg), ["1", "1.25", "1.5", "1.75", "2"]);
+    let (_, svg, _) = plot(TABLE, "--eps 1/2 --sweep 2..2");
+    assert_eq!(factors(&svg), ["2"]);
+    assert!(!svg.contains("with error bounds as given"));
+}
+
+#[test]
+fn an_empty_set_is_among_the_sets_once_bounds_have_grown() {
+    let (status, svg, _) = plot(TABLE, "--eps 1/8 --sweep 1..4");
+    assert_eq!((status, factors(&svg)), (0, ["2", "2.5", "3", "3.5", "4"].map(String::from).to_vec()));
+}
+
+#[test]
+fn sets_without_end_have_arrows() {
+    let (status, svg, _) = plot("x,y\n1,1\n1,2\n", "--eps 1 --sweep 0.6..2");
+    assert_eq!((status, svg.contains("Arrows: the set goes on without end.")), (0, true));
+}
+
+#[test]
+fn sweeps_that_cannot_be_drawn_are_refused() {
+    for (line, status, problem) in [
+        ("--eps 1/8 --sweep 0..1", 1, "data.csv: no factor of '--sweep' leaves any parameters"),
+        ("--eps 1 --sweep 2..1", 2, "expected FROM..TO with numbers 0 <= FROM <= TO"),
+        (
+            "--eps 1 --sweep 1..2 --figure data",
+            2,
+            "'--sweep' draws sets of parameters: with '--figure fps' alone",
+        ),
+        (
+            "--eps 1 --sweep 1..2 --figure all",
+            2,
+            "'--sweep' draws sets of parameters: with '--figure fps' alone",
+        ),
+        ("--eps 1 --sweep 1..2 --x-eps 0.1", 2, "'--sweep <FROM..TO>' cannot be used with"),
+    ] {
+        let (found, output, messages) = plot(TABLE, line);
+        assert_eq!((found, output.as_str()), (status, ""), "{line}");
+        assert!(messages.contains(problem), "{line}: {messages}");
+    }
+}
