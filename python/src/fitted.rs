@@ -41,6 +41,8 @@ fn ends(interval: &Interval) -> (Option<Number<'_>>, Option<Number<'_>>) {
 }
 
 type Ends<'a> = (Option<Number<'a>>, Option<Number<'a>>);
+/// Both ends as Python has them.
+type GivenEnds<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
 /// The value of an end, and the half-planes with multipliers that prove it.
 type ProvedEnd<'a> = (Option<Number<'a>>, Vec<(Name, Number<'a>)>);
 
@@ -120,7 +122,7 @@ impl Fitted {
     fn directions<'py>(&self, py: Python<'py>, lines: bool) -> PyResult<Vec<Bound<'py, PyAny>>> {
         let region = self.fit.fps.polyhedron().region();
         let directions = if lines { region.lines() } else { region.rays() };
-        let numbers = directions.iter().map(|d| [d.dx(), d.dy()].map(|c| Rational::from(c)));
+        let numbers = directions.iter().map(|d| [d.dx(), d.dy()].map(Rational::from));
         numbers.map(|theta| Ok(pair(&theta).into_pyobject(py)?.into_any())).collect()
     }
 
@@ -189,7 +191,7 @@ impl Fitted {
         py: Python<'py>,
         phi1: &Bound<'py, PyAny>,
         phi2: &Bound<'py, PyAny>,
-    ) -> PyResult<Option<(Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>)>> {
+    ) -> PyResult<Option<GivenEnds<'py>>> {
         let form = [exact(phi1)?, exact(phi2)?];
         Ok(match self.range_of(&form) {
             None => None,

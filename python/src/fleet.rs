@@ -89,7 +89,7 @@ impl Lines {
             group.least.as_ref(),
         ];
         let unbounded = |index: usize| {
-            let infinity = if index % 2 == 0 { f64::NEG_INFINITY } else { f64::INFINITY };
+            let infinity = if index.is_multiple_of(2) { f64::NEG_INFINITY } else { f64::INFINITY };
             (index < 4 && group.pui.is_some()).then_some(infinity)
         };
         let columns = self.numbers.iter_mut().zip(&NUMBERS).zip(values);

@@ -15,6 +15,11 @@ type Row<'py> = (Vec<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>, Option<Bound
 /// Both bounds of a column.
 type Ends<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
 
+/// An aspect, its worth, and its error.
+type Found<'py> = (&'static str, &'static str, Option<Bound<'py, PyAny>>);
+/// The status of a program, its optimum, the vertices where it is attained, and what was found about a claim.
+type Judged<'py> = (&'static str, Option<Bound<'py, PyAny>>, Vec<Bound<'py, PyAny>>, Vec<Found<'py>>);
+
 /// What a solver answers, in the words of this package.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
@@ -37,12 +42,7 @@ pub(crate) fn judge<'py>(
     bounds: Vec<Ends<'py>>,
     claimed: Option<Claimed<'py>>,
     tolerance: &Bound<'py, PyAny>,
-) -> PyResult<(
-    &'static str,
-    Option<Bound<'py, PyAny>>,
-    Vec<Bound<'py, PyAny>>,
-    Vec<(&'static str, &'static str, Option<Bound<'py, PyAny>>)>,
-)> {
+) -> PyResult<Judged<'py>> {
     let model = model(&costs, &rows, &bounds)?;
     let tolerances = Tolerances { relative: exact(tolerance)?, digits_as_printed: false };
     let solution = claimed.map(|claimed| claimed.solution()).transpose()?;
