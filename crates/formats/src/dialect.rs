@@ -5,6 +5,10 @@ use boundfit_exact::{DecimalMark, Notation, Thousands};
 /// The delimiter that stands for runs of blanks and tabs.
 pub const BLANKS: u8 = b' ';
 
+/// What may separate cells, with the names used on the command line.
+pub const DELIMITERS: [(&str, u8); 5] =
+    [("comma", b','), ("semicolon", b';'), ("tab", b'\t'), ("space", BLANKS), ("pipe", b'|')];
+
 /// Which lines are comments.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum CommentMark {
@@ -16,6 +20,18 @@ pub enum CommentMark {
     None,
     /// All that start with this byte.
     Mark(u8),
+}
+
+impl CommentMark {
+    /// What `auto`, `none` or a mark asks for; a letter, a digit or a blank is no mark.
+    pub fn parse(text: &str) -> Option<Self> {
+        match (text, text.as_bytes()) {
+            ("auto", _) => Some(CommentMark::Auto),
+            ("none", _) => Some(CommentMark::None),
+            (_, [mark]) if mark.is_ascii_punctuation() => Some(CommentMark::Mark(*mark)),
+            _ => None,
+        }
+    }
 }
 
 /// What becomes of rows that have no number in a cell that is asked for, but nothing or a word for a missing value.

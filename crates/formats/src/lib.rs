@@ -45,7 +45,7 @@ mod whole;
 mod workbook;
 
 pub use columns::{ColumnSelector, Header};
-pub use dialect::{AskedDialect, BLANKS, CommentMark, Dialect, Encoding, Missing};
+pub use dialect::{AskedDialect, BLANKS, CommentMark, DELIMITERS, Dialect, Encoding, Missing};
 pub use error::{InputError, InputErrorKind, Place};
 pub use fractions::Fractions;
 pub use half_planes::{GeneratorRows, HalfPlaneFile, HalfPlaneFormat, RowOrigin, read_half_planes};

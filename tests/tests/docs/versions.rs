@@ -24,9 +24,9 @@ fn crates_ask_for_each_other_in_this_version() {
 }
 
 #[test]
-fn the_python_package_has_this_version() {
+fn the_packages_for_other_languages_have_this_version() {
     let version = format!("version = \"{}\"", env!("CARGO_PKG_VERSION"));
-    for file in ["pyproject.toml", "python/Cargo.toml"] {
+    for file in ["pyproject.toml", "python/Cargo.toml", "wasm/Cargo.toml", "wasm/pack/Cargo.toml"] {
         let text = fs::read_to_string(root().join(file)).unwrap();
         assert!(text.lines().any(|line| line == version), "{file}");
     }

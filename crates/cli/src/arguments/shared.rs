@@ -12,7 +12,7 @@ use crate::output::Guard;
 use super::RowArguments;
 use super::endings::{NamedFormat, told_by_name};
 use super::values::{
-    DECIMAL_MARKS, DELIMITERS, IfAsked, Regressors, named, named_or_auto, parse_column, parse_comment,
+    DECIMAL_MARKS, IfAsked, Regressors, delimiters, named, named_or_auto, parse_column, parse_comment,
     parse_regressors, parse_thousands,
 };
 
@@ -134,7 +134,7 @@ pub(crate) struct TableArguments {
           value_parser = named(Header::ALL.map(|header| (header.name(), header))))]
     pub(super) header: Header,
     /// What separates the columns (space: runs of blanks and tabs)
-    #[arg(long, default_value = "auto", value_parser = named_or_auto(DELIMITERS), help_heading = TEXT)]
+    #[arg(long, default_value = "auto", value_parser = named_or_auto(delimiters()), help_heading = TEXT)]
     pub(super) delimiter: IfAsked<u8>,
     /// Decimal mark; auto finds out, unless commas separate the columns
     #[arg(long, default_value = "auto", value_parser = named_or_auto(DECIMAL_MARKS), help_heading = TEXT)]

@@ -1,9 +1,11 @@
 //! The values of options that are more than a text or a number.
 
+use std::iter;
+
 use boundfit_exact::{
     DecimalMark, Limit, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading, Thousands,
 };
-use boundfit_formats::{BLANKS, ColumnSelector, CommentMark};
+use boundfit_formats::{ColumnSelector, CommentMark, DELIMITERS};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::exit::Failure;
@@ -23,14 +25,10 @@ pub(crate) struct FactorRange {
 }
 
 /// What separates the columns; nothing when the file tells.
-pub(super) const DELIMITERS: [(&str, Option<u8>); 6] = [
-    ("auto", None),
-    ("comma", Some(b',')),
-    ("semicolon", Some(b';')),
-    ("tab", Some(b'\t')),
-    ("space", Some(BLANKS)),
-    ("pipe", Some(b'|')),
-];
+pub(super) fn delimiters() -> impl Iterator<Item = (&'static str, Option<u8>)> {
+    let named = DELIMITERS.into_iter().map(|(name, byte)| (name, Some(byte)));
+    iter::once(("auto", None)).chain(named)
+}
 
 /// The decimal mark; nothing when the file tells.
 pub(super) const DECIMAL_MARKS: [(&str, Option<DecimalMark>); 3] = [
@@ -51,16 +49,9 @@ pub(super) fn named_or_auto<T: Clone + Send + Sync + 'static>(
 }
 
 pub(super) fn parse_comment(text: &str) -> Result<CommentMark, String> {
-    match text {
-        "auto" => Ok(CommentMark::Auto),
-        "none" => Ok(CommentMark::None),
-        _ => match text.as_bytes() {
-            [mark] if mark.is_ascii_punctuation() => Ok(CommentMark::Mark(*mark)),
-            _ => {
-                Err("expected auto, none or one character such as '#', no letter, digit or blank".to_owned())
-            }
-        },
-    }
+    CommentMark::parse(text).ok_or_else(|| {
+        "expected auto, none or one character such as '#', no letter, digit or blank".to_owned()
+    })
 }
 
 pub(super) fn parse_thousands(text: &str) -> Result<Thousands, String> {

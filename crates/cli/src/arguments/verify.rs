@@ -7,7 +7,7 @@ use boundfit_formats::{ColumnSelector, Header};
 
 use super::notes::{BAD_USAGE, Notes};
 use super::shared::{EpsilonArguments, LIMITS, LineArguments};
-use super::values::{DELIMITERS, IfAsked, Regressors, named, named_or_auto, parse_column, parse_regressors};
+use super::values::{IfAsked, Regressors, delimiters, named, named_or_auto, parse_column, parse_regressors};
 use super::{FileArguments, Format, LimitArguments, RowArguments};
 
 pub(super) const NOTES: Notes = Notes {
@@ -81,7 +81,7 @@ pub(crate) struct VerifyArguments {
           value_parser = named(Header::ALL.map(|header| (header.name(), header))))]
     pub(super) header: Header,
     /// What separates the columns
-    #[arg(long, default_value = "auto", value_parser = named_or_auto(DELIMITERS))]
+    #[arg(long, default_value = "auto", value_parser = named_or_auto(delimiters()))]
     pub(super) delimiter: IfAsked<u8>,
 }
 

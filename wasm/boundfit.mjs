@@ -1,0 +1,33 @@
+// @ts-check
+// The engine for JavaScript, in a browser, a Worker or Node: start it with the bytes of boundfit_wasm.wasm.gz, then
+// ask.
+
+import { __wbg_reset_state as startAnew, initSync, run as runOnce } from "./boundfit_wasm.mjs";
+
+/**
+ * Unpacks the engine and starts it.
+ * @param {BlobPart} packed the bytes of `boundfit_wasm.wasm.gz`
+ */
+export const start = async (packed) => {
+  const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return initSync({ module: await new Response(unpacked).arrayBuffer() });
+};
+
+/**
+ * Fits readings: the answer of `boundfit fit`, as JSON unless `options.format` says otherwise.
+ *
+ * Throws an Error in the words of the program where options or table are wrong. A trap, such as for lack of memory, is thrown too; the
+ * engine is started anew then, so that the next call finds it whole.
+ * @param {string | Uint8Array} table
+ * @param {object} options the options of `boundfit fit`, with `_` in the place of `-` (docs/wasm.md)
+ * @returns {string}
+ */
+export const run = (table, options) => {
+  const bytes = typeof table === "string" ? new TextEncoder().encode(table) : table;
+  try {
+    return runOnce(bytes, JSON.stringify(options));
+  } catch (error) {
+    if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) startAnew();
+    throw error;
+  }
+};

@@ -1,0 +1,21 @@
+//! The engine for JavaScript: a table and a question in, the program's own answer out.
+
+#![forbid(unsafe_code)]
+
+mod answer;
+mod options;
+
+use wasm_bindgen::prelude::*;
+
+/// Fits readings, and answers as `boundfit fit` does: with the JSON document of schema `boundfit/fit/1`, with the report for people, or
+/// with the proof.
+///
+/// `table` has the bytes of a table of any kind that the program reads from text, and `options` is a JSON object whose keys are the
+/// program's options, with `_` in the place of `-`.
+///
+/// # Errors
+/// Throws an `Error` that says what is wrong with the options or the table, and where.
+#[wasm_bindgen]
+pub fn run(table: Vec<u8>, options: &str) -> Result<String, JsError> {
+    answer::answer(table, options).map_err(|problem| JsError::new(&problem))
+}

@@ -1,0 +1,252 @@
+//! What is asked, as JSON says it.
+
+use boundfit::engine::exact::{DecimalMark, Thousands};
+use boundfit::engine::formats::{CommentMark, DELIMITERS};
+use boundfit::files::{
+    AskedDialect, ColumnSelector, EpsilonColumn, Header, Missing, Question, RowCondition, RowRange, RowSet,
+    TableOptions,
+};
+use boundfit::report::{EndRounding, Style};
+use boundfit::{Condition, Reading};
+use serde::Deserialize;
+
+/// The keys of the object, each named as the option of `boundfit fit` that it is.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Options {
+    /// The name of the table in reports and messages; without one it is standard input.
+    pub(crate) file: Option<String>,
+    x: Regressors,
+    y: Option<String>,
+    eps: Option<String>,
+    eps_column: Option<String>,
+    lower: Option<String>,
+    upper: Option<String>,
+    #[serde(default, rename = "where")]
+    conditions: Vec<String>,
+    #[serde(default)]
+    through_origin: bool,
+    x_origin: Option<String>,
+    #[serde(default)]
+    rows: Vec<Rows>,
+    #[serde(default)]
+    without: Vec<Rows>,
+    #[serde(default)]
+    where_row: Vec<String>,
+    reading: Option<String>,
+    header: Option<String>,
+    delimiter: Option<String>,
+    decimal: Option<String>,
+    thousands: Option<String>,
+    comment: Option<String>,
+    #[serde(default)]
+    skip_lines: u64,
+    #[serde(default)]
+    units_row: bool,
+    missing: Option<String>,
+    #[serde(default)]
+    pub(crate) no_eui: bool,
+    format: Option<String>,
+    digits: Option<u16>,
+    rounding: Option<String>,
+    #[serde(default)]
+    exact: bool,
+}
+
+/// The columns of one or two regressors.
+#[derive(Debug, Deserialize)]
+#[serde(
+    untagged,
+    expecting = "x: expected the name or number of a column as text, or an array of two of these"
+)]
+enum Regressors {
+    One(String),
+    Two([String; 2]),
+}
+
+/// Data rows, counted from 1.
+#[derive(Debug, Deserialize)]
+#[serde(
+    untagged,
+    expecting = "rows and without: expected rows from 1 such as 5, [14, 36] or, to the end, [10, null]"
+)]
+enum Rows {
+    One(usize),
+    Range(usize, Option<usize>),
+}
+
+/// What is written of a fit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Format {
+    Json,
+    Text,
+    Proof,
+}
+
+impl Options {
+    /// Reads the object.
+    ///
+    /// # Errors
+    /// With the key that is missing, not known, or of another type.
+    pub(crate) fn parse(json: &str) -> Result<Self, String> {
+        serde_json::from_str(json).map_err(|error| format!("options: {error}"))
+    }
+
+    /// What is written.
+    pub(crate) fn format(&self) -> Result<Format, String> {
+        let names = [("json", Format::Json), ("text", Format::Text), ("proof", Format::Proof)];
+        Ok(named("format", self.format.as_deref(), &names)?.unwrap_or(Format::Json))
+    }
+
+    /// How numbers of text are read.
+    pub(crate) fn reading(&self) -> Result<Reading, String> {
+        let names = Reading::ALL.map(|reading| (reading.name(), reading));
+        Ok(named("reading", self.reading.as_deref(), &names)?.unwrap_or_default())
+    }
+
+    /// How numbers are written.
+    pub(crate) fn style(&self) -> Result<Style, String> {
+        if self.digits.is_some_and(|digits| !(1..=1000).contains(&digits)) {
+            return Err("digits: expected a number from 1 to 1000".to_owned());
+        }
+        let names = EndRounding::ALL.map(|rounding| (rounding.name(), rounding));
+        let ends = named("rounding", self.rounding.as_deref(), &names)?.unwrap_or_default();
+        Ok(Style { digits: self.digits.map(usize::from), ends, exact: self.exact, ..Style::default() })
+    }
+
+    /// What is asked of a table whose numbers are read like that.
+    pub(crate) fn question(&self, reading: Reading) -> Result<Question, String> {
+        let limits = TableOptions::default().limits;
+        let response = self.y.as_deref().map(|own| column("y", own)).transpose()?;
+        let question = match &self.x {
+            Regressors::One(x) => Question::line(column("x", x)?, response),
+            Regressors::Two([phi1, phi2]) => {
+                Question::regressors(column("x", phi1)?, column("x", phi2)?, response)
+            }
+        };
+        let mut question = self.bounded(question, reading)?;
+        if question.columns.second.is_some() && (self.through_origin || self.x_origin.is_some()) {
+            return Err(
+                "through_origin and x_origin are about a line: two regressors have no offset".to_owned()
+            );
+        }
+        for text in &self.conditions {
+            let condition = Condition::parse(text, reading, &limits);
+            question.conditions.push(condition.map_err(|error| refused("where", text, error))?);
+        }
+        question.columns.form.through_origin = self.through_origin;
+        if let Some(text) = &self.x_origin {
+            let origin = reading.read(text, &limits);
+            question.columns.form.x_origin = origin.map_err(|error| refused("x_origin", text, error))?;
+        }
+        Ok(question)
+    }
+
+    /// The question with the bounds on the errors, of which there are to be those of one kind.
+    fn bounded(&self, question: Question, reading: Reading) -> Result<Question, String> {
+        let bound = |key: &str, own: &Option<String>| own.as_deref().map(|own| column(key, own)).transpose();
+        let [lower, upper] = [bound("lower", &self.lower)?, bound("upper", &self.upper)?];
+        let is_interval = lower.is_some() || upper.is_some();
+        if self.y.is_none() && !is_interval {
+            return Err("y is missing: only beside lower or upper it may be left out".to_owned());
+        }
+        match (&self.eps, bound("eps_column", &self.eps_column)?, is_interval) {
+            (Some(eps), None, false) => {
+                let question = question.within(eps, reading).map_err(|error| refused("eps", eps, error))?;
+                match &question.columns.epsilon {
+                    EpsilonColumn::Law(law) if question.columns.second.is_some() && law.needs_x() => {
+                        let problem =
+                            "two regressors have no |x| (expected a law of |y|, range(y) and written)";
+                        Err(refused("eps", eps, problem))
+                    }
+                    _ => Ok(question),
+                }
+            }
+            (None, Some(column), false) => Ok(question.within_columns(EpsilonColumn::Column(column))),
+            (None, None, true) => Ok(question.within_columns(EpsilonColumn::Interval { lower, upper })),
+            (None, None, false) => {
+                Err("the bound on the errors is missing: eps, eps_column, lower or upper".to_owned())
+            }
+            _ => Err("the errors have one bound: eps, or eps_column, or lower and upper".to_owned()),
+        }
+    }
+
+    /// How the table is read.
+    pub(crate) fn table(&self, reading: Reading) -> Result<TableOptions, String> {
+        let table = TableOptions::default();
+        let conditions = self.where_row.iter().map(|text| {
+            let condition = RowCondition::parse(text, reading, &table.limits);
+            condition.map_err(|error| refused("where_row", text, error))
+        });
+        let headers = Header::ALL.map(|header| (header.name(), header));
+        let missing = Missing::ALL.map(|missing| (missing.name(), missing));
+        let rows = RowSet::new(&ranges("rows", &self.rows)?, &ranges("without", &self.without)?);
+        Ok(TableOptions {
+            header: named("header", self.header.as_deref(), &headers)?.unwrap_or_default(),
+            dialect: self.dialect()?,
+            missing: named("missing", self.missing.as_deref(), &missing)?.unwrap_or_default(),
+            rows: rows.ok_or("without: no row is left")?,
+            conditions: conditions.collect::<Result<_, _>>()?,
+            reading,
+            ..table
+        })
+    }
+
+    fn dialect(&self) -> Result<AskedDialect, String> {
+        let decimals = DecimalMark::ALL.map(|mark| (mark.name(), mark));
+        let thousands = Thousands::ALL.map(|mark| (mark.mark(), mark));
+        // Of both what is left to the table has a name on the command line.
+        let asked = |text: &Option<String>| text.clone().filter(|text| text != "auto");
+        let decimal = named("decimal", asked(&self.decimal).as_deref(), &decimals)?;
+        let thousands = named("thousands", self.thousands.as_deref(), &thousands)?;
+        if let (Some(decimal), Some(thousands)) = (decimal, thousands)
+            && thousands.mark().as_bytes() == [decimal.byte()]
+        {
+            return Err(
+                "decimal and thousands name one mark: it cannot both group digits and come before decimals"
+                    .to_owned(),
+            );
+        }
+        let comment = self.comment.as_deref().map(|text| {
+            CommentMark::parse(text)
+                .ok_or_else(|| refused("comment", text, "expected auto, none or one character such as #"))
+        });
+        Ok(AskedDialect {
+            delimiter: named("delimiter", asked(&self.delimiter).as_deref(), &DELIMITERS)?,
+            decimal,
+            thousands,
+            comment: comment.transpose()?.unwrap_or_default(),
+            skip_lines: self.skip_lines,
+            units_row: self.units_row,
+        })
+    }
+}
+
+/// What a key asks for by name, if it is there.
+fn named<T: Clone>(key: &str, asked: Option<&str>, names: &[(&str, T)]) -> Result<Option<T>, String> {
+    let Some(asked) = asked else { return Ok(None) };
+    let found = names.iter().find(|(name, _)| *name == asked).map(|(_, own)| own.clone());
+    let expected = || names.iter().map(|(name, _)| format!("{name:?}")).collect::<Vec<_>>().join(", ");
+    found.map(Some).ok_or_else(|| refused(key, asked, format_args!("expected one of {}", expected())))
+}
+
+fn column(key: &str, text: &str) -> Result<ColumnSelector, String> {
+    match text.trim() {
+        "" => Err(refused(key, text, "expected a header name or a column number")),
+        text => Ok(ColumnSelector::name_or_number(text)),
+    }
+}
+
+fn ranges(key: &str, asked: &[Rows]) -> Result<Vec<RowRange>, String> {
+    let range = |own: &Rows| match *own {
+        Rows::One(row) => RowRange::new(row, row),
+        Rows::Range(first, Some(last)) => RowRange::new(first, last),
+        Rows::Range(first, None) => RowRange::from_row(first),
+    };
+    let ranges: Option<Vec<RowRange>> = asked.iter().map(range).collect();
+    ranges.ok_or_else(|| format!("{key}: rows are counted from 1, and the first comes before the last"))
+}
+
+fn refused(key: &str, text: &str, problem: impl std::fmt::Display) -> String {
+    format!("{key}: {text:?}: {problem}")
+}

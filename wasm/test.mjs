@@ -1,0 +1,157 @@
+// Asks the module and the program the same, in Node without packages: `node wasm/test.mjs`. BOUNDFIT_PROGRAM names the program,
+// otherwise it is that of `cargo build --release`.
+//
+// All must be equal byte for byte, but for what is said of least squares in doubles: that is the rounded answer of a library, whose
+// last digit is the platform's (it differs in one fit in eight).
+
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+import { run, start } from "./boundfit.mjs";
+
+const root = fileURLToPath(new URL("..", import.meta.url));
+const fixtures = join(root, "fixtures");
+const program = process.env.BOUNDFIT_PROGRAM ?? join(root, "target/release/boundfit");
+const exports = await start(readFileSync(new URL("boundfit_wasm.wasm.gz", import.meta.url)));
+
+const flags = ["through-origin", "no-eui", "exact", "units-row"];
+const repeated = ["where", "where-row"];
+
+/** The rows `1..22,24` of the program. */
+const rowsOf = (text) =>
+  text.split(",").map((part) => {
+    if (!part.includes("..")) return Number(part);
+    const [first, last] = part.split("..");
+    return [Number(first || 1), last === "" ? null : Number(last)];
+  });
+
+/** The arguments of the program as options. */
+const optionsOf = ([file, ...asked]) => {
+  const options = file === "-" ? {} : { file };
+  for (let at = 0; at < asked.length; at += 1) {
+    const name = asked[at].replace("--", "");
+    const key = name.replaceAll("-", "_");
+    if (flags.includes(name)) {
+      options[key] = true;
+      continue;
+    }
+    at += 1;
+    const value = asked[at];
+    if (repeated.includes(name)) options[key] = [...(options[key] ?? []), value];
+    else if (name === "rows" || name === "without") options[key] = rowsOf(value);
+    else if (name === "digits" || name === "skip-lines") options[key] = Number(value);
+    else if (name === "x" && value.includes(",")) options[key] = value.split(",");
+    else options[key] = value;
+  }
+  return options;
+};
+
+const ask = (args, input) => spawnSync(program, ["fit", ...args], { cwd: fixtures, encoding: "utf8", input });
+
+/** JSON without the doubles, which are there where least squares are. */
+const withoutDoubles = (json) => {
+  const part = /\n {4}"binary64": (\{\}|\{\n[^]*?\n {4}\})/;
+  assert.equal(part.test(json), !json.includes('\n  "least_squares": null'));
+  return json.replace(part, "");
+};
+
+/** Text without the lines about doubles. */
+const withoutDoubleLines = (text) => text.replace(/\nin doubles[^]*?(?=\n\S|\n*$)/, "");
+
+/** Compares what module and program say of a table, in all three formats. */
+const compare = (statuses, args, table, input) => {
+  const options = optionsOf(args);
+  const json = ask([...args, "--format", "json"], input);
+  assert.ok(statuses.includes(json.status), `${args}: ${json.stderr}`);
+  if (json.status === 1) {
+    assert.throws(() => run(table, options), (error) => json.stderr === `error: ${error.message}\n`, json.stderr);
+    return;
+  }
+  assert.equal(withoutDoubles(run(table, options)), withoutDoubles(json.stdout));
+  const folder = mkdtempSync(join(tmpdir(), "boundfit-"));
+  try {
+    const proof = join(folder, "proof.json");
+    const text = ask([...args, "--no-lp", "--proof", proof], input);
+    if (text.status === json.status) {
+      assert.equal(run(table, { ...options, format: "proof" }), readFileSync(proof, "utf8"));
+    } else {
+      assert.throws(() => run(table, { ...options, format: "proof" }), /a proof is about the rows of plain delimited text/);
+    }
+    const alone = ask([...args, "--no-lp"], input).stdout;
+    assert.equal(withoutDoubleLines(run(table, { ...options, format: "text" })), withoutDoubleLines(alone));
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+};
+
+const linesOf = (path) => readFileSync(path, "utf8").split("\n").filter((line) => line !== "" && !line.startsWith("#"));
+
+for (const line of [...linesOf(join(fixtures, "tables/fits.txt")), ...linesOf(new URL("fits.txt", import.meta.url))]) {
+  const [status, ...args] = line.replace(/ --[xy]-unit \S+/g, "").split(" ");
+  test(line, () => compare([Number(status)], args, readFileSync(join(fixtures, args[0]))));
+}
+
+test("a hundred tables made at random", () => {
+  // mulberry32: the same tables in every run.
+  let state = 20261122;
+  const random = (below) => {
+    state = (state + 0x6d2b79f5) | 0;
+    let mixed = Math.imul(state ^ (state >>> 15), 1 | state);
+    mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), 61 | mixed)) ^ mixed;
+    return ((mixed ^ (mixed >>> 14)) >>> 0) % below;
+  };
+  const number = () => `${random(2) === 0 ? "-" : ""}${random(20)}${random(3) === 0 ? "" : `.${random(1000)}`}`;
+  const bounds = ["1/3", "0.25", "0", "2*min", "5%*|y| + 0.1", "written"];
+  const conditions = ["theta1 >= 0", "2*theta1 - theta2 <= 1/3", "theta2 = 1"];
+  for (let round = 0; round < 100; round += 1) {
+    const rows = Array.from({ length: 1 + random(30) }, () => [number(), number(), number()].join(";"));
+    const table = `x;u;y\n${rows.join("\n")}\n`;
+    const args = ["-", "--x", random(3) === 0 ? "x,u" : "x", "--y", "y", "--eps", bounds[random(bounds.length)]];
+    if (random(3) === 0) args.push("--where", conditions[random(conditions.length)]);
+    compare([0, 3], args, table, table);
+  }
+});
+
+test("options that are wrong are refused by name", () => {
+  const refused = (options, expected) => assert.throws(() => run("x,y\n1,2\n", options), { message: expected });
+  const whole = { x: "x", y: "y", eps: "1" };
+  refused({ ...whole, epsilon: "1" }, /^options: unknown field `epsilon`, expected one of `file`, `x`, `y`, `eps`, /);
+  refused({ y: "y", eps: "1" }, /^options: missing field `x`/);
+  refused({ ...whole, eps: 1 }, /^options: invalid type: integer `1`, expected a string/);
+  refused({ ...whole, x: 1 }, /^options: x: expected the name or number of a column as text, or an array of two of these/);
+  refused({ ...whole, x: " " }, 'x: " ": expected a header name or a column number');
+  refused({ x: "x", eps: "1" }, "y is missing: only beside lower or upper it may be left out");
+  refused({ x: "x", y: "y" }, "the bound on the errors is missing: eps, eps_column, lower or upper");
+  refused({ ...whole, lower: "y" }, "the errors have one bound: eps, or eps_column, or lower and upper");
+  refused({ ...whole, eps: "1,5" }, /^eps: "1,5": /);
+  refused({ ...whole, x: ["x", "y"], eps: "1%*|x|" }, /^eps: "1%\*\|x\|": two regressors have no \|x\|/);
+  refused({ ...whole, x: ["x", "y"], through_origin: true }, /two regressors have no offset/);
+  refused({ ...whole, x_origin: "a" }, /^x_origin: "a": /);
+  refused({ ...whole, where: ["theta3 > 0"] }, /^where: "theta3 > 0": /);
+  refused({ ...whole, where_row: ["x ~ 0"] }, /^where_row: "x ~ 0": /);
+  refused({ ...whole, rows: [0] }, "rows: rows are counted from 1, and the first comes before the last");
+  refused({ ...whole, rows: ["1..2"] }, /^options: rows and without: expected rows from 1 such as 5, \[14, 36\]/);
+  refused({ ...whole, without: [[1, null]] }, "without: no row is left");
+  refused({ ...whole, missing: "drop" }, 'missing: "drop": expected one of "refuse", "skip"');
+  refused({ ...whole, format: "csv" }, 'format: "csv": expected one of "json", "text", "proof"');
+  refused({ ...whole, delimiter: ";" }, /^delimiter: ";": expected one of "comma", "semicolon", "tab", "space", "pipe"/);
+  refused({ ...whole, decimal: "comma", thousands: "," }, /^decimal and thousands name one mark/);
+  refused({ ...whole, comment: "ab" }, /^comment: "ab": expected auto, none or one character/);
+  refused({ ...whole, digits: 0 }, "digits: expected a number from 1 to 1000");
+  refused({ ...whole, eps: `1e${"9".repeat(9)}` }, /^eps: "1e9+": /);
+});
+
+test("after a trap the engine is started anew", () => {
+  const question = { x: "x", y: "y", eps: "1" };
+  const before = run("x,y\n1,2\n2,3\n", question);
+  // All memory that there can be is taken: no table finds room.
+  const pages = 2 ** 16 - exports.memory.buffer.byteLength / 2 ** 16;
+  exports.memory.grow(pages);
+  assert.throws(() => run("x,y\n".padEnd(2 ** 24, "1,2\n"), question), WebAssembly.RuntimeError);
+  assert.equal(run("x,y\n1,2\n2,3\n", question), before);
+});
