@@ -7,10 +7,9 @@ from collections.abc import Callable, Iterable
 from fractions import Fraction
 from typing import Any
 
-from ._bounds import Interval, Intervals, LowerBound, ProvedInterval, Term, UpperBound
+from ._bounds import Interval, Intervals, LowerBound, Point, ProvedInterval, Term, UpperBound
 from ._html import of_text
 
-Point = tuple[Fraction, Fraction]
 #: What gives an answer in a format, with so many digits.
 Ask = Callable[[str, "int | None"], str]
 

@@ -10,6 +10,9 @@ from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from fractions import Fraction
 from typing import NamedTuple
 
+#: Both parameters.
+Point = tuple[Fraction, Fraction]
+
 
 def nearest(value: Fraction) -> float:
     """The nearest double; of a bound that on its outer side."""

@@ -9,15 +9,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import _boundfit
 from ._answers import value
-from ._bounds import Interval, Intervals, ProvedInterval, Term, lower_bound, upper_bound
+from ._bounds import Interval, Intervals, Point, ProvedInterval, Term, lower_bound, upper_bound
 from ._columns import Number
+from ._plane import PlaneSet
 from ._questions import Asked
 
 if TYPE_CHECKING:
     import numpy
     from matplotlib.axes import Axes
-
-Point = tuple[Fraction, Fraction]
 
 
 class Central(NamedTuple):
@@ -52,8 +51,9 @@ class Guarantee(NamedTuple):
     source: str
 
 
-class Fit(Asked):
-    """All parameters that agree with all readings, with what follows from them. Every number is exact.
+class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
+    """All parameters that agree with all readings, with what follows from them. Every number is exact. Of an empty set
+    :attr:`contradiction` says why it is.
 
     The readings stay at hand for further questions: :meth:`status`, :meth:`predict`, :meth:`outliers`, :meth:`range` and
     :meth:`windows`. Columns in memory are kept for that as they were, in the copy from which they were fitted.
@@ -64,16 +64,6 @@ class Fit(Asked):
     def __init__(self, readings: _boundfit.Readings, eui: bool = True, confidence: str | None = None) -> None:
         super().__init__(readings)
         self._core = readings.fit(eui, confidence)
-
-    @property
-    def kind(self) -> str:
-        """Which kind of set it is: ``"polygon"``, ``"empty"``, ``"point"``, ``"segment"``, ``"unbounded-polygon"`` and so on."""
-        return self._core.kind
-
-    @property
-    def is_empty(self) -> bool:
-        """Whether no parameters agree with all readings: :attr:`contradiction` says why."""
-        return self._core.kind == "empty"
 
     @property
     def rows(self) -> int:
@@ -91,29 +81,9 @@ class Fit(Asked):
         return self._core.reading
 
     @property
-    def vertices(self) -> list[Point]:
-        """The corners of the set, counter-clockwise from the lexicographically smallest."""
-        return self._core.vertices()
-
-    @property
-    def rays(self) -> list[Point]:
-        """The directions in which an unbounded set goes on."""
-        return self._core.directions(False)
-
-    @property
-    def lines(self) -> list[Point]:
-        """The directions in which the set goes on both ways."""
-        return self._core.directions(True)
-
-    @property
     def witness(self) -> Point | None:
         """A point of the set; ``None`` of an empty one."""
         return self._core.witness()
-
-    @property
-    def area(self) -> Fraction | None:
-        """The area of the set; ``None`` where it is infinite."""
-        return self._core.area()
 
     @property
     def pui(self) -> Intervals | None:
@@ -183,9 +153,6 @@ class Fit(Asked):
         if own is None:
             return None
         return Guarantee(value(own["confidence"]), value(own["covered"]), own["readings"], own["assumes"], own["source"])
-
-    def __contains__(self, theta: tuple[Number, Number]) -> bool:
-        return self._core.contains(*theta)
 
     def response(self, x: Number, x2: Number | None = None) -> Interval | None:
         """The values of the true line at x, or of the model at two regressors: a guaranteed interval; ``None`` of an empty set.

@@ -6,8 +6,8 @@ import json
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from ._answers import Answer, Point, counted, interval, intervals, number, point, terms, value
-from ._bounds import Interval, Intervals, Term
+from ._answers import Answer, counted, interval, intervals, number, point, terms, value
+from ._bounds import Interval, Intervals, Point, Term
 
 
 class RowStatus(NamedTuple):

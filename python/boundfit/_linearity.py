@@ -8,8 +8,8 @@ from functools import partial
 from typing import Any, NamedTuple, Unpack
 
 from . import _boundfit
-from ._answers import Answer, Point, number, point, value
-from ._bounds import decimal
+from ._answers import Answer, number, point, value
+from ._bounds import Point, decimal
 from ._asking import Name, Table
 from ._cells import cells
 from ._columns import Column, Missing, Number, Reading, asked, named, table, text

@@ -6,12 +6,13 @@ import math
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from ._bounds import Point
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ._fit import Fit
 
-Point = tuple[Fraction, Fraction]
 #: What an interval of the axes is: of theta1 and of theta2.
 Window = tuple[tuple[float, float], tuple[float, float]]
 #: The half-plane a1*theta1 + a2*theta2 <= b.

@@ -9,50 +9,19 @@ from fractions import Fraction
 from typing import Any
 
 from . import _boundfit
-from ._bounds import Interval, Intervals, lower_bound, upper_bound
+from ._bounds import Interval, Intervals, Point, lower_bound, upper_bound
 from ._columns import Number, Reading, text
 from ._html import of_text
+from ._plane import PlaneSet
 
-Point = tuple[Fraction, Fraction]
 
-
-class Polygon:
+class Polygon(PlaneSet["_boundfit.Plane"]):
     """A set in the plane, exactly: a polygon, or any other intersection of half-planes."""
 
     __slots__ = ("_core",)
 
     def __init__(self, core: _boundfit.Plane) -> None:
         self._core = core
-
-    @property
-    def kind(self) -> str:
-        """Which kind of set it is, as of a :class:`boundfit.Fit`."""
-        return self._core.kind
-
-    @property
-    def is_empty(self) -> bool:
-        """Whether there is no point in it."""
-        return self._core.kind == "empty"
-
-    @property
-    def vertices(self) -> list[Point]:
-        """The corners, counter-clockwise from the lexicographically smallest."""
-        return self._core.vertices()
-
-    @property
-    def rays(self) -> list[Point]:
-        """The directions in which an unbounded set goes on."""
-        return self._core.directions(False)
-
-    @property
-    def lines(self) -> list[Point]:
-        """The directions in which the set goes on both ways."""
-        return self._core.directions(True)
-
-    @property
-    def area(self) -> Fraction | None:
-        """The area; ``None`` where it is infinite."""
-        return self._core.area()
 
     @property
     def bounds(self) -> Intervals | None:
@@ -66,9 +35,6 @@ class Polygon:
     def redundant(self) -> list[int]:
         """The half-planes, from 0, without which the set is the same."""
         return self._core.redundant()
-
-    def __contains__(self, point: tuple[Number, Number]) -> bool:
-        return self._core.contains(*point)
 
     def to_dict(self) -> dict[str, Any]:
         """The report as ``boundfit polygon --format json`` writes it, schema boundfit/polygon/1."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from ._answers import Answer, Point, interval, intervals, number, point
-from ._bounds import Intervals
+from ._answers import Answer, interval, intervals, number, point
+from ._bounds import Intervals, Point
 
 
 class Side(NamedTuple):
