@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use boundfit_exact::Foreign;
 
 #[cfg(feature = "arrow")]
-use crate::arrow::scan_arrow;
+use crate::arrow::{scan_arrow, scan_batches};
 use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
 use crate::fractions::Fractions;
@@ -102,6 +102,8 @@ fn scan_content<T: Send>(
         #[cfg(feature = "spreadsheets")]
         Content::Archive(bytes) => scan_workbook(name, bytes, columns, options, work, take),
         Content::Bytes(bytes) => scan_text(name, bytes, columns, options, work, take),
+        #[cfg(feature = "arrow")]
+        Content::Batches(reader) => scan_batches(name, reader, columns, options, work, take),
         Content::Memory(table) => scan_memory(name, &table, columns, options, work, take),
     }
 }

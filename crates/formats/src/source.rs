@@ -6,6 +6,8 @@ use std::io::Seek;
 use std::io::{self, Cursor, Read};
 use std::sync::Arc;
 
+#[cfg(feature = "arrow")]
+use arrow_array::RecordBatchReader;
 use boundfit_exact::Foreign;
 
 use crate::binary::{self, BinaryFormat};
@@ -38,6 +40,9 @@ pub(crate) enum Content {
     /// Parquet or Arrow.
     #[cfg(feature = "arrow")]
     Columns(BinaryFormat, File),
+    /// Record batches that are not from a file.
+    #[cfg(feature = "arrow")]
+    Batches(Box<dyn RecordBatchReader>),
     /// Columns in memory.
     Memory(Arc<MemoryTable>),
 }
@@ -61,6 +66,8 @@ impl Content {
             Content::Archive(bytes) => bytes,
             #[cfg(feature = "arrow")]
             Content::Columns(_, file) => Box::new(file),
+            #[cfg(feature = "arrow")]
+            Content::Batches(_) => Box::new(io::empty()),
             Content::Memory(_) => Box::new(io::empty()),
         }
     }
@@ -116,6 +123,31 @@ impl Source {
         let is_reduction = start.starts_with(REDUCTION_MARK.as_bytes());
         let content = Content::of(&start, bytes);
         Source { name: name.into(), content, packed, length: None, is_file: false, is_reduction }
+    }
+
+    /// Record batches of Arrow with a name for messages, in the order in which they are handed out: of a reader of Parquet or of
+    /// Arrow's streams, or of batches in memory. They are read once, and read as those of a file are.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    ///
+    /// use arrow_array::{ArrayRef, Float64Array, RecordBatch, RecordBatchIterator};
+    /// use boundfit_formats::{ColumnSelector, Source, TableOptions, read_table};
+    ///
+    /// let column = |numbers: &[f64]| Arc::new(Float64Array::from(numbers.to_vec())) as ArrayRef;
+    /// let first = RecordBatch::try_from_iter([("I", column(&[0.1])), ("U", column(&[1.5]))])?;
+    /// let second = RecordBatch::try_from_iter([("I", column(&[0.2, 0.3])), ("U", column(&[3.0, 4.5]))])?;
+    /// let schema = first.schema();
+    /// let batches = RecordBatchIterator::new([Ok(first), Ok(second)], schema);
+    /// let columns = ["U", "I"].map(ColumnSelector::name_or_number);
+    /// let read = read_table(Source::of_batches("resistor", batches), &columns, &TableOptions::default())?;
+    /// assert_eq!((read.rows.len(), read.rows[2].numbers[1].to_string()), (3, "3/10".to_owned()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[cfg(feature = "arrow")]
+    pub fn of_batches(name: impl Into<Foreign>, batches: impl RecordBatchReader + 'static) -> Self {
+        let content = Content::Batches(Box::new(batches));
+        Source { name: name.into(), content, packed: None, length: None, is_file: false, is_reduction: false }
     }
 
     /// A table in memory with a name for messages. One that is shared may be read as often as one likes.

@@ -8,7 +8,7 @@ use std::fs::File;
 use std::io::{self, Read, Seek};
 use std::ops::Range;
 
-use arrow_array::{ArrayRef, BooleanArray, RecordBatch};
+use arrow_array::{ArrayRef, BooleanArray, RecordBatch, RecordBatchReader};
 use arrow_select::filter::filter_record_batch;
 use boundfit_exact::{Column, Foreign, WorkMeter};
 use sha2::{Digest, Sha256};
@@ -54,7 +54,7 @@ pub(crate) fn scan_arrow<T: Send>(
     columns: &[ColumnSelector],
     options: &ScanOptions,
     work: impl Fn(Batch) -> T + Sync,
-    mut take: impl FnMut(T),
+    take: impl FnMut(T),
 ) -> Result<Scanned, InputError> {
     let fail = |problem: InputErrorKind| InputError::of_file(name, problem);
     let bytes = file.metadata().map_err(|error| fail(error.into()))?.len();
@@ -63,68 +63,44 @@ pub(crate) fn scan_arrow<T: Send>(
     let layout = Layout::new(name, &names, columns, options)?;
     let mut batches = guarded(format, || batches(format, &file, layout.positions())).map_err(fail)?;
     let mut progress = Follower { options, reported: 0 };
-    let (mut rows_total, mut more, mut unpacked) = (0, true, 0);
-    let (mut used, mut lacking) = (0, Lacking::default());
-    let sizes = &options.table.sizes;
-    while more {
-        let mut group = Vec::new();
-        while more && group.len() < threads::count() {
-            more = match guarded(format, || batches.next().transpose()).map_err(fail)? {
-                Some(batch) => {
-                    unpacked += BYTES_PER_NUMBER * (batch.num_rows() * batch.num_columns()) as u64;
-                    sizes.check_ratio(bytes, unpacked).map_err(fail)?;
-                    group.extend(layout.parts(rows_total + 1, &batch));
-                    rows_total += batch.num_rows();
-                    true
-                }
-                None => false,
-            };
+    let mut unpacked = 0;
+    let next = || {
+        let batch = guarded(format, || batches.next().transpose())?;
+        if let Some(batch) = &batch {
+            unpacked += BYTES_PER_NUMBER * (batch.num_rows() * batch.num_columns()) as u64;
+            options.table.sizes.check_ratio(bytes, unpacked)?;
         }
-        // A record batch may have any number of rows.
-        while !group.is_empty() {
-            let later = group.split_off(group.len().min(PARTS_PER_THREAD * threads::count()));
-            let decoded: Vec<Result<(T, usize, Lacking), InputError>> = threads::map(group, |part| {
-                let (batch, lacking) = layout.decode(&part)?;
-                let used = batch.rows.len();
-                Ok((work(batch), used, lacking))
-            });
-            for result in decoded {
-                match result {
-                    Ok((made, rows, later)) => {
-                        take(made);
-                        used += rows;
-                        lacking.add(later);
-                    }
-                    Err(error) => {
-                        return lacking.settle(Err(error), used, options).map(|(never, _)| never);
-                    }
-                }
-            }
-            group = later;
-        }
-        // Clones of a file share their position; in Parquet it jumps between columns.
-        progress.at(file.stream_position().unwrap_or_default()).map_err(fail)?;
-    }
+        Ok(batch)
+    };
+    // Clones of a file share their position; in Parquet it jumps between columns.
+    let scanned =
+        layout.scan(next, || progress.at(file.stream_position().unwrap_or_default()), work, take)?;
     progress.at(bytes).map_err(fail)?;
-    check_rows(name, rows_total, options)?;
-    let ((), rows_missing) = lacking.settle(Ok(()), used, options)?;
-    let titles: Vec<Foreign> = layout.places.iter().map(ColumnPlace::title).collect();
-    Ok(Scanned {
-        header: names,
-        fractions: Vec::new(),
-        key_name: layout.key.as_ref().map(ColumnPlace::title),
-        header_line: options
-            .keep_text
-            .then(|| csv_line(layout.written().iter().map(|place| place.title().raw().to_owned()))),
-        names: titles,
-        layout: None,
-        units: vec![None; columns.len()],
-        rows_total,
-        ranges: Vec::new(),
-        rows_missing,
-        bytes,
-        sha256,
-    })
+    Ok(Scanned { header: names, bytes, sha256, ..scanned })
+}
+
+/// Reads record batches that come from somewhere else as [`scan_arrow`] reads those of a file. There are no bytes to hash.
+///
+/// # Errors
+/// The first thing wrong, with the row and column, or where they came from.
+pub(crate) fn scan_batches<T: Send>(
+    name: &str,
+    reader: Box<dyn RecordBatchReader>,
+    columns: &[ColumnSelector],
+    options: &ScanOptions,
+    work: impl Fn(Batch) -> T + Sync,
+    take: impl FnMut(T),
+) -> Result<Scanned, InputError> {
+    let names: Vec<Foreign> =
+        reader.schema().fields().iter().map(|field| Foreign::from(field.name())).collect();
+    let layout = Layout::new(name, &names, columns, options)?;
+    let positions = layout.positions();
+    let mut batches = reader.map(|batch| batch?.project(&positions));
+    let format = BinaryFormat::ArrowStream;
+    let next = || guarded(format, || batches.next().transpose().map_err(|error| unreadable(format, error)));
+    let mut progress = Follower { options, reported: 0 };
+    let scanned = layout.scan(next, || progress.at(0), work, take)?;
+    Ok(Scanned { header: names, ..scanned })
 }
 
 /// Consecutive rows of a file.
@@ -182,6 +158,73 @@ impl<'a> Layout<'a> {
                 .map(|condition| Ok((find(condition.column())?, condition)))
                 .collect::<Result<_, InputError>>()?,
             meter: WorkMeter::default(),
+        })
+    }
+
+    /// Hands the rows of record batches out, which have the columns that are read, in their order. `advanced` is called between them.
+    fn scan<T: Send>(
+        &self,
+        mut next: impl FnMut() -> Result<Option<RecordBatch>, InputErrorKind>,
+        mut advanced: impl FnMut() -> Result<(), InputErrorKind>,
+        work: impl Fn(Batch) -> T + Sync,
+        mut take: impl FnMut(T),
+    ) -> Result<Scanned, InputError> {
+        let options = self.options;
+        let fail = |problem: InputErrorKind| InputError::of_file(self.file, problem);
+        let (mut rows_total, mut more) = (0, true);
+        let (mut used, mut lacking) = (0, Lacking::default());
+        while more {
+            let mut group = Vec::new();
+            while more && group.len() < threads::count() {
+                more = match next().map_err(fail)? {
+                    Some(batch) => {
+                        group.extend(self.parts(rows_total + 1, &batch));
+                        rows_total += batch.num_rows();
+                        true
+                    }
+                    None => false,
+                };
+            }
+            // A record batch may have any number of rows.
+            while !group.is_empty() {
+                let later = group.split_off(group.len().min(PARTS_PER_THREAD * threads::count()));
+                let decoded: Vec<Result<(T, usize, Lacking), InputError>> = threads::map(group, |part| {
+                    let (batch, lacking) = self.decode(&part)?;
+                    let used = batch.rows.len();
+                    Ok((work(batch), used, lacking))
+                });
+                for result in decoded {
+                    match result {
+                        Ok((made, rows, later)) => {
+                            take(made);
+                            used += rows;
+                            lacking.add(later);
+                        }
+                        Err(error) => {
+                            return lacking.settle(Err(error), used, options).map(|(never, _)| never);
+                        }
+                    }
+                }
+                group = later;
+            }
+            advanced().map_err(fail)?;
+        }
+        check_rows(self.file, rows_total, options)?;
+        let ((), rows_missing) = lacking.settle(Ok(()), used, options)?;
+        let header_line = || csv_line(self.written().iter().map(|place| place.title().raw().to_owned()));
+        Ok(Scanned {
+            header: Vec::new(),
+            fractions: Vec::new(),
+            key_name: self.key.as_ref().map(ColumnPlace::title),
+            header_line: options.keep_text.then(header_line),
+            names: self.places.iter().map(ColumnPlace::title).collect(),
+            layout: None,
+            units: vec![None; self.places.len()],
+            rows_total,
+            ranges: Vec::new(),
+            rows_missing,
+            bytes: 0,
+            sha256: None,
         })
     }
 
