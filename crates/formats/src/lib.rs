@@ -40,6 +40,7 @@ pub mod threads;
 mod units;
 mod unpack;
 mod utf16;
+mod wanted;
 mod whole;
 #[cfg(feature = "spreadsheets")]
 mod workbook;

@@ -10,18 +10,19 @@ use std::ops::Range;
 
 use arrow_array::{ArrayRef, BooleanArray, RecordBatch, RecordBatchReader};
 use arrow_select::filter::filter_record_batch;
-use boundfit_exact::{Column, Foreign, WorkMeter};
+use boundfit_exact::{Column, Foreign};
 use sha2::{Digest, Sha256};
 
 use crate::binary::BinaryFormat;
-use crate::columns::{ColumnPlace, ColumnSelector, Header, Heading};
+use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::hash::hexadecimal;
 use crate::lacking::Lacking;
-use crate::scan::{Batch, ScanOptions, Scanned, csv_line, each_once, readable_rows};
-use crate::selection::{RowCondition, RowNumbers, between};
+use crate::scan::{Batch, ScanOptions, Scanned, readable_rows};
+use crate::selection::{RowNumbers, between};
 use crate::table::check_rows;
 use crate::threads;
+use crate::wanted::WantedColumns;
 
 use numbers::{fractions, missing, numbers};
 use open::{batches, column_names, guarded, plain, rows_at_a_time, unreadable};
@@ -60,8 +61,8 @@ pub(crate) fn scan_arrow<T: Send>(
     let bytes = file.metadata().map_err(|error| fail(error.into()))?.len();
     let sha256 = options.hash.then(|| sha256(&file)).transpose().map_err(|error| fail(error.into()))?;
     let names = guarded(format, || column_names(format, &file)).map_err(fail)?;
-    let layout = Layout::new(name, &names, columns, options)?;
-    let mut batches = guarded(format, || batches(format, &file, layout.positions())).map_err(fail)?;
+    let rows = Rows { wanted: WantedColumns::new(name, &names, columns, options)? };
+    let mut batches = guarded(format, || batches(format, &file, rows.positions())).map_err(fail)?;
     let mut progress = Follower { options, reported: 0 };
     let mut unpacked = 0;
     let next = || {
@@ -73,8 +74,7 @@ pub(crate) fn scan_arrow<T: Send>(
         Ok(batch)
     };
     // Clones of a file share their position; in Parquet it jumps between columns.
-    let scanned =
-        layout.scan(next, || progress.at(file.stream_position().unwrap_or_default()), work, take)?;
+    let scanned = rows.scan(next, || progress.at(file.stream_position().unwrap_or_default()), work, take)?;
     progress.at(bytes).map_err(fail)?;
     Ok(Scanned { header: names, bytes, sha256, ..scanned })
 }
@@ -93,13 +93,13 @@ pub(crate) fn scan_batches<T: Send>(
 ) -> Result<Scanned, InputError> {
     let names: Vec<Foreign> =
         reader.schema().fields().iter().map(|field| Foreign::from(field.name())).collect();
-    let layout = Layout::new(name, &names, columns, options)?;
-    let positions = layout.positions();
+    let rows = Rows { wanted: WantedColumns::new(name, &names, columns, options)? };
+    let positions = rows.positions();
     let mut batches = reader.map(|batch| batch?.project(&positions));
     let format = BinaryFormat::ArrowStream;
     let next = || guarded(format, || batches.next().transpose().map_err(|error| unreadable(format, error)));
     let mut progress = Follower { options, reported: 0 };
-    let scanned = layout.scan(next, || progress.at(0), work, take)?;
+    let scanned = rows.scan(next, || progress.at(0), work, take)?;
     Ok(Scanned { header: names, ..scanned })
 }
 
@@ -111,56 +111,12 @@ struct Part {
     is_wanted: bool,
 }
 
-/// Which columns of a table are wanted.
-struct Layout<'a> {
-    file: &'a str,
-    options: &'a ScanOptions,
-    selectors: &'a [ColumnSelector],
-    places: Vec<ColumnPlace>,
-    key: Option<ColumnPlace>,
-    identity: Option<ColumnPlace>,
-    /// What must hold for rows to be wanted, and where the columns are that it is about.
-    conditions: Vec<(ColumnPlace, &'a RowCondition)>,
-    /// The work on the numbers that were read as text.
-    meter: WorkMeter,
+/// The rows of record batches, and which of their columns are wanted.
+struct Rows<'a> {
+    wanted: WantedColumns<'a>,
 }
 
-impl<'a> Layout<'a> {
-    fn new(
-        file: &'a str,
-        names: &[Foreign],
-        selectors: &'a [ColumnSelector],
-        options: &'a ScanOptions,
-    ) -> Result<Self, InputError> {
-        let key = options.key.as_ref();
-        let conditions = &options.table.conditions;
-        let identity = options.identity.as_ref();
-        let others: Vec<&ColumnSelector> =
-            key.into_iter().chain(identity).chain(conditions.iter().map(RowCondition::column)).collect();
-        let cells: Vec<&[u8]> = names.iter().map(|name| name.raw().as_bytes()).collect();
-        let heading = Heading::new(file, &cells, 1, Header::Present, selectors, &others)?;
-        let find = |selector| {
-            heading.find(file, selector).map_err(|mut error| {
-                // There are no lines here.
-                error.place.line = None;
-                error
-            })
-        };
-        Ok(Layout {
-            file,
-            options,
-            selectors,
-            places: selectors.iter().map(find).collect::<Result<_, _>>()?,
-            key: key.map(find).transpose()?,
-            identity: identity.map(find).transpose()?,
-            conditions: conditions
-                .iter()
-                .map(|condition| Ok((find(condition.column())?, condition)))
-                .collect::<Result<_, InputError>>()?,
-            meter: WorkMeter::default(),
-        })
-    }
-
+impl Rows<'_> {
     /// Hands the rows of record batches out, which have the columns that are read, in their order. `advanced` is called between them.
     fn scan<T: Send>(
         &self,
@@ -169,8 +125,8 @@ impl<'a> Layout<'a> {
         work: impl Fn(Batch) -> T + Sync,
         mut take: impl FnMut(T),
     ) -> Result<Scanned, InputError> {
-        let options = self.options;
-        let fail = |problem: InputErrorKind| InputError::of_file(self.file, problem);
+        let options = self.wanted.options;
+        let fail = |problem: InputErrorKind| InputError::of_file(self.wanted.file, problem);
         let (mut rows_total, mut more) = (0, true);
         let (mut used, mut lacking) = (0, Lacking::default());
         while more {
@@ -209,36 +165,16 @@ impl<'a> Layout<'a> {
             }
             advanced().map_err(fail)?;
         }
-        check_rows(self.file, rows_total, options)?;
+        check_rows(self.wanted.file, rows_total, options)?;
         let ((), rows_missing) = lacking.settle(Ok(()), used, options)?;
-        let header_line = || csv_line(self.written().iter().map(|place| place.title().raw().to_owned()));
-        Ok(Scanned {
-            header: Vec::new(),
-            fractions: Vec::new(),
-            key_name: self.key.as_ref().map(ColumnPlace::title),
-            header_line: options.keep_text.then(header_line),
-            names: self.places.iter().map(ColumnPlace::title).collect(),
-            layout: None,
-            units: vec![None; self.places.len()],
-            rows_total,
-            ranges: Vec::new(),
-            rows_missing,
-            bytes: 0,
-            sha256: None,
-        })
-    }
-
-    /// The columns that rows have as text, each once.
-    fn written(&self) -> Vec<&ColumnPlace> {
-        let places = || self.places.iter().chain(&self.identity);
-        let titles: Vec<Foreign> = places().map(ColumnPlace::title).collect();
-        each_once(places(), &titles).collect()
+        Ok(self.wanted.scanned(rows_total, rows_missing))
     }
 
     /// The indices of all columns that are read, ascending.
     fn positions(&self) -> Vec<usize> {
-        let looked_at = self.conditions.iter().map(|(place, _)| place);
-        let places = self.places.iter().chain(&self.key).chain(&self.identity).chain(looked_at);
+        let looked_at = self.wanted.conditions.iter().map(|(place, _)| place);
+        let places =
+            self.wanted.places.iter().chain(&self.wanted.key).chain(&self.wanted.identity).chain(looked_at);
         let mut positions: Vec<usize> = places.map(|place| place.position - 1).collect();
         positions.sort_unstable();
         positions.dedup();
@@ -257,9 +193,9 @@ impl<'a> Layout<'a> {
                 })
             })
         };
-        let wanted = self.options.table.rows.among(first_row, end);
+        let wanted = self.wanted.options.table.rows.among(first_row, end);
         let unwanted =
-            if self.options.table.keep_others { between(&wanted, first_row, end) } else { Vec::new() };
+            if self.wanted.options.table.keep_others { between(&wanted, first_row, end) } else { Vec::new() };
         parts(wanted, true).chain(parts(unwanted, false)).collect()
     }
 
@@ -278,9 +214,9 @@ impl<'a> Layout<'a> {
         let is_wanted: BooleanArray = all.clone().map(|row| Some(wanted.position(row).is_some())).collect();
         let filtered = filter_record_batch(batch, &is_wanted);
         let unreadable = |error| unreadable(BinaryFormat::ArrowFile, error);
-        let filtered = filtered.map_err(|error| InputError::of_file(self.file, unreadable(error)))?;
+        let filtered = filtered.map_err(|error| InputError::of_file(self.wanted.file, unreadable(error)))?;
         let numbers = self.numbers(wanted, &filtered)?;
-        if !self.options.table.keep_others {
+        if !self.wanted.options.table.keep_others {
             return Ok((numbers, lacking));
         }
         let read = |rows: Range<usize>| {
@@ -305,13 +241,17 @@ impl<'a> Layout<'a> {
         let rows = first_row..first_row + batch.num_rows();
         let numbers: RowNumbers = [rows.clone()].into_iter().collect();
         let mut columns = Vec::new();
-        for (place, condition) in &self.conditions {
+        for (place, condition) in &self.wanted.conditions {
             let optional = condition.column().clone().optional();
             columns.push((self.column(place, &optional, &numbers, batch)?, *condition));
         }
-        let looked_at = self.conditions.iter().map(|(place, _)| place);
-        let needed =
-            self.places.iter().zip(self.selectors).filter(|(_, selector)| selector.role().is_needed());
+        let looked_at = self.wanted.conditions.iter().map(|(place, _)| place);
+        let needed = self
+            .wanted
+            .places
+            .iter()
+            .zip(self.wanted.selectors)
+            .filter(|(_, selector)| selector.role().is_needed());
         let mut gaps = Vec::new();
         for place in looked_at.chain(needed.map(|(place, _)| place)) {
             let array = self.array(place, batch)?;
@@ -351,20 +291,20 @@ impl<'a> Layout<'a> {
 
     /// The numbers and keys of a batch that has these rows.
     fn numbers(&self, rows: RowNumbers, batch: &RecordBatch) -> Result<Batch, InputError> {
-        let columns = self.places.iter().zip(self.selectors);
+        let columns = self.wanted.places.iter().zip(self.wanted.selectors);
         let columns = columns.map(|(place, selector)| self.column(place, selector, &rows, batch));
         let columns = columns.collect::<Result<_, _>>()?;
         let key_column = |place: &ColumnPlace| {
             keys(&self.array(place, batch)?).map_err(|bad| self.error(place, Some(&rows), bad))
         };
-        let keys = self.key.as_ref().map(key_column).transpose()?;
-        let lines = if self.options.keep_text {
-            let arrays = self.written().into_iter().map(|place| self.array(place, batch));
-            Some(lines(&arrays.collect::<Result<Vec<_>, _>>()?, self.options.table.reading))
+        let keys = self.wanted.key.as_ref().map(key_column).transpose()?;
+        let lines = if self.wanted.options.keep_text {
+            let arrays = self.wanted.written().into_iter().map(|place| self.array(place, batch));
+            Some(lines(&arrays.collect::<Result<Vec<_>, _>>()?, self.wanted.options.table.reading))
         } else {
             None
         };
-        let fractions = self.places.iter().map(|place| Ok(fractions(&self.array(place, batch)?)));
+        let fractions = self.wanted.places.iter().map(|place| Ok(fractions(&self.array(place, batch)?)));
         let fractions = fractions.collect::<Result<_, InputError>>()?;
         Ok(Batch { rows, columns, keys, lines, fractions, others: Vec::new() })
     }
@@ -377,7 +317,7 @@ impl<'a> Layout<'a> {
         rows: &RowNumbers,
         batch: &RecordBatch,
     ) -> Result<Column, InputError> {
-        numbers(&self.array(place, batch)?, selector, &self.options.table, &self.meter)
+        numbers(&self.array(place, batch)?, selector, &self.wanted.options.table, &self.wanted.meter)
             .map_err(|bad| self.error(place, Some(rows), bad))
     }
 
@@ -395,7 +335,7 @@ impl<'a> Layout<'a> {
             text: bad.text,
             ..Place::default()
         };
-        InputError::new(self.file, place, bad.problem)
+        InputError::new(self.wanted.file, place, bad.problem)
     }
 }
 

@@ -4,16 +4,17 @@ mod numbers;
 
 use std::ops::Range;
 
-use boundfit_exact::{Column, Foreign, Rational, Reading, WorkMeter};
+use boundfit_exact::{Column, Foreign, Rational, Reading};
 
 use crate::cells::CellReader;
-use crate::columns::{ColumnPlace, ColumnSelector, Header, Heading};
+use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::lacking::Lacking;
-use crate::scan::{Batch, Pieces, ScanOptions, Scanned, csv_line, each_once, readable_rows};
-use crate::selection::{RowCondition, RowNumbers, between, in_batches};
+use crate::scan::{Batch, Pieces, ScanOptions, Scanned, csv_line, readable_rows};
+use crate::selection::{RowNumbers, between, in_batches};
 use crate::table::check_rows;
 use crate::threads;
+use crate::wanted::WantedColumns;
 
 use numbers::BadNumber;
 
@@ -129,38 +130,13 @@ pub(crate) fn scan_memory<T: Send>(
         let others = unwanted.flat_map(|rows| readable_rows(rows, &|rows| rows_of.batch(&[rows]))).collect();
         take(work(Batch { others, ..rows_of.batch(&[])? }));
     }
-    let names: Vec<Foreign> = rows_of.places.iter().map(ColumnPlace::title).collect();
-    Ok(Scanned {
-        layout: None,
-        header_line: options
-            .keep_text
-            .then(|| csv_line(rows_of.written().iter().map(|place| place.title().raw().to_owned()))),
-        header: table.names.clone(),
-        units: vec![None; names.len()],
-        names,
-        fractions: Vec::new(),
-        key_name: rows_of.key.as_ref().map(ColumnPlace::title),
-        rows_total: rows,
-        ranges: Vec::new(),
-        rows_missing,
-        bytes: 0,
-        sha256: None,
-    })
+    Ok(Scanned { header: table.names.clone(), ..rows_of.wanted.scanned(rows, rows_missing) })
 }
 
-/// The rows of a table, and which of its columns are asked for.
+/// The rows of a table, and which of its columns are wanted.
 struct Rows<'a> {
-    file: &'a str,
     table: &'a MemoryTable,
-    options: &'a ScanOptions,
-    selectors: &'a [ColumnSelector],
-    places: Vec<ColumnPlace>,
-    key: Option<ColumnPlace>,
-    identity: Option<ColumnPlace>,
-    /// What must hold for rows to be wanted, and where the columns are that it is about.
-    conditions: Vec<(ColumnPlace, &'a RowCondition)>,
-    /// The work on the numbers that were read as text.
-    meter: WorkMeter,
+    wanted: WantedColumns<'a>,
 }
 
 impl<'a> Rows<'a> {
@@ -170,20 +146,7 @@ impl<'a> Rows<'a> {
         selectors: &'a [ColumnSelector],
         options: &'a ScanOptions,
     ) -> Result<Self, InputError> {
-        let key = options.key.as_ref();
-        let conditions = &options.table.conditions;
-        let identity = options.identity.as_ref();
-        let others: Vec<&ColumnSelector> =
-            key.into_iter().chain(identity).chain(conditions.iter().map(RowCondition::column)).collect();
-        let cells: Vec<&[u8]> = table.names.iter().map(|name| name.raw().as_bytes()).collect();
-        let heading = Heading::new(file, &cells, 1, Header::Present, selectors, &others)?;
-        let find = |selector| {
-            heading.find(file, selector).map_err(|mut error| {
-                // There are no lines here.
-                error.place.line = None;
-                error
-            })
-        };
+        let wanted = WantedColumns::new(file, &table.names, selectors, options)?;
         let described = |index: usize| {
             let name = table.names.get(index).cloned().unwrap_or_default();
             (name, table.columns.get(index).map_or(0, MemoryNumbers::len) as u64)
@@ -193,27 +156,7 @@ impl<'a> Rows<'a> {
             let problem = InputErrorKind::DifferentLengths { first: described(0), other: described(other) };
             return Err(InputError::of_file(file, problem));
         }
-        Ok(Rows {
-            file,
-            table,
-            options,
-            selectors,
-            places: selectors.iter().map(find).collect::<Result<_, _>>()?,
-            key: key.map(find).transpose()?,
-            identity: identity.map(find).transpose()?,
-            conditions: conditions
-                .iter()
-                .map(|condition| Ok((find(condition.column())?, condition)))
-                .collect::<Result<_, InputError>>()?,
-            meter: WorkMeter::default(),
-        })
-    }
-
-    /// The columns that rows have as text, each once.
-    fn written(&self) -> Vec<&ColumnPlace> {
-        let places = || self.places.iter().chain(&self.identity);
-        let titles: Vec<Foreign> = places().map(ColumnPlace::title).collect();
-        each_once(places(), &titles).collect()
+        Ok(Rows { table, wanted })
     }
 
     fn cells(&self, place: &ColumnPlace) -> Option<&MemoryNumbers> {
@@ -227,13 +170,17 @@ impl<'a> Rows<'a> {
         rows: &[Range<usize>],
         lacking: &mut Lacking,
     ) -> Result<[Vec<Range<usize>>; 2], InputError> {
-        let looked_at = self.conditions.iter().map(|(place, _)| place);
-        let needed =
-            self.places.iter().zip(self.selectors).filter(|(_, selector)| selector.role().is_needed());
+        let looked_at = self.wanted.conditions.iter().map(|(place, _)| place);
+        let needed = self
+            .wanted
+            .places
+            .iter()
+            .zip(self.wanted.selectors)
+            .filter(|(_, selector)| selector.role().is_needed());
         let needed = looked_at.chain(needed.map(|(place, _)| place));
         let needed: Vec<&ColumnPlace> =
             needed.filter(|place| self.cells(place).is_some_and(MemoryNumbers::has_missing)).collect();
-        if needed.is_empty() && self.conditions.is_empty() {
+        if needed.is_empty() && self.wanted.conditions.is_empty() {
             return Ok([rows.to_vec(), rows.to_vec()]);
         }
         let is_missing = |place: &ColumnPlace, row: usize| {
@@ -241,15 +188,16 @@ impl<'a> Rows<'a> {
         };
         let [mut satisfying, mut wanted] = [RowNumbers::default(), RowNumbers::default()];
         for range in rows {
-            let numbers = self
-                .conditions
-                .iter()
-                .map(|(place, condition)| self.numbers(place, range, &condition.column().clone().optional()));
+            let numbers =
+                self.wanted.conditions.iter().map(|(place, condition)| {
+                    self.numbers(place, range, &condition.column().clone().optional())
+                });
             let numbers: Vec<Column> = numbers.collect::<Result<_, _>>()?;
             for row in range.clone() {
-                let satisfies = self.conditions.iter().zip(&numbers).all(|((place, condition), numbers)| {
-                    is_missing(place, row) || condition.holds(&numbers.get(row - range.start))
-                });
+                let satisfies =
+                    self.wanted.conditions.iter().zip(&numbers).all(|((place, condition), numbers)| {
+                        is_missing(place, row) || condition.holds(&numbers.get(row - range.start))
+                    });
                 if !satisfies {
                     continue;
                 }
@@ -259,7 +207,7 @@ impl<'a> Rows<'a> {
                     Some(place) => lacking.notice(|| {
                         let text = self
                             .cells(place)
-                            .map(|cells| cells.text(row - 1, self.options.table.reading))
+                            .map(|cells| cells.text(row - 1, self.wanted.options.table.reading))
                             .unwrap_or_default();
                         self.error(place, BadNumber { index: row - 1, text, problem: InputErrorKind::Null })
                     }),
@@ -277,14 +225,14 @@ impl<'a> Rows<'a> {
         selector: &ColumnSelector,
     ) -> Result<Column, InputError> {
         let Some(cells) = self.cells(place) else { return Ok(Column::default()) };
-        let reader = CellReader { selector, options: &self.options.table, meter: &self.meter };
+        let reader = CellReader { selector, options: &self.wanted.options.table, meter: &self.wanted.meter };
         cells.column(rows.start - 1..rows.end - 1, reader).map_err(|bad| self.error(place, bad))
     }
 
     /// The rows of these ranges, counted from 1.
     fn batch(&self, ranges: &[Range<usize>]) -> Result<Batch, InputError> {
         let mut columns = Vec::new();
-        for (place, selector) in self.places.iter().zip(self.selectors) {
+        for (place, selector) in self.wanted.places.iter().zip(self.wanted.selectors) {
             let mut parts = ranges.iter().map(|range| self.numbers(place, range, selector));
             let mut numbers = parts.next().transpose()?.unwrap_or_default();
             for part in parts {
@@ -295,9 +243,11 @@ impl<'a> Rows<'a> {
         }
         let rows = || ranges.iter().cloned().flatten();
         let text = |place: &ColumnPlace, row: usize| {
-            self.cells(place).map(|cells| cells.text(row - 1, self.options.table.reading)).unwrap_or_default()
+            self.cells(place)
+                .map(|cells| cells.text(row - 1, self.wanted.options.table.reading))
+                .unwrap_or_default()
         };
-        let keys = self.key.as_ref().map(|key| {
+        let keys = self.wanted.key.as_ref().map(|key| {
             let mut keys = Pieces::<String>::default();
             match self.cells(key) {
                 Some(MemoryNumbers::Texts(texts)) => {
@@ -309,9 +259,9 @@ impl<'a> Rows<'a> {
             }
             keys
         });
-        let lines = self.options.keep_text.then(|| {
+        let lines = self.wanted.options.keep_text.then(|| {
             let mut lines = Pieces::<Vec<u8>>::default();
-            let places = self.written();
+            let places = self.wanted.written();
             rows().for_each(|row| lines.push(&csv_line(places.iter().map(|place| text(place, row)))));
             lines
         });
@@ -333,7 +283,7 @@ impl<'a> Rows<'a> {
             text: Some(bad.text.into()),
             ..Place::default()
         };
-        InputError::new(self.file, place, bad.problem)
+        InputError::new(self.wanted.file, place, bad.problem)
     }
 }
 

@@ -1,0 +1,89 @@
+//! Which columns of a table are wanted whose names are no line of a text.
+
+use boundfit_exact::{Foreign, WorkMeter};
+
+use crate::columns::{ColumnPlace, ColumnSelector, Header, Heading};
+use crate::error::InputError;
+use crate::scan::{ScanOptions, Scanned, csv_line, each_once};
+use crate::selection::RowCondition;
+
+/// The columns that are wanted, by their places in the table.
+pub(crate) struct WantedColumns<'a> {
+    pub(crate) file: &'a str,
+    pub(crate) options: &'a ScanOptions,
+    pub(crate) selectors: &'a [ColumnSelector],
+    pub(crate) places: Vec<ColumnPlace>,
+    pub(crate) key: Option<ColumnPlace>,
+    pub(crate) identity: Option<ColumnPlace>,
+    /// What must hold for rows to be wanted, and where the columns are that it is about.
+    pub(crate) conditions: Vec<(ColumnPlace, &'a RowCondition)>,
+    /// The work on the numbers that were read as text.
+    pub(crate) meter: WorkMeter,
+}
+
+impl<'a> WantedColumns<'a> {
+    /// Finds them among the names of all columns.
+    ///
+    /// # Errors
+    /// A column that is not there, or that a name does not tell from others.
+    pub(crate) fn new(
+        file: &'a str,
+        names: &[Foreign],
+        selectors: &'a [ColumnSelector],
+        options: &'a ScanOptions,
+    ) -> Result<Self, InputError> {
+        let key = options.key.as_ref();
+        let conditions = &options.table.conditions;
+        let identity = options.identity.as_ref();
+        let others: Vec<&ColumnSelector> =
+            key.into_iter().chain(identity).chain(conditions.iter().map(RowCondition::column)).collect();
+        let cells: Vec<&[u8]> = names.iter().map(|name| name.raw().as_bytes()).collect();
+        let heading = Heading::new(file, &cells, 1, Header::Present, selectors, &others)?;
+        let find = |selector| {
+            heading.find(file, selector).map_err(|mut error| {
+                // There are no lines here.
+                error.place.line = None;
+                error
+            })
+        };
+        Ok(WantedColumns {
+            file,
+            options,
+            selectors,
+            places: selectors.iter().map(find).collect::<Result<_, _>>()?,
+            key: key.map(find).transpose()?,
+            identity: identity.map(find).transpose()?,
+            conditions: conditions
+                .iter()
+                .map(|condition| Ok((find(condition.column())?, condition)))
+                .collect::<Result<_, InputError>>()?,
+            meter: WorkMeter::default(),
+        })
+    }
+
+    /// The columns that rows have as text, each once.
+    pub(crate) fn written(&self) -> Vec<&ColumnPlace> {
+        let places = || self.places.iter().chain(&self.identity);
+        let titles: Vec<Foreign> = places().map(ColumnPlace::title).collect();
+        each_once(places(), &titles).collect()
+    }
+
+    /// What is said of rows that come from no bytes.
+    pub(crate) fn scanned(&self, rows_total: usize, rows_missing: usize) -> Scanned {
+        let titles = || self.written().into_iter().map(|place| place.title().raw().to_owned());
+        Scanned {
+            layout: None,
+            header_line: self.options.keep_text.then(|| csv_line(titles())),
+            header: Vec::new(),
+            units: vec![None; self.places.len()],
+            names: self.places.iter().map(ColumnPlace::title).collect(),
+            fractions: Vec::new(),
+            key_name: self.key.as_ref().map(ColumnPlace::title),
+            rows_total,
+            ranges: Vec::new(),
+            rows_missing,
+            bytes: 0,
+            sha256: None,
+        }
+    }
+}
