@@ -1,8 +1,8 @@
 //! Refusing what would take too much exact arithmetic, before it is done.
 
 use boundfit_estimation::Problem;
-use boundfit_exact::{Foreign, Limit, Rational, Work};
-use boundfit_questions::times::{CROSSINGS, looks};
+use boundfit_exact::{Foreign, Limit, Rational, TooMuchWork, Work};
+use boundfit_questions::times::{check_outliers, looks};
 
 use crate::arguments::LimitArguments;
 use crate::exit::Failure;
@@ -11,7 +11,7 @@ use crate::exit::Failure;
 /// digits, divided by what `fit` takes.
 pub(crate) mod times {
     pub(crate) use boundfit_questions::times::{
-        FIT, LINEARITY, OUTLIERS, PREDICT, RANGE, STATUS, X_ERROR_STEPS, X_ERRORS,
+        FIT, LINEARITY, PREDICT, RANGE, STATUS, X_ERROR_STEPS, X_ERRORS,
     };
 
     /// Rows on a common denominator, written with all their digits.
@@ -65,9 +65,7 @@ pub(crate) fn refuse_long_outliers(
     problem: &Problem,
     limits: &LimitArguments,
 ) -> Result<(), Failure> {
-    let readings = problem.measurements.kept().len() as u64;
-    refuse_long_problem(file, problem, times::OUTLIERS + readings, limits)?;
-    refuse_long(file, &problem.work(&[]).of_leaving_out_each(readings), CROSSINGS, limits)
+    refused(file, check_outliers(problem, limits.sizes().work))
 }
 
 /// Refuses the sets of a problem for factors up to this one.
@@ -87,8 +85,11 @@ pub(crate) fn refuse_long(
     times: u64,
     limits: &LimitArguments,
 ) -> Result<(), Failure> {
-    let refused = work.check(times, limits.sizes().work);
-    refused
+    refused(file, work.check(times, limits.sizes().work))
+}
+
+fn refused(file: Foreign<&str>, checked: Result<(), TooMuchWork>) -> Result<(), Failure> {
+    checked
         .map_err(|problem| Failure::data(format_args!("{file}: {problem}; {} raises it", Limit::Work.flag())))
 }
 

@@ -1,6 +1,8 @@
 //! The fewest readings without which some parameters are left, where all together leave none.
 
 use boundfit_estimation::{Fit, Problem};
+use boundfit_exact::MOST_WORK;
+use boundfit_questions::times::check_outliers;
 use boundfit_questions::{OutlierLimits, Outliers};
 use serde::Serialize;
 
@@ -25,6 +27,8 @@ pub(crate) fn outliers(problem: &Problem, fit: &Fit) -> Option<OutliersJson> {
     if !fit.is_empty() {
         return None;
     }
+    // Long numbers may not take more than their share either.
+    check_outliers(problem, MOST_WORK / 10).ok()?;
     let limits = OutlierLimits { sets: MOST_WAYS, steps: MOST_STEPS };
     let found = Outliers::new(problem, &limits).ok()?;
     let ways = found.pieces.into_iter().map(|piece| piece.rows).collect();

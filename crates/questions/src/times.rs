@@ -2,6 +2,7 @@
 //! digits, divided by what a fit takes. [`Problem::work`] times one of these is what is to be refused where it is too much.
 
 use boundfit_estimation::{Measurement, Model, Problem};
+use boundfit_exact::TooMuchWork;
 
 /// A fit, or one answer about a linear program.
 pub const FIT: u64 = 1;
@@ -14,10 +15,10 @@ pub const LINEARITY: u64 = 6;
 /// The runs that fit, or windows: every reading comes and goes, and what is left is asked for places between.
 pub const RANGE: u64 = 8;
 /// Sets left without some readings; looking at all [crossings](CROSSINGS) of bounds comes on top.
-pub const OUTLIERS: u64 = 8;
+const OUTLIERS: u64 = 8;
 /// How much more than a fit of all readings but one takes it is to look at all crossings of the bounds of a reading, which are put
 /// in order.
-pub const CROSSINGS: u64 = 4;
+const CROSSINGS: u64 = 4;
 /// Both sides of lines under errors in x, and the steps to the least factor.
 pub const X_ERRORS: u64 = 16;
 /// The steps to the least factor under errors in x, in numbers with a square root, of every word that is not short.
@@ -27,6 +28,17 @@ pub const X_ERROR_STEPS: u64 = 135;
 pub fn looks(problem: &Problem) -> u64 {
     let is_line = matches!(problem.measurements.model(), Model::Line { .. });
     if is_line && problem.measurements.error_bound().is_uniform() { 1 } else { 4 }
+}
+
+/// Refuses to look for outliers, which is done where any two bounds cross, if that takes more than this limit.
+///
+/// # Errors
+/// When it does.
+pub fn check_outliers(problem: &Problem, limit: u64) -> Result<(), TooMuchWork> {
+    let readings = problem.measurements.kept().len() as u64;
+    let work = problem.work(&[]);
+    work.check((OUTLIERS + readings) * looks(problem), limit)?;
+    work.of_leaving_out_each(readings).check(CROSSINGS, limit)
 }
 
 /// About how many bits the numbers of a corner of the set have, from which predictions are taken: those of the longest reading,
