@@ -17,7 +17,7 @@ use pyo3::prelude::*;
 use crate::asked::{AskedXBounds, in_words};
 use crate::forms::{Form, NO_TEXT, asked};
 use crate::numbers::{decimal, refuse};
-use crate::readings::Readings;
+use crate::readings::{Readings, checked};
 
 /// Runs that a proof may be about, each of which it fits.
 const MOST_PROVED: usize = 1_000;
@@ -49,9 +49,7 @@ fn outliers_of(
     style: &Style,
 ) -> Result<String, String> {
     let problem = readings.every_reading("outliers are")?;
-    let count = problem.measurements.kept().len() as u64;
-    readings.check_problem(&problem, times::OUTLIERS + count)?;
-    readings.check(&problem.work(&[]).of_leaving_out_each(count), times::CROSSINGS)?;
+    checked(times::check_outliers(&problem, readings.most_work()))?;
     let fit = problem.fit();
     let found = Outliers::new(&problem, limits);
     let growth = match &found {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use boundfit::engine::exact::Work;
+use boundfit::engine::exact::{TooMuchWork, Work};
 use boundfit::files::{ColumnSelector, Keep, Limits, Question, ScanOptions, Source};
 use boundfit::questions::{Guarantee, times};
 use boundfit::report::{Origin, proof_json};
@@ -182,6 +182,11 @@ impl Readings {
         check_work(work, times, &self.options)
     }
 
+    /// How much work is done at most.
+    pub(crate) fn most_work(&self) -> u64 {
+        self.options.table.sizes.work
+    }
+
     /// Where they come from, for programs.
     pub(crate) fn origin(&self) -> Origin<'_> {
         self.data.origin(self.reading, self.is_stored)
@@ -195,6 +200,10 @@ impl Readings {
 
 /// Refuses so many times this work.
 pub(crate) fn check_work(work: &Work, times: u64, options: &ScanOptions) -> Result<(), String> {
-    let refused = work.check(times, options.table.sizes.work);
-    refused.map_err(|error| format!("{error}; limits={{\"work\": ...}} raises it"))
+    checked(work.check(times, options.table.sizes.work))
+}
+
+/// What would be too much work, in words.
+pub(crate) fn checked(work: Result<(), TooMuchWork>) -> Result<(), String> {
+    work.map_err(|error| format!("{error}; limits={{\"work\": ...}} raises it"))
 }
