@@ -14,8 +14,10 @@ const COLUMNS: [&str; 8] =
 /// `inf` where there is no end.
 pub fn outliers_csv(outliers: Option<&Outliers>) -> String {
     let mut writer = Writer::from_writer(Vec::new());
-    // Writing to memory does not fail.
-    let mut write = |cells: [String; 8]| debug_assert!(writer.write_record(&cells).is_ok());
+    let mut write = |cells: [String; 8]| {
+        let written = writer.write_record(&cells);
+        debug_assert!(written.is_ok(), "writing to memory does not fail");
+    };
     write(COLUMNS.map(str::to_owned));
     let pieces = outliers.map(|outliers| outliers.pieces.as_slice()).unwrap_or_default();
     for (number, piece) in (1..).zip(pieces) {
