@@ -61,6 +61,13 @@ impl<'a> WantedColumns<'a> {
         })
     }
 
+    /// The columns in which a wanted row has a number: those that conditions are about, and those that are read for one.
+    pub(crate) fn needed(&self) -> impl Iterator<Item = &ColumnPlace> {
+        let looked_at = self.conditions.iter().map(|(place, _)| place);
+        let read = self.places.iter().zip(self.selectors);
+        looked_at.chain(read.filter(|(_, selector)| selector.role().is_needed()).map(|(place, _)| place))
+    }
+
     /// The columns that rows have as text, each once.
     pub(crate) fn written(&self) -> Vec<&ColumnPlace> {
         let places = || self.places.iter().chain(&self.identity);

@@ -245,15 +245,8 @@ impl Rows<'_> {
             let optional = condition.column().clone().optional();
             columns.push((self.column(place, &optional, &numbers, batch)?, *condition));
         }
-        let looked_at = self.wanted.conditions.iter().map(|(place, _)| place);
-        let needed = self
-            .wanted
-            .places
-            .iter()
-            .zip(self.wanted.selectors)
-            .filter(|(_, selector)| selector.role().is_needed());
         let mut gaps = Vec::new();
-        for place in looked_at.chain(needed.map(|(place, _)| place)) {
+        for place in self.wanted.needed() {
             let array = self.array(place, batch)?;
             gaps.push((place, missing(&array), array));
         }

@@ -170,16 +170,8 @@ impl<'a> Rows<'a> {
         rows: &[Range<usize>],
         lacking: &mut Lacking,
     ) -> Result<[Vec<Range<usize>>; 2], InputError> {
-        let looked_at = self.wanted.conditions.iter().map(|(place, _)| place);
-        let needed = self
-            .wanted
-            .places
-            .iter()
-            .zip(self.wanted.selectors)
-            .filter(|(_, selector)| selector.role().is_needed());
-        let needed = looked_at.chain(needed.map(|(place, _)| place));
-        let needed: Vec<&ColumnPlace> =
-            needed.filter(|place| self.cells(place).is_some_and(MemoryNumbers::has_missing)).collect();
+        let has_missing = |place: &&ColumnPlace| self.cells(place).is_some_and(MemoryNumbers::has_missing);
+        let needed: Vec<&ColumnPlace> = self.wanted.needed().filter(has_missing).collect();
         if needed.is_empty() && self.wanted.conditions.is_empty() {
             return Ok([rows.to_vec(), rows.to_vec()]);
         }
