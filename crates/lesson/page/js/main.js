@@ -27,10 +27,10 @@ import { drawParameterPlane, withActive } from "./planes/parameter-plane.js";
 import { drawDataPlane } from "./planes/data-plane.js";
 import { drawSummary } from "./panels/summary.js";
 import { drawInspector } from "./panels/inspector.js";
-import { connectClipping, drawClipping, stepSentence } from "./panels/clipping.js";
-import { connectEpsilon, drawEpsilon, epsilonSentence, epsilonText } from "./panels/epsilon.js";
-import { connectLeaveOneOut, drawLeaveOneOut, drawReadings } from "./panels/leave-one-out.js";
-import { drawQuestions } from "./panels/questions.js";
+import { connectClipping, drawClipping, listOrders, stepSentence } from "./panels/clipping.js";
+import { connectEpsilon, drawEpsilon, drawStops, epsilonSentence, epsilonText } from "./panels/epsilon.js";
+import { connectLeaveOneOut, drawLeaveOneOut, drawReadings, listSwitches } from "./panels/leave-one-out.js";
+import { connectQuestions, drawQuestions } from "./panels/questions.js";
 import { connectDataPlane, connectParameterPlane, connectZoom } from "./planes/interaction.js";
 import { fillIntroduction } from "./panels/introduction.js";
 import { kindText, switchedOff } from "./model/format.js";
@@ -130,10 +130,21 @@ function announcement(lesson, state, before, scene) {
   return null;
 }
 
+/**
+ * What follows from the lesson alone, whatever the state.
+ * @param {Lesson} lesson
+ */
+function drawLesson(lesson) {
+  fillIntroduction(lesson);
+  listOrders(lesson);
+  drawStops(lesson);
+  listSwitches(lesson);
+  drawQuestions(lesson);
+  byId("residual").disabled = lesson.reference === null;
+}
+
 function start() {
-  const lesson = readLesson(JSON.parse(byId("lesson-data").textContent));
-  const store = createStore(lesson);
-  const layers = layersOf(lesson);
+  const store = createStore(readLesson(JSON.parse(byId("lesson-data").textContent)));
   const roving = { vertex: 0, reading: 0 };
   const drawn = /** @type {Drawn} */ ({});
   /** @param {PageElement} svg */
@@ -143,9 +154,14 @@ function start() {
   });
 
   function draw() {
-    const state = store.get();
+    const [lesson, state] = [store.lesson(), store.get()];
+    if (drawn.lesson !== lesson) {
+      Object.assign(drawn, { lesson, layers: layersOf(lesson), state: undefined });
+      drawLesson(lesson);
+    }
+    const { layers } = drawn;
     const scene = sceneOf(lesson, state);
-    const choice = explained(state.hover ?? state.selection, scene);
+    const choice = explained(lesson, state.hover ?? state.selection, scene);
     const shown = { ...state, hover: choice };
     drawModes(state);
     drawn.scene = scene;
@@ -182,10 +198,11 @@ function start() {
   }
 
   /**
+   * @param {Lesson} lesson
    * @param {Choice | null} choice
    * @param {Scene} scene
    */
-  function explained(choice, scene) {
+  function explained(lesson, choice, scene) {
     if (choice?.kind !== "point") return withActive(lesson, scene, choice);
     return {
       ...choice,
@@ -193,19 +210,16 @@ function start() {
     };
   }
 
-  fillIntroduction(lesson);
   connectTheme();
   connectPrinting();
   connectModes(store);
-  connectClipping(lesson, store);
-  if (lesson.stops.length > 0) connectEpsilon(lesson, store);
-  byId("tab-epsilon").disabled = lesson.stops.length === 0;
-  connectLeaveOneOut(lesson, store);
+  connectClipping(store);
+  connectEpsilon(store);
+  connectLeaveOneOut(store);
   connectDataPlane(byId("data-plane"), store, () => drawn, roving);
   connectParameterPlane(byId("parameter-plane"), store, () => drawn, roving);
-  connectZoom(lesson, store, () => drawn, layers);
-  drawQuestions(lesson, layers, store);
-  byId("residual").disabled = lesson.reference === null;
+  connectZoom(store, () => drawn);
+  connectQuestions(store, () => drawn);
   byId("residual").addEventListener("change", (event) =>
     store.change({ residual: targetOf(event).checked, dataView: null }),
   );
@@ -224,7 +238,7 @@ function start() {
   });
   store.subscribe((state, before) => {
     draw();
-    const words = announcement(lesson, state, before, drawn.scene);
+    const words = announcement(store.lesson(), state, before, drawn.scene);
     if (words !== null) byId("status").textContent = words;
   });
   draw();

@@ -222,6 +222,10 @@ interface State {
 type Listener = (state: State, before: State) => void;
 
 interface Store {
+  /** The lesson shown. Keep none: the next change may be another lesson. */
+  lesson: () => Lesson;
+  /** Shows another lesson, with as much of the state as means the same there. */
+  replace: (lesson: Lesson) => void;
   get: () => State;
   subscribe: (listener: Listener) => void;
   change: (changes: Partial<State>) => void;
@@ -253,6 +257,8 @@ interface Scene {
 
 /** What is drawn at the moment, for what the pointer does. */
 interface Drawn {
+  lesson: Lesson;
+  layers: Layer[];
   scene: Scene;
   dataMap: ScreenMap;
   parameterMap: ScreenMap;

@@ -4,6 +4,7 @@
 import { Rational, ZERO, extremes } from "./model/rational.js";
 import { boundsOf, halfPlanesOf, regionWithout, rightHandSide, shapingHalfPlanes, steppedRegion, sweptRegion } from "./model/lesson.js";
 import { kindText } from "./model/format.js";
+import { dataFrame } from "./planes/data-frame.js";
 import { isSliver, parameterFrame, usefulShear } from "./planes/view.js";
 import { givenStop, sweepStops } from "./model/sweep.js";
 
@@ -11,31 +12,23 @@ import { givenStop, sweepStops } from "./model/sweep.js";
 const SHORT_BAR = new Rational(1n, 25n);
 
 /**
- * The state at the start, and a way to change it. Listeners are called after every change.
- * @param {Lesson} lesson
+ * The lesson and the state at the start, and ways to change both. Listeners are called after every change.
+ * @param {Lesson} first
  * @returns {Store}
  */
-export function createStore(lesson) {
-  lesson.stops = sweepStops(lesson);
+export function createStore(first) {
+  let lesson = withStops(first);
+  let state = initialState(lesson);
   /** @type {Listener[]} */
   const listeners = [];
-  /** @type {State} */
-  let state = {
-    mode: "explore",
-    order: 0,
-    step: 0,
-    stop: givenStop(lesson.stops),
-    without: [],
-    selection: null,
-    hover: null,
-    layers: new Set(),
-    residual: barsAreTooShort(lesson),
-    straighten: isSliver(parameterFrame(lesson, ZERO), lesson.fps),
-    parameterView: null,
-    dataView: null,
-    playing: false,
-  };
   return {
+    lesson: () => lesson,
+    replace(next) {
+      const before = state;
+      state = carriedState(state, lesson, withStops(next));
+      lesson = next;
+      listeners.forEach((listener) => listener(state, before));
+    },
     get: () => state,
     subscribe: (listener) => listeners.push(listener),
     change(changes) {
@@ -54,6 +47,87 @@ export function createStore(lesson) {
   };
 }
 
+/** @param {Lesson} lesson */
+function withStops(lesson) {
+  lesson.stops = sweepStops(lesson);
+  return lesson;
+}
+
+/**
+ * @param {Lesson} lesson
+ * @returns {State}
+ */
+function initialState(lesson) {
+  return {
+    mode: "explore",
+    order: 0,
+    step: 0,
+    stop: givenStop(lesson.stops),
+    without: [],
+    selection: null,
+    hover: null,
+    layers: new Set(),
+    residual: barsAreTooShort(lesson),
+    straighten: isSliver(frameOf(lesson, false), lesson.fps),
+    parameterView: null,
+    dataView: null,
+    playing: false,
+  };
+}
+
+/**
+ * What of a state means the same in another lesson: layers, a free point, a reading that is there too, the part of a picture that
+ * the reader has chosen. Vertices and breakpoints of another set are others.
+ * @param {State} state
+ * @param {Lesson} lesson
+ * @param {Lesson} next
+ * @returns {State}
+ */
+function carriedState(state, lesson, next) {
+  const start = initialState(next);
+  if (lesson.isLine !== next.isLine) return { ...start, layers: state.layers };
+  const mode = state.mode === "epsilon" && next.stops.length === 0 ? "explore" : state.mode;
+  const order = state.order < next.data.orders.length ? state.order : 0;
+  /** @param {Choice | null} choice */
+  const carried = (choice) =>
+    choice?.kind === "point" ? { kind: choice.kind, theta: choice.theta } :
+    choice?.kind === "reading" && next.rowIndex.has(choice.row) ? choice : null;
+  const residual = state.residual && next.reference !== null;
+  const dataFrames = [dataFrame(lesson, state.residual), dataFrame(next, residual)];
+  const planeFrames = [lesson, next].map((of) => frameOf(of, state.straighten));
+  return {
+    ...start,
+    mode,
+    order,
+    step: Math.min(state.step, next.data.orders[order]?.steps.length ?? 0),
+    without: state.without.filter((row) => next.rowIndex.has(row)),
+    selection: carried(state.selection),
+    hover: carried(state.hover),
+    layers: state.layers,
+    residual,
+    straighten: state.straighten,
+    dataView: sameView(state.dataView, dataFrames[0].exact, dataFrames[1].number),
+    parameterView: sameView(
+      state.parameterView,
+      (axis, number) => planeFrames[0].axisValue(axis, number),
+      (axis, value) => planeFrames[1].coordinate(axis, value),
+    ),
+  };
+}
+
+/**
+ * A view of one frame in another one.
+ * @param {View | null} view
+ * @param {(axis: number, number: number) => Rational} exact
+ * @param {(axis: number, value: Rational) => number} number
+ */
+function sameView(view, exact, number) {
+  if (view === null) return null;
+  /** @type {(axis: number, range: number[]) => number[]} */
+  const moved = (axis, range) => range.map((end) => number(axis, exact(axis, end)));
+  return { x: moved(0, view.x), y: moved(1, view.y) };
+}
+
 /**
  * Where all bars are short beside the range of the heights, the picture is one line and nothing can be seen.
  * @param {Lesson} lesson
@@ -65,20 +139,21 @@ function barsAreTooShort(lesson) {
   return longest.compare(highest.minus(lowest).times(SHORT_BAR)) < 0;
 }
 
-/** @type {Map<boolean, ParameterFrame>} */
-const frames = new Map();
+/** @type {WeakMap<Lesson, Map<boolean, ParameterFrame>>} */
+const frames = new WeakMap();
 
 /**
  * @param {Lesson} lesson
  * @param {boolean} straighten
  */
 function frameOf(lesson, straighten) {
-  const found = frames.get(straighten) ?? parameterFrame(lesson, straighten ? usefulShear(lesson) : ZERO);
-  frames.set(straighten, found);
+  const own = frames.get(lesson) ?? new Map();
+  const found = own.get(straighten) ?? parameterFrame(lesson, straighten ? usefulShear(lesson) : ZERO);
+  frames.set(lesson, own.set(straighten, found));
   return found;
 }
 
-/** @type {{ key: string, scene: Scene } | null} */
+/** @type {{ lesson: Lesson, key: string, scene: Scene } | null} */
 let latest = null;
 
 /**
@@ -90,7 +165,7 @@ let latest = null;
 export function sceneOf(lesson, state) {
   const { mode, order, step, stop, without, straighten } = state;
   const key = [mode, order, step, stop, without.join("+"), straighten].join();
-  if (latest?.key !== key) latest = { key, scene: makeScene(lesson, state) };
+  if (latest?.lesson !== lesson || latest.key !== key) latest = { lesson, key, scene: makeScene(lesson, state) };
   return latest.scene;
 }
 

@@ -11,11 +11,10 @@ const MILLISECONDS_PER_STEP = 1200;
 
 /**
  * Connects the controls.
- * @param {Lesson} lesson
  * @param {Store} store
  */
-export function connectClipping(lesson, store) {
-  const last = () => lesson.data.orders[store.get().order].steps.length;
+export function connectClipping(store) {
+  const last = () => store.lesson().data.orders[store.get().order].steps.length;
   /**
    * @param {number} step
    * @param {boolean} [playing]
@@ -48,6 +47,13 @@ export function connectClipping(lesson, store) {
       timer = null;
     }
   });
+}
+
+/**
+ * The orders to choose from.
+ * @param {Lesson} lesson
+ */
+export function listOrders(lesson) {
   patch(
     byId("clip-order"),
     lesson.data.orders.map((order, k) =>

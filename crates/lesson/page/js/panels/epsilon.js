@@ -14,28 +14,25 @@ const NEAR_END = 0.12;
 
 /**
  * Connects the slider and its buttons.
- * @param {Lesson} lesson
  * @param {Store} store
  */
-export function connectEpsilon(lesson, store) {
-  const { stops } = lesson;
+export function connectEpsilon(store) {
   /** @param {number} stop */
   const go = (stop) => store.change({ mode: "epsilon", stop });
-  byId("epsilon-slider").max = `${Math.max(0, stops.length - 1)}`;
   byId("epsilon-slider").addEventListener("input", (event) => go(Number(targetOf(event).value)));
   byId("epsilon-next").addEventListener("click", () => {
-    const next = stops.findIndex((stop, k) => k > store.get().stop && stop.breakpoint !== null);
+    const next = store.lesson().stops.findIndex((stop, k) => k > store.get().stop && stop.breakpoint !== null);
     if (next >= 0) go(next);
   });
   byId("epsilon-previous").addEventListener("click", () => {
-    const earlier = stops.map((stop, k) => (k < store.get().stop && stop.breakpoint !== null ? k : -1));
+    const earlier = store.lesson().stops.map((stop, k) => (k < store.get().stop && stop.breakpoint !== null ? k : -1));
     if (Math.max(...earlier) >= 0) go(Math.max(...earlier));
   });
-  byId("epsilon-given").addEventListener("click", () => go(givenStop(stops)));
+  byId("epsilon-given").addEventListener("click", () => go(givenStop(store.lesson().stops)));
   byId("epsilon-least").addEventListener("click", () => {
-    if (leastStop(lesson) >= 0) go(leastStop(lesson));
+    const least = leastStop(store.lesson());
+    if (least >= 0) go(least);
   });
-  drawTicks(lesson);
 }
 
 /** @param {Lesson} lesson */
@@ -45,11 +42,13 @@ function leastStop(lesson) {
 }
 
 /**
- * The stops are evenly spaced on the slider; so are their ticks.
+ * The slider's range. The stops are evenly spaced on it; so are their ticks.
  * @param {Lesson} lesson
  */
-function drawTicks(lesson) {
+export function drawStops(lesson) {
   const { stops } = lesson;
+  byId("tab-epsilon").disabled = stops.length === 0;
+  byId("epsilon-slider").max = `${Math.max(0, stops.length - 1)}`;
   const last = Math.max(1, stops.length - 1);
   const least = leastStop(lesson);
   const at = stops.flatMap((stop, k) => (stop.breakpoint === null && k !== givenStop(stops) ? [] : [k]));

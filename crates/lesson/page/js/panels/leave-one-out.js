@@ -17,10 +17,9 @@ const ENDS = [
 
 /**
  * Connects the table, in which any number of readings can be switched off, and the list, which switches off one.
- * @param {Lesson} lesson
  * @param {Store} store
  */
-export function connectLeaveOneOut(lesson, store) {
+export function connectLeaveOneOut(store) {
   byId("readings").addEventListener("change", (event) => {
     const row = Number(targetOf(event).dataset.row);
     const { mode, without } = store.get();
@@ -43,12 +42,19 @@ export function connectLeaveOneOut(lesson, store) {
     const { value } = targetOf(event);
     store.change({ mode: "leave-one-out", without: value === "" ? [] : [Number(value)] });
   });
-  patch(byId("outliers"), outlierButtons(lesson));
   byId("outliers").addEventListener("click", (event) => {
     const button = closest(event, "button[data-way]");
-    const way = lesson.data.outliers?.ways[Number(button?.dataset.way)];
+    const way = store.lesson().data.outliers?.ways[Number(button?.dataset.way)];
     if (way !== undefined) store.change({ mode: "leave-one-out", without: way });
   });
+}
+
+/**
+ * What can be switched off: one reading by the list, or the fewest that leave something.
+ * @param {Lesson} lesson
+ */
+export function listSwitches(lesson) {
+  patch(byId("outliers"), outlierButtons(lesson));
   /** @param {WithoutData} options */
   const option = ({ row, matters }) =>
     element("option", { value: `${row}` }, `reading ${row}${matters ? "" : " (does not matter)"}`);

@@ -12,12 +12,23 @@ const GROUPS = {
 };
 
 /**
- * Draws the questions and connects their buttons.
- * @param {Lesson} lesson
- * @param {Layer[]} layers
+ * Connects the buttons of the questions.
  * @param {Store} store
+ * @param {() => Drawn} current
  */
-export function drawQuestions(lesson, layers, store) {
+export function connectQuestions(store, current) {
+  byId("question-list").addEventListener("click", (event) => {
+    const button = closest(event, "button[data-show]");
+    const what = store.lesson().data.questions[Number(button?.dataset.show)]?.show ?? null;
+    if (what !== null) show(what, current().layers, store);
+  });
+}
+
+/**
+ * Draws the questions.
+ * @param {Lesson} lesson
+ */
+export function drawQuestions(lesson) {
   const { questions } = lesson.data;
   /**
    * @param {QuestionData} question
@@ -38,11 +49,6 @@ export function drawQuestions(lesson, layers, store) {
       ),
     );
   patch(byId("question-list"), questions.map(item));
-  byId("question-list").addEventListener("click", (event) => {
-    const button = closest(event, "button[data-show]");
-    const what = questions[Number(button?.dataset.show)]?.show ?? null;
-    if (what !== null) show(what, layers, store);
-  });
 }
 
 /**

@@ -235,7 +235,7 @@ function drawnReading(lesson, state, scene, reading, frame, map, focused) {
       class: classes.join(" "),
       "data-reading": reading.row,
       role: "button",
-      tabindex: reading.index === focused ? 0 : -1,
+      tabindex: reading.index === Math.min(focused, lesson.readings.length - 1) ? 0 : -1,
       "aria-pressed": `${state.selection?.kind === "reading" && state.selection.row === reading.row}`,
       "aria-label": `Reading ${reading.row}: ${name} = ${abscissa}, ${spokenBounds(lesson, reading)}`,
     },

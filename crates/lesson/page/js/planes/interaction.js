@@ -121,12 +121,10 @@ function connectView(svg, current, set) {
 
 /**
  * The zoom buttons of both pictures.
- * @param {Lesson} lesson
  * @param {Store} store
  * @param {() => Drawn} current
- * @param {Layer[]} layers
  */
-export function connectZoom(lesson, store, current, layers) {
+export function connectZoom(store, current) {
   for (const button of all("button[data-zoom]")) {
     const key = button.dataset.plane === "data" ? "dataView" : "parameterView";
     button.addEventListener("click", () => {
@@ -137,7 +135,7 @@ export function connectZoom(lesson, store, current, layers) {
         in: () => scaledView(view, 1 / ZOOM),
         out: () => scaledView(view, ZOOM),
         fit: () => null,
-        set: () => automaticView(lesson, { ...state, layers: new Set() }, current().scene, layers),
+        set: () => automaticView(store.lesson(), { ...state, layers: new Set() }, current().scene, current().layers),
       };
       store.change({ [key]: views[button.dataset.zoom ?? "fit"]() });
     });
