@@ -43,11 +43,14 @@ mod readings;
 mod region;
 mod sweep;
 mod template;
+mod texts;
 
 use boundfit_estimation::{Fit, Problem};
 use boundfit_exact::{Foreign, Reading};
 use serde_json::Value;
 use thiserror::Error;
+
+pub use crate::texts::{Language, said};
 
 /// The most readings that a lesson is made for unless more are asked for: what the page shows grows with their square.
 pub const MOST_ROWS: usize = 300;
@@ -63,6 +66,8 @@ pub struct LessonOptions {
     pub x_unit: Option<Foreign>,
     /// Unit of y.
     pub y_unit: Option<Foreign>,
+    /// The language that the page speaks at first; it has all of them.
+    pub language: Language,
     /// The most readings that a page is made for.
     pub most_rows: usize,
 }
@@ -75,6 +80,7 @@ impl Default for LessonOptions {
             title: None,
             x_unit: None,
             y_unit: None,
+            language: Language::default(),
             most_rows: MOST_ROWS,
         }
     }
@@ -110,7 +116,7 @@ pub fn page(
     options: &LessonOptions,
 ) -> Result<String, LessonError> {
     let data = data::build(problem, fit, reading, options)?;
-    Ok(template::page(data.title(), &serde_json::to_string(&data)?))
+    Ok(template::page(data.title(), &serde_json::to_string(&data)?, options.language)?)
 }
 
 /// Everything that the page shows, schema `boundfit/lesson/1`. Numbers are exact, their decimals rounded: ends of

@@ -1,4 +1,6 @@
-//! The page around the data: template, style and script, put into one file.
+//! The page around the data: template, style, script and words, put into one file.
+
+use crate::texts::{self, Language, Message};
 
 /// A module of the script: its path in the folder `page/js`, and its source.
 macro_rules! module {
@@ -7,7 +9,8 @@ macro_rules! module {
     };
 }
 
-/// The page with the tokens `{{title}}`, `{{style}}`, `{{data}}` and `{{script}}`.
+/// The page with the tokens `{{title}}`, `{{language}}`, `{{languages}}`, `{{style}}`, `{{data}}`, `{{texts}}` and `{{script}}`; the
+/// element `data-text="key"` has the text of a key, the label of `data-text-label="key"` is one.
 const TEMPLATE: &str = include_str!("../page/index.html");
 const STYLE: &str = include_str!("../page/style.css");
 
@@ -27,6 +30,7 @@ const MODULES: &[(&str, &str)] = &[
     module!("panels/epsilon.js"),
     module!("panels/inspector.js"),
     module!("panels/introduction.js"),
+    module!("panels/language.js"),
     module!("panels/layers.js"),
     module!("panels/leave-one-out.js"),
     module!("panels/questions.js"),
@@ -43,17 +47,57 @@ const MODULES: &[(&str, &str)] = &[
     module!("planes/vertex-marks.js"),
     module!("planes/view.js"),
     module!("state.js"),
+    module!("texts.js"),
 ];
 
-/// The page with a title and data in JSON.
-pub(crate) fn page(title: &str, data: &str) -> String {
-    fill(TEMPLATE, |token| match token {
+/// The page with a title and data in JSON, in a language.
+pub(crate) fn page(title: &str, data: &str, language: Language) -> Result<String, serde_json::Error> {
+    let table = texts::table()?;
+    Ok(fill(&with_texts(TEMPLATE, language), |token| match token {
         "title" => Some(escaped(title)),
+        "language" => Some(language.code().to_owned()),
+        "languages" => Some(languages(language)),
         "style" => Some(STYLE.to_owned()),
         "data" => Some(embedded(data)),
+        "texts" => Some(embedded(&table)),
         "script" => Some(script()),
         _ => None,
+    }))
+}
+
+/// The choice between the languages, each under its own name.
+fn languages(chosen: Language) -> String {
+    let option = |language: Language| {
+        let (code, selected) = (language.code(), if language == chosen { " selected" } else { "" });
+        format!("<option value=\"{code}\" lang=\"{code}\"{selected}>{}</option>", language.name())
+    };
+    Language::ALL.map(option).concat()
+}
+
+/// The template with the texts of its keys, so that it can be read without a script.
+fn with_texts(template: &str, language: Language) -> String {
+    let of = |key: &str| texts::html(&Message::new(key), language);
+    let labelled = each(template, "data-text-label=\"", |key, rest| {
+        (format!("{key}\" aria-label=\"{}\"", of(key)), rest.strip_prefix('"').unwrap_or(rest))
+    });
+    each(&labelled, "data-text=\"", |key, rest| {
+        let (attributes, after) = rest.split_once('>').unwrap_or((rest, ""));
+        (format!("{key}{attributes}>{}", of(key)), after)
     })
+}
+
+/// Replaces what follows each `mark`: `replaced` takes the text up to the next quotation mark and the rest, and gives back what
+/// stands there instead and what of the rest is left.
+fn each<'a>(text: &'a str, mark: &str, replaced: impl Fn(&str, &'a str) -> (String, &'a str)) -> String {
+    let mut done = String::with_capacity(2 * text.len());
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once(mark) {
+        let key = after.split('"').next().unwrap_or_default();
+        let (new, left) = replaced(key, after.strip_prefix(key).unwrap_or(after));
+        done.extend([before, mark, &new]);
+        rest = left;
+    }
+    done + rest
 }
 
 /// Replaces each `{{token}}` that has a value. What is put in is not looked at again.
@@ -77,7 +121,7 @@ fn fill(template: &str, value: impl Fn(&str) -> Option<String>) -> String {
 }
 
 /// Text as HTML.
-fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     let mut html = String::with_capacity(text.len());
     for letter in text.chars() {
         match letter {
@@ -168,7 +212,7 @@ mod tests {
 
     #[test]
     fn titles_and_data_cannot_end_their_elements() {
-        let text = page("</title><b>&", "{\"a\": \"</script>\u{2028}\"}");
+        let text = page("</title><b>&", "{\"a\": \"</script>\u{2028}\"}", Language::English).unwrap();
         assert!(text.contains("<title>&lt;/title&gt;&lt;b&gt;&amp;</title>"));
         assert!(text.contains("{\"a\": \"\\u003c/script>\\u2028\"}"));
         for source in MODULES.iter().map(|(_, source)| *source).chain([STYLE]) {
@@ -178,9 +222,25 @@ mod tests {
 
     #[test]
     fn each_token_occurs_once() {
-        for token in ["{{title}}", "{{style}}", "{{data}}", "{{script}}"] {
+        for token in
+            ["{{title}}", "{{language}}", "{{languages}}", "{{style}}", "{{data}}", "{{texts}}", "{{script}}"]
+        {
             assert_eq!(TEMPLATE.matches(token).count(), 1, "{token}");
         }
+    }
+
+    #[test]
+    fn the_page_has_its_texts_where_their_keys_are() {
+        let page = |language| page("t", "{}", language).unwrap();
+        let english = page(Language::English);
+        assert!(english.starts_with("<!doctype html>\n<html lang=\"en\">"));
+        assert!(english.contains("<h3 data-text=\"data-plane.title\">Data plane</h3>"));
+        assert!(english.contains("data-text-label=\"view.zoom-in\" aria-label=\"Zoom in\">+</button>"));
+        assert!(english.contains("<option value=\"en\" lang=\"en\" selected>English</option>"));
+        let german = page(Language::German);
+        assert!(german.starts_with("<!doctype html>\n<html lang=\"de\">"));
+        assert!(german.contains("<h3 data-text=\"data-plane.title\">Datenebene</h3>"));
+        assert!(german.contains("<option value=\"de\" lang=\"de\" selected>Deutsch</option>"));
     }
 
     /// The scripts in a folder and below it, by their paths from the first one.

@@ -1,9 +1,11 @@
 //! The arguments of `boundfit lesson`.
 
+use boundfit_lesson::Language;
 use clap::{Args, value_parser};
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::shared::LIMITS;
+use super::values::named;
 use super::{DataArguments, FileArguments, LabelArguments};
 
 pub(super) const NOTES: Notes = Notes {
@@ -34,6 +36,10 @@ pub(crate) struct LessonArguments {
     pub(crate) data: DataArguments,
     #[command(flatten)]
     pub(crate) labels: LabelArguments,
+    /// The language that the page speaks at first; the reader can change it
+    #[arg(long, default_value = Language::English.code(),
+          value_parser = named(Language::ALL.map(|language| (language.code(), language))))]
+    pub(crate) language: Language,
     /// The most readings that a page is written for: its size and the time for it grow with their square
     #[arg(long, value_name = "N", default_value_t = MOST_READINGS, value_parser = value_parser!(u16).range(1..=2000),
           help_heading = LIMITS)]

@@ -31,6 +31,7 @@ pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
         title: arguments.labels.title.clone(),
         x_unit,
         y_unit,
+        language: arguments.language,
         most_rows: usize::from(arguments.max_readings),
     };
     let page = while_working("writing the page", || page(&problem, &fit, reading, &options));

@@ -16,7 +16,7 @@
 //   [data-layer-shown="<id>"]    what a layer draws; #verdicts rows have data-verdict
 //   #leave-out #leave-out-<row>  switches; #leave-one-out-verdict[data-matters]; [data-moved="theta1-lower"][data-by]
 //   #question-<id>, its button   [data-show];  #residual #straighten #theme-toggle #inspector
-//   #conflict                    why the set is empty
+//   #conflict                    why the set is empty;  #language  the language of the page
 //   #status                      the live region;  button[data-zoom="in|out|set|fit"][data-plane="parameter|data"]
 
 import { byId, rove, targetOf } from "./dom.js";
@@ -34,6 +34,7 @@ import { connectQuestions, drawQuestions } from "./panels/questions.js";
 import { connectDataPlane, connectParameterPlane, connectZoom } from "./planes/interaction.js";
 import { fillIntroduction } from "./panels/introduction.js";
 import { kindText, switchedOff } from "./model/format.js";
+import { connectLanguage } from "./panels/language.js";
 
 /** @type {Mode[]} */
 const MODES = ["explore", "clip", "epsilon", "leave-one-out"];
@@ -155,7 +156,7 @@ function start() {
 
   function draw() {
     const [lesson, state] = [store.lesson(), store.get()];
-    if (drawn.lesson !== lesson) {
+    if (drawn.lesson !== lesson || drawn.state?.language !== state.language) {
       Object.assign(drawn, { lesson, layers: layersOf(lesson), state: undefined });
       drawLesson(lesson);
     }
@@ -211,6 +212,7 @@ function start() {
   }
 
   connectTheme();
+  connectLanguage(store);
   connectPrinting();
   connectModes(store);
   connectClipping(store);

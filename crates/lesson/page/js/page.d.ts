@@ -217,6 +217,8 @@ interface State {
   dataView: View | null;
   /** Whether the steps run by themselves. */
   playing: boolean;
+  /** The code of the language that the page speaks. */
+  language: string;
 }
 
 type Listener = (state: State, before: State) => void;
@@ -294,6 +296,27 @@ interface Description {
 }
 
 type Content = Description | string | number | null | undefined | false | Content[];
+
+/** A value in a text of the table: `number` has the decimal mark of the language, `list` is an enumeration, `text` another text. */
+type TextValue =
+  | string
+  | number
+  | Description
+  | { text: string; values?: TextValues }
+  | { number: string }
+  | { list: TextValue[]; by?: string; more?: number };
+
+type TextValues = Record<string, TextValue>;
+
+/** A place for a value: how it is written, and the forms that a count chooses from. */
+interface TextPlace {
+  name: string;
+  written: string[];
+  forms: TextPart[][];
+}
+
+/** A piece of a text: words, a place for a value, or mark-up. */
+type TextPart = string | TextPlace | { tag: string; attributes: Attributes; parts: TextPart[] };
 
 /** An element of the page by its id: whichever kind it is, these are the properties that the script uses. */
 type PageElement = HTMLInputElement;

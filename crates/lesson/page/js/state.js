@@ -7,6 +7,7 @@ import { kindText } from "./model/format.js";
 import { dataFrame } from "./planes/data-frame.js";
 import { isSliver, parameterFrame, usefulShear } from "./planes/view.js";
 import { givenStop, sweepStops } from "./model/sweep.js";
+import { currentLanguage } from "./texts.js";
 
 // An error bound shorter than this share of the range of the heights is too short to see.
 const SHORT_BAR = new Rational(1n, 25n);
@@ -72,6 +73,7 @@ function initialState(lesson) {
     parameterView: null,
     dataView: null,
     playing: false,
+    language: currentLanguage(),
   };
 }
 
@@ -163,8 +165,8 @@ let latest = null;
  * @param {State} state
  */
 export function sceneOf(lesson, state) {
-  const { mode, order, step, stop, without, straighten } = state;
-  const key = [mode, order, step, stop, without.join("+"), straighten].join();
+  const { mode, order, step, stop, without, straighten, language } = state;
+  const key = [mode, order, step, stop, without.join("+"), straighten, language].join();
   if (latest?.lesson !== lesson || latest.key !== key) latest = { lesson, key, scene: makeScene(lesson, state) };
   return latest.scene;
 }

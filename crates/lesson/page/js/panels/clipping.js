@@ -6,6 +6,7 @@ import { boundClass, boundText, counted, decimal, digitsFor, kindText, shortEnum
 import { inequality } from "./inspector.js";
 import { numberWithFraction } from "./summary.js";
 import { ONE } from "../model/rational.js";
+import { t } from "../texts.js";
 
 const MILLISECONDS_PER_STEP = 1200;
 
@@ -144,7 +145,7 @@ export function drawClipping(lesson, state, scene) {
   byId("clip-note").textContent = order.note;
   byId("step-number").textContent = `${state.step} / ${order.steps.length}`;
   const play = byId("step-play");
-  play.textContent = state.playing ? "Pause" : "Play";
+  play.textContent = t(state.playing ? "clip.pause" : "clip.play");
   play.setAttribute("aria-pressed", `${state.playing}`);
   // Disabled for real, a button would drop the focus of whoever has just pressed it.
   for (const id of ["step-first", "step-back"]) byId(id).ariaDisabled = `${state.step === 0}`;
