@@ -4,6 +4,7 @@
 
 mod answer;
 mod options;
+mod polytope;
 
 use wasm_bindgen::prelude::*;
 

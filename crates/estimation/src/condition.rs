@@ -66,7 +66,29 @@ impl Condition {
     /// # Errors
     /// With the position where the text stops making sense.
     pub fn parse(text: &str, reading: Reading, limits: &Limits) -> Result<Self, ParseConditionError> {
-        let parser = Parser { scanner: Scanner::new(text, reading, limits) };
+        Self::parse_words(text, PARAMETERS, reading, limits)
+    }
+
+    /// Reads a half-plane or a line of the plane as [`Condition::parse`] does, where the coordinates may be called `x` and `y`
+    /// as well.
+    ///
+    /// # Errors
+    /// Those of [`Condition::parse`].
+    pub fn parse_in_plane(
+        text: &str,
+        reading: Reading,
+        limits: &Limits,
+    ) -> Result<Self, ParseConditionError> {
+        Self::parse_words(text, COORDINATES, reading, limits)
+    }
+
+    fn parse_words(
+        text: &str,
+        words: &'static [&'static str],
+        reading: Reading,
+        limits: &Limits,
+    ) -> Result<Self, ParseConditionError> {
+        let parser = Parser { scanner: Scanner::new(text, reading, limits), words };
         let (inequality, is_equation) = parser.condition().map_err(|error| Scanner::place(text, error))?;
         Ok(Condition { text: text.trim().into(), inequality, is_equation })
     }
@@ -110,8 +132,15 @@ enum Relation {
     Equal,
 }
 
+/// What θ1 and θ2 may be called.
+const PARAMETERS: &[&str] = &["theta1", "θ1", "theta2", "θ2"];
+/// What they may be called where nothing but the plane is spoken of.
+const COORDINATES: &[&str] = &["theta1", "θ1", "θ₁", "x", "theta2", "θ2", "θ₂", "y"];
+
 struct Parser<'a> {
     scanner: Scanner<'a>,
+    /// Names of the first parameter, then as many of the second.
+    words: &'static [&'static str],
 }
 
 impl Parser<'_> {
@@ -160,8 +189,9 @@ impl Parser<'_> {
     }
 
     fn parameter(&mut self) -> Option<usize> {
-        let found = self.scanner.take(&["theta1", "θ1", "theta2", "θ2"])?;
-        Some(if found.ends_with('1') { 0 } else { 1 })
+        let found = self.scanner.take(self.words)?;
+        let position = self.words.iter().position(|word| *word == found)?;
+        Some(if position < self.words.len() / 2 { 0 } else { 1 })
     }
 
     fn relation(&mut self) -> Result<Relation, ParseConditionError> {
@@ -215,6 +245,21 @@ mod tests {
         }
         let no_intercept = Condition::parse("theta2 = 0", Reading::Decimal, &Limits::default());
         assert_eq!(no_intercept, Ok(Condition::no_intercept()));
+    }
+
+    #[test]
+    fn in_the_plane_coordinates_may_be_called_x_and_y() {
+        let parse_in_plane = |text| Condition::parse_in_plane(text, Reading::Decimal, &Limits::default());
+        let expected = Condition::parse("2*theta1 - theta2 <= 1/3", Reading::Decimal, &Limits::default());
+        let expected = expected.unwrap();
+        for text in ["2x - y <= 1/3", "2*θ₁≤1/3+y", "2 θ1 - theta2 ≤ 1/3", "y >= 2x - 1/3"] {
+            assert_eq!(parse_in_plane(text).unwrap().inequality(), expected.inequality(), "{text}");
+        }
+        assert_eq!(
+            parse_in_plane("2z <= 1"),
+            Err(ParseConditionError { position: 1, kind: Kind::NoRelation })
+        );
+        assert_eq!(parse("x >= 0"), Err(ParseConditionError { position: 0, kind: Kind::NotATerm }));
     }
 
     #[test]

@@ -5,6 +5,8 @@
 //! the set without each reading, the fewest readings to leave out, and questions with answers. [`page`] puts it into one HTML file
 //! whose script draws it, and computes, as exactly, what depends on where the mouse is.
 //!
+//! [`polytope`] answers about half-planes without readings, for the page's second view.
+//!
 //! What the page's script may rely on is the schema `boundfit/lesson/1`, whose types are in `page/js/lesson.d.ts`; its sources
 //! are in the folder `page`.
 //!
@@ -38,6 +40,7 @@ mod number;
 mod orders;
 mod outliers;
 mod points;
+mod polytope;
 mod questions;
 mod readings;
 mod region;
@@ -50,6 +53,7 @@ use boundfit_exact::{Foreign, Reading};
 use serde_json::Value;
 use thiserror::Error;
 
+pub use crate::polytope::{MOST_HALF_PLANES, PolytopeError, PolytopeOptions, polytope};
 pub use crate::texts::{Language, said};
 
 /// The most readings that a lesson is made for unless more are asked for: what the page shows grows with their square.

@@ -26,6 +26,7 @@ mod simplex;
 mod solvers;
 mod standard_form;
 mod verdict;
+mod walk;
 
 pub use claim::{BoundClaim, Claimed, End, PuiEnd};
 pub use closeness::{Closeness, Difference, MOST_ULPS, RoundedTo, ToleranceUnit, is_below_binary64, ulp};
@@ -41,3 +42,4 @@ pub use simplex::{ExactSimplex, exact_simplex};
 #[cfg(feature = "float-solvers")]
 pub use solvers::{Solver, solve_guarded, solver_named, solvers};
 pub use verdict::{Judgement, Refutation, Verdict, Violation};
+pub use walk::{Basis, Pivot, simplex_path};

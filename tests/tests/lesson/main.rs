@@ -9,5 +9,6 @@ mod leave_one_out;
 mod orders;
 mod outliers;
 mod page;
+mod polytope;
 mod questions;
 mod statements;
