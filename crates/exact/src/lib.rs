@@ -26,6 +26,7 @@ mod dyadic;
 pub mod english;
 mod foreign;
 mod interval;
+pub mod latex;
 mod limit;
 mod long_decimal;
 mod long_sum;

@@ -102,7 +102,6 @@ impl Axis {
     }
 
     /// The marks, ascending.
-    #[cfg(test)]
     pub(crate) fn ticks(&self) -> &[Tick] {
         &self.ticks
     }

@@ -102,7 +102,7 @@ fn finished(mut drawing: Drawing, options: &PlotOptions) -> Result<Picture, Figu
         }
     }
     let look = Look { page: Page::of(options), greyscale: options.greyscale };
-    render::render_as(&drawing, &look)
+    render::render_as(drawing, look)
 }
 
 /// Draws a linear program in two variables: the feasible set, the optimal points, and where the objective improves, which is to
@@ -131,7 +131,7 @@ pub fn draw_program(
 ) -> Result<Picture, FigureError> {
     let mut drawing = parameter_plane::program(polyhedron, gain, names, title);
     drawing.keep_legend_of_drawn();
-    render::render(&drawing)
+    render::render(drawing)
 }
 
 /// Draws a set of half-planes with its vertices, and arrows where it goes on without end. An empty set leaves the panel empty.
@@ -146,5 +146,5 @@ pub fn draw_region(
 ) -> Result<Picture, FigureError> {
     let mut drawing = parameter_plane::region_of_half_planes(polyhedron, names, title);
     drawing.keep_legend_of_drawn();
-    render::render(&drawing)
+    render::render(drawing)
 }

@@ -1,6 +1,6 @@
-//! Figures of a bounded-error fit: readings, bands and the feasible parameter set as SVG, PNG and PDF.
+//! Figures of a bounded-error fit: readings, bands and the feasible parameter set as SVG, PNG, PDF and source for TikZ.
 //!
-//! [`draw`] makes a [`Picture`] of a [`Figure`]; the picture is one and the same in both encodings. Every number goes
+//! [`draw`] makes a [`Picture`] of a [`Figure`]; the picture is one and the same in all encodings. Every number goes
 //! into a figure exactly and becomes a float only as a fraction of the axis it is shown on. Unbounded sets are cut at
 //! the edge of the view when they are drawn, and nowhere else. Equal input gives equal bytes.
 //!
@@ -40,6 +40,7 @@ mod render;
 #[cfg(test)]
 mod samples;
 mod status;
+mod tex;
 mod text;
 mod x_errors;
 

@@ -62,7 +62,7 @@ pub fn draw_linearity(linearity: &Linearity, labels: &LinearityLabels) -> Result
     if let Some(title) = &labels.title {
         drawing.title = one_line(title, 90);
     }
-    render::render(&drawing)
+    render::render(drawing)
 }
 
 struct Sheet<'a> {

@@ -5,6 +5,41 @@
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Colour(pub(crate) u8, pub(crate) u8, pub(crate) u8);
 
+impl Colour {
+    /// The grey that is as light (Rec. 709).
+    pub(crate) fn grey(self) -> Self {
+        let Colour(red, green, blue) = self;
+        let [red, green, blue] = [red, green, blue].map(u32::from);
+        let light = (2126 * red + 7152 * green + 722 * blue + 5000) / 10_000;
+        let light = u8::try_from(light).unwrap_or(u8::MAX);
+        Colour(light, light, light)
+    }
+
+    /// What it is called in source that people read; `None` for one of many greys.
+    pub(crate) fn name(self) -> Option<&'static str> {
+        NAMES.iter().find(|(colour, _)| *colour == self).map(|(_, name)| *name)
+    }
+}
+
+/// Colours by name.
+const NAMES: [(Colour, &str); 15] = [
+    (PAPER, "paper"),
+    (INK, "ink"),
+    (FAINT_INK, "faint ink"),
+    (GRID, "grid"),
+    (FRAME, "frame"),
+    (GREY, "grey"),
+    (LIGHT_GREY, "light grey"),
+    (ORANGE, "orange"),
+    (SKY, "sky"),
+    (GREEN, "green"),
+    (BLUE, "blue"),
+    (VERMILLION, "vermillion"),
+    (PURPLE, "purple"),
+    (DARK_PURPLE, "dark purple"),
+    (YELLOW, "yellow"),
+];
+
 pub(crate) const PAPER: Colour = Colour(0xff, 0xff, 0xff);
 pub(crate) const INK: Colour = Colour(0x26, 0x26, 0x26);
 pub(crate) const FAINT_INK: Colour = Colour(0x5e, 0x5e, 0x5e);
@@ -18,6 +53,7 @@ pub(crate) const GREEN: Colour = Colour(0x00, 0x9e, 0x73);
 pub(crate) const BLUE: Colour = Colour(0x00, 0x72, 0xb2);
 pub(crate) const VERMILLION: Colour = Colour(0xd5, 0x5e, 0x00);
 pub(crate) const PURPLE: Colour = Colour(0xcc, 0x79, 0xa7);
+pub(crate) const YELLOW: Colour = Colour(0xf0, 0xe4, 0x42);
 /// For edges of purple areas.
 pub(crate) const DARK_PURPLE: Colour = Colour(0x8f, 0x3c, 0x6b);
 

@@ -1,12 +1,12 @@
-//! A drawn figure: one picture, encoded as SVG, PNG or PDF.
+//! A drawn figure: one picture, encoded as SVG, PNG, PDF or source for TikZ.
 
-use std::sync::{Arc, LazyLock};
-
+use plotters::drawing::DrawingAreaErrorKind;
 use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::fontdb::Database;
 use resvg::usvg::{Indent, Options, Tree, WriteOptions};
 use thiserror::Error;
 
+use crate::drawing::Drawing;
+use crate::render::{self, Look};
 use crate::{pdf, text};
 
 /// Units of the SVG in an inch.
@@ -19,6 +19,13 @@ const MOST_PIXELS: f32 = 1e8;
 #[error("the figure cannot be drawn: {0}")]
 pub struct FigureError(pub(crate) String);
 
+impl FigureError {
+    /// What a canvas says.
+    pub(crate) fn of_canvas(error: DrawingAreaErrorKind<std::io::Error>) -> Self {
+        FigureError(error.to_string())
+    }
+}
+
 /// How a picture is encoded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PictureFormat {
@@ -28,6 +35,10 @@ pub enum PictureFormat {
     Png,
     /// Lines and letters as paths, on one page of the picture's size.
     Pdf,
+    /// Source for LaTeX's TikZ, a picture for `\\input`: letters are those of the document.
+    Tikz,
+    /// A document for LaTeX of one page with that picture.
+    Tex,
 }
 
 /// How a picture is encoded, beside its format.
@@ -48,14 +59,17 @@ impl Default for Encoding {
 
 impl PictureFormat {
     /// All of them.
-    pub const ALL: [PictureFormat; 3] = [PictureFormat::Svg, PictureFormat::Png, PictureFormat::Pdf];
+    pub const ALL: [PictureFormat; 5] =
+        [PictureFormat::Svg, PictureFormat::Png, PictureFormat::Pdf, PictureFormat::Tikz, PictureFormat::Tex];
 
-    /// The name on the command line, and the end of a file's name: `svg`, `png` or `pdf`.
+    /// The name on the command line, and the end of a file's name: `svg`, `png`, `pdf`, `tikz` or `tex`.
     pub fn name(self) -> &'static str {
         match self {
             PictureFormat::Svg => "svg",
             PictureFormat::Png => "png",
             PictureFormat::Pdf => "pdf",
+            PictureFormat::Tikz => "tikz",
+            PictureFormat::Tex => "tex",
         }
     }
 }
@@ -66,22 +80,20 @@ pub struct Picture {
     tree: Tree,
     /// The document with its texts.
     source: String,
-    title: String,
-    description: String,
+    drawing: Drawing,
+    look: Look,
 }
 
 impl Picture {
     /// Takes an SVG document apart into paths; texts become outlines of the embedded font.
-    pub(crate) fn new(svg: &str, title: String, description: String) -> Result<Self, FigureError> {
-        static FONTS: LazyLock<Arc<Database>> = LazyLock::new(|| {
-            let mut fonts = Database::new();
-            fonts.load_font_data(text::FONT.to_vec());
-            Arc::new(fonts)
-        });
-        let options =
-            Options { font_family: text::FAMILY.to_owned(), fontdb: FONTS.clone(), ..Options::default() };
+    pub(crate) fn new(svg: &str, drawing: Drawing, look: Look) -> Result<Self, FigureError> {
+        let options = Options {
+            font_family: text::FAMILY.to_owned(),
+            fontdb: text::FONTS.clone(),
+            ..Options::default()
+        };
         let tree = Tree::from_str(svg, &options).map_err(|error| FigureError(error.to_string()))?;
-        Ok(Picture { tree, source: svg.to_owned(), title, description })
+        Ok(Picture { tree, source: svg.to_owned(), drawing, look })
     }
 
     /// The bytes of a file in this format.
@@ -100,7 +112,11 @@ impl Picture {
         match format {
             PictureFormat::Svg => Ok(self.svg_document(encoding.real_text).into_bytes()),
             PictureFormat::Png => self.pixels(encoding.dpi),
-            PictureFormat::Pdf => Ok(pdf::document(&self.tree, &self.title, &self.description)),
+            PictureFormat::Pdf => {
+                Ok(pdf::document(&self.tree, &self.drawing.title, &self.drawing.description))
+            }
+            PictureFormat::Tikz => Ok(render::source(&self.drawing, &self.look, false)?.into_bytes()),
+            PictureFormat::Tex => Ok(render::source(&self.drawing, &self.look, true)?.into_bytes()),
         }
     }
 
@@ -124,7 +140,8 @@ impl Picture {
         } else {
             joined(&self.tree.to_string(&options).replace("><", ">\n<"))
         };
-        let (title, description) = (text::escaped(&self.title), text::escaped(&self.description));
+        let Drawing { title, description, .. } = &self.drawing;
+        let (title, description) = (text::escaped(title), text::escaped(description));
         let head =
             format!("<title>{title}</title>\n<desc>{description}</desc>\n<metadata>boundfit</metadata>\n");
         match document.split_once(">\n") {

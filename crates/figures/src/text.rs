@@ -1,14 +1,22 @@
 //! The embedded font and what may be written in it.
 
-use std::sync::Once;
+use std::sync::{Arc, LazyLock, Once};
 
 use boundfit_exact::Foreign;
 use plotters::style::{FontStyle, register_font};
+use resvg::usvg::fontdb::Database;
 
 /// The family name inside [`FONT`].
 pub(crate) const FAMILY: &str = "Inter";
 /// Inter Regular, a subset; see `fonts/README.md`.
 pub(crate) const FONT: &[u8] = include_bytes!("../fonts/Inter-Regular-subset.otf");
+
+/// The embedded font alone, for the library that makes outlines of letters.
+pub(crate) static FONTS: LazyLock<Arc<Database>> = LazyLock::new(|| {
+    let mut fonts = Database::new();
+    fonts.load_font_data(FONT.to_vec());
+    Arc::new(fonts)
+});
 
 /// Makes the font known to plotters, which measures texts with it.
 pub(crate) fn register() {
@@ -84,6 +92,8 @@ pub(crate) fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use resvg::usvg::{Options, Tree, WriteOptions};
+
     use super::*;
 
     #[test]
@@ -103,8 +113,9 @@ mod tests {
             let svg = format!(
                 "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><text y='9' font-size='9'>{text}</text></svg>"
             );
-            let picture = crate::picture::Picture::new(&svg, String::new(), String::new()).unwrap();
-            assert!(picture.svg().contains("<path"), "U+{:04X}", u32::from(c));
+            let options = Options { fontdb: FONTS.clone(), ..Options::default() };
+            let drawn = Tree::from_str(&svg, &options).unwrap().to_string(&WriteOptions::default());
+            assert!(drawn.contains("<path"), "U+{:04X}", u32::from(c));
         }
     }
 }

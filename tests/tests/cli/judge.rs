@@ -246,7 +246,7 @@ fn a_picture_shows_set_and_optimum() {
             DIET,
             "--plot a.gif",
             2,
-            "a picture is SVG, PNG or PDF (expected a name that ends in .svg, .png or .pdf)",
+            "a picture is SVG, PNG, PDF or TikZ (expected a name that ends in .svg, .png, .pdf, .tikz or .tex)",
         ),
         (DIET, "--plot a.svg -o a.svg", 2, "'--plot' and '--output' name the same file"),
         (&fixed, "--plot a.svg", 1, "'--plot' draws two columns, and bounds fix all but one of this model"),

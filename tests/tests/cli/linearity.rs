@@ -200,7 +200,7 @@ fn bad_usage_is_refused() {
         ),
         (
             "--figure a.gif",
-            "invalid value 'a.gif' for '--figure <FILE>': a picture is SVG, PNG or PDF (expected a name that ends in .svg, .png or .pdf)",
+            "invalid value 'a.gif' for '--figure <FILE>': a picture is SVG, PNG, PDF or TikZ (expected a name that ends in .svg, .png, .pdf, .tikz or .tex)",
         ),
     ];
     for (options, message) in cases {

@@ -445,7 +445,7 @@ fn pictures_that_cannot_be_drawn_or_written_are_refused() {
     let directory = directory_with(&[]);
     let table = "a1,a2,b\n-1,0,0\n0,-1,0\n2,3,6\n";
     for (csv, line, status, problem) in [
-        (table, "--plot a.gif", 2, "expected a name that ends in .svg, .png or .pdf"),
+        (table, "--plot a.gif", 2, "expected a name that ends in .svg, .png, .pdf, .tikz or .tex"),
         (table, "--plot a.svg -o a.svg", 2, "'--plot' and '--output' name the same file"),
         (table, "--plot -", 2, "'--plot -' and the report would both go to standard output"),
         ("a1,a2,b\n1,0,0\n-1,0,-1\n", "--plot a.svg", 1, "'--plot' has nothing to draw: the set is empty"),

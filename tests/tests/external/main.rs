@@ -12,3 +12,4 @@ mod python;
 mod solvers;
 mod statuses;
 mod tables;
+mod tikz;

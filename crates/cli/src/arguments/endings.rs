@@ -44,10 +44,11 @@ impl NamedFormat for ReportFormat {
 }
 
 /// Ends of names that are those of one format, so that nothing else belongs in such a file.
-const TELLING: [&str; 41] = [
+const TELLING: [&str; 42] = [
     "arrow", "bmp", "csv", "doc", "docx", "eps", "ext", "feather", "gif", "htm", "html", "ine", "ipynb",
     "jpeg", "jpg", "json", "jsonl", "lp", "m", "markdown", "mat", "md", "mps", "ndjson", "npy", "npz", "ods",
-    "odt", "parquet", "pdf", "png", "ps", "py", "svg", "tex", "tsv", "webp", "wkt", "xls", "xlsx", "xml",
+    "odt", "parquet", "pdf", "png", "ps", "py", "svg", "tex", "tikz", "tsv", "webp", "wkt", "xls", "xlsx",
+    "xml",
 ];
 
 /// The format that the end of a file's name tells, among those that a command has; `None` where it tells nothing.

@@ -43,7 +43,7 @@ pub(crate) struct JudgeArguments {
     /// Also write the answer as theorems of Lean 4, every multiplier given, that Mathlib's linarith and norm_num prove
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) lean: Option<String>,
-    /// Also draw the feasible set, the optimal points and where the objective improves: FILE.svg, FILE.png or FILE.pdf
+    /// Also draw the feasible set, the optimal points and where the objective improves: FILE.svg, .png, .pdf, .tikz or .tex
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) plot: Option<String>,
     #[command(flatten)]

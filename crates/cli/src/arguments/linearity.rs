@@ -71,7 +71,7 @@ pub(crate) struct LinearityArguments {
     /// checks it
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) proof: Option<String>,
-    /// Draw the deviations in percent of full scale into this .svg, .png or .pdf file, as data sheets do
+    /// Draw the deviations in percent of full scale into this file, whose name ends in .svg, .png, .pdf, .tikz or .tex, as data sheets do
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) figure: Option<String>,
     #[command(flatten)]

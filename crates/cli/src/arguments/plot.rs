@@ -40,7 +40,7 @@ pub(super) const NOTES: Notes = Notes {
     ],
 };
 
-/// Draw the readings, the intervals and the feasible parameter set as SVG, PNG or PDF
+/// Draw the readings, the intervals and the feasible parameter set as SVG, PNG, PDF or TikZ
 ///
 /// Figures of the data plane: data (readings with error bars and the least-squares line), eui and pui (the band of
 /// lines with parameters at the corners of the EUI or PUI box), corridor (the band that all feasible lines really
@@ -71,12 +71,13 @@ pub(crate) struct PlotArguments {
     /// How many directions the figure 'directions' has
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = value_parser!(u16).range(3..=1000))]
     pub(crate) directions: u16,
-    /// SVG, PNG or PDF; told by the end of the output file's name when left out, else SVG
+    /// SVG, PNG, PDF, tikz (source for TikZ, to be put into a LaTeX document by \\input) or tex (a document of its own with
+    /// that picture); told by the end of the output file's name when left out, else SVG
     #[arg(long, value_parser = named(PictureFormat::ALL.map(|format| (format.name(), format))))]
     pub(crate) format: Option<PictureFormat>,
     #[command(flatten)]
     pub(crate) look: LookArguments,
-    /// Write to this .svg, .png or .pdf file, or for all figures into this folder, instead of standard output; each file
+    /// Write to this .svg, .png, .pdf, .tikz or .tex file, or for all figures into this folder, instead of standard output; each file
     /// whole or not at all
     #[arg(short, long, value_name = "FILE|DIR", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) output: Option<String>,

@@ -41,7 +41,7 @@ pub(super) const NOTES: Notes = Notes {
 pub(crate) struct PolygonArguments {
     /// FILE.ine or FILE.ext (H- or V-representation of cdd and lrs) or FILE.csv (columns a1,a2,b), or - for standard input
     pub(crate) file: String,
-    /// Also draw the set: FILE.svg, FILE.png or FILE.pdf
+    /// Also draw the set: FILE.svg, .png, .pdf, .tikz or .tex
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) plot: Option<String>,
     #[command(flatten)]

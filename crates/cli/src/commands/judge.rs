@@ -11,9 +11,10 @@ use boundfit_report::{
     solutions_json, solutions_junit, solutions_sarif, v_representation,
 };
 
+use super::pictures::picture_format;
 use super::solutions;
 use crate::CommandResult;
-use crate::arguments::{JudgeArguments, JudgeFormat, LimitArguments, ending};
+use crate::arguments::{JudgeArguments, JudgeFormat, LimitArguments};
 use crate::exit::{Exit, Failure};
 use crate::input;
 use crate::output;
@@ -23,7 +24,7 @@ use crate::work::{refuse_long, refuse_long_text, times};
 /// Reads the model, solves it and writes the report.
 pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
     check_usage_of_files(arguments)?;
-    let plot = arguments.plot.as_deref().map(picture_format).transpose()?;
+    let plot = arguments.plot.as_deref().map(|file| picture_format("--plot <FILE>", file)).transpose()?;
     let format = arguments.output.format()?;
     check_usage_of_format(arguments, format)?;
     let inputs = arguments.solutions.solutions.iter().chain([&arguments.model]).map(String::as_str);
@@ -127,20 +128,6 @@ pub(super) fn files_apart(all: &[(&str, Option<&str>)]) -> Result<(), Failure> {
         }
     }
     Ok(())
-}
-
-/// The format that the name of a picture tells; standard output has SVG.
-pub(super) fn picture_format(file: &str) -> Result<PictureFormat, Failure> {
-    let told =
-        ending(file).and_then(|ending| PictureFormat::ALL.into_iter().find(|own| own.name() == ending));
-    match told {
-        Some(format) => Ok(format),
-        None if file == "-" => Ok(PictureFormat::Svg),
-        None => {
-            let problem = "a picture is SVG, PNG or PDF (expected a name that ends in .svg, .png or .pdf)";
-            Err(Failure::value("--plot <FILE>", file, problem))
-        }
-    }
 }
 
 /// The feasible set with the objective, encoded.

@@ -16,6 +16,7 @@ pub(crate) mod lesson;
 pub(crate) mod linearity;
 pub(crate) mod man;
 pub(crate) mod outliers;
+mod pictures;
 pub(crate) mod plot;
 pub(crate) mod polygon;
 pub(crate) mod predict;

@@ -11,9 +11,10 @@ use boundfit_figures::{
 use boundfit_questions::{NoOutliers, OutlierLimits, Outliers, XErrorFit, XErrorProblem};
 
 use crate::CommandResult;
-use crate::arguments::{FactorRange, Figures, PlotArguments, ending};
+use crate::arguments::{FactorRange, Figures, PlotArguments};
 use crate::commands::fit::SWEEP_OF_FIXED;
 use crate::commands::outliers::refusal;
+use crate::commands::pictures::{EXPECTED, told_by_name};
 use crate::exit::{Exit, Failure};
 use crate::output::{self, Guard, Output};
 use crate::progress::while_working;
@@ -223,7 +224,7 @@ fn destination(arguments: &PlotArguments) -> Result<(Destination<'_>, PictureFor
     };
     let Some(file) = file else {
         let format = asked.unwrap_or(PictureFormat::Svg);
-        if format != PictureFormat::Svg && io::stdout().is_terminal() {
+        if matches!(format, PictureFormat::Png | PictureFormat::Pdf) && io::stdout().is_terminal() {
             let kind = format.name().to_uppercase();
             let problem =
                 format!("a {kind} is nothing for a terminal: name a file with '--output', or pipe it on");
@@ -234,15 +235,6 @@ fn destination(arguments: &PlotArguments) -> Result<(Destination<'_>, PictureFor
     let refuse = |problem: String| Err(Failure::value("--output <FILE|DIR>", file, problem));
     match (told_by_name(file), asked) {
         (_, Some(format)) | (Some(format), None) => Ok((Destination::One(figure, Some(file)), format)),
-        (None, None) => refuse(
-            "a picture is SVG, PNG or PDF (expected a name that ends in .svg, .png or .pdf, or '--format')"
-                .to_owned(),
-        ),
+        (None, None) => refuse(format!("{EXPECTED}, or '--format')")),
     }
-}
-
-/// The format that the end of a file's name says.
-fn told_by_name(file: &str) -> Option<PictureFormat> {
-    let ending = ending(file)?;
-    PictureFormat::ALL.into_iter().find(|format| format.name() == ending)
 }

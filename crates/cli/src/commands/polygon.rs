@@ -9,7 +9,8 @@ use boundfit_report::{
     vertices_csv,
 };
 
-use super::judge::{files_apart, picture_format};
+use super::judge::files_apart;
+use super::pictures::picture_format;
 use crate::CommandResult;
 use crate::arguments::{PolygonArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
@@ -21,7 +22,7 @@ use crate::work::{refuse_long, times};
 pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     let output = arguments.output.file.output.as_deref();
     files_apart(&[("--output", Some(output.unwrap_or("-"))), ("--plot", arguments.plot.as_deref())])?;
-    let plot = arguments.plot.as_deref().map(picture_format).transpose()?;
+    let plot = arguments.plot.as_deref().map(|file| picture_format("--plot <FILE>", file)).transpose()?;
     let format = arguments.output.format()?;
     let mut guard = arguments.output.file.replace.guard([arguments.file.as_str()]);
     guard.check(output)?;

@@ -46,6 +46,7 @@ const MARKS: &[(&str, &str)] = &[
     // Pictures and pages.
     ("<svg ", "<metadata>boundfit</metadata>\n"),
     ("%PDF-", "(boundfit)"),
+    ("% A figure written by boundfit", ""),
     ("<!doctype html>\n", "<meta name=\"generator\" content=\"boundfit\">\n"),
     // Completions and manual pages.
     ("_boundfit() {\n", ""),

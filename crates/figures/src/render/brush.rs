@@ -4,12 +4,23 @@ use plotters::element::{Circle, PathElement, Polygon};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, IntoFont, RGBColor, ShapeStyle, TextStyle, WHITE};
 
+use super::Written;
 use super::canvas::{Canvas, CanvasResult, FINE};
-use crate::palette::{Colour, Dash, Fill, INK, Mark, Shape, Stroke};
+use super::placing::Rectangle;
+use crate::palette::{Colour, Dash, Fill, INK, Mark, PAPER, Shape, Stroke};
 use crate::text::{FAMILY, drawable};
 
 /// Plotters sizes a font by its line height.
 const LINE_HEIGHT: f64 = 1.24;
+
+/// What labels stand on: lines shine through.
+pub(super) const PLATE: Fill = Fill { colour: PAPER, opacity: 0.7 };
+/// Length and half the width of the head of an arrow.
+const ARROW: [f64; 2] = [9.0, 3.6];
+/// The lines of a circle, of a ring and of a cross.
+pub(super) const CIRCLE_LINE: f64 = 1.0;
+pub(super) const RING_LINE: f64 = 1.8;
+pub(super) const CROSS_LINE: f64 = 2.0;
 
 /// A point on the canvas: right and down.
 pub(super) type Pixel = [f64; 2];
@@ -20,6 +31,21 @@ pub(super) enum Align {
     Start,
     Middle,
     End,
+}
+
+/// The ends of the two strokes of a cross, in radii.
+pub(super) const CROSS: [[f64; 2]; 4] = [[-0.8, -0.8], [0.8, 0.8], [-0.8, 0.8], [0.8, -0.8]];
+
+impl Shape {
+    /// The corners of a mark that has some, in radii, right and down.
+    pub(super) fn corners(self) -> &'static [[f64; 2]] {
+        match self {
+            Shape::Square => &[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]],
+            Shape::Diamond => &[[-1.0, 0.0], [0.0, -1.0], [1.0, 0.0], [0.0, 1.0]],
+            Shape::Triangle => &[[-0.95, 0.75], [0.95, 0.75], [0.0, -1.0]],
+            Shape::Disc | Shape::Circle | Shape::Ring | Shape::Cross => &[],
+        }
+    }
 }
 
 /// Draws on one canvas.
@@ -61,16 +87,15 @@ impl<'a, 'b> Brush<'a, 'b> {
             Shape::Disc => self.circle(at, r, rgb(colour).filled()),
             Shape::Circle => {
                 self.circle(at, r, WHITE.filled())?;
-                self.circle(at, r, rgb(colour).stroke_width(FINE as u32))
+                self.circle(at, r, rgb(colour).stroke_width((CIRCLE_LINE * FINE) as u32))
             }
-            Shape::Ring => self.circle(at, r, rgb(colour).stroke_width((1.8 * FINE) as u32)),
-            Shape::Square => self.area(&around(&[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]), solid),
-            Shape::Diamond => self.area(&around(&[[-1.0, 0.0], [0.0, -1.0], [1.0, 0.0], [0.0, 1.0]]), solid),
-            Shape::Triangle => self.area(&around(&[[-0.95, 0.75], [0.95, 0.75], [0.0, -1.0]]), solid),
+            Shape::Ring => self.circle(at, r, rgb(colour).stroke_width((RING_LINE * FINE) as u32)),
+            Shape::Square | Shape::Diamond | Shape::Triangle => self.area(&around(shape.corners()), solid),
             Shape::Cross => {
-                let stroke = Stroke::new(colour, 2.0, Dash::Solid);
-                self.line(&around(&[[-0.8, -0.8], [0.8, 0.8]]), stroke)?;
-                self.line(&around(&[[-0.8, 0.8], [0.8, -0.8]]), stroke)
+                let stroke = Stroke::new(colour, CROSS_LINE, Dash::Solid);
+                let [a, b, c, d] = CROSS;
+                self.line(&around(&[a, b]), stroke)?;
+                self.line(&around(&[c, d]), stroke)
             }
         }
     }
@@ -81,16 +106,13 @@ impl<'a, 'b> Brush<'a, 'b> {
 
     /// The head of an arrow, on a line in the same colour.
     pub(super) fn arrow_head(&self, tip: Pixel, direction: Pixel, colour: Colour) -> CanvasResult {
-        const LENGTH: f64 = 9.0;
-        const HALF_WIDTH: f64 = 3.6;
-        let length = direction[0].hypot(direction[1]);
-        if !(length > 0.0 && length.is_finite()) {
-            return Ok(());
+        match arrow_head(direction) {
+            Some(corners) => {
+                let corners = corners.map(|corner| [tip[0] + corner[0], tip[1] + corner[1]]);
+                self.area(&corners, Fill { colour, opacity: 1.0 })
+            }
+            None => Ok(()),
         }
-        let [x, y] = direction.map(|step| step / length);
-        let base = [tip[0] - LENGTH * x, tip[1] - LENGTH * y];
-        let side = |sign: f64| [base[0] - sign * HALF_WIDTH * y, base[1] + sign * HALF_WIDTH * x];
-        self.area(&[tip, side(1.0), side(-1.0)], Fill { colour, opacity: 1.0 })
     }
 
     /// A text of one line with its middle at the height of a point.
@@ -112,6 +134,15 @@ impl<'a, 'b> Brush<'a, 'b> {
         };
         let style = text_style(size, colour).pos(Pos::new(horizontal, VPos::Center));
         self.canvas.draw_text(&drawable(text), &style, fine(at))
+    }
+
+    /// A line of text, on its plate.
+    pub(super) fn write(&self, Written { at, text, size, colour, align, plate }: &Written) -> CanvasResult {
+        if let Some(Rectangle { left, top, right, bottom }) = *plate {
+            let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
+            self.area(&corners, PLATE)?;
+        }
+        self.text(*at, text, *size, *colour, *align)
     }
 
     /// The width of a text.
@@ -152,6 +183,18 @@ impl<'a, 'b> Brush<'a, 'b> {
         }
         Ok(lines)
     }
+}
+
+/// The corners of the head of an arrow that points along a direction, seen from its tip; `None` for one that has none.
+pub(super) fn arrow_head(direction: Pixel) -> Option<[Pixel; 3]> {
+    let length = direction[0].hypot(direction[1]);
+    if !(length > 0.0 && length.is_finite()) {
+        return None;
+    }
+    let [x, y] = direction.map(|step| step / length);
+    let [back, half] = ARROW;
+    let side = |sign: f64| [-back * x - sign * half * y, -back * y + sign * half * x];
+    Some([[0.0, 0.0], side(1.0), side(-1.0)])
 }
 
 /// The style of a text whose em has `size` nominal pixels.

@@ -1,9 +1,10 @@
 //! The legend: below the panels, where it covers nothing.
 
-use super::brush::{Align, Brush};
+use super::Written;
+use super::brush::{Align, Brush, Pixel};
 use super::canvas::{CanvasResult, MARGIN};
 use crate::drawing::{LegendEntry, Swatch};
-use crate::palette::{INK, Mark};
+use crate::palette::INK;
 
 const SIZE: f64 = 12.0;
 const ROW: f64 = 20.0;
@@ -42,21 +43,53 @@ pub(super) fn height(rows: usize) -> f64 {
     rows as f64 * ROW + 4.0
 }
 
-pub(super) fn draw(brush: &Brush, rows: &[Row], top: f64) -> CanvasResult {
-    for (index, row) in rows.iter().enumerate() {
+/// Each sample of these rows, from its left end and its middle line, with the text beside it.
+pub(super) fn lines<'a, 'b>(
+    rows: &'b [Row<'a>],
+    top: f64,
+) -> impl Iterator<Item = (f64, f64, &'a Swatch, Written)> + use<'a, 'b> {
+    rows.iter().enumerate().flat_map(move |(index, row)| {
         let middle = top + (index as f64 + 0.5) * ROW;
-        for (left, sample, text) in row {
-            swatch(brush, *left, middle, sample)?;
-            brush.text([left + SWATCH + GAP, middle], text, SIZE, INK, Align::Start)?;
-        }
+        row.iter().map(move |(left, sample, text)| {
+            let (at, text) = ([left + SWATCH + GAP, middle], text.clone());
+            let text = Written { at, text, size: SIZE, colour: INK, align: Align::Start, plate: None };
+            (*left, middle, *sample, text)
+        })
+    })
+}
+
+pub(super) fn draw(brush: &Brush, rows: &[Row], top: f64) -> CanvasResult {
+    for (left, middle, sample, text) in lines(rows, top) {
+        swatch(brush, left, middle, sample)?;
+        brush.write(&text)?;
     }
     Ok(())
 }
 
+/// The corners of a sample of an area.
+pub(super) fn corners(left: f64, middle: f64) -> [Pixel; 4] {
+    let (right, top, bottom) = (left + SWATCH, middle - 6.0, middle + 6.0);
+    [[left, top], [right, top], [right, bottom], [left, bottom]]
+}
+
+/// The ends of a sample of a line.
+pub(super) fn line(left: f64, middle: f64) -> [Pixel; 2] {
+    [[left, middle], [left + SWATCH, middle]]
+}
+
+/// The ends of a sample of an error bar.
+pub(super) fn bar(left: f64, middle: f64) -> [Pixel; 2] {
+    let [centre, _] = self::centre(left, middle);
+    [[centre, middle - 7.5], [centre, middle + 7.5]]
+}
+
+/// Where a sample of a mark is.
+pub(super) fn centre(left: f64, middle: f64) -> Pixel {
+    [left + SWATCH / 2.0, middle]
+}
+
 fn swatch(brush: &Brush, left: f64, middle: f64, swatch: &Swatch) -> CanvasResult {
-    let (right, centre) = (left + SWATCH, left + SWATCH / 2.0);
-    let (top, bottom) = (middle - 6.0, middle + 6.0);
-    let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
+    let corners = corners(left, middle);
     if let Some(fill) = swatch.fill {
         brush.area(&corners, fill)?;
     }
@@ -64,13 +97,13 @@ fn swatch(brush: &Brush, left: f64, middle: f64, swatch: &Swatch) -> CanvasResul
         brush.line(&[corners[0], corners[1], corners[2], corners[3], corners[0]], edge)?;
     }
     if let Some(line) = swatch.line {
-        brush.line(&[[left, middle], [right, middle]], line)?;
+        brush.line(&self::line(left, middle), line)?;
     }
     if let Some(bar) = swatch.bar {
-        brush.line(&[[centre, middle - 7.5], [centre, middle + 7.5]], bar)?;
+        brush.line(&self::bar(left, middle), bar)?;
     }
     if let Some(mark) = swatch.mark {
-        brush.mark([centre, middle], Mark { ..mark })?;
+        brush.mark(centre(left, middle), mark)?;
     }
     Ok(())
 }

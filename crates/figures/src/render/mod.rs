@@ -5,10 +5,11 @@ mod canvas;
 mod legend;
 mod panel;
 mod placing;
+mod tikz;
 
 pub(crate) use panel::{BOTTOM_LABELS, LEFT_LABELS};
+pub(crate) use tikz::source;
 
-use plotters::drawing::DrawingAreaErrorKind;
 use plotters::prelude::{IntoDrawingArea, SVGBackend};
 use plotters::style::WHITE;
 
@@ -17,7 +18,7 @@ use crate::page::Page;
 use crate::palette::{Colour, FAINT_INK, INK};
 use crate::picture::{FigureError, Picture};
 use crate::text;
-use brush::{Align, Brush};
+use brush::{Align, Brush, Pixel};
 use canvas::{Canvas, CanvasResult, FINE, MARGIN};
 
 /// Height of title and subtitle of one line each.
@@ -38,28 +39,52 @@ pub(crate) struct Look {
 }
 
 /// Draws a figure. Cost: the number of items.
-pub(crate) fn render(drawing: &Drawing) -> Result<Picture, FigureError> {
-    render_as(drawing, &Look::default())
+pub(crate) fn render(drawing: Drawing) -> Result<Picture, FigureError> {
+    render_as(drawing, Look::default())
 }
 
 /// Draws a figure of some size and colours.
-pub(crate) fn render_as(drawing: &Drawing, look: &Look) -> Result<Picture, FigureError> {
+pub(crate) fn render_as(drawing: Drawing, look: Look) -> Result<Picture, FigureError> {
     text::register();
-    let fail = |error: DrawingAreaErrorKind<std::io::Error>| FigureError(error.to_string());
-    let words = measured(drawing, look.page).map_err(fail)?;
-    let height = words.notes_top(drawing) + words.notes.len() as f64 * NOTE_LINE + MARGIN * 0.7;
-    let size = [look.page.width, height].map(|length| (length * FINE).round() as u32);
-    let mut svg = String::new();
-    let canvas = SVGBackend::with_string(&mut svg, (size[0], size[1])).into_drawing_area();
-    draw(&canvas, drawing, &words).map_err(fail)?;
-    drop(canvas);
+    let (svg, size) = document(&drawing, look.page).map_err(FigureError::of_canvas)?;
     // The view box keeps the canvas's own units, so that a smaller size scales everything. Plotters has no setting for it.
     let large = format!("width=\"{}\" height=\"{}\"", size[0], size[1]);
     let [width, height] = size.map(|length| f64::from(length) / FINE * look.page.scale);
     let nominal = format!("width=\"{width}\" height=\"{height}\"");
     let svg = svg.replacen(&large, &nominal, 1);
     let svg = if look.greyscale { in_greys(&svg) } else { svg };
-    Picture::new(&svg, drawing.title.clone(), drawing.description.clone())
+    Picture::new(&svg, drawing, look)
+}
+
+/// The document in units of the canvas, and its width and height.
+fn document(drawing: &Drawing, page: Page) -> CanvasResult<(String, [u32; 2])> {
+    let words = measured(drawing, page)?;
+    let size = [page.width, words.bottom(drawing)].map(|length| (length * FINE).round() as u32);
+    let mut svg = String::new();
+    let canvas = SVGBackend::with_string(&mut svg, (size[0], size[1])).into_drawing_area();
+    draw(&canvas, drawing, &words)?;
+    drop(canvas);
+    Ok((svg, size))
+}
+
+/// A canvas as wide as a page, to measure texts on.
+fn with_scratch<T>(page: Page, measure: impl FnOnce(&Brush) -> CanvasResult<T>) -> CanvasResult<T> {
+    let mut scratch = String::new();
+    let canvas =
+        SVGBackend::with_string(&mut scratch, ((page.width * FINE).round() as u32, 1)).into_drawing_area();
+    measure(&Brush::new(&canvas))
+}
+
+/// A line of text on the picture.
+struct Written {
+    /// Its left end, middle or right end, as it is aligned, at half its height.
+    at: Pixel,
+    text: String,
+    size: f64,
+    colour: Colour,
+    align: Align,
+    /// Of a label among what is drawn, the plate that it stands on.
+    plate: Option<placing::Rectangle>,
 }
 
 /// What stands around the panels, in lines that have room.
@@ -88,18 +113,57 @@ impl Words<'_> {
     fn notes_top(&self, drawing: &Drawing) -> f64 {
         self.header() + drawing.height + legend::height(self.legend.len())
     }
+
+    /// The height of the picture.
+    fn bottom(&self, drawing: &Drawing) -> f64 {
+        self.notes_top(drawing) + self.notes.len() as f64 * NOTE_LINE + MARGIN * 0.7
+    }
+
+    /// The lines of title and subtitle.
+    fn above(&self) -> impl Iterator<Item = Written> {
+        let subtitle = 39.0 + self.below_title();
+        lines(&self.title, 19.0, TITLE_LINE, (TITLE_SIZE, INK)).chain(lines(
+            &self.subtitle,
+            subtitle,
+            NOTE_LINE,
+            (NOTE_SIZE, FAINT_INK),
+        ))
+    }
+
+    /// The lines of notes.
+    fn below(&self, drawing: &Drawing) -> impl Iterator<Item = Written> {
+        let first = self.notes_top(drawing) + 0.5 * NOTE_LINE;
+        lines(&self.notes, first, NOTE_LINE, (NOTE_SIZE, FAINT_INK))
+    }
 }
 
-/// A document with each colour as the grey that is as light (Rec. 709).
+/// Lines below each other at the left edge.
+fn lines(
+    lines: &[String],
+    first: f64,
+    step: f64,
+    (size, colour): (f64, Colour),
+) -> impl Iterator<Item = Written> {
+    lines.iter().enumerate().map(move |(index, line)| Written {
+        at: [MARGIN, first + index as f64 * step],
+        text: line.clone(),
+        size,
+        colour,
+        align: Align::Start,
+        plate: None,
+    })
+}
+
+/// A document with each colour as a grey.
 fn in_greys(svg: &str) -> String {
     let mut parts = svg.split("=\"#");
     let mut grey = parts.next().unwrap_or_default().to_owned();
     for part in parts {
         grey.push_str("=\"#");
-        let byte = |at: usize| u32::from_str_radix(part.get(at..at + 2)?, 16).ok();
+        let byte = |at: usize| u8::from_str_radix(part.get(at..at + 2)?, 16).ok();
         match (byte(0), byte(2), byte(4), part.get(6..)) {
             (Some(red), Some(green), Some(blue), Some(rest)) => {
-                let light = (2126 * red + 7152 * green + 722 * blue + 5000) / 10_000;
+                let Colour(light, ..) = Colour(red, green, blue).grey();
                 grey.push_str(&format!("{light:02X}{light:02X}{light:02X}{rest}"));
             }
             _ => grey.push_str(part),
@@ -110,40 +174,29 @@ fn in_greys(svg: &str) -> String {
 
 /// Cuts what stands around the panels into lines.
 fn measured(drawing: &Drawing, page: Page) -> CanvasResult<Words<'_>> {
-    // Measuring needs a canvas as wide, but nothing is drawn on this one.
-    let mut scratch = String::new();
-    let canvas =
-        SVGBackend::with_string(&mut scratch, ((page.width * FINE).round() as u32, 1)).into_drawing_area();
-    let brush = Brush::new(&canvas);
-    let lines = |text: &str, size: f64| match text.is_empty() {
-        true => Ok(Vec::new()),
-        false => brush.wrapped(text, size, brush.page_width() - 2.0 * MARGIN),
-    };
-    let [title, subtitle] = [lines(&drawing.title, TITLE_SIZE)?, lines(&drawing.subtitle, NOTE_SIZE)?];
-    let mut notes = Vec::new();
-    for note in &drawing.notes {
-        notes.extend(lines(note, NOTE_SIZE)?);
-    }
-    Ok(Words { title, subtitle, legend: legend::layout(&brush, &drawing.legend)?, notes })
+    with_scratch(page, |brush| {
+        let lines = |text: &str, size: f64| match text.is_empty() {
+            true => Ok(Vec::new()),
+            false => brush.wrapped(text, size, brush.page_width() - 2.0 * MARGIN),
+        };
+        let [title, subtitle] = [lines(&drawing.title, TITLE_SIZE)?, lines(&drawing.subtitle, NOTE_SIZE)?];
+        let mut notes = Vec::new();
+        for note in &drawing.notes {
+            notes.extend(lines(note, NOTE_SIZE)?);
+        }
+        Ok(Words { title, subtitle, legend: legend::layout(brush, &drawing.legend)?, notes })
+    })
 }
 
 fn draw(canvas: &Canvas, drawing: &Drawing, words: &Words) -> CanvasResult {
     canvas.fill(&WHITE)?;
     let brush = Brush::new(canvas);
     let top = words.header();
-    let lines = |lines: &[String], first: f64, step: f64, size: f64, colour: Colour| -> CanvasResult {
-        for (index, line) in lines.iter().enumerate() {
-            brush.text([MARGIN, first + index as f64 * step], line, size, colour, Align::Start)?;
-        }
-        Ok(())
-    };
-    lines(&words.title, 19.0, TITLE_LINE, TITLE_SIZE, INK)?;
-    lines(&words.subtitle, 39.0 + words.below_title(), NOTE_LINE, NOTE_SIZE, FAINT_INK)?;
+    words.above().try_for_each(|line| brush.write(&line))?;
     for panel in &drawing.panels {
         panel::draw(&brush, panel, top)?;
     }
     legend::draw(&brush, &words.legend, top + drawing.height)?;
-    let first = words.notes_top(drawing) + 0.5 * NOTE_LINE;
-    lines(&words.notes, first, NOTE_LINE, NOTE_SIZE, FAINT_INK)?;
+    words.below(drawing).try_for_each(|line| brush.write(&line))?;
     canvas.present()
 }

@@ -3,28 +3,29 @@
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
 use plotters::style::{Color, TRANSPARENT};
 
+use super::Written;
 use super::brush::{Align, Brush, Pixel, rgb, text_style};
 use super::canvas::{CanvasResult, FINE};
 use super::placing::{self, Label, Rectangle};
 use crate::axis::Axis;
 use crate::clip::Place;
 use crate::drawing::{Frame, Item, Panel};
-use crate::palette::{Dash, FAINT_INK, FRAME, Fill, GRID, INK, PAPER, Stroke};
+use crate::palette::{Colour, Dash, FAINT_INK, FRAME, GRID, INK, Stroke};
 
-const LABEL_SIZE: f64 = 11.5;
-const NAME_SIZE: f64 = 12.5;
+pub(super) const LABEL_SIZE: f64 = 11.5;
+pub(super) const NAME_SIZE: f64 = 12.5;
 /// Room for labels and name left of a panel.
 pub(crate) const LEFT_LABELS: f64 = 66.0;
 /// Room for labels and name below a panel.
 pub(crate) const BOTTOM_LABELS: f64 = 42.0;
-const TICK: f64 = 4.0;
+pub(super) const TICK: f64 = 4.0;
 /// How far above a panel its heading and the scale of its vertical axis stand.
 const ABOVE: f64 = 9.0;
 /// Least distance between two texts side by side.
 const APART: f64 = 10.0;
 
 pub(super) fn draw(brush: &Brush, panel: &Panel, top: f64) -> CanvasResult {
-    let frame = Frame { top: panel.frame.top + top, ..panel.frame };
+    let frame = frame_below(panel, top);
     mesh(brush, panel, frame)?;
     for item in &panel.items {
         self::item(brush, item, frame)?;
@@ -33,28 +34,52 @@ pub(super) fn draw(brush: &Brush, panel: &Panel, top: f64) -> CanvasResult {
     let corners =
         [[left, top], [left + width, top], [left + width, top + height], [left, top + height], [left, top]];
     brush.line(&corners, Stroke::new(FRAME, 0.9, Dash::Solid))?;
+    texts(brush, panel, frame)?.iter().try_for_each(|text| brush.write(text))
+}
+
+/// The rectangle of a panel whose header is so high.
+pub(super) fn frame_below(panel: &Panel, top: f64) -> Frame {
+    Frame { top: panel.frame.top + top, ..panel.frame }
+}
+
+/// All texts around and in a panel but for ticks and the name of the vertical axis.
+pub(super) fn texts(brush: &Brush, panel: &Panel, frame: Frame) -> CanvasResult<Vec<Written>> {
+    let Frame { left, top, width, .. } = frame;
     let [horizontal, vertical] = &panel.axes;
+    let mut texts = Vec::new();
     if panel.labelled[0] {
-        name_below(brush, horizontal, frame)?;
+        texts.extend(name_below(brush, horizontal, frame)?);
     }
     let mut scale_width = 0.0;
     if panel.labelled[1] {
-        let scale = brush.fitted(vertical.scale(), LABEL_SIZE, width)?;
-        brush.text([left, top - ABOVE], &scale, LABEL_SIZE, FAINT_INK, Align::Start)?;
-        scale_width = brush.text_width(&scale, LABEL_SIZE)?;
+        let text = brush.fitted(vertical.scale(), LABEL_SIZE, width)?;
+        scale_width = brush.text_width(&text, LABEL_SIZE)?;
+        let at = [left, top - ABOVE];
+        texts.push(written(at, text, (LABEL_SIZE, FAINT_INK), Align::Start));
     }
-    let heading = brush.fitted(&panel.heading, NAME_SIZE, width)?;
-    let heading_width = brush.text_width(&heading, NAME_SIZE)?;
+    let text = brush.fitted(&panel.heading, NAME_SIZE, width)?;
+    let heading_width = brush.text_width(&text, NAME_SIZE)?;
     let free = (width - heading_width) / 2.0;
     let raised = if free < scale_width + APART { 15.0 } else { 0.0 };
-    brush.text([left + width / 2.0, top - ABOVE - raised], &heading, NAME_SIZE, INK, Align::Middle)?;
+    let at = [left + width / 2.0, top - ABOVE - raised];
+    texts.push(written(at, text, (NAME_SIZE, INK), Align::Middle));
     let above = [([left, top - ABOVE], scale_width), ([left + free, top - ABOVE - raised], heading_width)];
     let above = above.into_iter().filter(|(_, width)| *width > 0.0);
-    labels(brush, panel, frame, above.map(|(at, width)| Rectangle::of_text(at, width)).collect())
+    texts.extend(labels(
+        brush,
+        panel,
+        frame,
+        above.map(|(at, width)| Rectangle::of_text(at, width)).collect(),
+    )?);
+    Ok(texts)
 }
 
-/// The texts among the items, beside what they belong to, on plates that let lines shine through.
-fn labels(brush: &Brush, panel: &Panel, frame: Frame, taken: Vec<Rectangle>) -> CanvasResult {
+fn written(at: Pixel, text: String, (size, colour): (f64, Colour), align: Align) -> Written {
+    Written { at, text, size, colour, align, plate: None }
+}
+
+/// The texts among the items, beside what they belong to.
+fn labels(brush: &Brush, panel: &Panel, frame: Frame, taken: Vec<Rectangle>) -> CanvasResult<Vec<Written>> {
     let texts = || {
         panel.items.iter().filter_map(|item| match item {
             Item::Text { at, text, anchor, colour } => Some((*at, text, *anchor, *colour)),
@@ -71,34 +96,33 @@ fn labels(brush: &Brush, panel: &Panel, frame: Frame, taken: Vec<Rectangle>) -> 
         _ => None,
     });
     let found = placing::placed(&wanted, taken, &marks.collect::<Vec<_>>(), frame, brush.page_width());
-    for ((at, label), (_, text, _, colour)) in found.into_iter().zip(&wanted).zip(texts()) {
-        let Rectangle { left, top, right, bottom } = Rectangle::of_text(at, label.width);
-        let plate = [[left, top], [right, top], [right, bottom], [left, bottom]];
-        brush.area(&plate, Fill { colour: PAPER, opacity: 0.7 })?;
-        brush.text(at, text, LABEL_SIZE, colour, Align::Start)?;
-    }
-    Ok(())
+    let label =
+        |((at, label), (_, text, _, colour)): ((Pixel, &Label), (Place, &String, _, Colour))| Written {
+            plate: Some(Rectangle::of_text(at, label.width)),
+            ..written(at, text.clone(), (LABEL_SIZE, colour), Align::Start)
+        };
+    Ok(found.into_iter().zip(&wanted).zip(texts()).map(label).collect())
 }
 
 /// Where a place falls on the canvas.
-fn pixel([x, y]: Place, frame: Frame) -> Pixel {
+pub(super) fn pixel([x, y]: Place, frame: Frame) -> Pixel {
     [frame.left + x * frame.width, frame.top + (1.0 - y) * frame.height]
 }
 
-/// The name of the horizontal axis in the middle, or where the scale leaves no room for that, at the left.
-fn name_below(brush: &Brush, axis: &Axis, frame: Frame) -> CanvasResult {
+/// The scale of the horizontal axis, and its name in the middle, or where the scale leaves no room for that, at the left.
+fn name_below(brush: &Brush, axis: &Axis, frame: Frame) -> CanvasResult<[Written; 2]> {
     let Frame { left, top, width, height } = frame;
     let below = top + height + BOTTOM_LABELS - 8.5;
     let scale = brush.fitted(axis.scale(), LABEL_SIZE, 0.7 * width)?;
-    brush.text([left + width, below], &scale, LABEL_SIZE, FAINT_INK, Align::End)?;
     let scale_width = if scale.is_empty() { 0.0 } else { brush.text_width(&scale, LABEL_SIZE)? + APART };
+    let scale = written([left + width, below], scale, (LABEL_SIZE, FAINT_INK), Align::End);
     let name = brush.fitted(&axis.name, NAME_SIZE, width - scale_width)?;
     let free = (width - brush.text_width(&name, NAME_SIZE)?) / 2.0;
-    if free < scale_width {
-        brush.text([left, below], &name, NAME_SIZE, INK, Align::Start)
-    } else {
-        brush.text([left + width / 2.0, below], &name, NAME_SIZE, INK, Align::Middle)
-    }
+    let (at, align) = match free < scale_width {
+        true => ([left, below], Align::Start),
+        false => ([left + width / 2.0, below], Align::Middle),
+    };
+    Ok([scale, written(at, name, (NAME_SIZE, INK), align)])
 }
 
 /// Grid lines, tick labels and the name of the vertical axis, by plotters.

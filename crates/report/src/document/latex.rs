@@ -1,6 +1,8 @@
 //! Documents in LaTeX. What is written keeps within the lines of a page: tables are small, and a column with more in it
 //! than fits is broken into lines.
 
+use boundfit_exact::latex;
+
 use super::{Block, Facts, Inline, Symbol, Table, Text};
 
 /// How many digits of the size `\small` a line on A4 holds in the class `article`: 71 at 12 points, 75 at 10.
@@ -158,16 +160,10 @@ fn formula(inline: &Inline, limit: Option<f64>) -> Option<String> {
 fn words(inline: &Inline, limit: Option<f64>) -> String {
     match inline {
         Inline::Indent => r"\quad ".to_owned(),
-        Inline::Given(text) => {
-            breakable(&text.to_string(), limit, r"\allowbreak{}", |character, result| match character {
-                // Two of these would be another character.
-                '-' | '\'' | '`' | ',' => result.extend(['{', character, '}']),
-                other => escape(other, result),
-            })
-        }
+        Inline::Given(text) => breakable(&text.to_string(), limit, r"\allowbreak{}", latex::escape_in_name),
         other => {
             let mut result = String::new();
-            other.to_string().chars().for_each(|character| escape(character, &mut result));
+            other.to_string().chars().for_each(|character| latex::escape(character, &mut result));
             result
         }
     }
@@ -193,20 +189,6 @@ fn breakable(text: &str, limit: Option<f64>, place: &str, write: impl Fn(char, &
         }
     }
     result
-}
-
-fn escape(character: char, result: &mut String) {
-    match character {
-        '#' | '$' | '%' | '&' | '_' | '{' | '}' => result.extend(['\\', character]),
-        '\\' => result.push_str(r"\textbackslash{}"),
-        '~' => result.push_str(r"\textasciitilde{}"),
-        '^' => result.push_str(r"\textasciicircum{}"),
-        '<' => result.push_str(r"\textless{}"),
-        '>' => result.push_str(r"\textgreater{}"),
-        '|' => result.push_str(r"\textbar{}"),
-        '"' => result.push_str("''"),
-        other => result.push(other),
-    }
 }
 
 #[cfg(test)]

@@ -167,3 +167,58 @@ fn the_name_of_the_file_tells_the_format() {
     }
     assert!(picture(&format!("{fit} --format png -o -"), 0).starts_with(b"\x89PNG"));
 }
+
+/// The texts of an SVG.
+fn texts(svg: &str) -> Vec<String> {
+    // Where an axis has no numbers, there are texts without letters.
+    let parts = svg.split("<text ").skip(1);
+    let texts =
+        parts.filter_map(|part| Some(part.split_once('>')?.1.split_once("</text>")?.0.trim().to_owned()));
+    texts.filter(|text| !text.is_empty()).collect()
+}
+
+#[test]
+fn source_for_tikz_says_what_the_svg_says() {
+    let mut lines: Vec<(String, i32)> =
+        FIGURES.iter().map(|figure| (format!("{TRANSDUCER} --figure {figure}"), 0)).collect();
+    lines.extend(KINDS.map(|(_, fit, status)| (of_kind(fit), status)));
+    lines.push((of_kind("two-regressors.csv --x u,v --y y --eps 0.3 --figure corridor"), 0));
+    for (line, status) in lines {
+        let svg = texts(&svg(&format!("{line} --real-text"), status));
+        let source = String::from_utf8(picture(&format!("{line} --format tikz"), status)).unwrap();
+        let nodes = source.split("\\node[").skip(1);
+        let tikz: Vec<String> = nodes
+            .filter_map(|node| {
+                let (_, text) = node.split_once(" {")?;
+                Some(text.split_once("};\n")?.0.to_owned())
+            })
+            .collect();
+        assert_eq!(tikz.len(), svg.len(), "{line}");
+        // Words and numbers that need no command are the same in both, as often.
+        let plain = |texts: &[String]| {
+            let is_plain = |c: char| c.is_ascii_alphanumeric() || " .()[]/:=".contains(c);
+            let mut plain: Vec<String> =
+                texts.iter().filter(|text| text.chars().all(is_plain)).cloned().collect();
+            plain.sort();
+            plain
+        };
+        assert!(plain(&svg).len() > 3, "{line}");
+        assert_eq!(plain(&tikz), plain(&svg), "{line}");
+        assert!(!source.contains("NaN") && !source.contains("inf,"), "{line}");
+        assert_eq!(source.matches("\\begin{").count(), source.matches("\\end{").count(), "{line}");
+    }
+}
+
+#[test]
+fn a_document_has_the_picture_for_tikz_in_it() {
+    let line = format!("{TRANSDUCER} --figure corridor --greyscale --size 85mm --font-size 8pt");
+    let text = |format: &str| String::from_utf8(picture(&format!("{line} --format {format}"), 0)).unwrap();
+    let [picture, document] = ["tikz", "tex"].map(text);
+    let drawn = picture.split_once("\\begin{tikzpicture}").unwrap().1;
+    assert!(document.contains(drawn) && document.ends_with("\\end{document}\n"));
+    assert!(picture.starts_with("% A figure written by boundfit: \\input it"), "{picture}");
+    // Greys alone.
+    for colour in picture.split("{HTML}{").skip(1) {
+        assert!(colour[..2] == colour[2..4] && colour[..2] == colour[4..6], "{colour}");
+    }
+}

@@ -17,8 +17,7 @@ fn a_name_that_says_no_format() {
     for name in ["picture.gif", "picture", "folder/", ".svg"] {
         let (status, message) = refused(&format!("-o {name}"));
         assert_eq!(status, 2, "{name}");
-        let expected =
-            "a picture is SVG, PNG or PDF (expected a name that ends in .svg, .png or .pdf, or '--format')";
+        let expected = "a picture is SVG, PNG, PDF or TikZ (expected a name that ends in .svg, .png, .pdf, .tikz or .tex, or '--format')";
         assert_eq!(message, format!("error: invalid value '{name}' for '--output <FILE|DIR>': {expected}"));
     }
 }

@@ -8,8 +8,9 @@ use boundfit_formats::Source;
 use boundfit_questions::{Calibration, Linearity, LinearityOptions};
 use boundfit_report::{Origin, linearity_csv, linearity_document, linearity_json};
 
+use super::pictures;
 use crate::CommandResult;
-use crate::arguments::{LinearityArguments, TableFormat, told_by_name};
+use crate::arguments::{LinearityArguments, TableFormat};
 use crate::exit::{Exit, Failure};
 use crate::input;
 use crate::output;
@@ -82,10 +83,9 @@ pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
 /// Where the picture goes and how it is encoded, if one is asked for.
 fn figure(arguments: &LinearityArguments) -> Result<Option<(&str, PictureFormat)>, Failure> {
     let Some(file) = arguments.figure.as_deref() else { return Ok(None) };
-    let endings = PictureFormat::ALL.map(|format| (format.name(), format));
     let refuse = |problem: &str| Err(Failure::value("--figure <FILE>", file, problem));
-    let Ok(Some(format)) = told_by_name(Some(file), &endings, None) else {
-        return refuse("a picture is SVG, PNG or PDF (expected a name that ends in .svg, .png or .pdf)");
+    let Some(format) = pictures::told_by_name(file) else {
+        return refuse(&format!("{})", pictures::EXPECTED));
     };
     match arguments.output.file.output.as_deref() {
         Some(output) if output != "-" && output::is_one_file(output, file) => {
