@@ -26,6 +26,7 @@ const MODULES: &[(&str, &str)] = &[
     module!("model/lesson.js"),
     module!("model/rational.js"),
     module!("model/sweep.js"),
+    module!("model/worst-line.js"),
     module!("panels/clipping.js"),
     module!("panels/epsilon.js"),
     module!("panels/inspector.js"),
@@ -35,6 +36,7 @@ const MODULES: &[(&str, &str)] = &[
     module!("panels/leave-one-out.js"),
     module!("panels/questions.js"),
     module!("panels/summary.js"),
+    module!("panels/worst-line.js"),
     module!("planes/axes.js"),
     module!("planes/corridor.js"),
     module!("planes/data-frame.js"),
@@ -46,6 +48,7 @@ const MODULES: &[(&str, &str)] = &[
     module!("planes/ticks.js"),
     module!("planes/vertex-marks.js"),
     module!("planes/view.js"),
+    module!("planes/worst-lines.js"),
     module!("state.js"),
     module!("texts.js"),
 ];

@@ -2,7 +2,7 @@
 // Starts the page: reads the engine's data, connects the controls, and draws everything again after each change.
 //
 // Names that tests and bookmarks may rely on:
-//   body[data-mode]              explore | clip | epsilon | leave-one-out;  [data-mode-tab="clip"] switches it
+//   body[data-mode]              explore | clip | epsilon | leave-one-out | worst-line;  [data-mode-tab="clip"] switches it
 //   #data-plane #parameter-plane the two pictures; #parameter-plane[data-kind] is the kind of the set shown
 //   [data-vertex="0"]            vertices, counter-clockwise, with exact data-theta1, data-theta2
 //   [data-reading="14"]          readings by row;  [data-half-plane="3"] boundaries by index
@@ -15,6 +15,8 @@
 //   #layer-<id>                  pui-box eui-box least-squares central minimax centroid inner-hull outer-polygon lp
 //   [data-layer-shown="<id>"]    what a layer draws; #verdicts rows have data-verdict
 //   #leave-out #leave-out-<row>  switches; #leave-one-out-verdict[data-matters]; [data-moved="theta1-lower"][data-by]
+//   [data-handle="steepest"][data-side="0"]  handles of the lines by hand, exact data-height; #worst-lines-table rows have
+//                                data-by-hand, data-passes, data-theta1 …, or data-exact;  #worst-exact #worst-reset
 //   #question-<id>, its button   [data-show];  #residual #straighten #theme-toggle #inspector
 //   #conflict                    why the set is empty;  #language  the language of the page
 //   #status                      the live region;  button[data-zoom="in|out|set|fit"][data-plane="parameter|data"]
@@ -30,14 +32,16 @@ import { drawInspector } from "./panels/inspector.js";
 import { connectClipping, drawClipping, listOrders, stepSentence } from "./panels/clipping.js";
 import { connectEpsilon, drawEpsilon, drawStops, epsilonSentence, epsilonText } from "./panels/epsilon.js";
 import { connectLeaveOneOut, drawLeaveOneOut, drawReadings, listSwitches } from "./panels/leave-one-out.js";
+import { connectWorstLine, drawWorstLine, worstSentence } from "./panels/worst-line.js";
 import { connectQuestions, drawQuestions } from "./panels/questions.js";
 import { connectDataPlane, connectParameterPlane, connectZoom } from "./planes/interaction.js";
+import { connectWorstLines } from "./planes/worst-lines.js";
 import { fillIntroduction } from "./panels/introduction.js";
 import { kindText, switchedOff } from "./model/format.js";
 import { connectLanguage } from "./panels/language.js";
 
 /** @type {Mode[]} */
-const MODES = ["explore", "clip", "epsilon", "leave-one-out"];
+const MODES = ["explore", "clip", "epsilon", "leave-one-out", "worst-line"];
 
 /** @param {Store} store */
 function connectModes(store) {
@@ -57,6 +61,8 @@ function connectModes(store) {
 /** @param {State} state */
 function drawModes(state) {
   document.body.dataset.mode = state.mode;
+  // What is to be found by hand is not shown before it is asked for.
+  document.body.toggleAttribute("data-withheld", state.mode === "worst-line" && !state.exactLines);
   for (const mode of MODES) {
     const chosen = mode === state.mode;
     byId(`tab-${mode}`).setAttribute("aria-selected", `${chosen}`);
@@ -116,6 +122,7 @@ function announcement(lesson, state, before, scene) {
     const stop = lesson.stops[state.stop];
     return `${epsilonText(lesson, stop)}. ${epsilonSentence(lesson, stop)}`;
   }
+  if (state.mode === "worst-line" && changed("mode", "hand", "exactLines")) return worstSentence(lesson, state);
   if (changed("mode", "without")) {
     const shown = kindText(scene.region.kind, scene.region.vertices.length);
     if (state.without.length === 0) return `All readings are used. The set is ${shown}.`;
@@ -192,6 +199,7 @@ function start() {
     drawClipping(lesson, state, scene);
     drawEpsilon(lesson, state);
     drawLeaveOneOut(lesson, state, scene);
+    drawWorstLine(lesson, state);
     drawReadings(lesson, state);
     drawLayerList(lesson, layers, state);
     byId("residual").checked = state.residual;
@@ -220,6 +228,8 @@ function start() {
   connectLeaveOneOut(store);
   connectDataPlane(byId("data-plane"), store, () => drawn, roving);
   connectParameterPlane(byId("parameter-plane"), store, () => drawn, roving);
+  connectWorstLine(store);
+  connectWorstLines(byId("data-plane"), store, () => drawn);
   connectZoom(store, () => drawn);
   connectQuestions(store, () => drawn);
   byId("residual").addEventListener("change", (event) =>

@@ -147,6 +147,8 @@ interface DataFrame {
   number: (axis: number, value: Rational) => number;
   across: (reading: Reading) => number;
   height: (phi: Pair, value: Rational) => number;
+  /** The value of which `height` gives this number. */
+  measured: (phi: Pair, number: number) => Rational;
   length: (epsilon: Rational) => number;
   /** The line of θ. */
   line: (theta: Pair) => Height;
@@ -166,7 +168,12 @@ interface Corner {
   cut: boolean;
 }
 
-type Mode = "explore" | "clip" | "epsilon" | "leave-one-out";
+type Mode = "explore" | "clip" | "epsilon" | "leave-one-out" | "worst-line";
+
+type WorstName = "steepest" | "shallowest";
+
+/** The heights of the lines by hand at the least and the greatest x of the readings. */
+type HandLines = Record<WorstName, Rational[]>;
 
 interface VertexChoice {
   kind: "vertex";
@@ -208,6 +215,10 @@ interface State {
   hover: Choice | null;
   /** The ids of the layers shown. */
   layers: Set<string>;
+  /** The worst lines as they were laid by hand; null: from corner to corner. */
+  hand: HandLines | null;
+  /** Whether the exact worst lines are shown beside them. */
+  exactLines: boolean;
   /** Whether heights are relative to the reference line. */
   residual: boolean;
   /** Whether the second axis shows the height at the middle x. */

@@ -26,7 +26,7 @@ macro_rules! part {
 }
 
 /// The parts of the table, one for each part of the page.
-const PARTS: &[(&str, &str)] = &[part!("page")];
+const PARTS: &[(&str, &str)] = &[part!("page"), part!("worst-line")];
 
 /// A key and its text in every language.
 type Table = BTreeMap<String, BTreeMap<String, String>>;

@@ -3,6 +3,7 @@
 
 import { element } from "../dom.js";
 import { pathThrough } from "./axes.js";
+import { lineInView } from "./region.js";
 import { Rational, ZERO, dot } from "../model/rational.js";
 import { pointOnBoundary } from "../model/lesson.js";
 
@@ -194,4 +195,25 @@ export function boxEnvelopes(layers, state, frame, map) {
       });
     }),
   );
+}
+
+/**
+ * The path of the line of θ, or through its predictions.
+ * @param {Lesson} lesson
+ * @param {Pair} theta
+ * @param {DataFrame} frame
+ * @param {ScreenMap} map
+ */
+export function curvePath(lesson, theta, frame, map) {
+  if (!lesson.isLine) {
+    return pathThrough(
+      map,
+      lesson.readings.map((r) => [frame.across(r), bounded(frame.prediction(r, theta), map)]),
+      false,
+    );
+  }
+  const { slope, start } = frame.line(theta);
+  const length = Math.hypot(slope, 1);
+  const ends = lineInView({ a: [-slope / length, 1 / length], b: start / length }, map.view);
+  return ends === null ? "" : pathThrough(map, ends, false);
 }

@@ -45,6 +45,7 @@ export function dataFrame(lesson, residual) {
     number: (axis, value) => [placeX, placeY][axis](value),
     across: (reading) => placeX(lesson.isLine ? reading.phi[0] : new Rational(BigInt(reading.index))),
     height: (phi, value) => placeY(value.minus(dot(phi, reference))),
+    measured: (phi, number) => Rational.fromNumber(number).times(y.unit).plus(y.origin).plus(dot(phi, reference)),
     length: (epsilon) => coordinate(epsilon.over(y.unit)),
     line: (theta) => {
       const [d1, d2] = [theta[0].minus(reference[0]), theta[1].minus(reference[1])];

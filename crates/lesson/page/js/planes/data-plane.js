@@ -4,10 +4,10 @@
 
 import { byId, element, patch } from "../dom.js";
 import { axes, mark, pathThrough, plotArea, round } from "./axes.js";
-import { lineInView } from "./region.js";
 import { screenMap } from "./view.js";
 import { automaticDataView, dataFrame } from "./data-frame.js";
-import { bounded, boxEnvelopes, corridorPath } from "./corridor.js";
+import { bounded, boxEnvelopes, corridorPath, curvePath } from "./corridor.js";
+import { worstLines } from "./worst-lines.js";
 import { activeAt, boundAt, readingOfRow } from "../model/lesson.js";
 import { plain } from "../model/format.js";
 import { ONE } from "../model/rational.js";
@@ -63,6 +63,7 @@ export function drawDataPlane(lesson, state, scene, layers, size, focused) {
       { "clip-path": "url(#data-clip)", "aria-hidden": "true" },
       chosenLine(lesson, state, scene, frame, map),
     ),
+    worstLines(lesson, state, frame, map),
   ]);
   byId("data-plane").setAttribute("viewBox", `0 0 ${size.width} ${size.height}`);
   return map;
@@ -91,27 +92,6 @@ function rowTicks(lesson, map) {
     .filter((r) => r.index % every === 0)
     .map((r) => ({ at: r.index, label: `${r.row}` }));
   return { marks: marks.filter(({ at }) => at >= map.view.x[0] && at <= map.view.x[1]), note: "" };
-}
-
-/**
- * The path of the line of θ, or through its predictions.
- * @param {Lesson} lesson
- * @param {Pair} theta
- * @param {DataFrame} frame
- * @param {ScreenMap} map
- */
-function curvePath(lesson, theta, frame, map) {
-  if (!lesson.isLine) {
-    return pathThrough(
-      map,
-      lesson.readings.map((r) => [frame.across(r), bounded(frame.prediction(r, theta), map)]),
-      false,
-    );
-  }
-  const { slope, start } = frame.line(theta);
-  const length = Math.hypot(slope, 1);
-  const ends = lineInView({ a: [-slope / length, 1 / length], b: start / length }, map.view);
-  return ends === null ? "" : pathThrough(map, ends, false);
 }
 
 /**

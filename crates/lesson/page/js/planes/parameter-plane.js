@@ -8,6 +8,7 @@ import { activeAt, halfPlaneIndex } from "../model/lesson.js";
 import { EMPTY, boundClass, decimal } from "../model/format.js";
 import { screenMap } from "./view.js";
 import { automaticView } from "./parameter-view.js";
+import { worstPoints } from "./worst-lines.js";
 import { chosenPoint, vertexMarks, vertexNumbers } from "./vertex-marks.js";
 
 /**
@@ -79,6 +80,7 @@ export function drawParameterPlane(lesson, state, scene, layers, size, focused) 
       vertexNumbers(state, scene, map, layerMarks(layers, state, frame, map)),
     ),
     chosenPoint(lesson, state, scene, map),
+    worstPoints(lesson, state, frame, map),
     emptyNote(scene, map),
   ]);
   const svg = byId("parameter-plane");

@@ -2,6 +2,7 @@
 // Which part of the parameter plane is shown when the reader has not chosen one.
 
 import { lineInView } from "./region.js";
+import { worstPlaces } from "./worst-lines.js";
 import { boundingView, leapingView, scaledView } from "./view.js";
 import { conflict } from "../model/lesson.js";
 import { decimalPower } from "../model/rational.js";
@@ -47,7 +48,8 @@ export function automaticView(lesson, state, scene, layers) {
   }
   if (state.mode === "clip" && state.step === 0) return scaledView(sized, 4);
   const before = state.mode === "clip" && scene.before !== null ? scene.before.vertices : [];
-  const points = [...scene.places, ...before.map((vertex) => scene.frame.place(vertex.theta))];
+  const lines = worstPlaces(lesson, state, scene.frame).map(({ place }) => place);
+  const points = [...scene.places, ...before.map((vertex) => scene.frame.place(vertex.theta)), ...lines];
   const start = points.length === 0 && state.mode === "clip" ? scaledView(sized, 4) : sized;
   return leapingView(start, (view) => holds(view, points), MOST_LEAPS);
 }
