@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds boundfit_wasm.wasm.gz and the JavaScript that goes with it from source, beside this script.
+# Builds boundfit_wasm.wasm.gz and the JavaScript that goes with it from source, into crates/lesson/engine: the lesson has them inside.
 #
 # The standard library for WebAssembly is compiled too, from Debian's sources of it, so that nothing is downloaded but packages and
 # crates: Debian's compiler for browsers (rustc-web, and rust-web-src of the same version), the linker of the usual toolchain, and
@@ -24,6 +24,7 @@ export RUSTC_BOOTSTRAP=1
 CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=$(find "$usual" -name rust-lld -type f | head -n 1)
 export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER
 root=$(cd .. && pwd)
+engine=$root/crates/lesson/engine
 home=${CARGO_HOME:-$HOME/.cargo}
 flags=(
   # No path of this machine is part of the module.
@@ -45,7 +46,7 @@ wasm-opt -Oz --strip-debug --strip-producers --enable-bulk-memory --enable-sign-
   "$target/packed/boundfit_wasm_bg.wasm" -o "$target/packed/boundfit_wasm.wasm"
 # Binaryen 108, which is Debian's, gives every table that is exported the number 0. That of JavaScript's objects is the second one.
 LC_ALL=C sed -i 's/__wbindgen_externrefs\x01\x00/__wbindgen_externrefs\x01\x01/' "$target/packed/boundfit_wasm.wasm"
-gzip -9 -n < "$target/packed/boundfit_wasm.wasm" > boundfit_wasm.wasm.gz
-cp "$target/packed/boundfit_wasm.js" boundfit_wasm.mjs
-cp "$target/packed/boundfit_wasm.d.ts" boundfit_wasm.d.mts
-wc -c "$target/packed/boundfit_wasm.wasm" boundfit_wasm.wasm.gz
+gzip -9 -n < "$target/packed/boundfit_wasm.wasm" > "$engine/boundfit_wasm.wasm.gz"
+cp "$target/packed/boundfit_wasm.js" "$engine/boundfit_wasm.mjs"
+cp "$target/packed/boundfit_wasm.d.ts" "$engine/boundfit_wasm.d.mts"
+wc -c "$target/packed/boundfit_wasm.wasm" "$engine/boundfit_wasm.wasm.gz"

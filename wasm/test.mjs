@@ -12,12 +12,12 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 
-import { run, start } from "./boundfit.mjs";
+import { lesson, run, start } from "../crates/lesson/engine/boundfit.mjs";
 
 const root = fileURLToPath(new URL("..", import.meta.url));
 const fixtures = join(root, "fixtures");
 const program = process.env.BOUNDFIT_PROGRAM ?? join(root, "target/release/boundfit");
-const exports = await start(readFileSync(new URL("boundfit_wasm.wasm.gz", import.meta.url)));
+const exports = await start(readFileSync(new URL("../crates/lesson/engine/boundfit_wasm.wasm.gz", import.meta.url)));
 
 const flags = ["through-origin", "no-eui", "exact", "units-row"];
 const repeated = ["where", "where-row"];

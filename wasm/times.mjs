@@ -2,11 +2,11 @@
 
 import { readFileSync } from "node:fs";
 
-import { run, start } from "./boundfit.mjs";
+import { run, start } from "../crates/lesson/engine/boundfit.mjs";
 
 const at = (name) => new URL(name, import.meta.url);
 const began = process.cpuUsage();
-await start(readFileSync(at("boundfit_wasm.wasm.gz")));
+await start(readFileSync(at("../crates/lesson/engine/boundfit_wasm.wasm.gz")));
 const table = readFileSync(at("../fixtures/transducer/transducer.csv"));
 const question = { x: "Vz", y: "z", eps: "0.5e-3", rows: [[14, 36]] };
 run(table, question);

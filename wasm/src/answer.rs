@@ -2,8 +2,11 @@
 
 use std::io::Cursor;
 
+use boundfit::engine::estimation::Selection;
 use boundfit::engine::exact::Foreign;
-use boundfit::files::{Keep, ScanOptions, SizeLimits, Source};
+use boundfit::engine::formats::{InputError, ReductionError};
+use boundfit::files::{Keep, Measurements, Question, ScanOptions, SizeLimits, Source, TableOptions};
+use boundfit::lesson::{check_work, lesson_json};
 use boundfit::report::{InverseLine, Origin, fit_document, fit_json, proof_json};
 use boundfit::{Problem, Reading};
 
@@ -12,14 +15,29 @@ use crate::options::{Format, Options};
 /// How many times the work that is estimated of the numbers a fit may take.
 const LOOKS: u64 = 4;
 
-/// The answer, or what is wrong.
-pub(crate) fn answer(table: Vec<u8>, options: &str) -> Result<String, String> {
+/// The answer of `boundfit fit`, or what is wrong.
+pub(crate) fn fit(table: Vec<u8>, options: &str) -> Result<String, String> {
     let options = Options::parse(options)?;
+    options.refuse_words_of_page()?;
     let (format, style) = (options.format()?, options.style()?);
-    let source = Source::new(options.file.as_deref().unwrap_or("standard input"), Cursor::new(table));
+    let Asked { source, reading, question } = Asked::new(table, &options)?;
     let is_stored = source.is_stored();
-    let reading = if is_stored { Reading::Binary64 } else { options.reading()? };
-    let problem = problem(source, &options, reading, format == Format::Proof)?;
+    let scan = ScanOptions {
+        table: options.table(reading)?,
+        list_rows: format == Format::Proof,
+        ..ScanOptions::default()
+    };
+    let problem = match options.numbering()? {
+        Some(_) if format == Format::Proof => {
+            return Err("row_numbers: a proof is about the rows of a table as they stand there".to_owned());
+        }
+        Some(_) => question.of_measurements(readings(source, &question, &options, &scan.table)?),
+        None => {
+            let keep = Keep { eui: !options.no_eui, ..Keep::default() };
+            question.problem(source, &scan, keep).map_err(|error| error.to_string())?
+        }
+    };
+    refuse_long(&problem)?;
     let fit = problem.fit();
     let origin = Origin { file: options.file.as_deref().map(Foreign::of), reading, is_stored };
     match format {
@@ -31,18 +49,66 @@ pub(crate) fn answer(table: Vec<u8>, options: &str) -> Result<String, String> {
     }
 }
 
-/// The readings with their bounds, whose numbers are not too long for a fit.
-fn problem(source: Source, options: &Options, reading: Reading, list_rows: bool) -> Result<Problem, String> {
-    let question = options.question(reading)?;
-    if question.multiple_of_least.is_some() && question.columns.second.is_some() && source.is_reduction() {
-        return Err("eps: a multiple of the least bound moves the bounds, and the table is a reduction under bounds that are \
-                    fixed: fit the table that it was made from"
-            .to_owned());
+/// What the page of `boundfit lesson` shows, or what is wrong.
+pub(crate) fn lesson(table: Vec<u8>, options: &str) -> Result<String, String> {
+    let options = Options::parse(options)?;
+    options.refuse_words_of_report()?;
+    let Asked { source, reading, question } = Asked::new(table, &options)?;
+    let table = TableOptions { keep_others: true, ..options.table(reading)? };
+    let measurements = readings(source, &question, &options, &table)?;
+    if measurements.is_of_reductions() {
+        return Err(InputError::of_file(options.file(), ReductionError::NotHere).to_string());
     }
-    let scan = ScanOptions { table: options.table(reading)?, list_rows, ..ScanOptions::default() };
-    let keep = Keep { eui: !options.no_eui, ..Keep::default() };
-    let problem = question.problem(source, &scan, keep).map_err(|error| error.to_string())?;
+    let problem = question.of_measurements(measurements);
+    refuse_long(&problem)?;
+    let long = |error| format!("{}: {error}", options.file());
+    check_work(&problem, SizeLimits::default().work).map_err(long)?;
+    let page = options.lesson(&problem.measurements)?;
+    lesson_json(&problem, &problem.fit(), reading, &page)
+        .map_err(|error| format!("{}: {error}", options.file()))
+}
+
+/// A table, and what is asked of it.
+struct Asked {
+    source: Source,
+    reading: Reading,
+    question: Question,
+}
+
+impl Asked {
+    fn new(table: Vec<u8>, options: &Options) -> Result<Self, String> {
+        let source = Source::new(options.file(), Cursor::new(table));
+        let reading = if source.is_stored() { Reading::Binary64 } else { options.reading()? };
+        let question = options.question(reading)?;
+        if question.multiple_of_least.is_some() && question.columns.second.is_some() && source.is_reduction()
+        {
+            return Err("eps: a multiple of the least bound moves the bounds, and the table is a reduction under bounds \
+                        that are fixed: fit the table that it was made from"
+                .to_owned());
+        }
+        Ok(Asked { source, reading, question })
+    }
+}
+
+/// Every reading, with its number.
+fn readings(
+    source: Source,
+    question: &Question,
+    options: &Options,
+    table: &TableOptions,
+) -> Result<Measurements, String> {
+    let measurements =
+        Measurements::read(source, &question.columns, table).map_err(|error| error.to_string())?;
+    let Some(numbering) = options.numbering()? else { return Ok(measurements) };
+    let (numbers, rows) = (&numbering.numbers, measurements.rows_total());
+    let asked = Selection::of(&TableOptions { rows: options.row_set()?, ..table.clone() });
+    measurements
+        .numbered(numbers, asked)
+        .ok_or_else(|| format!("row_numbers: {} numbers for a table of {rows} rows", numbers.len()))
+}
+
+/// Refuses numbers that are too long for a fit.
+fn refuse_long(problem: &Problem) -> Result<(), String> {
     let work = problem.work(&[]).check(LOOKS, SizeLimits::default().work);
-    work.map_err(|error| error.to_string())?;
-    Ok(problem)
+    work.map_err(|error| error.to_string())
 }

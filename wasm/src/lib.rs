@@ -18,5 +18,17 @@ use wasm_bindgen::prelude::*;
 /// Throws an `Error` that says what is wrong with the options or the table, and where.
 #[wasm_bindgen]
 pub fn run(table: Vec<u8>, options: &str) -> Result<String, JsError> {
-    answer::answer(table, options).map_err(|problem| JsError::new(&problem))
+    answer::fit(table, options).map_err(|problem| JsError::new(&problem))
+}
+
+/// What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/1`. Of linear programs it has what the
+/// exact simplex answers.
+///
+/// `table` and `options` are as in [`run`](fn@run).
+///
+/// # Errors
+/// Throws an `Error` that says what is wrong with the options or the table, and where.
+#[wasm_bindgen]
+pub fn lesson(table: Vec<u8>, options: &str) -> Result<String, JsError> {
+    answer::lesson(table, options).map_err(|problem| JsError::new(&problem))
 }

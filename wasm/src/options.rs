@@ -1,16 +1,17 @@
 //! What is asked, as JSON says it.
 
-use boundfit::engine::exact::{DecimalMark, Thousands};
-use boundfit::engine::formats::{CommentMark, DELIMITERS};
+use boundfit::engine::exact::{DecimalMark, Foreign, Thousands};
+use boundfit::engine::formats::{CommentMark, DELIMITERS, RowNumbers};
 use boundfit::files::{
-    AskedDialect, ColumnSelector, EpsilonColumn, Header, Missing, Question, RowCondition, RowRange, RowSet,
-    TableOptions,
+    AskedDialect, ColumnSelector, EpsilonColumn, Header, Measurements, Missing, Question, RowCondition,
+    RowRange, RowSet, TableOptions,
 };
+use boundfit::lesson::{LessonOptions, MOST_ROWS, MOST_ROWS_EVER};
 use boundfit::report::{EndRounding, Style};
 use boundfit::{Condition, Reading};
 use serde::Deserialize;
 
-/// The keys of the object, each named as the option of `boundfit fit` that it is.
+/// The keys of the object, each named as the option of `boundfit fit` or `boundfit lesson` that it is.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Options {
@@ -45,12 +46,18 @@ pub(crate) struct Options {
     units_row: bool,
     missing: Option<String>,
     #[serde(default)]
+    row_numbers: Vec<Rows>,
+    #[serde(default)]
     pub(crate) no_eui: bool,
     format: Option<String>,
     digits: Option<u16>,
     rounding: Option<String>,
     #[serde(default)]
     exact: bool,
+    title: Option<String>,
+    x_unit: Option<String>,
+    y_unit: Option<String>,
+    max_readings: Option<u16>,
 }
 
 /// The columns of one or two regressors.
@@ -90,6 +97,59 @@ impl Options {
     /// With the key that is missing, not known, or of another type.
     pub(crate) fn parse(json: &str) -> Result<Self, String> {
         serde_json::from_str(json).map_err(|error| format!("options: {error}"))
+    }
+
+    /// Refuses what is about a page alone.
+    ///
+    /// # Errors
+    /// With the key.
+    pub(crate) fn refuse_words_of_page(&self) -> Result<(), String> {
+        let asked = [
+            ("title", self.title.is_some()),
+            ("x_unit", self.x_unit.is_some()),
+            ("y_unit", self.y_unit.is_some()),
+            ("max_readings", self.max_readings.is_some()),
+        ];
+        refuse_any(&asked, "is about a lesson, and this is a report")
+    }
+
+    /// What the page says of the readings besides what follows from them.
+    ///
+    /// # Errors
+    /// With a key that is about a report alone, or a number of readings that no page has.
+    pub(crate) fn lesson(&self, measurements: &Measurements) -> Result<LessonOptions, String> {
+        if self.max_readings.is_some_and(|most| !(1..=MOST_ROWS_EVER).contains(&most)) {
+            return Err(format!("max_readings: expected a number from 1 to {MOST_ROWS_EVER}"));
+        }
+        let [x_unit, y_unit] = measurements.plane_units();
+        let foreign = |text: &Option<String>| text.as_ref().map(Foreign::from);
+        Ok(LessonOptions {
+            file: self.file().into(),
+            title: foreign(&self.title),
+            x_unit: foreign(&self.x_unit).or(x_unit.cloned()),
+            y_unit: foreign(&self.y_unit).or(y_unit.cloned()),
+            most_rows: self.max_readings.map_or(MOST_ROWS, usize::from),
+        })
+    }
+
+    /// Refuses what is about a report alone.
+    ///
+    /// # Errors
+    /// With the key.
+    pub(crate) fn refuse_words_of_report(&self) -> Result<(), String> {
+        let asked = [
+            ("format", self.format.is_some()),
+            ("digits", self.digits.is_some()),
+            ("rounding", self.rounding.is_some()),
+            ("exact", self.exact),
+            ("no_eui", self.no_eui),
+        ];
+        refuse_any(&asked, "is about a report, and this is a lesson")
+    }
+
+    /// The name of the table in messages.
+    pub(crate) fn file(&self) -> &str {
+        self.file.as_deref().unwrap_or("standard input")
     }
 
     /// What is written.
@@ -180,16 +240,45 @@ impl Options {
         });
         let headers = Header::ALL.map(|header| (header.name(), header));
         let missing = Missing::ALL.map(|missing| (missing.name(), missing));
-        let rows = RowSet::new(&ranges("rows", &self.rows)?, &ranges("without", &self.without)?);
+        let rows = match self.numbering()? {
+            Some(numbering) => numbering.positions(&self.row_set()?),
+            None => Some(self.row_set()?),
+        };
         Ok(TableOptions {
             header: named("header", self.header.as_deref(), &headers)?.unwrap_or_default(),
             dialect: self.dialect()?,
             missing: named("missing", self.missing.as_deref(), &missing)?.unwrap_or_default(),
-            rows: rows.ok_or("without: no row is left")?,
+            rows: rows.ok_or("rows: none of them is left")?,
             conditions: conditions.collect::<Result<_, _>>()?,
             reading,
             ..table
         })
+    }
+
+    /// The rows that are asked for, by their numbers.
+    pub(crate) fn row_set(&self) -> Result<RowSet, String> {
+        let rows = RowSet::new(&ranges("rows", &self.rows)?, &ranges("without", &self.without)?);
+        rows.ok_or_else(|| "without: no row is left".to_owned())
+    }
+
+    /// The numbers of the rows of the table, where they are not 1, 2, 3 and so on.
+    ///
+    /// # Errors
+    /// When they do not ascend.
+    pub(crate) fn numbering(&self) -> Result<Option<Numbering>, String> {
+        if self.row_numbers.is_empty() {
+            return Ok(None);
+        }
+        let expected = || {
+            "row_numbers: expected rows from 1, ascending, such as 5 and [14, 36]: the number of each row of the table"
+                .to_owned()
+        };
+        let ends = self.row_numbers.iter().map(|own| match *own {
+            Rows::One(row) => Some([row, row]),
+            Rows::Range(first, last) => Some([first, last?]),
+        });
+        let ends: Vec<[usize; 2]> = ends.collect::<Option<_>>().ok_or_else(expected)?;
+        Numbering::new(&ends).map(Some).ok_or_else(expected)
     }
 
     fn dialect(&self) -> Result<AskedDialect, String> {
@@ -219,6 +308,63 @@ impl Options {
             skip_lines: self.skip_lines,
             units_row: self.units_row,
         })
+    }
+}
+
+fn refuse_any(asked: &[(&str, bool)], why: &str) -> Result<(), String> {
+    match asked.iter().find(|(_, is_asked)| *is_asked) {
+        Some((key, _)) => Err(format!("{key} {why}")),
+        None => Ok(()),
+    }
+}
+
+/// The numbers of the rows of a table.
+pub(crate) struct Numbering {
+    pub(crate) numbers: RowNumbers,
+    /// First and last number, and how many come before.
+    runs: Vec<([usize; 2], usize)>,
+}
+
+impl Numbering {
+    /// `None` unless they ascend from 1.
+    fn new(ends: &[[usize; 2]]) -> Option<Self> {
+        let (mut runs, mut before, mut last) = (Vec::new(), 0_usize, 0_usize);
+        for &[first, end] in ends {
+            if first <= last || end < first || end == usize::MAX {
+                return None;
+            }
+            runs.push(([first, end], before));
+            before += end - first + 1;
+            last = end;
+        }
+        let numbers = ends.iter().map(|&[first, last]| first..last + 1).collect();
+        Some(Numbering { numbers, runs })
+    }
+
+    /// How many numbers there are up to this one.
+    fn up_to(&self, number: usize) -> usize {
+        let run = self.runs.partition_point(|([first, _], _)| *first <= number).checked_sub(1);
+        run.map_or(0, |run| {
+            let ([first, last], before) = self.runs[run];
+            before + number.min(last) - first + 1
+        })
+    }
+
+    /// The rows with these numbers, by their places in the table; `None` if there is none.
+    fn positions(&self, asked: &RowSet) -> Option<RowSet> {
+        let places = |ranges: &[RowRange]| -> Vec<RowRange> {
+            let place = |range: &RowRange| {
+                let (first, last) = range.ends();
+                let after = last.map_or(self.numbers.len(), |last| self.up_to(last));
+                RowRange::new(self.up_to(first - 1) + 1, after)
+            };
+            ranges.iter().filter_map(place).collect()
+        };
+        let named = places(asked.named());
+        if named.is_empty() && !asked.named().is_empty() {
+            return None;
+        }
+        RowSet::new(&named, &places(asked.without()))
     }
 }
 

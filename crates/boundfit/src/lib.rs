@@ -95,6 +95,7 @@
 //! | `report` | the module `report`: answers as text, JSON, LaTeX, Markdown |
 //! | `figures` | the module `figures`: both planes as SVG and PNG |
 //! | `lesson` | the module `lesson`: the web page that teaches |
+//! | `engine` (default) | the engine inside that page, for readings that are changed there |
 //!
 //! Everything at the root of this crate, and in its feature modules, follows the versions of this crate. The module
 //! [`engine`] has the crates underneath, for whoever needs more; they may change in any release.

@@ -2,6 +2,7 @@
 
 use boundfit_estimation::Problem;
 use boundfit_exact::{Foreign, Limit, Rational, TooMuchWork, Work};
+use boundfit_lesson::check_work;
 use boundfit_questions::times::{check_outliers, looks};
 
 use crate::arguments::LimitArguments;
@@ -24,8 +25,6 @@ pub(crate) mod times {
     pub(crate) const CHECK: u64 = 4;
     /// A figure; all of them are six.
     pub(crate) const PLOT: u64 = 8;
-    /// A page; leaving out each reading comes on top.
-    pub(crate) const LESSON: u64 = 24;
 }
 
 /// Refuses a problem.
@@ -38,15 +37,13 @@ pub(crate) fn refuse_long_problem(
     refuse_long(file, &problem.work(&[]), times * looks(problem), limits)
 }
 
-/// Refuses a lesson about a problem, which leaves out each reading in turn.
+/// Refuses a lesson about a problem.
 pub(crate) fn refuse_long_lesson(
     file: Foreign<&str>,
     problem: &Problem,
     limits: &LimitArguments,
 ) -> Result<(), Failure> {
-    let readings = problem.measurements.kept().len() as u64;
-    refuse_long_problem(file, problem, times::LESSON + readings, limits)?;
-    refuse_long(file, &problem.work(&[]).of_leaving_out_each(readings), 1, limits)
+    refused(file, check_work(problem, limits.sizes().work))
 }
 
 /// Refuses the proof of the statuses of a problem, which has the set without each reading that decides.

@@ -2,7 +2,7 @@
 
 use boundfit_exact::{Foreign, Rational};
 #[cfg(feature = "files")]
-use boundfit_formats::TextLayout;
+use boundfit_formats::{RowNumbers, TextLayout};
 
 use crate::hulls::Extremes;
 use crate::law::{Law, range_of_y};
@@ -89,6 +89,22 @@ impl Measurements {
         }
         let (meaning, origin) = (self.meaning.clone(), self.origin.clone());
         Measurements { meaning, readings: Readings::All(fitted), others, origin }
+    }
+
+    /// These readings of a table whose rows have these numbers, in its order, in the place of 1, 2, 3 and so on; what was asked for is
+    /// said of them too. `None` unless there are as many numbers as rows, and every reading is in memory.
+    #[cfg(feature = "files")]
+    #[must_use]
+    pub fn numbered(mut self, numbers: &RowNumbers, asked: Selection) -> Option<Self> {
+        let Readings::All(rows) = &mut self.readings else { return None };
+        if numbers.len() != self.origin.rows_total {
+            return None;
+        }
+        for row in rows.iter_mut().chain(&mut self.others) {
+            row.row = numbers.get(row.row - 1);
+        }
+        self.origin.selection = asked;
+        Some(self)
     }
 
     /// The model.
@@ -316,6 +332,16 @@ impl Measurements {
     /// The unit that the file states for a column: regressors, response and, with one per row, error bound, from 0.
     pub fn unit(&self, column: usize) -> Option<&Foreign> {
         self.origin.units.get(column)?.as_ref()
+    }
+
+    /// The units that the file states of x, which two regressors share, and of y.
+    pub fn plane_units(&self) -> [Option<&Foreign>; 2] {
+        match self.model() {
+            Model::Line { .. } => [self.unit(0), self.unit(1)],
+            Model::TwoRegressors { .. } => {
+                [self.unit(0).filter(|unit| self.unit(1) == Some(unit)), self.unit(2)]
+            }
+        }
     }
 
     /// Where in the file the numbers stand: regressors, response and, with one per row, error bound; `None` unless the

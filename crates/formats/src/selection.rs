@@ -26,6 +26,11 @@ impl RowRange {
         (1 <= first).then_some(RowRange { first, last: None })
     }
 
+    /// The first and the last row; `None` where it reaches to the end.
+    pub fn ends(&self) -> (usize, Option<usize>) {
+        (self.first, self.last)
+    }
+
     /// Whether it names a row beyond the last of so many.
     fn is_beyond(&self, total: usize) -> bool {
         self.last.unwrap_or(self.first) > total

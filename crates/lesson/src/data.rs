@@ -5,6 +5,7 @@ use boundfit_exact::{Foreign, Reading};
 use boundfit_report::{FitJson, Number, Origin, SweepJson};
 use serde::Serialize;
 
+use crate::asked::{AskedJson, asked};
 use crate::corridor::{CorridorJson, corridor};
 use crate::half_planes::{HalfPlaneJson, half_planes};
 use crate::layers::{self, LayersJson, programs};
@@ -24,6 +25,8 @@ pub(crate) struct LessonJson {
     schema: &'static str,
     title: String,
     file: String,
+    asked: AskedJson,
+    columns: Vec<String>,
     units: UnitsJson,
     model: ModelJson,
     epsilon: EpsilonJson,
@@ -74,6 +77,8 @@ pub(crate) fn build(
     let without = leave_one_out(problem, fit);
     let file = file_name(options.file.raw());
     let origin = Origin { file: Some(file), reading, is_stored: false };
+    let (asked, columns) =
+        asked(problem, reading, options, file.raw(), &readings::shown_others(measurements));
     let facts = Facts { problem, fit, styles, programs: &programs, without: &without };
     Ok(LessonJson {
         schema: "boundfit/lesson/1",
@@ -82,6 +87,8 @@ pub(crate) fn build(
             .as_ref()
             .map_or_else(|| default_title(file, problem), |title| title.raw().to_owned()),
         file: file.to_string(),
+        asked,
+        columns,
         units: UnitsJson {
             x: options.x_unit.as_ref().map(Foreign::to_string),
             y: options.y_unit.as_ref().map(Foreign::to_string),

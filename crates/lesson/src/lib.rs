@@ -31,8 +31,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod asked;
 mod corridor;
 mod data;
+mod engine;
 mod half_planes;
 mod layers;
 mod leave_one_out;
@@ -49,7 +51,8 @@ mod template;
 mod texts;
 
 use boundfit_estimation::{Fit, Problem};
-use boundfit_exact::{Foreign, Reading};
+use boundfit_exact::{Foreign, Reading, TooMuchWork};
+use boundfit_questions::times::looks;
 use serde_json::Value;
 use thiserror::Error;
 
@@ -58,6 +61,12 @@ pub use crate::texts::{Language, said};
 
 /// The most readings that a lesson is made for unless more are asked for: what the page shows grows with their square.
 pub const MOST_ROWS: usize = 300;
+
+/// The most readings that can be asked for.
+pub const MOST_ROWS_EVER: u16 = 2000;
+
+/// What a lesson takes for readings of thousands of digits, divided by what a fit takes; leaving out each reading comes on top.
+const FITS: u64 = 24;
 
 /// What the page says about the data besides what follows from them.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -121,6 +130,30 @@ pub fn page(
 ) -> Result<String, LessonError> {
     let data = data::build(problem, fit, reading, options)?;
     Ok(template::page(data.title(), &serde_json::to_string(&data)?, options.language)?)
+}
+
+/// [`lesson_data`] as text, as it stands in the page. Exact. Cost: that of [`lesson_data`].
+///
+/// # Errors
+/// With more than [`LessonOptions::most_rows`] readings.
+pub fn lesson_json(
+    problem: &Problem,
+    fit: &Fit,
+    reading: Reading,
+    options: &LessonOptions,
+) -> Result<String, LessonError> {
+    Ok(serde_json::to_string(&data::build(problem, fit, reading, options)?)?)
+}
+
+/// Refuses a lesson on numbers so long that it would take more work than this limit: it leaves out each reading in turn.
+///
+/// # Errors
+/// When it does.
+pub fn check_work(problem: &Problem, limit: u64) -> Result<(), TooMuchWork> {
+    let readings = problem.measurements.kept().len() as u64;
+    let work = problem.work(&[]);
+    work.check((FITS + readings) * looks(problem), limit)?;
+    work.of_leaving_out_each(readings).check(1, limit)
 }
 
 /// Everything that the page shows, schema `boundfit/lesson/1`. Numbers are exact, their decimals rounded: ends of

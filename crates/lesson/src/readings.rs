@@ -77,9 +77,13 @@ pub(crate) fn fitted(measurements: &Measurements) -> Vec<ReadingJson> {
 
 /// Other readings of the file.
 pub(crate) fn others(measurements: &Measurements) -> Vec<ReadingJson> {
+    shown_others(measurements).into_iter().map(reading).collect()
+}
+
+/// Those of the other readings that are shown.
+pub(crate) fn shown_others(measurements: &Measurements) -> Vec<&Measurement> {
     let others = measurements.others();
-    let spaced = others.iter().step_by(others.len().div_ceil(MOST_OTHERS).max(1));
-    spaced.map(reading).collect()
+    others.iter().step_by(others.len().div_ceil(MOST_OTHERS).max(1)).collect()
 }
 
 pub(crate) fn conditions(conditions: &[Condition]) -> Vec<ConditionJson> {

@@ -1,5 +1,6 @@
 //! The page around the data: template, style, script and words, put into one file.
 
+use crate::engine;
 use crate::texts::{self, Language, Message};
 
 /// A module of the script: its path in the folder `page/js`, and its source.
@@ -9,8 +10,8 @@ macro_rules! module {
     };
 }
 
-/// The page with the tokens `{{title}}`, `{{language}}`, `{{languages}}`, `{{style}}`, `{{data}}`, `{{texts}}` and `{{script}}`; the
-/// element `data-text="key"` has the text of a key, the label of `data-text-label="key"` is one.
+/// The page with the tokens `{{policy}}`, `{{title}}`, `{{language}}`, `{{languages}}`, `{{style}}`, `{{data}}`, `{{texts}}`,
+/// `{{engine}}` and `{{script}}`; the element `data-text="key"` has the text of a key, the label of `data-text-label="key"` is one.
 const TEMPLATE: &str = include_str!("../page/index.html");
 const STYLE: &str = include_str!("../page/style.css");
 
@@ -20,12 +21,14 @@ const MAIN: &str = "main.js";
 /// All modules of the script by name; their order in the page follows from what they import.
 const MODULES: &[(&str, &str)] = &[
     module!("dom.js"),
+    module!("engine.js"),
     module!("main.js"),
     module!("model/format.js"),
     module!("model/intersection.js"),
     module!("model/lesson.js"),
     module!("model/rational.js"),
     module!("model/sweep.js"),
+    module!("model/table.js"),
     module!("model/worst-line.js"),
     module!("panels/clipping.js"),
     module!("panels/epsilon.js"),
@@ -57,12 +60,14 @@ const MODULES: &[(&str, &str)] = &[
 pub(crate) fn page(title: &str, data: &str, language: Language) -> Result<String, serde_json::Error> {
     let table = texts::table()?;
     Ok(fill(&with_texts(TEMPLATE, language), |token| match token {
+        "policy" => Some(engine::POLICY.to_owned()),
         "title" => Some(escaped(title)),
         "language" => Some(language.code().to_owned()),
         "languages" => Some(languages(language)),
         "style" => Some(STYLE.to_owned()),
         "data" => Some(embedded(data)),
         "texts" => Some(embedded(&table)),
+        "engine" => Some(engine::elements()),
         "script" => Some(script()),
         _ => None,
     }))
@@ -225,10 +230,10 @@ mod tests {
 
     #[test]
     fn each_token_occurs_once() {
-        for token in
-            ["{{title}}", "{{language}}", "{{languages}}", "{{style}}", "{{data}}", "{{texts}}", "{{script}}"]
-        {
-            assert_eq!(TEMPLATE.matches(token).count(), 1, "{token}");
+        let tokens =
+            ["policy", "title", "language", "languages", "style", "data", "texts", "engine", "script"];
+        for token in tokens.map(|token| format!("{{{{{token}}}}}")) {
+            assert_eq!(TEMPLATE.matches(&token).count(), 1, "{token}");
         }
     }
 

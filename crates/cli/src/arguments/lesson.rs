@@ -41,7 +41,7 @@ pub(crate) struct LessonArguments {
           value_parser = named(Language::ALL.map(|language| (language.code(), language))))]
     pub(crate) language: Language,
     /// The most readings that a page is written for: its size and the time for it grow with their square
-    #[arg(long, value_name = "N", default_value_t = MOST_READINGS, value_parser = value_parser!(u16).range(1..=2000),
+    #[arg(long, value_name = "N", default_value_t = MOST_READINGS, value_parser = value_parser!(u16).range(1..=i64::from(boundfit_lesson::MOST_ROWS_EVER)),
           help_heading = LIMITS)]
     pub(crate) max_readings: u16,
     #[command(flatten)]

@@ -1,7 +1,7 @@
 //! From options to what the libraries take.
 
 use boundfit_estimation::{
-    AskedBound, Columns, Condition, EpsilonColumn, Keep, LineForm, Measurements, Model, ParseBoundErrorKind,
+    AskedBound, Columns, Condition, EpsilonColumn, Keep, LineForm, Measurements, ParseBoundErrorKind,
     ParseConditionError, ParseConditionErrorKind, ParseTextError, Problem, TextProblem,
 };
 use boundfit_exact::{Foreign, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading, Work};
@@ -551,12 +551,8 @@ impl TableArguments {
 impl LabelArguments {
     /// The units of x, which two regressors share, and of y: those asked for, else those that the file states.
     pub(crate) fn units(&self, measurements: &Measurements) -> [Option<Foreign>; 2] {
-        let stated = |column| measurements.unit(column).cloned();
-        let (x, y) = match measurements.model() {
-            Model::Line { .. } => (stated(0), stated(1)),
-            Model::TwoRegressors { .. } => (stated(0).filter(|_| stated(0) == stated(1)), stated(2)),
-        };
-        [self.x_unit.clone().or(x), self.y_unit.clone().or(y)]
+        let [x, y] = measurements.plane_units();
+        [self.x_unit.clone().or(x.cloned()), self.y_unit.clone().or(y.cloned())]
     }
 }
 

@@ -208,10 +208,44 @@ interface QuestionData {
   show: ShowData | null;
 }
 
+/**
+ * What was asked: the options of docs/wasm.md with which the engine makes this document again from the page's readings as a table
+ * (`tableOf` of model/table.js).
+ */
+interface AskedData {
+  file: string;
+  title?: string;
+  x_unit?: string;
+  y_unit?: string;
+  x: string | string[];
+  /** Absent where readings have but bounds. */
+  y?: string;
+  eps?: string;
+  eps_column?: string;
+  lower?: string;
+  upper?: string;
+  where?: string[];
+  through_origin?: true;
+  x_origin?: Exact;
+  reading: "decimal" | "binary64";
+  max_readings?: number;
+  header: "yes";
+  delimiter: "comma";
+  decimal: "point";
+  comment: "none";
+  /** First and last of the numbers of all rows of the table that follow each other without a gap. */
+  row_numbers: number[][];
+  /** Likewise of those that are fitted. */
+  rows: number[][];
+}
+
 interface LessonData {
   schema: "boundfit/lesson/1";
   title: string;
   file: string;
+  asked: AskedData;
+  /** The names of the columns of that table. */
+  columns: string[];
   units: { x: string | null; y: string | null };
   model:
     | { kind: "line"; x: string; y: string }

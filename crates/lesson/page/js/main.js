@@ -39,6 +39,8 @@ import { connectWorstLines } from "./planes/worst-lines.js";
 import { fillIntroduction } from "./panels/introduction.js";
 import { kindText, switchedOff } from "./model/format.js";
 import { connectLanguage } from "./panels/language.js";
+import { engine } from "./engine.js";
+import { tableOf } from "./model/table.js";
 
 /** @type {Mode[]} */
 const MODES = ["explore", "clip", "epsilon", "leave-one-out", "worst-line"];
@@ -254,6 +256,8 @@ function start() {
     if (words !== null) byId("status").textContent = words;
   });
   draw();
+  // For the console of the browser, and for tests: `await boundfit.engine.ask("run", "x,y\n1,2\n", { x: "x", y: "y", eps: "1" })`.
+  Object.assign(globalThis, { boundfit: { engine, tableOf, store } });
   // Sizes are known only now, and change with the window.
   new ResizeObserver(draw).observe(byId("parameter-plane"));
 }

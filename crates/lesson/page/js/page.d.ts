@@ -9,6 +9,15 @@ type Pair = Rational[];
 /** Two numbers: coordinates in a frame, or pixels. */
 type Place = number[];
 
+/** The engine in the page. */
+interface Engine {
+  /**
+   * The answer, as JSON or as the text that the options ask for; an Error in the words of the program where table or options are
+   * wrong. `options` are those of docs/wasm.md.
+   */
+  ask(what: "lesson" | "run" | "polytope", table: string | Uint8Array, options: object): Promise<string>;
+}
+
 interface Reading {
   index: number;
   row: number;

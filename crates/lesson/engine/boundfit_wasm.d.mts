@@ -4,6 +4,17 @@
 export function __wbg_reset_state(): void;
 
 /**
+ * What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/1`. Of linear programs it has what the
+ * exact simplex answers.
+ *
+ * `table` and `options` are as in [`run`](fn@run).
+ *
+ * # Errors
+ * Throws an `Error` that says what is wrong with the options or the table, and where.
+ */
+export function lesson(table: Uint8Array | number[], options: string): string;
+
+/**
  * Fits readings, and answers as `boundfit fit` does: with the JSON document of schema `boundfit/fit/1`, with the report for people, or
  * with the proof.
  *
@@ -19,6 +30,7 @@ export type InitInput = RequestInfo | URL | Response | BufferSource | WebAssembl
 
 export interface InitOutput {
     readonly memory: WebAssembly.Memory;
+    readonly lesson: (a: number, b: number, c: number, d: number) => [number, number, number, number];
     readonly run: (a: number, b: number, c: number, d: number) => [number, number, number, number];
     readonly __wbindgen_externrefs: WebAssembly.Table;
     readonly __wbindgen_malloc: (a: number, b: number) => number;

@@ -2,7 +2,12 @@
 // The engine for JavaScript, in a browser, a Worker or Node: start it with the bytes of boundfit_wasm.wasm.gz, then
 // ask.
 
-import { __wbg_reset_state as startAnew, initSync, run as runOnce } from "./boundfit_wasm.mjs";
+import {
+  __wbg_reset_state as startAnew,
+  initSync,
+  lesson as lessonOnce,
+  run as runOnce,
+} from "./boundfit_wasm.mjs";
 
 /**
  * Unpacks the engine and starts it.
@@ -22,10 +27,26 @@ export const start = async (packed) => {
  * @param {object} options the options of `boundfit fit`, with `_` in the place of `-` (docs/wasm.md)
  * @returns {string}
  */
-export const run = (table, options) => {
+export const run = (table, options) => ask(runOnce, table, options);
+
+/**
+ * What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/1`, but for what float LP solvers
+ * answer. Throws as {@link run} does.
+ * @param {string | Uint8Array} table
+ * @param {object} options those of {@link run}, and of a lesson (docs/wasm.md)
+ * @returns {string}
+ */
+export const lesson = (table, options) => ask(lessonOnce, table, options);
+
+/**
+ * @param {(table: Uint8Array, options: string) => string} answer
+ * @param {string | Uint8Array} table
+ * @param {object} options
+ */
+const ask = (answer, table, options) => {
   const bytes = typeof table === "string" ? new TextEncoder().encode(table) : table;
   try {
-    return runOnce(bytes, JSON.stringify(options));
+    return answer(bytes, JSON.stringify(options));
   } catch (error) {
     if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) startAnew();
     throw error;

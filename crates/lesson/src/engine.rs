@@ -1,0 +1,62 @@
+//! The engine inside the page: the WebAssembly module of `wasm`, and the script that a Worker runs it with.
+//!
+//! The folder `engine` has both, so that this crate can be packaged; `wasm/build.sh` writes the module there.
+
+#[cfg(feature = "engine")]
+pub(crate) use with_engine::{POLICY, elements};
+#[cfg(not(feature = "engine"))]
+pub(crate) use without_engine::{POLICY, elements};
+
+#[cfg(feature = "engine")]
+mod with_engine {
+    use base64::Engine;
+    use base64::engine::general_purpose::STANDARD;
+
+    /// What the page may do besides: compile WebAssembly, and start Workers from a script of its own.
+    pub(crate) const POLICY: &str = " 'wasm-unsafe-eval'; worker-src blob:";
+
+    /// The module, packed by gzip.
+    const MODULE: &[u8] = include_bytes!("../engine/boundfit_wasm.wasm.gz");
+    /// What wasm-bindgen writes to go with the module.
+    const BINDINGS: &str = include_str!("../engine/boundfit_wasm.mjs");
+    /// What the Worker does with both; its imports are what stands before it in one script.
+    const WORKER: &str = include_str!("../engine/worker.mjs");
+
+    /// The elements with the module and the script of the Worker, which the page does not run itself.
+    pub(crate) fn elements() -> String {
+        let script: Vec<&str> =
+            BINDINGS.lines().chain(WORKER.lines()).filter(|line| !line.starts_with("import ")).collect();
+        format!(
+            "<script type=\"application/octet-stream;base64\" id=\"engine-module\">{}</script>\n\
+             <script type=\"text/plain\" id=\"engine-worker\">\n{}\n</script>\n",
+            STANDARD.encode(MODULE),
+            script.join("\n")
+        )
+    }
+
+    #[cfg(test)]
+    mod tests {
+        use super::*;
+
+        #[test]
+        fn nothing_of_the_engine_ends_the_element_that_it_is_in() {
+            for source in [BINDINGS, WORKER] {
+                assert!(!source.contains("</script") && !source.contains("<!--"));
+            }
+            let text = elements();
+            assert_eq!(text.matches("</script>").count(), 2);
+            assert!(!text.lines().any(|line| line.starts_with("import ")));
+        }
+    }
+}
+
+#[cfg(not(feature = "engine"))]
+mod without_engine {
+    /// The page computes nothing beyond its script.
+    pub(crate) const POLICY: &str = "";
+
+    /// There is none.
+    pub(crate) fn elements() -> String {
+        String::new()
+    }
+}
