@@ -24,14 +24,19 @@ mod with_engine {
 
     /// The elements with the module and the script of the Worker, which the page does not run itself.
     pub(crate) fn elements() -> String {
-        let script: Vec<&str> =
-            BINDINGS.lines().chain(WORKER.lines()).filter(|line| !line.starts_with("import ")).collect();
         format!(
             "<script type=\"application/octet-stream;base64\" id=\"engine-module\">{}</script>\n\
              <script type=\"text/plain\" id=\"engine-worker\">\n{}\n</script>\n",
             STANDARD.encode(MODULE),
-            script.join("\n")
+            script()
         )
+    }
+
+    /// Both scripts as one that is no module: browsers start no Worker from a module of a page that is a file.
+    fn script() -> String {
+        let lines = BINDINGS.lines().chain(WORKER.lines());
+        let joined = lines.filter(|line| !line.starts_with("import ") && !line.starts_with("export {"));
+        joined.map(|line| line.strip_prefix("export ").unwrap_or(line)).collect::<Vec<_>>().join("\n")
     }
 
     #[cfg(test)]
@@ -43,9 +48,13 @@ mod with_engine {
             for source in [BINDINGS, WORKER] {
                 assert!(!source.contains("</script") && !source.contains("<!--"));
             }
-            let text = elements();
-            assert_eq!(text.matches("</script>").count(), 2);
-            assert!(!text.lines().any(|line| line.starts_with("import ")));
+            assert_eq!(elements().matches("</script>").count(), 2);
+        }
+
+        #[test]
+        fn the_script_of_the_worker_is_no_module() {
+            assert!(!script().lines().any(|line| line.starts_with("import ") || line.starts_with("export ")));
+            assert!(!script().contains("import.meta"));
         }
     }
 }

@@ -32,7 +32,7 @@ function startEngine(packed, script) {
   /** @returns {Worker} */
   function started() {
     if (worker !== null) return worker;
-    const fresh = new Worker(address, { type: "module" });
+    const fresh = new Worker(address);
     fresh.onmessage = ({ data }) => {
       if (fresh !== worker) return;
       if (data.trapped) failed(`the engine stopped: ${data.error}`);
