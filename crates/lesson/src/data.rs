@@ -17,13 +17,16 @@ use crate::points::Points;
 use crate::questions::{Facts, Question, questions};
 use crate::readings::{self, ConditionJson, EpsilonJson, ModelJson, ReadingJson};
 use crate::sweep::sweep;
+use crate::texts::{Message, Value, say, text};
 use crate::{LessonError, LessonOptions};
 
-/// The document of schema `boundfit/lesson/1`. Texts from outside are in it as they are shown.
+/// The document of schema `boundfit/lesson/2`. Texts from outside are in it as they are shown.
 #[derive(Debug, Serialize)]
 pub(crate) struct LessonJson {
     schema: &'static str,
     title: String,
+    /// Whether the title was made of the file and the columns.
+    is_default_title: bool,
     file: String,
     asked: AskedJson,
     columns: Vec<String>,
@@ -81,11 +84,12 @@ pub(crate) fn build(
         asked(problem, reading, options, file.raw(), &readings::shown_others(measurements));
     let facts = Facts { problem, fit, styles, programs: &programs, without: &without };
     Ok(LessonJson {
-        schema: "boundfit/lesson/1",
-        title: options
-            .title
-            .as_ref()
-            .map_or_else(|| default_title(file, problem), |title| title.raw().to_owned()),
+        schema: "boundfit/lesson/2",
+        title: options.title.as_ref().map_or_else(
+            || say(&default_title(file, problem), options.language),
+            |title| title.raw().to_owned(),
+        ),
+        is_default_title: options.title.is_none(),
         file: file.to_string(),
         asked,
         columns,
@@ -118,12 +122,11 @@ fn file_name(file: &str) -> Foreign<&str> {
     Foreign::of(name)
 }
 
-fn default_title(file: Foreign<&str>, problem: &Problem) -> String {
+fn default_title(file: Foreign<&str>, problem: &Problem) -> Message {
     let y = problem.measurements.response();
-    match problem.measurements.model() {
-        Model::Line { x } => format!("{file}: {y} against {}", problem.measurements.line_form().abscissa(x)),
-        Model::TwoRegressors { regressors: [first, second] } => {
-            format!("{file}: {y} against {first} and {second}")
-        }
-    }
+    let x = match problem.measurements.model() {
+        Model::Line { x } => vec![problem.measurements.line_form().abscissa(x).to_string()],
+        Model::TwoRegressors { regressors } => regressors.iter().map(ToString::to_string).collect(),
+    };
+    text!("page.title", file: file.to_string(), y: y.to_string(), x: Value::listed(x))
 }

@@ -15,6 +15,7 @@ use serde::Serialize;
 use crate::leave_one_out::PARAMETERS;
 use crate::number::{STYLE, point, with_minus};
 use crate::points::Points;
+use crate::texts::{Message, Value, text};
 
 /// How many directions the set is looked at from.
 const DIRECTIONS: usize = 16;
@@ -91,7 +92,7 @@ struct ClaimJson {
     verdict: &'static str,
     claimed: Option<Number>,
     point: Option<[Number; 2]>,
-    reason: Option<String>,
+    reason: Option<Message>,
 }
 
 /// The layers as JSON. `reading` is that of the data.
@@ -148,50 +149,53 @@ fn claim(answer: &LpAnswer, end: PuiEnd, styles: &[Style; 2]) -> ClaimJson {
 }
 
 /// An error in proportion: `1.6e-16 of the width`. Rounded up.
-pub(crate) fn proportion((size, unit): (Rational, Option<ToleranceUnit>)) -> String {
-    let size = with_minus(&size.to_decimal(2, Rounding::Up));
-    match unit {
-        Some(ToleranceUnit::Width) => format!("{size} of the width"),
-        Some(ToleranceUnit::Value) => format!("{size} of its value"),
-        Some(ToleranceUnit::Epsilon) => format!("{size} of ε"),
-        None => size,
-    }
+pub(crate) fn proportion((size, unit): (Rational, Option<ToleranceUnit>)) -> Message {
+    let size = Value::number(with_minus(&size.to_decimal(2, Rounding::Up)));
+    let of = match unit {
+        Some(ToleranceUnit::Width) => "proportion.width",
+        Some(ToleranceUnit::Value) => "proportion.value",
+        Some(ToleranceUnit::Epsilon) => "proportion.epsilon",
+        None => "proportion.none",
+    };
+    text!(of, size: size)
+}
+
+/// The key of a verdict's name.
+pub(crate) fn verdict_key(verdict: Verdict) -> String {
+    format!("verdict.{}", verdict.name().replace(' ', "-"))
 }
 
 /// Why a claim is not simply right, in a sentence, proportion first.
-pub(crate) fn reason(judgement: &Judgement) -> Option<String> {
-    let size = || judgement.error().map(proportion).unwrap_or_default();
+pub(crate) fn reason(judgement: &Judgement) -> Option<Message> {
+    let sized = |key: &str| judgement.error().map(|error| text!(key, size: proportion(error)));
     let is_inside = judgement.excess.as_ref().is_some_and(Rational::is_negative);
-    let direction = if is_inside { "cuts off" } else { "is too wide by" };
-    let outside = || match &judgement.violation {
-        Some(violation) => {
-            format!(
-                "Its point violates a bound by {}.",
-                with_minus(&violation.by.to_decimal(2, Rounding::Up))
-            )
-        }
-        None => String::new(),
-    };
+    let by = |violated: &Rational| Value::number(with_minus(&violated.to_decimal(2, Rounding::Up)));
     match judgement.verdict {
         Verdict::Exact => None,
-        Verdict::Rounded => Some(format!("It is right to {}, which is rounding.", size())),
-        Verdict::WithinTolerance => Some(format!("It {direction} {}, which is little.", size())),
-        Verdict::Loose => Some(format!("It {direction} {}.", size())),
-        Verdict::NoAnswer => judgement.reason.as_ref().map(|reason| format!("It gave none: {reason}.")),
-        Verdict::InfeasiblePoint => Some(outside()),
-        Verdict::Unsafe => Some(format!("It cuts off feasible parameters, by {}.", size())),
-        Verdict::InvertedInterval => Some("The lower end is above the upper end.".to_owned()),
+        Verdict::Rounded => sized("claim.rounded"),
+        Verdict::WithinTolerance => {
+            sized(if is_inside { "claim.little-inside" } else { "claim.little-outside" })
+        }
+        Verdict::Loose => sized(if is_inside { "claim.inside" } else { "claim.outside" }),
+        Verdict::NoAnswer => {
+            judgement.reason.as_ref().map(|reason| text!("claim.none", reason: reason.to_string()))
+        }
+        Verdict::InfeasiblePoint => Some(match &judgement.violation {
+            Some(violation) => text!("claim.infeasible-by", size: by(&violation.by)),
+            None => text!("claim.infeasible"),
+        }),
+        Verdict::Unsafe => sized("claim.unsafe"),
+        Verdict::InvertedInterval => Some(text!("claim.inverted")),
         Verdict::WrongStatus => Some(wrong_status(judgement)),
     }
 }
 
-fn wrong_status(judgement: &Judgement) -> String {
-    let truth = match &judgement.proof {
-        Some(Refutation::Infeasible(_)) => "the set is empty",
-        Some(Refutation::FeasiblePoint(_)) => "the set is not empty",
-        Some(Refutation::Bound(_)) => "the parameter is bounded on this side",
-        Some(Refutation::Ray { .. }) => "the parameter is not bounded on this side",
-        None => "that is not so",
-    };
-    format!("In truth {truth}.")
+fn wrong_status(judgement: &Judgement) -> Message {
+    text!(match &judgement.proof {
+        Some(Refutation::Infeasible(_)) => "claim.in-truth-empty",
+        Some(Refutation::FeasiblePoint(_)) => "claim.in-truth-not-empty",
+        Some(Refutation::Bound(_)) => "claim.in-truth-bounded",
+        Some(Refutation::Ray { .. }) => "claim.in-truth-unbounded",
+        None => "claim.in-truth-not",
+    })
 }

@@ -11,12 +11,13 @@ use serde::Serialize;
 use crate::number::STYLE;
 use crate::points::Points;
 use crate::region::IndexedRegion;
+use crate::texts::{Message, text};
 
 #[derive(Debug, Serialize)]
 pub(crate) struct OrderJson {
     id: &'static str,
-    name: &'static str,
-    note: String,
+    name: Message,
+    note: Message,
     steps: Vec<StepJson>,
 }
 
@@ -48,26 +49,25 @@ struct MultiplierJson {
 pub(crate) fn orders(problem: &Problem, fit: &Fit, points: &mut Points) -> Vec<OrderJson> {
     let system = fit.fps.polyhedron().system();
     let given: Vec<usize> = (0..system.len()).collect();
-    let then = if problem.conditions.is_empty() { "" } else { "; the conditions come last" };
-    let given_note = format!("In the order of the file, each reading with its upper bound first{then}.");
+    let given_note = text!("order.given-note", conditions: problem.conditions.len());
     let (worst, worst_note) = worst_first(fit);
     vec![
-        order("given", "as given", given_note, system, &given, points),
-        order("slope", "by slope", by_slope_note(problem), system, &by_slope(system), points),
-        order("worst", "worst first", worst_note, system, &worst, points),
+        order("given", text!("order.given"), given_note, system, &given, points),
+        order("slope", text!("order.slope"), by_slope_note(problem), system, &by_slope(system), points),
+        order("worst", text!("order.worst"), worst_note, system, &worst, points),
     ]
 }
 
 fn order(
     id: &'static str,
-    name: &'static str,
-    note: String,
+    name: Message,
+    note: Message,
     system: &System,
     indices: &[usize],
     points: &mut Points,
 ) -> OrderJson {
     let steps = steps(system, indices);
-    let note = format!("{note} {}", outcome(&steps));
+    let note = text!("order.note", note: note, outcome: outcome(&steps));
     OrderJson { id, name, note, steps: steps.iter().map(|step| step_json(step, points)).collect() }
 }
 
@@ -81,47 +81,37 @@ fn by_slope(system: &System) -> Vec<usize> {
     indices
 }
 
-fn by_slope_note(problem: &Problem) -> String {
+fn by_slope_note(problem: &Problem) -> Message {
     match problem.measurements.model() {
-        Model::Line { x } => format!(
-            "By the direction of the boundaries: all upper bounds from the largest {x} to the smallest, then all lower bounds."
-        ),
-        Model::TwoRegressors { .. } => "By the direction of the boundaries, counter-clockwise.".to_owned(),
+        Model::Line { x } => text!("order.slope-note", x: x.to_string()),
+        Model::TwoRegressors { .. } => text!("order.slope-note-two"),
     }
 }
 
 /// Half-planes by their slack at an estimate, the most violated first, ties by index.
-fn worst_first(fit: &Fit) -> (Vec<usize>, String) {
+fn worst_first(fit: &Fit) -> (Vec<usize>, Message) {
     let inequalities = fit.fps.polyhedron().system().inequalities();
     let mut indices: Vec<usize> = (0..inequalities.len()).collect();
-    let least_squares = fit.least_squares.as_ref().ok().map(|estimate| (&estimate.theta, "least-squares"));
-    let minimax = fit.minimax.as_ref().map(|minimax| (&minimax.theta, "minimax"));
-    let Some((theta, name)) = least_squares.or(minimax) else {
-        return (indices, "There is no estimate to start from, so this is the order of the file.".to_owned());
+    let least_squares =
+        fit.least_squares.as_ref().ok().map(|estimate| (&estimate.theta, "order.worst-squares"));
+    let minimax = fit.minimax.as_ref().map(|minimax| (&minimax.theta, "order.worst-minimax"));
+    let Some((theta, note)) = least_squares.or(minimax) else {
+        return (indices, text!("order.worst-none"));
     };
     let slacks: Vec<Rational> = inequalities.iter().map(|inequality| inequality.slack(theta)).collect();
     indices.sort_by(|&one, &other| slacks[one].cmp(&slacks[other]));
-    (
-        indices,
-        format!(
-            "The half-planes that the {name} estimate violates most, or keeps most narrowly, come first."
-        ),
-    )
+    (indices, text!(note))
 }
 
 /// When the region is final.
-fn outcome(steps: &[Step]) -> String {
+fn outcome(steps: &[Step]) -> Message {
     let count = steps.len();
     let last = steps.iter().rposition(|step| step.redundant.is_none()).map(|position| position + 1);
     match (last, steps.last().map(|step| &step.after)) {
-        (Some(last), Some(Region::Empty(_))) => {
-            format!("Nothing is left after step {last} of {count}.")
-        }
-        (Some(last), _) if last == count => {
-            format!("The set has its final shape only after the last of {count} steps.")
-        }
-        (Some(last), _) => format!("The set has its final shape after step {last} of {count}."),
-        (None, _) => "No step cuts anything off.".to_owned(),
+        (Some(last), Some(Region::Empty(_))) => text!("order.empty", last: last, count: count),
+        (Some(last), _) if last == count => text!("order.last", count: count),
+        (Some(last), _) => text!("order.final", last: last, count: count),
+        (None, _) => text!("order.nothing"),
     }
 }
 

@@ -6,7 +6,7 @@ use boundfit_estimation::{
 use boundfit_exact::{Rational, Reading};
 use boundfit_formats::{ColumnSelector, RowRange, Source, TableOptions};
 use boundfit_geometry::{Direction, HalfPlane, Inequality, Point, RegionKind, System};
-use boundfit_lesson::{LessonOptions, lesson_data};
+use boundfit_lesson::{Language, LessonOptions, lesson_data, said};
 use boundfit_tests::generate::seeded;
 use boundfit_tests::lp_cases::hard_cases;
 use boundfit_tests::program::root;
@@ -32,7 +32,7 @@ impl Lesson {
     pub fn of(name: &str, problem: Problem) -> Self {
         let fit = fit(&problem);
         let data = lesson_data(&problem, &fit, Reading::Decimal, &LessonOptions::default()).unwrap();
-        Lesson { name: name.to_owned(), problem, fit, data }
+        Lesson { name: name.to_owned(), problem, fit, data: in_english(data) }
     }
 
     /// The same under further conditions.
@@ -82,6 +82,18 @@ impl Lesson {
             lines: items(&region["lines"]).map(direction).collect(),
             boundaries: items(&region["boundaries"]).map(boundary).collect(),
         }
+    }
+}
+
+/// A document with the English texts in place of their keys.
+fn in_english(data: Value) -> Value {
+    match data {
+        Value::Object(fields) if fields.get("text").is_some() && !fields.contains_key("number") => {
+            said(&Value::Object(fields), Language::English).into()
+        }
+        Value::Object(fields) => fields.into_iter().map(|(key, value)| (key, in_english(value))).collect(),
+        Value::Array(items) => items.into_iter().map(in_english).collect(),
+        other => other,
     }
 }
 

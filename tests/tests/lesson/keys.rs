@@ -15,9 +15,9 @@ use crate::document::{Lesson, count, fixtures, generated, items, steam_generator
 use boundfit_tests::cli::numbers::{exact, pair, rational};
 use boundfit_tests::cli::schema::check_schema;
 
-/// What schema `boundfit/lesson/1` promises; the fit has a schema of its own.
+/// What schema `boundfit/lesson/2` promises; the fit has a schema of its own.
 const LESSON: &str = r#"{
-  "schema": "text", "title": "text", "file": "text", "units": {"x?": "text", "y?": "text"},
+  "schema": "text", "title": "text", "is_default_title": "flag", "file": "text", "units": {"x?": "text", "y?": "text"},
   "model": {"kind": "text", "y": "text"},
   "epsilon": {"uniform?": "number", "column?": "text"},
   "reading": "text",
@@ -58,7 +58,7 @@ const LESSON: &str = r#"{
 fn every_promised_key_is_there_with_its_type() {
     for lesson in fixtures().into_iter().chain(generated(1, 60)).chain(with_intervals(7, 30)) {
         check_schema(&lesson.data, LESSON);
-        assert_eq!(lesson.data["schema"], "boundfit/lesson/1");
+        assert_eq!(lesson.data["schema"], "boundfit/lesson/2");
     }
 }
 

@@ -1,50 +1,29 @@
 //! The set beside boxes, hulls and what solvers say.
 
-use boundfit_exact::english::{counted_in_words, in_words, listed};
 use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::RegionKind;
 use boundfit_lp::{Judgement, PuiEnd, ToleranceUnit, Verdict};
 
-use super::wording::{THETA, size};
+use super::wording::{THETA, sentences, size};
 use super::{Facts, Question, Show};
-use crate::layers::{LpAnswer, proportion, reason};
+use crate::layers::{LpAnswer, proportion, reason, verdict_key};
+use crate::texts::{Message, Value, text};
 
 /// How much of the PUI box is feasible?
 pub(super) fn box_full(facts: &Facts<'_>) -> Option<Question> {
-    let region = facts.region();
-    let answer = match (region.kind(), facts.fit.tightness()) {
-        (RegionKind::Point, _) => "All of it: the set is a single point, and so is its box.".to_owned(),
-        (RegionKind::Segment, None) => {
-            "All of it: the set is a segment along an axis, and so is its box.".to_owned()
-        }
-        (RegionKind::Segment, Some(_)) => {
-            "None of its area: the set is a segment, a diagonal of the box.".to_owned()
-        }
-        (RegionKind::Polygon, Some(tightness)) if tightness == Rational::one() => {
-            "All of it: the set is a rectangle along the axes.".to_owned()
-        }
+    let answer = match (facts.region().kind(), facts.fit.tightness()) {
+        (RegionKind::Point, _) => text!("q.box.point"),
+        (RegionKind::Segment, None) => text!("q.box.along"),
+        (RegionKind::Segment, Some(_)) => text!("q.box.diagonal"),
+        (RegionKind::Polygon, Some(tightness)) if tightness == Rational::one() => text!("q.box.rectangle"),
         (RegionKind::Polygon, Some(tightness)) => {
-            let who = if facts.problem.conditions.is_empty() {
-                "some reading"
-            } else {
-                "some reading or condition"
-            };
-            format!(
-                "{} % of its area; the rest are parameter pairs that {who} rules out, although each parameter alone \
-                 lies within its interval. The box tells how far each parameter can go, not which pairs go together.",
-                size(&(tightness * Rational::from(100)), Rounding::Down)
-            )
+            let share = size(&(tightness * Rational::from(100)), Rounding::Down);
+            text!("q.box.part", share: share, conditions: facts.problem.conditions.len())
         }
         _ => return None,
     };
-    let question =
-        "The box of both parameter intervals (PUI) contains the set. How much of the box is feasible?";
-    Some(Question {
-        id: "box-full",
-        question: question.to_owned(),
-        answer,
-        show: Some(Show::Layer { layer: "pui" }),
-    })
+    let show = Some(Show::Layer { layer: "pui" });
+    Some(Question { id: "box-full", question: text!("q.box.question"), answer, show })
 }
 
 /// Is the hull of the optimisers an inner or an outer approximation?
@@ -59,38 +38,25 @@ pub(super) fn inner_or_outer(facts: &Facts<'_>) -> Option<Question> {
     let exact = facts.region().area()?;
     // Every optimiser is a vertex of the set, and so of the hull.
     let optimisers = inner.vertices.len();
-    let [area_of_hull, area_of_set] = [inner_area, &exact].map(|area| size(area, Rounding::Nearest));
+    let areas = [inner_area, &exact].map(|area| size(area, Rounding::Nearest));
+    let is_little = areas[0] == areas[1];
+    let [area_of_hull, area_of_set] = areas;
     let hull = if *inner_area == exact {
-        format!(
-            "Here the {} optimisers are all the vertices, so that the hull is the set itself, with area {area_of_set}.",
-            in_words(optimisers)
-        )
+        text!("q.hull.whole", optimisers: optimisers, area: area_of_set)
     } else if inner_area.is_zero() {
-        format!(
-            "Here it is only the segment between two of them, without area; the set has area {area_of_set}."
-        )
-    } else if area_of_hull == area_of_set {
-        format!("Here it has a little less area than the set, which has {area_of_set}.")
+        text!("q.hull.segment", area: area_of_set)
+    } else if is_little {
+        text!("q.hull.little", area: area_of_set)
     } else {
-        format!("Here it has area {area_of_hull}, the set {area_of_set}.")
+        text!("q.hull.part", hull: area_of_hull, area: area_of_set)
     };
-    let outer_text = if *outer == exact {
-        "here that, too, is the set itself".to_owned()
+    let outer = if *outer == exact {
+        text!("q.hull.outer-whole", count: found.count)
     } else {
-        format!("its area is {}", size(outer, Rounding::Up))
+        text!("q.hull.outer-part", count: found.count, area: size(outer, Rounding::Up))
     };
-    let answer = format!(
-        "An inner one. Each optimiser is a point of the set, and a convex set contains the hull of any of its points. \
-         {hull} An outer approximation is the intersection of the {} half-planes behind the optimal values; \
-         {outer_text}.",
-        found.count
-    );
-    let question = format!(
-        "{} linear programs, one for each of as many directions, end in {}. Is the hull of these points an inner or an \
-         outer approximation of the set?",
-        found.count,
-        counted_in_words(optimisers, "optimiser", "different optimisers")
-    );
+    let answer = sentences([text!("q.hull.inner"), hull, outer]);
+    let question = text!("q.hull.question", count: found.count, optimisers: optimisers);
     Some(Question { id: "inner-or-outer", question, answer, show: Some(Show::Layer { layer: "directions" }) })
 }
 
@@ -100,54 +66,54 @@ pub(super) fn solvers(facts: &Facts<'_>) -> Option<Question> {
     if floating.is_empty() {
         return None;
     }
-    let found: Vec<String> =
-        floating.iter().map(|answer| format!("{}: {}.", answer.source, finding(facts, answer))).collect();
-    let who = match floating.as_slice() {
-        [only] => format!("the linear-programming solver {}", only.source),
-        _ => "the linear-programming solvers".to_owned(),
-    };
-    let question = if facts.region().is_empty() {
-        format!("Did {who} find out that the set is empty?")
-    } else {
-        format!("Did {who} get the ends of both intervals right?")
-    };
-    let answer = format!("Judged against the exact answer. {}", found.join(" "));
-    Some(Question { id: "solvers-right", question, answer, show: Some(Show::Layer { layer: "lp" }) })
+    let found = floating
+        .iter()
+        .map(|answer| text!("q.solvers.of", name: &*answer.source, finding: finding(facts, answer)));
+    let asked = if facts.region().is_empty() { "q.solvers.question-empty" } else { "q.solvers.question" };
+    let names = Value::listed(floating.iter().map(|answer| answer.source.as_str()));
+    let answer = sentences([text!("q.solvers.judged")].into_iter().chain(found));
+    let show = Some(Show::Layer { layer: "lp" });
+    Some(Question { id: "solvers-right", question: text!(asked, names: names), answer, show })
 }
 
-fn finding(facts: &Facts<'_>, answer: &LpAnswer) -> String {
+fn finding(facts: &Facts<'_>, answer: &LpAnswer) -> Message {
     let judgements = answer.judgements.iter().flatten();
     let worst = judgements.map(|judgement| judgement.verdict).max().unwrap_or(Verdict::NoAnswer);
+    let right = || largest_error(answer, worst).map_or_else(|| text!("q.solvers.all"), right_to);
     match worst {
-        Verdict::Exact if facts.region().is_empty() => "yes, it finds no feasible point".to_owned(),
-        Verdict::Exact => format!("yes, {}", four_ends(facts)),
-        Verdict::Rounded => format!("yes, all four ends, {}, which is rounding", right_to(answer, worst)),
-        Verdict::WithinTolerance => {
-            format!("yes, all four ends, {}; the tolerance is one millionth", right_to(answer, worst))
-        }
-        verdict => {
-            let of_worst = |end: &PuiEnd| end.of(&answer.judgements).verdict == verdict;
-            let name = |end: PuiEnd| format!("the {} end of {}", end.end().name(), THETA[end.axis()]);
-            let ends: Vec<String> = PuiEnd::ALL.into_iter().filter(of_worst).map(name).collect();
-            let word = if verdict == Verdict::NoAnswer { "not quite" } else { "no" };
-            let ends =
-                if ends.len() == PuiEnd::ALL.len() { "all four ends".to_owned() } else { listed(&ends) };
-            let off = match verdict {
-                Verdict::Loose | Verdict::Unsafe => largest_error(answer, verdict)
-                    .map(|error| format!("off by {}: ", proportion(error)))
-                    .unwrap_or_default(),
-                _ => String::new(),
-            };
-            let why = common_reason(answer, verdict).map(|reason| format!(". {reason}")).unwrap_or_default();
-            let why = why.trim_end_matches('.');
-            format!("{word}, {off}the verdict on {ends} is “{}”{why}", verdict.name())
-        }
+        Verdict::Exact if facts.region().is_empty() => text!("q.solvers.finds-empty"),
+        Verdict::Exact => text!("q.solvers.exact", ends: four_ends(facts)),
+        Verdict::Rounded => text!("q.solvers.rounded", ends: right()),
+        Verdict::WithinTolerance => text!("q.solvers.within", ends: right()),
+        verdict => verdict_on(answer, verdict),
     }
 }
 
-/// How nearly right the ends with this verdict are, in proportion.
-fn right_to(answer: &LpAnswer, verdict: Verdict) -> String {
-    largest_error(answer, verdict).map(|error| format!("right to {}", proportion(error))).unwrap_or_default()
+/// What is wrong with an answer, at which ends.
+fn verdict_on(answer: &LpAnswer, verdict: Verdict) -> Message {
+    let of_worst = |end: &PuiEnd| end.of(&answer.judgements).verdict == verdict;
+    let named = |end: PuiEnd| text!(&format!("end.{}", end.end().name()), theta: THETA[end.axis()]);
+    let ends: Vec<Message> = PuiEnd::ALL.into_iter().filter(of_worst).map(named).collect();
+    let ends: Value =
+        if ends.len() == PuiEnd::ALL.len() { text!("q.solvers.all").into() } else { Value::listed(ends) };
+    let off = match verdict {
+        Verdict::Loose | Verdict::Unsafe => largest_error(answer, verdict),
+        _ => None,
+    };
+    let found = match (verdict, off) {
+        (Verdict::NoAnswer, _) => text!("q.solvers.no-answer"),
+        (_, Some(error)) => text!("q.solvers.off", size: proportion(error)),
+        (_, None) => text!("q.solvers.wrong"),
+    };
+    let verdict_name = text!(&verdict_key(verdict));
+    let mut said = vec![found.with("ends", ends).with("verdict", verdict_name)];
+    said.extend(common_reason(answer, verdict));
+    sentences(said)
+}
+
+/// How nearly right all ends are, in proportion.
+fn right_to(error: (Rational, Option<ToleranceUnit>)) -> Message {
+    text!("q.solvers.right-to", size: proportion(error))
 }
 
 /// The largest error of the ends with this verdict.
@@ -157,7 +123,7 @@ fn largest_error(answer: &LpAnswer, verdict: Verdict) -> Option<(Rational, Optio
 }
 
 /// The ends of both intervals, of which some may be infinite.
-fn four_ends(facts: &Facts<'_>) -> &'static str {
+fn four_ends(facts: &Facts<'_>) -> Message {
     let bounded = facts.fit.pui_intervals().map_or(0, |pui| {
         pui.iter()
             .flat_map(|range| [range.lower(), range.upper()])
@@ -165,14 +131,14 @@ fn four_ends(facts: &Facts<'_>) -> &'static str {
             .count()
     });
     match bounded {
-        0 => "neither interval has an end",
-        4 => "all four ends",
-        _ => "all four ends, with those that are infinite",
+        0 => text!("q.solvers.no-ends"),
+        4 => text!("q.solvers.all"),
+        _ => text!("q.solvers.all-infinite"),
     }
 }
 
 /// What is said about every end with a verdict, if that is one and the same thing.
-fn common_reason(answer: &LpAnswer, verdict: Verdict) -> Option<String> {
+fn common_reason(answer: &LpAnswer, verdict: Verdict) -> Option<Message> {
     let with_verdict = answer.judgements.iter().flatten().filter(|judgement| judgement.verdict == verdict);
     let mut reasons = with_verdict.map(reason);
     let first = reasons.next()?;

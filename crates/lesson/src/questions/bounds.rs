@@ -1,15 +1,17 @@
 //! What fixes the ends of the intervals, and what proves that a set is empty or shows that it goes on for ever.
 
 use boundfit_estimation::{BoundName, ParameterBound, ParameterInterval};
-use boundfit_exact::english::{counted_in_words, listed, sentence};
 use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::{BoundProof, Direction, Multiplier, Region, RegionKind, UnboundedProof};
 use boundfit_lp::End;
 
-use super::wording::{THETA, clash, combination, described, every_bound, never, owners, pair, value};
+use super::wording::{
+    THETA, clash, combination, described, every_bound, never, owners, pair, sentences, value,
+};
 use super::{Facts, Question, Show};
 use crate::half_planes::contradiction as contradiction_of;
 use crate::number::DIGITS;
+use crate::texts::{Message, Value, text};
 
 /// Why is there no feasible line?
 pub(super) fn contradiction(facts: &Facts<'_>) -> Option<Question> {
@@ -20,42 +22,34 @@ pub(super) fn contradiction(facts: &Facts<'_>) -> Option<Question> {
     let answer = match terms.as_slice() {
         [(name, _)] => {
             let says = value(&facts.inequality(*name)?.b, DIGITS, Rounding::Up);
-            format!(
-                "{} can never hold: it says 0 ≤ {says}, whatever θ is.",
-                sentence(&never(*name, facts.problem))
-            )
+            text!("q.empty.alone", what: never(*name, facts.problem), number: says)
         }
-        _ => format!(
-            "{}. As inequalities in θ, {} add up to 0 ≤ {sum}, which is false for every θ.",
-            sentence(&contradicting(&terms, facts)),
-            combination(&terms, facts.problem)
-        ),
+        _ => {
+            let added = text!("q.empty.sum", combination: combination(&terms, facts.problem), number: sum);
+            sentences([contradicting(&terms, facts), added])
+        }
     };
     let row = terms.iter().find_map(|(name, _)| name.row());
-    let noun = if facts.is_line() { "line" } else { "parameter pair" };
+    let question = if facts.is_line() { "q.empty.question-line" } else { "q.empty.question-pair" };
     Some(Question {
         id: "why-empty",
-        question: format!("Why is no {noun} feasible?"),
+        question: text!(question),
         answer,
         show: row.map(|row| Show::Row { row }),
     })
 }
 
-/// `three bounds contradict each other`, of several half-planes.
-fn contradicting(terms: &[(BoundName, Rational)], facts: &Facts<'_>) -> String {
+/// `Three bounds contradict each other.`, of several half-planes.
+fn contradicting(terms: &[(BoundName, Rational)], facts: &Facts<'_>) -> Message {
     let bounds = terms.iter().filter(|(name, _)| name.row().is_some()).count();
     let conditions = terms.len() - bounds;
-    let bounds_text = counted_in_words(bounds, "bound", "bounds");
     match (bounds, conditions) {
         (0, _) => {
             let names: Vec<BoundName> = terms.iter().map(|(name, _)| *name).collect();
-            format!("{}, whatever the readings are", clash(&names, facts.problem))
+            text!("q.empty.whatever", clash: clash(&names, facts.problem))
         }
-        (_, 0) => format!("{bounds_text} contradict each other"),
-        _ => format!(
-            "{bounds_text} and {} contradict each other",
-            counted_in_words(conditions, "condition", "conditions")
-        ),
+        (_, 0) => text!("q.empty.bounds", bounds: bounds),
+        _ => text!("q.empty.both", bounds: bounds, conditions: conditions),
     }
 }
 
@@ -68,20 +62,16 @@ pub(super) fn upper_end(facts: &Facts<'_>) -> Option<Question> {
         }
         ParameterBound::Unbounded(proof) => Question {
             id: "upper-end-theta1",
-            question: "How large can θ₁ be?".to_owned(),
+            question: text!("q.end.how-large"),
             answer: unbounded(proof),
             show: None,
         },
     })
 }
 
-fn unbounded(proof: &UnboundedProof) -> String {
-    format!(
-        "As large as you like. From the feasible point {} one can go on for ever in the direction {} without \
-         leaving the set, and θ₁ grows all the way.",
-        pair(&proof.point.coordinates()),
-        direction(&proof.ray)
-    )
+fn unbounded(proof: &UnboundedProof) -> Message {
+    let point = pair(&proof.point.coordinates());
+    text!("q.end.unbounded", point: point, direction: direction(&proof.ray))
 }
 
 /// Where the upper end of θ₁ is not bounded, what fixes the first end that is.
@@ -116,52 +106,54 @@ fn end(
     let named = |m: &Multiplier| (facts.fit.fps.name(m.index), m.value.clone());
     let terms: Vec<(BoundName, Rational)> = proof.multipliers.iter().map(named).collect();
     let (owners, _) = owners(terms.iter().map(|(name, _)| *name), facts.problem);
-    let (extreme, relation, beyond, rounding) = match end {
-        End::Lower => ("smallest", "≥", "smaller", Rounding::Down),
-        End::Upper => ("largest", "≤", "larger", Rounding::Up),
+    let (largest, answer, relation, rounding) = match end {
+        End::Lower => ("q.end.smallest", "q.end.answer-lower", "≥", Rounding::Down),
+        End::Upper => ("q.end.largest", "q.end.answer-upper", "≤", Rounding::Up),
     };
     let theta = THETA[axis];
-    let what = value(end_value, facts.styles[axis].significant(), rounding);
-    let proof_text = match terms.as_slice() {
-        [(_, times)] if *times == Rational::one() => format!("It says that {theta} {relation} {what}"),
-        [_] => format!("{} is {theta} {relation} {what}", sentence(&combination(&terms, facts.problem))),
-        _ => format!("{} gives {theta} {relation} {what}", sentence(&combination(&terms, facts.problem))),
+    let proved = match terms.as_slice() {
+        [(_, times)] if *times == Rational::one() => "q.end.says",
+        [_] => "q.end.is",
+        _ => "q.end.gives",
     };
+    let proved = text!(
+        proved,
+        combination: combination(&terms, facts.problem),
+        theta: theta,
+        relation: relation,
+        value: value(end_value, facts.styles[axis].significant(), rounding)
+    );
     let vertices = facts.region().vertices();
     let vertex = vertices.iter().position(|vertex| *vertex.point() == proof.attained_at);
     let show = vertex.map(|index| Show::Vertex { index });
     let attained = match vertex {
-        Some(_) if facts.region().kind() == RegionKind::Point => {
-            ", and the only feasible parameter pair attains it"
-        }
-        Some(_) if facts.region().kind() == RegionKind::Segment => ", and an end of the segment attains it",
-        Some(_) => ", and a vertex of the set attains it",
-        None => ", and there are feasible parameters that attain it",
+        Some(_) if facts.region().kind() == RegionKind::Point => "q.end.by-point",
+        Some(_) if facts.region().kind() == RegionKind::Segment => "q.end.by-segment",
+        Some(_) => "q.end.by-vertex",
+        None => "q.end.by-some",
     };
+    let answer = text!(answer, owners: owners, proof: proved, theta: theta, attained: text!(attained));
     let is_only_one =
         facts.fit.pui_intervals().and_then(|pui| pui[axis].width()).is_some_and(|w| w.is_zero());
-    let only = if is_only_one { format!(" No other {theta} is feasible.") } else { String::new() };
+    let only = is_only_one.then(|| text!("q.end.only", theta: theta));
     Question {
         id,
-        question: format!("{} the {extreme} feasible {theta}?", who_fixes(&terms)),
-        answer: format!(
-            "{}. {proof_text}, so that no feasible {theta} is {beyond}{attained}.{only}",
-            sentence(&owners)
-        ),
+        question: text!(who_fixes(&terms), what: text!(largest, theta: theta)),
+        answer: sentences([Some(answer), only].into_iter().flatten()),
         show: show.or_else(|| terms.iter().find_map(|(name, _)| name.row()).map(|row| Show::Row { row })),
     }
 }
 
-/// The start of a question about who fixes something.
+/// The question about who fixes something.
 fn who_fixes(terms: &[(BoundName, Rational)]) -> &'static str {
     let readings = terms.iter().filter(|(name, _)| name.row().is_some()).count();
     match (readings, terms.len() - readings) {
-        (1, 0) => "Which reading fixes",
-        (2, 0) => "Which two readings fix",
-        (0, 1) => "Which condition fixes",
-        (0, 2) => "Which two conditions fix",
-        (1, 1) => "Which reading and which condition fix",
-        _ => "What fixes",
+        (1, 0) => "q.end.who-reading",
+        (2, 0) => "q.end.who-readings",
+        (0, 1) => "q.end.who-condition",
+        (0, 2) => "q.end.who-conditions",
+        (1, 1) => "q.end.who-both",
+        _ => "q.end.who-any",
     }
 }
 
@@ -172,35 +164,31 @@ pub(super) fn recession(facts: &Facts<'_>) -> Option<Question> {
         return None;
     }
     let answer = if region.kind() == RegionKind::Plane {
-        format!(
-            "In every direction: {} holds for every θ, so that the set is the whole plane.",
-            every_bound(facts.problem)
-        )
+        text!("q.recession.plane", bounds: every_bound(facts.problem))
     } else {
         let phi = if facts.is_line() { "φ = (x, 1)" } else { "φ" };
-        format!(
-            "It is {}, and it goes on for ever {}. A further reading with regressors {phi} stops a direction d as soon as \
-             φ·d is not 0.",
-            described(region),
-            ways(region)
-        )
+        text!("q.recession.answer", set: described(region), ways: ways(region), phi: phi)
     };
-    let question = "In which directions does the feasible parameter set go on for ever?".to_owned();
-    Some(Question { id: "directions-without-end", question, answer, show: None })
+    Some(Question {
+        id: "directions-without-end",
+        question: text!("q.recession.question"),
+        answer,
+        show: None,
+    })
 }
 
 /// The directions in which an unbounded set goes on, other than the plane.
-fn ways(region: &Region) -> String {
-    let rays: Vec<String> = region.rays().iter().map(direction).collect();
-    let lines: Vec<String> = region.lines().iter().map(direction).collect();
+fn ways(region: &Region) -> Message {
+    let rays: Vec<Message> = region.rays().iter().map(direction).collect();
+    let lines: Vec<Message> = region.lines().iter().map(direction).collect();
     match (rays.as_slice(), lines.as_slice()) {
-        ([from, to], _) => format!("along {from}, along {to} and in every direction between the two"),
-        ([ray], [line]) => format!("to both sides along {line} and in every direction on the side of {ray}"),
-        (_, [line]) => format!("to both sides along {line}"),
-        _ => format!("along {}", listed(&rays)),
+        ([from, to], _) => text!("q.recession.between", from: from.clone(), to: to.clone()),
+        ([ray], [line]) => text!("q.recession.half-plane", line: line.clone(), ray: ray.clone()),
+        (_, [line]) => text!("q.recession.line", line: line.clone()),
+        _ => text!("q.recession.along", rays: Value::listed(rays)),
     }
 }
 
-fn direction(direction: &Direction) -> String {
+fn direction(direction: &Direction) -> Message {
     pair(&[direction.dx(), direction.dy()].map(Rational::from))
 }

@@ -1,34 +1,27 @@
 //! The least-squares and the central estimate.
 
 use boundfit_estimation::BoundName;
-use boundfit_exact::english::in_words;
 use boundfit_exact::{Rational, Rounding};
 
-use super::wording::{THETA, all_bounds, bound, bounds, every_bound, size, value};
+use super::wording::{bound, bounds, every_bound, sentences, size, value};
 use super::{Facts, Question, Show};
 use crate::number::DIGITS;
+use crate::texts::{Message, text};
 
 /// Is the least-squares line feasible?
 pub(super) fn least_squares(facts: &Facts<'_>) -> Question {
-    let noun = if facts.is_line() { "line" } else { "estimate" };
-    let question = format!("Is the least-squares {noun} feasible?");
+    let question = of_model(facts, "q.squares.question-line", "q.squares.question-estimate");
     let (answer, show) = match facts.fit.least_squares_slack() {
-        None => {
-            let why = no_least_squares(facts);
-            (format!("There is no single least-squares estimate to ask about: {why}."), None)
-        }
+        None => (text!("q.squares.none", why: no_least_squares(facts)), None),
         Some((slack, name)) => {
             let tightest = bound(name, facts.problem);
             let answer = if slack.is_negative() {
-                infeasible(facts, noun, &tightest, &slack.abs())
+                infeasible(facts, tightest, &slack.abs())
             } else if slack.is_zero() {
                 tight(facts)
             } else {
                 let spare = value(&slack, DIGITS, Rounding::Down);
-                format!(
-                    "Yes. It satisfies {}; the tightest is {tightest}, with {spare} to spare.",
-                    every_bound(facts.problem)
-                )
+                text!("q.squares.yes", bounds: every_bound(facts.problem), tightest: tightest, spare: spare)
             };
             (answer, Some(Show::Layer { layer: "least-squares" }))
         }
@@ -36,15 +29,13 @@ pub(super) fn least_squares(facts: &Facts<'_>) -> Question {
     Question { id: "least-squares-feasible", question, answer, show }
 }
 
-fn no_least_squares(facts: &Facts<'_>) -> String {
-    let why = if facts.is_line() {
-        "there are fewer than two distinct abscissas, so that many lines have the same smallest sum of squared \
-         errors"
-    } else {
-        "the regressors of all readings are multiples of one vector, so that many parameters have the same smallest \
-         sum of squared errors"
-    };
-    why.to_owned()
+/// The text of the first key for a line, of the second one for two regressors.
+fn of_model(facts: &Facts<'_>, line: &str, two_regressors: &str) -> Message {
+    text!(if facts.is_line() { line } else { two_regressors })
+}
+
+fn no_least_squares(facts: &Facts<'_>) -> Message {
+    of_model(facts, "q.squares.one-abscissa", "q.squares.one-vector")
 }
 
 /// The half-planes whose slack at the least-squares estimate has a certain sign.
@@ -56,75 +47,54 @@ fn with_slack(facts: &Facts<'_>, is_meant: impl Fn(&Rational) -> bool) -> Vec<Bo
 }
 
 /// A feasible estimate on the boundary of the set.
-fn tight(facts: &Facts<'_>) -> String {
+fn tight(facts: &Facts<'_>) -> Message {
     let equal = with_slack(facts, Rational::is_zero);
     let rows = facts.problem.measurements.kept();
-    let conditions = match facts.problem.conditions.len() {
-        0 => "",
-        1 => ", and it satisfies the condition",
-        _ => ", and it satisfies the conditions",
-    };
+    let every = every_bound(facts.problem);
     if rows.iter().all(|row| row.half_width().is_some_and(|width| width.is_zero())) {
-        let meets = if facts.is_line() { "passes exactly through" } else { "reproduces exactly" };
-        return format!(
-            "Yes. It {meets} every reading, so that it meets every error bound of 0 with equality{conditions}."
-        );
+        let meets = of_model(facts, "q.squares.through-line", "q.squares.through-pair");
+        return meets.with("conditions", facts.problem.conditions.len());
     }
     if equal.len() == facts.inequalities().len() {
-        return format!(
-            "Yes, but with nothing to spare: it meets {} with equality.",
-            every_bound(facts.problem)
-        );
+        return text!("q.squares.tight-all", bounds: every);
     }
-    format!(
-        "Yes, but with nothing to spare: it satisfies {}, {} of them with equality: {}.",
-        every_bound(facts.problem),
-        in_words(equal.len()),
-        bounds(equal.iter().copied(), facts.problem)
-    )
+    let names = bounds(equal.iter().copied(), facts.problem);
+    text!("q.squares.tight", bounds: every, count: equal.len(), names: names)
 }
 
-fn infeasible(facts: &Facts<'_>, noun: &str, worst: &str, by: &Rational) -> String {
+fn infeasible(facts: &Facts<'_>, worst: Message, by: &Rational) -> Message {
     let names = with_slack(facts, Rational::is_negative);
     let conditions = names.iter().filter(|name| name.row().is_none()).count();
     let broken = names.len();
-    let total = facts.inequalities().len();
-    let what = all_bounds(facts.problem);
-    let by = value(by, DIGITS, Rounding::Up);
-    let what = if broken == 1 {
-        format!("It violates one of the {} {what}: {worst}, by {by}.", in_words(total))
-    } else {
-        let (broken, total) = (in_words(broken), in_words(total));
-        format!("It violates {broken} of the {total} {what}, most of all {worst}, by {by}.")
-    };
+    let violated = text!(
+        "q.squares.violates",
+        broken: broken,
+        total: facts.inequalities().len(),
+        conditions: facts.problem.conditions.len(),
+        worst: worst,
+        by: value(by, DIGITS, Rounding::Up)
+    );
     let why = if facts.region().is_empty() {
-        format!("No other {noun} keeps all of them either: the feasible parameter set is empty.")
+        of_model(facts, "q.squares.no-line", "q.squares.no-estimate")
     } else {
-        let does_not = match conditions {
-            0 => "that does not keep every single error within its bound",
-            count if count == broken => "it takes no notice of conditions",
-            _ => "that neither keeps every single error within its bound nor takes notice of conditions",
-        };
-        format!("Least squares makes the sum of the squared errors as small as possible; {does_not}.")
+        text!(match conditions {
+            0 => "q.squares.why-bounds",
+            count if count == broken => "q.squares.why-conditions",
+            _ => "q.squares.why-both",
+        })
     };
-    format!("No. {what} {why}")
+    sentences([violated, why])
 }
 
 /// Is the central estimate better than least squares?
 pub(super) fn central(facts: &Facts<'_>) -> Option<Question> {
-    let question =
-        "Which estimate guarantees the smaller error, the central one or least squares?".to_owned();
+    let question = text!("q.central.question");
     if facts.region().is_empty() {
         return None;
     }
     let answer = match (&facts.fit.central, facts.fit.least_squares_guaranteed_error()) {
         // No estimate at all: with a single least-squares estimate the readings alone bound the set.
-        (None, _) => format!(
-            "Neither: there is no central estimate, because the PUI box is unbounded and has no mid-point, and no \
-             single least-squares estimate, because {}. No estimate can guarantee an error for both parameters here: \
-             the true ones may be arbitrarily far from it.",
-            no_least_squares(facts)
-        ),
+        (None, _) => text!("q.central.neither", why: no_least_squares(facts)),
         (Some(_), None) => return None,
         (Some(central), Some(least_squares)) => compared(&central.guaranteed_error, &least_squares),
     };
@@ -136,35 +106,19 @@ pub(super) fn central(facts: &Facts<'_>) -> Option<Question> {
     })
 }
 
-fn compared(central: &[Rational; 2], least_squares: &[Rational; 2]) -> String {
+fn compared(central: &[Rational; 2], least_squares: &[Rational; 2]) -> Message {
     let pair = |errors: &[Rational; 2]| {
-        format!(
-            "±{} for {} and ±{} for {}",
-            size(&errors[0], Rounding::Up),
-            THETA[0],
-            size(&errors[1], Rounding::Up),
-            THETA[1]
-        )
+        let [first, second] = errors.each_ref().map(|error| size(error, Rounding::Up));
+        text!("q.central.errors", first: first, second: second)
     };
-    let errors_of_central = if central.iter().all(Rational::is_zero) {
-        "no error at all (the set is a single point)".to_owned()
-    } else {
-        pair(central)
-    };
+    let of_central =
+        if central.iter().all(Rational::is_zero) { text!("q.central.no-error") } else { pair(central) };
     let verdict = match [0, 1].map(|axis| central[axis] < least_squares[axis]) {
-        [false, false] => {
-            return format!(
-                "Both guarantee the same here: {errors_of_central}. No estimate guarantees less than the central one, \
-                 the mid-point of the PUI box."
-            );
-        }
-        [true, true] => "The central estimate, for both parameters",
-        [true, false] => "The central estimate for θ₁, while both guarantee the same for θ₂",
-        [false, true] => "The central estimate for θ₂, while both guarantee the same for θ₁",
+        [false, false] => return text!("q.central.same", errors: of_central),
+        [true, true] => "q.central.both",
+        [true, false] => "q.central.first",
+        [false, true] => "q.central.second",
     };
-    format!(
-        "{verdict}. The central estimate guarantees {errors_of_central}, least squares {}. The central estimate is the \
-         mid-point of the PUI box, and no other estimate guarantees less.",
-        pair(least_squares)
-    )
+    let errors = text!("q.central.guarantees", central: of_central, squares: pair(least_squares));
+    sentences([text!(verdict), errors])
 }

@@ -1,38 +1,38 @@
 //! How many half-planes the set needs.
 
-use boundfit_exact::english::{counted_in_words, in_words, sentence};
 use boundfit_geometry::{Redundancy, RegionKind};
 
-use super::wording::{bounds, every_bound};
+use super::wording::{bounds, every_bound, sentences};
 use super::{Facts, Question};
 use crate::half_planes::irredundant;
 use crate::region::same_set;
+use crate::texts::text;
 
 /// How many of the half-planes matter?
 pub(super) fn how_many_matter(facts: &Facts<'_>) -> Question {
     let needed = irredundant(facts.problem, facts.fit);
     let total = facts.inequalities().len();
     let names = bounds(needed.iter().map(|&index| facts.fit.fps.name(index)), facts.problem);
-    let count = sentence(&in_words(needed.len()));
-    let others = if total == needed.len() + 1 { "The other one" } else { "All the others" };
-    let (asked, rest) = if facts.region().is_empty() {
-        (
-            "are enough to leave nothing",
-            format!("{others} could be left out, and the set would still be empty."),
-        )
-    } else {
-        let choice = if has_choice(facts, &needed) { " This is not the only such choice." } else { "" };
-        ("shape the set", format!("{others} could be left out, and the set would be the same.{choice}"))
-    };
+    let is_empty = facts.region().is_empty();
     let answer = match needed.len() {
-        0 => format!("None: {} holds for every θ.", every_bound(facts.problem)),
-        count if count == total => format!("All of them: {names}."),
-        _ => format!("{count}: {names}. {rest}"),
+        0 => text!("q.matter.none", bounds: every_bound(facts.problem)),
+        count if count == total => text!("q.matter.all", names: names),
+        count => {
+            let some = text!("q.matter.some", count: count, names: names);
+            let rest = if is_empty { "q.matter.rest-empty" } else { "q.matter.rest" };
+            let mut said = vec![some, text!(rest, others: total - needed.len())];
+            if !is_empty && has_choice(facts, &needed) {
+                said.push(text!("q.matter.choice"));
+            }
+            sentences(said)
+        }
     };
-    let question = format!(
-        "{} {}. How many of these {asked}?",
-        givers(facts),
-        counted_in_words(total, "half-plane", "half-planes")
+    let asked = if is_empty { "q.matter.question-empty" } else { "q.matter.question" };
+    let question = text!(
+        asked,
+        readings: facts.problem.measurements.kept().len(),
+        conditions: facts.problem.conditions.len(),
+        total: total
     );
     Question { id: "how-many-matter", question, answer, show: None }
 }
@@ -46,17 +46,4 @@ fn has_choice(facts: &Facts<'_>, needed: &[usize]) -> bool {
     let replaceable = |index: &usize| same_set(facts.others(&[*index]).0.region(), facts.region());
     polyhedron.redundancies().iter().any(repeats)
         || (matches!(facts.region().kind(), Point | Segment | Ray | Line) && needed.iter().any(replaceable))
-}
-
-/// `23 readings and one condition give`.
-fn givers(facts: &Facts<'_>) -> String {
-    let rows = facts.problem.measurements.kept().len();
-    let readings = counted_in_words(rows, "reading", "readings");
-    let givers = match facts.problem.conditions.len() {
-        0 => format!("{readings} {}", if rows == 1 { "gives" } else { "give" }),
-        conditions => {
-            format!("{readings} and {} give", counted_in_words(conditions, "condition", "conditions"))
-        }
-    };
-    sentence(&givers)
 }

@@ -1,6 +1,6 @@
 //! Questions with answers, drawn from the data at hand.
 //!
-//! Every kind of set gets six to ten of them. The text is plain: no mark-up, numbers as the engine rounds them.
+//! Every kind of set gets six to ten of them: keys of texts with their values, numbers as the engine rounds them.
 
 mod approximations;
 mod bounds;
@@ -17,6 +17,7 @@ use serde::Serialize;
 
 use crate::layers::Programs;
 use crate::leave_one_out::Without;
+use crate::texts::Message;
 
 /// What questions are made of.
 #[derive(Debug)]
@@ -32,8 +33,8 @@ pub(crate) struct Facts<'a> {
 #[derive(Debug, Serialize)]
 pub(crate) struct Question {
     id: &'static str,
-    question: String,
-    answer: String,
+    question: Message,
+    answer: Message,
     show: Option<Show>,
 }
 
