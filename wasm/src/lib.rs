@@ -21,7 +21,7 @@ pub fn run(table: Vec<u8>, options: &str) -> Result<String, JsError> {
     answer::fit(table, options).map_err(|problem| JsError::new(&problem))
 }
 
-/// What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/1`. Of linear programs it has what the
+/// What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/2`. Of linear programs it has what the
 /// exact simplex answers.
 ///
 /// `table` and `options` are as in [`run`](fn@run).

@@ -1,4 +1,4 @@
-// The document that the engine hands to the page, schema `boundfit/lesson/1`, made by `crates/lesson/src/data.rs`.
+// The document that the engine hands to the page, schema `boundfit/lesson/2`, made by `crates/lesson/src/data.rs`.
 // Half-planes a·θ ≤ b, readings and points of the parameter plane are referred to by their index in the lists
 // `half_planes`, `readings` and `points`. Half-planes come reading by reading, the upper bound before the lower one where there
 // are both; those of the conditions follow.
@@ -154,8 +154,8 @@ interface StepData extends RegionData {
 /** Clipping by all half-planes in one order. */
 interface OrderData {
   id: string;
-  name: string;
-  note: string;
+  name: MessageData;
+  note: MessageData;
   steps: StepData[];
 }
 
@@ -189,7 +189,7 @@ interface ClaimData {
   verdict: string;
   claimed: NumberData | null;
   point: NumberData[] | null;
-  reason: string | null;
+  reason: MessageData | null;
 }
 
 /** The set without one reading. */
@@ -199,12 +199,18 @@ interface WithoutData extends RegionData {
   moved: { parameter: string; end: string; by: NumberData | null }[];
 }
 
+/** A text of the table in the page by its key, with what stands in its places. */
+interface MessageData {
+  text: string;
+  values?: TextValues;
+}
+
 type ShowData = { kind: "vertex"; index: number } | { kind: "row"; row: number } | { kind: "layer"; layer: string };
 
 interface QuestionData {
   id: string;
-  question: string;
-  answer: string;
+  question: MessageData;
+  answer: MessageData;
   show: ShowData | null;
 }
 
@@ -240,8 +246,10 @@ interface AskedData {
 }
 
 interface LessonData {
-  schema: "boundfit/lesson/1";
+  schema: "boundfit/lesson/2";
   title: string;
+  /** Whether the title was made of the file and the columns. */
+  is_default_title: boolean;
   file: string;
   asked: AskedData;
   /** The names of the columns of that table. */

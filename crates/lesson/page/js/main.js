@@ -41,6 +41,7 @@ import { kindText, switchedOff } from "./model/format.js";
 import { connectLanguage } from "./panels/language.js";
 import { engine } from "./engine.js";
 import { tableOf } from "./model/table.js";
+import { t } from "./texts.js";
 
 /** @type {Mode[]} */
 const MODES = ["explore", "clip", "epsilon", "leave-one-out", "worst-line"];
@@ -127,16 +128,16 @@ function announcement(lesson, state, before, scene) {
   if (state.mode === "worst-line" && changed("mode", "hand", "exactLines")) return worstSentence(lesson, state);
   if (changed("mode", "without")) {
     const shown = kindText(scene.region.kind, scene.region.vertices.length);
-    if (state.without.length === 0) return `All readings are used. The set is ${shown}.`;
+    if (state.without.length === 0) return t("switch.announced-all", { set: shown });
     const matters = state.without.length > 1 || lesson.matters.get(state.without[0]);
-    return `${switchedOff(state.without)} ${matters ? `The set is now ${shown}.` : "It does not matter: the set is the same."}`;
+    return t("switch.sentence", { off: switchedOff(state.without), now: matters ? t("switch.now", { set: shown }) : t("switch.announced-idle") });
   }
   if (changed("selection") && state.selection?.kind === "point")
     return byId("violations")?.textContent ?? null;
   if (changed("selection") && state.selection !== null) {
-    return [...byId("inspector").querySelectorAll("h3, dt, dd, p")].map((part) => part.textContent).join(" ");
+    return [...byId("inspector").querySelectorAll("h3,dt,dd,p")].map((part) => part.textContent).join(" ");
   }
-  if (changed("layers")) return `${state.layers.size} layers shown.`;
+  if (changed("layers")) return t("layers.shown", { count: state.layers.size });
   return null;
 }
 

@@ -104,7 +104,7 @@ interface Lesson {
   matters: Map<number, boolean>;
   leastSquares: Pair | null;
   /** The line that heights can be shown relative to. */
-  reference: { theta: Pair; name: string; noun: string } | null;
+  reference: { theta: Pair; name: string } | null;
   /** The one error bound of all readings; null when each has its own, or when there is no error at all. */
   epsilon: Rational | null;
   stops: Stop[];
@@ -322,6 +322,7 @@ type TextValue =
   | string
   | number
   | Description
+  | (Description | string)[]
   | { text: string; values?: TextValues }
   | { number: string }
   | { list: TextValue[]; by?: string; more?: number };

@@ -32,8 +32,15 @@ export function setLanguage(code) {
   language = code;
   known.clear();
   document.documentElement.lang = code;
-  for (const place of all("[data-text]")) patch(place, element("", {}, rich(place.dataset.text ?? "")).children);
   for (const place of all("[data-text-label]")) place.setAttribute("aria-label", t(place.dataset.textLabel ?? ""));
+}
+
+/**
+ * Fills the elements that have a text of the table: all of them may use the same values.
+ * @param {TextValues} values
+ */
+export function fillTexts(values) {
+  for (const place of all("[data-text]")) patch(place, rich(place.dataset.text ?? "", values));
 }
 
 /**
@@ -72,12 +79,11 @@ export function numberText(text) {
 }
 
 /**
- * The English text of the document in the language of the page, where the table has it under a key that begins so.
- * @param {string} start
+ * A reason that the engine's reports have in English, in the language of the page where the table knows it.
  * @param {string} english
  */
-export function translated(start, english) {
-  const key = Object.keys(texts()).find((name) => name.startsWith(start) && texts()[name].en === english);
+export function reasonText(english) {
+  const key = Object.keys(texts()).find((name) => name.startsWith("reason.") && texts()[name].en === english);
   return key === undefined ? english : t(key);
 }
 
@@ -136,10 +142,10 @@ export function textParts(text) {
   };
   /** @param {boolean} inForm @returns {TextPart} */
   const tagged = (inForm) => {
-    const [, tag, name] = take(rest.indexOf(">") + 1).match(/^<([a-z]+)(?: class="([^"]*)")?>$/) ?? [];
+    const [tag, ...attributes] = take(rest.indexOf(">") + 1).slice(1, -1).split(/ (?=[a-z]+=)/);
     const parts = sequence(inForm);
     take(rest.indexOf(">") + 1);
-    return { tag, attributes: name === undefined ? {} : { class: name }, parts };
+    return { tag, attributes: Object.fromEntries(attributes.map((text) => text.slice(0, -1).split("=\""))), parts };
   };
   return sequence(false);
 }
@@ -182,6 +188,7 @@ function saidPlace({ written, forms }, value) {
  */
 function saidValue(value) {
   if (typeof value !== "object") return [`${value}`];
+  if (Array.isArray(value)) return [...value];
   if ("tag" in value) return [value];
   if ("text" in value) return rich(value.text, value.values);
   if ("number" in value) return [numberText(value.number)];
@@ -197,5 +204,5 @@ function saidValue(value) {
  */
 function countOf(value) {
   if (typeof value === "number") return value;
-  return typeof value === "object" && "list" in value ? value.list.length + (value.more ?? 0) : 1;
+  return typeof value === "object" && !Array.isArray(value) && "list" in value ? value.list.length + (value.more ?? 0) : 1;
 }

@@ -93,9 +93,11 @@ fn mentioned(source: &str) -> (BTreeSet<&str>, BTreeSet<&str>) {
             && text.split('.').next().is_some_and(is_word)
             && text.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || "-.".contains(c))
     };
-    let whole = source.split('"').filter(is_key).collect();
+    let (some, whole): (BTreeSet<&str>, BTreeSet<&str>) =
+        source.split('"').filter(is_key).partition(|text| text.ends_with('.'));
+    let put_together = source.split('"').filter_map(|text| text.strip_suffix("{}"));
     let starts = source.split('`').filter_map(|text| text.split_once("${")).map(|(start, _)| start);
-    (whole, starts.filter(is_key).collect())
+    (whole, some.into_iter().chain(starts.chain(put_together).filter(is_key)).collect())
 }
 
 #[test]
@@ -143,4 +145,99 @@ fn lists_and_counts_are_said_in_every_language() {
     assert_eq!(super::said(&long, Language::English), "1, 2 and 5 more");
     assert_eq!(super::said(&json!({"text": "no such key"}), Language::German), "no such key");
     assert_eq!(super::said(&json!(null), Language::German), "");
+}
+
+/// The texts in quotation marks of a script, comments and the code within templates left out.
+fn literals(source: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut letters = source.chars().peekable();
+    // Templates that are open, each with the braces open in its code.
+    let mut templates: Vec<usize> = Vec::new();
+    let mut open: Option<(char, String)> = None;
+    while let Some(letter) = letters.next() {
+        if let Some((quote, mut text)) = open.take() {
+            if letter == '\\' {
+                text.extend(letters.next());
+            } else if quote == '`' && letter == '$' && letters.peek() == Some(&'{') {
+                letters.next();
+                templates.push(0);
+                found.push(text);
+                continue;
+            } else if letter == quote {
+                found.push(text);
+                continue;
+            } else {
+                text.push(letter);
+            }
+            open = Some((quote, text));
+            continue;
+        }
+        match (letter, letters.peek()) {
+            ('/', Some('/')) => while letters.next_if(|letter| *letter != '\n').is_some() {},
+            ('/', Some('*')) => {
+                let mut last = ' ';
+                while let Some(next) = letters.next() {
+                    if last == '*' && next == '/' {
+                        break;
+                    }
+                    last = next;
+                }
+            }
+            ('"' | '`', _) => open = Some((letter, String::new())),
+            ('{', _) => templates.iter_mut().last().into_iter().for_each(|braces| *braces += 1),
+            ('}', _) => match templates.last_mut() {
+                Some(0) => {
+                    templates.pop();
+                    open = Some(('`', String::new()));
+                }
+                Some(braces) => *braces -= 1,
+                None => {}
+            },
+            _ => {}
+        }
+    }
+    found
+}
+
+/// Whether a literal is words for the reader: several with a mark or a capital letter among them, or one with a capital letter.
+fn is_wording(literal: &str) -> bool {
+    const KEYS: [&str; 9] =
+        ["Arrow", "Escape", "Enter", "Home", "End", "Page", "Delete", "Backspace", "Worker"];
+    let is_word = |word: &&str| word.chars().filter(|c| c.is_alphabetic()).count() > 1;
+    let words = literal.split_whitespace().filter(is_word).count();
+    let begins_large = literal.starts_with(|c: char| c.is_ascii_uppercase())
+        && literal.chars().nth(1).is_some_and(|c| c.is_ascii_lowercase());
+    let marks = literal.ends_with(['.', '?', '!', ':']) || literal.contains(". ") || literal.contains(", ");
+    let small = [" of ", " the ", " is ", " are ", " no ", " at ", " to ", " and "];
+    (words > 1 && (marks || begins_large || small.iter().any(|word| format!(" {literal} ").contains(word))))
+        || (words == 1 && begins_large && !KEYS.iter().any(|key| literal.starts_with(key)))
+}
+
+#[test]
+fn no_words_are_left_in_the_scripts() {
+    assert_eq!(
+        literals("a(`x ${b(\"y\", { c: `z` })} w`); // \"no\"\n\"\\\"v\""),
+        ["x ", "y", "z", " w", "\"v"]
+    );
+    assert!(
+        ["Forward", "It is.", "None of them", "reading of", "a polygon is"]
+            .map(is_wording)
+            .iter()
+            .all(|is| *is)
+    );
+    assert!(
+        !["bound current", "ArrowUp", "M-20 0H-4", "translate(-99 -99)", "url(#hatch)"]
+            .iter()
+            .any(|text| is_wording(text))
+    );
+    let mut left = Vec::new();
+    for (name, source) in files(&folder().join("js"), ".js") {
+        left.extend(
+            literals(&source)
+                .into_iter()
+                .filter(|text| is_wording(text))
+                .map(|text| format!("{name}: {text}")),
+        );
+    }
+    assert_eq!(left, Vec::<String>::new());
 }

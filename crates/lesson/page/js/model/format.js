@@ -1,6 +1,7 @@
 // @ts-check
 // Numbers and names as text.
 
+import { numberText, said, t } from "../texts.js";
 import { HALF, Rational, decimalPower, powerOfTen } from "./rational.js";
 
 const LONGEST_FRACTION = 44;
@@ -10,15 +11,6 @@ const LARGEST_PLAIN = 14;
 const LEAST_PLAIN = -4;
 const LONGEST_LIST = 12;
 const SHORTEST_RUN = 3;
-const MINUS = "\u2212";
-
-/**
- * Puts typographic minus signs into the text of a number.
- * @param {string} text
- */
-export function withMinus(text) {
-  return text.replace(/-/g, MINUS);
-}
 
 /**
  * A decimal with at most `digits` significant digits, the one that the engine writes.
@@ -31,7 +23,7 @@ export function decimal(value, digits = 5, rounding = "nearest") {
   const { significand, exponent, exact } = rounded(value, digits, rounding);
   let text = `${significand}`;
   if (exact) text = text.replace(/0+$/, "");
-  return withMinus((value.sign() < 0 ? "-" : "") + placePoint(text, exponent, exact));
+  return numberText((value.sign() < 0 ? "-" : "") + placePoint(text, exponent, exact));
 }
 
 /**
@@ -125,7 +117,7 @@ export function plain(value) {
     const digits = `${scaled.absolute().numerator}`.padStart(places + 1, "0");
     const point = digits.length - places;
     const text = places === 0 ? digits : `${digits.slice(0, point)}.${digits.slice(point)}`;
-    return withMinus(value.sign() < 0 ? `-${text}` : text);
+    return numberText(value.sign() < 0 ? `-${text}` : text);
   }
   return decimal(value);
 }
@@ -146,10 +138,10 @@ export function digitsFor(value, width) {
  * @param {string} text
  */
 export function shortFraction(text) {
-  if (text.length <= LONGEST_FRACTION) return withMinus(text);
+  if (text.length <= LONGEST_FRACTION) return numberText(text);
   /** @param {string} part */
   const shorten = (part) => (part.length <= 20 ? part : `${part.slice(0, 9)}…${part.slice(-6)}`);
-  return withMinus(text.split("/").map(shorten).join("/"));
+  return numberText(text.split("/").map(shorten).join("/"));
 }
 
 /**
@@ -182,8 +174,8 @@ function conditionSide(name) {
  * @param {BoundName} name
  */
 export function boundText(name) {
-  if (name.row === null) return `condition ${conditionNumber(name)}${conditionSide(name)}`;
-  return `${name.bound} bound of reading ${name.row}`;
+  if (name.row === null) return t("bound.condition", { number: conditionNumber(name), side: conditionSide(name) });
+  return t(name.bound === "upper" ? "bound.upper" : "bound.lower", { row: name.row });
 }
 
 /**
@@ -191,7 +183,8 @@ export function boundText(name) {
  * @param {BoundName} name
  */
 export function theBound(name) {
-  return name.row === null ? boundText(name) : `the ${boundText(name)}`;
+  if (name.row === null) return t("bound.the-condition", { number: conditionNumber(name), side: conditionSide(name) });
+  return t(name.bound === "upper" ? "wording.upper" : "wording.lower", { row: name.row });
 }
 
 /**
@@ -199,7 +192,7 @@ export function theBound(name) {
  * @param {BoundName} name
  */
 export function boundMark(name) {
-  if (name.row === null) return `condition ${conditionNumber(name)}${conditionSide(name)}`;
+  if (name.row === null) return boundText(name);
   return `${name.row}\u202f${name.bound === "upper" ? "▾" : "▴"}`;
 }
 
@@ -208,27 +201,24 @@ export function boundMark(name) {
  * @param {(string | number)[]} items
  */
 export function enumeration(items) {
-  if (items.length < 2) return items.join("");
-  return `${items.slice(0, -1).join(", ")} and ${items[items.length - 1]}`;
+  return said({ list: items });
 }
 
 /**
- * An enumeration that stops when it gets long: "a, b and 48 more".
+ * A list in a text that stops when it gets long: "a, b and 48 more".
+ * @param {(string | number)[]} items
+ */
+export function shortList(items) {
+  const isLong = items.length > LONGEST_LIST + 1;
+  return { list: isLong ? items.slice(0, LONGEST_LIST) : items, more: isLong ? items.length - LONGEST_LIST : 0 };
+}
+
+/**
+ * An enumeration that stops when it gets long.
  * @param {(string | number)[]} items
  */
 export function shortEnumeration(items) {
-  if (items.length <= LONGEST_LIST + 1) return enumeration(items);
-  return enumeration([...items.slice(0, LONGEST_LIST), `${items.length - LONGEST_LIST} more`]);
-}
-
-/**
- * "1 vertex", "3 vertices".
- * @param {number} count
- * @param {string} one
- * @param {string} [many]
- */
-export function counted(count, one, many = `${one}s`) {
-  return `${count} ${count === 1 ? one : many}`;
+  return said(shortList(items));
 }
 
 /**
@@ -258,24 +248,8 @@ export function vertexNames(indices) {
   return runs.flatMap(part).join(", ");
 }
 
-/** What is to be said of the empty set, whether readings or conditions or both make it so. */
-export const EMPTY = "empty: no parameter is feasible";
-
 /** The parameters as they are written. */
 export const THETA = ["θ₁", "θ₂"];
-
-const KINDS = {
-  empty: EMPTY,
-  point: "a single point",
-  segment: "a segment",
-  ray: "a ray (unbounded)",
-  line: "a whole line (unbounded)",
-  polygon: "a polygon",
-  "unbounded-polygon": "an unbounded polygon",
-  strip: "a strip (unbounded)",
-  "half-plane": "a half-plane (unbounded)",
-  plane: "the whole plane (unbounded)",
-};
 
 /**
  * A region's kind in words, with the number of vertices where that says something.
@@ -283,8 +257,7 @@ const KINDS = {
  * @param {number} vertices
  */
 export function kindText(kind, vertices) {
-  const count = kind.endsWith("polygon") ? ` with ${counted(vertices, "vertex", "vertices")}` : "";
-  return KINDS[kind] + count;
+  return t(`kind.${kind}`, { vertices });
 }
 
 /**
@@ -292,7 +265,5 @@ export function kindText(kind, vertices) {
  * @param {number[]} rows
  */
 export function switchedOff(rows) {
-  return rows.length === 1
-    ? `Reading ${rows[0]} is switched off.`
-    : `Readings ${shortEnumeration(rows)} are switched off.`;
+  return t("switch.is-off", { rows: shortList(rows) });
 }

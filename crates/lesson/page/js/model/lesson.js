@@ -2,7 +2,7 @@
 // The engine's document, made convenient: exact numbers parsed, and every region in one form whichever part of the
 // document it comes from.
 
-import { withMinus } from "./format.js";
+import { numberText, said, t } from "../texts.js";
 import { intersection } from "./intersection.js";
 import { ONE, Rational, ZERO, dot, evaluate, extremes } from "./rational.js";
 
@@ -100,9 +100,9 @@ export function boundAt(reading, bound, s) {
  */
 function referenceLine(lesson) {
   const { central, minimax } = lesson.data.fit;
-  if (lesson.leastSquares !== null) return { theta: lesson.leastSquares, name: "least-squares", noun: "least squares" };
-  if (central !== null) return { theta: pairOf(central.theta), name: "central", noun: "the central estimate" };
-  if (minimax !== null) return { theta: pairOf(minimax.theta), name: "minimax", noun: "the minimax estimate" };
+  if (lesson.leastSquares !== null) return { theta: lesson.leastSquares, name: "least-squares" };
+  if (central !== null) return { theta: pairOf(central.theta), name: "central" };
+  if (minimax !== null) return { theta: pairOf(minimax.theta), name: "minimax" };
   return null;
 }
 
@@ -262,10 +262,10 @@ export function hopeless(lesson) {
   const { conditions, fit, sweep } = lesson.data;
   if (sweep?.least) return null;
   if (fit.minimax !== null)
-    return `Any multiple of ε = 0 is 0; the smallest error bound that leaves a feasible parameter is ${withMinus(fit.minimax.epsilon?.decimal ?? "greater")}.`;
+    return t("hopeless.zero", { least: numberText(fit.minimax.epsilon?.decimal ?? t("hopeless.greater")) });
   const fixed = lesson.readings.some((reading) => reading.epsilon.isZero());
-  if (fixed) return "Readings with an error bound of 0 or with one bound, or conditions, contradict each other: larger error bounds for the others do not help.";
-  return `${conditions.length === 1 ? "The condition contradicts itself" : "The conditions contradict each other"}, whatever the readings are: no error bound, however large, helps.`;
+  if (fixed) return t("hopeless.fixed");
+  return t("hopeless.conditions", { conditions: conditions.length });
 }
 
 /**
@@ -275,9 +275,9 @@ export function hopeless(lesson) {
 export function demands(lesson) {
   const { conditions } = lesson.data;
   const words = [];
-  if (lesson.readings.length > 0) words.push("readings");
-  if (conditions.length > 0) words.push(conditions.length === 1 ? "the condition" : "conditions");
-  return words.join(" and ");
+  if (lesson.readings.length > 0) words.push(t("demand.readings"));
+  if (conditions.length > 0) words.push(t("demand.conditions", { count: conditions.length }));
+  return said({ list: words });
 }
 
 /**

@@ -1,7 +1,8 @@
 // @ts-check
 // The stops of the ε slider: every breakpoint of the engine, exactly, and round values between them.
 
-import { decimal, withMinus } from "./format.js";
+import { decimal } from "./format.js";
+import { numberText } from "../texts.js";
 import { ONE, Rational, decimalPower } from "./rational.js";
 
 const ROUND_STOPS = 100;
@@ -73,6 +74,6 @@ export function boundAtStop(lesson, stop) {
   const exact = lesson.epsilon === null ? stop.s : stop.s.times(lesson.epsilon);
   const engine = stop.breakpoint === null ? null : lesson.data.sweep?.breakpoints[stop.breakpoint];
   const written = lesson.epsilon === null ? engine?.s : engine?.epsilon;
-  const shown = written ? withMinus(written.decimal) : decimal(exact, 8);
+  const shown = written ? numberText(written.decimal) : decimal(exact, 8);
   return { name: lesson.epsilon === null ? "s" : "ε", exact, shown };
 }

@@ -2,11 +2,11 @@
 // Stepping through the clipping: the controls, and what each step did.
 
 import { byId, element, patch, targetOf } from "../dom.js";
-import { boundClass, boundText, counted, decimal, digitsFor, kindText, shortEnumeration, theBound, withMinus } from "../model/format.js";
+import { boundClass, boundText, decimal, digitsFor, kindText, shortList, theBound } from "../model/format.js";
 import { inequality } from "./inspector.js";
 import { numberWithFraction } from "./summary.js";
 import { ONE } from "../model/rational.js";
-import { t } from "../texts.js";
+import { numberText, rich, said, t } from "../texts.js";
 
 const MILLISECONDS_PER_STEP = 1200;
 
@@ -58,7 +58,7 @@ export function listOrders(lesson) {
   patch(
     byId("clip-order"),
     lesson.data.orders.map((order, k) =>
-      element("option", { value: `${k}`, "data-order": order.id }, order.name),
+      element("option", { value: `${k}`, "data-order": order.id }, said(order.name)),
     ),
   );
 }
@@ -80,11 +80,7 @@ function pointTexts(lesson, scene, indices) {
       return element(
         "li",
         { "data-theta1": first.toString(), "data-theta2": second.toString() },
-        "(",
-        shown[0],
-        ", ",
-        shown[1],
-        ")",
+        rich("wording.pair", { first: shown[0], second: shown[1] }),
       );
     }),
   );
@@ -95,20 +91,20 @@ function pointTexts(lesson, scene, indices) {
  * @param {RedundancyData} redundant
  */
 function redundancy(lesson, redundant) {
-  if (redundant.why === "always") return "It is redundant: it holds for every θ.";
-  if (redundant.why === "already-empty") return "It is redundant: the set is empty already.";
+  if (redundant.why === "always") return t("step.always");
+  if (redundant.why === "already-empty") return t("step.already-empty");
   const terms = redundant.by.map(
     ({ half_plane, multiplier }) =>
-      `${withMinus(multiplier.decimal)} × (${boundText(lesson.halfPlanes[half_plane].name)})`,
+      `${numberText(multiplier.decimal)} × (${boundText(lesson.halfPlanes[half_plane].name)})`,
   );
   const slack =
     redundant.slack === null
       ? ""
       : redundant.slack.exact === "0"
-        ? " It only touches the set (slack 0)."
-        : ` Its boundary stays clear of the set, with slack ${withMinus(redundant.slack.decimal)}.`;
-  if (terms.length === 0) return `It is redundant: it cuts nothing.${slack}`;
-  return `It is redundant, dominated by ${terms.length === 1 ? "one half-plane" : "two half-planes"} added before: ${terms.join(" + ")} gives the same left side with a right side at least as small.${slack}`;
+        ? ` ${t("step.touches")}`
+        : ` ${t("step.clear", { slack: numberText(redundant.slack.decimal) })}`;
+  if (terms.length === 0) return t("step.nothing") + slack;
+  return t("step.dominated", { count: terms.length, sum: terms.join(" + ") }) + slack;
 }
 
 /**
@@ -119,14 +115,13 @@ function redundancy(lesson, redundant) {
  */
 export function stepSentence(lesson, state, scene) {
   if (scene.current === null)
-    return "Step 0: the whole plane. Nothing has been measured yet, so every θ is possible.";
-  const name = boundText(lesson.halfPlanes[scene.current.half_plane].name);
+    return t("step.zero");
+  const bound = boundText(lesson.halfPlanes[scene.current.half_plane].name);
   const { born, lost, redundant } = scene.current;
-  const did =
-    redundant !== null
-      ? "redundant, it cuts nothing off"
-      : `${counted(born.length, "vertex", "vertices")} born, ${lost.length} lost; now ${kindText(scene.region.kind, scene.region.vertices.length)}`;
-  return `Step ${state.step}: ${name}: ${did}.`;
+  const { step } = state;
+  if (redundant !== null) return t("step.redundant", { step, bound });
+  const set = kindText(scene.region.kind, scene.region.vertices.length);
+  return t("step.did", { step, bound, born: born.length, lost: lost.length, set });
 }
 
 /**
@@ -140,9 +135,9 @@ export function drawClipping(lesson, state, scene) {
   const slider = byId("step-slider");
   slider.max = `${order.steps.length}`;
   slider.value = `${state.step}`;
-  slider.setAttribute("aria-valuetext", `step ${state.step} of ${order.steps.length}`);
+  slider.setAttribute("aria-valuetext", t("step.spoken", { step: state.step, all: order.steps.length }));
   byId("clip-order").value = `${state.order}`;
-  byId("clip-note").textContent = order.note;
+  byId("clip-note").textContent = said(order.note);
   byId("step-number").textContent = `${state.step} / ${order.steps.length}`;
   const play = byId("step-play");
   play.textContent = t(state.playing ? "clip.pause" : "clip.play");
@@ -166,8 +161,8 @@ function story(lesson, state, scene) {
   const halfPlane = lesson.halfPlanes[scene.current.half_plane];
   const { born, lost, redundant } = scene.current;
   const lists = [
-    { head: "Born", indices: born, id: "born" },
-    { head: "Lost", indices: lost, id: "lost" },
+    { head: t("step.born", { count: born.length }), indices: born, id: "born" },
+    { head: t("step.lost", { count: lost.length }), indices: lost, id: "lost" },
   ].filter(({ indices }) => indices.length > 0);
   return [
     element(
@@ -180,16 +175,15 @@ function story(lesson, state, scene) {
     element(
       "p",
       { id: "step-effect", "data-redundant": redundant?.why ?? "" },
-      redundant === null ? "It cuts off the hatched part. " : redundancy(lesson, redundant),
       redundant === null
-        ? `The set is now ${kindText(scene.region.kind, scene.region.vertices.length)}.`
-        : "",
+        ? t("step.cuts", { set: kindText(scene.region.kind, scene.region.vertices.length) })
+        : redundancy(lesson, redundant),
     ),
     lists.map(({ head, indices, id }) =>
       element(
         "div",
         { id: `step-${id}` },
-        element("h4", {}, `${head}: ${counted(indices.length, "vertex", "vertices")}`),
+        element("h4", {}, head),
         pointTexts(lesson, scene, indices),
       ),
     ),
@@ -197,9 +191,9 @@ function story(lesson, state, scene) {
 }
 
 /**
- * "the upper bound of reading 14 and the lower bound of reading 36"
+ * "the upper bound of reading 14 and the lower bound of reading 36", as a value of a text.
  * @param {BoundName[]} names
  */
-export function namesText(names) {
-  return shortEnumeration(names.map(theBound));
+export function namesList(names) {
+  return shortList(names.map(theBound));
 }

@@ -4,9 +4,10 @@
 import { byId, element, patch, targetOf } from "../dom.js";
 import { Rational } from "../model/rational.js";
 import { numberWithFraction } from "./summary.js";
-import { namesText } from "./clipping.js";
+import { namesList } from "./clipping.js";
 import { demands, hopeless, sweepOf } from "../model/lesson.js";
 import { boundAtStop, givenStop } from "../model/sweep.js";
+import { t } from "../texts.js";
 
 // Parts of the slider that two labels side by side, or half a label at an end, take on a narrow screen.
 const NEAR_LABELS = 0.35;
@@ -53,12 +54,12 @@ export function drawStops(lesson) {
   const least = leastStop(lesson);
   const at = stops.flatMap((stop, k) => (stop.breakpoint === null && k !== givenStop(stops) ? [] : [k]));
   const given = givenStop(stops);
-  const smallest = lesson.epsilon === null ? "s min" : "ε min";
+  const symbol = lesson.epsilon === null ? "s" : "ε";
   // Two labels that would run into each other stand below each other.
   const isNear = least >= 0 && Math.abs(given - least) / last < NEAR_LABELS;
   const marks = at.map((k) => {
     const kind = k === least ? "least" : k === given ? `given${isNear ? " below" : ""}` : "";
-    const label = k === least ? (k === given ? `${smallest}, as given` : smallest) : k === given ? "as given" : "";
+    const label = k === least ? t(k === given ? "epsilon.tick-both" : "epsilon.tick-least", { symbol }) : k === given ? t("epsilon.tick-given") : "";
     // Labels at the ends of the slider stay on it.
     const side = k / last < NEAR_END ? " first" : k / last > 1 - NEAR_END ? " last" : "";
     return element("span", { class: `stop ${kind}${side}`, style: `left:${((100 * k) / last).toFixed(3)}%` }, label);
@@ -83,23 +84,19 @@ export function epsilonText(lesson, stop) {
  */
 export function epsilonSentence(lesson, stop) {
   const least = lesson.data.sweep?.least ?? null;
-  if (least === null) return `Empty. ${hopeless(lesson)}`;
+  if (least === null) return t("epsilon.hopeless", { why: hopeless(lesson) ?? "" });
   const sMin = Rational.parse(least.exact);
   if (stop.s.equals(sMin))
-    return sMin.isZero()
-      ? `Here the set is born: some parameter agrees with all ${demands(lesson)} without any error.`
-      : "Here the set is born: with any smaller error bound no parameter is left.";
+    return sMin.isZero() ? t("epsilon.born-zero", { demands: demands(lesson) }) : t("epsilon.born");
   if (stop.s.compare(sMin) < 0)
-    return `Empty: the error bound is too small for these ${demands(lesson)}.`;
+    return t("epsilon.empty", { demands: demands(lesson) });
   if (stop.breakpoint === null)
-    return "Between two breakpoints every vertex moves along a straight line as ε grows, and the same bounds stay active.";
+    return t("epsilon.between");
   const { entering, leaving } = sweepOf(lesson).breakpoints[stop.breakpoint];
   const parts = [];
-  /** @param {BoundName[]} names */
-  const become = (names) => `${namesText(names)} ${names.length === 1 ? "becomes" : "become"}`;
-  if (entering.length > 0) parts.push(`${become(entering)} active`);
-  if (leaving.length > 0) parts.push(`${become(leaving)} redundant`);
-  return parts.length === 0 ? "The end of the slider." : `A breakpoint: as ε grows, ${parts.join("; ")}.`;
+  if (entering.length > 0) parts.push(t("epsilon.become-active", { bounds: namesList(entering) }));
+  if (leaving.length > 0) parts.push(t("epsilon.become-redundant", { bounds: namesList(leaving) }));
+  return parts.length === 0 ? t("epsilon.end") : t("epsilon.breakpoint", { changes: parts.join("; ") });
 }
 
 /**
@@ -114,7 +111,7 @@ export function drawEpsilon(lesson, state) {
   slider.value = `${state.stop}`;
   slider.setAttribute(
     "aria-valuetext",
-    epsilonText(lesson, stop) + (stop.breakpoint === null ? "" : ", a breakpoint"),
+    stop.breakpoint === null ? epsilonText(lesson, stop) : t("epsilon.spoken", { value: epsilonText(lesson, stop) }),
   );
   const { name, exact, shown } = boundAtStop(lesson, stop);
   const value = byId("epsilon-value");

@@ -3,9 +3,10 @@
 
 import { byId, element, patch } from "../dom.js";
 import { activeAt, boundAt, conflict, demands, hopeless, readingOfRow, violations } from "../model/lesson.js";
-import { THETA, boundText, conditionNumber, decimal, digitsFor, enumeration, plain, shortEnumeration, shortFraction, theBound, vertexName } from "../model/format.js";
+import { THETA, boundText, conditionNumber, decimal, digitsFor, enumeration, plain, shortFraction, shortList, theBound, vertexName } from "../model/format.js";
 import { numberWithFraction } from "./summary.js";
 import { ONE, dot } from "../model/rational.js";
+import { t } from "../texts.js";
 
 const MOST_ROWS = 12;
 // A chosen point has a short decimal: it is shown in full.
@@ -60,26 +61,24 @@ export function inequality(lesson, halfPlane, s) {
 function aboutVertex(lesson, scene, index) {
   const names = activeAt(lesson, scene.region, index);
   const ends = names.map((name) => {
-    if (name.row === null) return boundText(name);
+    if (name.row === null) return theBound(name);
+    const isUpper = name.bound === "upper";
     const reading = readingOfRow(lesson, name.row);
-    const end = plain(boundAt(reading, name.bound === "upper" ? "upper" : "lower", scene.s) ?? reading.y);
+    const end = plain(boundAt(reading, isUpper ? "upper" : "lower", scene.s) ?? reading.y);
     const isAroundY = reading.fixed === null && reading.middle.equals(reading.y);
-    const sum = isAroundY ? `${lesson.data.model.y} ${name.bound === "upper" ? "+" : "−"} ε = ` : "";
-    return `the ${name.bound} end of reading ${name.row} (${sum}${end})`;
+    const sum = isAroundY ? `${lesson.data.model.y} ${isUpper ? "+" : "−"} ε = ` : "";
+    return t(isUpper ? "vertex.end-upper" : "vertex.end-lower", { row: name.row, sum, end });
   });
-  const what = lesson.isLine ? "Its line passes exactly through " : "Its prediction meets exactly ";
+  const passes = lesson.isLine ? "vertex.line" : "vertex.prediction";
   return [
-    element("h3", {}, `Vertex ${vertexName(index)}`),
+    element("h3", {}, t("vertex.title", { vertex: vertexName(index) })),
     thetaList(scene.region.vertices[index].theta, (value, axis) => digitsFor(value, scene.frame.units[axis])),
     element(
       "p",
       {},
-      what,
-      shortEnumeration(ends),
-      ". ",
-      names.length === 2
-        ? "These two half-planes are active here: their boundaries cross in the vertex."
-        : `${names.length} half-planes are active here.`,
+      t(passes, { ends: shortList(ends) }),
+      " ",
+      names.length === 2 ? t("vertex.two") : t("vertex.many", { count: names.length }),
     ),
   ];
 }
@@ -96,20 +95,17 @@ function aboutReading(lesson, scene, row) {
     activeAt(lesson, scene.region, index).some((name) => name.row === row) ? [vertexName(index)] : [],
   );
   return [
-    element("h3", {}, `Reading ${row}`),
-    element("p", {}, `The reading allows the ${bounds.length === 2 ? "strip" : "half-plane"} of parameters with`),
+    element("h3", {}, t("reading.title", { row })),
+    element("p", {}, t("reading.allows", { bounds: bounds.length })),
     ...bounds.map((index) =>
       element("p", { class: "formula" }, inequality(lesson, lesson.halfPlanes[index], scene.s)),
     ),
     element(
       "p",
       {},
-      lesson.matters.get(row)
-        ? "It matters: without it the FPS would be larger. "
-        : "It does not matter: without it the FPS stays the same. ",
-      where.length > 0
-        ? `Active at ${where.length === 1 ? "vertex" : "vertices"} ${enumeration(where)}.`
-        : "It is active at no vertex shown.",
+      t(lesson.matters.get(row) ? "reading.matters" : "reading.idle"),
+      " ",
+      where.length > 0 ? t("reading.active", { vertices: { list: where } }) : t("reading.inactive"),
     ),
   ];
 }
@@ -126,21 +122,23 @@ function aboutPoint(lesson, scene, choice) {
   );
   const rows = broken
     .slice(0, MOST_ROWS)
-    .map(({ reading, above }) => `${reading.row} (${above ? "above" : "below"})`);
-  if (broken.length > MOST_ROWS) rows.push(`${broken.length - MOST_ROWS} more`);
-  const whose = lesson.isLine ? "its line" : "its predictions";
-  const far = `${broken.length} of ${lesson.readings.length} readings ${broken.length === 1 ? "lies" : "lie"} farther than ε from ${whose}: reading ${enumeration(rows)}`;
-  const breaks = `it breaks ${enumeration(conditions.map((h) => inequality(lesson, h, scene.s)))}`;
+    .map(({ reading, above }) => t(above ? "point.above" : "point.below", { row: reading.row }));
+  const far = t(lesson.isLine ? "point.far-line" : "point.far-two", {
+    count: broken.length,
+    all: lesson.readings.length,
+    rows: { list: rows, more: Math.max(0, broken.length - MOST_ROWS) },
+  });
+  const breaks = t("point.breaks", { conditions: { list: conditions.map((h) => inequality(lesson, h, scene.s)) } });
   const faults = [broken.length > 0 && far, conditions.length > 0 && breaks].filter(Boolean);
   return [
-    element("h3", {}, lesson.isLine ? "A point and its line" : "A point and its predictions"),
+    element("h3", {}, t(lesson.isLine ? "point.line" : "point.two")),
     thetaList(choice.theta, () => ALL_DIGITS),
     element(
       "p",
       { id: "violations", "data-count": broken.length },
       faults.length > 0
-        ? `Not feasible: ${faults.join("; ")}.`
-        : `Feasible: it agrees with all ${demands(lesson)}${scene.s.equals(ONE) ? "" : ", with these error bounds"}.`,
+        ? t("point.infeasible", { faults: faults.join("; ") })
+        : t(scene.s.equals(ONE) ? "point.feasible" : "point.feasible-here", { demands: demands(lesson) }),
     ),
   ];
 }
@@ -169,13 +167,12 @@ function aboutConflict(lesson) {
       return `${shortFraction(multiplier.exact)} × (${boundText(name)})`;
     })
     .join(" + ");
-  const proof = terms.length === 1 ? "says that 0" : "adds up to 0";
   return [
-    element("h3", {}, "Why the set is empty"),
+    element("h3", {}, t("conflict.title")),
     element(
       "p",
       { id: "conflict" },
-      `No θ satisfies ${terms.length === 1 ? "" : "all of these together: "}${what}. The proof: ${sum} ${proof} ≤ a negative number.`,
+      t(terms.length === 1 ? "conflict.alone" : "conflict.together", { bounds: what, sum }),
     ),
     element("p", { id: "conflict-cause" }, causeOfConflict(lesson)),
   ];
@@ -185,8 +182,7 @@ function aboutConflict(lesson) {
 function causeOfConflict(lesson) {
   const without = hopeless(lesson);
   if (without !== null) return without;
-  const faulty = lesson.data.conditions.length > 0 ? "a reading or a condition is" : "a reading is";
-  return `So the error bound is too small, the model is wrong, or ${faulty}. Change ε to see where the set is born.`;
+  return t("conflict.cause", { conditions: lesson.data.conditions.length });
 }
 
 /**
@@ -203,11 +199,11 @@ export function drawInspector(lesson, state, scene, choice) {
       : lesson.fps.kind === "empty"
         ? aboutConflict(lesson)
         : [
-            element("h3", { class: "for-screen" }, "Look closer"),
+            element("h3", { class: "for-screen" }, t("inspector.title")),
             element(
               "p",
               { class: "for-screen" },
-              "Point at a vertex, a reading or anywhere in the parameter plane, or reach them with the Tab and arrow keys: what belongs together lights up in both pictures, and is explained here. A click keeps it.",
+              t("inspector.hint"),
             ),
           ];
   const gone = choice?.kind === "vertex" && choice.index >= scene.region.vertices.length;

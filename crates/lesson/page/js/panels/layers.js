@@ -4,7 +4,8 @@
 import { byId, element, patch } from "../dom.js";
 import { mark } from "../planes/axes.js";
 import { Rational } from "../model/rational.js";
-import { THETA, withMinus } from "../model/format.js";
+import { THETA } from "../model/format.js";
+import { numberText, reasonText, said, t } from "../texts.js";
 
 /**
  * A point to be drawn: where its fractions are too long to be written, five digits show the same.
@@ -39,7 +40,7 @@ export function layersOf(lesson) {
   const { fit, layers } = lesson.data;
   /** @param {string} key */
   const reason = (key) =>
-    fit.reasons?.[key] ?? (fit.fps.kind === "empty" ? "the FPS is empty" : "the FPS is unbounded");
+    reasonText(fit.reasons?.[key] ?? (fit.fps.kind === "empty" ? t("reason.1") : t("reason.2")));
   /**
    * @param {string} id
    * @param {string} name
@@ -85,58 +86,58 @@ export function layersOf(lesson) {
   return [
     area(
       "pui-box",
-      "PUI box",
-      "the smallest box around the FPS; its corners need not be feasible",
+      t("layer.pui-box"),
+      t("layer.pui-box-note"),
       boxCorners(fit.pui),
       reason("pui"),
     ),
     area(
       "eui-box",
-      "EUI box",
-      "from least squares alone; at least as large",
+      t("layer.eui-box"),
+      t("layer.eui-box-note"),
       boxCorners(fit.eui),
       reason("eui"),
     ),
     point(
       "least-squares",
-      "Least squares",
-      fit.least_squares?.in_fps ? "inside the FPS here" : "not in the FPS here",
+      t("layer.least-squares"),
+      t(fit.least_squares?.in_fps ? "layer.least-squares-in" : "layer.least-squares-out"),
       "cross",
       fit.least_squares?.theta,
       "least_squares",
     ),
-    point("central", "Central estimate", "the middle of the PUI box", "plus", fit.central?.theta, "central"),
-    point("minimax", "Minimax estimate", minimaxNote(fit.minimax), "diamond", fit.minimax?.theta, "minimax"),
+    point("central", t("layer.central"), t("layer.central-note"), "plus", fit.central?.theta, "central"),
+    point("minimax", t("layer.minimax"), minimaxNote(fit.minimax), "diamond", fit.minimax?.theta, "minimax"),
     point(
       "centroid",
-      "Centroid",
-      "the centre of gravity of the FPS",
+      t("layer.centroid"),
+      t("layer.centroid-note"),
       "triangle",
       fit.area_centroid,
       "area_centroid",
     ),
     area(
       "inner-hull",
-      `Inner hull, ${directions.count} directions`,
-      "the hull of the optimisers of as many linear programs: inside the FPS",
+      t("layer.inner-hull", { count: directions.count }),
+      t("layer.inner-hull-note"),
       bounded ? corners(directions.inner) : null,
       reason("central"),
     ),
     area(
       "outer-polygon",
-      `Outer polygon, ${directions.count} directions`,
-      "the supporting half-planes of the same directions: around the FPS",
+      t("layer.outer-polygon", { count: directions.count }),
+      t("layer.outer-polygon-note"),
       bounded ? corners(directions.outer) : null,
       reason("central"),
     ),
     {
       id: "lp",
-      name: "LP optimisers",
-      note: "where floating-point linear programming ends up; judged below",
+      name: t("layer.lp"),
+      note: t("layer.lp-note"),
       shape: "square",
       polygon: null,
       points: solved.map(pointOf),
-      why: solved.length > 0 ? null : "no solver returned a point",
+      why: solved.length > 0 ? null : t("reason.10"),
     },
   ];
 }
@@ -144,9 +145,7 @@ export function layersOf(lesson) {
 /** @param {FitData["minimax"]} minimax */
 function minimaxNote(minimax) {
   if (!minimax) return "";
-  return minimax.unique
-    ? "the last point left as ε shrinks to its least value"
-    : "one of the last points left as ε shrinks";
+  return t(minimax.unique ? "layer.minimax-unique" : "layer.minimax-several");
 }
 
 /**
@@ -189,7 +188,7 @@ export function drawLayerList(lesson, layers, state) {
           {},
           element("b", {}, layer.name),
           " ",
-          element("small", {}, layer.why === null ? layer.note : `not here: ${layer.why}`),
+          element("small", {}, layer.why === null ? layer.note : t("layer.not-here", { why: layer.why })),
         ),
       ),
     );
@@ -205,29 +204,29 @@ function refereeTable(lesson) {
         "tr",
         { "data-verdict": claim.verdict },
         element("th", { scope: "row" }, solver.source),
-        element("td", {}, `${THETA[Number(claim.parameter.at(-1)) - 1]} ${claim.end}`),
+        element("td", {}, t(claim.end === "lower" ? "switch.end-lower" : "switch.end-upper", { theta: THETA[Number(claim.parameter.at(-1)) - 1] })),
         element(
           "td",
           { class: "number" },
-          claim.claimed === null ? "none" : withMinus(claim.claimed.decimal),
+          claim.claimed === null ? t("referee.none") : numberText(claim.claimed.decimal),
         ),
-        element("td", {}, element("b", {}, claim.verdict), claim.reason ? `: ${claim.reason}` : ""),
+        element("td", {}, element("b", {}, t(`verdict.${claim.verdict.replaceAll(" ", "-")}`)), claim.reason ? `: ${said(claim.reason)}` : ""),
       ),
     ),
   );
-  const heads = ["Solver", "End of PUI", "Claimed", "Verdict"].map((head) =>
+  const heads = [t("referee.solver"), t("referee.end"), t("referee.claimed"), t("referee.verdict")].map((head) =>
     element("th", { scope: "col" }, head),
   );
   return [
-    element("h4", {}, "The referee’s verdict on the linear programs"),
+    element("h4", {}, t("referee.title")),
     element(
       "p",
       {},
-      "An exact solver judges each claim in proportion: exact, rounded (right to the last digits a float has), within tolerance (off by at most a millionth of the width), loose (too wide), or wrong.",
+      t("referee.hint"),
     ),
     element(
       "div",
-      { class: "scroll", tabindex: 0, role: "region", "aria-label": "Verdicts" },
+      { class: "scroll", tabindex: 0, role: "region", "aria-label": t("referee.table") },
       element(
         "table",
         { id: "verdicts" },

@@ -3,8 +3,9 @@
 
 import { byId, closest, element, patch, targetOf } from "../dom.js";
 import { boundsOf } from "../model/lesson.js";
-import { THETA, decimal, endText, plain, shortEnumeration, switchedOff, withMinus } from "../model/format.js";
+import { THETA, decimal, endText, plain, shortList, switchedOff } from "../model/format.js";
 import { ZERO } from "../model/rational.js";
+import { numberText, t } from "../texts.js";
 
 const LONG_NAME = 14;
 /** @type {{ parameter: string, axis: number, end: "lower" | "upper" }[]} */
@@ -57,10 +58,10 @@ export function listSwitches(lesson) {
   patch(byId("outliers"), outlierButtons(lesson));
   /** @param {WithoutData} options */
   const option = ({ row, matters }) =>
-    element("option", { value: `${row}` }, `reading ${row}${matters ? "" : " (does not matter)"}`);
+    element("option", { value: `${row}` }, t(matters ? "switch.option" : "switch.option-idle", { row }));
   patch(
     byId("leave-out"),
-    [element("option", { value: "" }, "none"), lesson.data.leave_one_out.map(option)].flat(),
+    [element("option", { value: "" }, t("switch.none")), lesson.data.leave_one_out.map(option)].flat(),
   );
 }
 
@@ -71,17 +72,17 @@ export function listSwitches(lesson) {
 function outlierButtons({ data, fps }) {
   if (fps.kind !== "empty") return [];
   if (data.outliers === null)
-    return [element("small", {}, "The fewest readings to leave out are not known: conditions alone leave nothing, or it takes too long.")];
+    return [element("small", {}, t("switch.outliers-unknown"))];
   const { least, ways, complete } = data.outliers;
-  const fewest = least === 1 ? "One reading has" : `At least ${least} readings have`;
-  const count = complete && ways.length === 1 ? "there is one way" : `${complete ? "" : "some "}ways to do so`;
+  const isOnlyOne = complete && ways.length === 1;
+  const fewest = isOnlyOne ? "switch.outliers-one" : complete ? "switch.outliers-all" : "switch.outliers-some";
   return [
-    element("span", {}, `${fewest} to be left out for anything to agree; ${count}: `),
+    element("span", {}, t(fewest, { least }), " "),
     element(
       "span",
-      { class: "buttons", role: "group", "aria-label": "Fewest readings to leave out" },
+      { class: "buttons", role: "group", "aria-label": t("switch.outliers") },
       ways.map((rows, index) =>
-        element("button", { type: "button", "data-way": `${index}` }, `without ${shortEnumeration(rows)}`),
+        element("button", { type: "button", "data-way": `${index}` }, t("switch.without", { rows: shortList(rows) })),
       ),
     ),
   ];
@@ -127,22 +128,18 @@ function isSame(one, other) {
 function effect(lesson, state, scene) {
   const rows = state.without;
   if (rows.length === 0)
-    return [element("p", {}, "Choose a reading to switch off, here, or several in the table of readings below.")];
-  const readings = `Reading${rows.length === 1 ? "" : "s"} ${shortEnumeration(rows)}`;
-  const [does, them] = rows.length === 1 ? ["does", "it"] : ["do", "them"];
+    return [element("p", {}, t("switch.choose"))];
+  const values = { rows: shortList(rows) };
   const entry = rows.length === 1 ? lesson.data.leave_one_out.find(({ row }) => row === rows[0]) : undefined;
   if (entry === undefined ? isSame(lesson.fps, scene.region) : !entry.matters) {
     return [
       element(
         "p",
         { id: "leave-one-out-verdict", "data-matters": "false" },
-        lesson.fps.kind === "empty"
-          ? `${readings} ${does} not matter: without ${them} the feasible parameter set is empty as well.`
-          : `${readings} ${does} not matter: without ${them} the feasible parameter set is exactly the same, and so is the PUI.`,
+        t(lesson.fps.kind === "empty" ? "switch.idle-empty" : "switch.idle", values),
       ),
     ];
   }
-  const matter = rows.length === 1 ? "matters" : "matter";
   const before = boundsOf(lesson.fps);
   const after = scene.bounds;
   if (before === null) {
@@ -150,34 +147,34 @@ function effect(lesson, state, scene) {
       element(
         "p",
         { id: "leave-one-out-verdict", "data-matters": "true" },
-        `${readings} ${matter}: without ${them} the set is ${after === null ? "still empty, for another reason" : "no longer empty"}.`,
+        t(after === null ? "switch.still-empty" : "switch.not-empty", values),
       ),
     ];
   }
   const ends = ENDS.map(({ parameter, axis, end }) => {
     const moved = entry?.moved.find((move) => move.parameter === parameter && move.end === end);
     const exact = movedBy(before[axis][end], after === null ? null : after[axis][end]);
-    const by = exact === null ? "to infinity" : exact.isZero() ? "not at all" : withMinus(moved?.by?.decimal ?? decimal(exact));
+    const by = exact === null ? t("switch.to-infinity") : exact.isZero() ? t("switch.not-at-all") : numberText(moved?.by?.decimal ?? decimal(exact));
     return element(
       "tr",
       {
         "data-moved": `${parameter}-${end}`,
         "data-by": exact?.toString() ?? "",
       },
-      element("th", { scope: "row" }, `${THETA[axis]} ${end}`),
+      element("th", { scope: "row" }, t(end === "lower" ? "switch.end-lower" : "switch.end-upper", { theta: THETA[axis] })),
       element("td", { class: "number" }, shownEnd(before[axis], end)),
       element("td", { class: "number" }, after === null ? "–" : shownEnd(after[axis], end)),
       element("td", { class: "number", title: exact?.toString() ?? null }, by),
     );
   });
-  const heads = ["PUI end", `with ${them}`, `without ${them}`, "moves outward by"].map((head) =>
+  const heads = [t("switch.head-end"), t("switch.head-with", values), t("switch.head-without", values), t("switch.head-moves")].map((head) =>
     element("th", { scope: "col" }, head),
   );
   return [
     element(
       "p",
       { id: "leave-one-out-verdict", "data-matters": "true" },
-      `${readings} ${matter}. The set without ${them} (solid) contains the one with ${them} (dashed).`,
+      t("switch.matters", values),
     ),
     element(
       "div",
@@ -203,7 +200,9 @@ export function drawLeaveOneOut(lesson, state, scene) {
   if (state.mode !== "leave-one-out") return;
   const rows = state.without;
   byId("switch-sentence").textContent =
-    rows.length === 0 ? "All readings are used." : `${switchedOff(rows)} The set is now ${scene.summary}.`;
+    rows.length === 0
+      ? t("switch.all-used")
+      : t("switch.sentence", { off: switchedOff(rows), now: t("switch.now", { set: scene.summary }) });
   patch(byId("leave-one-out-story"), effect(lesson, state, scene));
 }
 
@@ -215,7 +214,7 @@ export function drawLeaveOneOut(lesson, state, scene) {
 export function drawReadings(lesson, state) {
   const { model } = lesson.data;
   const columns = model.kind === "line" ? [model.x] : model.regressors;
-  const heads = ["row", ...columns, model.y, "ε", "matters", "use"];
+  const heads = [t("readings.row"), ...columns, model.y, "ε", t("readings.matters"), t("readings.use")];
   /** @param {Reading} reading */
   const row = (reading) => {
     const matters = lesson.matters.get(reading.row);
@@ -234,15 +233,15 @@ export function drawReadings(lesson, state) {
             class: "plain",
             "data-show-row": reading.row,
             "aria-pressed": `${chosen}`,
-            "aria-label": `Show reading ${reading.row} in the pictures`,
+            "aria-label": t("readings.show", { row: reading.row }),
           },
           `${reading.row}`,
         ),
       ),
       columns.map((_, k) => element("td", { class: "number" }, plain(reading.phi[k]))),
       element("td", { class: "number" }, plain(reading.y)),
-      element("td", { class: "number" }, reading.fixed === null ? plain(reading.epsilon) : "one bound"),
-      element("td", {}, matters ? element("b", {}, "◆ yes") : "no"),
+      element("td", { class: "number" }, reading.fixed === null ? plain(reading.epsilon) : t("readings.one-bound")),
+      element("td", {}, matters ? element("b", {}, t("readings.yes")) : t("readings.no")),
       element(
         "td",
         {},
@@ -251,7 +250,7 @@ export function drawReadings(lesson, state) {
           id: `leave-out-${reading.row}`,
           "data-row": reading.row,
           checked: !off,
-          "aria-label": `Use reading ${reading.row}`,
+          "aria-label": t("readings.use-one", { row: reading.row }),
         }),
       ),
     );

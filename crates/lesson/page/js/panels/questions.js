@@ -2,6 +2,7 @@
 // Questions about this data set, with answers to reveal and, where there is something to see, a way to see it.
 
 import { byId, closest, element, patch } from "../dom.js";
+import { said, t } from "../texts.js";
 
 // A question may point to a group of layers.
 /** @type {Record<string, string[]>} */
@@ -41,11 +42,11 @@ export function drawQuestions(lesson) {
       element(
         "details",
         { id: `question-${question.id}` },
-        element("summary", {}, question.question),
-        element("p", {}, question.answer),
+        element("summary", {}, said(question.question)),
+        element("p", {}, said(question.answer)),
         question.show === null
           ? null
-          : element("button", { type: "button", class: "show-me", "data-show": index }, "Show me"),
+          : element("button", { type: "button", class: "show-me", "data-show": index }, t("questions.show")),
       ),
     );
   patch(byId("question-list"), questions.map(item));

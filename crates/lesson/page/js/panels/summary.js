@@ -6,6 +6,7 @@ import { ONE, Rational, ZERO, evaluate } from "../model/rational.js";
 import { THETA, boundClass, boundMark, decimal, endText, kindText, shortFraction, switchedOff } from "../model/format.js";
 import { activeAt, partOf } from "../model/lesson.js";
 import { boundAtStop } from "../model/sweep.js";
+import { numberText, rich, said, t } from "../texts.js";
 
 const MOST_ACTIVE = 12;
 
@@ -18,7 +19,7 @@ const MOST_ACTIVE = 12;
 export function numberWithFraction(exact, shown, id = null) {
   const text = exact.toString();
   const fraction =
-    text === shown.replace("\u2212", "-")
+    numberText(text) === shown
       ? null
       : element("span", { class: "fraction", title: text }, shortFraction(text));
   return element(
@@ -38,17 +39,18 @@ export function numberWithFraction(exact, shown, id = null) {
 function sentence(lesson, state, scene) {
   if (state.mode === "clip") {
     const order = lesson.data.orders[state.order];
-    return `Clipping, step ${state.step} of ${order.steps.length}, half-planes ${order.name}.`;
+    return t("summary.clip", { step: state.step, all: order.steps.length, order: said(order.name) });
   }
   if (state.mode === "epsilon") {
     const { name, shown } = boundAtStop(lesson, lesson.stops[state.stop]);
-    if (scene.s.equals(ONE)) return lesson.epsilon === null ? "Every error bound as given." : `${name} = ${shown} (as given).`;
-    return lesson.epsilon === null
-      ? `Every error bound times ${shown}.`
-      : `${name} = ${shown} (${decimal(scene.s)} times the given one).`;
+    const isEach = lesson.epsilon === null;
+    if (scene.s.equals(ONE)) return isEach ? t("summary.each-given") : t("summary.given", { name, value: shown });
+    return isEach
+      ? t("summary.each-times", { value: shown })
+      : t("summary.times", { name, value: shown, factor: decimal(scene.s) });
   }
   if (state.mode === "leave-one-out" && state.without.length > 0) return switchedOff(state.without);
-  return "All readings, error bounds as given.";
+  return t("summary.all");
 }
 
 /**
@@ -143,7 +145,7 @@ export function drawSummary(lesson, state, scene) {
         "tr",
         {},
         element("th", { scope: "row" }, name),
-        element("td", { colspan: 3, id: `${id}-none` }, "no value left"),
+        element("td", { colspan: 3, id: `${id}-none` }, t("summary.no-value")),
       );
     const width = widthOf(bounds[axis]);
     return element(
@@ -155,7 +157,7 @@ export function drawSummary(lesson, state, scene) {
       element("td", { class: "number" }, width === null ? "∞" : decimal(width, 3)),
     );
   });
-  const heads = ["PUI", "lower end", "upper end", "width"].map((head) =>
+  const heads = ["PUI", t("summary.lower"), t("summary.upper"), t("summary.width")].map((head) =>
     element("th", { scope: "col" }, head),
   );
   const area = areaOf(lesson, state, scene);
@@ -166,13 +168,14 @@ export function drawSummary(lesson, state, scene) {
       "p",
       { id: "shown" },
       element("strong", {}, sentence(lesson, state, scene)),
-      " The set is ",
-      element(
-        "span",
-        { id: "kind", "data-kind": region.kind },
-        kindText(region.kind, region.vertices.length),
-      ),
-      ".",
+      " ",
+      rich("summary.set", {
+        set: element(
+          "span",
+          { id: "kind", "data-kind": region.kind },
+          kindText(region.kind, region.vertices.length),
+        ),
+      }),
     ),
     element(
       "div",
@@ -187,24 +190,25 @@ export function drawSummary(lesson, state, scene) {
     element(
       "p",
       {},
-      "Area: ",
-      area === null
-        ? element("span", { id: "area", "data-exact": "" }, "infinite")
-        : numberWithFraction(area, decimal(area), "area"),
+      rich("summary.area", {
+        area:
+          area === null
+            ? element("span", { id: "area", "data-exact": "" }, t("summary.infinite"))
+            : numberWithFraction(area, decimal(area), "area"),
+      }),
     ),
     element(
       "p",
       { id: "active" },
-      "Active: ",
-      names.length === 0
-        ? "none"
-        : marks(names.slice(0, shown)),
+      rich("summary.active", {
+        names: names.length === 0 ? t("summary.none") : marks(names.slice(0, shown)),
+      }),
     ),
     names.length > shown
       ? element(
           "details",
           { id: "active-more" },
-          element("summary", {}, `and ${names.length - shown} more`),
+          element("summary", {}, t("summary.more", { count: names.length - shown })),
           element("p", {}, marks(names.slice(shown))),
         )
       : null,
@@ -213,8 +217,8 @@ export function drawSummary(lesson, state, scene) {
 
 /** @param {BoundName[]} names */
 function marks(names) {
-  return names.map((name, k) => [
-    k > 0 ? ", " : null,
+  return names.flatMap((name, k) => [
+    ...(k > 0 ? [", "] : []),
     element("span", { class: `name ${boundClass(name)}` }, boundMark(name)),
   ]);
 }

@@ -11,6 +11,7 @@ import { worstLines } from "./worst-lines.js";
 import { activeAt, boundAt, readingOfRow } from "../model/lesson.js";
 import { plain } from "../model/format.js";
 import { ONE } from "../model/rational.js";
+import { said, t } from "../texts.js";
 
 /** How far a bar goes on where nothing bounds it, in pixels. */
 const OPEN_END = 28;
@@ -30,14 +31,14 @@ export function drawDataPlane(lesson, state, scene, layers, size, focused) {
   const map = screenMap(view, plotArea(size.width, size.height));
   const { x, y } = columnNames(lesson);
   const heightName =
-    state.residual && lesson.reference !== null ? `${y} − ${lesson.reference.name} prediction` : y;
+    state.residual && lesson.reference !== null ? t(`height.${lesson.reference.name}`, { y }) : y;
   const rows = lesson.isLine ? null : rowTicks(lesson, map);
   const { left, top, width, height } = map.area;
   patch(byId("data-plane"), [
     element(
       "title",
       { id: "data-plane-title" },
-      `Data plane: ${lesson.readings.length} readings with error bars`,
+      t("data-plane.readings", { count: lesson.readings.length }),
     ),
     element(
       "defs",
@@ -55,7 +56,7 @@ export function drawDataPlane(lesson, state, scene, layers, size, focused) {
     ),
     element(
       "g",
-      { "clip-path": "url(#data-clip)", role: "group", "aria-label": "Readings", id: "readings-drawn" },
+      { "clip-path": "url(#data-clip)", role: "group", "aria-label": t("readings.title"), id: "readings-drawn" },
       lesson.readings.map((reading) => drawnReading(lesson, state, scene, reading, frame, map, focused)),
     ),
     element(
@@ -79,7 +80,7 @@ function columnNames(lesson) {
    */
   const named = (name, unit) =>
     !unit || [`(${unit})`, `[${unit}]`].some((end) => name.endsWith(end)) ? name : `${name} (${unit})`;
-  return { x: model.kind === "line" ? named(model.x, units.x) : "row", y: named(model.y, units.y) };
+  return { x: model.kind === "line" ? named(model.x, units.x) : t("readings.row"), y: named(model.y, units.y) };
 }
 
 /**
@@ -155,7 +156,7 @@ function chosenLine(lesson, state, scene, frame, map) {
       // Labels of readings at the same place would cover each other.
       const free = labelled.every(([px, py]) => Math.hypot(px - x, py - y) > 12);
       if (free) labelled.push([x, y]);
-      const label = free ? `reading ${name.row}` : "";
+      const label = free ? t("data-plane.end", { row: name.row }) : "";
       const above = name.bound === "upper" ? -14 : 22;
       const anchor =
         x > map.area.left + map.area.width - 40 ? "end" : x < map.area.left + 40 ? "start" : "middle";
@@ -207,7 +208,7 @@ function drawnReading(lesson, state, scene, reading, frame, map, focused) {
     if (chosen.near !== undefined && lesson.halfPlanes[chosen.near].reading === reading) classes.push("chosen");
   }
   const { model } = lesson.data;
-  const name = model.kind === "line" ? model.x : "row";
+  const name = model.kind === "line" ? model.x : t("readings.row");
   const abscissa = lesson.isLine ? plain(reading.phi[0]) : `${reading.row}`;
   return element(
     "g",
@@ -217,7 +218,7 @@ function drawnReading(lesson, state, scene, reading, frame, map, focused) {
       role: "button",
       tabindex: reading.index === Math.min(focused, lesson.readings.length - 1) ? 0 : -1,
       "aria-pressed": `${state.selection?.kind === "reading" && state.selection.row === reading.row}`,
-      "aria-label": `Reading ${reading.row}: ${name} = ${abscissa}, ${spokenBounds(lesson, reading)}`,
+      "aria-label": t("data-plane.spoken", { row: reading.row, name, abscissa, bounds: spokenBounds(lesson, reading) }),
     },
     element("rect", {
       class: "hit",
@@ -264,8 +265,8 @@ function spokenBounds(lesson, reading) {
   if (reading.fixed === null && reading.middle.equals(reading.y))
     return `${y} = ${plain(reading.y)} ± ${plain(reading.epsilon)}`;
   const [upper, lower] = [boundAt(reading, "upper", ONE), boundAt(reading, "lower", ONE)];
-  const words = [lower === null ? [] : [`at least ${plain(lower)}`], upper === null ? [] : [`at most ${plain(upper)}`]];
-  return words.flat().join(" and ");
+  const words = [lower === null ? [] : [t("data-plane.at-least", { end: plain(lower) })], upper === null ? [] : [t("data-plane.at-most", { end: plain(upper) })]];
+  return said({ list: words.flat() });
 }
 
 /**

@@ -5,7 +5,8 @@ import { byId, element, patch } from "../dom.js";
 import { axes, mark, pathThrough, plotArea, round } from "./axes.js";
 import { clipped, cornersInView, cornersOf, lineInView } from "./region.js";
 import { activeAt, halfPlaneIndex } from "../model/lesson.js";
-import { EMPTY, boundClass, decimal } from "../model/format.js";
+import { boundClass, decimal, kindText } from "../model/format.js";
+import { t } from "../texts.js";
 import { screenMap } from "./view.js";
 import { automaticView } from "./parameter-view.js";
 import { worstPoints } from "./worst-lines.js";
@@ -17,10 +18,10 @@ import { chosenPoint, vertexMarks, vertexNumbers } from "./vertex-marks.js";
  * @param {ParameterFrame} frame
  */
 function axisNames(lesson, frame) {
-  if (frame.shear.isZero()) return lesson.isLine ? ["θ₁, slope", "θ₂, intercept"] : ["θ₁", "θ₂"];
+  if (frame.shear.isZero()) return lesson.isLine ? [t("axis.slope"), t("axis.intercept")] : ["θ₁", "θ₂"];
   const at = decimal(frame.shear, 6);
   const { model } = lesson.data;
-  return model.kind === "line" ? ["θ₁, slope", `height at ${model.x} = ${at}`] : ["θ₁", `θ₂ + ${at}·θ₁`];
+  return model.kind === "line" ? [t("axis.slope"), t("axis.height", { x: model.x, at })] : ["θ₁", `θ₂ + ${at}·θ₁`];
 }
 
 /**
@@ -50,7 +51,7 @@ export function drawParameterPlane(lesson, state, scene, layers, size, focused) 
   const chosen = state.hover ?? state.selection;
   const { left, top, width, height } = map.area;
   patch(byId("parameter-plane"), [
-    element("title", { id: "parameter-plane-title" }, `Parameter plane: ${scene.summary}`),
+    element("title", { id: "parameter-plane-title" }, t("parameter-plane.set", { set: scene.summary })),
     definitions({ left, top, width, height }),
     axes(map, exact, number, axisNames(lesson, frame)),
     element(
@@ -71,7 +72,7 @@ export function drawParameterPlane(lesson, state, scene, layers, size, focused) 
     arrows(lesson, scene, map),
     element(
       "g",
-      { role: "group", "aria-label": "Vertices", id: "vertices" },
+      { role: "group", "aria-label": t("parameter-plane.vertices"), id: "vertices" },
       vertexMarks(lesson, state, scene, map, focused),
     ),
     element(
@@ -346,7 +347,7 @@ function emptyNote(scene, map) {
   return element(
     "text",
     { class: "note", x: left + width / 2, y: top + 26, "text-anchor": "middle" },
-    EMPTY,
+    kindText("empty", 0),
   );
 }
 

@@ -3,7 +3,8 @@
 // and a power of ten are taken out and written once, beside the axis.
 
 import { Rational, decimalPower } from "../model/rational.js";
-import { decimal, withMinus } from "../model/format.js";
+import { decimal } from "../model/format.js";
+import { numberText } from "../texts.js";
 
 // Labels with more digits than this are shortened by an offset.
 const LONGEST_LABEL = 4;
@@ -45,7 +46,7 @@ function niceStep(span, count) {
 function plainDecimal(value) {
   if (value.isZero()) return "0";
   const fraction = Math.max(0, LONGEST_LABEL + 2 - Math.max(0, value.decimalExponent()));
-  return withMinus(
+  return numberText(
     value
       .toNumber()
       .toFixed(fraction)

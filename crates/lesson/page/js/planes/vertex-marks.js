@@ -5,6 +5,7 @@ import { element } from "../dom.js";
 import { round } from "./axes.js";
 import { activeAt } from "../model/lesson.js";
 import { boundText, shortEnumeration, vertexName, vertexNames } from "../model/format.js";
+import { t } from "../texts.js";
 
 const DIGIT_WIDTH = 8.5;
 const HALF_HEIGHT = 7;
@@ -50,7 +51,7 @@ export function vertexMarks(lesson, state, scene, map, focused) {
         role: "button",
         tabindex: index === Math.min(focused, scene.places.length - 1) ? 0 : -1,
         "aria-pressed": `${state.selection?.kind === "vertex" && state.selection.index === index}`,
-        "aria-label": `Vertex ${vertexName(index)}: θ₁ = ${theta[0]}, θ₂ = ${theta[1]}; active: ${active}`,
+        "aria-label": t("vertex.spoken", { vertex: vertexName(index), first: `${theta[0]}`, second: `${theta[1]}`, active }),
         transform: shown ? `translate(${round(x)} ${round(y)})` : "translate(-99 -99)",
       },
       element("circle", { class: "hit", r: 13 }),
@@ -229,7 +230,7 @@ export function chosenPoint(lesson, state, scene, map) {
       transform: `translate(${round(x)} ${round(y)})`,
       "data-theta1": chosen.theta[0].toString(),
       "data-theta2": chosen.theta[1].toString(),
-      "aria-label": "Chosen parameter point. Arrow keys move it, with Shift in larger steps.",
+      "aria-label": t("point.spoken"),
     },
     element("circle", { class: "hit", r: 16 }),
     element("path", { class: "hair", d: "M-14 0H14M0-14V14" }),
