@@ -21,6 +21,16 @@ const MAIN: &str = "main.js";
 /// All modules of the script by name; their order in the page follows from what they import.
 const MODULES: &[(&str, &str)] = &[
     module!("dom.js"),
+    module!("editor/drag.js"),
+    module!("editor/export.js"),
+    module!("editor/fragment.js"),
+    module!("editor/grid.js"),
+    module!("editor/importing.js"),
+    module!("editor/moving.js"),
+    module!("editor/panel.js"),
+    module!("editor/question-form.js"),
+    module!("editor/session.js"),
+    module!("editor/sheet.js"),
     module!("engine.js"),
     module!("main.js"),
     module!("model/format.js"),

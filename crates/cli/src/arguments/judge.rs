@@ -4,7 +4,6 @@ use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ValueEnum};
 
 use super::endings::NamedFormat;
-use super::look::PictureArguments;
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::{LimitArguments, OutputArguments, SolutionArguments};
 
@@ -47,8 +46,6 @@ pub(crate) struct JudgeArguments {
     /// Also draw the feasible set, the optimal points and where the objective improves: FILE.svg, .png, .pdf, .tikz or .tex
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) plot: Option<String>,
-    #[command(flatten)]
-    pub(crate) picture: PictureArguments,
     #[command(flatten)]
     pub(crate) solutions: SolutionArguments,
     #[command(flatten)]

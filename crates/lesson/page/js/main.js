@@ -19,6 +19,7 @@
 //                                data-by-hand, data-passes, data-theta1 …, or data-exact;  #worst-exact #worst-reset
 //   #question-<id>, its button   [data-show];  #residual #straighten #theme-toggle #inspector
 //   #conflict                    why the set is empty;  #language  the language of the page
+//   the names of the editor are in editor/panel.js
 //   #status                      the live region;  button[data-zoom="in|out|set|fit"][data-plane="parameter|data"]
 
 import { byId, rove, targetOf } from "./dom.js";
@@ -37,9 +38,10 @@ import { connectQuestions, drawQuestions } from "./panels/questions.js";
 import { connectDataPlane, connectParameterPlane, connectZoom } from "./planes/interaction.js";
 import { connectWorstLines } from "./planes/worst-lines.js";
 import { fillIntroduction } from "./panels/introduction.js";
+import { connectEditor } from "./editor/panel.js";
+import { engine } from "./engine.js";
 import { kindText, switchedOff } from "./model/format.js";
 import { connectLanguage } from "./panels/language.js";
-import { engine } from "./engine.js";
 import { tableOf } from "./model/table.js";
 import { t } from "./texts.js";
 
@@ -257,8 +259,9 @@ function start() {
     if (words !== null) byId("status").textContent = words;
   });
   draw();
+  const editor = engine === null ? null : connectEditor(engine, store, () => drawn);
   // For the console of the browser, and for tests: `await boundfit.engine.ask("run", "x,y\n1,2\n", { x: "x", y: "y", eps: "1" })`.
-  Object.assign(globalThis, { boundfit: { engine, tableOf, store } });
+  Object.assign(globalThis, { boundfit: { engine, tableOf, store, editor } });
   // Sizes are known only now, and change with the window.
   new ResizeObserver(draw).observe(byId("parameter-plane"));
 }

@@ -341,3 +341,63 @@ type TextPart = string | TextPlace | { tag: string; attributes: Attributes; part
 
 /** An element of the page by its id: whichever kind it is, these are the properties that the script uses. */
 type PageElement = HTMLInputElement;
+
+/** A column of a sheet, and what it is for. */
+interface SheetColumn {
+  name: string;
+  role: "x" | "y" | "eps" | "lower" | "upper";
+}
+
+interface SheetRow {
+  cells: string[];
+  isFitted: boolean;
+}
+
+/** Readings as text, and what is asked of them; never changed. */
+interface Sheet {
+  columns: SheetColumn[];
+  rows: SheetRow[];
+  /** The question but for columns and rows, with the keys of docs/wasm.md. */
+  question: Record<string, any>;
+}
+
+/** What the engine refused, and where: a row with a column, a key of the question, or nothing of these. */
+interface Problem {
+  row: number | null;
+  column: number | null;
+  key: string | null;
+  message: string;
+}
+
+/** One reader's work on a sheet. */
+interface Session {
+  sheet: () => Sheet;
+  /** The sheet whose lesson is shown. */
+  right: () => Sheet;
+  problem: () => Problem | null;
+  isBusy: () => boolean;
+  canUndo: () => boolean;
+  canRedo: () => boolean;
+  /** Takes another sheet; edits with the same key in a row are undone together. `about` says what was done. */
+  edit: (sheet: Sheet, about: string, key?: string | null) => void;
+  /** Ends a row of edits that are undone together. */
+  settle: () => void;
+  /** When the engine has answered all that it was asked. */
+  settled: () => Promise<void>;
+  undo: (about: string) => void;
+  redo: (about: string) => void;
+}
+
+/** The editor for the console of the browser, and for tests. */
+interface Editor {
+  sheet: () => Sheet;
+  problem: () => Problem | null;
+  settled: () => Promise<void>;
+  edit: (sheet: Sheet) => void;
+  undo: () => void;
+  csvOf: (sheet: Sheet) => string;
+  /** The readings shown as delimited text, and the command that fits them. */
+  csv: () => string;
+  command: () => string;
+  options: () => Record<string, any>;
+}

@@ -2,10 +2,8 @@
 
 mod geometry;
 mod golden;
-mod look;
 mod pictures;
 mod refusals;
-mod several;
 
 use std::process::{Command, Output};
 

@@ -1,0 +1,89 @@
+// @ts-check
+// A sheet in the fragment of the page's address: packed JSON, in the letters that an address takes. The first part is the version.
+
+import { distinct, questionOf } from "./sheet.js";
+
+const VERSION = "#readings-1.";
+/** Many a program cuts addresses that are longer. */
+const LONGEST = 8000;
+const LONGEST_UNPACKED = 1_000_000;
+const MOST_SHEET_ROWS = 2000;
+const ROLES = ["x", "y", "eps", "lower", "upper"];
+
+/**
+ * @param {Uint8Array} bytes
+ * @param {CompressionStream | DecompressionStream} packing
+ */
+async function through(bytes, packing) {
+  const reader = new Blob([/** @type {BlobPart} */ (bytes)]).stream().pipeThrough(packing).getReader();
+  const parts = [];
+  let length = 0;
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) return new Uint8Array(await new Blob(parts).arrayBuffer());
+    length += value.length;
+    // A few bytes may unpack to gigabytes.
+    if (length > LONGEST_UNPACKED) throw new RangeError("too long");
+    parts.push(value);
+  }
+}
+
+/**
+ * The fragment that stands for a sheet; null for one that is too long for an address.
+ * @param {Sheet} sheet
+ */
+export async function fragmentOf({ columns, rows, question: asked }) {
+  const compact = [
+    columns.map(({ name, role }) => [name, role]),
+    rows.map(({ cells }) => cells.join("\t")).join("\n"),
+    rows.map(({ isFitted }) => (isFitted ? "1" : "0")).join(""),
+    asked,
+  ];
+  const packed = await through(new TextEncoder().encode(JSON.stringify(compact)), new CompressionStream("deflate-raw"));
+  const text = btoa(String.fromCharCode(...packed)).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
+  return VERSION.length + text.length > LONGEST ? null : VERSION + text;
+}
+
+/**
+ * The sheet that a fragment stands for; null for a fragment of another kind, an Error for one that is damaged.
+ * @param {string} fragment
+ * @returns {Promise<Sheet | Error | null>}
+ */
+export async function sheetOfFragment(fragment) {
+  if (!fragment.startsWith("#readings-")) return null;
+  if (!fragment.startsWith(VERSION)) return new Error("version");
+  try {
+    const letters = fragment.slice(VERSION.length).replaceAll("-", "+").replaceAll("_", "/");
+    const packed = Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0));
+    const text = new TextDecoder().decode(await through(packed, new DecompressionStream("deflate-raw")));
+    return checked(JSON.parse(text));
+  } catch {
+    return new Error("damaged");
+  }
+}
+
+/**
+ * What anyone may have written into an address, as a sheet.
+ * @param {any} compact
+ * @returns {Sheet}
+ */
+function checked([names, cells, fitted, asked]) {
+  /** @param {boolean} holds */
+  const demand = (holds) => {
+    if (!holds) throw new TypeError("sheet");
+  };
+  demand(Array.isArray(names) && names.length > 0 && names.length <= 6 && typeof cells === "string" && typeof fitted === "string");
+  const columns = names.map((/** @type {any} */ own) => {
+    demand(Array.isArray(own) && typeof own[0] === "string" && ROLES.includes(own[1]));
+    return { name: own[0], role: own[1] };
+  });
+  const lines = fitted.length === 0 ? [] : cells.split("\n");
+  demand(lines.length === fitted.length && lines.length <= MOST_SHEET_ROWS);
+  demand(typeof asked === "object" && asked !== null && !Array.isArray(asked));
+  const rows = lines.map((/** @type {string} */ line, /** @type {number} */ k) => {
+    const own = line.split("\t");
+    demand(own.length === columns.length);
+    return { cells: own, isFitted: fitted[k] === "1" };
+  });
+  return { columns: distinct(columns), rows, question: questionOf(asked) };
+}

@@ -1,0 +1,59 @@
+// @ts-check
+// A reading at another place, as cells.
+
+import { usedRows } from "./sheet.js";
+import { cellText } from "../model/table.js";
+import { boundAt, readingOfRow } from "../model/lesson.js";
+import { HALF, ONE, Rational, ZERO } from "../model/rational.js";
+
+/**
+ * The cells of a reading without numbers yet, but for a bound like that of the one before.
+ * @param {Sheet} sheet
+ */
+export function newCells({ columns, rows }) {
+  const last = rows[rows.length - 1];
+  return columns.map(({ role }, k) => (role === "eps" ? (last?.cells[k] ?? "") : ""));
+}
+
+/**
+ * The sheet with a row moved: bounds of its own go with y.
+ * @param {Sheet} sheet
+ * @param {number} at
+ * @param {Rational | null} x null where it stays
+ * @param {Rational} y
+ * @param {Lesson} lesson
+ * @returns {Sheet}
+ */
+export function movedSheet(sheet, at, x, y, lesson) {
+  const row = usedRows(sheet).indexOf(at) + 1;
+  const reading = lesson.rowIndex.has(row) ? readingOfRow(lesson, row) : null;
+  const origin = Rational.parse(lesson.data.asked.x_origin ?? "0");
+  /** @param {"lower" | "upper"} end */
+  const bound = (end) => {
+    const known = reading === null ? null : boundAt(reading, end, ONE);
+    if (reading !== null) return known === null ? null : known.plus(y.minus(reading.y));
+    const half = halfWidth(lesson);
+    return end === "lower" ? y.minus(half) : y.plus(half);
+  };
+  const cells = sheet.columns.map(({ role }, k) => {
+    const cell = sheet.rows[at].cells[k];
+    if (role === "x") return x === null ? cell : cellText(x.plus(origin));
+    if (role === "y") return cellText(y);
+    if (role === "eps") return cell;
+    const end = bound(role);
+    return end === null ? "" : cellText(end);
+  });
+  return { ...sheet, rows: sheet.rows.map((own, k) => (k === at ? { ...own, cells } : own)) };
+}
+
+/**
+ * Half the distance between the bounds of the last reading that has both.
+ * @param {Lesson} lesson
+ */
+function halfWidth(lesson) {
+  for (const reading of [...lesson.readings].reverse()) {
+    const [lower, upper] = [boundAt(reading, "lower", ONE), boundAt(reading, "upper", ONE)];
+    if (lower !== null && upper !== null) return upper.minus(lower).times(HALF);
+  }
+  return ZERO;
+}

@@ -1,0 +1,93 @@
+// @ts-check
+// What is asked of the readings: the bound on their errors, conditions, the form of the line.
+
+import { element } from "../dom.js";
+import { problemNote } from "./grid.js";
+import { withBounds, withQuestion } from "./sheet.js";
+import { cellText } from "../model/table.js";
+import { boundAt } from "../model/lesson.js";
+import { ONE } from "../model/rational.js";
+import { t } from "../texts.js";
+
+/** @type {("eps" | "column" | "interval")[]} */
+const KINDS_OF_BOUNDS = ["eps", "column", "interval"];
+
+const EXAMPLE = "theta1 >= 0";
+
+/** @param {Sheet} sheet */
+function kindOfBounds({ columns }) {
+  if (columns.some(({ role }) => role === "eps")) return "column";
+  return columns.some(({ role }) => role === "lower" || role === "upper") ? "interval" : "eps";
+}
+
+/**
+ * @param {Sheet} sheet
+ * @param {Problem | null} problem
+ * @param {{ place: string, text: string } | null} typing
+ */
+export function questionForm(sheet, problem, typing) {
+  const kind = kindOfBounds(sheet);
+  const { eps, where, through_origin } = sheet.question;
+  /** @param {string} id @param {string} text @param {string} width */
+  const field = (id, text, width) => {
+    const isWrong = problem?.key === id;
+    return element(
+      "label",
+      { class: "field" },
+      t(`edit.${id}`),
+      " ",
+      element("input", {
+        type: "text",
+        id,
+        size: width,
+        autocomplete: "off",
+        spellcheck: "false",
+        value: typing?.place === id ? typing.text : text,
+        "aria-invalid": isWrong ? "true" : null,
+        "aria-describedby": `${id}-hint`,
+      }),
+      element("small", { id: `${id}-hint` }, isWrong && problem !== null ? problemNote(problem) : t(`edit.${id}-hint`, { example: EXAMPLE })),
+    );
+  };
+  return element(
+    "div",
+    { class: "controls question" },
+    element(
+      "label",
+      {},
+      t("edit.bounds"),
+      " ",
+      element("select", { id: "bounds-kind" }, KINDS_OF_BOUNDS.map((own) => element("option", { value: own, selected: own === kind }, t(`edit.bounds.${own}`)))),
+    ),
+    kind === "eps" ? field("eps", `${eps ?? ""}`, "14") : null,
+    field("where", (where ?? []).join("; "), "26"),
+    sheet.columns.filter(({ role }) => role === "x").length === 1
+      ? element("label", {}, element("input", { type: "checkbox", id: "through-origin", checked: through_origin === true }), t("edit.through-origin"))
+      : null,
+  );
+}
+
+/**
+ * The sheet that a control of the form asks for; null for a control of another kind, or where nothing changes.
+ * @param {PageElement} input
+ * @param {Sheet} sheet
+ * @param {Lesson} lesson
+ */
+export function askedBy(input, sheet, lesson) {
+  const { id, value, checked } = input;
+  if (id === "eps") return value.trim() === sheet.question.eps ? null : withQuestion(sheet, { eps: value.trim() });
+  if (id === "where") {
+    const conditions = value.split(";").map((own) => own.trim()).filter((own) => own !== "");
+    return withQuestion(sheet, { where: conditions.length === 0 ? undefined : conditions });
+  }
+  if (id === "through-origin") return withQuestion(sheet, { through_origin: checked ? true : undefined });
+  if (id !== "bounds-kind") return null;
+  const kind = KINDS_OF_BOUNDS.find((own) => own === value) ?? "eps";
+  /** @param {Rational | null} end */
+  const text = (end) => (end === null ? "" : cellText(end));
+  const known = lesson.readings.map((reading) => {
+    const [lower, upper] = [boundAt(reading, "lower", ONE), boundAt(reading, "upper", ONE)];
+    return /** @type {const} */ ([reading.row, { width: cellText(reading.epsilon), lower: text(lower), upper: text(upper) }]);
+  });
+  return withBounds(sheet, kind, new Map(known));
+}

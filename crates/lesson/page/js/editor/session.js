@@ -1,0 +1,93 @@
+// @ts-check
+// One reader's work on a sheet: what was done and can be undone, and the questions to the engine. Of these one is under way at most,
+// and one waits: while readings are dragged, what is overtaken is never asked.
+
+import { csvOf, optionsOf, problemOf } from "./sheet.js";
+
+// So many steps can be undone.
+const MOST_STEPS = 200;
+
+/**
+ * @param {Engine} engine
+ * @param {Sheet} first
+ * @param {{ onLesson: (data: LessonData, sheet: Sheet, words: string) => void, onChange: () => void }} listeners
+ * @returns {Session}
+ */
+export function createSession(engine, first, { onLesson, onChange }) {
+  /** @type {{ past: Sheet[], future: Sheet[] }} */
+  const steps = { past: [], future: [] };
+  let sheet = first;
+  /** The sheet whose lesson is shown. */
+  let right = first;
+  /** @type {Problem | null} */
+  let problem = null;
+  /** @type {string | null} */
+  let key = null;
+  let words = "";
+  let isBusy = false;
+  let isWaiting = false;
+  /** @type {(() => void)[]} */
+  const settling = [];
+
+  async function ask() {
+    if (isBusy) {
+      isWaiting = true;
+      return;
+    }
+    isBusy = true;
+    const [asked, about] = [sheet, words];
+    onChange();
+    /** @type {string | Error} */
+    const answer = await engine.ask("lesson", csvOf(asked), optionsOf(asked)).catch((error) => error);
+    isBusy = false;
+    if (typeof answer === "string") {
+      right = asked;
+      if (asked === sheet) problem = null;
+      onLesson(JSON.parse(answer), asked, about);
+    } else if (asked === sheet) problem = problemOf(answer.message, asked);
+    if (isWaiting) {
+      isWaiting = false;
+      ask();
+    } else settling.splice(0).forEach((resolve) => resolve());
+    onChange();
+  }
+
+  /** @param {Sheet} next @param {string} about */
+  function go(next, about) {
+    [sheet, words] = [next, about];
+    ask();
+  }
+
+  /** @param {Sheet[]} from @param {Sheet[]} to @param {string} about */
+  function step(from, to, about) {
+    const next = from.pop();
+    if (next === undefined) return;
+    // What the engine refused is no state to come back to.
+    if (problem === null) to.push(sheet);
+    [key, problem] = [null, null];
+    go(next, about);
+  }
+
+  return {
+    sheet: () => sheet,
+    right: () => right,
+    problem: () => problem,
+    isBusy: () => isBusy,
+    canUndo: () => steps.past.length > 0,
+    canRedo: () => steps.future.length > 0,
+    edit(next, about, own = null) {
+      // Steps of one movement are undone together.
+      if (problem === null && (own === null || own !== key)) steps.past.push(sheet);
+      if (steps.past.length > MOST_STEPS) steps.past.shift();
+      steps.future = [];
+      key = own;
+      go(next, about);
+    },
+    settle() {
+      key = null;
+    },
+    settled: () => new Promise((resolve) => (isBusy ? settling.push(resolve) : resolve())),
+    undo: (about) => step(steps.past, steps.future, about),
+    redo: (about) => step(steps.future, steps.past, about),
+  };
+}

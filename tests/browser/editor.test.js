@@ -1,0 +1,370 @@
+// Readings changed on the page: with the mouse, a finger, the keyboard, by typing, pasting, dropping; and what is taken away.
+
+import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+
+import { DATA, SPECIAL, fitReport, launch, openLesson } from "./harness.js";
+
+let browser;
+
+before(async () => {
+  browser = await launch();
+});
+after(() => browser?.close());
+
+const LINE = ["fixtures/claims/strip.csv", "--x", "x", "--y", "y", "--eps", "0.2"];
+
+/** Waits until the page shows what was asked last. */
+const settled = (page) => page.locator('#editor[data-busy="false"]').waitFor();
+
+const vertices = (page) =>
+  page.locator("#parameter-plane [data-vertex]").evaluateAll((marks) => marks.map(({ dataset }) => [dataset.theta1, dataset.theta2].join()));
+
+/** What the program says of the readings that the page shows, by the command that the page shows. */
+async function programOf(page) {
+  const { csv, command } = await page.evaluate(() => ({ csv: boundfit.editor.csv(), command: boundfit.editor.command() }));
+  const file = join(tmpdir(), `boundfit-editor-${process.pid}.csv`);
+  writeFileSync(file, csv);
+  const words = [...command.matchAll(/'([^']*)'|(\S+)/g)].map(([, quoted, plain]) => quoted ?? plain);
+  assert.deepEqual(words.slice(0, 3), ["boundfit", "fit", "readings.csv"]);
+  return fitReport([file, ...words.slice(3)]);
+}
+
+async function assertAsTheProgram(page) {
+  await settled(page);
+  const { fps } = await programOf(page);
+  assert.equal(await page.locator("#parameter-plane").getAttribute("data-kind"), fps.kind);
+  assert.deepEqual((await vertices(page)).sort(), fps.vertices.map(({ theta }) => theta.map(({ exact }) => exact).join()).sort());
+}
+
+async function opened(options, context) {
+  const lesson = await openLesson(browser, options, context);
+  await lesson.page.locator("#edit-toggle").click();
+  return lesson;
+}
+
+const cell = (page, row, column) => page.locator(`[data-cell="${row} ${column}"]`);
+const cells = (page) => page.locator("[data-cell]").evaluateAll((inputs) => inputs.map(({ value }) => value));
+
+async function typed(page, row, column, text) {
+  await cell(page, row, column).fill(text);
+  await cell(page, row, column).press("Tab");
+  await settled(page);
+}
+
+test("a number that is typed is computed with as it stands, with a comma or as a fraction too", async () => {
+  const { page, complaints, close } = await opened(LINE);
+  for (const text of ["1.50", "1,25", "4/3", "1e-3"]) {
+    await typed(page, 0, 1, text);
+    assert.equal(await cell(page, 0, 1).inputValue(), text);
+    await assertAsTheProgram(page);
+    assert.match(await page.locator("#status").textContent(), /^y of reading 1 is now .*\. The set is /);
+  }
+  assert.equal(await page.locator('#readings tbody tr:first-child td:nth-child(3)').textContent(), "0.001");
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("a wrong number is marked with the engine's words, and the last right set stays", async () => {
+  const { page, complaints, close } = await opened(LINE);
+  const before = await vertices(page);
+  await typed(page, 1, 1, "2..5");
+  const problem = page.locator("#sheet-problem");
+  assert.match(await problem.textContent(), /^"2\.\.5": not a number/);
+  assert.equal(await cell(page, 1, 1).getAttribute("aria-invalid"), "true");
+  assert.equal(await cell(page, 1, 1).getAttribute("aria-describedby"), "sheet-problem");
+  assert.deepEqual(await vertices(page), before);
+  await typed(page, 1, 1, "2.5");
+  assert.equal(await problem.count(), 0);
+  await assertAsTheProgram(page);
+  // What was refused is no step of its own.
+  await page.locator("#undo").click();
+  await settled(page);
+  assert.deepEqual(await vertices(page), before);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("thousands or a decimal comma: what cannot be told is asked back", async () => {
+  const { page, close } = await opened(LINE);
+  await typed(page, 0, 1, "1,000");
+  assert.match(await page.locator("#sheet-problem").textContent(), /"1,000"/);
+  await close();
+});
+
+test("error bounds, conditions, the origin: any words of the program, and its own refusals", async () => {
+  const { page, complaints, close } = await opened(DATA.transducer);
+  for (const eps of ["1/1000", "2*min", "0.1%*|y|+0.4e-3", "+0.5e-3/-0.6e-3"]) {
+    await page.locator("#eps").fill(eps);
+    await page.locator("#eps").press("Enter");
+    await assertAsTheProgram(page);
+  }
+  await page.locator("#eps").fill("a lot");
+  await page.locator("#eps").press("Enter");
+  await settled(page);
+  assert.match(await page.locator("#eps-hint").textContent(), /^"a lot": /);
+  await page.locator("#eps").fill("0.5e-3");
+  await page.locator("#where").fill("theta1 >= 0.0018; theta2 <= 0.0228");
+  await page.locator("#where").press("Enter");
+  await assertAsTheProgram(page);
+  assert.equal(await page.locator("#parameter-plane .bound.condition").count(), 2);
+  await page.locator("#where").fill("theta3 >= 0");
+  await page.locator("#where").press("Enter");
+  await settled(page);
+  assert.match(await page.locator("#where-hint").textContent(), /theta3/);
+  await page.locator("#where").fill("");
+  await page.locator("#where").press("Enter");
+  await page.locator("#through-origin").check();
+  await assertAsTheProgram(page);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("readings are added, left out and deleted", async () => {
+  const { page, complaints, close } = await opened(DATA.norris);
+  const count = await page.locator("[data-sheet-row]").count();
+  await page.locator("#add-reading").click();
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.cell), `${count} 0`);
+  await page.keyboard.type("500");
+  await page.keyboard.press("Tab");
+  await settled(page);
+  assert.equal(await page.locator("#sheet-problem").count(), 0, "a row that is not finished is no mistake");
+  assert.equal(await page.locator("#data-plane [data-reading]").count(), count);
+  await page.keyboard.type("501.5");
+  await page.keyboard.press("Enter");
+  await settled(page);
+  assert.equal(await page.locator("#data-plane [data-reading]").count(), count + 1);
+  await assertAsTheProgram(page);
+  await page.locator('[data-fitted="3"]').uncheck();
+  await assertAsTheProgram(page);
+  assert.equal(await page.locator('#data-plane [data-reading="4"]').count(), 0);
+  await page.locator('[data-delete="0"]').click();
+  await assertAsTheProgram(page);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("the last reading cannot go: the engine says so, and what was right stays", async () => {
+  const { page, close } = await opened(SPECIAL.noError);
+  const kind = page.locator("#parameter-plane");
+  for (let left = 3; left > 0; left -= 1) {
+    await page.locator('[data-delete="0"]').click();
+    await settled(page);
+  }
+  assert.match(await page.locator("#edit-problem").textContent(), /no data rows/);
+  assert.equal(await kind.getAttribute("data-kind"), "line");
+  await close();
+});
+
+test("a reading is dragged with the mouse; the page follows, and one step undoes it", async () => {
+  const { page, complaints, close } = await opened(DATA.transducer);
+  const before = [await cells(page), await vertices(page)];
+  await page.locator("#data-plane").scrollIntoViewIfNeeded();
+  const place = await page.locator('#data-plane [data-reading="20"] .dot').boundingBox();
+  await page.mouse.move(place.x + 3, place.y + 3);
+  await page.mouse.down();
+  await page.mouse.move(place.x + 23, place.y - 20, { steps: 12 });
+  await settled(page);
+  assert.notDeepEqual(await cells(page), before[0], "while it is dragged");
+  await page.mouse.up();
+  await assertAsTheProgram(page);
+  const moved = await cells(page);
+  const changed = moved.flatMap((text, k) => (text === before[0][k] ? [] : [[k, text]]));
+  assert.deepEqual(changed.map(([k]) => k), [38, 39]);
+  for (const [, text] of changed) assert.ok(text.length <= 9, `a short decimal: ${text}`);
+  assert.equal(await page.locator('#data-plane [data-reading="20"]').getAttribute("aria-pressed"), "true");
+  await page.locator("#undo").click();
+  await settled(page);
+  assert.deepEqual([await cells(page), await vertices(page)], before);
+  await page.locator("#redo").click();
+  await settled(page);
+  assert.deepEqual(await cells(page), moved);
+  // Straight up or down, x stays.
+  const there = await page.locator('#data-plane [data-reading="25"] .dot').boundingBox();
+  await page.mouse.move(there.x + 3, there.y + 3);
+  await page.mouse.down();
+  await page.mouse.move(there.x + 6, there.y + 30, { steps: 9 });
+  await page.mouse.up();
+  await assertAsTheProgram(page);
+  assert.deepEqual((await cells(page)).flatMap((text, k) => (text === moved[k] ? [] : [k])), [49]);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("a finger scrolls over a reading until it is chosen, and drags it then", async () => {
+  const { page, complaints, close } = await opened(DATA.transducer, { hasTouch: true });
+  const before = await cells(page);
+  const reading = page.locator('#data-plane [data-reading="20"]');
+  const session = await page.context().newCDPSession(page);
+  const touch = (type, points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points });
+  const drag = async () => {
+    await reading.scrollIntoViewIfNeeded();
+    const { x, y } = await reading.locator(".dot").boundingBox();
+    await touch("touchStart", [{ x: x + 3, y: y + 3 }]);
+    for (let k = 1; k <= 8; k += 1) await touch("touchMove", [{ x: x + 3 + 3 * k, y: y + 3 - 3 * k }]);
+    await touch("touchEnd", []);
+    await settled(page);
+  };
+  await drag();
+  assert.deepEqual(await cells(page), before);
+  await reading.scrollIntoViewIfNeeded();
+  const there = await reading.locator(".dot").boundingBox();
+  await page.touchscreen.tap(there.x + 3, there.y + 3);
+  assert.equal(await reading.getAttribute("aria-pressed"), "true");
+  await drag();
+  assert.notDeepEqual(await cells(page), before);
+  await assertAsTheProgram(page);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("the keyboard moves, adds and deletes readings, and undoes", async () => {
+  const { page, complaints, close } = await opened(DATA.norris);
+  const before = await cells(page);
+  const status = page.locator("#status");
+  await page.locator('#data-plane [data-reading="5"]').focus();
+  for (const key of ["Shift+ArrowUp", "Shift+ArrowUp", "Shift+ArrowRight", "Shift+PageDown"]) {
+    await page.keyboard.press(key);
+    await settled(page);
+    assert.match(await status.textContent(), /^Reading 5 was moved to /);
+    assert.equal(await page.evaluate(() => document.activeElement.dataset.reading), "5", "the focus stays");
+  }
+  await assertAsTheProgram(page);
+  const count = await page.locator("#data-plane [data-reading]").count();
+  await page.keyboard.press("Delete");
+  await settled(page);
+  assert.equal(await page.locator("#data-plane [data-reading]").count(), count - 1);
+  for (let k = 0; k < 5; k += 1) {
+    await page.keyboard.press("Control+z");
+    await settled(page);
+  }
+  assert.deepEqual(await cells(page), before);
+  await page.keyboard.press("Control+y");
+  await settled(page);
+  assert.notDeepEqual(await cells(page), before);
+  await page.keyboard.press("Control+Shift+z");
+  await settled(page);
+  await page.locator('[data-edit="add"]').focus();
+  await page.keyboard.press("Enter");
+  await settled(page);
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.reading), `${count + 1}`, "what was added can be moved at once");
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("a double click adds a reading where it is", async () => {
+  const { page, complaints, close } = await opened(DATA.norris);
+  const count = await page.locator("#data-plane [data-reading]").count();
+  await page.locator("#data-plane").scrollIntoViewIfNeeded();
+  const box = await page.locator("#data-plane").boundingBox();
+  await page.mouse.dblclick(box.x + box.width * 0.4, box.y + box.height * 0.2);
+  await settled(page);
+  assert.equal(await page.locator("#data-plane [data-reading]").count(), count + 1);
+  await assertAsTheProgram(page);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("arrow keys and Enter walk through the cells", async () => {
+  const { page, close } = await opened(LINE);
+  await cell(page, 0, 1).focus();
+  await page.keyboard.press("ArrowDown");
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.cell), "1 1");
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("Enter");
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.cell), "1 1");
+  await close();
+});
+
+test("two regressors, bounds of each reading, intervals: all are cells, and moving keeps the bounds about y", async () => {
+  const interval = ["fixtures/reduction/intervals.csv", "--x", "t", "--lower", "earliest", "--upper", "latest"];
+  for (const options of [DATA.twoRegressors, DATA.steamGenerator, interval]) {
+    const { page, complaints, close } = await opened(options);
+    await assertAsTheProgram(page);
+    const before = await cells(page);
+    await page.locator('#data-plane [data-reading="2"]').focus();
+    await page.keyboard.press("Shift+ArrowUp");
+    await assertAsTheProgram(page);
+    assert.notDeepEqual(await cells(page), before);
+    assert.deepEqual(complaints, [], options.join(" "));
+    await close();
+  }
+});
+
+test("bounds of one kind become bounds of another kind", async () => {
+  const { page, complaints, close } = await opened(DATA.transducer);
+  const before = await vertices(page);
+  for (const kind of ["column", "interval"]) {
+    await page.locator("#bounds-kind").selectOption(kind);
+    await assertAsTheProgram(page);
+    assert.deepEqual(await vertices(page), before, kind);
+  }
+  await page.locator("#bounds-kind").selectOption("eps");
+  await assertAsTheProgram(page);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("what is done can be taken back to the class's data", async () => {
+  const { page, complaints, close } = await opened(DATA.transducer);
+  const before = [await cells(page), await vertices(page)];
+  assert.ok(!(await page.locator("#edit-back").isVisible()));
+  await typed(page, 20, 1, "0.02");
+  await page.locator("#eps").fill("1e-3");
+  await page.locator("#eps").press("Enter");
+  await settled(page);
+  assert.ok(await page.locator("#edit-changed").isVisible());
+  await page.locator("#edit-back").click();
+  await settled(page);
+  assert.deepEqual([await cells(page), await vertices(page)], before);
+  assert.ok(!(await page.locator("#edit-back").isVisible()));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("a link restores readings and question exactly; a damaged one says so", async () => {
+  const { page, complaints, close } = await opened(DATA.transducer);
+  await typed(page, 20, 1, "0.0201");
+  await page.locator("#eps").fill("1/1500");
+  await page.locator("#eps").press("Enter");
+  await page.locator("#where").fill("theta1 >= 0");
+  await page.locator("#where").press("Enter");
+  await settled(page);
+  await page.waitForFunction(() => location.hash.startsWith("#readings-1."));
+  await page.waitForFunction(() => document.querySelector("#link").value === location.href);
+  const [address, shown, state] = [page.url(), await vertices(page), await cells(page)];
+  const other = await page.context().newPage();
+  await other.goto(address);
+  await settled(other);
+  await other.waitForFunction(() => document.querySelector("#edit-changed") && !document.querySelector("#edit-changed").hidden);
+  await settled(other);
+  await other.locator("#edit-toggle").click();
+  assert.deepEqual([await vertices(other), await cells(other)], [shown, state]);
+  assert.equal(await other.locator("#eps").inputValue(), "1/1500");
+  assert.equal(await other.locator("#where").inputValue(), "theta1 >= 0");
+  await other.evaluate(() => {
+    location.hash = "#readings-1.AAAA";
+  });
+  await other.locator("#edit-notice:not([hidden])").waitFor();
+  assert.match(await other.locator("#edit-notice").textContent(), /cannot be read/);
+  await other.evaluate(() => {
+    location.hash = "#readings-7.AAAA";
+  });
+  await other.waitForFunction(() => /newer version/.test(document.querySelector("#edit-notice").textContent));
+  assert.deepEqual(await vertices(other), shown);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("in every language the editor has its own words", async () => {
+  const { page, complaints, close } = await opened(DATA.transducer);
+  for (const [language, words] of [["de", "Messungen bearbeiten"], ["it", "Modifica le letture"], ["en", "Edit readings"]]) {
+    await page.locator("#language").selectOption(language);
+    assert.equal(await page.locator("#edit-toggle").textContent(), words);
+  }
+  assert.deepEqual(complaints, []);
+  await close();
+});
