@@ -3,6 +3,7 @@
 // of the questions, and after a trap the Worker is started anew. Without the build feature `engine` there is none.
 
 import { byId } from "./dom.js";
+import { t } from "./texts.js";
 
 /**
  * @param {string} packed the module, packed by gzip, in base64
@@ -35,13 +36,13 @@ function startEngine(packed, script) {
     const fresh = new Worker(address);
     fresh.onmessage = ({ data }) => {
       if (fresh !== worker) return;
-      if (data.trapped) failed(`the engine stopped: ${data.error}`);
+      if (data.trapped) failed(t("engine.stopped", { problem: data.error }));
       else if (data.error !== undefined) waiting.shift()?.reject(new Error(data.error));
       else waiting.shift()?.resolve(data.answer);
     };
     fresh.onerror = (event) => {
       event.preventDefault();
-      if (fresh === worker) failed(`the engine could not be started: ${event.message || "the browser allows no Worker here"}`);
+      if (fresh === worker) failed(t("engine.not-started", { problem: event.message || t("engine.no-worker") }));
     };
     fresh.postMessage(packed);
     worker = fresh;

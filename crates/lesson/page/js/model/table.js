@@ -27,7 +27,7 @@ export function cellText(value) {
 }
 
 /** @param {string} text */
-const quotedCell = (text) => (/^[^",\r\n]*$/.test(text) ? text : `"${text.replaceAll('"', '""')}"`);
+const quotedCell = (text) => (/^[^\x22,\r\n]*$/.test(text) ? text : `"${text.replaceAll('"', '""')}"`);
 
 /**
  * First and last of the numbers that follow each other without a gap.
