@@ -43,6 +43,13 @@ pub fn split_unit(name: &str) -> (&str, Option<&str>) {
     parts.map_or((name, None), |(name, unit)| (name, Some(unit)))
 }
 
+/// A unit by another one: `m/V`, `mV/(m/s)`.
+pub fn unit_by(unit: &str, by: &str) -> String {
+    let whole = |unit: &str| unit.chars().all(char::is_alphanumeric);
+    let [unit, by] = [unit, by].map(|unit| if whole(unit) { unit.to_owned() } else { format!("({unit})") });
+    format!("{unit}/{by}")
+}
+
 /// A list in a table or behind a colon: `a, b, c`; of more than eight items the first ones, `…, and 3 more`.
 pub fn list(items: impl ExactSizeIterator<Item = String>) -> String {
     list_of(items, 0)
@@ -107,6 +114,13 @@ mod tests {
         assert_eq!(list(items(2).into_iter()), "1, 2");
         assert_eq!(list(items(8).into_iter()), "1, 2, 3, 4, 5, 6, 7, 8");
         assert_eq!(list(items(12).into_iter()), "1, 2, 3, 4, 5, 6, 7, 8, and 4 more");
+    }
+
+    #[test]
+    fn units_of_quotients_are_not_ambiguous() {
+        assert_eq!(unit_by("m", "V"), "m/V");
+        assert_eq!(unit_by("mV", "m/s"), "mV/(m/s)");
+        assert_eq!(unit_by("°C", "10⁻³"), "(°C)/(10⁻³)");
     }
 
     #[test]

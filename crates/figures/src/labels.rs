@@ -1,7 +1,7 @@
 //! What is written on figures: names with units, the model, numbers.
 
 use boundfit_estimation::{BoundName, ErrorBound, Fit, Model, Problem};
-use boundfit_exact::english::{counted, listed, sentence, split_unit};
+use boundfit_exact::english::{counted, listed, sentence, split_unit, unit_by};
 use boundfit_exact::{Foreign, Rational, Rounding};
 
 use crate::axis::superscript;
@@ -78,11 +78,7 @@ pub(crate) fn asked_for(options: &PlotOptions, [first, second]: [String; 2]) -> 
 
 /// `θ₁ [m/V]` and `θ₂ [m]`.
 pub(crate) fn parameters(problem: &Problem, options: &PlotOptions) -> [String; 2] {
-    let quotient = unit(&options.y_unit).zip(unit(&options.x_unit)).map(|(y, x)| {
-        let whole = |unit: &str| unit.chars().all(char::is_alphanumeric);
-        let grouped = |unit: String| if whole(&unit) { unit } else { format!("({unit})") };
-        format!("{}/{}", grouped(y), grouped(x))
-    });
+    let quotient = unit(&options.y_unit).zip(unit(&options.x_unit)).map(|(y, x)| unit_by(&y, &x));
     let second = match problem.measurements.model() {
         Model::Line { .. } => unit(&options.y_unit),
         Model::TwoRegressors { .. } => quotient.clone(),

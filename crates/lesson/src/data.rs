@@ -1,6 +1,7 @@
 //! Everything that the page shows.
 
 use boundfit_estimation::{Fit, Model, Problem};
+use boundfit_exact::english::unit_by;
 use boundfit_exact::{Foreign, Reading};
 use boundfit_report::{FitJson, Number, Origin, SweepJson};
 use serde::Serialize;
@@ -53,6 +54,8 @@ pub(crate) struct LessonJson {
 struct UnitsJson {
     x: Option<String>,
     y: Option<String>,
+    theta1: Option<String>,
+    theta2: Option<String>,
 }
 
 impl LessonJson {
@@ -93,10 +96,7 @@ pub(crate) fn build(
         file: file.to_string(),
         asked,
         columns,
-        units: UnitsJson {
-            x: options.x_unit.as_ref().map(Foreign::to_string),
-            y: options.y_unit.as_ref().map(Foreign::to_string),
-        },
+        units: units(measurements.model(), options),
         model: readings::model(measurements),
         epsilon: readings::epsilon(measurements.error_bound()),
         reading: reading.name(),
@@ -114,6 +114,18 @@ pub(crate) fn build(
         questions: questions(&facts),
         points: points.into_numbers(),
     })
+}
+
+/// The units of what is measured, and those that follow for the parameters.
+fn units(model: &Model, options: &LessonOptions) -> UnitsJson {
+    let [x, y] = [&options.x_unit, &options.y_unit]
+        .map(|unit| unit.as_ref().map(Foreign::to_string).filter(|u| !u.is_empty()));
+    let quotient = y.as_deref().zip(x.as_deref()).map(|(y, x)| unit_by(y, x));
+    let second = match model {
+        Model::Line { .. } => y.clone(),
+        Model::TwoRegressors { .. } => quotient.clone(),
+    };
+    UnitsJson { x, y, theta1: quotient, theta2: second }
 }
 
 /// What follows the last separator of a path.

@@ -17,7 +17,7 @@ use boundfit_tests::cli::schema::check_schema;
 
 /// What schema `boundfit/lesson/2` promises; the fit has a schema of its own.
 const LESSON: &str = r#"{
-  "schema": "text", "title": "text", "is_default_title": "flag", "file": "text", "units": {"x?": "text", "y?": "text"},
+  "schema": "text", "title": "text", "is_default_title": "flag", "file": "text", "units": {"x?": "text", "y?": "text", "theta1?": "text", "theta2?": "text"},
   "model": {"kind": "text", "y": "text"},
   "epsilon": {"uniform?": "number", "column?": "text"},
   "reading": "text",

@@ -98,7 +98,7 @@ fn text_from_outside_stays_text() {
     assert_eq!(data["title"], title);
     assert_eq!(data["file"], "data <&>.csv");
     assert_eq!(data["model"], json!({"kind": "line", "x": columns[0], "y": columns[1]}));
-    assert_eq!(data["units"], json!({"x": "<V>", "y": "µm"}));
+    assert_eq!(data["units"], json!({"x": "<V>", "y": "µm", "theta1": "µm/(<V>)", "theta2": "µm"}));
     assert_eq!(
         between(&run.stdout, "<title>", "</title>"),
         "&lt;/title&gt;&lt;/script&gt;&lt;b a=&#39;1&#39;&gt;&quot;x&quot; &amp; {{data}} \u{2028}"

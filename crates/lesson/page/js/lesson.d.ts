@@ -254,7 +254,7 @@ interface LessonData {
   asked: AskedData;
   /** The names of the columns of that table. */
   columns: string[];
-  units: { x: string | null; y: string | null };
+  units: { x: string | null; y: string | null; theta1: string | null; theta2: string | null };
   model:
     | { kind: "line"; x: string; y: string }
     | { kind: "two-regressors"; regressors: string[]; y: string };

@@ -252,6 +252,24 @@ export function vertexNames(indices) {
 export const THETA = ["θ₁", "θ₂"];
 
 /**
+ * A name with its unit; a name such as "U (mV)" has its own already.
+ * @param {string} name
+ * @param {string | null | undefined} unit
+ */
+export function withUnit(name, unit) {
+  return !unit || [`(${unit})`, `[${unit}]`].some((end) => name.endsWith(end)) ? name : `${name} (${unit})`;
+}
+
+/**
+ * A parameter with its unit, where it has one.
+ * @param {Lesson} lesson
+ * @param {number} axis
+ */
+export function thetaName({ data }, axis) {
+  return withUnit(THETA[axis], axis === 0 ? data.units.theta1 : data.units.theta2);
+}
+
+/**
  * A region's kind in words, with the number of vertices where that says something.
  * @param {Kind} kind
  * @param {number} vertices

@@ -3,7 +3,7 @@
 
 import { byId, element, patch } from "../dom.js";
 import { activeAt, boundAt, conflict, demands, hopeless, readingOfRow, violations } from "../model/lesson.js";
-import { THETA, boundText, conditionNumber, decimal, digitsFor, enumeration, plain, shortFraction, shortList, theBound, vertexName } from "../model/format.js";
+import { boundText, conditionNumber, decimal, digitsFor, enumeration, plain, shortFraction, shortList, theBound, thetaName, vertexName } from "../model/format.js";
 import { numberWithFraction } from "./summary.js";
 import { ONE, dot } from "../model/rational.js";
 import { t } from "../texts.js";
@@ -13,15 +13,16 @@ const MOST_ROWS = 12;
 const ALL_DIGITS = 40;
 
 /**
+ * @param {Lesson} lesson
  * @param {Pair} theta
  * @param {(value: Rational, axis: number) => number} digits
  */
-function thetaList(theta, digits) {
+function thetaList(lesson, theta, digits) {
   return element(
     "dl",
     { class: "theta" },
     theta.map((value, axis) => [
-      element("dt", {}, THETA[axis]),
+      element("dt", {}, thetaName(lesson, axis)),
       element("dd", {}, numberWithFraction(value, decimal(value, digits(value, axis)))),
     ]),
   );
@@ -72,7 +73,7 @@ function aboutVertex(lesson, scene, index) {
   const passes = lesson.isLine ? "vertex.line" : "vertex.prediction";
   return [
     element("h3", {}, t("vertex.title", { vertex: vertexName(index) })),
-    thetaList(scene.region.vertices[index].theta, (value, axis) => digitsFor(value, scene.frame.units[axis])),
+    thetaList(lesson, scene.region.vertices[index].theta, (value, axis) => digitsFor(value, scene.frame.units[axis])),
     element(
       "p",
       {},
@@ -132,7 +133,7 @@ function aboutPoint(lesson, scene, choice) {
   const faults = [broken.length > 0 && far, conditions.length > 0 && breaks].filter(Boolean);
   return [
     element("h3", {}, t(lesson.isLine ? "point.line" : "point.two")),
-    thetaList(choice.theta, () => ALL_DIGITS),
+    thetaList(lesson, choice.theta, () => ALL_DIGITS),
     element(
       "p",
       { id: "violations", "data-count": broken.length },

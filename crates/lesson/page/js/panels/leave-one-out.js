@@ -3,7 +3,7 @@
 
 import { byId, closest, element, patch, targetOf } from "../dom.js";
 import { boundsOf } from "../model/lesson.js";
-import { THETA, decimal, endText, plain, shortList, switchedOff } from "../model/format.js";
+import { decimal, endText, plain, shortList, switchedOff, thetaName } from "../model/format.js";
 import { ZERO } from "../model/rational.js";
 import { numberText, t } from "../texts.js";
 
@@ -161,7 +161,7 @@ function effect(lesson, state, scene) {
         "data-moved": `${parameter}-${end}`,
         "data-by": exact?.toString() ?? "",
       },
-      element("th", { scope: "row" }, t(end === "lower" ? "switch.end-lower" : "switch.end-upper", { theta: THETA[axis] })),
+      element("th", { scope: "row" }, t(end === "lower" ? "switch.end-lower" : "switch.end-upper", { theta: thetaName(lesson, axis) })),
       element("td", { class: "number" }, shownEnd(before[axis], end)),
       element("td", { class: "number" }, after === null ? "–" : shownEnd(after[axis], end)),
       element("td", { class: "number", title: exact?.toString() ?? null }, by),

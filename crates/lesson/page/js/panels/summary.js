@@ -3,7 +3,7 @@
 
 import { byId, element, patch } from "../dom.js";
 import { ONE, Rational, ZERO, evaluate } from "../model/rational.js";
-import { THETA, boundClass, boundMark, decimal, endText, kindText, shortFraction, switchedOff } from "../model/format.js";
+import { boundClass, boundMark, decimal, endText, kindText, shortFraction, switchedOff, thetaName } from "../model/format.js";
 import { activeAt, partOf } from "../model/lesson.js";
 import { boundAtStop } from "../model/sweep.js";
 import { numberText, rich, said, t } from "../texts.js";
@@ -138,7 +138,7 @@ function activeNames(lesson, scene) {
 export function drawSummary(lesson, state, scene) {
   const { region, bounds } = scene;
   const rows = [0, 1].map((axis) => {
-    const name = THETA[axis];
+    const name = thetaName(lesson, axis);
     const id = `pui-theta${axis + 1}`;
     if (bounds === null)
       return element(

@@ -3,7 +3,7 @@
 
 import { byId, element, patch } from "../dom.js";
 import { activeAt } from "../model/lesson.js";
-import { THETA, boundMark, conditionNumber, decimal, endText } from "../model/format.js";
+import { boundMark, conditionNumber, decimal, endText, thetaName } from "../model/format.js";
 import { HALF, Rational } from "../model/rational.js";
 import { WORST, cornerToCorner, faultsOf, gripsOf, lineByHand, worstVertex } from "../model/worst-line.js";
 import { numberText, t } from "../texts.js";
@@ -155,7 +155,7 @@ export function drawWorstLine(lesson, state) {
     const touched = t("worst.touches", { bounds: activeAt(lesson, lesson.fps, index).map(boundMark).join(", ") });
     return [row(t(`worst.exact.${name}`), theta, touched, { class: "exact", "data-exact": name })];
   });
-  const heads = [t("worst.line"), THETA[0], THETA[1], t("worst.verdict")];
+  const heads = [t("worst.line"), thetaName(lesson, 0), thetaName(lesson, 1), t("worst.verdict")];
   const distances = state.exactLines ? lines.map((line) => distance(lesson, line)).filter((words) => words !== "") : [];
   patch(byId("worst-line-story"), [
     element(

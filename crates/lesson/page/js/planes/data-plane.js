@@ -9,7 +9,7 @@ import { automaticDataView, dataFrame } from "./data-frame.js";
 import { bounded, boxEnvelopes, corridorPath, curvePath } from "./corridor.js";
 import { worstLines } from "./worst-lines.js";
 import { activeAt, boundAt, readingOfRow } from "../model/lesson.js";
-import { plain } from "../model/format.js";
+import { plain, withUnit } from "../model/format.js";
 import { ONE } from "../model/rational.js";
 import { said, t } from "../texts.js";
 
@@ -73,14 +73,7 @@ export function drawDataPlane(lesson, state, scene, layers, size, focused) {
 /** @param {Lesson} lesson */
 function columnNames(lesson) {
   const { model, units } = lesson.data;
-  /**
-   * A name such as "U (mV)" has its unit already.
-   * @param {string} name
-   * @param {string | null} unit
-   */
-  const named = (name, unit) =>
-    !unit || [`(${unit})`, `[${unit}]`].some((end) => name.endsWith(end)) ? name : `${name} (${unit})`;
-  return { x: model.kind === "line" ? named(model.x, units.x) : t("readings.row"), y: named(model.y, units.y) };
+  return { x: model.kind === "line" ? withUnit(model.x, units.x) : t("readings.row"), y: withUnit(model.y, units.y) };
 }
 
 /**

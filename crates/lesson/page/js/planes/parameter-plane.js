@@ -5,7 +5,7 @@ import { byId, element, patch } from "../dom.js";
 import { axes, mark, pathThrough, plotArea, round } from "./axes.js";
 import { clipped, cornersInView, cornersOf, lineInView } from "./region.js";
 import { activeAt, halfPlaneIndex } from "../model/lesson.js";
-import { boundClass, decimal, kindText } from "../model/format.js";
+import { boundClass, decimal, kindText, thetaName, withUnit } from "../model/format.js";
 import { t } from "../texts.js";
 import { screenMap } from "./view.js";
 import { automaticView } from "./parameter-view.js";
@@ -18,10 +18,14 @@ import { chosenPoint, vertexMarks, vertexNumbers } from "./vertex-marks.js";
  * @param {ParameterFrame} frame
  */
 function axisNames(lesson, frame) {
-  if (frame.shear.isZero()) return lesson.isLine ? [t("axis.slope"), t("axis.intercept")] : ["θ₁", "θ₂"];
+  const { model, units } = lesson.data;
+  const plain = [0, 1].map((axis) => thetaName(lesson, axis));
+  const slope = withUnit(t("axis.slope"), units.theta1);
+  if (frame.shear.isZero()) return lesson.isLine ? [slope, withUnit(t("axis.intercept"), units.theta2)] : plain;
   const at = decimal(frame.shear, 6);
-  const { model } = lesson.data;
-  return model.kind === "line" ? [t("axis.slope"), t("axis.height", { x: model.x, at })] : ["θ₁", `θ₂ + ${at}·θ₁`];
+  return model.kind === "line"
+    ? [slope, withUnit(t("axis.height", { x: model.x, at }), units.y)]
+    : [plain[0], withUnit(`θ₂ + ${at}·θ₁`, units.theta2)];
 }
 
 /**
