@@ -7,7 +7,7 @@ use boundfit_estimation::{Fps, Problem};
 use boundfit_exact::Rational;
 use boundfit_geometry::predicates::lexicographic;
 use boundfit_geometry::{Hulls, Inequality, Point, Polyhedron, System};
-use boundfit_lp::{ExactOutcome, spread_objectives};
+use boundfit_lp::{ExactOutcome, ExactSimplex, Row, spread_objectives};
 
 use crate::rows::ProgramRows;
 
@@ -37,12 +37,21 @@ pub struct Directions {
 
 /// Solves a program in each of `count` directions spread around the circle. Cost: `count` exact simplex runs.
 pub fn directions(problem: &Problem, rows: &ProgramRows, count: usize) -> Directions {
-    directions_along(problem, rows, &spread_objectives(count))
+    let exact = Fps::new(&problem.measurements, &problem.conditions);
+    approximated(&rows.exact_simplex(), &spread_objectives(count), exact.polyhedron())
 }
 
-/// Solves a program for each of some objectives, which are to be made small. Cost: one exact simplex run for each.
-pub fn directions_along(problem: &Problem, rows: &ProgramRows, objectives: &[[Rational; 2]]) -> Directions {
-    let simplex = rows.exact_simplex();
+/// Solves a program over a set for each of some objectives, which are to be made small. Cost: one exact simplex run for each, over the
+/// irredundant bounds, which decide the same as all.
+pub fn directions_along(polyhedron: &Polyhedron, objectives: &[[Rational; 2]]) -> Directions {
+    let system = polyhedron.system();
+    let bounds = polyhedron.irredundant().into_iter().filter_map(|index| system.inequalities().get(index));
+    let rows: Vec<Row> = bounds.map(|bound| Row { a: bound.a.clone(), b: bound.b.clone() }).collect();
+    approximated(&ExactSimplex::new(&rows), objectives, polyhedron)
+}
+
+/// What programs over a set see of it.
+fn approximated(simplex: &ExactSimplex, objectives: &[[Rational; 2]], exact: &Polyhedron) -> Directions {
     let mut optimisers = Vec::new();
     let mut supporting = System::default();
     let (mut unbounded, mut empty) = (0, false);
@@ -57,12 +66,11 @@ pub fn directions_along(problem: &Problem, rows: &ProgramRows, objectives: &[[Ra
             ExactOutcome::Infeasible { .. } => empty = true,
         }
     }
-    let exact = Fps::new(&problem.measurements, &problem.conditions);
     Directions {
         count: objectives.len(),
         unbounded,
         inner: (!empty).then(|| hull(optimisers)),
-        exact: approximation(exact.polyhedron()),
+        exact: approximation(exact),
         outer: (!empty).then(|| approximation(&Polyhedron::intersect(supporting))),
     }
 }

@@ -10,8 +10,9 @@ use crate::figure::{Figure, PlotOptions};
 use crate::page::Page;
 use crate::picture::{FigureError, Picture};
 use crate::render::Look;
+use crate::series::{Compared, Series};
 use crate::text::one_line;
-use crate::{data_plane, parameter_plane, render, status};
+use crate::{data_plane, groups, parameter_plane, render, status};
 
 /// Draws a figure of a fit. Cost: linear in the readings; [`Figure::Directions`] solves a linear program per direction, and
 /// [`Figure::Status`] and [`Figure::Range`] take O(N log N). [`Figure::Outliers`] looks for them first: where that has no answer or
@@ -66,6 +67,38 @@ pub fn draw_sweep(
     parameter_plane::nested(problem, family, options).map(|drawing| finished(drawing, options)).transpose()
 }
 
+/// Draws several fits in one panel, in colours and dashes that differ: more than [`crate::MOST_COMPARED`] begin again with the first ones.
+/// The legend names each, an empty one as well. Cost: linear in the readings.
+///
+/// # Errors
+/// Only when a library underneath fails.
+pub fn draw_compared(
+    series: &[Series],
+    what: Compared,
+    options: &PlotOptions,
+) -> Result<Picture, FigureError> {
+    let drawing = match what {
+        Compared::Sets => parameter_plane::several(series, options),
+        Compared::Readings => data_plane::several(series, options),
+    };
+    finished(drawing, options)
+}
+
+/// Draws a panel for each of the first [`crate::MOST_PANELS`] groups, of `all`, that the column `by` makes; all have the same axes.
+/// Cost: linear in the readings.
+///
+/// # Errors
+/// Only when a library underneath fails.
+pub fn draw_groups(
+    groups: &[Series],
+    by: &Foreign,
+    all: usize,
+    what: Compared,
+    options: &PlotOptions,
+) -> Result<Picture, FigureError> {
+    finished(groups::drawing(groups, by, all, what, options), options)
+}
+
 /// Draws readings with errors in x as boxes, with the steepest and the shallowest line that agree with all of them; of many readings
 /// some, evenly spread, and those that fix the lines. Cost: linear in the readings.
 ///
@@ -93,7 +126,7 @@ pub fn draw_x_errors(
 }
 
 /// The last touches: the title that is asked for, no more legend than there is to explain, size and colours.
-fn finished(mut drawing: Drawing, options: &PlotOptions) -> Result<Picture, FigureError> {
+pub(crate) fn finished(mut drawing: Drawing, options: &PlotOptions) -> Result<Picture, FigureError> {
     drawing.keep_legend_of_drawn();
     if let Some(title) = &options.title {
         drawing.title = one_line(title, 90);
@@ -102,24 +135,25 @@ fn finished(mut drawing: Drawing, options: &PlotOptions) -> Result<Picture, Figu
         }
     }
     let look = Look { page: Page::of(options), greyscale: options.greyscale };
-    render::render_as(drawing, look)
+    render::render(drawing, look)
 }
 
 /// Draws a linear program in two variables: the feasible set, the optimal points, and where the objective improves, which is to
-/// be made large. An empty set leaves the panel empty. Cost: linear in the half-planes of the set.
+/// be made large, with this title where the options have none. An empty set leaves the panel empty. Cost: linear in the half-planes of the set.
 ///
 /// # Errors
 /// Only when a library underneath fails.
 ///
 /// ```
 /// use boundfit_exact::Rational;
-/// use boundfit_figures::draw_program;
+/// use boundfit_figures::{PlotOptions, draw_program};
 /// use boundfit_geometry::{Inequality, Polyhedron};
 ///
 /// let row = |a1: i64, a2: i64, b: i64| Inequality::new(a1.into(), a2.into(), b.into());
 /// let triangle = Polyhedron::intersect([row(-1, 0, 0), row(0, -1, 0), row(2, 3, 6)].into_iter().collect());
 /// let names = ["x".into(), "y".into()];
-/// let picture = draw_program(&triangle, &[Rational::one(), Rational::one()], &names, &"a triangle".into())?;
+/// let (gain, options) = ([Rational::one(), Rational::one()], PlotOptions::default());
+/// let picture = draw_program(&triangle, &gain, &names, &"a triangle".into(), &options)?;
 /// assert!(picture.svg().contains("optimal"));
 /// # Ok::<(), boundfit_figures::FigureError>(())
 /// ```
@@ -128,13 +162,13 @@ pub fn draw_program(
     gain: &[Rational; 2],
     names: &[Foreign; 2],
     title: &Foreign,
+    options: &PlotOptions,
 ) -> Result<Picture, FigureError> {
-    let mut drawing = parameter_plane::program(polyhedron, gain, names, title);
-    drawing.keep_legend_of_drawn();
-    render::render(drawing)
+    finished(parameter_plane::program(polyhedron, gain, names, title, options), options)
 }
 
-/// Draws a set of half-planes with its vertices, and arrows where it goes on without end. An empty set leaves the panel empty.
+/// Draws a set of half-planes with its vertices, and arrows where it goes on without end, with this title where the options have
+/// none. An empty set leaves the panel empty.
 /// Cost: linear in the half-planes of the set.
 ///
 /// # Errors
@@ -143,8 +177,7 @@ pub fn draw_region(
     polyhedron: &Polyhedron,
     names: &[Foreign; 2],
     title: &Foreign,
+    options: &PlotOptions,
 ) -> Result<Picture, FigureError> {
-    let mut drawing = parameter_plane::region_of_half_planes(polyhedron, names, title);
-    drawing.keep_legend_of_drawn();
-    render::render(drawing)
+    finished(parameter_plane::region_of_half_planes(polyhedron, names, title, options), options)
 }

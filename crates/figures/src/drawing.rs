@@ -88,6 +88,8 @@ pub(crate) struct Anchor {
 pub(crate) struct LegendEntry {
     pub(crate) swatch: Swatch,
     pub(crate) text: String,
+    /// Whether it stays where nothing of it is drawn: an empty set is told too.
+    pub(crate) stays: bool,
 }
 
 /// The sample beside a legend's text.
@@ -140,7 +142,7 @@ impl Drawing {
             items().any(|item| matches!(item, Item::Line { stroke, .. } if stroke == wanted))
         };
         let marked = |wanted: &Mark| self.panels.iter().any(|panel| panel.has_mark(wanted));
-        for LegendEntry { swatch, .. } in &mut self.legend {
+        for LegendEntry { swatch, .. } in self.legend.iter_mut().filter(|entry| !entry.stays) {
             swatch.fill = swatch.fill.filter(filled);
             swatch.edge = swatch.edge.filter(stroked);
             swatch.line = swatch.line.filter(stroked);
@@ -157,7 +159,12 @@ impl Drawing {
 
 impl LegendEntry {
     pub(crate) fn new(swatch: Swatch, text: impl Into<String>) -> Self {
-        LegendEntry { swatch, text: text.into() }
+        LegendEntry { swatch, text: text.into(), stays: false }
+    }
+
+    /// One that stays where nothing of it is drawn.
+    pub(crate) fn staying(swatch: Swatch, text: impl Into<String>) -> Self {
+        LegendEntry { stays: true, ..LegendEntry::new(swatch, text) }
     }
 }
 

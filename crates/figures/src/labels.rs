@@ -88,9 +88,14 @@ pub(crate) fn parameters(problem: &Problem, options: &PlotOptions) -> [String; 2
 
 /// Model, error bound and rows in one line.
 pub(crate) fn subtitle(problem: &Problem, options: &PlotOptions) -> String {
+    format!("{},  {},  {}", model(problem), bound(problem, options), rows(problem))
+}
+
+/// The model as a formula.
+pub(crate) fn model(problem: &Problem) -> String {
     let measurements = &problem.measurements;
     let y = one_line(measurements.response(), LONGEST_NAME);
-    let model = match measurements.model() {
+    match measurements.model() {
         Model::Line { x } => {
             let form = measurements.line_form();
             let x = counted_x(problem, x);
@@ -102,24 +107,13 @@ pub(crate) fn subtitle(problem: &Problem, options: &PlotOptions) -> String {
             let [first, second] = [first, second].map(|name| one_line(name, LONGEST_NAME));
             format!("{y} = θ₁·{first} + θ₂·{second} + e")
         }
-    };
-    let bound = match measurements.error_bound() {
-        ErrorBound::Uniform(epsilon) => {
-            let unit = unit(&options.y_unit).map(|unit| format!(" {unit}")).unwrap_or_default();
-            let multiple = measurements.multiple_of_least().map(|multiple| {
-                let factor = number(&multiple.factor, BOUND_DIGITS, Rounding::Nearest);
-                if factor == "1" { " = ε_min".to_owned() } else { format!(" = {factor}·ε_min") }
-            });
-            let read = epsilon.shortest_of_f64().filter(|_| epsilon.exact_decimal(BOUND_DIGITS).is_none());
-            match (multiple, read) {
-                // A few digits are enough of what nobody wrote.
-                (Some(multiple), _) => format!("|e| ≤ {}{unit}{multiple}", number(epsilon, 5, Rounding::Up)),
-                (None, Some(read)) => {
-                    format!("|e| ≤ {}{unit} (as a double)", number(&read, BOUND_DIGITS, Rounding::Up))
-                }
-                (None, None) => format!("|e| ≤ {}{unit}", number(epsilon, BOUND_DIGITS, Rounding::Up)),
-            }
-        }
+    }
+}
+
+/// The error bound.
+pub(crate) fn bound(problem: &Problem, options: &PlotOptions) -> String {
+    match problem.measurements.error_bound() {
+        ErrorBound::Uniform(epsilon) => uniform_bound(problem, epsilon, options),
         ErrorBound::PerRow(column) => format!("|e| ≤ {} of each row", one_line(column, LONGEST_NAME)),
         ErrorBound::Law(law) if law.is_asymmetric() => format!("y {}", one_line(law.text(), LONGEST_NAME)),
         ErrorBound::Law(law) => format!("|e| ≤ {}", one_line(law.text(), LONGEST_NAME)),
@@ -132,8 +126,30 @@ pub(crate) fn subtitle(problem: &Problem, options: &PlotOptions) -> String {
                 (None, upper) => format!("at most {} of each row", upper.unwrap_or_default()),
             }
         }
-    };
-    let (fitted, total) = (measurements.fitted(), measurements.rows_total());
+    }
+}
+
+/// A bound that is the same for all readings, with how it was asked for.
+fn uniform_bound(problem: &Problem, epsilon: &Rational, options: &PlotOptions) -> String {
+    let unit = unit(&options.y_unit).map(|unit| format!(" {unit}")).unwrap_or_default();
+    let multiple = problem.measurements.multiple_of_least().map(|multiple| {
+        let factor = number(&multiple.factor, BOUND_DIGITS, Rounding::Nearest);
+        if factor == "1" { " = ε_min".to_owned() } else { format!(" = {factor}·ε_min") }
+    });
+    let read = epsilon.shortest_of_f64().filter(|_| epsilon.exact_decimal(BOUND_DIGITS).is_none());
+    match (multiple, read) {
+        // A few digits are enough of what nobody wrote.
+        (Some(multiple), _) => format!("|e| ≤ {}{unit}{multiple}", number(epsilon, 5, Rounding::Up)),
+        (None, Some(read)) => {
+            format!("|e| ≤ {}{unit} (as a double)", number(&read, BOUND_DIGITS, Rounding::Up))
+        }
+        (None, None) => format!("|e| ≤ {}{unit}", number(epsilon, BOUND_DIGITS, Rounding::Up)),
+    }
+}
+
+/// How many rows are fitted, under how many conditions.
+fn rows(problem: &Problem) -> String {
+    let (fitted, total) = (problem.measurements.fitted(), problem.measurements.rows_total());
     let rows = if fitted == total {
         counted(total, "row", "rows")
     } else {
@@ -143,7 +159,7 @@ pub(crate) fn subtitle(problem: &Problem, options: &PlotOptions) -> String {
         0 => String::new(),
         count => format!(", {}", counted(count, "condition", "conditions")),
     };
-    format!("{model},  {bound},  {rows}{conditions}")
+    format!("{rows}{conditions}")
 }
 
 /// A decimal of at most so many digits with a true minus sign and a written-out power of ten.

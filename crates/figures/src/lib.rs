@@ -29,6 +29,7 @@ mod draw;
 mod drawing;
 mod extent;
 mod figure;
+mod groups;
 mod labels;
 mod linearity;
 mod page;
@@ -39,12 +40,18 @@ mod picture;
 mod render;
 #[cfg(test)]
 mod samples;
+mod series;
 mod status;
 mod tex;
 mod text;
 mod x_errors;
 
-pub use draw::{draw, draw_boxes, draw_outliers, draw_program, draw_region, draw_sweep, draw_x_errors};
+pub use draw::{
+    draw, draw_boxes, draw_compared, draw_groups, draw_outliers, draw_program, draw_region, draw_sweep,
+    draw_x_errors,
+};
 pub use figure::{Figure, PlotOptions};
-pub use linearity::{LinearityLabels, draw_linearity};
+pub use groups::MOST_PANELS;
+pub use linearity::draw_linearity;
 pub use picture::{Encoding, FigureError, Picture, PictureFormat};
+pub use series::{Compared, MOST_COMPARED, Series};

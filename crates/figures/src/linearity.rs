@@ -6,13 +6,15 @@ use boundfit_questions::{CalibrationPoint, Characteristic, Linearity, LinearityL
 
 use crate::axis::Axis;
 use crate::clip::Place;
+use crate::draw::finished;
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::extent::Extent;
-use crate::labels::{LONGEST_NAME, number, unit, with_unit};
-use crate::page::WIDTH;
+use crate::figure::PlotOptions;
+use crate::labels::{LONGEST_NAME, asked_for, number, unit, with_unit};
+use crate::page::Page;
 use crate::palette::{BLUE, Dash, FAINT_INK, Fill, GREEN, INK, Mark, PURPLE, SKY, Shape, Stroke, VERMILLION};
 use crate::picture::{FigureError, Picture};
-use crate::render::{self, BOTTOM_LABELS, LEFT_LABELS};
+use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
 use crate::text::one_line;
 
 const TOP: f64 = 24.0;
@@ -37,37 +39,24 @@ const MOST_POINTS: usize = 1_000;
 /// Significant digits of percents.
 const DIGITS: usize = 5;
 
-/// What the figure calls what it shows.
-#[derive(Debug, Clone, Default)]
-pub struct LinearityLabels {
-    /// The name of x.
-    pub x: Foreign,
-    /// Unit of x.
-    pub x_unit: Option<Foreign>,
-    /// Unit of the readings.
-    pub y_unit: Option<Foreign>,
-    /// The line above the figure; a plain description when `None`.
-    pub title: Option<Foreign>,
-}
-
-/// Draws the deviations from the line of independent linearity over x: of the characteristic, of the upscale and the downscale
-/// average, and the band of the independent linearity; in percent of full scale, or in units of y where that is 0. Cost: linear
-/// in the points.
+/// Draws the deviations from the line of independent linearity over x, a column of this name: of the characteristic, of the upscale
+/// and the downscale average, and the band of the independent linearity; in percent of full scale, or in units of y where that is
+/// 0. Cost: linear in the points.
 ///
 /// # Errors
 /// Only when a library underneath fails.
-pub fn draw_linearity(linearity: &Linearity, labels: &LinearityLabels) -> Result<Picture, FigureError> {
-    let mut drawing = Sheet { linearity, labels }.drawing();
-    drawing.keep_legend_of_drawn();
-    if let Some(title) = &labels.title {
-        drawing.title = one_line(title, 90);
-    }
-    render::render(drawing)
+pub fn draw_linearity(
+    linearity: &Linearity,
+    x: &Foreign,
+    options: &PlotOptions,
+) -> Result<Picture, FigureError> {
+    finished(Sheet { linearity, x, options }.drawing(), options)
 }
 
 struct Sheet<'a> {
     linearity: &'a Linearity,
-    labels: &'a LinearityLabels,
+    x: &'a Foreign,
+    options: &'a PlotOptions,
 }
 
 impl Sheet<'_> {
@@ -126,7 +115,9 @@ impl Sheet<'_> {
     }
 
     fn panel(&self) -> Panel {
-        let frame = Frame { left: LEFT, top: TOP, width: WIDTH - LEFT - RIGHT, height: HEIGHT };
+        let page = Page::of(self.options);
+        let frame =
+            Frame { left: LEFT, top: TOP, width: page.width - LEFT - RIGHT, height: page.height(HEIGHT) };
         let band = &self.line().deviation * self.scale();
         let (mut across, mut up) = (Extent::default(), Extent::default());
         [band.clone(), -&band].iter().for_each(|edge| up.include(edge));
@@ -136,11 +127,14 @@ impl Sheet<'_> {
                 up.include(&self.deviation(point));
             }
         }
-        let [from, to] = across.padded(&Rational::ratio(1, 25)).into_ends();
-        let [least, most] = up.padded(&Rational::ratio(1, 9)).into_ends();
+        let asked =
+            |range: &Option<[Rational; 2]>, own: Extent| range.clone().unwrap_or_else(|| own.into_ends());
+        let [from, to] = asked(&self.options.x_range, across.padded(&Rational::ratio(1, 25)));
+        let [least, most] = asked(&self.options.y_range, up.padded(&Rational::ratio(1, 9)));
+        let [x, y] = asked_for(self.options, [self.abscissa(), self.ordinate()]);
         let axes = [
-            Axis::new(self.abscissa(), &from, &to, (frame.width / 62.0) as usize),
-            Axis::new(self.ordinate(), &least, &most, (frame.height / 33.0) as usize),
+            Axis::new(x, &from, &to, (frame.width / 62.0) as usize),
+            Axis::new(y, &least, &most, (frame.height / 33.0) as usize),
         ];
         let mut panel = Panel::new(frame, axes, false);
         let [top, bottom, zero] =
@@ -183,19 +177,19 @@ impl Sheet<'_> {
     }
 
     fn abscissa(&self) -> String {
-        with_unit(&one_line(&self.labels.x, LONGEST_NAME), unit(&self.labels.x_unit).as_deref())
+        with_unit(&one_line(self.x, LONGEST_NAME), unit(&self.options.x_unit).as_deref())
     }
 
     fn ordinate(&self) -> String {
         match self.has_percent() {
             true => "deviation [% of full scale]".to_owned(),
-            false => with_unit("deviation", unit(&self.labels.y_unit).as_deref()),
+            false => with_unit("deviation", unit(&self.options.y_unit).as_deref()),
         }
     }
 
     /// A number with the unit of y.
     fn with_unit_of_y(&self, value: &Rational, rounding: Rounding) -> String {
-        let unit = unit(&self.labels.y_unit).map(|unit| format!(" {unit}")).unwrap_or_default();
+        let unit = unit(&self.options.y_unit).map(|unit| format!(" {unit}")).unwrap_or_default();
         format!("{}{unit}", number(value, DIGITS, rounding))
     }
 
@@ -206,7 +200,7 @@ impl Sheet<'_> {
             Some(size) => ("−", size.to_owned()),
             None => ("+", intercept),
         };
-        let x = one_line(&self.labels.x, LONGEST_NAME);
+        let x = one_line(self.x, LONGEST_NAME);
         let deviation = self.with_unit_of_y(&self.line().deviation, Rounding::Up);
         let full_scale = self.with_unit_of_y(&self.linearity.average.full_scale, Rounding::Nearest);
         format!(

@@ -177,6 +177,8 @@ mod unix {
             ("transducer.mat", &fs::read(root().join("fixtures/mat/transducer-v7.mat")).unwrap()),
             ("current.csv", fixture("worst-line/current.csv").as_bytes()),
             ("fleet.csv", fixture("fleet/levels.csv").as_bytes()),
+            ("north.csv", b"t,U\n0,1\n1,3\n2,5\n"),
+            ("south.csv", b"t,U\n0,2\n1,3\n2,4\n"),
             ("readings.csv", b"1,0,2\n0,1,3\n1,1,5\n"),
             ("square.ine", b"H-representation\nbegin\n4 3 integer\n1 1 0\n1 -1 0\n1 0 1\n1 0 -1\nend\n"),
         ])
@@ -220,6 +222,10 @@ mod unix {
             "plot: ",
             "plot: ",
             "plot: ",
+            "plot: ",
+            "plot: ",
+            "plot: ",
+            "plot: ",
             "lesson: ",
             "completions: ",
             "man: ",
@@ -227,8 +233,18 @@ mod unix {
         assert_eq!(starts, expected);
         let written = ["completions-boundfit", "boundfit-fit.1"].map(|file| directory.path().join(file));
         assert!(written.iter().all(|file| fs::read_to_string(file).unwrap().contains("boundfit")));
-        let pictures =
-            ["fps.svg", "fps.png", "fps.pdf", "figures/data.png", "figures/directions.png", "lesson.html"];
+        let pictures = [
+            "fps.svg",
+            "fps.png",
+            "fps.pdf",
+            "fps.tikz",
+            "both.svg",
+            "nested.svg",
+            "cells.svg",
+            "figures/data.png",
+            "figures/directions.png",
+            "lesson.html",
+        ];
         assert!(pictures.iter().all(|file| directory.path().join(file).exists()));
     }
 

@@ -4,6 +4,7 @@ use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, ValueEnum};
 
 use super::endings::NamedFormat;
+use super::look::PictureArguments;
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::{LimitArguments, OutputArguments, SolutionArguments};
 
@@ -46,6 +47,8 @@ pub(crate) struct JudgeArguments {
     /// Also draw the feasible set, the optimal points and where the objective improves: FILE.svg, .png, .pdf, .tikz or .tex
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) plot: Option<String>,
+    #[command(flatten)]
+    pub(crate) picture: PictureArguments,
     #[command(flatten)]
     pub(crate) solutions: SolutionArguments,
     #[command(flatten)]

@@ -6,6 +6,7 @@ use boundfit_questions::{CalibrationColumns, CalibrationResponse};
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 
+use super::look::LookArguments;
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::values::{number_problem, parse_column};
 use super::{LabelArguments, OutputArguments, RowArguments, TableArguments, TableFormat};
@@ -76,6 +77,8 @@ pub(crate) struct LinearityArguments {
     pub(crate) figure: Option<String>,
     #[command(flatten)]
     pub(crate) labels: LabelArguments,
+    #[command(flatten)]
+    pub(crate) look: LookArguments,
     #[command(flatten)]
     pub(crate) output: OutputArguments<TableFormat>,
 }

@@ -1,9 +1,11 @@
 //! How a figure looks: its size, axes and colours.
 
 use boundfit_exact::{Foreign, Limits, Rational, Reading};
+use boundfit_figures::{Encoding, PlotOptions};
 use clap::{Args, value_parser};
 
 use super::values::number_problem;
+use crate::exit::Failure;
 
 /// The heading of these options.
 const LOOK: &str = "Look";
@@ -14,13 +16,13 @@ pub(crate) struct LookArguments {
     /// How wide the picture is, as 85mm, 8.5cm, 3.3in, 240pt or 600px; all that is on it grows or shrinks with it, but for
     /// letters of --font-size [default: 800px]
     #[arg(long, help_heading = LOOK, value_name = "WIDTH", value_parser = parse_size)]
-    pub(crate) size: Option<u32>,
+    size: Option<u32>,
     /// How large letters are, as 8pt: panels get the room that these leave [default: 9pt, or in proportion to --size]
     #[arg(long, help_heading = LOOK, value_name = "SIZE", value_parser = parse_font_size)]
-    pub(crate) font_size: Option<u32>,
-    /// Dots per inch of a PNG
-    #[arg(long, help_heading = LOOK, value_name = "N", default_value_t = 192, value_parser = value_parser!(u16).range(30..=1200))]
-    pub(crate) dpi: u16,
+    font_size: Option<u32>,
+    /// Dots per inch of a PNG [default: 192]
+    #[arg(long, help_heading = LOOK, value_name = "N", value_parser = value_parser!(u16).range(30..=1200))]
+    dpi: Option<u16>,
     /// The ends of the axis of x, in figures of the parameter plane of theta1
     #[arg(long, help_heading = LOOK, value_name = "LOWER..UPPER", value_parser = parse_range, allow_hyphen_values = true)]
     pub(crate) x_range: Option<[Rational; 2]>,
@@ -29,16 +31,106 @@ pub(crate) struct LookArguments {
     pub(crate) y_range: Option<[Rational; 2]>,
     /// The name of the axis of x, or of theta1; it may be empty
     #[arg(long, help_heading = LOOK, value_name = "TEXT")]
-    pub(crate) x_label: Option<Foreign>,
+    x_label: Option<Foreign>,
     /// The name of the axis of y, or of theta2; it may be empty
     #[arg(long, help_heading = LOOK, value_name = "TEXT")]
-    pub(crate) y_label: Option<Foreign>,
+    y_label: Option<Foreign>,
     /// Draw in greys
     #[arg(long, help_heading = LOOK)]
-    pub(crate) greyscale: bool,
+    greyscale: bool,
     /// Keep the texts of an SVG as texts in the font Inter, to be edited and searched, instead of outlines
     #[arg(long, help_heading = LOOK)]
-    pub(crate) real_text: bool,
+    real_text: bool,
+}
+
+/// Options of a picture that a command draws beside its answer.
+#[derive(Debug, Args)]
+pub(crate) struct PictureArguments {
+    /// Title of the picture; a plain one when left out
+    #[arg(long, help_heading = LOOK, value_name = "TEXT")]
+    title: Option<Foreign>,
+    #[command(flatten)]
+    look: LookArguments,
+}
+
+impl PictureArguments {
+    /// Refuses options about a picture that is not drawn, or that has no room; `option` draws it.
+    pub(crate) fn check(&self, option: &str, is_drawn: bool) -> Result<(), Failure> {
+        refuse_without_picture(self.title.as_ref().map(|_| "--title"), option, is_drawn)?;
+        self.look.check(option, is_drawn)
+    }
+
+    /// How to draw.
+    pub(crate) fn options(&self) -> PlotOptions {
+        self.look.options(self.title.clone())
+    }
+
+    /// How to encode what is drawn.
+    pub(crate) fn encoding(&self) -> Encoding {
+        self.look.encoding()
+    }
+}
+
+impl LookArguments {
+    /// Refuses options about a picture that is not drawn, or that has no room for its letters; `option` draws it.
+    pub(crate) fn check(&self, option: &str, is_drawn: bool) -> Result<(), Failure> {
+        refuse_without_picture(self.asked(), option, is_drawn)?;
+        match self.options(None).have_letters_room() {
+            true => Ok(()),
+            // Words and numbers around panels need some room.
+            false => Err(Failure::Usage(
+                "with '--font-size' a picture has to be 27 to 266 times as wide as its letters are large: change it, or '--size'"
+                    .to_owned(),
+            )),
+        }
+    }
+
+    /// The first of these options that is given.
+    fn asked(&self) -> Option<&'static str> {
+        let given = [
+            ("--size", self.size.is_some()),
+            ("--font-size", self.font_size.is_some()),
+            ("--dpi", self.dpi.is_some()),
+            ("--x-range", self.x_range.is_some()),
+            ("--y-range", self.y_range.is_some()),
+            ("--x-label", self.x_label.is_some()),
+            ("--y-label", self.y_label.is_some()),
+            ("--greyscale", self.greyscale),
+            ("--real-text", self.real_text),
+        ];
+        given.into_iter().find(|(_, is_given)| *is_given).map(|(option, _)| option)
+    }
+
+    /// How to draw, under this title.
+    pub(crate) fn options(&self, title: Option<Foreign>) -> PlotOptions {
+        PlotOptions {
+            title,
+            x_label: self.x_label.clone(),
+            y_label: self.y_label.clone(),
+            x_range: self.x_range.clone(),
+            y_range: self.y_range.clone(),
+            width: self.size,
+            letters: self.font_size,
+            greyscale: self.greyscale,
+            ..PlotOptions::default()
+        }
+    }
+
+    /// How to encode what is drawn.
+    pub(crate) fn encoding(&self) -> Encoding {
+        let plain = Encoding::default();
+        Encoding { real_text: self.real_text, dpi: self.dpi.unwrap_or(plain.dpi) }
+    }
+}
+
+/// Refuses an option about a picture that is not drawn.
+fn refuse_without_picture(asked: Option<&str>, option: &str, is_drawn: bool) -> Result<(), Failure> {
+    match asked.filter(|_| !is_drawn) {
+        Some(asked) => Err(Failure::Usage(format!(
+            "'{asked}' is about the picture: say where it goes with '{option} <FILE>'"
+        ))),
+        None => Ok(()),
+    }
 }
 
 /// Units of length in micrometres.

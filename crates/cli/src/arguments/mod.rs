@@ -36,6 +36,7 @@ pub(crate) use fit::FitArguments;
 pub(crate) use judge::{JudgeArguments, JudgeFormat};
 pub(crate) use lesson::LessonArguments;
 pub(crate) use linearity::LinearityArguments;
+pub(crate) use look::PictureArguments;
 pub(crate) use notes::Notes;
 pub(crate) use outliers::OutliersArguments;
 pub(crate) use plot::{Figures, PlotArguments};

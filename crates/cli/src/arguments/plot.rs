@@ -1,12 +1,13 @@
 //! The arguments of `boundfit plot`.
 
 use boundfit_figures::{Figure, PictureFormat};
+use boundfit_formats::ColumnSelector;
 use clap::builder::{NonEmptyStringValueParser, PossibleValue};
-use clap::{Args, value_parser};
+use clap::{ArgAction, Args, value_parser};
 
 use super::look::LookArguments;
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
-use super::values::{FactorRange, explained, named, parse_factors};
+use super::values::{FactorRange, explained, named, parse_column, parse_factors};
 use super::{DataArguments, LabelArguments, ReplaceArguments, XErrorArguments};
 use crate::exit::Failure;
 
@@ -28,6 +29,19 @@ pub(super) const NOTES: Notes = Notes {
              \x20 --size 85mm --font-size 8pt --title '' -o fps.pdf",
         ),
         (
+            "Two sensors in one picture, and one sensor under three error bounds",
+            "boundfit plot north.csv south.csv --x t --y U --eps 0.5 -o both.svg\n\
+             boundfit plot north.csv --x t --y U --eps 0.5 --eps 1 --eps 2 -o nested.svg",
+        ),
+        (
+            "A panel for each sensor",
+            "boundfit plot fleet.csv --x V --y level --eps 0.1 --by sensor --figure data -o cells.svg",
+        ),
+        (
+            "Into a LaTeX document, in its own letters",
+            "boundfit plot transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 -o fps.tikz",
+        ),
+        (
             "Errors in x as well: readings as boxes, with the steepest and the shallowest line",
             "boundfit plot current.csv --x U --y I --eps 2 --x-eps 0.2 --figure data -o boxes.svg",
         ),
@@ -36,7 +50,10 @@ pub(super) const NOTES: Notes = Notes {
         (0, "the figure is drawn"),
         BAD_DATA,
         BAD_USAGE,
-        (3, "the feasible parameter set is empty; the figure shows the readings that contradict each other"),
+        (
+            3,
+            "the feasible parameter set is empty, of several that of at least one; the figure shows the readings that contradict each other",
+        ),
     ],
 };
 
@@ -52,9 +69,18 @@ pub(super) const NOTES: Notes = Notes {
 /// fps the sets of these lines, one for each sign of the slope; there are no other figures then.
 #[derive(Debug, Args)]
 #[command(after_help = NOTES.to_string())]
+#[command(mut_arg("eps", |eps| eps.action(ArgAction::Append)))]
 pub(crate) struct PlotArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
+    /// Further tables, whose sets (figure fps) or readings and lines (figure data) are drawn in the same panel; so are those of
+    /// one table under each --eps, of which there may be several: six in all
+    #[arg(value_name = "DATA")]
+    more: Vec<String>,
+    /// Draw, as the figure fps or data, each group of rows with the same text in this column in a panel of its own, all with
+    /// the same axes: the first 24 groups in the order in which they first occur
+    #[arg(long, value_name = "COL", value_parser = parse_column, conflicts_with_all = ["sweep", "x_eps", "x_eps_column"])]
+    pub(crate) by: Option<ColumnSelector>,
     #[command(flatten)]
     pub(crate) x_errors: XErrorArguments,
     /// What to draw
@@ -86,6 +112,11 @@ pub(crate) struct PlotArguments {
 }
 
 impl PlotArguments {
+    /// All tables.
+    pub(crate) fn files(&self) -> impl Iterator<Item = &str> {
+        [self.data.path()].into_iter().chain(self.more.iter().map(String::as_str))
+    }
+
     /// The factors of `--sweep`, if they are asked for.
     pub(crate) fn factors(&self) -> Result<Option<FactorRange>, Failure> {
         let limits = self.data.table.limits.number();

@@ -3,6 +3,7 @@
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 
+use super::look::PictureArguments;
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::{FractionArguments, OutputArguments, ReportFormat, TableArguments};
 
@@ -44,6 +45,8 @@ pub(crate) struct PolygonArguments {
     /// Also draw the set: FILE.svg, .png, .pdf, .tikz or .tex
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) plot: Option<String>,
+    #[command(flatten)]
+    pub(crate) picture: PictureArguments,
     #[command(flatten)]
     pub(crate) table: TableArguments,
     #[command(flatten)]

@@ -46,6 +46,20 @@ impl DataArguments {
         self.table.scan_options(source, Some(&self.rows))
     }
 
+    /// The error bounds of `--eps`.
+    pub(crate) fn bounds(&self) -> &[String] {
+        &self.epsilon.eps
+    }
+
+    /// The options for another file, and if it is given under this one of several bounds.
+    pub(crate) fn with(&self, file: &str, bound: Option<&String>) -> Self {
+        let mut own = DataArguments { data: file.to_owned(), ..self.clone() };
+        if let Some(bound) = bound {
+            own.epsilon.eps = vec![bound.clone()];
+        }
+        own
+    }
+
     /// Opens the file.
     pub(crate) fn open(&self) -> Data<'_> {
         let source = input::open(&self.data).map_err(Failure::data);
@@ -252,7 +266,7 @@ impl EpsilonArguments {
         two_regressors: bool,
     ) -> Result<Option<AskedEpsilon>, Failure> {
         let mut multiple_of_least = None;
-        let column = match (&self.eps, &self.eps_column) {
+        let column = match (self.eps.first(), &self.eps_column) {
             (Some(eps), _) => match asked_bound(eps, reading, limits, two_regressors)? {
                 AskedBound::TimesLeast(factor) => {
                     multiple_of_least = Some(factor);

@@ -7,7 +7,7 @@ use clap::Args;
 use crate::exit::Failure;
 
 /// Which data rows are used.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub(crate) struct RowArguments {
     /// Use these data rows only, counted from 1 without the header: 14..36, 5, ..10, 10.. or a list such as 1..22,24..50
     #[arg(long, value_name = "ROWS", value_parser = parse_rows)]

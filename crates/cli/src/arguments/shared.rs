@@ -4,7 +4,7 @@ use boundfit_exact::{DecimalMark, Foreign, MOST_WORK, Reading, Thousands};
 use boundfit_formats::{ColumnSelector, CommentMark, Header, Missing};
 use boundfit_report::{EndRounding, LONGEST_FRACTION};
 use clap::builder::NonEmptyStringValueParser;
-use clap::{Args, ValueEnum, value_parser};
+use clap::{ArgAction, Args, ValueEnum, value_parser};
 
 use crate::exit::Failure;
 use crate::output::Guard;
@@ -50,7 +50,7 @@ pub(crate) struct ThreadArguments {
 }
 
 /// Which readings are fitted, and how.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub(crate) struct DataArguments {
     /// A table of readings (delimited text or a MATLAB .mat file), or - for standard input
     pub(super) data: String,
@@ -76,7 +76,7 @@ pub(crate) struct DataArguments {
 }
 
 /// Which lines are fitted.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub(crate) struct LineArguments {
     /// Fit y = theta1*x + e, a line without an offset: theta2 = 0 becomes the last condition, and least squares has one
     /// parameter
@@ -88,14 +88,16 @@ pub(crate) struct LineArguments {
 }
 
 /// The error bound.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 #[group(required = true, multiple = true)]
 pub(crate) struct EpsilonArguments {
     /// Error bound of every reading: a decimal or a fraction; or a law such as '0.05%*|y| + 2e-3', '1%*range(y)', 'written'
     /// (half a unit of the last digit written) or '+0.2/-0.1' (the truth lies in [y - 0.1, y + 0.2]); or 'min' or '1.2*min',
     /// so many times the least bound that leaves anything, found from these very readings
-    #[arg(long, value_name = "NUM", allow_hyphen_values = true, conflicts_with_all = ["eps_column", "lower", "upper"])]
-    pub(crate) eps: Option<String>,
+    // Some of no more than one; figures take several.
+    #[arg(long, value_name = "NUM", action = ArgAction::Set, num_args = 1, allow_hyphen_values = true,
+          conflicts_with_all = ["eps_column", "lower", "upper"])]
+    pub(crate) eps: Vec<String>,
     /// Column with the error bound of each reading
     #[arg(long, value_name = "COL", value_parser = parse_column, conflicts_with_all = ["lower", "upper"])]
     pub(crate) eps_column: Option<ColumnSelector>,
@@ -123,7 +125,7 @@ pub(crate) struct LabelArguments {
 }
 
 /// How the input is read.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub(crate) struct TableArguments {
     /// Take numbers exactly as written, or as the nearest double, exactly; with a .mat file it is binary64
     #[arg(long, default_value = Reading::Decimal.name(),
@@ -170,7 +172,7 @@ pub(super) const LIMITS: &str = "Limits";
 
 /// What an input may ask for at most, so that a hostile one costs neither memory nor time. The short help is silent about
 /// it: a message that names a limit also names the option that raises it.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub(crate) struct LimitArguments {
     /// Digits of one number, of a fraction above and below its bar
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = value_parser!(u64).range(1..=1_000_000),

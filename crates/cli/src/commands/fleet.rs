@@ -9,7 +9,7 @@ use boundfit_formats::{ColumnSelector, ScanOptions};
 use boundfit_report::{FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, Style, write_group_json};
 
 use crate::CommandResult;
-use crate::arguments::{Asked, FitArguments, ReportFormat};
+use crate::arguments::{Asked, DataArguments, FitArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
 use crate::output::{Guard, Output, Stop};
 use crate::progress::while_working;
@@ -28,12 +28,7 @@ pub(crate) fn run(
         ReportFormat::Csv => Job::write_csv,
         _ => return Err(Failure::Usage("'--by' writes text, json or csv".to_owned())),
     };
-    let data = arguments.data.open();
-    let asked = data.asked()?;
-    let (source, options) = data.scan()?;
-    let options = ScanOptions { hash: false, list_rows: false, ..options };
-    let fleet = Fleet::read(source, &asked.columns, by, options).map_err(Failure::data)?;
-    refuse_long_groups(arguments, &asked, &fleet)?;
+    let (asked, fleet) = read(&arguments.data, by)?;
     let job = Job { fleet: &fleet, asked: &asked, style: arguments.output.style() };
     let mut output = Output::open(arguments.output.file.output.as_deref(), guard)?;
     let mut summary = FleetSummary::default();
@@ -55,12 +50,23 @@ pub(crate) fn run(
     Ok(if summary.has_empty() { Exit::Empty } else { Exit::Answer })
 }
 
+/// Reads the groups that a column makes, whose numbers are not too long for a fit of each.
+pub(super) fn read(arguments: &DataArguments, by: &ColumnSelector) -> Result<(Asked, Fleet), Failure> {
+    let data = arguments.open();
+    let asked = data.asked()?;
+    let (source, options) = data.scan()?;
+    let options = ScanOptions { hash: false, list_rows: false, ..options };
+    let fleet = Fleet::read(source, &asked.columns, by, options).map_err(Failure::data)?;
+    refuse_long_groups(arguments, &asked, &fleet)?;
+    Ok((asked, fleet))
+}
+
 /// Refuses groups whose numbers are long. A multiple of the least bound is not looked for: it is work itself.
-fn refuse_long_groups(arguments: &FitArguments, asked: &Asked, fleet: &Fleet) -> Result<(), Failure> {
+fn refuse_long_groups(arguments: &DataArguments, asked: &Asked, fleet: &Fleet) -> Result<(), Failure> {
     if !asked.has_long_bound() && !fleet.has_fractions() {
         return Ok(());
     }
-    let (file, limits) = (arguments.data.file_name(), &arguments.data.table.limits);
+    let (file, limits) = (arguments.file_name(), &arguments.table.limits);
     refuse_long(file, &asked.work_of_every(fleet.readings()), times::FIT, limits)?;
     let mut work = Work::default();
     (0..fleet.len()).for_each(|group| work.append(asked.stated_problem(fleet.measurements(group)).work(&[])));

@@ -14,7 +14,7 @@ use boundfit_report::{
 use super::pictures::picture_format;
 use super::solutions;
 use crate::CommandResult;
-use crate::arguments::{JudgeArguments, JudgeFormat, LimitArguments};
+use crate::arguments::{JudgeArguments, JudgeFormat, LimitArguments, PictureArguments};
 use crate::exit::{Exit, Failure};
 use crate::input;
 use crate::output;
@@ -24,6 +24,7 @@ use crate::work::{refuse_long, refuse_long_text, times};
 /// Reads the model, solves it and writes the report.
 pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
     check_usage_of_files(arguments)?;
+    arguments.picture.check("--plot", arguments.plot.is_some())?;
     let plot = arguments.plot.as_deref().map(|file| picture_format("--plot <FILE>", file)).transpose()?;
     let format = arguments.output.format()?;
     check_usage_of_format(arguments, format)?;
@@ -60,7 +61,8 @@ pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
         JudgeFormat::Ine => h_representation(plane.polyhedron()),
         JudgeFormat::Ext => v_representation(plane.polyhedron()),
     };
-    let picture = plot.map(|format| picture(&model, &plane, &file.name, format)).transpose()?;
+    let picture =
+        plot.map(|format| picture(&model, &plane, &file.name, (format, &arguments.picture))).transpose()?;
     let lean = arguments.lean.as_deref();
     let theorems = lean.map(|lean| (lean_theorems(&model, &answer, file.name.borrowed()), lean));
     let theorems = theorems.as_ref().map(|(text, file)| (text.as_bytes(), Some(*file)));
@@ -131,7 +133,12 @@ pub(super) fn files_apart(all: &[(&str, Option<&str>)]) -> Result<(), Failure> {
 }
 
 /// The feasible set with the objective, encoded.
-fn picture(model: &Model, plane: &Plane, file: &Foreign, format: PictureFormat) -> Result<Vec<u8>, Failure> {
+fn picture(
+    model: &Model,
+    plane: &Plane,
+    file: &Foreign,
+    (format, asked): (PictureFormat, &PictureArguments),
+) -> Result<Vec<u8>, Failure> {
     let [first, second] = plane.columns() else {
         let count = in_words(plane.columns().len());
         return Err(Failure::data(format_args!(
@@ -147,8 +154,10 @@ fn picture(model: &Model, plane: &Plane, file: &Foreign, format: PictureFormat) 
         |column: &usize| model.columns.get(*column).map_or_else(Foreign::default, |own| own.name.clone());
     let names = [name(first), name(second)];
     let title = Foreign::from(format!("Linear program of {}", file.raw()));
-    let picture = while_working("drawing", || draw_program(plane.polyhedron(), plane.gain(), &names, &title));
-    picture.map_err(Failure::data)?.encoded(format).map_err(Failure::data)
+    let options = asked.options();
+    let draw = || draw_program(plane.polyhedron(), plane.gain(), &names, &title, &options);
+    let picture = while_working("drawing", draw).map_err(Failure::data)?;
+    picture.encoded_as(format, &asked.encoding()).map_err(Failure::data)
 }
 
 fn read(arguments: &JudgeArguments) -> Result<WholeFile, Failure> {

@@ -12,7 +12,7 @@ use boundfit_report::{
 use super::judge::files_apart;
 use super::pictures::picture_format;
 use crate::CommandResult;
-use crate::arguments::{PolygonArguments, ReportFormat};
+use crate::arguments::{PictureArguments, PolygonArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
 use crate::input;
 use crate::output;
@@ -22,6 +22,7 @@ use crate::work::{refuse_long, times};
 pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     let output = arguments.output.file.output.as_deref();
     files_apart(&[("--output", Some(output.unwrap_or("-"))), ("--plot", arguments.plot.as_deref())])?;
+    arguments.picture.check("--plot", arguments.plot.is_some())?;
     let plot = arguments.plot.as_deref().map(|file| picture_format("--plot <FILE>", file)).transpose()?;
     let format = arguments.output.format()?;
     let mut guard = arguments.output.file.replace.guard([arguments.file.as_str()]);
@@ -58,7 +59,7 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
         ReportFormat::Ine => h_representation(&polyhedron),
         ReportFormat::Ext => v_representation(&polyhedron),
     };
-    let picture = plot.map(|format| picture(&polyhedron, &name, format)).transpose()?;
+    let picture = plot.map(|format| picture(&polyhedron, &name, (format, &arguments.picture))).transpose()?;
     let picture = picture.as_deref().map(|picture| (picture, arguments.plot.as_deref()));
     let parts: Vec<_> = picture.into_iter().chain([(report.as_bytes(), output)]).collect();
     output::write_together(&parts, &mut guard)?;
@@ -66,11 +67,16 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
 }
 
 /// The set, encoded.
-fn picture(polyhedron: &Polyhedron, file: &Foreign, format: PictureFormat) -> Result<Vec<u8>, Failure> {
+fn picture(
+    polyhedron: &Polyhedron,
+    file: &Foreign,
+    (format, asked): (PictureFormat, &PictureArguments),
+) -> Result<Vec<u8>, Failure> {
     if polyhedron.region().is_empty() {
         return Err(Failure::data(format_args!("{file}: '--plot' has nothing to draw: the set is empty")));
     }
     let names = ["θ₁".into(), "θ₂".into()];
-    let picture = draw_region(polyhedron, &names, &Foreign::from(format!("Set of {}", file.raw())));
-    picture.map_err(Failure::data)?.encoded(format).map_err(Failure::data)
+    let title = Foreign::from(format!("Set of {}", file.raw()));
+    let picture = draw_region(polyhedron, &names, &title, &asked.options()).map_err(Failure::data)?;
+    picture.encoded_as(format, &asked.encoding()).map_err(Failure::data)
 }

@@ -8,6 +8,7 @@ mod readings;
 mod runs;
 mod sample;
 mod scene;
+mod several;
 mod view;
 
 use boundfit_estimation::{ErrorBound, Fit, Problem};
@@ -23,6 +24,7 @@ use bands::Bands;
 pub(crate) use boxes::boxes;
 pub(crate) use runs::runs;
 use scene::{Reference, Scene};
+pub(crate) use several::{panels, several};
 use view::View;
 
 /// Distance of panels from the right edge of the picture.

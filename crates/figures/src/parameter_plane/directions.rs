@@ -1,7 +1,7 @@
 //! The set between what linear programs in many directions see of it: the hull of the optimisers inside, the polygon of
 //! the supporting half-planes outside.
 
-use boundfit_check::{Directions, ProgramRows};
+use boundfit_check::Directions;
 use boundfit_estimation::{Fit, Problem};
 use boundfit_exact::{Interval, Rational, Rounding};
 use boundfit_geometry::{Inequality, Polyhedron, Region, Support, System};
@@ -34,7 +34,7 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
         return empty::drawing(problem, fit, options);
     }
     let (objectives, is_scaled) = objectives(fit, options.directions);
-    let found = boundfit_check::directions_along(problem, &ProgramRows::new(problem), &objectives);
+    let found = boundfit_check::directions_along(polyhedron, &objectives);
     let outer = outer(polyhedron, &objectives);
     let page = Page::of(options);
     let names = labels::axes_of_parameters(problem, options);

@@ -9,6 +9,7 @@ mod nested;
 mod outliers;
 mod program;
 mod region;
+mod several;
 mod sliver;
 #[cfg(test)]
 mod tests;
@@ -20,4 +21,5 @@ pub(crate) use fps::drawing as fps;
 pub(crate) use nested::drawing as nested;
 pub(crate) use outliers::drawing as outliers;
 pub(crate) use program::{drawing as program, region as region_of_half_planes};
+pub(crate) use several::{panels, several};
 pub(crate) use x_errors::drawing as x_errors;

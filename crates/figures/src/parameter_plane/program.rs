@@ -8,6 +8,8 @@ use super::region::{at, direction};
 use super::{marks, region, view};
 use crate::clip;
 use crate::drawing::{Drawing, LegendEntry, Panel, Swatch};
+use crate::figure::PlotOptions;
+use crate::labels;
 use crate::page::Page;
 use crate::palette::{Dash, Mark, Shape, Stroke, VERMILLION, style};
 use crate::render::BOTTOM_LABELS;
@@ -24,9 +26,14 @@ const ARROW: f64 = 0.16;
 const ACROSS: f64 = 4.0;
 
 /// The figure of a set, with axes of these names.
-pub(crate) fn region(polyhedron: &Polyhedron, names: &[Foreign; 2], title: &Foreign) -> Drawing {
+pub(crate) fn region(
+    polyhedron: &Polyhedron,
+    names: &[Foreign; 2],
+    title: &Foreign,
+    options: &PlotOptions,
+) -> Drawing {
     let names = names.each_ref().map(|name| one_line(name, 30));
-    let (panel, set) = panel_of(polyhedron, &names);
+    let (panel, set) = panel_of(polyhedron, &names, options);
     let kind = polyhedron.region().kind();
     let note = match kind {
         RegionKind::Empty => "No point is in all half-planes.",
@@ -45,9 +52,10 @@ pub(crate) fn region(polyhedron: &Polyhedron, names: &[Foreign; 2], title: &Fore
 }
 
 /// An empty panel with a set that is not empty, and how its legend shows it.
-fn panel_of(polyhedron: &Polyhedron, names: &[String; 2]) -> (Panel, Swatch) {
-    let window = view::of_region(polyhedron.region(), room_around(polyhedron), &[]);
-    let mut panel = panel(main_frame(0, Page::default()), &window, names);
+fn panel_of(polyhedron: &Polyhedron, names: &[String; 2], options: &PlotOptions) -> (Panel, Swatch) {
+    let window = view::of_region(polyhedron.region(), room_around(polyhedron), &[]).asked_for(options);
+    let names = labels::asked_for(options, names.clone());
+    let mut panel = panel(main_frame(0, Page::of(options)), &window, &names);
     region::draw(&mut panel, polyhedron, style::SET_FILL, style::SET_EDGE);
     marks::draw_vertices(&mut panel, polyhedron.region(), true);
     let set = match polyhedron.region().kind() {
@@ -64,9 +72,10 @@ pub(crate) fn drawing(
     gain: &[Rational; 2],
     names: &[Foreign; 2],
     title: &Foreign,
+    options: &PlotOptions,
 ) -> Drawing {
     let names = names.each_ref().map(|name| one_line(name, 30));
-    let (mut panel, set) = panel_of(polyhedron, &names);
+    let (mut panel, set) = panel_of(polyhedron, &names, options);
     let improves = LegendEntry::new(Swatch::line(LEVEL), "the objective improves along the arrow");
     let mut legend = vec![LegendEntry::new(set, "feasible set")];
     // What the description says of the optimum, and whether that is to stand below the figure.

@@ -110,7 +110,8 @@ fn form_in(panel: &Panel, half_plane: &HalfPlane) -> Option<(Place, f64)> {
     Some((in_unit_size(form), rest.checked_div(&size)?.to_f64()))
 }
 
-fn inequality(half_plane: &HalfPlane) -> Inequality {
+/// A half-plane as an inequality.
+pub(super) fn inequality(half_plane: &HalfPlane) -> Inequality {
     let [a1, a2, b] = [half_plane.a1(), half_plane.a2(), half_plane.b()].map(Rational::from);
     Inequality::new(a1, a2, b)
 }

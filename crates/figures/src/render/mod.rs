@@ -32,19 +32,14 @@ const NOTE_LINE: f64 = 17.0;
 const NOTE_SIZE: f64 = 11.5;
 
 /// How large a picture is, and in which colours.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(crate) struct Look {
     pub(crate) page: Page,
     pub(crate) greyscale: bool,
 }
 
-/// Draws a figure. Cost: the number of items.
-pub(crate) fn render(drawing: Drawing) -> Result<Picture, FigureError> {
-    render_as(drawing, Look::default())
-}
-
-/// Draws a figure of some size and colours.
-pub(crate) fn render_as(drawing: Drawing, look: Look) -> Result<Picture, FigureError> {
+/// Draws a figure of some size and colours. Cost: the number of items.
+pub(crate) fn render(drawing: Drawing, look: Look) -> Result<Picture, FigureError> {
     text::register();
     let (svg, size) = document(&drawing, look.page).map_err(FigureError::of_canvas)?;
     // The view box keeps the canvas's own units, so that a smaller size scales everything. Plotters has no setting for it.

@@ -58,6 +58,20 @@ fn overlap(one: &[f32; 4], other: &[f32; 4]) -> bool {
     one[0] < other[2] && other[0] < one[2] && one[1] < other[3] && other[1] < one[3]
 }
 
+/// No two labels of a figure cover each other, and none leaves the picture; `line` drew it.
+pub fn assert_labels_have_room(svg: &str, line: &str) {
+    let (labels, [width, height]) = labels(svg);
+    assert!(labels.len() > 4, "{line}");
+    for (index, (text, bounds)) in labels.iter().enumerate() {
+        let [left, top, right, bottom] = *bounds;
+        let is_inside = left >= 0.0 && top >= 0.0 && right <= width && bottom <= height;
+        assert!(is_inside, "{line}: \"{text}\" at {bounds:?} leaves {width} by {height}");
+        for (other, others) in &labels[..index] {
+            assert!(!overlap(bounds, others), "{line}: \"{text}\" {bounds:?} and \"{other}\" {others:?}");
+        }
+    }
+}
+
 #[test]
 fn no_two_labels_overlap_and_none_leaves_the_picture() {
     for (status, fit) in fits() {
@@ -68,19 +82,7 @@ fn no_two_labels_overlap_and_none_leaves_the_picture() {
                     continue;
                 }
                 let line = format!("{fit} --figure {figure} --real-text{look}");
-                let (labels, [width, height]) = labels(&svg(&line, status));
-                assert!(labels.len() > 4, "{line}");
-                for (index, (text, bounds)) in labels.iter().enumerate() {
-                    let [left, top, right, bottom] = *bounds;
-                    let is_inside = left >= 0.0 && top >= 0.0 && right <= width && bottom <= height;
-                    assert!(is_inside, "{line}: \"{text}\" at {bounds:?} leaves {width} by {height}");
-                    for (other, others) in &labels[..index] {
-                        assert!(
-                            !overlap(bounds, others),
-                            "{line}: \"{text}\" {bounds:?} and \"{other}\" {others:?}"
-                        );
-                    }
-                }
+                assert_labels_have_room(&svg(&line, status), &line);
             }
         }
     }

@@ -2,8 +2,10 @@
 
 mod geometry;
 mod golden;
+mod look;
 mod pictures;
 mod refusals;
+mod several;
 
 use std::process::{Command, Output};
 

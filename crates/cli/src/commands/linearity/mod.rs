@@ -3,7 +3,7 @@
 mod proof;
 
 use boundfit_exact::{Foreign, Reading, Work};
-use boundfit_figures::{LinearityLabels, PictureFormat, draw_linearity};
+use boundfit_figures::{PictureFormat, PlotOptions, draw_linearity};
 use boundfit_formats::Source;
 use boundfit_questions::{Calibration, Linearity, LinearityOptions};
 use boundfit_report::{Origin, linearity_csv, linearity_document, linearity_json};
@@ -24,6 +24,7 @@ pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
     let mut guard = arguments.output.file.replace.guard([arguments.data.as_str()]);
     guard.check(output)?;
     let figure = figure(arguments)?;
+    arguments.look.check("--figure", figure.is_some())?;
     guard.check(figure.map(|(file, _)| file))?;
     proof::check_usage(arguments)?;
     guard.check(arguments.proof.as_deref())?;
@@ -57,14 +58,14 @@ pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
     };
     let picture = match figure {
         Some((file, format)) => {
-            let labels = LinearityLabels {
-                x: input.x.clone(),
+            let options = PlotOptions {
                 x_unit: arguments.labels.x_unit.clone().or_else(|| input.units[0].clone()),
                 y_unit: arguments.labels.y_unit.clone().or_else(|| input.units[1].clone()),
-                title: arguments.labels.title.clone(),
+                ..arguments.look.options(arguments.labels.title.clone())
             };
-            let picture = while_working("drawing", || draw_linearity(&linearity, &labels));
-            let bytes = picture.map_err(Failure::data)?.encoded(format).map_err(Failure::data)?;
+            let picture = while_working("drawing", || draw_linearity(&linearity, &input.x, &options));
+            let picture = picture.map_err(Failure::data)?;
+            let bytes = picture.encoded_as(format, &arguments.look.encoding()).map_err(Failure::data)?;
             Some((bytes, file))
         }
         None => None,

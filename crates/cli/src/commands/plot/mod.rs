@@ -1,0 +1,254 @@
+//! `boundfit plot`.
+
+mod several;
+
+use std::io::{self, IsTerminal};
+use std::path::Path;
+
+use boundfit_estimation::{Family, Problem, fit};
+use boundfit_exact::Foreign;
+use boundfit_figures::{
+    Figure, FigureError, Picture, PictureFormat, PlotOptions, draw, draw_boxes, draw_outliers, draw_sweep,
+    draw_x_errors,
+};
+use boundfit_questions::{NoOutliers, OutlierLimits, Outliers, XErrorFit, XErrorProblem};
+
+use crate::CommandResult;
+use crate::arguments::{FactorRange, Figures, PlotArguments};
+use crate::commands::fit::SWEEP_OF_FIXED;
+use crate::commands::outliers::refusal;
+use crate::commands::pictures::{EXPECTED, told_by_name};
+use crate::exit::{Exit, Failure};
+use crate::output::{self, Guard, Output};
+use crate::progress::while_working;
+use crate::work::{refuse_long_outliers, refuse_long_problem, refuse_long_sweep, times};
+
+/// Where pictures go.
+enum Destination<'a> {
+    /// One picture to a file, or to standard output.
+    One(Figure, Option<&'a str>),
+    /// The pictures of every fit into a folder.
+    All(&'a str),
+}
+
+/// Reads the data, fits, draws every picture that is asked for, and then writes them.
+pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
+    let draw_x_errors = match arguments.x_errors.are_asked()? {
+        true => Some(x_error_figure(arguments.figure)?),
+        false => None,
+    };
+    let factors = arguments.factors()?;
+    if factors.is_some() && !matches!(arguments.figure, Figures::One(Figure::Fps)) {
+        return Err(Failure::Usage(
+            "'--sweep' draws sets of parameters: with '--figure fps' alone".to_owned(),
+        ));
+    }
+    let several = several::asked(arguments)?;
+    refuse_ranges_of_statuses(arguments)?;
+    arguments.look.check("--output", true)?;
+    let (destination, format) = destination(arguments)?;
+    let name = |figure: Figure| format!("{}.{}", figure.name(), format.name());
+    let guard = arguments.replace.guard(arguments.files());
+    let (figure, file) = match destination {
+        Destination::One(figure, file) => {
+            guard.check(file)?;
+            (figure, file)
+        }
+        Destination::All(folder) => {
+            guard.check_all(folder, Figure::OF_FIT.map(name))?;
+            return run_with_folder(arguments, format, folder, &guard);
+        }
+    };
+    let job = Job { arguments, figure, format, file, guard: &guard };
+    match (several, draw_x_errors, factors) {
+        (Some(what), ..) => several::run(&job, what),
+        (None, Some(draw), _) => job.run_with_x_errors(draw),
+        (None, None, Some(factors)) => job.run_with_factors(&factors),
+        (None, None, None) if figure == Figure::Outliers => job.run_with_outliers(),
+        (None, None, None) => job.run(),
+    }
+}
+
+/// One picture.
+struct Job<'a> {
+    arguments: &'a PlotArguments,
+    figure: Figure,
+    format: PictureFormat,
+    file: Option<&'a str>,
+    guard: &'a Guard,
+}
+
+impl Job<'_> {
+    /// Encodes a picture and writes it.
+    fn write(&self, picture: Result<Picture, FigureError>) -> Result<(), Failure> {
+        let encoded = |picture: Picture| picture.encoded_as(self.format, &self.arguments.look.encoding());
+        output::write(picture.and_then(encoded).map_err(Failure::data)?, self.file, self.guard)
+    }
+
+    /// Any figure of a fit.
+    fn run(&self) -> CommandResult {
+        let problem = problem(self.arguments, 1)?;
+        self.draw(&problem)
+    }
+
+    fn draw(&self, problem: &Problem) -> CommandResult {
+        let fit = fit(problem);
+        let options = options(self.arguments, problem);
+        self.write(while_working("drawing", || draw(problem, &fit, self.figure, &options)))?;
+        // Runs fit where all readings together do not: the figure is the answer.
+        let is_empty = fit.is_empty() && self.figure != Figure::Range;
+        Ok(if is_empty { Exit::Empty } else { Exit::Answer })
+    }
+
+    /// What is left without outliers.
+    fn run_with_outliers(&self) -> CommandResult {
+        let problem = problem(self.arguments, 1)?;
+        let (file, table) = (self.arguments.data.file_name(), &self.arguments.data.table);
+        refuse_long_outliers(file, &problem, &table.limits)?;
+        let limits = OutlierLimits::default();
+        match while_working("looking for outliers", || Outliers::new(&problem, &limits)) {
+            // The figure shows the contradiction then.
+            Err(NoOutliers::Conditions(_)) => self.draw(&problem),
+            Err(why) => Err(refusal(file, &why, None)),
+            Ok(outliers) => {
+                self.write(draw_outliers(&problem, &outliers, &options(self.arguments, &problem)))?;
+                Ok(Exit::Answer)
+            }
+        }
+    }
+
+    /// Reads the data with errors in x, fits and draws.
+    fn run_with_x_errors(&self, draw: DrawXErrors) -> CommandResult {
+        let problem = self.arguments.data.open().x_error_problem(&self.arguments.x_errors, true)?;
+        let answer = while_working("fitting", || problem.fit());
+        let options = options(self.arguments, problem.problem());
+        self.write(while_working("drawing", || draw(&problem, &answer, &options)))?;
+        Ok(if answer.is_empty() { Exit::Empty } else { Exit::Answer })
+    }
+
+    /// Draws sets under growing error bounds, one in another.
+    fn run_with_factors(&self, FactorRange { from, to }: &FactorRange) -> CommandResult {
+        let data = &self.arguments.data;
+        let problem = problem(self.arguments, 1)?;
+        if !problem.measurements.are_open() {
+            return Err(Failure::Usage(SWEEP_OF_FIXED.to_owned()));
+        }
+        refuse_long_sweep(data.file_name(), &problem, to, &data.table.limits)?;
+        let family = while_working("sweeping", || Family::new(&problem, from.clone(), to.clone()));
+        let options = options(self.arguments, &problem);
+        let picture = while_working("drawing", || draw_sweep(&problem, &family, &options));
+        let nothing = || {
+            let name = data.file_name();
+            Failure::data(format_args!("{name}: no factor of '--sweep' leaves any parameters"))
+        };
+        self.write(Ok(picture.map_err(Failure::data)?.ok_or_else(nothing)?))?;
+        Ok(Exit::Answer)
+    }
+}
+
+/// Reads the readings, those that are not fitted too, of which so many figures will be drawn.
+fn problem(arguments: &PlotArguments, figures: u64) -> Result<Problem, Failure> {
+    let problem = arguments.data.open().shown_problem()?;
+    let limits = &arguments.data.table.limits;
+    refuse_long_problem(arguments.data.file_name(), &problem, figures * times::PLOT, limits)?;
+    Ok(problem)
+}
+
+/// The figures of a fit, each a file.
+fn run_with_folder(
+    arguments: &PlotArguments,
+    format: PictureFormat,
+    folder: &str,
+    guard: &Guard,
+) -> CommandResult {
+    let problem = problem(arguments, Figure::OF_FIT.len() as u64)?;
+    let fit = fit(&problem);
+    let options = options(arguments, &problem);
+    let file = |figure: Figure| {
+        let picture = while_working("drawing", || draw(&problem, &fit, figure, &options));
+        let encoded = |picture: Picture| picture.encoded_as(format, &arguments.look.encoding());
+        let bytes = picture.and_then(encoded).map_err(Failure::data)?;
+        Ok((format!("{}.{}", figure.name(), format.name()), bytes))
+    };
+    let files = Figure::OF_FIT.into_iter().map(file).collect::<Result<Vec<_>, Failure>>()?;
+    let write = |(name, bytes): (String, Vec<u8>)| (name, move |output: &mut Output| output.write(&bytes));
+    let files: Vec<_> = files.into_iter().map(write).collect();
+    output::write_all(folder, &files, guard)?;
+    Ok(if fit.is_empty() { Exit::Empty } else { Exit::Answer })
+}
+
+/// The axes of statuses are those of residuals and leverages, whose regions are to be seen whole.
+fn refuse_ranges_of_statuses(arguments: &PlotArguments) -> Result<(), Failure> {
+    let asked = [("--x-range", &arguments.look.x_range), ("--y-range", &arguments.look.y_range)];
+    let asked = asked.into_iter().find(|(_, range)| range.is_some());
+    match (arguments.figure, asked) {
+        (Figures::One(Figure::Status), Some((option, _))) => Err(Failure::Usage(format!(
+            "'{option}' is about x, y, theta1 and theta2: the axes of '--figure status' are residuals and leverages"
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// What draws a figure of errors in x.
+type DrawXErrors = fn(&XErrorProblem, &XErrorFit, &PlotOptions) -> Result<Picture, FigureError>;
+
+/// What draws this figure with errors in x.
+fn x_error_figure(figures: Figures) -> Result<DrawXErrors, Failure> {
+    let name = match figures {
+        Figures::One(Figure::Data) => return Ok(draw_boxes),
+        Figures::One(Figure::Fps) => return Ok(draw_x_errors),
+        Figures::One(other) => other.name(),
+        Figures::All => "all",
+    };
+    Err(Failure::Usage(format!(
+        "'--figure {name}' is about readings whose x is exact: with errors in x ('--x-eps') draw 'data' or 'fps'"
+    )))
+}
+
+fn options(arguments: &PlotArguments, problem: &Problem) -> PlotOptions {
+    let [x_unit, y_unit] = arguments.labels.units(&problem.measurements);
+    plain_options(arguments, [x_unit, y_unit])
+}
+
+/// How to draw with these units of x and y.
+fn plain_options(arguments: &PlotArguments, [x_unit, y_unit]: [Option<Foreign>; 2]) -> PlotOptions {
+    PlotOptions {
+        x_unit,
+        y_unit,
+        flip: arguments.flip,
+        directions: usize::from(arguments.directions),
+        ..arguments.look.options(arguments.labels.title.clone())
+    }
+}
+
+/// What goes where, and in which format.
+fn destination(arguments: &PlotArguments) -> Result<(Destination<'_>, PictureFormat), Failure> {
+    let file = arguments.output.as_deref().filter(|file| *file != "-");
+    let asked = arguments.format;
+    let Figures::One(figure) = arguments.figure else {
+        let folder = file.ok_or_else(|| {
+            Failure::Usage(
+                "'--figure all' makes six files and needs '--output <DIR>', the folder for them".to_owned(),
+            )
+        })?;
+        if told_by_name(folder).is_some() && !Path::new(folder).is_dir() {
+            let problem = "'--figure all' makes six files (expected a folder for them)";
+            return Err(Failure::value("--output <FILE|DIR>", folder, problem));
+        }
+        return Ok((Destination::All(folder), asked.unwrap_or(PictureFormat::Svg)));
+    };
+    let Some(file) = file else {
+        let format = asked.unwrap_or(PictureFormat::Svg);
+        if matches!(format, PictureFormat::Png | PictureFormat::Pdf) && io::stdout().is_terminal() {
+            let kind = format.name().to_uppercase();
+            let problem =
+                format!("a {kind} is nothing for a terminal: name a file with '--output', or pipe it on");
+            return Err(Failure::Usage(problem));
+        }
+        return Ok((Destination::One(figure, None), format));
+    };
+    match asked.or_else(|| told_by_name(file)) {
+        Some(format) => Ok((Destination::One(figure, Some(file)), format)),
+        None => Err(Failure::value("--output <FILE|DIR>", file, format!("{EXPECTED}, or '--format')"))),
+    }
+}

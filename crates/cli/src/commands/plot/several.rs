@@ -1,0 +1,149 @@
+//! Several fits in one picture: of several files or error bounds in one panel, of groups of rows in one each.
+
+use std::path::Path;
+
+use boundfit_estimation::{Fit, Problem};
+use boundfit_exact::Foreign;
+use boundfit_figures::{Compared, Figure, MOST_COMPARED, MOST_PANELS, Series, draw_compared, draw_groups};
+
+use super::{Job, options};
+use crate::CommandResult;
+use crate::arguments::{DataArguments, Figures, PlotArguments};
+use crate::commands::fleet;
+use crate::exit::{Exit, Failure};
+use crate::progress::while_working;
+use crate::work::{refuse_long_problem, times};
+
+/// Several fits.
+pub(super) enum Several {
+    /// Of files, error bounds or both.
+    Compared(Compared),
+    /// Of groups of rows.
+    Groups(Compared),
+}
+
+/// What is to be drawn of several fits, where there are such.
+pub(super) fn asked(arguments: &PlotArguments) -> Result<Option<Several>, Failure> {
+    let (files, bounds) = (arguments.files().count(), arguments.data.bounds().len().max(1));
+    let subject = match (&arguments.by, files, bounds) {
+        (None, 1, 1) => return Ok(None),
+        (Some(_), 1, 1) => "'--by' draws a panel for each group of rows",
+        (Some(_), ..) => {
+            return Err(Failure::Usage(
+                "'--by' is about the groups of one file under one '--eps', and there are several".to_owned(),
+            ));
+        }
+        (None, 1, _) => "several '--eps' are drawn in one panel",
+        (None, ..) => "several files are drawn in one panel",
+    };
+    if arguments.x_errors.are_asked()? || arguments.factors()?.is_some() {
+        return Err(Failure::Usage(format!("{subject}, without '--x-eps', '--x-eps-column' and '--sweep'")));
+    }
+    if files * bounds > MOST_COMPARED {
+        return Err(Failure::Usage(format!(
+            "{} fits are too many to be told apart in one panel (expected at most {MOST_COMPARED} files, error bounds, or \
+             pairs of them)",
+            files * bounds
+        )));
+    }
+    let what = match arguments.figure {
+        Figures::One(Figure::Fps) => Compared::Sets,
+        Figures::One(Figure::Data) => Compared::Readings,
+        _ => return Err(Failure::Usage(format!("{subject}: with '--figure fps' or '--figure data'"))),
+    };
+    Ok(Some(if arguments.by.is_some() { Several::Groups(what) } else { Several::Compared(what) }))
+}
+
+/// Reads, fits and draws.
+pub(super) fn run(job: &Job, several: Several) -> CommandResult {
+    match several {
+        Several::Compared(what) => run_compared(job, what),
+        Several::Groups(what) => run_groups(job, what),
+    }
+}
+
+/// A fit with its name.
+struct Named {
+    name: String,
+    problem: Problem,
+    fit: Fit,
+}
+
+/// Each as a part of a picture.
+fn series(all: &[Named]) -> Vec<Series<'_>> {
+    all.iter()
+        .map(|own| Series { name: Foreign::from(&own.name), problem: &own.problem, fit: &own.fit })
+        .collect()
+}
+
+/// The status of several fits.
+fn status(all: &[Named]) -> Exit {
+    if all.iter().any(|own| own.fit.is_empty()) { Exit::Empty } else { Exit::Answer }
+}
+
+fn run_compared(job: &Job, what: Compared) -> CommandResult {
+    let mut all = Vec::new();
+    for (name, data) in parts(job.arguments) {
+        let problem = data.open().whole_problem()?;
+        refuse_long_problem(data.file_name(), &problem, times::PLOT, &data.table.limits)?;
+        let fit = while_working("fitting", || problem.fit());
+        all.push(Named { name, problem, fit });
+    }
+    let Some(first) = all.first() else { return Ok(Exit::Answer) };
+    let options = options(job.arguments, &first.problem);
+    let series = series(&all);
+    job.write(while_working("drawing", || draw_compared(&series, what, &options)))?;
+    Ok(status(&all))
+}
+
+/// The fits that are compared: each file under each bound, with what tells it from the others.
+fn parts(arguments: &PlotArguments) -> Vec<(String, DataArguments)> {
+    let files: Vec<&str> = arguments.files().collect();
+    let stem = |file: &str| Path::new(file).file_stem().and_then(|stem| stem.to_str()).map(str::to_owned);
+    let mut stems: Vec<Option<String>> = files.iter().map(|file| stem(file)).collect();
+    stems.sort();
+    stems.dedup();
+    let short = stems.len() == files.len();
+    let bounds = arguments.data.bounds();
+    let mut parts = Vec::new();
+    for file in &files {
+        let name = stem(file).filter(|_| short).unwrap_or_else(|| (*file).to_owned());
+        if bounds.len() < 2 {
+            parts.push((name.clone(), arguments.data.with(file, None)));
+            continue;
+        }
+        for bound in bounds {
+            let of_bound = format!("ε = {bound}");
+            let name = if files.len() > 1 { format!("{name}, {of_bound}") } else { of_bound };
+            parts.push((name, arguments.data.with(file, Some(bound))));
+        }
+    }
+    parts
+}
+
+fn run_groups(job: &Job, what: Compared) -> CommandResult {
+    let Some(by) = &job.arguments.by else { return Ok(Exit::Answer) };
+    let (asked, fleet) = fleet::read(&job.arguments.data, by)?;
+    let drawn = fleet.len().min(MOST_PANELS);
+    let mut all = Vec::with_capacity(drawn);
+    for group in 0..drawn {
+        let problem = asked.problem(fleet.measurements(group));
+        refuse_long_problem(
+            job.arguments.data.file_name(),
+            &problem,
+            times::PLOT,
+            &job.arguments.data.table.limits,
+        )?;
+        let fit = while_working("fitting", || problem.fit());
+        all.push(Named { name: fleet.key(group).raw().to_owned(), problem, fit });
+    }
+    let Some(first) = all.first() else {
+        let name = job.arguments.data.file_name();
+        return Err(Failure::data(format_args!("{name}: there are no groups to draw")));
+    };
+    let options = options(job.arguments, &first.problem);
+    let series = series(&all);
+    let by = by.text();
+    job.write(while_working("drawing", || draw_groups(&series, by, fleet.len(), what, &options)))?;
+    Ok(status(&all))
+}
