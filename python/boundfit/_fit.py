@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from . import _boundfit
 from ._answers import value
 from ._bounds import Interval, Intervals, Point, ProvedInterval, Term, lower_bound, upper_bound
-from ._columns import Number
+from ._columns import Number, text
 from ._plane import PlaneSet
 from ._questions import Asked
 
@@ -243,6 +243,44 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
             )
         return proof
 
+    def figure(
+        self,
+        figure: str = "fps",
+        format: str = "svg",
+        *,
+        title: str | None = None,
+        x_unit: str | None = None,
+        y_unit: str | None = None,
+        x_label: str | None = None,
+        y_label: str | None = None,
+        x_range: tuple[Number, Number] | None = None,
+        y_range: tuple[Number, Number] | None = None,
+        width: float | None = None,
+        font_size: float | None = None,
+        dpi: int | None = None,
+        greyscale: bool = False,
+        real_text: bool = False,
+        flip: bool = False,
+        directions: int = 16,
+    ) -> bytes:
+        """A figure as the bytes of a file: ``"svg"``, ``"png"``, ``"pdf"``, ``"tikz"`` (a picture for ``\\input`` in LaTeX) or
+        ``"tex"`` (a document with that picture). Figures are ``"data"``, ``"eui"``, ``"pui"``, ``"fps"``, ``"corridor"``,
+        ``"directions"``, ``"status"``, ``"outliers"`` and ``"range"``.
+
+        ``width`` is in millimetres, ``font_size`` in points, ``dpi`` of a PNG alone; ``real_text`` keeps the texts of an SVG. An
+        empty title, or label of an axis, leaves it out.
+
+        :raises ValueError: where a value is none that the program takes.
+        """
+        labels = {
+            "title": title, "x_unit": x_unit, "y_unit": y_unit, "x_label": x_label, "y_label": y_label,
+            "x_range": None if x_range is None else [text(end) for end in x_range],
+            "y_range": None if y_range is None else [text(end) for end in y_range],
+            "width": width, "font_size": font_size, "dpi": dpi, "greyscale": greyscale, "real_text": real_text,
+            "flip": flip, "directions": directions,
+        }  # fmt: skip
+        return _boundfit.figure(self._core, figure, format, labels)
+
     def svg(
         self,
         figure: str = "fps",
@@ -252,14 +290,12 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         y_unit: str | None = None,
         flip: bool = False,
     ) -> str:
-        """A figure as SVG: ``"data"``, ``"eui"``, ``"pui"``, ``"fps"``, ``"corridor"`` or ``"directions"``."""
-        labels = {"title": title, "x_unit": x_unit, "y_unit": y_unit, "flip": flip}
-        return _boundfit.figure(self._core, figure, "svg", labels).decode()
+        """A figure as SVG; :meth:`figure` has all options and formats."""
+        return self.figure(figure, title=title, x_unit=x_unit, y_unit=y_unit, flip=flip).decode()
 
     def png(self, figure: str = "fps", *, title: str | None = None, flip: bool = False) -> bytes:
         """A figure as the bytes of a PNG."""
-        labels = {"title": title, "x_unit": None, "y_unit": None, "flip": flip}
-        return _boundfit.figure(self._core, figure, "png", labels)
+        return self.figure(figure, "png", title=title, flip=flip)
 
     def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
         """Draws the set on axes of matplotlib, with the box of the intervals and the estimates; ``style`` is that of the filled

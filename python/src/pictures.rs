@@ -1,24 +1,91 @@
 //! Figures of a fit, and the page about it.
 
+use boundfit::Rational;
 use boundfit::engine::exact::Foreign;
-use boundfit::figures::{Figure, PictureFormat, PlotOptions, draw};
+use boundfit::figures::{Encoding, Figure, PictureFormat, PlotOptions, draw};
 use boundfit::lesson::{LessonOptions, page};
 use pyo3::prelude::*;
 
 use crate::fitted::Fitted;
-use crate::numbers::refuse;
+use crate::numbers::{decimal, refuse};
 
-/// What a figure says besides what follows from the readings.
+/// What a figure says besides what follows from the readings, and how it looks.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct Labels {
     title: Option<String>,
     x_unit: Option<String>,
     y_unit: Option<String>,
+    x_label: Option<String>,
+    y_label: Option<String>,
+    x_range: Option<[String; 2]>,
+    y_range: Option<[String; 2]>,
+    /// Of the picture in millimetres.
+    width: Option<f64>,
+    /// Of letters in points of 1/72 inch.
+    font_size: Option<f64>,
+    dpi: Option<u16>,
+    greyscale: bool,
+    real_text: bool,
     flip: bool,
+    directions: usize,
 }
 
-/// A figure as SVG, or as the bytes of a PNG.
+impl Labels {
+    fn options(self) -> PyResult<PlotOptions> {
+        let foreign = |text: Option<String>| text.map(Foreign::from);
+        let options = PlotOptions {
+            title: foreign(self.title),
+            x_unit: foreign(self.x_unit),
+            y_unit: foreign(self.y_unit),
+            x_label: foreign(self.x_label),
+            y_label: foreign(self.y_label),
+            x_range: range(self.x_range, "x_range")?,
+            y_range: range(self.y_range, "y_range")?,
+            width: length(self.width, 1e3, [10.0, 2000.0], "width", "millimetres")?,
+            letters: length(self.font_size, 25_400.0 / 72.0, [1.0, 200.0], "font_size", "points")?,
+            greyscale: self.greyscale,
+            flip: self.flip,
+            directions: self.directions,
+        };
+        if !(3..=1000).contains(&options.directions) {
+            return Err(refuse("directions: expected 3 to 1000 of them"));
+        }
+        match options.have_letters_room() {
+            true => Ok(options),
+            false => Err(refuse(
+                "with font_size a picture has to be 27 to 266 times as wide as its letters are large: change it, or width",
+            )),
+        }
+    }
+}
+
+/// The ends of an axis, the lower one first.
+fn range(ends: Option<[String; 2]>, name: &str) -> PyResult<Option<[Rational; 2]>> {
+    let Some([lower, upper]) = ends else { return Ok(None) };
+    let ends = [decimal(&lower, name)?, decimal(&upper, name)?];
+    match ends[0] < ends[1] {
+        true => Ok(Some(ends)),
+        false => Err(refuse(format_args!("{name}: the lower end is not below the upper one"))),
+    }
+}
+
+/// A length in micrometres from one in other units, between these.
+fn length(
+    length: Option<f64>,
+    micrometres: f64,
+    [least, most]: [f64; 2],
+    name: &str,
+    units: &str,
+) -> PyResult<Option<u32>> {
+    match length {
+        None => Ok(None),
+        Some(length) if (least..=most).contains(&length) => Ok(Some((length * micrometres).round() as u32)),
+        Some(length) => Err(refuse(format_args!("{name}={length}: expected {least} to {most} {units}"))),
+    }
+}
+
+/// A figure as the bytes of a file of this format.
 #[pyfunction]
 pub(crate) fn figure(
     py: Python<'_>,
@@ -30,16 +97,19 @@ pub(crate) fn figure(
     let all = || Figure::ALL.map(|own| format!("{:?}", own.name())).join(", ");
     let asked = Figure::ALL.into_iter().find(|own| own.name() == figure);
     let asked = asked.ok_or_else(|| refuse(format_args!("figure={figure:?}: expected one of {}", all())))?;
-    let format = if format == "png" { PictureFormat::Png } else { PictureFormat::Svg };
-    let foreign = |text: Option<String>| text.map(Foreign::from);
-    let options = PlotOptions {
-        title: foreign(labels.title),
-        x_unit: foreign(labels.x_unit),
-        y_unit: foreign(labels.y_unit),
-        flip: labels.flip,
-        ..PlotOptions::default()
-    };
-    py.detach(|| draw(&fitted.problem, &fitted.fit, asked, &options)?.encoded(format)).map_err(refuse)
+    let formats = || PictureFormat::ALL.map(|own| format!("{:?}", own.name())).join(", ");
+    let wanted = PictureFormat::ALL.into_iter().find(|own| own.name() == format);
+    let format =
+        wanted.ok_or_else(|| refuse(format_args!("format={format:?}: expected one of {}", formats())))?;
+    let plain = Encoding::default();
+    let dpi = labels.dpi.unwrap_or(plain.dpi);
+    if !(30..=1200).contains(&dpi) {
+        return Err(refuse(format_args!("dpi={dpi}: expected 30 to 1200")));
+    }
+    let encoding = Encoding { real_text: labels.real_text, dpi };
+    let options = labels.options()?;
+    py.detach(|| draw(&fitted.problem, &fitted.fit, asked, &options)?.encoded_as(format, &encoding))
+        .map_err(refuse)
 }
 
 /// The web page about these readings.

@@ -97,6 +97,26 @@ def test_figures_and_lesson_are_the_programs(program: Program, tmp_path: Path, m
     for figure in ("data", "eui", "pui", "fps", "corridor", "directions"):
         assert fit.svg(figure) == program("plot", *options, "--figure", figure)
     assert fit.png("fps").startswith(b"\x89PNG")
+    look = ["--size", "85mm", "--font-size", "8pt", "--title", "", "--x-label", "slope", "--y-label", "", "--greyscale",
+            "--x-range", "0.0017..0.00185", "--y-range", "0.02..0.0235"]  # fmt: skip
+    own = {"width": 85, "font_size": 8, "title": "", "x_label": "slope", "y_label": "", "greyscale": True,
+           "x_range": ("0.0017", 0.00185), "y_range": (Fraction(1, 50), 0.0235)}  # fmt: skip
+    for form in ("svg", "tikz", "tex"):
+        assert fit.figure("fps", form, **own).decode() == program("plot", *options, "--format", form, *look)  # type: ignore[arg-type]
+    assert fit.figure("data", "pdf").startswith(b"%PDF-")
+    assert len(fit.figure("fps", "png", dpi=96)) < len(fit.png())
+    for refused, problem in [
+        ({"format": "gif"}, 'expected one of "svg", "png", "pdf", "tikz", "tex"'),
+        ({"width": 5}, "width=5: expected 10 to 2000 millimetres"),
+        ({"font_size": 0.5}, "font_size=0.5: expected 1 to 200 points"),
+        ({"width": 30, "font_size": 8}, "27 to 266 times as wide"),
+        ({"dpi": 20}, "dpi=20: expected 30 to 1200"),
+        ({"x_range": (1, 1)}, "x_range: the lower end is not below the upper one"),
+        ({"y_range": ("a", 1)}, "y_range"),
+        ({"directions": 2}, "directions: expected 3 to 1000 of them"),
+    ]:
+        with pytest.raises(ValueError, match=problem):
+            fit.figure(**refused)  # type: ignore[arg-type]
     fit.lesson(tmp_path / "lesson.html")
     page = (tmp_path / "lesson.html").read_text(encoding="utf-8")
     assert page.startswith("<!") and "Vz" in page

@@ -64,7 +64,24 @@ pub fn draw_sweep(
     family: &Family,
     options: &PlotOptions,
 ) -> Result<Option<Picture>, FigureError> {
-    parameter_plane::nested(problem, family, options).map(|drawing| finished(drawing, options)).transpose()
+    parameter_plane::nested::drawing(problem, family, options)
+        .map(|drawing| finished(drawing, options))
+        .transpose()
+}
+
+/// Draws the corridors of the lines of feasible sets under growing error bounds, one in another, as [`draw_sweep`] draws the sets; `None`
+/// where no factor of the family leaves any parameters. Cost: linear in the readings and in the vertices.
+///
+/// # Errors
+/// Only when a library underneath fails.
+pub fn draw_sweep_of_corridors(
+    problem: &Problem,
+    fit: &Fit,
+    family: &Family,
+    options: &PlotOptions,
+) -> Result<Option<Picture>, FigureError> {
+    let drawing = data_plane::nested(problem, fit, family, options);
+    drawing.map(|drawing| finished(drawing, options)).transpose()
 }
 
 /// Draws several fits in one panel, in colours and dashes that differ: more than [`crate::MOST_COMPARED`] begin again with the first ones.

@@ -48,7 +48,7 @@ mod x_errors;
 
 pub use draw::{
     draw, draw_boxes, draw_compared, draw_groups, draw_outliers, draw_program, draw_region, draw_sweep,
-    draw_x_errors,
+    draw_sweep_of_corridors, draw_x_errors,
 };
 pub use figure::{Figure, PlotOptions};
 pub use groups::MOST_PANELS;

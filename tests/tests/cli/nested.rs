@@ -46,6 +46,30 @@ fn sets_without_end_have_arrows() {
 }
 
 #[test]
+fn corridors_are_drawn_from_the_least_factor_on() {
+    let (status, svg, messages) = plot(TABLE, "--eps 1/2 --sweep 0..3 --figure corridor");
+    assert_eq!((status, messages.as_str()), (0, ""));
+    for text in [
+        "From inside to outside: ×0.5, ×1, ×1.125, ×1.75, ×2.375 and ×3.",
+        "Below the factor 0.5 nothing is left.",
+        "with error bounds as given",
+        "corridor when all error bounds grow by a factor",
+        "Corridors under growing error bounds",
+    ] {
+        assert!(svg.contains(text), "{text}: {svg}");
+    }
+    // As many bands, in each of two panels, as there are factors; the innermost is a line.
+    let edges = |colour: &str| svg.split("<polyline ").filter(|tag| tag.contains(colour)).count();
+    assert!(edges("#0072B2") >= 20 && edges("#E69F00") >= 4, "{} {}", edges("#0072B2"), edges("#E69F00"));
+    // Readings that contradict each other under their own bounds, and in no set but in larger ones.
+    let (status, svg, _) = plot(TABLE, "--eps 1/8 --sweep 1..4 --figure corridor --flip");
+    assert_eq!(status, 0);
+    assert!(svg.contains("From inside to outside: ×2, ×2.5, ×3, ×3.5 and ×4."), "{svg}");
+    let (status, _, messages) = plot(TABLE, "--eps 1/8 --sweep 0..1 --figure corridor");
+    assert_eq!((status, messages.contains("no factor of '--sweep' leaves any parameters")), (1, true));
+}
+
+#[test]
 fn sweeps_that_cannot_be_drawn_are_refused() {
     for (line, status, problem) in [
         ("--eps 1/8 --sweep 0..1", 1, "data.csv: no factor of '--sweep' leaves any parameters"),
@@ -53,12 +77,12 @@ fn sweeps_that_cannot_be_drawn_are_refused() {
         (
             "--eps 1 --sweep 1..2 --figure data",
             2,
-            "'--sweep' draws sets of parameters: with '--figure fps' alone",
+            "'--sweep' draws sets of parameters, or the corridors of their lines: with '--figure fps' or '--figure corridor'",
         ),
         (
             "--eps 1 --sweep 1..2 --figure all",
             2,
-            "'--sweep' draws sets of parameters: with '--figure fps' alone",
+            "'--sweep' draws sets of parameters, or the corridors of their lines: with '--figure fps' or '--figure corridor'",
         ),
         ("--eps 1 --sweep 1..2 --x-eps 0.1", 2, "'--sweep <FROM..TO>' cannot be used with"),
     ] {

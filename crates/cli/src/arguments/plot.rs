@@ -86,7 +86,8 @@ pub(crate) struct PlotArguments {
     /// What to draw
     #[arg(long, default_value = Figure::Fps.name(), value_parser = explained(Figures::named()))]
     pub(crate) figure: Figures,
-    /// Draw, as the figure fps, the sets of some factors of all error bounds from FROM to TO, one in another
+    /// Draw, as the figure fps or corridor, the sets or corridors of some factors of all error bounds from FROM to TO, one in
+    /// another
     #[arg(long, value_name = "FROM..TO", conflicts_with_all = ["x_eps", "x_eps_column"])]
     pub(super) sweep: Option<String>,
     #[command(flatten)]

@@ -1,8 +1,10 @@
 //! Bands: how far the values of a set of parameters reach at every x, or at every row.
 
+use std::borrow::Cow;
+
 use boundfit_estimation::{Corridor, CorridorEdge, Measurement};
 use boundfit_exact::{Endpoint, Interval, Rational};
-use boundfit_geometry::Support;
+use boundfit_geometry::{Polyhedron, Support};
 
 use super::scene::Scene;
 use super::view::View;
@@ -11,6 +13,7 @@ use crate::drawing::{LegendEntry, Panel, Swatch};
 use crate::extent::Extent;
 use crate::figure::Figure;
 use crate::palette::{BLUE, Dash, Fill, Mark, Shape, Stroke, style};
+use crate::parameter_plane::nested;
 
 /// The bands of a figure, from the back to the front.
 #[derive(Default)]
@@ -18,7 +21,7 @@ pub(crate) struct Bands(Vec<Band>);
 
 /// One band.
 struct Band {
-    name: &'static str,
+    name: Cow<'static, str>,
     fill: Fill,
     edge: Stroke,
     shape: BandShape,
@@ -51,20 +54,19 @@ impl Bands {
     pub(crate) fn new(scene: &Scene) -> Self {
         let eui = || scene.fit.eui().cloned();
         let pui = || scene.fit.pui_intervals();
-        let boxed = |name, intervals: Option<[Interval; 2]>, fill, edge| {
+        let boxed = |name: &'static str, intervals: Option<[Interval; 2]>, fill, edge| {
             let shape = of_box(scene, &intervals?);
-            Some(Band { name, fill, edge, shape })
+            Some(Band { name: name.into(), fill, edge, shape })
         };
         let bands = match scene.figure {
             Figure::Eui => vec![boxed("band of the EUI box", eui(), style::EUI_FILL, style::EUI_EDGE)],
             Figure::Pui => vec![boxed("band of the PUI box", pui(), style::PUI_FILL, style::PUI_EDGE)],
             Figure::Corridor => vec![
                 boxed("band of the PUI box", pui(), style::PUI_FILL, style::PUI_EDGE),
-                of_set(scene).map(|shape| Band {
-                    name: if scene.is_line() {
-                        "corridor of all feasible lines"
-                    } else {
-                        "range of all feasible fits"
+                of_set(scene, scene.fit.fps.polyhedron()).map(|shape| Band {
+                    name: match scene.is_line() {
+                        true => "corridor of all feasible lines".into(),
+                        false => "range of all feasible fits".into(),
                     },
                     fill: style::SET_FILL,
                     edge: style::SET_EDGE,
@@ -73,7 +75,26 @@ impl Bands {
             ],
             _ => Vec::new(),
         };
-        let mut bands: Vec<Band> = bands.into_iter().flatten().collect();
+        Bands::in_rows(scene, bands.into_iter().flatten().collect())
+    }
+
+    /// The corridors of sets, each in the next one, from the smallest on; `is_given` tells the one that is not a multiple.
+    pub(crate) fn nested<'b>(
+        scene: &Scene,
+        sets: impl DoubleEndedIterator<Item = (&'b Polyhedron, bool)>,
+    ) -> Self {
+        let band = |(polyhedron, is_given): (&Polyhedron, bool)| {
+            let (name, edge) = match is_given {
+                true => ("with error bounds as given", nested::GIVEN),
+                false => ("corridor when all error bounds grow by a factor", nested::EDGE),
+            };
+            let shape = of_set(scene, polyhedron)?;
+            Some(Band { name: name.into(), fill: nested::FILL, edge, shape })
+        };
+        Bands::in_rows(scene, sets.rev().filter_map(band).collect())
+    }
+
+    fn in_rows(scene: &Scene, mut bands: Vec<Band>) -> Self {
         if !scene.is_line() {
             // The edge at a row is too short for dashes.
             bands.iter_mut().for_each(|band| band.edge.dash = Dash::Solid);
@@ -147,8 +168,13 @@ impl Bands {
     }
 
     pub(crate) fn legend(&self, scene: &Scene) -> Vec<LegendEntry> {
-        let entry = |band: &Band| LegendEntry::new(Swatch::area(band.fill, band.edge), band.name);
-        let mut entries: Vec<LegendEntry> = self.0.iter().map(entry).collect();
+        let mut entries: Vec<LegendEntry> = Vec::new();
+        for band in &self.0 {
+            let entry = LegendEntry::new(Swatch::area(band.fill, band.edge), band.name.clone());
+            if !entries.contains(&entry) {
+                entries.push(entry);
+            }
+        }
         if has_breakpoints(scene) {
             entries.push(LegendEntry::new(Swatch::line_and_mark(style::SET_EDGE, BREAKPOINT), "breakpoint"));
         }
@@ -164,7 +190,9 @@ impl Bands {
             BandShape::Rows(rows) => rows.iter().any(|row| row.lower.is_none() || row.upper.is_none()),
         };
         let note = |band: &Band| format!("Where it has no edge, the {} is unbounded.", band.name);
-        self.0.iter().filter(unbounded).map(note).collect()
+        let mut notes: Vec<String> = self.0.iter().filter(unbounded).map(note).collect();
+        notes.dedup();
+        notes
     }
 }
 
@@ -214,10 +242,9 @@ fn of_box(scene: &Scene, [first, second]: &[Interval; 2]) -> BandShape {
     BandShape::Lines(cuts.windows(2).map(piece).collect())
 }
 
-/// The band of all feasible θ; `None` when there are none.
-fn of_set(scene: &Scene) -> Option<BandShape> {
+/// The band of all θ of a set; `None` when there are none.
+fn of_set(scene: &Scene, polyhedron: &Polyhedron) -> Option<BandShape> {
     let [start, end] = &scene.abscissas;
-    let polyhedron = scene.fit.fps.polyhedron();
     if !scene.is_line() {
         if polyhedron.region().is_empty() {
             return None;

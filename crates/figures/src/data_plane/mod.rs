@@ -11,14 +11,16 @@ mod scene;
 mod several;
 mod view;
 
-use boundfit_estimation::{ErrorBound, Fit, Problem};
-use boundfit_exact::english::counted;
+use boundfit_estimation::{ErrorBound, Family, Fit, Problem};
+use boundfit_exact::english::{counted, listed};
+use boundfit_exact::{Rational, Rounding};
 
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::figure::{Figure, PlotOptions};
 use crate::labels::{self, Conflict};
 use crate::page::Page;
 use crate::palette::{Dash, FAINT_INK, Stroke, style};
+use crate::parameter_plane::nested;
 use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
 use bands::Bands;
 pub(crate) use boxes::boxes;
@@ -34,15 +36,43 @@ const RIGHT: f64 = 22.0;
 pub(crate) fn drawing(problem: &Problem, fit: &Fit, figure: Figure, options: &PlotOptions) -> Drawing {
     let scene = Scene::new(problem, fit, figure, options);
     let bands = Bands::new(&scene);
+    let notes = notes(&scene, &bands);
+    drawing_of(&scene, &bands, title(&scene), notes)
+}
+
+/// The corridors of the sets of a family, one in another; `None` where no factor of it leaves any parameters.
+pub(crate) fn nested(
+    problem: &Problem,
+    fit: &Fit,
+    family: &Family,
+    options: &PlotOptions,
+) -> Option<Drawing> {
+    let sets = nested::sets(family);
+    let (first, last) = (sets.first()?, sets.last()?);
+    let scene = Scene::new(problem, fit, Figure::Corridor, options);
+    let bands = Bands::nested(&scene, sets.iter().map(|own| (&own.set, own.factor == Rational::one())));
+    let mut notes = notes(&scene, &bands);
+    let factors = sets.iter().map(|own| nested::shown("×", &own.factor, Rounding::Nearest));
+    notes.push(format!("From inside to outside: {}.", listed(&factors.collect::<Vec<_>>())));
+    notes.extend(nested::nothing_below(family));
+    let title = match first.factor == last.factor {
+        true => "Corridor under a multiple of all error bounds",
+        false => "Corridors under growing error bounds",
+    };
+    Some(drawing_of(&scene, &bands, title.to_owned(), notes))
+}
+
+/// Both panels and what stands around them.
+fn drawing_of(scene: &Scene, bands: &Bands, title: String, mut notes: Vec<String>) -> Drawing {
+    let (problem, options) = (scene.problem, scene.options);
     let frames = frames(options);
     let names = [labels::abscissa(problem, options), labels::response(problem, options)];
-    let mut notes = notes(&scene, &bands);
-    let whole = View { scene: &scene, reference: None };
-    let mut panels = vec![panel(&whole, &bands, frames[0], names)];
+    let whole = View { scene, reference: None };
+    let mut panels = vec![panel(&whole, bands, frames[0], names)];
     if let Some(reference) = &scene.reference {
-        let view = View { scene: &scene, reference: Some(reference) };
+        let view = View { scene, reference: Some(reference) };
         let names = [labels::abscissa(problem, options), labels::residual(options)];
-        let mut distances = panel(&view, &bands, frames[1], names);
+        let mut distances = panel(&view, bands, frames[1], names);
         if bands.go_beyond(&view, &distances) {
             notes.push("The band goes on beyond this view.".to_owned());
         }
@@ -56,12 +86,12 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, figure: Figure, options: &Pl
     }
     let last = panels.last().map_or(frames[0], |panel| panel.frame);
     Drawing {
-        title: title(&scene),
+        title,
         subtitle: labels::subtitle(problem, options),
-        description: description(&scene, &notes),
+        description: description(scene, &notes),
         height: last.top + last.height + BOTTOM_LABELS + 8.0,
         panels,
-        legend: legend(&scene, &bands),
+        legend: legend(scene, bands),
         notes,
     }
 }

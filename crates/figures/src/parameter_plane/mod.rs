@@ -5,7 +5,7 @@ mod empty;
 mod fps;
 mod layout;
 mod marks;
-mod nested;
+pub(crate) mod nested;
 mod outliers;
 mod program;
 mod region;
@@ -18,7 +18,6 @@ mod x_errors;
 
 pub(crate) use directions::drawing as directions;
 pub(crate) use fps::drawing as fps;
-pub(crate) use nested::drawing as nested;
 pub(crate) use outliers::drawing as outliers;
 pub(crate) use program::{drawing as program, region as region_of_half_planes};
 pub(crate) use several::{panels, several};

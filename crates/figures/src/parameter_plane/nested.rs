@@ -15,17 +15,17 @@ use crate::palette::{BLUE, Dash, Fill, INK, ORANGE, Stroke};
 /// How many sets are drawn, evenly spread, beside that of the bounds as given.
 const SETS: i64 = 5;
 /// Light enough for one set to be seen through others.
-const FILL: Fill = Fill { colour: BLUE, opacity: 0.16 };
-const EDGE: Stroke = Stroke::new(BLUE, 1.0, Dash::Solid);
+pub(crate) const FILL: Fill = Fill { colour: BLUE, opacity: 0.16 };
+pub(crate) const EDGE: Stroke = Stroke::new(BLUE, 1.0, Dash::Solid);
 /// The set of the bounds as given.
-const GIVEN: Stroke = Stroke::new(ORANGE, 1.9, Dash::Long);
+pub(crate) const GIVEN: Stroke = Stroke::new(ORANGE, 1.9, Dash::Long);
 /// Significant digits of factors.
 const DIGITS: usize = 4;
 
 /// A set of the family.
-struct Nested {
-    factor: Rational,
-    set: Polyhedron,
+pub(crate) struct Nested {
+    pub(crate) factor: Rational,
+    pub(crate) set: Polyhedron,
 }
 
 /// The figure; `None` where no factor of the family leaves any parameters.
@@ -49,12 +49,7 @@ pub(crate) fn drawing(problem: &Problem, family: &Family, options: &PlotOptions)
     if sets.iter().any(|nested| nested.factor == Rational::one()) {
         legend.push(LegendEntry::new(Swatch::area(FILL, GIVEN), "with error bounds as given"));
     }
-    let mut notes: Vec<String> = family
-        .least()
-        .filter(|least| least.is_positive())
-        .map(|least| format!("Below the factor {} nothing is left.", shown("", least, Rounding::Up)))
-        .into_iter()
-        .collect();
+    let mut notes: Vec<String> = nothing_below(family).into_iter().collect();
     if sets.iter().any(|nested| !nested.set.region().is_bounded()) {
         notes.push("Arrows: the set goes on without end.".to_owned());
     }
@@ -62,8 +57,14 @@ pub(crate) fn drawing(problem: &Problem, family: &Family, options: &PlotOptions)
     Some(finished(problem, options, title, vec![panel], legend, notes))
 }
 
+/// Below which factor nothing is left.
+pub(crate) fn nothing_below(family: &Family) -> Option<String> {
+    let least = family.least().filter(|least| least.is_positive())?;
+    Some(format!("Below the factor {} nothing is left.", shown("", least, Rounding::Up)))
+}
+
 /// The sets to be drawn, from the smallest factor on.
-fn sets(family: &Family) -> Vec<Nested> {
+pub(crate) fn sets(family: &Family) -> Vec<Nested> {
     let ends = || family.breakpoints().iter().map(|breakpoint| &breakpoint.s);
     let (Some(least), Some(from), Some(to)) = (family.least(), ends().next(), ends().next_back()) else {
         return Vec::new();
@@ -108,7 +109,7 @@ fn name(panel: &mut Panel, nested: &Nested) {
 }
 
 /// A factor behind a sign, and another sign where digits are left out.
-fn shown(sign: &str, factor: &Rational, rounding: Rounding) -> String {
+pub(crate) fn shown(sign: &str, factor: &Rational, rounding: Rounding) -> String {
     let about = if factor.exact_decimal(DIGITS).is_some() { "" } else { "≈ " };
     format!("{about}{sign}{}", labels::number(factor, DIGITS, rounding))
 }

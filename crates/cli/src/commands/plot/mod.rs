@@ -9,7 +9,7 @@ use boundfit_estimation::{Family, Problem, fit};
 use boundfit_exact::Foreign;
 use boundfit_figures::{
     Figure, FigureError, Picture, PictureFormat, PlotOptions, draw, draw_boxes, draw_outliers, draw_sweep,
-    draw_x_errors,
+    draw_sweep_of_corridors, draw_x_errors,
 };
 use boundfit_questions::{NoOutliers, OutlierLimits, Outliers, XErrorFit, XErrorProblem};
 
@@ -38,9 +38,10 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
         false => None,
     };
     let factors = arguments.factors()?;
-    if factors.is_some() && !matches!(arguments.figure, Figures::One(Figure::Fps)) {
+    if factors.is_some() && !matches!(arguments.figure, Figures::One(Figure::Fps | Figure::Corridor)) {
         return Err(Failure::Usage(
-            "'--sweep' draws sets of parameters: with '--figure fps' alone".to_owned(),
+            "'--sweep' draws sets of parameters, or the corridors of their lines: with '--figure fps' or '--figure corridor'"
+                .to_owned(),
         ));
     }
     let several = several::asked(arguments)?;
@@ -92,7 +93,7 @@ impl Job<'_> {
     }
 
     fn draw(&self, problem: &Problem) -> CommandResult {
-        let fit = fit(problem);
+        let fit = while_working("fitting", || fit(problem));
         let options = options(self.arguments, problem);
         self.write(while_working("drawing", || draw(problem, &fit, self.figure, &options)))?;
         // Runs fit where all readings together do not: the figure is the answer.
@@ -126,7 +127,7 @@ impl Job<'_> {
         Ok(if answer.is_empty() { Exit::Empty } else { Exit::Answer })
     }
 
-    /// Draws sets under growing error bounds, one in another.
+    /// Draws sets, or their corridors, under growing error bounds, one in another.
     fn run_with_factors(&self, FactorRange { from, to }: &FactorRange) -> CommandResult {
         let data = &self.arguments.data;
         let problem = problem(self.arguments, 1)?;
@@ -136,7 +137,11 @@ impl Job<'_> {
         refuse_long_sweep(data.file_name(), &problem, to, &data.table.limits)?;
         let family = while_working("sweeping", || Family::new(&problem, from.clone(), to.clone()));
         let options = options(self.arguments, &problem);
-        let picture = while_working("drawing", || draw_sweep(&problem, &family, &options));
+        let draw = || match self.figure {
+            Figure::Corridor => draw_sweep_of_corridors(&problem, &fit(&problem), &family, &options),
+            _ => draw_sweep(&problem, &family, &options),
+        };
+        let picture = while_working("drawing", draw);
         let nothing = || {
             let name = data.file_name();
             Failure::data(format_args!("{name}: no factor of '--sweep' leaves any parameters"))
@@ -162,7 +167,7 @@ fn run_with_folder(
     guard: &Guard,
 ) -> CommandResult {
     let problem = problem(arguments, Figure::OF_FIT.len() as u64)?;
-    let fit = fit(&problem);
+    let fit = while_working("fitting", || fit(&problem));
     let options = options(arguments, &problem);
     let file = |figure: Figure| {
         let picture = while_working("drawing", || draw(&problem, &fit, figure, &options));
