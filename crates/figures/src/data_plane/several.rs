@@ -12,7 +12,7 @@ use crate::extent::Extent;
 use crate::figure::PlotOptions;
 use crate::labels;
 use crate::page::Page;
-use crate::palette::{Dash, Mark, Stroke, style};
+use crate::palette::{Dash, INK, Mark, Shape, Stroke, style};
 use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
 use crate::series::{self, Series, SeriesLook};
 
@@ -50,7 +50,11 @@ pub(crate) fn several(all: &[Series], options: &PlotOptions) -> Drawing {
     let is_one = all.windows(2).all(|pair| are_same(pair[0].problem, pair[1].problem));
     for (rank, &index) in order.iter().enumerate() {
         if is_one {
-            styles[index].bar.width += rank as f64 * BAR_ON_BAR;
+            let own = &mut styles[index];
+            own.bar.width += rank as f64 * BAR_ON_BAR;
+            // The readings and the line are those of all bounds.
+            own.mark = Mark { colour: INK, shape: Shape::Disc, ..own.mark };
+            own.line = Stroke::new(INK, 1.6, Dash::Solid);
         }
         draw_readings(&mut panel, all[index].problem, step, &styles[index]);
     }
