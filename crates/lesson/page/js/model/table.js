@@ -27,7 +27,7 @@ export function cellText(value) {
 }
 
 /** @param {string} text */
-const quotedCell = (text) => (/^[^\x22,\r\n]*$/.test(text) ? text : `"${text.replaceAll('"', '""')}"`);
+const quotedCell = (text) => (/^[^\x22,\r\n]*$/.test(text) ? text : `\x22${text.replaceAll("\x22", "\x22\x22")}\x22`);
 
 /**
  * First and last of the numbers that follow each other without a gap.
