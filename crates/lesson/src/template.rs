@@ -21,6 +21,9 @@ const MAIN: &str = "main.js";
 /// All modules of the script by name; their order in the page follows from what they import.
 const MODULES: &[(&str, &str)] = &[
     module!("dom.js"),
+    module!("editor/actions.js"),
+    module!("editor/address.js"),
+    module!("editor/controls.js"),
     module!("editor/drag.js"),
     module!("editor/export.js"),
     module!("editor/fragment.js"),

@@ -15,7 +15,7 @@ interface Engine {
    * The answer, as JSON or as the text that the options ask for; an Error in the words of the program where table or options are
    * wrong. `options` are those of docs/wasm.md.
    */
-  ask(what: "lesson" | "run" | "polytope", table: string | Uint8Array, options: object): Promise<string>;
+  ask(what: "columns" | "lesson" | "polytope" | "run", table: string | Uint8Array, options: object): Promise<string>;
 }
 
 interface Reading {
@@ -386,6 +386,52 @@ interface Session {
   settled: () => Promise<void>;
   undo: (about: string) => void;
   redo: (about: string) => void;
+}
+
+/** What can be done to readings in the picture; rows are numbers of readings. */
+interface ReadingEdits {
+  /** x is null where it stays; steps with the same key are undone together. */
+  move: (row: number, x: Rational | null, y: Rational, key: string) => void;
+  settle: () => void;
+  remove: (row: number) => void;
+  add: (x: Rational, y: Rational) => void;
+}
+
+/** A table whose columns are being chosen. */
+interface Import {
+  table: string | Uint8Array;
+  file: string;
+  columns: string[];
+  /** The numbers of the columns, by what they are for. */
+  choice: Record<string, string>;
+  /** Whether rows with missing values are left out. */
+  skip: boolean;
+  problem: string | null;
+}
+
+/** What the parts of the editor share. */
+interface Workbench {
+  engine: Engine;
+  store: Store;
+  current: () => Drawn;
+  session: Session;
+  /** The sheet that the page was made with. */
+  own: Sheet;
+  /** Whether it was made without readings. */
+  isBlank: boolean;
+  /** Whether the cells are shown. */
+  isOpen: boolean;
+  /** Whether the engine takes so long that it is worth saying. */
+  isSlow: boolean;
+  /** What is being typed, and where: it is not to be drawn over. */
+  typing: { place: string, text: string } | null;
+  pending: Import | null;
+  notice: string;
+  /** The address with the readings; null for readings that are too many for one. */
+  link: string | null;
+  /** The number of a reading that is to have the focus when it is there. */
+  focusOn: number | null;
+  draw: () => void;
 }
 
 /** The editor for the console of the browser, and for tests. */

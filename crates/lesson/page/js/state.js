@@ -89,7 +89,8 @@ function initialState(lesson) {
  */
 function carriedState(state, lesson, next) {
   const start = initialState(next);
-  if (lesson.isLine !== next.isLine) return { ...start, layers: state.layers };
+  const isSameTable = lesson.data.columns.join("\n") === next.data.columns.join("\n");
+  if (!isSameTable || lesson.isLine !== next.isLine || lesson.readings.length === 0) return { ...start, layers: state.layers };
   const mode = state.mode === "epsilon" && next.stops.length === 0 ? "explore" : state.mode;
   const order = state.order < next.data.orders.length ? state.order : 0;
   /** @param {Choice | null} choice */

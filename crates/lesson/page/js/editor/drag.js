@@ -62,7 +62,7 @@ function placeOf(svg, event) {
  * @param {PageElement} svg
  * @param {Store} store
  * @param {() => Drawn} current
- * @param {{ move: (row: number, x: Rational | null, y: Rational, key: string) => void, settle: (row: number) => void, remove: (row: number) => void, add: (x: Rational, y: Rational) => void }} edits
+ * @param {ReadingEdits} edits
  */
 export function connectDragging(svg, store, current, edits) {
   /** @type {{ row: number, from: Place, offset: Place, key: string, moved: boolean, aside: boolean, views: boolean[] } | null} */
@@ -100,11 +100,11 @@ export function connectDragging(svg, store, current, edits) {
   });
   const end = () => {
     if (drag === null) return;
-    const { moved, row, views } = drag;
+    const { moved, views } = drag;
     drag = null;
     if (!moved) return;
     release(store, views);
-    edits.settle(row);
+    edits.settle();
     // The click that follows would let go of the reading.
     svg.addEventListener("click", swallow, { capture: true, once: true });
     setTimeout(() => svg.removeEventListener("click", swallow, { capture: true }), 0);
@@ -163,7 +163,7 @@ function pixelOf(lesson, state, map, row) {
  * @param {KeyboardEvent} event
  * @param {Store} store
  * @param {() => Drawn} current
- * @param {{ move: (row: number, x: Rational | null, y: Rational, key: string) => void, settle: (row: number) => void, remove: (row: number) => void }} edits
+ * @param {ReadingEdits} edits
  */
 function onKey(event, store, current, edits) {
   const item = closest(event, "[data-reading]");
@@ -180,7 +180,7 @@ function onKey(event, store, current, edits) {
     const by = (axis, range) => stepOf(frame, range, axis).times(new Rational(BigInt(move[axis] * SMALL_MOVE)));
     if (!lesson.isLine && move[0] !== 0) return;
     edits.move(row, lesson.isLine ? phi[0].plus(by(0, view.x)) : null, y.plus(by(1, view.y)), `keys ${row}`);
-    edits.settle(row);
+    edits.settle();
   } else return;
   event.preventDefault();
   event.stopPropagation();

@@ -1,6 +1,15 @@
 // @ts-check
 // What can be taken away from the page: the readings, the report, the pictures.
 
+import { byId } from "../dom.js";
+import { csvOf, optionsOf } from "./sheet.js";
+
+export const FILE_NAME = "readings.csv";
+const REPORTS = ["text", "latex", "json"];
+/** What can be taken away, in the order of the buttons. */
+export const EXPORTS = ["csv", ...REPORTS, "data-svg", "data-png", "parameter-svg", "parameter-png"];
+/** @type {Record<string, string>} */
+const ENDINGS = { text: "txt", latex: "tex", json: "json" };
 const DRAWN_PROPERTIES = ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-opacity", "stroke-dasharray", "stroke-linecap", "stroke-linejoin", "opacity", "font-family", "font-size", "font-weight", "text-anchor", "paint-order"];
 const DROPPED_ATTRIBUTES = /^(class|role|tabindex|style|aria-.*|data-.*)$/;
 const PIXELS = 3;
@@ -88,4 +97,31 @@ export async function inPixels(svg) {
   return new Promise((resolve, reject) => {
     canvas.toBlob((blob) => (blob === null ? reject(new Error("picture")) : resolve(blob)), "image/png");
   });
+}
+
+/**
+ * What the report is asked for: the page's title and units are not part of it.
+ * @param {Sheet} sheet
+ */
+export function reportOptions(sheet) {
+  const { title, x_unit, y_unit, max_readings, file, ...options } = optionsOf(sheet);
+  return { ...options, file: FILE_NAME };
+}
+
+/**
+ * Hands over what a button names.
+ * @param {Engine} engine
+ * @param {Sheet} sheet
+ * @param {string} kind
+ */
+export async function takeAway(engine, sheet, kind) {
+  if (kind === "csv") return download(FILE_NAME, new Blob([csvOf(sheet)], { type: "text/csv" }));
+  if (REPORTS.includes(kind)) {
+    const report = await engine.ask("run", csvOf(sheet), { ...reportOptions(sheet), format: kind });
+    return download(["report", ENDINGS[kind]].join("."), new Blob([report], { type: "text/plain" }));
+  }
+  const [plane, type] = kind.split("-");
+  const svg = /** @type {SVGElement} */ (/** @type {unknown} */ (byId(`${plane}-plane`)));
+  const picture = type === "svg" ? new Blob([standalone(svg).text], { type: "image/svg+xml" }) : await inPixels(svg);
+  download(`${plane}-plane.${type}`, picture);
 }

@@ -5,7 +5,9 @@ import { element } from "../dom.js";
 import { t } from "../texts.js";
 import { usedRows } from "./sheet.js";
 
-/** @typedef {{ place: string, text: string } | null} Typing what is being typed, and where: it is not to be drawn over */
+/** @typedef {Workbench["typing"]} Typing */
+
+const LONGEST_HEAD = 14;
 
 /**
  * The names of the columns as heads: what they are for where the name does not say it.
@@ -23,11 +25,14 @@ function head({ name, role }) {
  */
 export function grid(sheet, problem, typing, chosen) {
   const numbers = new Map(usedRows(sheet).map((at, k) => [at, k + 1]));
-  const heads = [t("edit.row"), ...sheet.columns.map(head), t("edit.fitted"), ""];
+  const heads = [t("edit.row"), ...sheet.columns.map(head), t("edit.fitted")].map((name) =>
+    element("th", { scope: "col", class: name.length > LONGEST_HEAD ? "long" : null }, name),
+  );
+  heads.push(element("th", { scope: "col" }, element("span", { class: "unseen" }, t("edit.delete"))));
   return element(
     "table",
     { id: "sheet", class: "sheet" },
-    element("thead", {}, element("tr", {}, heads.map((name) => element("th", { scope: "col", class: name.length > 14 ? "long" : null }, name)))),
+    element("thead", {}, element("tr", {}, heads)),
     element("tbody", {}, sheet.rows.map((_, at) => rowOf(sheet, at, numbers.get(at) ?? null, problem?.row === at ? problem : null, typing, chosen))),
   );
 }

@@ -6,8 +6,6 @@ import { element } from "../dom.js";
 import { t } from "../texts.js";
 import { sheetOf } from "./sheet.js";
 
-/** @typedef {{ table: string | Uint8Array, file: string, columns: string[], choice: Record<string, string>, skip: boolean, problem: string | null }} Import */
-
 /** What a column can be for, in the order of the form. */
 const PURPOSES = ["x", "v", "y", "eps_column", "lower", "upper"];
 // What files call the bound of a reading.
@@ -21,8 +19,7 @@ const BOUND_NAMES = { eps_column: /^(eps(ilon)?|ε|e|error|err|tolerance|tol|u)$
  * @returns {Promise<string[]>}
  */
 export async function columnsOf(engine, table, file) {
-  const answer = JSON.parse(await engine.ask(/** @type {any} */ ("columns"), table, { file }));
-  return answer.columns.map((/** @type {string | { name: string }} */ own) => (typeof own === "string" ? own : own.name));
+  return JSON.parse(await engine.ask("columns", table, { file })).columns;
 }
 
 /**

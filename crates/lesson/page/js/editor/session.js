@@ -10,10 +10,11 @@ const MOST_STEPS = 200;
 /**
  * @param {Engine} engine
  * @param {Sheet} first
+ * @param {LessonData} firstData the page's own lesson, which has what the engine in the page cannot make: answers of LP solvers
  * @param {{ onLesson: (data: LessonData, sheet: Sheet, words: string) => void, onChange: () => void }} listeners
  * @returns {Session}
  */
-export function createSession(engine, first, { onLesson, onChange }) {
+export function createSession(engine, first, firstData, { onLesson, onChange }) {
   /** @type {{ past: Sheet[], future: Sheet[] }} */
   const steps = { past: [], future: [] };
   let sheet = first;
@@ -37,13 +38,13 @@ export function createSession(engine, first, { onLesson, onChange }) {
     isBusy = true;
     const [asked, about] = [sheet, words];
     onChange();
-    /** @type {string | Error} */
-    const answer = await engine.ask("lesson", csvOf(asked), optionsOf(asked)).catch((error) => error);
+    /** @type {LessonData | Error} */
+    const answer = asked === first ? firstData : await engine.ask("lesson", csvOf(asked), optionsOf(asked)).then(JSON.parse).catch((error) => error);
     isBusy = false;
-    if (typeof answer === "string") {
+    if (!(answer instanceof Error)) {
       right = asked;
       if (asked === sheet) problem = null;
-      onLesson(JSON.parse(answer), asked, about);
+      onLesson(answer, asked, about);
     } else if (asked === sheet) problem = problemOf(answer.message, asked);
     if (isWaiting) {
       isWaiting = false;

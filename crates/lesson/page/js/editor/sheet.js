@@ -241,3 +241,12 @@ export function withBounds(sheet, kind, known) {
   const eps = kind === "eps" ? (sheet.question.eps ?? [...known.values()][0]?.width ?? "2*min") : undefined;
   return withQuestion({ ...sheet, columns, rows }, { eps: eps === "" ? "2*min" : eps });
 }
+
+/**
+ * Whether two sheets say the same.
+ * @param {Sheet} one
+ * @param {Sheet} other
+ */
+export function isSameSheet(one, other) {
+  return one === other || JSON.stringify(one) === JSON.stringify(other);
+}

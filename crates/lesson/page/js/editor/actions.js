@@ -1,0 +1,185 @@
+// @ts-check
+// What the controls of the editor do to the sheet.
+
+import { byId } from "../dom.js";
+import { measuredAt } from "./drag.js";
+import { columnsOf, guessed, imported } from "./importing.js";
+import { movedSheet, newCells } from "./moving.js";
+import { isSameSheet, usedRows, withCell, withFitted, withQuestion, withoutRowAt } from "./sheet.js";
+import { cellText } from "../model/table.js";
+import { t } from "../texts.js";
+
+/** In megabytes. */
+const LARGEST_FILE = 16;
+/** A spring: what is hung on it, and how far it stretches. */
+const EXAMPLE_CELLS = [["0", "0.1"], ["1", "1.9"], ["2", "3.8"], ["3", "6.3"], ["4", "7.9"], ["5", "10.2"]];
+const EXAMPLE_BOUND = "0.3";
+
+/**
+ * What can be done to readings in the picture; rows are numbers of readings.
+ * @param {Workbench} bench
+ * @returns {ReadingEdits}
+ */
+export function readingEdits({ session, store }) {
+  return {
+    move(row, x, y, key) {
+      const sheet = session.sheet();
+      const at = usedRows(sheet)[row - 1];
+      if (at === undefined) return;
+      const next = movedSheet(sheet, at, x, y, store.lesson());
+      if (isSameSheet(next, sheet)) return;
+      const place = x === null ? cellText(y) : `${cellText(x)}, ${cellText(y)}`;
+      session.edit(next, t("edit.did.move", { row, place }), key);
+    },
+    settle: session.settle,
+    remove(row) {
+      const at = usedRows(session.sheet())[row - 1];
+      if (at !== undefined) session.edit(withoutRowAt(session.sheet(), at), t("edit.did.delete", { row }));
+    },
+    add(x, y) {
+      const sheet = session.sheet();
+      const longer = { ...sheet, rows: [...sheet.rows, { cells: newCells(sheet), isFitted: true }] };
+      session.edit(movedSheet(longer, sheet.rows.length, x, y, store.lesson()), t("edit.did.add"));
+    },
+  };
+}
+
+/**
+ * The buttons that are there at any time.
+ * @param {Workbench} bench
+ * @param {string} what
+ */
+export function press(bench, what) {
+  const { session } = bench;
+  bench.notice = "";
+  bench.typing = null;
+  if (what === "undo") session.undo(t("edit.did.undo"));
+  else if (what === "redo") session.redo(t("edit.did.redo"));
+  else if (what === "add") addInView(bench);
+  else addRow(bench);
+}
+
+/**
+ * A reading in the middle of the picture, to be moved to its place.
+ * @param {Workbench} bench
+ */
+function addInView(bench) {
+  const { session, store, current } = bench;
+  const { dataMap } = current();
+  const { view } = dataMap;
+  const middle = dataMap.to([(view.x[0] + view.x[1]) / 2, (view.y[0] + view.y[1]) / 2]);
+  const { x, y } = measuredAt(store.lesson(), store.get(), dataMap, middle, null);
+  if (x === null) return;
+  bench.focusOn = usedRows(session.sheet()).length + 1;
+  readingEdits(bench).add(x, y);
+}
+
+/**
+ * A row to type into.
+ * @param {Workbench} bench
+ */
+export function addRow({ session }) {
+  const sheet = session.sheet();
+  session.edit({ ...sheet, rows: [...sheet.rows, { cells: newCells(sheet), isFitted: true }] }, "");
+  /** @type {HTMLElement | null} */ (byId("editor").querySelector(`[data-cell="${sheet.rows.length} 0"]`))?.focus();
+}
+
+/** @param {Workbench} bench */
+export function takeExample({ session, own }) {
+  const rows = EXAMPLE_CELLS.map((cells) => ({ cells, isFitted: true }));
+  session.edit(withQuestion({ ...own, rows }, { eps: EXAMPLE_BOUND }), t("edit.did.block"));
+}
+
+/**
+ * Takes what was typed into a cell.
+ * @param {Workbench} bench
+ * @param {PageElement} input
+ */
+export function commitCell(bench, input) {
+  const [at, k] = (input.dataset.cell ?? "").split(" ").map(Number);
+  const sheet = bench.session.sheet();
+  const value = input.value.trim();
+  bench.typing = null;
+  if (sheet.rows[at]?.cells[k] === value) return bench.draw();
+  const next = withCell(sheet, at, k, value);
+  bench.session.edit(next, t("edit.did.cell", { column: sheet.columns[k].name, row: numberAt(next, at), value }));
+}
+
+/**
+ * @param {Workbench} bench
+ * @param {number} at
+ */
+export function deleteAt({ session }, at) {
+  session.edit(withoutRowAt(session.sheet(), at), t("edit.did.delete", { row: numberAt(session.sheet(), at) }));
+}
+
+/**
+ * @param {Workbench} bench
+ * @param {number} at
+ * @param {boolean} isFitted
+ */
+export function fitAt({ session }, at, isFitted) {
+  session.edit(withFitted(session.sheet(), at, isFitted), t(isFitted ? "edit.did.fit" : "edit.did.unfit", { row: numberAt(session.sheet(), at) }));
+}
+
+/**
+ * The number of the reading in a row of the sheet; a dash for a row that is none yet.
+ * @param {Sheet} sheet
+ * @param {number} at
+ */
+function numberAt(sheet, at) {
+  const number = usedRows(sheet).indexOf(at);
+  return number < 0 ? "–" : `${number + 1}`;
+}
+
+/**
+ * Begins to take a table; at once where it is clear which column is which.
+ * @param {Workbench} bench
+ * @param {string | Uint8Array} table
+ * @param {string} file
+ */
+export async function startImport(bench, table, file) {
+  bench.notice = "";
+  try {
+    const columns = await columnsOf(bench.engine, table, file);
+    const { choice, isSure } = guessed(columns, bench.session.sheet());
+    bench.pending = { table, file, columns, choice, skip: false, problem: null };
+    if (isSure) return applyImport(bench);
+  } catch (error) {
+    bench.notice = wordsOfError(error);
+  }
+  bench.draw();
+}
+
+/**
+ * Takes the table with the columns that are chosen.
+ * @param {Workbench} bench
+ */
+export async function applyImport(bench) {
+  const from = bench.pending;
+  if (from === null) return;
+  try {
+    const sheet = await imported(bench.engine, from, bench.session.sheet());
+    if (bench.pending !== from) return;
+    bench.pending = null;
+    bench.session.edit(sheet, t("edit.did.import", { file: from.file }));
+  } catch (error) {
+    bench.pending = { ...from, problem: wordsOfError(error) };
+  }
+  bench.draw();
+}
+
+/**
+ * @param {Workbench} bench
+ * @param {File} file
+ */
+export async function readFile(bench, file) {
+  if (file.size <= LARGEST_FILE * 1e6) return startImport(bench, new Uint8Array(await file.arrayBuffer()), file.name);
+  bench.notice = t("edit.too-large", { file: file.name, count: LARGEST_FILE });
+  bench.draw();
+}
+
+/** @param {unknown} error */
+export function wordsOfError(error) {
+  return error instanceof Error ? error.message : `${error}`;
+}
