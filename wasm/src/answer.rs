@@ -43,6 +43,7 @@ pub(crate) fn fit(table: Vec<u8>, options: &str) -> Result<String, String> {
     match format {
         Format::Json => Ok(fit_json(&problem, &fit, None, None, &origin, &style)),
         Format::Text => Ok(fit_document(&problem, &fit, &origin, InverseLine::default(), &style).to_text()),
+        Format::Latex => Ok(fit_document(&problem, &fit, &origin, InverseLine::default(), &style).to_latex()),
         Format::Proof => proof_json(&problem, &fit, reading).ok_or_else(|| {
             "a proof is about the rows of plain delimited text, and the table is none".to_owned()
         }),

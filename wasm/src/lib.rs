@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 mod answer;
+mod columns;
 mod options;
 mod polytope;
 
@@ -19,6 +20,18 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 pub fn run(table: Vec<u8>, options: &str) -> Result<String, JsError> {
     answer::fit(table, options).map_err(|problem| JsError::new(&problem))
+}
+
+/// The columns of a table of which nothing is known yet, as JSON: `{"columns": ["x", "y"], "header": true}`.
+///
+/// `options` may have the keys that say how the table is written: `file`, `delimiter`, `decimal`, `thousands`, `comment`, `skip_lines`
+/// and `units_row`.
+///
+/// # Errors
+/// Throws an `Error` that says what is wrong with the options or the table, and where.
+#[wasm_bindgen]
+pub fn columns(table: Vec<u8>, options: &str) -> Result<String, JsError> {
+    columns::columns(table, options).map_err(|problem| JsError::new(&problem))
 }
 
 /// What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/2`. Of linear programs it has what the

@@ -11,6 +11,9 @@ use boundfit::report::{EndRounding, Style};
 use boundfit::{Condition, Reading};
 use serde::Deserialize;
 
+/// What a table without a name is called in messages.
+const NO_FILE: &str = "standard input";
+
 /// The keys of the object, each named as the option of `boundfit fit` or `boundfit lesson` that it is.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -60,6 +63,42 @@ pub(crate) struct Options {
     max_readings: Option<u16>,
 }
 
+/// How a table is written, where nothing is asked of it yet.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct TableWords {
+    file: Option<String>,
+    delimiter: Option<String>,
+    decimal: Option<String>,
+    thousands: Option<String>,
+    comment: Option<String>,
+    #[serde(default)]
+    skip_lines: u64,
+    #[serde(default)]
+    units_row: bool,
+}
+
+impl TableWords {
+    /// Reads the object.
+    ///
+    /// # Errors
+    /// With the key that is not known, or of another type.
+    pub(crate) fn parse(json: &str) -> Result<Self, String> {
+        serde_json::from_str(json).map_err(|error| format!("options: {error}"))
+    }
+
+    /// The name of the table in messages.
+    pub(crate) fn file(&self) -> &str {
+        self.file.as_deref().unwrap_or(NO_FILE)
+    }
+
+    /// How the table is written, as far as that is said.
+    pub(crate) fn dialect(&self) -> Result<AskedDialect, String> {
+        let marks = [&self.delimiter, &self.decimal, &self.thousands, &self.comment];
+        dialect(marks, self.skip_lines, self.units_row)
+    }
+}
+
 /// The columns of one or two regressors.
 #[derive(Debug, Deserialize)]
 #[serde(
@@ -87,6 +126,7 @@ enum Rows {
 pub(crate) enum Format {
     Json,
     Text,
+    Latex,
     Proof,
 }
 
@@ -149,12 +189,17 @@ impl Options {
 
     /// The name of the table in messages.
     pub(crate) fn file(&self) -> &str {
-        self.file.as_deref().unwrap_or("standard input")
+        self.file.as_deref().unwrap_or(NO_FILE)
     }
 
     /// What is written.
     pub(crate) fn format(&self) -> Result<Format, String> {
-        let names = [("json", Format::Json), ("text", Format::Text), ("proof", Format::Proof)];
+        let names = [
+            ("json", Format::Json),
+            ("text", Format::Text),
+            ("latex", Format::Latex),
+            ("proof", Format::Proof),
+        ];
         Ok(named("format", self.format.as_deref(), &names)?.unwrap_or(Format::Json))
     }
 
@@ -240,13 +285,14 @@ impl Options {
         });
         let headers = Header::ALL.map(|header| (header.name(), header));
         let missing = Missing::ALL.map(|missing| (missing.name(), missing));
+        let marks = [&self.delimiter, &self.decimal, &self.thousands, &self.comment];
         let rows = match self.numbering()? {
             Some(numbering) => numbering.positions(&self.row_set()?),
             None => Some(self.row_set()?),
         };
         Ok(TableOptions {
             header: named("header", self.header.as_deref(), &headers)?.unwrap_or_default(),
-            dialect: self.dialect()?,
+            dialect: dialect(marks, self.skip_lines, self.units_row)?,
             missing: named("missing", self.missing.as_deref(), &missing)?.unwrap_or_default(),
             rows: rows.ok_or("rows: none of them is left")?,
             conditions: conditions.collect::<Result<_, _>>()?,
@@ -280,35 +326,37 @@ impl Options {
         let ends: Vec<[usize; 2]> = ends.collect::<Option<_>>().ok_or_else(expected)?;
         Numbering::new(&ends).map(Some).ok_or_else(expected)
     }
+}
 
-    fn dialect(&self) -> Result<AskedDialect, String> {
-        let decimals = DecimalMark::ALL.map(|mark| (mark.name(), mark));
-        let thousands = Thousands::ALL.map(|mark| (mark.mark(), mark));
-        // Of both what is left to the table has a name on the command line.
-        let asked = |text: &Option<String>| text.clone().filter(|text| text != "auto");
-        let decimal = named("decimal", asked(&self.decimal).as_deref(), &decimals)?;
-        let thousands = named("thousands", self.thousands.as_deref(), &thousands)?;
-        if let (Some(decimal), Some(thousands)) = (decimal, thousands)
-            && thousands.mark().as_bytes() == [decimal.byte()]
-        {
-            return Err(
-                "decimal and thousands name one mark: it cannot both group digits and come before decimals"
-                    .to_owned(),
-            );
-        }
-        let comment = self.comment.as_deref().map(|text| {
-            CommentMark::parse(text)
-                .ok_or_else(|| refused("comment", text, "expected auto, none or one character such as #"))
-        });
-        Ok(AskedDialect {
-            delimiter: named("delimiter", asked(&self.delimiter).as_deref(), &DELIMITERS)?,
-            decimal,
-            thousands,
-            comment: comment.transpose()?.unwrap_or_default(),
-            skip_lines: self.skip_lines,
-            units_row: self.units_row,
-        })
+/// How a text is written: the marks that separate columns, come before decimals, group digits and start comments, as far as they are said.
+fn dialect(marks: [&Option<String>; 4], skip_lines: u64, units_row: bool) -> Result<AskedDialect, String> {
+    let [delimiter, decimal, thousands, comment] = marks;
+    let decimals = DecimalMark::ALL.map(|mark| (mark.name(), mark));
+    let groups = Thousands::ALL.map(|mark| (mark.mark(), mark));
+    // Of both what is left to the table has a name on the command line.
+    let asked = |text: &Option<String>| text.clone().filter(|text| text != "auto");
+    let decimal = named("decimal", asked(decimal).as_deref(), &decimals)?;
+    let thousands = named("thousands", thousands.as_deref(), &groups)?;
+    if let (Some(decimal), Some(thousands)) = (decimal, thousands)
+        && thousands.mark().as_bytes() == [decimal.byte()]
+    {
+        return Err(
+            "decimal and thousands name one mark: it cannot both group digits and come before decimals"
+                .to_owned(),
+        );
     }
+    let comment = comment.as_deref().map(|text| {
+        CommentMark::parse(text)
+            .ok_or_else(|| refused("comment", text, "expected auto, none or one character such as #"))
+    });
+    Ok(AskedDialect {
+        delimiter: named("delimiter", asked(delimiter).as_deref(), &DELIMITERS)?,
+        decimal,
+        thousands,
+        comment: comment.transpose()?.unwrap_or_default(),
+        skip_lines,
+        units_row,
+    })
 }
 
 fn refuse_any(asked: &[(&str, bool)], why: &str) -> Result<(), String> {

@@ -42,6 +42,7 @@ pub fn main() -> ExitCode {
         Command::Polygon(arguments) => commands::polygon::run(&arguments),
         Command::Plot(arguments) => commands::plot::run(&arguments),
         Command::Lesson(arguments) => commands::lesson::run(&arguments),
+        Command::Playground(arguments) => commands::playground::run(&arguments),
         Command::Completions { shell, file } => commands::completions::run(shell, &file),
         Command::Man { topic, file } => commands::man::run(topic.as_deref(), &file),
     };

@@ -4,6 +4,7 @@
 
 import {
   __wbg_reset_state as startAnew,
+  columns as columnsOnce,
   initSync,
   lesson as lessonOnce,
   run as runOnce,
@@ -37,6 +38,14 @@ export const run = (table, options) => ask(runOnce, table, options);
  * @returns {string}
  */
 export const lesson = (table, options) => ask(lessonOnce, table, options);
+
+/**
+ * The columns of a table of which nothing is known yet, as JSON: `{"columns": ["x", "y"], "header": true}`. Throws as {@link run} does.
+ * @param {string | Uint8Array} table
+ * @param {object} options how the table is written, as for {@link run}
+ * @returns {string}
+ */
+export const columns = (table, options) => ask(columnsOnce, table, options);
 
 /**
  * @param {(table: Uint8Array, options: string) => string} answer

@@ -2,10 +2,10 @@
 // What the Worker of a lesson runs: it is handed the packed module in base64 once, then answers one question after the other.
 // The page ends it, and starts another one, when the module traps.
 
-import { initSync, lesson, run } from "./boundfit_wasm.mjs";
+import { columns, initSync, lesson, polytope, run } from "./boundfit_wasm.mjs";
 
 /** @type {Record<string, (table: Uint8Array, options: string) => string>} */
-const answers = { lesson, run };
+const answers = { columns, lesson, polytope, run };
 
 /** @param {string} packed */
 const unpacked = async (packed) => {

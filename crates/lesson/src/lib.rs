@@ -41,6 +41,7 @@ mod leave_one_out;
 mod number;
 mod orders;
 mod outliers;
+mod playground;
 mod points;
 mod polytope;
 mod questions;
@@ -56,6 +57,7 @@ use boundfit_questions::times::looks;
 use serde_json::Value;
 use thiserror::Error;
 
+pub use crate::playground::playground;
 pub use crate::polytope::{MOST_HALF_PLANES, PolytopeError, PolytopeOptions, polytope};
 pub use crate::texts::{Language, said};
 

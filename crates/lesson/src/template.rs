@@ -51,6 +51,7 @@ const MODULES: &[(&str, &str)] = &[
     module!("panels/layers.js"),
     module!("panels/leave-one-out.js"),
     module!("panels/questions.js"),
+    module!("panels/start.js"),
     module!("panels/summary.js"),
     module!("panels/worst-line.js"),
     module!("planes/axes.js"),

@@ -10,6 +10,7 @@ mod linearity;
 mod look;
 mod notes;
 mod outliers;
+mod playground;
 mod plot;
 mod polygon;
 mod predict;
@@ -39,6 +40,7 @@ pub(crate) use linearity::LinearityArguments;
 pub(crate) use look::PictureArguments;
 pub(crate) use notes::Notes;
 pub(crate) use outliers::OutliersArguments;
+pub(crate) use playground::PlaygroundArguments;
 pub(crate) use plot::{Figures, PlotArguments};
 pub(crate) use polygon::PolygonArguments;
 pub(crate) use predict::PredictArguments;
@@ -84,6 +86,7 @@ pub(crate) enum Command {
     Polygon(PolygonArguments),
     Plot(PlotArguments),
     Lesson(LessonArguments),
+    Playground(PlaygroundArguments),
     /// Print a completion script for a shell
     #[command(after_help = COMPLETIONS_NOTES.to_string())]
     Completions {

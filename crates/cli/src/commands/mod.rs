@@ -17,6 +17,7 @@ pub(crate) mod linearity;
 pub(crate) mod man;
 pub(crate) mod outliers;
 mod pictures;
+pub(crate) mod playground;
 pub(crate) mod plot;
 pub(crate) mod polygon;
 pub(crate) mod predict;

@@ -41,6 +41,7 @@ import { fillIntroduction } from "./panels/introduction.js";
 import { connectEditor } from "./editor/panel.js";
 import { engine } from "./engine.js";
 import { kindText, switchedOff } from "./model/format.js";
+import { drawStart } from "./panels/start.js";
 import { connectLanguage } from "./panels/language.js";
 import { tableOf } from "./model/table.js";
 import { t } from "./texts.js";
@@ -149,6 +150,7 @@ function announcement(lesson, state, before, scene) {
  */
 function drawLesson(lesson) {
   fillIntroduction(lesson);
+  drawStart(lesson);
   listOrders(lesson);
   drawStops(lesson);
   listSwitches(lesson);

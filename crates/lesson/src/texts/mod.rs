@@ -26,8 +26,14 @@ macro_rules! part {
 }
 
 /// The parts of the table, one for each part of the page.
-const PARTS: &[(&str, &str)] =
-    &[part!("edit"), part!("interface"), part!("page"), part!("questions"), part!("worst-line")];
+const PARTS: &[(&str, &str)] = &[
+    part!("edit"),
+    part!("interface"),
+    part!("page"),
+    part!("questions"),
+    part!("start"),
+    part!("worst-line"),
+];
 
 /// A key and its text in every language.
 type Table = BTreeMap<String, BTreeMap<String, String>>;

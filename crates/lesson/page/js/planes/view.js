@@ -156,6 +156,7 @@ export function parameterFrame(lesson, shear) {
  * @param {Rational} shear
  */
 function widthOfReadings(lesson, axis, shear) {
+  if (lesson.readings.length === 0) return ONE;
   const [, epsilon] = extremes(lesson.readings.map((reading) => reading.epsilon));
   const column = lesson.readings.map(({ phi }) => (axis === 1 ? phi[1] : phi[0].minus(shear.times(phi[1]))));
   const [, phi] = extremes(column.map((value) => value.absolute()));
