@@ -12,7 +12,8 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 
-import { lesson, run, start } from "../crates/lesson/engine/boundfit.mjs";
+import { columns, lesson, run, start } from "../crates/lesson/engine/boundfit.mjs";
+import { tableOf } from "../crates/lesson/page/js/model/table.js";
 
 const root = fileURLToPath(new URL("..", import.meta.url));
 const fixtures = join(root, "fixtures");
@@ -91,9 +92,50 @@ const compare = (statuses, args, table, input) => {
 
 const linesOf = (path) => readFileSync(path, "utf8").split("\n").filter((line) => line !== "" && !line.startsWith("#"));
 
+/** A lesson without what is rounded, what float LP solvers answer, and the question about them. */
+const withoutRounded = (document) => {
+  const { binary64, ...leastSquares } = document.fit.least_squares ?? { binary64: {} };
+  assert.equal(typeof binary64, "object");
+  return {
+    ...document,
+    fit: { ...document.fit, least_squares: document.fit.least_squares && leastSquares },
+    layers: { ...document.layers, lp: document.layers.lp.filter(({ source }) => source.startsWith("exact-simplex")) },
+    questions: document.questions.filter(({ id }) => id !== "solvers-right"),
+  };
+};
+
+/** The lesson without what tells the table from the one that the page writes. */
+const withoutFile = (document) => {
+  const { sha256, rows_total, selection, rows_missing, text, fractions, ...input } = document.fit.input;
+  // The page has numbers, not how they were written.
+  if (input.epsilon_law?.includes("written") || input.epsilon_column?.includes("written") || input.interval) {
+    for (const key of ["epsilon_law", "epsilon_column", "interval"]) delete input[key];
+  }
+  return { ...document, fit: { ...document.fit, input } };
+};
+
+const ofReport = ["no-eui", "exact", "digits", "rounding"];
+
+/** Compares what module and program show of readings in a lesson, and what the module shows of the page's own table. */
+const compareLessons = (args, table, input) => {
+  const own = args.filter((arg, at) => !ofReport.some((name) => arg === `--${name}` || (args[at - 1] === `--${name}` && !flags.includes(name))));
+  const options = optionsOf(own);
+  const page = spawnSync(program, ["lesson", ...own], { cwd: fixtures, encoding: "utf8", input, maxBuffer: 1 << 28 });
+  if (page.status === 1) {
+    assert.throws(() => lesson(table, options), (error) => page.stderr.startsWith(`error: ${error.message}`), page.stderr);
+    return;
+  }
+  const expected = JSON.parse(page.stdout.match(/id="lesson-data">([^\n]*)<\/script>/)[1]);
+  const found = JSON.parse(lesson(table, options));
+  assert.equal(JSON.stringify(withoutRounded(found)), JSON.stringify(withoutRounded(expected)));
+  const again = JSON.parse(lesson(tableOf(expected), expected.asked));
+  assert.equal(JSON.stringify(withoutFile(withoutRounded(again))), JSON.stringify(withoutFile(withoutRounded(expected))));
+};
+
 for (const line of [...linesOf(join(fixtures, "tables/fits.txt")), ...linesOf(new URL("fits.txt", import.meta.url))]) {
   const [status, ...args] = line.replace(/ --[xy]-unit \S+/g, "").split(" ");
   test(line, () => compare([Number(status)], args, readFileSync(join(fixtures, args[0]))));
+  test(`lesson: ${line}`, () => compareLessons(args, readFileSync(join(fixtures, args[0]))));
 }
 
 test("a hundred tables made at random", () => {
@@ -114,7 +156,97 @@ test("a hundred tables made at random", () => {
     const args = ["-", "--x", random(3) === 0 ? "x,u" : "x", "--y", "y", "--eps", bounds[random(bounds.length)]];
     if (random(3) === 0) args.push("--where", conditions[random(conditions.length)]);
     compare([0, 3], args, table, table);
+    if (round % 5 === 0) compareLessons(args, table, table);
   }
+});
+
+test("rows keep the numbers that they are given", () => {
+  const table = "x,y\n1,1\n2,3\n3,2\n4,4\n";
+  const asked = { x: "x", y: "y", eps: "1", row_numbers: [3, [7, 8], 20] };
+  assert.deepEqual(JSON.parse(lesson(table, asked)).readings.map(({ row }) => row), [3, 7, 8, 20]);
+  const some = JSON.parse(lesson(table, { ...asked, rows: [[4, 8]] }));
+  assert.deepEqual(some.readings.map(({ row }) => row), [7, 8]);
+  assert.deepEqual(some.others.map(({ row }) => row), [3, 20]);
+  assert.deepEqual(some.asked.rows, [[7, 8]]);
+  assert.deepEqual(some.asked.row_numbers, [[3, 3], [7, 8], [20, 20]]);
+  const report = JSON.parse(run(table, { ...asked, without: [3, [20, null]] }));
+  assert.equal(report.input.selection.without, "3,20..");
+  assert.ok(report.fps.vertices.every(({ active }) => active.every(({ row }) => [7, 8].includes(row))));
+  const refused = (more, expected) => assert.throws(() => lesson(table, { ...asked, ...more }), { message: expected });
+  refused({ row_numbers: [[1, 3]] }, "row_numbers: 3 numbers for a table of 4 rows");
+  refused({ row_numbers: [4, 3, 5, 6] }, /^row_numbers: expected rows from 1, ascending, such as 5 and \[14, 36\]/);
+  refused({ row_numbers: [[1, null]] }, /^row_numbers: expected rows from 1, ascending/);
+  refused({ rows: [[4, 6]] }, "rows: none of them is left");
+  assert.throws(() => run(table, { ...asked, format: "proof" }), /^Error: row_numbers: a proof is about the rows of a table as they stand/);
+});
+
+test("columns of tables in any form", () => {
+  const found = (table, options = {}) => JSON.parse(columns(table, options));
+  assert.deepEqual(found("V;z\n1,5;2\n"), { columns: ["V", "z"], header: true });
+  assert.deepEqual(found("1 2\n3 4\n"), { columns: ["col1", "col2"], header: false });
+  assert.deepEqual(found("# made by hand\nV [mV],I\n1,2\n"), { columns: ["V [mV]", "I"], header: true });
+  assert.deepEqual(found("a,,b\n1,2,3\n"), { columns: ["a", "col2", "b"], header: true });
+  assert.deepEqual(found("a|b\n1|2\n", { delimiter: "comma" }).columns.length, 1);
+  assert.throws(() => columns("", {}), /^Error: standard input: /);
+  assert.throws(() => columns("a,b\n", { x: "a" }), /^Error: options: unknown field `x`/);
+});
+
+test("a report in LaTeX", () => {
+  const asked = ["--x", "x", "--y", "y", "--eps", "1/3"];
+  const report = ask(["-", ...asked, "--no-lp", "--format", "latex"], "x,y\n1,2\n2,3\n").stdout;
+  assert.match(report, /tabular/);
+  const withoutDoubles = (text) => text.replace(/^.*in doubles[^]*?\n\n/m, "");
+  assert.equal(withoutDoubles(run("x,y\n1,2\n2,3\n", { x: "x", y: "y", eps: "1/3", format: "latex" })), withoutDoubles(report));
+});
+
+test("whatever is asked of a lesson, it is answered or refused", () => {
+  let state = 7;
+  const random = (below) => {
+    state = (Math.imul(state, 1103515245) + 12345) >>> 0;
+    return (state >>> 8) % below;
+  };
+  const seeds = ["x,y\n1,2\n2,3\n3,5\n", "x;u;y\n1,5;2;1e400\n-3;4;0,1\n", "x y eps\n1 1 1\n2 2 1/3\n"];
+  const pieces = ["1e9999", "-", "/0", "\n", ";", ",", "nan", '"', "\u0000", "9".repeat(9000), "1/3", "\ufeff", " ", "#"];
+  const asked = [
+    { x: "x", y: "y", eps: "1" },
+    { x: ["x", "u"], y: "y", eps: "2*min" },
+    { x: "1", y: "2", eps_column: "3" },
+    { x: "1", lower: "2", where: ["theta1 >= 0"] },
+    { x: "1", y: "2", eps: `1e-${"9".repeat(4)}`, reading: "binary64" },
+    { x: "1", y: "2", eps: "written", rows: [[2, 9999999]], max_readings: 2000 },
+    { x: "1", y: "2", eps: "1", row_numbers: [[1, 4294967295]] },
+    { x: "1", y: "2", eps: "1", row_numbers: [[5, 4294967294]], rows: [[1, null]] },
+  ];
+  let answered = 0;
+  for (let round = 0; round < 600; round += 1) {
+    let table = seeds[random(seeds.length)];
+    for (let change = random(4); change > 0; change -= 1) {
+      const at = random(table.length + 1);
+      table = table.slice(0, at) + pieces[random(pieces.length)] + table.slice(at + random(3));
+    }
+    try {
+      JSON.parse(lesson(table, asked[random(asked.length)]));
+      answered += 1;
+    } catch (error) {
+      assert.ok(error instanceof Error && !(error instanceof WebAssembly.RuntimeError || error instanceof RangeError), `${JSON.stringify(table.slice(0, 200))}: ${error}`);
+    }
+  }
+  assert.ok(answered > 50, `${answered} answers`);
+});
+
+test("a lesson has the limits of the program", () => {
+  const long = Array.from({ length: 200 }, (_, row) => `${row},${"7".repeat(9000)}${row}`).join("\n");
+  const asked = { x: "x", y: "y", eps: "1" };
+  const table = `x,y\n${long}\n`;
+  const { stderr } = spawnSync(program, ["lesson", "-", "--x", "x", "--y", "y", "--eps", "1"], { encoding: "utf8", input: table });
+  assert.match(stderr, /long numbers|products/);
+  assert.throws(() => lesson(table, asked), ({ message }) => stderr.startsWith(`error: ${message}`));
+  const rows = `x,y\n${"1,2\n".repeat(301)}`;
+  assert.throws(() => lesson(rows, asked), { message: "standard input: 301 readings are too many for a lesson (the limit is 300)" });
+  assert.equal(JSON.parse(lesson(rows, { ...asked, max_readings: 301 })).asked.max_readings, 301);
+  assert.throws(() => lesson(rows, { ...asked, max_readings: 2001 }), { message: "max_readings: expected a number from 1 to 2000" });
+  assert.throws(() => lesson(rows, { ...asked, digits: 3 }), { message: "digits is about a report, and this is a lesson" });
+  assert.throws(() => run(rows, { ...asked, title: "t" }), { message: "title is about a lesson, and this is a report" });
 });
 
 test("options that are wrong are refused by name", () => {
@@ -138,7 +270,7 @@ test("options that are wrong are refused by name", () => {
   refused({ ...whole, rows: ["1..2"] }, /^options: rows and without: expected rows from 1 such as 5, \[14, 36\]/);
   refused({ ...whole, without: [[1, null]] }, "without: no row is left");
   refused({ ...whole, missing: "drop" }, 'missing: "drop": expected one of "refuse", "skip"');
-  refused({ ...whole, format: "csv" }, 'format: "csv": expected one of "json", "text", "proof"');
+  refused({ ...whole, format: "csv" }, 'format: "csv": expected one of "json", "text", "latex", "proof"');
   refused({ ...whole, delimiter: ";" }, /^delimiter: ";": expected one of "comma", "semicolon", "tab", "space", "pipe"/);
   refused({ ...whole, decimal: "comma", thousands: "," }, /^decimal and thousands name one mark/);
   refused({ ...whole, comment: "ab" }, /^comment: "ab": expected auto, none or one character/);

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 
-import { DATA, boundfit, launch, openLesson } from "./harness.js";
+import { DATA, PLAYGROUND, boundfit, fitReport, launch, openLesson } from "./harness.js";
 
 let browser;
 
@@ -53,6 +53,57 @@ test("questions are answered in their order, and refusals are in the words of th
   assert.match(answers[1], /^wrong: standard input: line 1: there is no column "z"/);
   assert.equal(answers[2], 'unknown: the engine has no answer about "sing"');
   assert.equal(answers[3], "run");
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+/** In the page, before its script: the Worker can be asked to run out of memory, and then for a table. */
+function withTrap() {
+  const Own = Blob;
+  const trap = `
+    answers.trap = () => {
+      wasm.memory.grow(2 ** 16 - wasm.memory.buffer.byteLength / 2 ** 16);
+      return lesson(new Uint8Array(2 ** 24).fill(49), "{}");
+    };`;
+  globalThis.Blob = class extends Own {
+    constructor(parts, options) {
+      super(parts.map((part) => (typeof part === "string" && part.includes("initSync(") ? part + trap : part)), options);
+    }
+  };
+}
+
+test("after a trap the engine is started anew, and what waits is answered", async () => {
+  const { page, complaints, close } = await openLesson(browser, DATA.strip, { init: withTrap });
+  const before = await ask(page, "lesson", TABLE, ASKED);
+  assert.equal(JSON.parse(before).readings.length, 3);
+  const [trapped, after] = await page.evaluate(([table, asked]) => {
+    const { engine } = boundfit;
+    return Promise.all([
+      engine.ask("trap", "", {}).then(() => "no trap", (error) => error.message),
+      engine.ask("lesson", table, asked),
+    ]);
+  }, [TABLE, ASKED]);
+  assert.match(trapped, /stopped.*unreachable/);
+  assert.equal(after, before);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("a table that is typed into the page without readings is fitted", async () => {
+  const { page, complaints, close } = await openLesson(browser, PLAYGROUND);
+  assert.equal(await page.locator("#parameter-plane").getAttribute("data-kind"), "plane");
+  assert.ok(await page.locator("#start").isVisible());
+  assert.equal(await page.locator("#edit-toggle").getAttribute("aria-pressed"), "true");
+  const [file, ...options] = DATA.norris;
+  const table = readFileSync(new URL(`../../${file}`, import.meta.url), "utf8");
+  await page.locator("#paste summary").click();
+  await page.locator("#paste-text").fill(table);
+  await page.locator("#paste-use").click();
+  await page.waitForFunction(() => boundfit.store.lesson().readings.length > 0);
+  const expected = fitReport([file, ...options.slice(0, 4), "--eps", "2*min"]);
+  const shown = await page.evaluate(() => boundfit.store.lesson().data.fit.fps);
+  assert.deepEqual(shown.vertices.map(({ theta }) => theta.map(({ exact }) => exact)), expected.fps.vertices.map(({ theta }) => theta.map(({ exact }) => exact)));
+  assert.ok(!(await page.locator("#start").isVisible()));
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -71,13 +71,16 @@ export function fitReport(options, ...more) {
   return JSON.parse(boundfit("fit", ...options, "--format", "json", ...more));
 }
 
+/** In the place of the options: the page without readings. */
+export const PLAYGROUND = ["playground"];
+
 const pages = new Map();
 
 function pageFile(options) {
   const key = options.join(" ");
   if (!pages.has(key)) {
     const file = join(folder, `lesson-${pages.size}.html`);
-    boundfit("lesson", ...options, "-o", file);
+    boundfit(...(options === PLAYGROUND ? ["playground"] : ["lesson", ...options]), "-o", file);
     pages.set(key, file);
   }
   return pages.get(key);
@@ -98,9 +101,9 @@ export function launch() {
 
 /**
  * Opens the lesson of a data set from disk. `complaints` collects what must not happen: errors and warnings on the
- * console, uncaught errors, and requests for anything but the page itself.
+ * console, uncaught errors, and requests for anything but the page itself. `init` runs in the page before its own script.
  */
-export async function openLesson(browser, options, { width = 1280, height = 900, ...context } = {}) {
+export async function openLesson(browser, options, { width = 1280, height = 900, init = () => undefined, ...context } = {}) {
   const opened = await browser.newContext({ viewport: { width, height }, reducedMotion: "reduce", ...context });
   const page = await opened.newPage();
   page.setDefaultTimeout(10_000);
@@ -114,6 +117,7 @@ export async function openLesson(browser, options, { width = 1280, height = 900,
     // The Worker of the engine is a script of the page, from the page.
     if (![address, "blob:null/"].some((own) => request.url().startsWith(own))) complaints.push(`request: ${request.url()}`);
   });
+  await page.addInitScript(init);
   await page.goto(address);
   return { page, complaints, close: () => opened.close() };
 }

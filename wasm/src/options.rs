@@ -169,6 +169,8 @@ impl Options {
             x_unit: foreign(&self.x_unit).or(x_unit.cloned()),
             y_unit: foreign(&self.y_unit).or(y_unit.cloned()),
             most_rows: self.max_readings.map_or(MOST_ROWS, usize::from),
+            // Of the page, not of what it shows.
+            ..LessonOptions::default()
         })
     }
 

@@ -3,7 +3,7 @@
 use boundfit_tests::cli::printed;
 use boundfit_tests::program::root;
 
-const COMMANDS: [&str; 17] = [
+const COMMANDS: [&str; 18] = [
     "fit",
     "status",
     "predict",
@@ -19,6 +19,7 @@ const COMMANDS: [&str; 17] = [
     "polygon",
     "plot",
     "lesson",
+    "playground",
     "completions",
     "man",
 ];
