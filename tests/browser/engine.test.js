@@ -96,7 +96,7 @@ test("a table that is typed into the page without readings is fitted", async () 
   assert.equal(await page.locator("#edit-toggle").getAttribute("aria-pressed"), "true");
   const [file, ...options] = DATA.norris;
   const table = readFileSync(new URL(`../../${file}`, import.meta.url), "utf8");
-  await page.locator("#paste summary").click();
+  assert.ok(await page.locator("#paste-text").isVisible());
   await page.locator("#paste-text").fill(table);
   await page.locator("#paste-use").click();
   await page.waitForFunction(() => boundfit.store.lesson().readings.length > 0);

@@ -5,7 +5,9 @@ use std::io::Cursor;
 use boundfit::engine::estimation::Selection;
 use boundfit::engine::exact::Foreign;
 use boundfit::engine::formats::{InputError, ReductionError};
-use boundfit::files::{Keep, Measurements, Question, ScanOptions, SizeLimits, Source, TableOptions};
+use boundfit::files::{
+    InputErrorKind, Keep, Measurements, Question, ScanOptions, SizeLimits, Source, TableOptions,
+};
 use boundfit::lesson::{check_work, lesson_json};
 use boundfit::report::{InverseLine, Origin, fit_document, fit_json, proof_json};
 use boundfit::{Problem, Reading};
@@ -31,7 +33,7 @@ pub(crate) fn fit(table: Vec<u8>, options: &str) -> Result<String, String> {
         Some(_) if format == Format::Proof => {
             return Err("row_numbers: a proof is about the rows of a table as they stand there".to_owned());
         }
-        Some(_) => question.of_measurements(readings(source, &question, &options, &scan.table)?),
+        Some(_) => question.of_measurements(readings(source, &question, &options, &scan.table, false)?),
         None => {
             let keep = Keep { eui: !options.no_eui, ..Keep::default() };
             question.problem(source, &scan, keep).map_err(|error| error.to_string())?
@@ -56,7 +58,7 @@ pub(crate) fn lesson(table: Vec<u8>, options: &str) -> Result<String, String> {
     options.refuse_words_of_report()?;
     let Asked { source, reading, question } = Asked::new(table, &options)?;
     let table = TableOptions { keep_others: true, ..options.table(reading)? };
-    let measurements = readings(source, &question, &options, &table)?;
+    let measurements = readings(source, &question, &options, &table, true)?;
     if measurements.is_of_reductions() {
         return Err(InputError::of_file(options.file(), ReductionError::NotHere).to_string());
     }
@@ -91,15 +93,20 @@ impl Asked {
     }
 }
 
-/// Every reading, with its number.
+/// Every reading, with its number; there may be none, where that is no mistake.
 fn readings(
     source: Source,
     question: &Question,
     options: &Options,
     table: &TableOptions,
+    may_be_none: bool,
 ) -> Result<Measurements, String> {
-    let measurements =
-        Measurements::read(source, &question.columns, table).map_err(|error| error.to_string())?;
+    let measurements = match Measurements::read(source, &question.columns, table) {
+        Err(error) if may_be_none && matches!(error.kind, InputErrorKind::NoRows) => {
+            return Ok(question.columns.without_rows());
+        }
+        read => read.map_err(|error| error.to_string())?,
+    };
     let Some(numbering) = options.numbering()? else { return Ok(measurements) };
     let (numbers, rows) = (&numbering.numbers, measurements.rows_total());
     let asked = Selection::of(&TableOptions { rows: options.row_set()?, ..table.clone() });

@@ -4,7 +4,18 @@
 export function __wbg_reset_state(): void;
 
 /**
- * What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/1`. Of linear programs it has what the
+ * The columns of a table of which nothing is known yet, as JSON: `{"columns": ["x", "y"], "header": true}`.
+ *
+ * `options` may have the keys that say how the table is written: `file`, `delimiter`, `decimal`, `thousands`, `comment`, `skip_lines`
+ * and `units_row`.
+ *
+ * # Errors
+ * Throws an `Error` that says what is wrong with the options or the table, and where.
+ */
+export function columns(table: Uint8Array | number[], options: string): string;
+
+/**
+ * What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/2`. Of linear programs it has what the
  * exact simplex answers.
  *
  * `table` and `options` are as in [`run`](fn@run).
@@ -13,6 +24,18 @@ export function __wbg_reset_state(): void;
  * Throws an `Error` that says what is wrong with the options or the table, and where.
  */
 export function lesson(table: Uint8Array | number[], options: string): string;
+
+/**
+ * What there is to say about half-planes: the document of schema `boundfit/polytope/1`.
+ *
+ * `text` has one half-plane a line, such as `2x + 3y <= 6`, in UTF-8, and `options` is a JSON object whose keys may be `objective`, two numbers as
+ * text, and `start`, the number of a vertex from 0.
+ *
+ * # Errors
+ * Throws an `Error` that says what is wrong with the options, or that there are too many half-planes. What is wrong with a line is
+ * part of the answer.
+ */
+export function polytope(text: Uint8Array | number[], options: string): string;
 
 /**
  * Fits readings, and answers as `boundfit fit` does: with the JSON document of schema `boundfit/fit/1`, with the report for people, or
@@ -30,7 +53,9 @@ export type InitInput = RequestInfo | URL | Response | BufferSource | WebAssembl
 
 export interface InitOutput {
     readonly memory: WebAssembly.Memory;
+    readonly columns: (a: number, b: number, c: number, d: number) => [number, number, number, number];
     readonly lesson: (a: number, b: number, c: number, d: number) => [number, number, number, number];
+    readonly polytope: (a: number, b: number, c: number, d: number) => [number, number, number, number];
     readonly run: (a: number, b: number, c: number, d: number) => [number, number, number, number];
     readonly __wbindgen_externrefs: WebAssembly.Table;
     readonly __wbindgen_malloc: (a: number, b: number) => number;

@@ -6,6 +6,7 @@ use boundfit_formats::{Batch, ColumnSelector, InputError, InputErrorKind};
 use crate::law::Law;
 use crate::line_form::LineForm;
 use crate::meaning::{ErrorBound, Meaning, Model};
+use crate::measurements::Measurements;
 
 /// The error bound as it is asked for.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -45,6 +46,12 @@ impl Columns {
     /// Whether the readings that decide the feasible set do so for every error bound: those of a line under a uniform one.
     pub fn are_open(&self) -> bool {
         self.meaning(&[]).is_open()
+    }
+
+    /// No readings of these columns, named as they are asked for.
+    pub fn without_rows(&self) -> Measurements {
+        let names: Vec<Foreign> = self.selectors().iter().map(|column| column.text().clone()).collect();
+        Measurements::of_meaning(self.meaning(&names), Vec::new())
     }
 
     /// The work on what each of so many readings gets beside its own numbers, estimated before memory is taken for it: the bound
