@@ -104,8 +104,8 @@ export function lesson(table, options) {
 /**
  * What there is to say about half-planes: the document of schema `boundfit/polytope/1`.
  *
- * `text` has one half-plane a line, such as `2x + 3y <= 6`, in UTF-8, and `options` is a JSON object whose keys may be `objective`, two numbers as
- * text, and `start`, the number of a vertex from 0.
+ * `text` has one half-plane a line, such as `2x + 3y <= 6`, in UTF-8, and `options` is a JSON object whose keys may be `objective`, two
+ * numbers as text, and `start`, the number of a vertex from 0.
  *
  * # Errors
  * Throws an `Error` that says what is wrong with the options, or that there are too many half-planes. What is wrong with a line is

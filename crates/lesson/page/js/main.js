@@ -262,10 +262,6 @@ function start() {
   });
   draw();
   const editor = engine === null ? null : connectEditor(engine, store, () => drawn);
-  if (editor !== null && store.lesson().readings.length === 0) {
-    byId("edit-toggle").click();
-    byId("paste").setAttribute("open", "");
-  }
   // For the console of the browser, and for tests: `await boundfit.engine.ask("run", "x,y\n1,2\n", { x: "x", y: "y", eps: "1" })`.
   Object.assign(globalThis, { boundfit: { engine, tableOf, store, editor } });
   // Sizes are known only now, and change with the window.
