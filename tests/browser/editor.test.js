@@ -2,12 +2,12 @@
 
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
-import { readFileSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
-import { DATA, SPECIAL, fitReport, launch, openLesson } from "./harness.js";
+import { DATA, PLAYGROUND, SPECIAL, boundfit, fitReport, launch, openLesson } from "./harness.js";
 
 let browser;
 
@@ -148,15 +148,19 @@ test("readings are added, left out and deleted", async () => {
   await close();
 });
 
-test("the last reading cannot go: the engine says so, and what was right stays", async () => {
-  const { page, close } = await opened(SPECIAL.noError);
+test("without the last reading everything is possible, and undo brings it back", async () => {
+  const { page, complaints, close } = await opened(SPECIAL.noError);
   const kind = page.locator("#parameter-plane");
   for (let left = 3; left > 0; left -= 1) {
     await page.locator('[data-delete="0"]').click();
     await settled(page);
   }
-  assert.match(await page.locator("#edit-problem").textContent(), /no data rows/);
+  assert.equal(await kind.getAttribute("data-kind"), "plane");
+  assert.equal(await page.locator("#sheet-problem").count(), 0);
+  await page.locator("#undo").click();
+  await assertAsTheProgram(page);
   assert.equal(await kind.getAttribute("data-kind"), "line");
+  assert.deepEqual(complaints, []);
   await close();
 });
 
@@ -362,6 +366,113 @@ test("a link restores readings and question exactly; a damaged one says so", asy
   await close();
 });
 
+test("cells of a spreadsheet are pasted into the cells, a whole table into the box", async () => {
+  const { page, complaints, close } = await opened(DATA.norris);
+  const paste = (target, text) =>
+    target.evaluate((input, pasted) => {
+      const data = new DataTransfer();
+      data.setData("text/plain", pasted);
+      input.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }));
+    }, text);
+  const rows = await page.locator("[data-sheet-row]").count();
+  await paste(cell(page, rows - 1, 0), "1,5\t2,5\r\n3,5\t4,5\r\n");
+  await assertAsTheProgram(page);
+  assert.equal(await page.locator("[data-sheet-row]").count(), rows + 1);
+  assert.deepEqual((await cells(page)).slice(-4), ["1,5", "2,5", "3,5", "4,5"]);
+  await page.locator("#paste summary").click();
+  await page.locator("#paste-text").fill("U;I\n0,5;1,1\n1,5;2,3\n2,5;2,9\n");
+  await page.locator("#paste-use").click();
+  await page.waitForFunction(() => document.querySelector("#data-plane").textContent.includes("U"));
+  await assertAsTheProgram(page);
+  assert.equal(await page.locator("#data-plane [data-reading]").count(), 3);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("a file is opened or dropped; where the header does not say it, the reader chooses the columns", async () => {
+  const { page, complaints, close } = await opened(LINE);
+  const file = join(tmpdir(), `boundfit-open-${process.pid}.csv`);
+  writeFileSync(file, "U;T;I;note\n1,0;20;2,1;3\n2,0;21;3,9;\n3,0;22;6,2;1\n");
+  await page.locator("#paste summary").click();
+  await page.locator("#open-file").setInputFiles(file);
+  await page.locator("#import").waitFor();
+  assert.deepEqual(await page.locator("#import-x option").allTextContents(), ["1: U", "2: T", "3: I", "4: note"]);
+  await page.locator("#import-y").selectOption({ label: "4: note" });
+  await page.locator("#import-apply").click();
+  await page.locator("#import-problem").waitFor();
+  assert.match(await page.locator("#import-problem").textContent(), /line 3/);
+  await page.locator("#import-y").selectOption({ label: "3: I" });
+  await page.locator("#import-apply").click();
+  await page.locator("#import").waitFor({ state: "detached" });
+  await assertAsTheProgram(page);
+  assert.deepEqual((await cells(page)).slice(0, 4), ["1", "2.1", "2", "3.9"]);
+  await page.evaluate((text) => {
+    const data = new DataTransfer();
+    data.items.add(new File([text], "dropped.csv"));
+    document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+  }, readFileSync(new URL("../../fixtures/norris/norris.csv", import.meta.url), "utf8"));
+  await page.waitForFunction(() => document.querySelectorAll("#data-plane [data-reading]").length === 36);
+  await assertAsTheProgram(page);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("what is dropped and is no table is refused in the engine's words", async () => {
+  const { page, close } = await opened(LINE);
+  const before = await vertices(page);
+  await page.evaluate(() => {
+    const data = new DataTransfer();
+    data.items.add(new File([new Uint8Array([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a])], "picture.png"));
+    document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+  });
+  await page.locator("#edit-notice:not([hidden])").waitFor();
+  assert.match(await page.locator("#edit-notice").textContent(), /picture\.png/);
+  assert.deepEqual(await vertices(page), before);
+  await close();
+});
+
+test("readings, reports and pictures can be taken away", async () => {
+  const { page, complaints, close } = await opened(DATA.transducer);
+  await typed(page, 20, 1, "0.0201");
+  await page.locator("#export summary").click();
+  const taken = async (kind) => {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`[data-export="${kind}"]`).click()]);
+    return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+  };
+  const csv = await taken("csv");
+  assert.equal(csv.name, "readings.csv");
+  assert.equal(csv.bytes.toString(), await page.evaluate(() => boundfit.editor.csv()));
+  const file = join(mkdtempSync(join(tmpdir(), "boundfit-taken-")), "readings.csv");
+  writeFileSync(file, csv.bytes);
+  const words = (await page.locator("#command").textContent()).split(" ").slice(3);
+  // The path of the file, and what doubles make of least squares, differ.
+  const withoutDoubles = (report) => report.replace(/\n {2}data [^]*?(?=\n {2}\S)/, "").replace(/\nin doubles[^]*?(?=\n\S|\n*$)/, "");
+  assert.equal(withoutDoubles((await taken("text")).bytes.toString()), withoutDoubles(boundfit("fit", file, ...words, "--no-lp")));
+  const json = JSON.parse((await taken("json")).bytes.toString());
+  assert.deepEqual(json.fps, fitReport([file, ...words]).fps);
+  const latex = await taken("latex");
+  assert.equal(latex.name, "report.tex");
+  assert.match(latex.bytes.toString(), /\\begin\{tab/);
+  for (const plane of ["data", "parameter"]) {
+    const svg = (await taken(`${plane}-svg`)).bytes.toString();
+    assert.match(svg, /^<svg [^>]*xmlns="http:\/\/www\.w3\.org\/2000\/svg"/);
+    assert.ok(!/\s(class|aria-\w+|data-[\w-]+)=|var\(/.test(svg), "nothing of the page is needed");
+    const drawn = await page.evaluate(async (text) => {
+      const image = new Image();
+      image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
+      await image.decode();
+      return [image.naturalWidth, image.naturalHeight];
+    }, svg);
+    const box = await page.locator(`#${plane}-plane`).boundingBox();
+    assert.ok(Math.abs(drawn[0] - box.width) < 1.5 && Math.abs(drawn[1] - box.height) < 1.5, `${drawn}`);
+    const png = (await taken(`${plane}-png`)).bytes;
+    assert.deepEqual([...png.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
+    assert.ok(Math.abs(png.readUInt32BE(16) - 3 * box.width) < 5);
+  }
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test("readings that are too many for an address: the page says so", async () => {
   const { page, complaints, close } = await opened(DATA.norris);
   await page.evaluate(async () => {
@@ -400,6 +511,55 @@ test("the cells fit onto a phone, and do not push the pictures down", async () =
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 390);
   const tops = await page.evaluate(() => ["data-plane", "editor"].map((id) => document.getElementById(id).getBoundingClientRect().top));
   assert.ok(tops[0] < tops[1]);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("a page without readings: those that are typed make the set, and all can be taken back", async () => {
+  const { page, complaints, close } = await openLesson(browser, PLAYGROUND);
+  await page.locator("#start").waitFor();
+  assert.ok(await cell(page, 0, 0).isVisible(), "the cells are there at once");
+  await cell(page, 0, 0).focus();
+  for (const [k, [x, y]] of [["1", "2,1"], ["2", "3,9"], ["3", "6,2"]].entries()) {
+    await page.keyboard.type(x);
+    await page.keyboard.press("Tab");
+    await page.keyboard.type(y);
+    await page.keyboard.press("Tab");
+    await assertAsTheProgram(page);
+    assert.equal(await page.locator("#data-plane [data-reading]").count(), k + 1);
+    await cell(page, k + 1, 0).focus();
+  }
+  await page.locator("#eps").fill("0.3");
+  await page.locator("#eps").press("Enter");
+  await assertAsTheProgram(page);
+  assert.equal(await page.locator("#kind").getAttribute("data-kind"), "polygon");
+  await page.locator("#edit-back").click();
+  await settled(page);
+  assert.equal(await page.locator("#data-plane [data-reading]").count(), 0);
+  assert.equal(await page.locator("#kind").getAttribute("data-kind"), "plane");
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("a page without readings: the example, a pasted table, a link", async () => {
+  const { page, complaints, close } = await openLesson(browser, PLAYGROUND);
+  await page.locator("#edit-example").click();
+  await assertAsTheProgram(page);
+  assert.equal(await page.locator("#kind").getAttribute("data-kind"), "polygon");
+  await page.locator("#edit-back").click();
+  await settled(page);
+  await page.locator("#paste-text").fill("t [s]\tU [V]\n0,1\t1,02\n0,2\t2,11\n0,3\t2,95\n");
+  await page.locator("#paste-use").click();
+  await page.locator('#data-plane [data-reading="3"]').waitFor();
+  await assertAsTheProgram(page);
+  assert.match(await page.locator("#data-plane").textContent(), /t/);
+  const shown = await vertices(page);
+  await page.waitForTimeout(1000);
+  const other = await page.context().newPage();
+  await other.goto(page.url());
+  await other.locator('#data-plane [data-reading="3"]').waitFor();
+  await settled(other);
+  assert.deepEqual(await vertices(other), shown);
   assert.deepEqual(complaints, []);
   await close();
 });
