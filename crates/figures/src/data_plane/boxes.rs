@@ -9,7 +9,7 @@ use boundfit_questions::{BoxBound, Corner, SideSet, SlopeEnd, XErrorFit, XErrorP
 
 use super::RIGHT;
 use super::readings::{style_of_fitted, style_of_other};
-use super::scene::MOST_MARKS;
+use super::scene::{MOST_LARGE_MARKS, MOST_MARKS};
 use crate::axis::Axis;
 use crate::drawing::{Anchor, Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::extent::Extent;
@@ -49,7 +49,7 @@ pub(crate) fn boxes(problem: &XErrorProblem, answer: &XErrorFit, options: &PlotO
     shown.extend(touched.iter().filter_map(|bound| bound.row()));
     let [count, others] = [measurements.kept().len(), measurements.others().len()];
     let [step, other_step] = [count, others].map(|count| count.div_ceil(MOST_MARKS).max(1));
-    let is_dense = count + others > MOST_MARKS / 2;
+    let is_dense = count + others > MOST_LARGE_MARKS;
     for other in measurements.others().iter().step_by(other_step) {
         let value = other.value().unwrap_or_default();
         panel.mark(panel.place([&other.regressor[0], &value]), style_of_other(is_dense));
@@ -57,10 +57,16 @@ pub(crate) fn boxes(problem: &XErrorProblem, answer: &XErrorFit, options: &PlotO
     let is_shown = |index: usize, row: usize| index.is_multiple_of(step) || shown.contains(&row);
     let kept = || problem.readings().enumerate().filter(|(index, (own, _))| is_shown(*index, own.row));
     for is_conflict in [false, true] {
-        for (_, (reading, width)) in kept().filter(|(_, own)| conflicting.contains(&own.0.row) == is_conflict)
-        {
-            draw_box(&mut panel, reading, width, style_of(is_conflict, is_dense));
+        let own = || kept().filter(|(_, own)| conflicting.contains(&own.0.row) == is_conflict);
+        let style = style_of(is_conflict, is_dense);
+        for (_, (reading, width)) in own() {
+            draw_box(&mut panel, reading, width, style);
+            if !is_dense {
+                mark_reading(&mut panel, reading, style.2);
+            }
         }
+        // Many boxes would cover each other's marks.
+        own().filter(|_| is_dense).for_each(|(_, (reading, _))| mark_reading(&mut panel, reading, style.2));
     }
     for line in &lines {
         draw_line(&mut panel, line);
@@ -72,15 +78,7 @@ pub(crate) fn boxes(problem: &XErrorProblem, answer: &XErrorFit, options: &PlotO
             }
         }
     }
-    let mut notes = vec![asked(problem, options)];
-    notes.extend(emptiness(problem, answer));
-    let slopes = answer.pui().map(|[slopes, _]| slopes);
-    if slopes.is_some_and(|slopes| slopes.lower().value().is_none() || slopes.upper().value().is_none()) {
-        notes.push("There are lines as steep as one likes.".to_owned());
-    }
-    if measurements.kept().iter().any(|own| own.lower().is_none() || own.upper().is_none()) {
-        notes.push("A box that reaches the edge goes on without end.".to_owned());
-    }
+    let mut notes = notes(problem, answer, options);
     if step > 1 || other_step > 1 {
         let all = counted(count + others, "reading", "readings");
         notes.push(format!("{all}; drawn are some, evenly spread, and those that decide."));
@@ -101,6 +99,21 @@ pub(crate) fn boxes(problem: &XErrorProblem, answer: &XErrorFit, options: &PlotO
         legend: legend(&lines, is_dense),
         notes,
     }
+}
+
+/// What is asked of lines, and what goes on without end.
+fn notes(problem: &XErrorProblem, answer: &XErrorFit, options: &PlotOptions) -> Vec<String> {
+    let mut notes = vec![asked(problem, options)];
+    notes.extend(emptiness(problem, answer));
+    let slopes = answer.pui().map(|[slopes, _]| slopes);
+    if slopes.is_some_and(|slopes| slopes.lower().value().is_none() || slopes.upper().value().is_none()) {
+        notes.push("There are lines as steep as one likes.".to_owned());
+    }
+    let kept = problem.problem().measurements.kept();
+    if kept.iter().any(|own| own.lower().is_none() || own.upper().is_none()) {
+        notes.push("A box that reaches the edge goes on without end.".to_owned());
+    }
+    notes
 }
 
 /// The lines at the ends of the slopes, as far as there are such.
@@ -165,7 +178,7 @@ fn style_of(is_conflict: bool, is_dense: bool) -> (Fill, Stroke, Mark) {
     (BOX, edge, mark)
 }
 
-/// The box of a reading, which without a bound on y goes on to the edge, and y in it.
+/// The box of a reading, which without a bound on y goes on to the edge.
 fn draw_box(panel: &mut Panel, reading: &Measurement, width: &Rational, style: (Fill, Stroke, Mark)) {
     const BEYOND: [f64; 2] = [-0.01, 1.01];
     let x = &reading.regressor[0];
@@ -175,15 +188,20 @@ fn draw_box(panel: &mut Panel, reading: &Measurement, width: &Rational, style: (
     let [bottom, top] = [ends[0].unwrap_or(BEYOND[0]), ends[1].unwrap_or(BEYOND[1])];
     let corners = [[left, bottom], [right, bottom], [right, top], [left, top]];
     let corners = corners.map(|corner| panel.oriented(corner));
-    let (fill, edge, mark) = style;
+    let (fill, edge, _) = style;
     panel.area(&corners, fill);
     panel.outline(&corners, edge);
-    let response = reading.response().map(|response| panel.place([x, response]));
-    response.into_iter().for_each(|at| panel.mark(at, mark));
     if fill == CONFLICT_BOX {
         let at = panel.oriented([f64::midpoint(left, right), top.max(bottom).min(1.0)]);
         let (across, up) = if panel.is_flipped() { (1.0, 0.0) } else { (0.0, 1.0) };
         panel.text(at, format!("row {}", reading.row), Anchor { across, up }, INK);
+    }
+}
+
+/// Marks y in the box of a reading, where there is one.
+fn mark_reading(panel: &mut Panel, reading: &Measurement, mark: Mark) {
+    if let Some(response) = reading.response() {
+        panel.mark(panel.place([&reading.regressor[0], response]), mark);
     }
 }
 

@@ -18,7 +18,7 @@ use crate::palette::{Dash, Stroke, style};
 /// With more readings than this, a figure shows how many there are at a place instead of each of them.
 pub(super) const MOST_MARKS: usize = 10_000;
 /// With more readings than this, each is drawn small.
-const MOST_LARGE_MARKS: usize = 125;
+pub(super) const MOST_LARGE_MARKS: usize = 125;
 /// With more rows than this, what is drawn at a row would cover what is drawn at the next one.
 const MOST_ROWS: usize = 250;
 /// How many of the rows that fix the set are kept, whatever the columns say: a set may have a vertex for every reading.
