@@ -75,21 +75,64 @@ for (const width of [360, 768, 1600]) {
   }
 }
 
-for (const colorScheme of ["light", "dark"]) {
-  test(`no accessibility rule is broken, ${colorScheme}`, async () => {
+const LOOKS = [{ colorScheme: "light" }, { colorScheme: "dark" }, { colorScheme: "light", forcedColors: "active" }];
+for (const look of LOOKS) {
+  test(`no accessibility rule is broken, ${Object.values(look).join(", ")}, in any language`, async () => {
     const rules = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
     // The page forbids foreign scripts, the checker is one.
-    const { page, close } = await openLesson(browser, DATA.transducer, { colorScheme, bypassCSP: true });
+    const { page, close } = await openLesson(browser, DATA.transducer, { ...look, bypassCSP: true });
     await page.evaluate(rules);
-    for (const mode of MODES) {
-      await page.locator(`#tab-${mode}`).click();
-      const { violations } = await page.evaluate(() => window.axe.run());
-      const broken = violations.map(({ id, nodes }) => `${mode}: ${id}: ${nodes.map(({ target }) => target).join("; ")}`);
-      assert.deepEqual(broken, []);
+    await page.locator("#teacher summary").first().click();
+    for (const language of ["en", "it", "de"]) {
+      await page.locator("#language").selectOption(language);
+      for (const mode of MODES) {
+        await page.locator(`#tab-${mode}`).click();
+        const { violations } = await page.evaluate(() => window.axe.run());
+        const broken = violations.map(({ id, nodes }) => `${language}, ${mode}: ${id}: ${nodes.map(({ target }) => target).join("; ")}`);
+        assert.deepEqual(broken, []);
+      }
     }
     await close();
   });
 }
+
+test("the live region says what changed, in the language of the page", async () => {
+  const { page, complaints, close } = await openLesson(browser, DATA.transducer);
+  const status = () => page.locator("#status").textContent();
+  await page.locator("#tab-clip").click();
+  assert.match(await status(), /^Step 0: the whole plane\./);
+  await page.locator("#step-forward").click();
+  assert.equal(await status(), await page.locator("#step-sentence").textContent());
+  await page.locator("#language").selectOption("de");
+  await page.locator("#step-forward").click();
+  assert.match(await status(), /^Schritt 2: untere Schranke von Messung 14: /);
+  await page.locator("#tab-epsilon").click();
+  await page.locator("#epsilon-least").click();
+  assert.match(await status(), /^ε = 0,00039444\. Hier entsteht die Menge/);
+  await page.locator("#tab-leave-one-out").click();
+  await page.locator("#leave-out").selectOption("34");
+  assert.match(await status(), /^Messung 34 ist ausgeschaltet\. Die Menge ist jetzt ein Vieleck/);
+  await page.locator("#layer-pui-box").check();
+  assert.equal(await status(), "1 Ebene eingeblendet.");
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("whoever asked for less motion gets no smooth scrolling and more time between steps", async () => {
+  for (const [reducedMotion, behaviour, least, most] of [["reduce", "auto", 2000, 9000], ["no-preference", "smooth", 900, 2000]]) {
+    const { page, close } = await openLesson(browser, DATA.transducer, { reducedMotion });
+    assert.equal(await page.evaluate(() => getComputedStyle(document.documentElement).scrollBehavior), behaviour);
+    const delay = await page.evaluate(() => {
+      const own = window.setInterval;
+      return new Promise((resolve) => {
+        window.setInterval = (run, delay) => { resolve(delay); return own(run, delay); };
+        document.getElementById("step-play").click();
+      });
+    });
+    assert.ok(delay > least && delay < most, `${delay} ms`);
+    await close();
+  }
+});
 
 test("an error bound found from the readings says so", async () => {
   const { page, complaints, close } = await openLesson(browser, SPECIAL.fromLeast);

@@ -62,6 +62,21 @@ impl LessonJson {
     pub(crate) fn title(&self) -> &str {
         &self.title
     }
+
+    /// Whether a column has the error bounds.
+    pub(crate) fn has_column_of_bounds(&self) -> bool {
+        self.epsilon.has_column()
+    }
+
+    /// The unit of a parameter.
+    pub(crate) fn unit_of_parameter(&self, axis: usize) -> Option<&str> {
+        [&self.units.theta1, &self.units.theta2].get(axis)?.as_deref()
+    }
+
+    /// The questions with their answers.
+    pub(crate) fn questions(&self) -> impl Iterator<Item = (&Message, &Message)> {
+        self.questions.iter().map(Question::texts)
+    }
 }
 
 pub(crate) fn build(

@@ -50,6 +50,7 @@ mod region;
 mod sweep;
 mod template;
 mod texts;
+mod unscripted;
 
 use boundfit_estimation::{Fit, Problem};
 use boundfit_exact::{Foreign, Reading, TooMuchWork};
@@ -131,7 +132,9 @@ pub fn page(
     options: &LessonOptions,
 ) -> Result<String, LessonError> {
     let data = data::build(problem, fit, reading, options)?;
-    Ok(template::page(data.title(), &serde_json::to_string(&data)?, options.language)?)
+    let json = serde_json::to_string(&data)?;
+    let facts = unscripted::Facts { problem, fit, document: &data, options };
+    Ok(template::page(data.title(), &json, options.language, Some(&facts))?)
 }
 
 /// [`lesson_data`] as text, as it stands in the page. Exact. Cost: that of [`lesson_data`].

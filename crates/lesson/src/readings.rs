@@ -25,6 +25,13 @@ pub(crate) struct EpsilonJson {
     column: Option<String>,
 }
 
+impl EpsilonJson {
+    /// Whether a column has the bounds.
+    pub(crate) fn has_column(&self) -> bool {
+        self.column.is_some()
+    }
+}
+
 #[derive(Debug, Serialize)]
 pub(crate) struct ReadingJson {
     row: usize,

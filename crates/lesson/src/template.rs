@@ -1,7 +1,8 @@
 //! The page around the data: template, style, script and words, put into one file.
 
 use crate::engine;
-use crate::texts::{self, Language, Message};
+use crate::texts::{self, Language, Message, Value};
+use crate::unscripted::{self, Facts};
 
 /// A module of the script: its path in the folder `page/js`, and its source.
 macro_rules! module {
@@ -53,6 +54,7 @@ const MODULES: &[(&str, &str)] = &[
     module!("panels/questions.js"),
     module!("panels/start.js"),
     module!("panels/summary.js"),
+    module!("panels/teacher.js"),
     module!("panels/worst-line.js"),
     module!("planes/axes.js"),
     module!("planes/corridor.js"),
@@ -71,9 +73,17 @@ const MODULES: &[(&str, &str)] = &[
 ];
 
 /// The page with a title and data in JSON, in a language.
-pub(crate) fn page(title: &str, data: &str, language: Language) -> Result<String, serde_json::Error> {
+pub(crate) fn page(
+    title: &str,
+    data: &str,
+    language: Language,
+    facts: Option<&Facts<'_>>,
+) -> Result<String, serde_json::Error> {
     let table = texts::table()?;
-    Ok(fill(&with_texts(TEMPLATE, language), |token| match token {
+    let template = with_texts(TEMPLATE, language, &facts.map(Facts::values).unwrap_or_default());
+    let template = facts.map(|facts| with_names(&template, facts)).unwrap_or(template);
+    Ok(fill(&template, |token| match token {
+        "unscripted" => Some(facts.map(unscripted::content).unwrap_or_default()),
         "policy" => Some(engine::POLICY.to_owned()),
         "title" => Some(escaped(title)),
         "language" => Some(language.code().to_owned()),
@@ -97,14 +107,30 @@ fn languages(chosen: Language) -> String {
 }
 
 /// The template with the texts of its keys, so that it can be read without a script.
-fn with_texts(template: &str, language: Language) -> String {
-    let of = |key: &str| texts::html(&Message::new(key), language);
+fn with_texts(template: &str, language: Language, values: &[(&str, Value)]) -> String {
+    let message = |key: &str| {
+        values.iter().fold(Message::new(key), |message, (name, value)| message.with(name, value.clone()))
+    };
+    let of = |key: &str| texts::html(&message(key), language);
     let labelled = each(template, "data-text-label=\"", |key, rest| {
         (format!("{key}\" aria-label=\"{}\"", of(key)), rest.strip_prefix('"').unwrap_or(rest))
     });
     each(&labelled, "data-text=\"", |key, rest| {
         let (attributes, after) = rest.split_once('>').unwrap_or((rest, ""));
         (format!("{key}{attributes}>{}", of(key)), after)
+    })
+}
+
+/// The template with the columns of the data in its formulas, and without what belongs to the other model.
+fn with_names(template: &str, facts: &Facts<'_>) -> String {
+    let names = facts.names();
+    let named = each(template, "data-name=\"", |key, rest| {
+        let name = names.iter().find(|(name, _)| *name == key).map_or("", |(_, column)| column);
+        (format!("{key}\">{}", escaped(name)), rest.strip_prefix("\">").unwrap_or(rest))
+    });
+    each(&named, "data-model=\"", |model, rest| {
+        let off = if model == facts.model() { "" } else { " data-off" };
+        (format!("{model}\"{off}"), rest.strip_prefix('"').unwrap_or(rest))
     })
 }
 
@@ -234,7 +260,7 @@ mod tests {
 
     #[test]
     fn titles_and_data_cannot_end_their_elements() {
-        let text = page("</title><b>&", "{\"a\": \"</script>\u{2028}\"}", Language::English).unwrap();
+        let text = page("</title><b>&", "{\"a\": \"</script>\u{2028}\"}", Language::English, None).unwrap();
         assert!(text.contains("<title>&lt;/title&gt;&lt;b&gt;&amp;</title>"));
         assert!(text.contains("{\"a\": \"\\u003c/script>\\u2028\"}"));
         for source in MODULES.iter().map(|(_, source)| *source).chain([STYLE]) {
@@ -244,8 +270,18 @@ mod tests {
 
     #[test]
     fn each_token_occurs_once() {
-        let tokens =
-            ["policy", "title", "language", "languages", "style", "data", "texts", "engine", "script"];
+        let tokens = [
+            "policy",
+            "title",
+            "language",
+            "languages",
+            "style",
+            "data",
+            "texts",
+            "unscripted",
+            "engine",
+            "script",
+        ];
         for token in tokens.map(|token| format!("{{{{{token}}}}}")) {
             assert_eq!(TEMPLATE.matches(&token).count(), 1, "{token}");
         }
@@ -253,7 +289,7 @@ mod tests {
 
     #[test]
     fn the_page_has_its_texts_where_their_keys_are() {
-        let page = |language| page("t", "{}", language).unwrap();
+        let page = |language| page("t", "{}", language, None).unwrap();
         let english = page(Language::English);
         assert!(english.starts_with("<!doctype html>\n<html lang=\"en\">"));
         assert!(english.contains("<h3 data-text=\"data-plane.title\">Data plane</h3>"));

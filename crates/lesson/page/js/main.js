@@ -37,6 +37,7 @@ import { connectWorstLine, drawWorstLine, worstSentence } from "./panels/worst-l
 import { connectQuestions, drawQuestions } from "./panels/questions.js";
 import { connectDataPlane, connectParameterPlane, connectZoom } from "./planes/interaction.js";
 import { connectWorstLines } from "./planes/worst-lines.js";
+import { drawTeacher } from "./panels/teacher.js";
 import { fillIntroduction } from "./panels/introduction.js";
 import { connectEditor } from "./editor/panel.js";
 import { engine } from "./engine.js";
@@ -155,6 +156,7 @@ function drawLesson(lesson) {
   drawStops(lesson);
   listSwitches(lesson);
   drawQuestions(lesson);
+  drawTeacher(lesson);
   byId("residual").disabled = lesson.reference === null;
 }
 

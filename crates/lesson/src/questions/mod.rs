@@ -8,7 +8,7 @@ mod error_bound;
 mod estimates;
 mod half_planes;
 mod rows;
-mod wording;
+pub(crate) mod wording;
 
 use boundfit_estimation::{BoundName, Fit, Model, Problem};
 use boundfit_geometry::{Inequality, Polyhedron, Region};
@@ -36,6 +36,13 @@ pub(crate) struct Question {
     question: Message,
     answer: Message,
     show: Option<Show>,
+}
+
+impl Question {
+    /// The question and its answer.
+    pub(crate) fn texts(&self) -> (&Message, &Message) {
+        (&self.question, &self.answer)
+    }
 }
 
 /// What the page points at.

@@ -14,7 +14,7 @@ const LONGEST_FRACTION: usize = 40;
 pub(super) const THETA: [&str; 2] = ["θ₁", "θ₂"];
 
 /// A number with its exact value behind it, unless that is the decimal itself or too long to read.
-pub(super) fn value(value: &Rational, digits: usize, rounding: Rounding) -> Value {
+pub(crate) fn value(value: &Rational, digits: usize, rounding: Rounding) -> Value {
     let fraction = value.to_string();
     let decimal = |decimal: &str| Value::number(with_minus(decimal));
     match value.exact_decimal(digits) {
@@ -50,7 +50,7 @@ pub(super) fn pair(numbers: &[Rational; 2]) -> Message {
 }
 
 /// A half-plane: `the upper bound of reading 14`, `the condition theta1 >= 0`.
-pub(super) fn bound(name: BoundName, problem: &Problem) -> Message {
+pub(crate) fn bound(name: BoundName, problem: &Problem) -> Message {
     let of_condition = |number: usize, written: &str, numbered: &str| match condition(number, problem) {
         Some(condition) => text!(written, condition: condition.text().to_string()),
         None => text!(numbered, number: number),

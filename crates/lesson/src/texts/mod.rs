@@ -32,6 +32,7 @@ const PARTS: &[(&str, &str)] = &[
     part!("page"),
     part!("questions"),
     part!("start"),
+    part!("teacher"),
     part!("worst-line"),
 ];
 

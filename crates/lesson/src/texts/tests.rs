@@ -154,7 +154,10 @@ fn literals(source: &str) -> Vec<String> {
     // Templates that are open, each with the braces open in its code.
     let mut templates: Vec<usize> = Vec::new();
     let mut open: Option<(char, String)> = None;
+    let mut last = '(';
     while let Some(letter) = letters.next() {
+        let before = last;
+        last = if letter.is_whitespace() { last } else { letter };
         if let Some((quote, mut text)) = open.take() {
             if letter == '\\' {
                 text.extend(letters.next());
@@ -175,12 +178,25 @@ fn literals(source: &str) -> Vec<String> {
         match (letter, letters.peek()) {
             ('/', Some('/')) => while letters.next_if(|letter| *letter != '\n').is_some() {},
             ('/', Some('*')) => {
-                let mut last = ' ';
-                while let Some(next) = letters.next() {
-                    if last == '*' && next == '/' {
+                let mut previous = ' ';
+                for next in letters.by_ref() {
+                    if previous == '*' && next == '/' {
                         break;
                     }
-                    last = next;
+                    previous = next;
+                }
+            }
+            // A slash behind what cannot end a value begins a regular expression.
+            ('/', _) if "(,=:[!&|?{;".contains(before) => {
+                let mut in_class = false;
+                while let Some(next) = letters.next() {
+                    match next {
+                        '\\' => drop(letters.next()),
+                        '[' => in_class = true,
+                        ']' => in_class = false,
+                        '/' if !in_class => break,
+                        _ => {}
+                    }
                 }
             }
             ('"' | '`', _) => open = Some((letter, String::new())),
@@ -216,7 +232,7 @@ fn is_wording(literal: &str) -> bool {
 #[test]
 fn no_words_are_left_in_the_scripts() {
     assert_eq!(
-        literals("a(`x ${b(\"y\", { c: `z` })} w`); // \"no\"\n\"\\\"v\""),
+        literals("a(`x ${b(\"y\", { c: `z` }, /[\"/]\"/)} w`); // \"no\"\n\"\\\"v\""),
         ["x ", "y", "z", " w", "\"v"]
     );
     assert!(

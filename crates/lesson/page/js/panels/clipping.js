@@ -9,6 +9,8 @@ import { ONE } from "../model/rational.js";
 import { numberText, rich, said, t } from "../texts.js";
 
 const MILLISECONDS_PER_STEP = 1200;
+// Whoever asked for less motion gets more time between steps, none of which is a transition.
+const CALM_MILLISECONDS_PER_STEP = 2400;
 
 /**
  * Connects the controls.
@@ -42,7 +44,7 @@ export function connectClipping(store) {
       timer = setInterval(() => {
         const next = store.get().step + 1;
         go(next, next < last());
-      }, MILLISECONDS_PER_STEP);
+      }, matchMedia("(prefers-reduced-motion: reduce)").matches ? CALM_MILLISECONDS_PER_STEP : MILLISECONDS_PER_STEP);
     } else if (!run && timer !== null) {
       clearInterval(timer);
       timer = null;

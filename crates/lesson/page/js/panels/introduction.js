@@ -1,10 +1,11 @@
 // @ts-check
 // The parts of the text that depend on the data.
 
-import { all, byId } from "../dom.js";
+import { all, byId, element, patch } from "../dom.js";
 import { kindText, plain, shortList } from "../model/format.js";
 import { Rational } from "../model/rational.js";
 import { fillTexts, rich, t } from "../texts.js";
+import { teacherValues } from "./teacher.js";
 
 const LONGEST_IN_FORMULA = 14;
 
@@ -27,6 +28,7 @@ export function fillIntroduction(lesson) {
     conditions:
       data.conditions.length === 0 ? "" : t("conditions.within", { list: { list: data.conditions.map(({ text }) => text) } }),
     minimax: minimaxSentence(lesson),
+    ...teacherValues(lesson),
   });
   byId("title").textContent = titleOf(lesson);
   byId("provenance").textContent = provenance(lesson);
@@ -35,7 +37,7 @@ export function fillIntroduction(lesson) {
   for (const place of all("mi[data-name]")) place.textContent = shortName(names[place.dataset.name ?? ""] ?? "");
   for (const place of all("[data-model]"))
     place.toggleAttribute("data-off", place.dataset.model !== model.kind);
-  byId("readings-note").textContent = whichMatter(lesson);
+  patch(byId("readings-note"), whichMatter(lesson));
   byId("condition-legend").hidden = data.conditions.length === 0;
   byId("linked-hint").textContent = t(lesson.isLine ? "linked.line" : "linked.two", {
     set: kindText(lesson.fps.kind, lesson.fps.vertices.length),
@@ -122,7 +124,7 @@ function shortName(name) {
 function whichMatter(lesson) {
   const count = lesson.readings.length;
   const rows = lesson.readings.map(({ row }) => row).filter((row) => lesson.matters.get(row));
-  if (rows.length === 0) return t("matter.none");
+  if (rows.length === 0) return [t("matter.none")];
   const found =
     count === 1
       ? t("matter.only")
@@ -131,7 +133,7 @@ function whichMatter(lesson) {
         : rows.length === 1
           ? t("matter.one", { count, row: rows[0] })
           : t("matter.some", { count, matter: rows.length, rows: shortList(rows) });
-  return `${found} ${t("matter.trial")}`;
+  return [`${found} `, element("span", { class: "for-screen" }, t("matter.trial"))];
 }
 
 /**
