@@ -199,7 +199,7 @@ fn literals(source: &str) -> Vec<String> {
                     }
                 }
             }
-            ('"' | '`', _) => open = Some((letter, String::new())),
+            ('"' | '`' | '\'', _) => open = Some((letter, String::new())),
             ('{', _) => templates.iter_mut().last().into_iter().for_each(|braces| *braces += 1),
             ('}', _) => match templates.last_mut() {
                 Some(0) => {
