@@ -21,5 +21,5 @@ pub fn playground(language: Language) -> Result<String, LessonError> {
     let problem = Problem::new(readings).with_multiple_of_least(&Rational::from(2));
     let options = LessonOptions { file: "readings.csv".into(), language, ..LessonOptions::default() };
     let data = data::build(&problem, &problem.fit(), Reading::Decimal, &options)?;
-    Ok(template::page("boundfit", &serde_json::to_string(&data)?, language)?)
+    Ok(template::page("boundfit", &serde_json::to_string(&data)?, language, None)?)
 }

@@ -83,7 +83,10 @@ pub(crate) fn page(
     let template = with_texts(TEMPLATE, language, &facts.map(Facts::values).unwrap_or_default());
     let template = facts.map(|facts| with_names(&template, facts)).unwrap_or(template);
     Ok(fill(&template, |token| match token {
-        "unscripted" => Some(facts.map(unscripted::content).unwrap_or_default()),
+        "unscripted" => Some(facts.map_or_else(
+            || format!("<p>{}</p>", texts::html(&Message::new("page.no-script"), language)),
+            unscripted::content,
+        )),
         "policy" => Some(engine::POLICY.to_owned()),
         "title" => Some(escaped(title)),
         "language" => Some(language.code().to_owned()),
