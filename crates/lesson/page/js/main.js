@@ -20,6 +20,7 @@
 //   #question-<id>, its button   [data-show];  #residual #straighten #theme-toggle #inspector
 //   #conflict                    why the set is empty;  #language  the language of the page
 //   the names of the editor are in editor/panel.js
+//   the second view, of half-planes without readings, has names of its own: polytope/view.js
 //   #status                      the live region;  button[data-zoom="in|out|set|fit"][data-plane="parameter|data"]
 
 import { byId, rove, targetOf } from "./dom.js";
@@ -44,6 +45,7 @@ import { engine } from "./engine.js";
 import { kindText, switchedOff } from "./model/format.js";
 import { drawStart } from "./panels/start.js";
 import { connectLanguage } from "./panels/language.js";
+import { connectHalfPlanes } from "./polytope/view.js";
 import { tableOf } from "./model/table.js";
 import { t } from "./texts.js";
 
@@ -264,6 +266,7 @@ function start() {
   });
   draw();
   const editor = engine === null ? null : connectEditor(engine, store, () => drawn);
+  connectHalfPlanes(store);
   // For the console of the browser, and for tests: `await boundfit.engine.ask("run", "x,y\n1,2\n", { x: "x", y: "y", eps: "1" })`.
   Object.assign(globalThis, { boundfit: { engine, tableOf, store, editor } });
   // Sizes are known only now, and change with the window.

@@ -30,6 +30,7 @@ const PARTS: &[(&str, &str)] = &[
     part!("edit"),
     part!("interface"),
     part!("page"),
+    part!("polytope"),
     part!("questions"),
     part!("start"),
     part!("teacher"),
