@@ -55,7 +55,7 @@ export function currentExercises({ seed }) {
  * What the engine is asked: of the reader's half-planes, or of those of the exercise.
  * @param {PolytopeState} state
  */
-function questionOf(state) {
+function planeQuestion(state) {
   const exercise = state.tab === "exercises" ? currentExercises(state)[state.exercise] : null;
   const form = exercise === null ? state.objective : exercise.objective;
   return {
@@ -83,7 +83,7 @@ export function connectPolytopeEngine(store) {
   let asked = "";
   let latest = 0;
   const update = () => {
-    const { text, options } = questionOf(store.get());
+    const { text, options } = planeQuestion(store.get());
     const question = JSON.stringify([text, options]);
     if (question === asked) return;
     asked = question;
