@@ -197,7 +197,7 @@ export function setStory(answer) {
   const rays = [...set.rays.map((ray) => pairText(exactPair(ray))), ...set.lines.map((line) => `± ${pairText(exactPair(line))}`)];
   return [
     corners.length > 0 ? element("table", {}, element("thead", {}, element("tr", {}, element("th", { scope: "col" }, t("polytope.corner-head")), element("th", { scope: "col" }, t("polytope.active-head")))), element("tbody", {}, corners)) : null,
-    set.area === null ? null : element("p", {}, t("polytope.area", { area: exactValue(set.area) })),
+    set.area === null || set.kind === "empty" ? null : element("p", {}, t("polytope.area", { area: exactValue(set.area) })),
     rays.length > 0 ? element("p", {}, t("polytope.rays", { rays: rays.join(", ") })) : null,
     idle.length > 0 ? element("ul", { class: "points" }, idle) : null,
   ];

@@ -146,11 +146,20 @@ function connectPlaneSteps(store) {
 }
 
 /**
+ * Which lines cannot be read, and why.
+ * @param {PolytopeState} state
+ */
+function errorSentence({ errors }) {
+  return errors.map(({ line, kind }) => t("polytope.error-in-line", { line, problem: { text: `polytope.error-${kind}` } })).join(" ");
+}
+
+/**
  * What is shown in one sentence.
  * @param {PolytopeState} state
  */
 function planeSentence(state) {
   const { answer, tab } = state;
+  if (tab !== "exercises" && state.errors.length > 0) return errorSentence(state);
   if (answer === null || tab === "exercises") return "";
   if (tab === "clip") return clipSentence(state, answer);
   if (tab === "objective") return objectiveSentence(answer);
@@ -171,9 +180,7 @@ function drawPlaneWords(state) {
  * @param {PolytopeState} before
  */
 function spokenChange(state, before) {
-  if (state.errors !== before.errors && state.errors.length > 0) {
-    return state.errors.map(({ line, kind }) => t("polytope.error-in-line", { line, problem: t(`polytope.error-${kind}`) })).join(" ");
-  }
+  if (state.errors !== before.errors && state.errors.length > 0) return errorSentence(state);
   const isOther = state.answer !== before.answer || state.tab !== before.tab || state.step !== before.step || state.pivot !== before.pivot;
   if (isOther && state.tab !== "exercises") return planeSentence(state);
   const work = state.work[state.exercise];
