@@ -36,7 +36,7 @@ function firstFitting(draw) {
     const found = draw();
     if (found !== null) return found;
   }
-  throw new Error("no exercise was found for this seed");
+  throw new RangeError(`${MOST_DRAWS}`);
 }
 
 /**

@@ -10,7 +10,7 @@
 //   #exercise-list [data-exercise="0"], #exercise [data-field="0"], #exercise-check, #exercise-verdict[data-right]
 // The fragment of the page's address says what is shown: #view=half-planes&planes=…&c=…&seed=…
 
-import { all, byId, patch, rove } from "../dom.js";
+import { all, byId, element, patch, rove } from "../dom.js";
 import { engine } from "../engine.js";
 import { t } from "../texts.js";
 import { drawHalfPlanes } from "./drawing.js";
@@ -171,6 +171,7 @@ function drawPlaneWords(state) {
   const { answer, tab } = state;
   byId("plane-sentence").textContent = planeSentence(state);
   const told = answer === null ? [] : tab === "objective" ? proofStory(answer) : tab === "simplex" ? simplexTable(state, answer) : tab === "set" ? setStory(answer) : [];
+  patch(byId("half-plane-keys"), [element("details", { class: "hint" }, element("summary", {}, t("polytope.keys-title")), element("p", { id: "half-plane-keys-help" }, t("polytope.keys")))]);
   patch(byId("plane-story"), told.filter((part) => part !== null));
 }
 
