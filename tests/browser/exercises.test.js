@@ -2,8 +2,10 @@
 // the checker takes it and nothing else. No browser is needed; the oracle shares no arithmetic with the page.
 
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
+import { polytope, start } from "../../crates/lesson/engine/boundfit.mjs";
 import { exercisesOf, judged, rightAnswer, typedNumber } from "../../crates/lesson/page/js/polytope/exercises.js";
 import { halfPlaneText } from "../../crates/lesson/page/js/polytope/half-planes.js";
 
@@ -205,4 +207,25 @@ test("answers are read as people write them", () => {
     ["3", "3"], [" −1/2 ", "-1/2"], ["0,5", "1/2"], ["0.50", "1/2"], ["-2,25", "-9/4"], [".5", "1/2"], ["6/4", "3/2"], ["(2)", "2"], ["+7", "7"], ["-6 / 4", "-3/2"],
   ]) assert.equal(`${typedNumber(text)}`, expected, text);
   for (const text of ["", "1/", "a", "1,2,3", "1e3", "1/-2", "1 2"]) assert.equal(typedNumber(text), null, text);
+});
+
+test("the engine says the same of the sets and objectives of exercises", async () => {
+  await start(readFileSync(new URL("../../crates/lesson/engine/boundfit_wasm.wasm.gz", import.meta.url)));
+  for (let k = 0; k < 60; k += 1) {
+    for (const exercise of exercisesOf(`engine ${k}`)) {
+      const words = exercise.halfPlanes.map((own) => halfPlaneText(own, true)).join("\n");
+      const options = exercise.objective === null ? {} : { objective: exercise.objective.map(String) };
+      const { errors, set, half_planes, objective } = JSON.parse(polytope(words, options));
+      const what = `engine ${k}, ${exercise.id}`;
+      assert.deepEqual(errors, [], what);
+      assert.deepEqual(half_planes.map(({ a, b }) => [...a, b]), exercise.halfPlanes.map(({ a, b }) => [...a, b].map(String)), what);
+      const right = rightAnswer(exercise);
+      if (exercise.id === "redundant") assert.deepEqual(half_planes.flatMap(({ redundant }, at) => (redundant === null ? [] : [`${at + 1}`])), right, what);
+      if (exercise.id === "corner") assert.ok(set.vertices.some(({ theta }) => `${theta}` === `${right}`), what);
+      if (exercise.id === "kind") assert.equal(set.kind, right[0], what);
+      if (exercise.id === "support") assert.equal(objective.value, right[0], what);
+      if (exercise.id === "multipliers") assert.ok(objective.ways.unique && `${objective.proof.map(({ multiplier }) => multiplier)}` === `${right}`, what);
+      if (exercise.id === "contradiction") assert.equal(set.kind, "empty", what);
+    }
+  }
 });

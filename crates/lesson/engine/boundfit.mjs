@@ -7,6 +7,7 @@ import {
   columns as columnsOnce,
   initSync,
   lesson as lessonOnce,
+  polytope as polytopeOnce,
   run as runOnce,
 } from "./boundfit_wasm.mjs";
 
@@ -46,6 +47,14 @@ export const lesson = (table, options) => ask(lessonOnce, table, options);
  * @returns {string}
  */
 export const columns = (table, options) => ask(columnsOnce, table, options);
+
+/**
+ * What there is to say about half-planes, one a line: the document of schema `boundfit/polytope/1`. Throws as {@link run} does.
+ * @param {string | Uint8Array} text
+ * @param {object} options `objective`, two numbers as text, and `start`, the number of a vertex from 0
+ * @returns {string}
+ */
+export const polytope = (text, options) => ask(polytopeOnce, text, options);
 
 /**
  * @param {(table: Uint8Array, options: string) => string} answer
