@@ -113,7 +113,8 @@ mod tests {
             let svg = format!(
                 "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><text y='9' font-size='9'>{text}</text></svg>"
             );
-            let options = Options { fontdb: FONTS.clone(), ..Options::default() };
+            let font_family = FAMILY.to_owned();
+            let options = Options { font_family, fontdb: FONTS.clone(), ..Options::default() };
             let drawn = Tree::from_str(&svg, &options).unwrap().to_string(&WriteOptions::default());
             assert!(drawn.contains("<path"), "U+{:04X}", u32::from(c));
         }
