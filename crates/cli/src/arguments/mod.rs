@@ -133,6 +133,7 @@ pub(crate) fn notes(command: &str) -> Option<&'static Notes> {
         "polygon" => &polygon::NOTES,
         "plot" => &plot::NOTES,
         "lesson" => &lesson::NOTES,
+        "playground" => &playground::NOTES,
         "completions" => &COMPLETIONS_NOTES,
         "man" => &MAN_NOTES,
         _ => return None,
