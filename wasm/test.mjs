@@ -121,6 +121,12 @@ const compareLessons = (args, table, input) => {
   const own = args.filter((arg, at) => !ofReport.some((name) => arg === `--${name}` || (args[at - 1] === `--${name}` && !flags.includes(name))));
   const options = optionsOf(own);
   const page = spawnSync(program, ["lesson", ...own], { cwd: fixtures, encoding: "utf8", input, maxBuffer: 1 << 28 });
+  if (args[0] === "bad-input/header-only.csv") {
+    // A page may have no readings yet, a file that is fitted has some.
+    assert.equal(page.status, 1);
+    assert.deepEqual(JSON.parse(lesson(table, options)).readings, []);
+    return;
+  }
   if (page.status === 1) {
     assert.throws(() => lesson(table, options), (error) => page.stderr.startsWith(`error: ${error.message}`), page.stderr);
     return;
