@@ -72,7 +72,7 @@ test("a printed page is a handout: no answers, no controls, whole pictures and t
   assert.equal(await shown(page, "#question-list p, .show-me"), 0, "an answer that was opened stays at home");
   assert.equal(await shown(page, "button:not(.plain), select, input, .panel, #teacher"), 0);
   assert.equal(await shown(page, "#readings tbody tr"), 23);
-  for (const selector of [".plane", "#readings"]) {
+  for (const selector of ["#data-plane", "#parameter-plane", "#readings"]) {
     for (const part of await page.locator(selector).all()) {
       const box = await part.boundingBox();
       assert.ok(box.x >= 0 && box.x + box.width <= 794, `${selector}: ${JSON.stringify(box)}`);
