@@ -47,6 +47,9 @@ wasm-opt -Oz --strip-debug --strip-producers --enable-bulk-memory --enable-sign-
 # Binaryen 108, which is Debian's, gives every table that is exported the number 0. That of JavaScript's objects is the second one.
 LC_ALL=C sed -i 's/__wbindgen_externrefs\x01\x00/__wbindgen_externrefs\x01\x01/' "$target/packed/boundfit_wasm.wasm"
 gzip -9 -n < "$target/packed/boundfit_wasm.wasm" > "$engine/boundfit_wasm.wasm.gz"
-cp "$target/packed/boundfit_wasm.js" "$engine/boundfit_wasm.mjs"
-cp "$target/packed/boundfit_wasm.d.ts" "$engine/boundfit_wasm.d.mts"
+# The module is started from bytes that are there: what would fetch it is left out, so that a page can be seen to load nothing.
+sed -e '/^async function __wbg_load(/,/^}/d' -e '/^let __wbg_init_promise/,/^export /d' \
+  "$target/packed/boundfit_wasm.js" > "$engine/boundfit_wasm.mjs"
+echo 'export { initSync };' >> "$engine/boundfit_wasm.mjs"
+sed '/^ \* If `module_or_path` is/,$d' "$target/packed/boundfit_wasm.d.ts" | sed '$d' > "$engine/boundfit_wasm.d.mts"
 wc -c "$target/packed/boundfit_wasm.wasm" "$engine/boundfit_wasm.wasm.gz"
