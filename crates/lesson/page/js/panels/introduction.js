@@ -83,7 +83,9 @@ function provenance(lesson) {
     data.others.length === 0
       ? t("count.readings", { count: length })
       : t("provenance.of", { readings: length, all: length + data.others.length });
-  return t("provenance.whole", { file: data.file, readings, bound: bound + unitOf(lesson) });
+  // A title that nobody gave begins with the name of the file.
+  const file = data.is_default_title ? [] : [data.file];
+  return [...file, readings, bound + unitOf(lesson)].join(" · ");
 }
 
 /**
