@@ -338,9 +338,13 @@ test("a link restores readings and question exactly; a damaged one says so", asy
   await page.locator("#where").fill("theta1 >= 0");
   await page.locator("#where").press("Enter");
   await settled(page);
-  // The address waits until the readings are still.
+  await page.locator("#layer-pui-box").check();
+  await page.locator("#tab-clip").click();
+  await page.locator("#clip-order").selectOption({ index: 1 });
+  await page.locator("#step-slider").fill("4");
+  // The address waits until the page is still.
   await page.waitForTimeout(1000);
-  assert.match(page.url(), /#readings-1\./);
+  assert.match(page.url(), /#readings-1\.[\w-]+&tab=clip&order=1&step=4&layers=pui-box$/);
   await page.waitForFunction(() => document.querySelector("#link").value === location.href);
   const [address, shown, state] = [page.url(), await vertices(page), await cells(page)];
   const other = await page.context().newPage();
@@ -352,6 +356,9 @@ test("a link restores readings and question exactly; a damaged one says so", asy
   assert.deepEqual([await vertices(other), await cells(other)], [shown, state]);
   assert.equal(await other.locator("#eps").inputValue(), "1/1500");
   assert.equal(await other.locator("#where").inputValue(), "theta1 >= 0");
+  assert.equal(await other.locator("body").getAttribute("data-mode"), "clip");
+  assert.deepEqual([await other.locator("#clip-order").inputValue(), await other.locator("#step-slider").inputValue()], ["1", "4"]);
+  assert.ok(await other.locator("#layer-pui-box").isChecked());
   await other.evaluate(() => {
     location.hash = "#readings-1.AAAA";
   });
@@ -362,6 +369,29 @@ test("a link restores readings and question exactly; a damaged one says so", asy
   });
   await other.waitForFunction(() => /newer version/.test(document.querySelector("#edit-notice").textContent));
   assert.deepEqual(await vertices(other), shown);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("a link says what is looked at, and what has no meaning here is passed over", async () => {
+  const { page, complaints, close } = await opened(DATA.transducer);
+  await page.locator("#tab-epsilon").click();
+  await page.locator("#epsilon-next").click();
+  const stop = await page.locator("#epsilon-slider").inputValue();
+  await page.waitForFunction(() => location.hash.startsWith("#tab=epsilon&stop="));
+  await page.locator("#tab-explore").click();
+  await page.waitForFunction(() => location.hash === "");
+  const follow = (hash) => page.evaluate((own) => { location.hash = own; }, hash);
+  const shown = () => page.evaluate(() => document.body.dataset.mode);
+  await follow(`#tab=epsilon&stop=${stop}`);
+  await page.waitForFunction(() => document.body.dataset.mode === "epsilon");
+  assert.equal(await page.locator("#epsilon-slider").inputValue(), stop);
+  await follow("#tab=leave-one-out&without=20 99999 21 x");
+  await page.waitForFunction(() => document.body.dataset.mode === "leave-one-out");
+  assert.equal(await page.locator("#readings input:not(:checked)").count(), 2);
+  await follow("#tab=nowhere&order=9&step=1e9&stop=-1&layers=<b>&residual=maybe");
+  await page.waitForFunction(() => document.body.dataset.mode === "explore");
+  assert.equal(await shown(), "explore");
   assert.deepEqual(complaints, []);
   await close();
 });

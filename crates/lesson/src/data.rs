@@ -124,7 +124,7 @@ pub(crate) fn build(
         orders: orders(problem, fit, &mut points),
         sweep: sweep(problem, fit),
         layers: layers::to_json(&programs, reading, &styles, &mut points),
-        leave_one_out: leave_one_out::to_json(&without, measurements.kept(), &styles, &mut points),
+        leave_one_out: leave_one_out::to_json(&without, &styles, &mut points),
         outliers: outliers(problem, fit),
         questions: questions(&facts),
         points: points.into_numbers(),

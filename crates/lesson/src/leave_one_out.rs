@@ -1,12 +1,15 @@
 //! The set without each of the readings.
 
-use boundfit_estimation::{Fit, Fps, Measurement, Measurements, Problem, bounds_of_reading};
+use std::ops::Range;
+
+use boundfit_estimation::{Fit, Fps, Measurements, Problem, bounds_of_reading};
 use boundfit_exact::{Endpoint, Interval, Rational};
 use boundfit_geometry::Region;
 use boundfit_lp::End;
 use boundfit_report::{Number, RangeJson, Style};
 use serde::Serialize;
 
+use crate::half_planes::irredundant;
 use crate::number::STYLE;
 use crate::points::Points;
 use crate::region::{IndexedRegion, same_set};
@@ -20,6 +23,8 @@ pub(crate) struct Without {
     pub(crate) matters: bool,
     /// The set.
     pub(crate) region: Region,
+    /// Which half-planes of the whole system are not among those by which the set counts.
+    lacking: Range<usize>,
     /// The parameter uncertainty intervals; `None` when the set is empty.
     pub(crate) pui: Option<[Interval; 2]>,
     /// The ends of the intervals that move; none when the set with the reading is empty.
@@ -37,12 +42,31 @@ pub(crate) struct Moved {
     pub(crate) by_and_to: Option<(Rational, Rational)>,
 }
 
-/// The set without each reading in turn. Exact. Cost: O(N² log N).
+/// The set without each reading in turn. Exact. Cost: O(N log N), and as much for each reading with an irredundant half-plane.
 pub(crate) fn leave_one_out(problem: &Problem, fit: &Fit) -> Vec<Without> {
-    (0..problem.measurements.kept().len()).map(|position| without(problem, fit, position)).collect()
+    let rows = problem.measurements.kept();
+    let needed = irredundant(problem, fit);
+    let whole = fit.fps.polyhedron();
+    let pui = whole.bounding_box();
+    let without_one = |position: usize| {
+        let bounds = bounds_of_reading(rows, position);
+        if needed.iter().any(|index| bounds.contains(index)) {
+            return without(problem, fit, position, bounds);
+        }
+        // The irredundant half-planes are all there, and leave the same.
+        Without {
+            row: rows[position].row,
+            matters: false,
+            region: whole.region().clone(),
+            lacking: 0..0,
+            pui: pui.clone(),
+            moved: Vec::new(),
+        }
+    };
+    (0..rows.len()).map(without_one).collect()
 }
 
-fn without(problem: &Problem, fit: &Fit, position: usize) -> Without {
+fn without(problem: &Problem, fit: &Fit, position: usize, bounds: Range<usize>) -> Without {
     let all = &problem.measurements;
     let mut rows = all.kept().to_vec();
     let row = rows.remove(position).row;
@@ -56,7 +80,7 @@ fn without(problem: &Problem, fit: &Fit, position: usize) -> Without {
     };
     let region = fps.polyhedron().region();
     let matters = !same_set(region, fit.fps.polyhedron().region());
-    Without { row, matters, region: region.clone(), pui, moved }
+    Without { row, matters, region: region.clone(), lacking: bounds, pui, moved }
 }
 
 fn moved(before: &[Interval; 2], after: &[Interval; 2]) -> Vec<Moved> {
@@ -93,23 +117,17 @@ struct MovedJson {
 }
 
 /// The sets as JSON. The boundaries of a set are counted in its own system, so they are turned into the whole one's.
-pub(crate) fn to_json(
-    all: &[Without],
-    rows: &[Measurement],
-    styles: &[Style; 2],
-    points: &mut Points,
-) -> Vec<WithoutJson> {
+pub(crate) fn to_json(all: &[Without], styles: &[Style; 2], points: &mut Points) -> Vec<WithoutJson> {
     let moved = |moved: &Moved| MovedJson {
         parameter: PARAMETERS[moved.axis],
         end: moved.end.name(),
         by: moved.by_and_to.as_ref().map(|(by, _)| STYLE.upper_number(by)),
     };
     all.iter()
-        .enumerate()
-        .map(|(position, without)| WithoutJson {
+        .map(|without| WithoutJson {
             row: without.row,
             matters: without.matters,
-            region: IndexedRegion::new(&without.region, points).skipping(bounds_of_reading(rows, position)),
+            region: IndexedRegion::new(&without.region, points).skipping(without.lacking.clone()),
             pui: without.pui.as_ref().map(|pui| [0, 1].map(|axis| RangeJson::new(&pui[axis], &styles[axis]))),
             moved: without.moved.iter().map(moved).collect(),
         })

@@ -30,6 +30,7 @@ const MODULES: &[(&str, &str)] = &[
     module!("editor/fragment.js"),
     module!("editor/grid.js"),
     module!("editor/importing.js"),
+    module!("editor/look.js"),
     module!("editor/moving.js"),
     module!("editor/panel.js"),
     module!("editor/question-form.js"),

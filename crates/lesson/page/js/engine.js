@@ -5,6 +5,10 @@
 import { byId } from "./dom.js";
 import { t } from "./texts.js";
 
+// The engine is compiled part by part, where a question leads: this one leads to most of what a lesson needs.
+const SMALL_TABLE = "x,y\n0,0\n1,2\n2,3\n3,3\n";
+const SMALL_QUESTION = { x: "x", y: "y", eps: "1" };
+
 /**
  * @param {string} packed the module, packed by gzip, in base64
  * @param {string} script what the Worker runs
@@ -49,13 +53,19 @@ function startEngine(packed, script) {
     return fresh;
   }
 
+  /** @type {Engine["ask"]} */
+  const ask = (what, table, options) =>
+    new Promise((resolve, reject) => {
+      const question = { what, table, options };
+      waiting.push({ question, resolve, reject });
+      started().postMessage(question);
+    });
+
   return {
-    ask: (what, table, options) =>
-      new Promise((resolve, reject) => {
-        const question = { what, table, options };
-        waiting.push({ question, resolve, reject });
-        started().postMessage(question);
-      }),
+    ask,
+    wake() {
+      if (worker === null) ask("lesson", SMALL_TABLE, SMALL_QUESTION).catch(() => undefined);
+    },
   };
 }
 

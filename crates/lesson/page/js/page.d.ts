@@ -16,6 +16,8 @@ interface Engine {
    * wrong. `options` are those of docs/wasm.md.
    */
   ask(what: "columns" | "lesson" | "polytope" | "run", table: string | Uint8Array, options: object): Promise<string>;
+  /** Starts it where it is not, so that the first question of a reader is not the slow one. */
+  wake(): void;
 }
 
 interface Reading {

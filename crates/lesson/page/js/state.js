@@ -58,7 +58,7 @@ function withStops(lesson) {
  * @param {Lesson} lesson
  * @returns {State}
  */
-function initialState(lesson) {
+export function initialState(lesson) {
   return {
     mode: "explore",
     order: 0,

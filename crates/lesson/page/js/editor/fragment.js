@@ -1,9 +1,9 @@
 // @ts-check
-// A sheet in the fragment of the page's address: packed JSON, in the letters that an address takes. The first part is the version.
+// A sheet as a part of the page's address: packed JSON, in the letters that an address takes. It begins with the version.
 
 import { distinct, questionOf } from "./sheet.js";
 
-const VERSION = "#readings-1.";
+const VERSION = "readings-1.";
 /** Many a program cuts addresses that are longer. */
 const LONGEST = 8000;
 const LONGEST_UNPACKED = 1_000_000;
@@ -29,10 +29,10 @@ async function through(bytes, packing) {
 }
 
 /**
- * The fragment that stands for a sheet; null for one that is too long for an address.
+ * The words that stand for a sheet; null for one that is too long for an address.
  * @param {Sheet} sheet
  */
-export async function fragmentOf({ columns, rows, question: asked }) {
+export async function wordsOfSheet({ columns, rows, question: asked }) {
   const compact = [
     columns.map(({ name, role }) => [name, role]),
     rows.map(({ cells }) => cells.join("\t")).join("\n"),
@@ -45,15 +45,15 @@ export async function fragmentOf({ columns, rows, question: asked }) {
 }
 
 /**
- * The sheet that a fragment stands for; null for a fragment of another kind, an Error for one that is damaged.
- * @param {string} fragment
+ * The sheet that words stand for; null for words of another kind, an Error for damaged ones.
+ * @param {string} words
  * @returns {Promise<Sheet | Error | null>}
  */
-export async function sheetOfFragment(fragment) {
-  if (!fragment.startsWith("#readings-")) return null;
-  if (!fragment.startsWith(VERSION)) return new Error("version");
+export async function sheetOfWords(words) {
+  if (!words.startsWith("readings-")) return null;
+  if (!words.startsWith(VERSION)) return new Error("version");
   try {
-    const letters = fragment.slice(VERSION.length).replaceAll("-", "+").replaceAll("_", "/");
+    const letters = words.slice(VERSION.length).replaceAll("-", "+").replaceAll("_", "/");
     const packed = Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0));
     const text = new TextDecoder().decode(await through(packed, new DecompressionStream("deflate-raw")));
     return checked(JSON.parse(text));
