@@ -85,8 +85,13 @@ test("the exact lines are withheld until asked for, and are those of the program
   await page.locator("#tab-worst-line").click();
   for (const answer of [".corridor", "#shown-section", ".region.fill"]) assert.equal(await page.locator(answer).first().isVisible(), false, answer);
   assert.equal(await page.locator("[data-exact-line]").count(), 0);
+  // Bars that shape the set would say where the lines must touch.
+  const looks = () => page.locator(".reading .bar").evaluateAll((bars) => new Set(bars.map((bar) => getComputedStyle(bar).stroke + getComputedStyle(bar).strokeWidth)).size);
+  assert.equal(await page.locator(".reading .end").first().isVisible(), false);
+  assert.equal(await looks(), 1);
   await page.locator("#worst-exact").click();
   assert.equal(await page.locator(".corridor").isVisible(), true);
+  assert.equal(await looks(), 2);
   const { pui, fps } = fitReport(DATA.transducer);
   const exact = await page.locator("#worst-lines-table [data-exact]").evaluateAll((rows) =>
     rows.map((row) => [...row.querySelectorAll("td.number")].map((cell) => cell.title)));
