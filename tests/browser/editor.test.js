@@ -603,3 +603,35 @@ test("in every language the editor has its own words", async () => {
   assert.deepEqual(complaints, []);
   await close();
 });
+
+test("the focus stays near a reading that was deleted", async () => {
+  const { page, complaints, close } = await opened(DATA.norris);
+  const count = await page.locator("[data-sheet-row]").count();
+  await page.locator(`#data-plane [data-reading="${count}"]`).focus();
+  await page.keyboard.press("Delete");
+  await settled(page);
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.reading), `${count - 1}`);
+  await page.locator(`[data-delete="${count - 2}"]`).focus();
+  await page.keyboard.press("Enter");
+  await settled(page);
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.delete), `${count - 3}`);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("undo shows the kind of bounds that there was, whatever was chosen by hand", async () => {
+  const { page, complaints, close } = await opened(LINE);
+  const chosen = () => page.locator("#bounds-kind").inputValue();
+  for (const kind of ["column", "eps", "column"]) {
+    await page.locator("#bounds-kind").selectOption(kind);
+    await settled(page);
+  }
+  await page.locator("#undo").click();
+  await settled(page);
+  assert.equal(await chosen(), "eps");
+  await page.locator("#redo").click();
+  await settled(page);
+  assert.equal(await chosen(), "column");
+  assert.deepEqual(complaints, []);
+  await close();
+});

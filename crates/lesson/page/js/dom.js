@@ -8,6 +8,10 @@ const NAMESPACES = {
   math: "http://www.w3.org/1998/Math/MathML",
 };
 
+// What the reader has typed, ticked or chosen is a property; attributes are only its first value. The value of a list is one of its
+// options: these come first.
+const PROPERTIES = ["checked", "selected", "value", "disabled", "hidden"];
+
 /** @type {WeakMap<Node, Description>} */
 const described = new WeakMap();
 
@@ -48,18 +52,15 @@ function update(node, description) {
   const { attributes, children } = description;
   for (const name of Object.keys(before)) if (!(name in attributes)) node.removeAttribute(name);
   for (const [name, value] of Object.entries(attributes)) {
-    // What the reader has typed or ticked is a property; attributes are only its first value.
-    if (name === "checked" || name === "value" || name === "disabled" || name === "hidden") {
-      const control = /** @type {Record<string, unknown>} */ (/** @type {unknown} */ (node));
-      if (control[name] !== value) control[name] = value;
-      continue;
-    }
+    if (PROPERTIES.includes(name)) continue;
     if (before[name] === value) continue;
     if (value === null || value === undefined || value === false) node.removeAttribute(name);
     else node.setAttribute(name, value === true ? "" : `${value}`);
   }
   described.set(node, description);
   patch(node, children);
+  const control = /** @type {Record<string, unknown>} */ (/** @type {unknown} */ (node));
+  for (const name of PROPERTIES) if (name in attributes && control[name] !== attributes[name]) control[name] = attributes[name];
 }
 
 /**
@@ -77,7 +78,25 @@ export function patch(parent, children) {
     } else if (old instanceof Element && old.localName === child.tag) update(old, child);
     else parent.replaceChild(create(parent, child), old);
   });
-  while (parent.childNodes.length > children.length) parent.lastChild?.remove();
+  while (parent.childNodes.length > children.length) {
+    const last = /** @type {ChildNode} */ (parent.lastChild);
+    const focused = /** @type {HTMLElement} */ (document.activeElement);
+    const hadFocus = last.contains(focused);
+    // Who hears that the focus is lost draws as well, and may remove it: not in the middle of a removal, which browsers refuse.
+    if (hadFocus) focused.blur();
+    if (last.parentNode === parent) last.remove();
+    if (hadFocus) focusLast(parent);
+  }
+}
+
+/**
+ * Keeps the focus near what is gone, once everything is drawn: where there is nothing, keys would begin anew at the top of the page.
+ * @param {Element} parent
+ */
+function focusLast(parent) {
+  const last = parent.lastElementChild;
+  const found = last?.matches("[tabindex]") ? last : [...(last?.querySelectorAll("button, input, [tabindex]") ?? [])].at(-1);
+  queueMicrotask(() => /** @type {HTMLElement | undefined} */ (found)?.focus());
 }
 
 /**
