@@ -380,3 +380,54 @@ test("nothing sticks out on a phone", async () => {
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), tab);
   }
 });
+
+test("a line is moved where it stands in the text, whatever else cannot be read", async () => {
+  const page = await open(SQUARE);
+  await type(page, `what is this\n${SQUARE}`);
+  await page.locator('[data-plane-line="0"]').focus();
+  await page.keyboard.press("ArrowLeft");
+  await settled(page);
+  const lines = (await text(page)).split("\n");
+  assert.equal(lines[0], "what is this");
+  assert.match(lines[1], /^x >= -/);
+  assert.deepEqual(lines.slice(2), SQUARE.split("\n").slice(1));
+  await type(page, `what is this\n${SQUARE}`);
+  await page.locator('[data-plane-line="3"]').focus();
+  await page.keyboard.press("Delete");
+  await settled(page);
+  assert.equal(await text(page), `what is this\n${SQUARE.split("\n").slice(0, 3).join("\n")}`);
+});
+
+test("a line that is turned by keys turns by a few degrees, and its numbers stay short", async () => {
+  const page = await open(SQUARE);
+  await page.locator('[data-plane-line="2"]').focus();
+  let before = [1, 0];
+  for (let turn = 1; turn <= 18; turn += 1) {
+    await page.keyboard.press("Shift+ArrowUp");
+    await settled(page);
+    const { half_planes } = await ask(page, (await text(page)).split("\n")[2]);
+    const [x, y] = half_planes[0].a.map(Number);
+    const degrees = (Math.atan2(before[0] * y - before[1] * x, before[0] * x + before[1] * y) * 180) / Math.PI;
+    assert.ok(degrees > 0 && degrees < 10, `turn ${turn}: ${degrees}`);
+    assert.ok(Math.max(Math.abs(x), Math.abs(y)) <= 20);
+    before = [x, y];
+  }
+  assert.deepEqual(before, [0, 1]);
+});
+
+test("what is cancelled draws nothing, and a line that is deleted leaves the focus with another one", async () => {
+  const page = await open(SQUARE);
+  const [from, to] = [await pixel(page, [1, 1]), await pixel(page, [3, 2])];
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  await page.mouse.move(...to);
+  await page.locator("#half-plane-picture").dispatchEvent("pointercancel");
+  await page.mouse.up();
+  await settled(page);
+  assert.equal(await text(page), SQUARE);
+  assert.equal(await page.locator("#line-being-drawn").getAttribute("d"), "");
+  await page.locator('[data-plane-line="3"]').focus();
+  await page.keyboard.press("Delete");
+  await settled(page);
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.planeLine), "2");
+});

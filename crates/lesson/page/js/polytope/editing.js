@@ -1,9 +1,13 @@
 // @ts-check
 // Changes to the half-planes as changes to their text, which is all that is kept of them.
 
-import { Rational, ZERO, dot } from "../model/rational.js";
+import { Rational, ZERO, coordinate, dot } from "../model/rational.js";
 import { plainOf } from "./document.js";
 import { formText, halfPlaneText } from "./half-planes.js";
+
+// Whole numbers up to this one have directions near enough to those of all steps.
+const TURN_SIZE = 20;
+const TURN_STEP = Math.PI / 36;
 
 /** @param {bigint} a @param {bigint} b @returns {bigint} */
 function commonDivisor(a, b) {
@@ -35,6 +39,22 @@ export function planeLeftOf(from, to) {
 }
 
 /**
+ * A half-plane of the answer in the line that it has in the text, which may have changed since, and may have lines that cannot be read;
+ * null where its line is not there any more.
+ * @param {PolytopeState} state
+ * @param {number} index
+ * @returns {PolytopeHalfPlaneData | null}
+ */
+export function planeInText({ answer, answered, text }, index) {
+  const old = answer?.half_planes[index];
+  if (old === undefined || answered === null) return null;
+  const own = answered.split("\n")[old.line - 1];
+  const lines = text.split("\n");
+  const at = lines[old.line - 1] === own ? old.line - 1 : lines.indexOf(own);
+  return at < 0 ? null : { ...old, line: at + 1 };
+}
+
+/**
  * The text with one half-plane more, as a line at its end.
  * @param {string} text
  * @param {PlainHalfPlane} halfPlane
@@ -62,6 +82,19 @@ export function textWithAnother(text, old, halfPlane) {
  */
 export function textWithoutLine(text, old) {
   return text.split("\n").filter((_, k) => k + 1 !== old.line).join("\n");
+}
+
+/**
+ * A normal turned counter-clockwise by some of the 72 steps of a full turn, as a direction of small whole numbers: repeated turns do
+ * not make them longer.
+ * @param {Pair} normal
+ * @param {number} steps
+ * @returns {Pair}
+ */
+export function turnedNormal(normal, steps) {
+  const [x, y] = normal.map(coordinate);
+  const angle = (Math.round(Math.atan2(y, x) / TURN_STEP) + steps) * TURN_STEP;
+  return [Math.cos(angle), Math.sin(angle)].map((value) => new Rational(BigInt(Math.round(TURN_SIZE * value))));
 }
 
 /**

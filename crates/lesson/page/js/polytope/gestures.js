@@ -7,7 +7,7 @@ import { round } from "../planes/axes.js";
 import { scaledView, shiftedView } from "../planes/view.js";
 import { plainOf } from "./document.js";
 import { PIXELS_PER_UNIT, arrowTip } from "./drawing.js";
-import { gridPointOn, otherSide, planeLeftOf, planeThrough, textWith, textWithAnother, textWithoutLine } from "./editing.js";
+import { gridPointOn, otherSide, planeLeftOf, planeInText, planeThrough, textWith, textWithAnother, textWithoutLine, turnedNormal } from "./editing.js";
 import { shownExercise, snapUnit, snapped } from "./scene.js";
 
 const ZOOM_STEP = 1.5;
@@ -34,7 +34,7 @@ export function connectHalfPlanePicture(store, current) {
     return [event.clientX - box.left, event.clientY - box.top];
   };
   svg.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0 || shownExercise(store.get()) !== null) return;
+    if (event.button !== 0 || drag !== null || shownExercise(store.get()) !== null) return;
     drag = dragFrom(store, current, event, placeOf(event));
     if (drag === null) return;
     svg.setPointerCapture(event.pointerId);
@@ -48,7 +48,11 @@ export function connectHalfPlanePicture(store, current) {
     own?.end(placeOf(event));
   };
   svg.addEventListener("pointerup", end);
-  svg.addEventListener("pointercancel", end);
+  // What was not done is taken back, or stays as far as it got.
+  svg.addEventListener("pointercancel", () => {
+    drag = null;
+    byId("line-being-drawn").setAttribute("d", "");
+  });
   svg.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || !keyPressed(store, current, event)) return;
     event.preventDefault();
@@ -131,9 +135,9 @@ export function setObjective(store, objective) {
  * @type {(store: PolytopeStore, current: () => PolytopeDrawn, index: number, start: Place) => Drag | null}
  */
 function moveDrag(store, current, index, start) {
-  const { answer, text, chosen } = store.get();
-  if (answer === null || answer.half_planes[index] === undefined) return null;
-  const old = answer.half_planes[index];
+  const { text, chosen } = store.get();
+  const old = planeInText(store.get(), index);
+  if (old === null) return null;
   const { a } = plainOf(old);
   const { map } = current();
   let moved = false;
@@ -154,9 +158,9 @@ function moveDrag(store, current, index, start) {
  * @type {(store: PolytopeStore, current: () => PolytopeDrawn, index: number, end: number) => Drag | null}
  */
 function turnDrag(store, current, index, end) {
-  const { answer, text } = store.get();
-  if (answer === null || answer.half_planes[index] === undefined) return null;
-  const old = answer.half_planes[index];
+  const { text } = store.get();
+  const old = planeInText(store.get(), index);
+  if (old === null) return null;
   const { map } = current();
   const other = byId("half-plane-picture").querySelector(`[data-turn="${1 - end}"]`);
   if (other === null) return null;
@@ -238,16 +242,15 @@ function keyPressed(store, current, event) {
  */
 function lineKey(store, current, index, event) {
   const { answer, text } = store.get();
-  const old = answer?.half_planes[index];
-  if (answer === null || old === undefined) return false;
-  const own = plainOf(old);
+  const old = planeInText(store.get(), index);
   const way = WAYS[event.key];
+  // Of a key that is held down some come before the engine has answered the last one.
+  if (answer === null || old === null) return way !== undefined;
+  const own = plainOf(old);
   const count = answer.half_planes.length;
   const { view } = current().map;
   if (way !== undefined && event.shiftKey) {
-    const { a } = own;
-    const step = snapUnit({ x: [0, 8 * Math.max(...a.map((value) => Math.abs(value.toNumber())))], y: [0, 1] });
-    const turned = [a[0].minus(a[1].times(step).times(new Rational(BigInt(way[0] + way[1])))), a[1].plus(a[0].times(step).times(new Rational(BigInt(way[0] + way[1]))))];
+    const turned = turnedNormal(own.a, way[0] + way[1]);
     const middle = snapped([(view.x[0] + view.x[1]) / 2, (view.y[0] + view.y[1]) / 2], snapUnit(view));
     store.change({ chosen: index, view, text: textWithAnother(text, old, planeThrough(turned, gridPointOn(own, middle))) });
   } else if (way !== undefined) {
@@ -280,9 +283,9 @@ function focusLine(store, index) {
  * @param {number} index
  */
 export function deleteHalfPlane(store, index) {
-  const { answer, text } = store.get();
-  const old = answer?.half_planes[index];
-  if (old !== undefined) store.change({ text: textWithoutLine(text, old), chosen: null, start: null });
+  const { text } = store.get();
+  const old = planeInText(store.get(), index);
+  if (old !== null) store.change({ text: textWithoutLine(text, old), chosen: null, start: null });
 }
 
 /**
@@ -290,9 +293,9 @@ export function deleteHalfPlane(store, index) {
  * @param {number} index
  */
 export function flipHalfPlane(store, index) {
-  const { answer, text } = store.get();
-  const old = answer?.half_planes[index];
-  if (old !== undefined) store.change({ text: textWithAnother(text, old, otherSide(old)), chosen: index });
+  const { text } = store.get();
+  const old = planeInText(store.get(), index);
+  if (old !== null) store.change({ text: textWithAnother(text, old, otherSide(old)), chosen: index });
 }
 
 /**
@@ -315,7 +318,7 @@ function cornerKey(store, index, event) {
 }
 
 /**
- * A new half-plane without drawing it: upright through the middle of the picture.
+ * A new half-plane without drawing it: aslant through the middle of the picture.
  * @param {PolytopeStore} store
  * @param {() => PolytopeDrawn} current
  */

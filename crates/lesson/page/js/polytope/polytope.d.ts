@@ -122,6 +122,8 @@ interface PolytopeState {
   view: View | null;
   /** What the engine said last of lines that could all be read. */
   answer: PolytopeData | null;
+  /** The text that the answer is about; null for the half-planes of an exercise. */
+  answered: string | null;
   errors: PolytopeData["errors"];
   /** What the engine refused. */
   refused: string | null;

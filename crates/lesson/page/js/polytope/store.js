@@ -23,7 +23,7 @@ export function createPolytopeStore() {
   /** @type {PolytopeState} */
   let state = {
     text: FIRST_TEXT, tab: "set", objective: [new Rational(2n), ONE], start: null, step: 0, pivot: 0, chosen: null, drawing: false, view: null,
-    answer: null, errors: [], refused: null, seed: freshSeed(), exercise: 0, work: untouched(), language: currentLanguage(),
+    answer: null, answered: null, errors: [], refused: null, seed: freshSeed(), exercise: 0, work: untouched(), language: currentLanguage(),
   };
   /** @type {((state: PolytopeState, before: PolytopeState) => void)[]} */
   const listeners = [];
@@ -83,14 +83,16 @@ export function connectPolytopeEngine(store) {
   let asked = "";
   let latest = 0;
   const update = () => {
-    const { text, options } = planeQuestion(store.get());
+    const state = store.get();
+    const { text, options } = planeQuestion(state);
+    const about = state.tab === "exercises" ? null : state.text;
     const question = JSON.stringify([text, options]);
     if (question === asked) return;
     asked = question;
     latest += 1;
     const own = latest;
     ask("polytope", text, options).then(
-      (answer) => own === latest && store.change(afterAnswer(store.get(), JSON.parse(answer))),
+      (answer) => own === latest && store.change(afterAnswer(store.get(), JSON.parse(answer), about)),
       (error) => {
         if (own !== latest) return;
         // A vertex that is no longer there.
@@ -106,14 +108,15 @@ export function connectPolytopeEngine(store) {
 /**
  * @param {PolytopeState} state
  * @param {PolytopeData} answer
+ * @param {string | null} answered the text that it is about, as it was typed
  * @returns {Partial<PolytopeState>}
  */
-function afterAnswer(state, answer) {
+function afterAnswer(state, answer, answered) {
   if (answer.errors.length > 0) return { errors: answer.errors, refused: null };
   const count = answer.half_planes.length;
   const pivots = answer.simplex?.bases.length ?? 1;
   return {
-    answer, errors: [], refused: null,
+    answer, answered, errors: [], refused: null,
     step: Math.min(state.step, count),
     pivot: Math.min(state.pivot, pivots - 1),
     chosen: state.chosen !== null && state.chosen < count ? state.chosen : null,
