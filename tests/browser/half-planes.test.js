@@ -431,3 +431,15 @@ test("what is cancelled draws nothing, and a line that is deleted leaves the foc
   await settled(page);
   assert.equal(await page.evaluate(() => document.activeElement.dataset.planeLine), "2");
 });
+
+test("an exercise tells its answer to nobody before it is solved", async () => {
+  const page = await open(null, "exercises");
+  await page.locator("#exercise-seed").fill("class 3b");
+  await page.locator("#exercise-seed").press("Enter");
+  await page.locator('[data-exercise="0"]').click();
+  await settled(page);
+  const spoken = () => page.locator("#half-plane-picture [data-plane-line]").evaluateAll((lines) => lines.map((line) => line.ariaLabel).join());
+  assert.doesNotMatch(await spoken(), /redundant/);
+  await page.locator("#exercise-explain").click();
+  assert.match(await spoken(), /redundant/);
+});

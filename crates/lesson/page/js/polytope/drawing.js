@@ -124,7 +124,7 @@ function cutAway(before, step, answer, map) {
  * @param {PolytopeData} answer
  * @param {number} index
  */
-export function lineOf(answer, index) {
+function lineOf(answer, index) {
   const { a, b } = plainOf(answer.half_planes[index]);
   return a.every((value) => value.isZero()) ? { a: [0, 0], b: 0 } : PLANE_FRAME.halfPlane(a, b);
 }
@@ -168,7 +168,8 @@ function planeLines(state, answer, set, map) {
     const name = planeName(answer, index);
     const attributes = {
       class: classesOf(state, answer, set, index), "data-plane-line": index, role: isFixed ? "img" : "button", tabindex: isFixed ? null : index === focused ? 0 : -1,
-      "aria-label": t(halfPlane.redundant === null ? "polytope.line" : "polytope.line-redundant", { name, text: halfPlane.text }),
+      // Of an exercise that is not solved yet nothing is told.
+      "aria-label": t(halfPlane.redundant === null || set === null ? "polytope.line" : "polytope.line-redundant", { name, text: halfPlane.text }),
       "aria-pressed": isFixed ? null : `${state.chosen === index}`,
     };
     if (ends === null) return element("g", attributes);
