@@ -443,3 +443,17 @@ test("an exercise tells its answer to nobody before it is solved", async () => {
   await page.locator("#exercise-explain").click();
   assert.match(await spoken(), /redundant/);
 });
+
+test("a rounded decimal is said to be one", async () => {
+  const page = await open("3x <= 1\nx >= 0\ny >= 0\ny <= 1", "objective");
+  await page.locator("#objective-1").fill("1");
+  await page.locator("#objective-2").fill("0");
+  await settled(page);
+  assert.match(await sentence(page), /1\/3 ≈ 0\.33333/);
+  await page.locator("#objective-2").fill("1/2");
+  await settled(page);
+  assert.match(await sentence(page), /5\/6 ≈ 0\.83333/);
+  await page.locator("#plane-text").fill("4x <= 1\nx >= 0\ny >= 0\ny <= 1");
+  await settled(page);
+  assert.match(await sentence(page), /3\/4 = 0\.75/);
+});

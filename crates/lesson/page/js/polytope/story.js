@@ -4,7 +4,7 @@
 import { element } from "../dom.js";
 import { Rational, dot } from "../model/rational.js";
 import { plain, shortEnumeration } from "../model/format.js";
-import { numberText, t } from "../texts.js";
+import { t } from "../texts.js";
 import { atMostText, exactPair, planeName, sumText } from "./document.js";
 import { formText, fractionText, pairText } from "./half-planes.js";
 
@@ -14,7 +14,10 @@ import { formText, fractionText, pairText } from "./half-planes.js";
  */
 function exactValue(text) {
   const exact = Rational.parse(text);
-  return exact.denominator === 1n ? fractionText(exact) : `${fractionText(exact)} = ${numberText(plain(exact))}`;
+  if (exact.denominator === 1n) return fractionText(exact);
+  const decimal = plain(exact);
+  const isRounded = !Rational.parseDecimal(decimal.replaceAll("\u2212", "-").replace(",", ".")).equals(exact);
+  return `${fractionText(exact)} ${isRounded ? "≈" : "="} ${decimal}`;
 }
 
 /**
