@@ -457,3 +457,13 @@ test("a rounded decimal is said to be one", async () => {
   await settled(page);
   assert.match(await sentence(page), /3\/4 = 0\.75/);
 });
+
+test("sets far from 0 are drawn, and can be drawn into", async () => {
+  const far = "100000000000000000000";
+  const page = await open(`x >= ${far}\nx <= ${far.slice(0, -1)}1\ny >= 0\ny <= 1`);
+  assert.equal(await page.locator("[data-corner]").count(), 4);
+  assert.doesNotMatch(await page.locator("#half-plane-picture").innerHTML(), /NaN|Infinity/);
+  const box = await page.locator("#half-plane-picture").boundingBox();
+  await drag(page, [box.x + 200, box.y + 100], [box.x + 260, box.y + 160]);
+  assert.equal((await text(page)).split("\n").length, 5);
+});

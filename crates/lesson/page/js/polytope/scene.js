@@ -13,6 +13,8 @@ export const PLANE_FRAME = new ParameterFrame([ZERO, ZERO], [ONE, ONE], ZERO);
 const ROOM_AROUND = 0.35;
 // Farther away than this many sizes of the set nothing is worth being shown.
 const FAR_AWAY = 3;
+// A view narrower than this share of its distance from 0 has pixels that are one number.
+const CLOSEST = 1e-10;
 
 /** The set before anything has cut it. @type {PolytopeSetData} */
 const WHOLE_PLANE = { kind: "plane", vertices: [], rays: [], lines: [["1", "0"], ["0", "1"]], boundaries: [], contradiction: null, area: null };
@@ -127,7 +129,8 @@ function widened({ x, y }, wide) {
  */
 function squared(view, { width, height }) {
   const [wide, high] = [view.x[1] - view.x[0], view.y[1] - view.y[0]];
-  const unit = Math.max(wide / width, high / height);
+  const far = Math.max(...[...view.x, ...view.y].map(Math.abs));
+  const unit = Math.max(wide / width, high / height, (far * CLOSEST) / width);
   const [cx, cy] = [(view.x[0] + view.x[1]) / 2, (view.y[0] + view.y[1]) / 2];
   return { x: [cx - (unit * width) / 2, cx + (unit * width) / 2], y: [cy - (unit * height) / 2, cy + (unit * height) / 2] };
 }
