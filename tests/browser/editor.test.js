@@ -635,3 +635,29 @@ test("undo shows the kind of bounds that there was, whatever was chosen by hand"
   assert.deepEqual(complaints, []);
   await close();
 });
+
+test("half-planes and readings each have the address while they are shown", async () => {
+  const { page, complaints, close } = await opened(LINE);
+  await typed(page, 0, 1, "4.01");
+  await page.waitForURL(/#readings-1\./);
+  const address = page.url();
+  await page.locator('[data-view-choice="half-planes"]').click();
+  await page.waitForURL(/#view=half-planes/);
+  await page.evaluate(() => boundfit.editor.edit({ ...boundfit.editor.sheet(), question: { eps: "1/4" } }));
+  await page.waitForFunction((before) => document.querySelector("#link").value !== before, address);
+  assert.match(page.url(), /#view=half-planes/);
+  await page.locator('[data-view-choice="readings"]').click();
+  await page.waitForURL(/#readings-1\./);
+  assert.equal(await page.locator("#link").inputValue(), page.url());
+  await page.locator('[data-view-choice="half-planes"]').click();
+  await page.waitForURL(/#view=half-planes/);
+  // Whoever follows a link to readings sees them.
+  await page.evaluate((hash) => {
+    location.hash = hash;
+  }, new URL(address).hash);
+  await page.locator("#data-plane").waitFor();
+  await settled(page);
+  assert.equal(await page.locator("#eps").inputValue(), "1/5");
+  assert.deepEqual(complaints, []);
+  await close();
+});

@@ -267,7 +267,7 @@ function start() {
   draw();
   const editor = engine === null ? null : connectEditor(engine, store, () => drawn);
   for (const touch of ["pointerdown", "keydown"]) addEventListener(touch, () => engine?.wake(), { capture: true, once: true });
-  connectHalfPlanes(store);
+  connectHalfPlanes(store, () => editor?.address());
   // For the console of the browser, and for tests: `await boundfit.engine.ask("run", "x,y\n1,2\n", { x: "x", y: "y", eps: "1" })`.
   Object.assign(globalThis, { boundfit: { engine, tableOf, store, editor } });
   // Sizes are known only now, and change with the window.

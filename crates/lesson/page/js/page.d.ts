@@ -436,8 +436,10 @@ interface Workbench {
   draw: () => void;
 }
 
-/** The editor for the console of the browser, and for tests. */
+/** The editor for the rest of the page, the console of the browser, and tests. */
 interface Editor {
+  /** Writes the readings into the address of the page. */
+  address: () => Promise<void>;
   sheet: () => Sheet;
   problem: () => Problem | null;
   settled: () => Promise<void>;

@@ -20,20 +20,28 @@ export function writeAddressSoon(bench) {
   if (addressTimer === null) addressTimer = setTimeout(writeAddress, MILLISECONDS_PER_ADDRESS, bench);
 }
 
-/** @param {Workbench} bench */
-async function writeAddress(bench) {
+/**
+ * Writes the readings into the address.
+ * @param {Workbench} bench
+ */
+export async function writeAddress(bench) {
   addressTimer = null;
   const { session, store, own } = bench;
   const sheet = session.right();
   const readings = isSameSheet(sheet, own) ? "" : await wordsOfSheet(sheet);
-  // The view of half-planes has the address for itself.
-  if (sheet !== session.right() || document.body.dataset.view === "half-planes") return;
+  if (sheet !== session.right()) return;
   // What is looked at means nothing without the readings.
   const words = readings === null ? [] : [readings, lookOf(store.lesson(), store.get())].filter((part) => part !== "");
-  const { pathname, search } = location;
-  history.replaceState(null, "", words.length > 0 ? `#${words.join("&")}` : `${pathname}${search}`);
-  bench.link = readings === null ? null : location.href;
+  const fragment = words.length > 0 ? `#${words.join("&")}` : "";
+  const { href, pathname, search } = location;
+  bench.link = readings === null ? null : href.split("#")[0] + fragment;
+  if (!isElsewhere()) history.replaceState(null, "", fragment || `${pathname}${search}`);
   bench.draw();
+}
+
+/** Half-planes that stand in the place of the readings have the address, keys and files of their own. */
+export function isElsewhere() {
+  return document.body.dataset.view === "half-planes";
 }
 
 /**

@@ -3,6 +3,7 @@
 
 import { byId, closest, targetOf } from "../dom.js";
 import { addRow, applyImport, commitCell, deleteAt, fitAt, press, readFile, startImport, takeExample, wordsOfError } from "./actions.js";
+import { isElsewhere } from "./address.js";
 import { takeAway } from "./export.js";
 import { askedBy } from "./question-form.js";
 import { usedRows, withBlock } from "./sheet.js";
@@ -33,11 +34,6 @@ export function connectControls(bench) {
   editor.addEventListener("paste", (event) => onPaste(bench, event));
   addEventListener("keydown", (event) => onUndoKey(bench, event));
   connectDropping(bench);
-}
-
-// The half-planes that can stand in the place of the readings have their own keys and files.
-function isElsewhere() {
-  return document.body.dataset.view === "half-planes";
 }
 
 /**

@@ -11,7 +11,7 @@
 
 import { byId, element, patch } from "../dom.js";
 import { readingEdits } from "./actions.js";
-import { connectAddress, writeAddressSoon } from "./address.js";
+import { connectAddress, writeAddress, writeAddressSoon } from "./address.js";
 import { connectControls } from "./controls.js";
 import { connectDragging, drawnAt } from "./drag.js";
 import { EXPORTS, FILE_NAME, reportOptions } from "./export.js";
@@ -57,12 +57,14 @@ export function connectEditor(engine, store, current) {
   byId("edit-tools").hidden = false;
   bench.draw();
   connectAddress(bench);
-  return forTests(bench);
+  return forOthers(bench);
 }
 
 /** @param {Workbench} bench @returns {Editor} */
-function forTests({ session }) {
+function forOthers(bench) {
+  const { session } = bench;
   return {
+    address: () => writeAddress(bench),
     sheet: session.sheet,
     problem: session.problem,
     settled: session.settled,

@@ -27,8 +27,9 @@ const PLANE_TABS = ["set", "clip", "objective", "simplex", "exercises"];
 /**
  * Connects the view, where the engine is in the page.
  * @param {Store} page
+ * @param {() => void} onReadings what is to be done when the readings are shown again: the address of the page is theirs
  */
-export function connectHalfPlanes(page) {
+export function connectHalfPlanes(page, onReadings) {
   if (engine === null) return;
   byId("view-choice").hidden = false;
   const store = createPolytopeStore();
@@ -72,6 +73,7 @@ export function connectHalfPlanes(page) {
     button.addEventListener("click", () => {
       show(button.dataset.viewChoice ?? "readings");
       rememberPlanes(store.get());
+      if (button.dataset.viewChoice === "readings") onReadings();
     });
   }
   listPlaneExamples();
@@ -80,6 +82,8 @@ export function connectHalfPlanes(page) {
   show(first === null ? "readings" : "half-planes");
   addEventListener("hashchange", () => {
     const next = recalledPlanes();
+    // What else an address says is about the readings.
+    if (next === null && location.hash.length > 1) show("readings");
     if (next === null) return;
     store.change(next);
     show("half-planes");
@@ -199,10 +203,7 @@ let remembering;
 function rememberPlanes(state) {
   clearTimeout(remembering);
   remembering = setTimeout(() => {
-    if (document.body.dataset.view !== "half-planes") {
-      if (location.hash.startsWith("#view=half-planes")) history.replaceState(null, "", location.pathname + location.search);
-      return;
-    }
+    if (document.body.dataset.view !== "half-planes") return;
     const words = new URLSearchParams({ view: "half-planes", tab: state.tab, planes: state.text, c: state.objective.join(" "), seed: state.seed });
     history.replaceState(null, "", `#${words}`);
   }, 300);
