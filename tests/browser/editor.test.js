@@ -6,6 +6,7 @@ import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { deflateRawSync } from "node:zlib";
 
 import { DATA, PLAYGROUND, SPECIAL, boundfit, fitReport, launch, openLesson } from "./harness.js";
 
@@ -658,6 +659,22 @@ test("half-planes and readings each have the address while they are shown", asyn
   await page.locator("#data-plane").waitFor();
   await settled(page);
   assert.equal(await page.locator("#eps").inputValue(), "1/5");
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("an address that anyone has written stops nothing", async () => {
+  const { page, complaints, close } = await openLesson(browser, PLAYGROUND);
+  for (const question of [{ eps: "1", where: "theta1 >= 0" }, { eps: ["1"] }, { eps: { a: 1 } }, { eps: "1", where: [1] }]) {
+    const words = JSON.stringify([[["x", "x"], ["y", "y"]], "1\t2", "1", question]);
+    await page.evaluate(() => document.querySelector("#edit-notice").replaceChildren());
+    await page.evaluate((hash) => {
+      location.hash = hash;
+    }, `#readings-1.${deflateRawSync(words).toString("base64url")}`);
+    await page.waitForFunction(() => /cannot be read/.test(document.querySelector("#edit-notice").textContent));
+  }
+  await page.locator("#edit-example").click();
+  await assertAsTheProgram(page);
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -40,6 +40,7 @@ export async function wordsOfSheet({ columns, rows, question: asked }) {
     asked,
   ];
   const packed = await through(new TextEncoder().encode(JSON.stringify(compact)), new CompressionStream("deflate-raw"));
+  if (packed.length > LONGEST) return null;
   const text = btoa(String.fromCharCode(...packed)).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
   return VERSION.length + text.length > LONGEST ? null : VERSION + text;
 }
@@ -61,6 +62,9 @@ export async function sheetOfWords(words) {
     return new Error("damaged");
   }
 }
+
+/** @param {unknown} value */
+const isListOfTexts = (value) => Array.isArray(value) && value.every((own) => typeof own === "string");
 
 /**
  * What anyone may have written into an address, as a sheet.
@@ -85,5 +89,7 @@ function checked([names, cells, fitted, asked]) {
     demand(own.length === columns.length);
     return { cells: own, isFitted: fitted[k] === "1" };
   });
-  return { columns: distinct(columns), rows, question: questionOf(asked) };
+  const question = questionOf(asked);
+  demand(Object.entries(question).every(([key, value]) => (key === "where" ? isListOfTexts(value) : ["string", "number", "boolean"].includes(typeof value))));
+  return { columns: distinct(columns), rows, question };
 }
