@@ -678,3 +678,43 @@ test("an address that anyone has written stops nothing", async () => {
   assert.deepEqual(complaints, []);
   await close();
 });
+
+test("a table with a column of bounds is taken with it, and the origin of x stays", async () => {
+  const { page, complaints, close } = await openLesson(browser, PLAYGROUND);
+  await page.locator("#paste-text").fill("x,y,eps\n1,1,0.1\n2,2.1,0.2\n3,2.9,0.1\n");
+  await page.locator("#paste-use").click();
+  await page.locator('#data-plane [data-reading="3"]').waitFor();
+  assert.equal(await page.locator("#bounds-kind").inputValue(), "column");
+  await assertAsTheProgram(page);
+  await page.locator("#paste-text").fill("x,y,note,error\n1,1,7,0.1\n2,2.1,8,0.2\n3,2.9,9,0.1\n");
+  await page.locator("#edit-back").click();
+  await settled(page);
+  await page.locator("#paste-use").click();
+  await page.locator("#import-eps_column").waitFor();
+  assert.deepEqual(await page.locator("#import select").evaluateAll((lists) => lists.map(({ value }) => value)), ["1", "", "2", "4", "", ""]);
+  await close();
+  const years = await opened([...LINE, "--x-origin", "2"]);
+  await years.page.evaluate(() => document.querySelector("#paste").toggleAttribute("open", true));
+  await years.page.locator("#paste-text").fill("x,y\n2,4\n3,5\n4,7\n");
+  await years.page.locator("#paste-use").click();
+  await years.page.waitForFunction(() => boundfit.editor.sheet().rows[1].cells[0] === "3");
+  await assertAsTheProgram(years.page);
+  assert.match(await years.page.evaluate(() => boundfit.editor.command()), /--x-origin=2/);
+  assert.deepEqual([...complaints, ...years.complaints], []);
+  await years.close();
+});
+
+test("a column is the one that was chosen, also where another one has its number for a name", async () => {
+  const { page, complaints, close } = await opened(LINE);
+  await page.evaluate(() => document.querySelector("#paste").toggleAttribute("open", true));
+  await page.locator("#paste-text").fill("time,1,2\n0,5,1\n1,6,2\n2,7,3.1\n");
+  await page.locator("#paste-use").click();
+  await page.locator("#import-y").selectOption("3");
+  await page.locator("#import-apply").click();
+  await page.waitForFunction(() => boundfit.editor.sheet().columns[1].name === "2");
+  await settled(page);
+  assert.deepEqual(await cells(page), ["0", "1", "1", "2", "2", "3.1"]);
+  await assertAsTheProgram(page);
+  assert.deepEqual(complaints, []);
+  await close();
+});

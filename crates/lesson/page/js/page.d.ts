@@ -404,6 +404,8 @@ interface Import {
   table: string | Uint8Array;
   file: string;
   columns: string[];
+  /** Whether the table has these names, and they were not made. */
+  hasHeader: boolean;
   /** The numbers of the columns, by what they are for. */
   choice: Record<string, string>;
   /** Whether rows with missing values are left out. */

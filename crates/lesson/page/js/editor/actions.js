@@ -141,9 +141,9 @@ function numberAt(sheet, at) {
 export async function startImport(bench, table, file) {
   bench.notice = "";
   try {
-    const columns = await columnsOf(bench.engine, table, file);
+    const { columns, header } = await columnsOf(bench.engine, table, file);
     const { choice, isSure } = guessed(columns, bench.session.sheet());
-    bench.pending = { table, file, columns, choice, skip: false, problem: null };
+    bench.pending = { table, file, columns, hasHeader: header, choice, skip: false, problem: null };
     if (isSure) return applyImport(bench);
   } catch (error) {
     bench.notice = wordsOfError(error);
@@ -164,7 +164,7 @@ export async function applyImport(bench) {
     bench.pending = null;
     bench.session.edit(sheet, t("edit.did.import", { file: from.file }));
   } catch (error) {
-    bench.pending = { ...from, problem: wordsOfError(error) };
+    if (bench.pending === from) bench.pending = { ...from, problem: wordsOfError(error) };
   }
   bench.draw();
 }

@@ -8,18 +8,19 @@ import { sheetOf } from "./sheet.js";
 
 /** What a column can be for, in the order of the form. */
 const PURPOSES = ["x", "v", "y", "eps_column", "lower", "upper"];
+const BOUNDS = ["eps_column", "lower", "upper"];
 // What files call the bound of a reading.
 const BOUND_NAMES = { eps_column: /^(eps(ilon)?|ε|e|error|err|tolerance|tol|u)$/i, lower: /^(lower|low|min|from|earliest|at_least)$/i, upper: /^(upper|high|max|to|latest|at_most)$/i };
 
 /**
- * Reads the names of the columns of a table.
+ * Reads the names of the columns of a table, and whether it has them from a header.
  * @param {Engine} engine
  * @param {string | Uint8Array} table
  * @param {string} file
- * @returns {Promise<string[]>}
+ * @returns {Promise<{ columns: string[], header: boolean }>}
  */
 export async function columnsOf(engine, table, file) {
-  return JSON.parse(await engine.ask("columns", table, { file })).columns;
+  return JSON.parse(await engine.ask("columns", table, { file }));
 }
 
 /**
@@ -30,27 +31,37 @@ export async function columnsOf(engine, table, file) {
  */
 export function guessed(columns, sheet) {
   const number = (/** @type {number} */ k) => `${k + 1}`;
-  if (sheet !== null && sheet.columns.every(({ name }) => columns.filter((own) => own.trim() === name).length === 1)) {
-    /** @type {Record<string, string>} */
-    const choice = {};
-    for (const { name, role } of sheet.columns) {
-      const key = role === "eps" ? "eps_column" : role === "x" && "x" in choice ? "v" : role;
-      choice[key] = number(columns.findIndex((own) => own.trim() === name));
-    }
-    return { choice, isSure: true };
-  }
   /** @type {Record<string, string>} */
   const choice = {};
-  const left = columns.map((_, k) => k);
-  for (const [key, pattern] of Object.entries(BOUND_NAMES)) {
+  const isKnown = sheet !== null && sheet.columns.every(({ name }) => columns.filter((own) => own.trim() === name).length === 1);
+  for (const { name, role } of isKnown ? sheet.columns : []) {
+    const key = role === "eps" ? "eps_column" : role === "x" && "x" in choice ? "v" : role;
+    choice[key] = number(columns.findIndex((own) => own.trim() === name));
+  }
+  const left = columns.map((_, k) => k).filter((k) => !Object.values(choice).includes(number(k)));
+  const hasBounds = BOUNDS.some((key) => key in choice);
+  for (const [key, pattern] of Object.entries(hasBounds ? {} : BOUND_NAMES)) {
     const found = left.find((k) => k > 0 && pattern.test(columns[k].trim()));
     if (found === undefined || (key !== "eps_column" && "eps_column" in choice)) continue;
     choice[key] = number(found);
     left.splice(left.indexOf(found), 1);
   }
+  // Bounds that the table has and the sheet has not are the reader's choice, unless nothing else is left.
+  if (isKnown) return { choice, isSure: hasBounds || left.length === 0 || !BOUNDS.some((key) => key in choice) };
   if (left.length > 0) choice.x = number(left[0]);
   if (left.length > 1) choice.y = number(left[1]);
   return { choice, isSure: columns.length === 2 || (left.length === 2 && columns.length === 3 && "eps_column" in choice) };
+}
+
+/**
+ * How the engine is asked for a column: by its name where it has one of its own, since the number of a column may be the name of another.
+ * @param {Import} from
+ * @param {string | undefined} number
+ */
+function selector({ columns, hasHeader }, number) {
+  const name = number ? columns[Number(number) - 1].trim() : "";
+  const isOwn = columns.filter((own) => own.trim() === name).length === 1;
+  return hasHeader && isOwn && name !== `col${number}` ? name : number;
 }
 
 /**
@@ -59,9 +70,12 @@ export function guessed(columns, sheet) {
  * @param {Import} from
  * @param {Sheet} sheet what is asked so far
  */
-export async function imported(engine, { table, file, choice, skip }, sheet) {
-  const { x, v, y, eps_column, lower, upper } = choice;
-  const { where, through_origin, reading, eps } = sheet.question;
+export async function imported(engine, from, sheet) {
+  const { table, file, columns, choice, skip } = from;
+  const [x, v, y, eps_column, lower, upper] = PURPOSES.map((purpose) => selector(from, choice[purpose]));
+  const { where, through_origin, x_origin, reading, eps } = sheet.question;
+  // Another column has another origin.
+  const isSameX = columns[Number(choice.x) - 1]?.trim() === sheet.columns.find(({ role }) => role === "x")?.name;
   const isOwn = [eps_column, lower, upper].some(Boolean);
   const bounds = { ...(eps_column ? { eps_column } : {}), ...(lower ? { lower } : {}), ...(upper ? { upper } : {}) };
   const options = {
@@ -71,6 +85,7 @@ export async function imported(engine, { table, file, choice, skip }, sheet) {
     ...(isOwn ? bounds : { eps: eps ?? "2*min" }),
     ...(where ? { where } : {}),
     ...(through_origin && !v ? { through_origin } : {}),
+    ...(x_origin && !v && isSameX ? { x_origin } : {}),
     ...(reading ? { reading } : {}),
     ...(skip ? { missing: "skip" } : {}),
   };
