@@ -718,3 +718,18 @@ test("a column is the one that was chosen, also where another one has its number
   assert.deepEqual(complaints, []);
   await close();
 });
+
+test("columns with names of any kind: the command asks the program for the same", async () => {
+  const { page, complaints, close } = await opened(SPECIAL.tooTight);
+  for (const names of [["a,b", "-y"], ["2", "1"], ["#x", "y;z"], ["<b>x</b>", "\\frac"]]) {
+    await page.evaluate(([x, y]) => {
+      const { columns, rows } = boundfit.editor.sheet();
+      const named = [x, y].map((name, k) => ({ ...columns[k], name }));
+      boundfit.editor.edit({ columns: named, rows, question: { eps: "0.7" } });
+    }, names);
+    await assertAsTheProgram(page);
+    assert.deepEqual(await page.evaluate(() => boundfit.editor.problem()), null);
+  }
+  assert.deepEqual(complaints, []);
+  await close();
+});

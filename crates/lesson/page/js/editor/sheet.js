@@ -132,8 +132,15 @@ export function commandOf(sheet, file) {
   const words = ["boundfit", "fit", file];
   /** @param {string} word */
   const quoted = (word) => (/^[\w./:=@%+,-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
-  const names = { x: [options.x].flat().join(","), y: options.y, eps: options.eps, "eps-column": options.eps_column, lower: options.lower, upper: options.upper };
+  // What the command line would take for two columns, or for another option, is a column by its number.
+  const column = (/** @type {string | undefined} */ name) =>
+    name !== undefined && /^-|,/.test(name) ? `${sheet.columns.findIndex((own) => own.name === name) + 1}` : name;
+  const regressors = [options.x].flat().map(column).join(",");
+  const [y, eps_column, lower, upper] = [options.y, options.eps_column, options.lower, options.upper].map(column);
+  const names = { x: regressors, y, eps: options.eps, "eps-column": eps_column, lower, upper };
   for (const [name, value] of Object.entries(names)) if (value !== undefined) words.push(`--${name}`, quoted(value));
+  // Where every column is asked for by what may be its number, the first row may be taken for a reading.
+  if (sheet.columns.every(({ name }) => /^\d+$/.test(column(name) ?? ""))) words.push("--header", "yes");
   for (const condition of options.where ?? []) words.push("--where", quoted(condition));
   if (options.without) words.push("--without", options.without.map((/** @type {number[]} */ own) => own.join("..")).join(","));
   if (options.through_origin) words.push("--through-origin");
@@ -248,5 +255,7 @@ export function withBounds(sheet, kind, known) {
  * @param {Sheet} other
  */
 export function isSameSheet(one, other) {
-  return one === other || JSON.stringify(one) === JSON.stringify(other);
+  /** @param {Sheet} sheet */
+  const words = ({ columns, rows, question }) => JSON.stringify([columns, rows, Object.entries(question).sort()]);
+  return one === other || words(one) === words(other);
 }
