@@ -733,3 +733,29 @@ test("columns with names of any kind: the command asks the program for the same"
   assert.deepEqual(complaints, []);
   await close();
 });
+
+test("a folder that is dropped cannot be read, and the page says so", async () => {
+  const { page, complaints, close } = await opened(LINE);
+  await page.evaluate(() => {
+    const folder = new File([], "folder");
+    folder.arrayBuffer = () => Promise.reject(new DOMException("no file", "NotFoundError"));
+    const event = new Event("drop", { bubbles: true, cancelable: true });
+    Object.defineProperty(event, "dataTransfer", { value: { files: [folder], types: ["Files"], getData: () => "" } });
+    document.body.dispatchEvent(event);
+  });
+  await page.waitForFunction(() => /folder cannot be read/.test(document.querySelector("#edit-notice").textContent));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("numbers that are said aloud have the decimal mark of the language", async () => {
+  const { page, complaints, close } = await opened(DATA.norris);
+  await page.locator("#language").selectOption("de");
+  await page.locator('#data-plane [data-reading="3"]').focus();
+  await page.keyboard.press("Shift+ArrowUp");
+  await settled(page);
+  const words = await page.locator("#status").textContent();
+  assert.match(words, /Messung 3 wurde nach [\d,]+; [\d,]+ verschoben/);
+  assert.deepEqual(complaints, []);
+  await close();
+});

@@ -7,7 +7,7 @@ import { columnsOf, guessed, imported } from "./importing.js";
 import { movedSheet, newCells } from "./moving.js";
 import { isSameSheet, usedRows, withCell, withFitted, withQuestion, withoutRowAt } from "./sheet.js";
 import { cellText } from "../model/table.js";
-import { t } from "../texts.js";
+import { numberText, t } from "../texts.js";
 
 /** In megabytes. */
 const LARGEST_FILE = 16;
@@ -28,7 +28,7 @@ export function readingEdits({ session, store }) {
       if (at === undefined) return;
       const next = movedSheet(sheet, at, x, y, store.lesson());
       if (isSameSheet(next, sheet)) return;
-      const place = x === null ? cellText(y) : `${cellText(x)}, ${cellText(y)}`;
+      const place = [x, y].flatMap((value) => (value === null ? [] : [numberText(cellText(value))])).join("; ");
       session.edit(next, t("edit.did.move", { row, place }), key);
     },
     settle: session.settle,
@@ -87,7 +87,7 @@ export function addRow({ session }) {
 /** @param {Workbench} bench */
 export function takeExample({ session, own }) {
   const rows = EXAMPLE_CELLS.map((cells) => ({ cells, isFitted: true }));
-  session.edit(withQuestion({ ...own, rows }, { eps: EXAMPLE_BOUND }), t("edit.did.block"));
+  session.edit(withQuestion({ ...own, rows }, { eps: EXAMPLE_BOUND }), t("edit.did.example"));
 }
 
 /**
@@ -174,8 +174,11 @@ export async function applyImport(bench) {
  * @param {File} file
  */
 export async function readFile(bench, file) {
-  if (file.size <= LARGEST_FILE * 1e6) return startImport(bench, new Uint8Array(await file.arrayBuffer()), file.name);
-  bench.notice = t("edit.too-large", { file: file.name, count: LARGEST_FILE });
+  const isSmall = file.size <= LARGEST_FILE * 1e6;
+  // A folder that is dropped looks like a file, but has no content.
+  const content = isSmall ? await file.arrayBuffer().catch(() => null) : null;
+  if (content !== null) return startImport(bench, new Uint8Array(content), file.name);
+  bench.notice = t(isSmall ? "edit.unreadable" : "edit.too-large", { file: file.name, count: LARGEST_FILE });
   bench.draw();
 }
 
