@@ -759,3 +759,14 @@ test("numbers that are said aloud have the decimal mark of the language", async 
   assert.deepEqual(complaints, []);
   await close();
 });
+
+test("a bound on one side has no width", async () => {
+  const file = join(tmpdir(), `boundfit-one-sided-${process.pid}.csv`);
+  writeFileSync(file, "x,y,low,high\n1,1,0.8,1.3\n2,2,1.9,\n3,3,2.7,3.1\n");
+  const { page, complaints, close } = await opened([file, "--x", "x", "--y", "y", "--lower", "low", "--upper", "high"]);
+  await page.locator("#bounds-kind").selectOption("column");
+  await assertAsTheProgram(page);
+  assert.equal(await cell(page, 1, 2).inputValue(), "", "not 0, which would be no error at all");
+  assert.deepEqual(complaints, []);
+  await close();
+});

@@ -87,7 +87,9 @@ export function askedBy(input, sheet, lesson) {
   const text = (end) => (end === null ? "" : cellText(end));
   const known = lesson.readings.map((reading) => {
     const [lower, upper] = [boundAt(reading, "lower", ONE), boundAt(reading, "upper", ONE)];
-    return /** @type {const} */ ([reading.row, { width: cellText(reading.epsilon), lower: text(lower), upper: text(upper) }]);
+    // A bound on one side has no width.
+    const width = lower === null || upper === null ? "" : cellText(reading.epsilon);
+    return /** @type {const} */ ([reading.row, { width, lower: text(lower), upper: text(upper) }]);
   });
   return withBounds(sheet, kind, new Map(known));
 }
