@@ -770,3 +770,59 @@ test("a bound on one side has no width", async () => {
   assert.deepEqual(complaints, []);
   await close();
 });
+
+test("Enter in the last row makes one to type into, before the engine has answered", async () => {
+  const { page, complaints, close } = await opened(DATA.norris);
+  const count = await page.locator("[data-sheet-row]").count();
+  await cell(page, count - 1, 1).focus();
+  await page.keyboard.type("12.5");
+  // Both in one turn of the page: the engine is still at the first.
+  const focused = await page.evaluate(() => {
+    document.activeElement.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true, cancelable: true }));
+    return document.activeElement.dataset.cell;
+  });
+  assert.equal(focused, `${count} 0`);
+  // Nothing was switched on or off, and nothing is said of it.
+  await settled(page);
+  assert.doesNotMatch(await page.locator("#status").textContent(), /All readings/);
+  await assertAsTheProgram(page);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("what is typed and taken back leaves nothing behind", async () => {
+  const { page, complaints, close } = await opened(DATA.norris);
+  const before = await cells(page);
+  await typed(page, 0, 1, "3");
+  await cell(page, 1, 1).focus();
+  await page.keyboard.press("End");
+  await page.keyboard.type("1");
+  await page.keyboard.press("Backspace");
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Control+z");
+  await settled(page);
+  assert.deepEqual(await cells(page), before, "undo works again");
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("while the cells have a mistake, what is moved and deleted in the picture is what is shown there", async () => {
+  const { page, complaints, close } = await opened(DATA.norris);
+  await typed(page, 1, 1, "");
+  await typed(page, 1, 1, "abc");
+  assert.equal(await page.locator("#sheet-problem").count(), 1);
+  const before = await cells(page);
+  // The second reading of the picture is in the third row: the second row had no number when the picture was drawn.
+  await page.locator('#data-plane [data-reading="2"]').focus();
+  await page.keyboard.press("Shift+ArrowUp");
+  await settled(page);
+  const moved = await cells(page);
+  assert.deepEqual([moved[3], moved[4]], ["abc", before[4]]);
+  assert.notEqual(moved[5], before[5]);
+  await page.locator('#data-plane [data-reading="2"]').focus();
+  await page.keyboard.press("Delete");
+  await settled(page);
+  assert.deepEqual((await cells(page)).slice(0, 6), [...before.slice(0, 4), ...before.slice(6, 8)]);
+  assert.deepEqual(complaints, []);
+  await close();
+});

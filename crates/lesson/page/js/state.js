@@ -97,6 +97,7 @@ function carriedState(state, lesson, next) {
   const carried = (choice) =>
     choice?.kind === "point" ? { kind: choice.kind, theta: choice.theta } :
     choice?.kind === "reading" && next.rowIndex.has(choice.row) ? choice : null;
+  const without = state.without.filter((row) => next.rowIndex.has(row));
   const residual = state.residual && next.reference !== null;
   const dataFrames = [dataFrame(lesson, state.residual), dataFrame(next, residual)];
   const planeFrames = [lesson, next].map((of) => frameOf(of, state.straighten));
@@ -105,7 +106,8 @@ function carriedState(state, lesson, next) {
     mode,
     order,
     step: Math.min(state.step, next.data.orders[order]?.steps.length ?? 0),
-    without: state.without.filter((row) => next.rowIndex.has(row)),
+    // The same list is no change that is worth saying.
+    without: without.length === state.without.length ? state.without : without,
     selection: carried(state.selection),
     hover: carried(state.hover),
     layers: state.layers,

@@ -16,6 +16,21 @@ const EXAMPLE_CELLS = [["0", "0.1"], ["1", "1.9"], ["2", "3.8"], ["3", "6.3"], [
 const EXAMPLE_BOUND = "0.3";
 
 /**
+ * Where in the sheet a reading of the picture is; -1 where it is no longer there. The sheet may be ahead of the picture, and while the
+ * engine refuses it, it stays so.
+ * @param {Session} session
+ * @param {number} row the number of the reading
+ */
+function placeOfReading(session, row) {
+  const [sheet, shown] = [session.sheet(), session.right()];
+  const at = usedRows(shown)[row - 1];
+  if (at === undefined) return -1;
+  // Rows that nobody has changed are the same objects.
+  const same = sheet.rows.indexOf(shown.rows[at]);
+  return same < 0 && sheet.rows.length >= shown.rows.length ? at : same;
+}
+
+/**
  * What can be done to readings in the picture; rows are numbers of readings.
  * @param {Workbench} bench
  * @returns {ReadingEdits}
@@ -24,22 +39,22 @@ export function readingEdits({ session, store }) {
   return {
     move(row, x, y, key) {
       const sheet = session.sheet();
-      const at = usedRows(sheet)[row - 1];
-      if (at === undefined) return;
-      const next = movedSheet(sheet, at, x, y, store.lesson());
+      const at = placeOfReading(session, row);
+      if (at < 0) return;
+      const next = movedSheet(sheet, at, x, y, store.lesson(), row);
       if (isSameSheet(next, sheet)) return;
       const place = [x, y].flatMap((value) => (value === null ? [] : [numberText(cellText(value))])).join("; ");
       session.edit(next, t("edit.did.move", { row, place }), key);
     },
     settle: session.settle,
     remove(row) {
-      const at = usedRows(session.sheet())[row - 1];
-      if (at !== undefined) session.edit(withoutRowAt(session.sheet(), at), t("edit.did.delete", { row }));
+      const at = placeOfReading(session, row);
+      if (at >= 0) session.edit(withoutRowAt(session.sheet(), at), t("edit.did.delete", { row }));
     },
     add(x, y) {
       const sheet = session.sheet();
       const longer = { ...sheet, rows: [...sheet.rows, { cells: newCells(sheet), isFitted: true }] };
-      session.edit(movedSheet(longer, sheet.rows.length, x, y, store.lesson()), t("edit.did.add"));
+      session.edit(movedSheet(longer, sheet.rows.length, x, y, store.lesson(), null), t("edit.did.add"));
     },
   };
 }

@@ -29,6 +29,12 @@ export function connectControls(bench) {
     if (place !== null) bench.typing = { place, text: value };
   });
   editor.addEventListener("change", (event) => onInput(bench, targetOf(event)));
+  // Whoever comes back to what stood there before has changed nothing.
+  editor.addEventListener("focusout", (event) => {
+    if (bench.typing === null || !targetOf(event).isConnected) return;
+    bench.typing = null;
+    bench.draw();
+  });
   editor.addEventListener("focusin", (event) => onFocus(bench, event));
   editor.addEventListener("keydown", (event) => onCellKey(bench, event));
   editor.addEventListener("paste", (event) => onPaste(bench, event));

@@ -70,7 +70,7 @@ export function connectDragging(svg, store, current, edits) {
   let drags = 0;
   svg.addEventListener("pointerdown", (event) => {
     const item = closest(event, "[data-reading]");
-    if (item === null || event.button !== 0 || event.shiftKey) return;
+    if (item === null || drag !== null || event.button !== 0 || event.shiftKey) return;
     const row = Number(item.dataset.reading);
     const { selection } = store.get();
     // A finger scrolls the page unless it is on what was chosen.
@@ -116,7 +116,7 @@ export function connectDragging(svg, store, current, edits) {
     const at = placeOf(svg, event);
     const { left, top, width, height } = map.area;
     const isInside = at[0] >= left && at[0] <= left + width && at[1] >= top && at[1] <= top + height;
-    if (closest(event, "[data-reading]") !== null || !isInside) return;
+    if (closest(event, "[data-reading], [data-handle]") !== null || !isInside) return;
     const { x, y } = measuredAt(store.lesson(), store.get(), map, at, null);
     if (x !== null) edits.add(x, y);
   });

@@ -1,7 +1,6 @@
 // @ts-check
 // A reading at another place, as cells.
 
-import { usedRows } from "./sheet.js";
 import { cellText } from "../model/table.js";
 import { boundAt, readingOfRow } from "../model/lesson.js";
 import { HALF, ONE, Rational, ZERO } from "../model/rational.js";
@@ -22,11 +21,11 @@ export function newCells({ columns, rows }) {
  * @param {Rational | null} x null where it stays
  * @param {Rational} y
  * @param {Lesson} lesson
+ * @param {number | null} number which reading of the lesson it is; null for one that is not there yet
  * @returns {Sheet}
  */
-export function movedSheet(sheet, at, x, y, lesson) {
-  const row = usedRows(sheet).indexOf(at) + 1;
-  const reading = lesson.rowIndex.has(row) ? readingOfRow(lesson, row) : null;
+export function movedSheet(sheet, at, x, y, lesson, number) {
+  const reading = number !== null && lesson.rowIndex.has(number) ? readingOfRow(lesson, number) : null;
   const origin = Rational.parse(lesson.data.asked.x_origin ?? "0");
   /** @param {"lower" | "upper"} end */
   const bound = (end) => {

@@ -121,6 +121,8 @@ function drawEditor(bench) {
   const { session, isOpen, isBlank, pending } = bench;
   const sheet = session.sheet();
   const problem = session.problem();
+  // A reading that the engine refused is not waited for.
+  if (problem !== null) bench.focusOn = null;
   const editor = byId("editor");
   editor.dataset.busy = `${session.isBusy()}`;
   watchTime(bench, sheet);

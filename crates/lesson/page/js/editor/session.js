@@ -33,6 +33,8 @@ export function createSession(engine, first, firstData, { onLesson, onChange }) 
   async function ask() {
     if (isBusy) {
       isWaiting = true;
+      // What the reader has done is shown at once; of a movement there will soon be more.
+      if (key === null) onChange();
       return;
     }
     isBusy = true;
