@@ -46,6 +46,19 @@ fn sets_without_end_have_arrows() {
 }
 
 #[test]
+fn a_line_is_in_the_sets_around_it() {
+    let (status, svg, _) = plot("x,y\n1,1\n", "--eps 0.1 --sweep 0..2");
+    // Four strips have an inside, the line of the factor 0 has none. No vertex bears their factors.
+    assert_eq!((status, svg.matches("opacity=\"0.16\"").count()), (0, 4 + 2));
+    assert!(svg.contains("From inside to outside: ×0, ×0.5, ×1, ×1.5 and ×2."), "{svg}");
+    let (_, svg, _) = plot("x,y\n1,1\n", "--eps 0.1 --sweep 0..2 --figure corridor");
+    for name in ["corridor when all error bounds grow by a factor", "corridor with error bounds as given"] {
+        let note = format!("Where it has no edge, the {name} is unbounded.\n");
+        assert_eq!(svg.matches(&note).count(), 1, "{note}: {svg}");
+    }
+}
+
+#[test]
 fn corridors_are_drawn_from_the_least_factor_on() {
     let (status, svg, messages) = plot(TABLE, "--eps 1/2 --sweep 0..3 --figure corridor");
     assert_eq!((status, messages.as_str()), (0, ""));

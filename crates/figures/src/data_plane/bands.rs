@@ -85,7 +85,7 @@ impl Bands {
     ) -> Self {
         let band = |(polyhedron, is_given): (&Polyhedron, bool)| {
             let (name, edge) = match is_given {
-                true => ("with error bounds as given", nested::GIVEN),
+                true => ("corridor with error bounds as given", nested::GIVEN),
                 false => ("corridor when all error bounds grow by a factor", nested::EDGE),
             };
             let shape = of_set(scene, polyhedron)?;
@@ -189,9 +189,13 @@ impl Bands {
             }
             BandShape::Rows(rows) => rows.iter().any(|row| row.lower.is_none() || row.upper.is_none()),
         };
-        let note = |band: &Band| format!("Where it has no edge, the {} is unbounded.", band.name);
-        let mut notes: Vec<String> = self.0.iter().filter(unbounded).map(note).collect();
-        notes.dedup();
+        let mut notes: Vec<String> = Vec::new();
+        for band in self.0.iter().filter(unbounded) {
+            let note = format!("Where it has no edge, the {} is unbounded.", band.name);
+            if !notes.contains(&note) {
+                notes.push(note);
+            }
+        }
         notes
     }
 }

@@ -12,8 +12,8 @@ mod several;
 mod view;
 
 use boundfit_estimation::{ErrorBound, Family, Fit, Problem};
-use boundfit_exact::english::{counted, listed};
-use boundfit_exact::{Rational, Rounding};
+use boundfit_exact::Rational;
+use boundfit_exact::english::counted;
 
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::figure::{Figure, PlotOptions};
@@ -52,8 +52,7 @@ pub(crate) fn nested(
     let scene = Scene::new(problem, fit, Figure::Corridor, options);
     let bands = Bands::nested(&scene, sets.iter().map(|own| (&own.set, own.factor == Rational::one())));
     let mut notes = notes(&scene, &bands);
-    let factors = sets.iter().map(|own| nested::shown("×", &own.factor, Rounding::Nearest));
-    notes.push(format!("From inside to outside: {}.", listed(&factors.collect::<Vec<_>>())));
+    notes.push(nested::in_order(&sets));
     notes.extend(nested::nothing_below(family));
     let title = match first.factor == last.factor {
         true => "Corridor under a multiple of all error bounds",

@@ -1,8 +1,9 @@
 //! The feasible sets under growing error bounds, one in another.
 
 use boundfit_estimation::{Family, Problem, Section};
+use boundfit_exact::english::listed;
 use boundfit_exact::{Rational, Rounding};
-use boundfit_geometry::{Generator, Generators, Inequality, Point, Polyhedron};
+use boundfit_geometry::{Generator, Generators, Inequality, Point, Polyhedron, RegionKind};
 
 use super::layout::{finished, main_frame, panel};
 use super::{marks, region, view};
@@ -41,7 +42,7 @@ pub(crate) fn drawing(problem: &Problem, family: &Family, options: &PlotOptions)
         region::draw(&mut panel, &nested.set, FILL, if is_given { GIVEN } else { EDGE });
         marks::draw_vertices(&mut panel, nested.set.region(), false);
     }
-    sets.iter().for_each(|nested| name(&mut panel, nested));
+    let named = sets.iter().filter(|nested| name(&mut panel, nested)).count();
     let mut legend = vec![LegendEntry::new(
         Swatch::area(FILL, EDGE),
         "feasible parameters when all error bounds grow by this factor",
@@ -49,7 +50,11 @@ pub(crate) fn drawing(problem: &Problem, family: &Family, options: &PlotOptions)
     if sets.iter().any(|nested| nested.factor == Rational::one()) {
         legend.push(LegendEntry::new(Swatch::area(FILL, GIVEN), "with error bounds as given"));
     }
-    let mut notes: Vec<String> = nothing_below(family).into_iter().collect();
+    let mut notes: Vec<String> = Vec::new();
+    if named < sets.len() {
+        notes.push(in_order(&sets));
+    }
+    notes.extend(nothing_below(family));
     if sets.iter().any(|nested| !nested.set.region().is_bounded()) {
         notes.push("Arrows: the set goes on without end.".to_owned());
     }
@@ -61,6 +66,12 @@ pub(crate) fn drawing(problem: &Problem, family: &Family, options: &PlotOptions)
 pub(crate) fn nothing_below(family: &Family) -> Option<String> {
     let least = family.least().filter(|least| least.is_positive())?;
     Some(format!("Below the factor {} nothing is left.", shown("", least, Rounding::Up)))
+}
+
+/// The factors of sets, each of which is in the next one.
+pub(crate) fn in_order(sets: &[Nested]) -> String {
+    let factors = sets.iter().map(|own| shown("×", &own.factor, Rounding::Nearest));
+    format!("From inside to outside: {}.", listed(&factors.collect::<Vec<_>>()))
 }
 
 /// The sets to be drawn, from the smallest factor on.
@@ -86,26 +97,34 @@ pub(crate) fn sets(family: &Family) -> Vec<Nested> {
 /// The set of a section: of its vertices and rays, and without a vertex of its boundaries.
 fn polyhedron(section: &Section) -> Polyhedron {
     if section.vertices.is_empty() {
-        let half_planes = section.boundaries.iter().map(|boundary| {
+        let below = section.boundaries.iter().map(|boundary| {
             let [a1, a2] =
                 [boundary.normal.dx(), boundary.normal.dy()].map(|part| Rational::from(part.clone()));
             Inequality::new(a1, a2, boundary.offset.clone())
         });
-        return Polyhedron::intersect(half_planes.collect());
+        let below: Vec<Inequality> = below.collect();
+        // A line is the boundary of the half-planes on both of its sides.
+        let is_line = section.kind == RegionKind::Line;
+        let other_sides: Vec<Inequality> = below
+            .iter()
+            .filter(|_| is_line)
+            .map(|own| Inequality { a: own.a.each_ref().map(|a| -a), b: -&own.b })
+            .collect();
+        return Polyhedron::intersect(below.into_iter().chain(other_sides).collect());
     }
     let points = section.vertices.iter().map(|vertex| Point::new(&vertex.theta[0], &vertex.theta[1]));
     let rays = section.rays.iter().cloned().map(Generator::Ray);
     points.map(Generator::Point).chain(rays).collect::<Generators>().polyhedron()
 }
 
-/// Writes the factor at the highest vertex.
-fn name(panel: &mut Panel, nested: &Nested) {
+/// Writes the factor at the highest vertex; gives whether there is one to be seen.
+fn name(panel: &mut Panel, nested: &Nested) -> bool {
     let places = region::places(panel, nested.set.region());
     let shows = |place: &[f64; 2]| place.iter().all(|coordinate| (0.0..=1.0).contains(coordinate));
     let highest = places.into_iter().filter(shows).max_by(|one, other| one[1].total_cmp(&other[1]));
-    if let Some(at) = highest {
-        panel.text(at, shown("×", &nested.factor, Rounding::Nearest), Anchor { across: 0.4, up: 1.0 }, INK);
-    }
+    let Some(at) = highest else { return false };
+    panel.text(at, shown("×", &nested.factor, Rounding::Nearest), Anchor { across: 0.4, up: 1.0 }, INK);
+    true
 }
 
 /// A factor behind a sign, and another sign where digits are left out.
