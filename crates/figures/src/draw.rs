@@ -85,7 +85,8 @@ pub fn draw_sweep_of_corridors(
 }
 
 /// Draws several fits in one panel, in colours and dashes that differ: more than [`crate::MOST_COMPARED`] begin again with the first ones.
-/// The legend names each, an empty one as well. Cost: linear in the readings.
+/// The legend names each, an empty one as well. Units that the options leave out are those that each file states. Cost: linear in the
+/// readings.
 ///
 /// # Errors
 /// Only when a library underneath fails.

@@ -3,7 +3,8 @@
 use boundfit_exact::Foreign;
 use boundfit_exact::english::counted;
 
-use crate::drawing::{Drawing, Frame};
+use crate::axis::Axis;
+use crate::drawing::{Drawing, Frame, Panel};
 use crate::figure::PlotOptions;
 use crate::page::Page;
 use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
@@ -21,6 +22,9 @@ const RIGHT: f64 = 22.0;
 const GAPS: [f64; 2] = [22.0, 38.0];
 /// Panels that are narrower stand below each other.
 const NARROWEST: f64 = 95.0;
+/// About as wide as a letter of a scale is, and the beginning of a name.
+const LETTER: f64 = 6.5;
+const NAME: f64 = 34.0;
 /// The height of a panel in parts of its width, and the highest.
 const HIGH: f64 = 0.78;
 const HIGHEST: f64 = 250.0;
@@ -35,11 +39,18 @@ pub(crate) fn drawing(
 ) -> Drawing {
     let groups = groups.get(..MOST_PANELS).unwrap_or(groups);
     let page = Page::of(options);
-    let columns = columns(groups.len(), page);
-    let frames = frames(groups.len(), columns, page);
-    let (mut panels, legend, mut notes) = match what {
-        Compared::Sets => parameter_plane::panels(groups, &frames, options),
-        Compared::Readings => data_plane::panels(groups, &frames, options),
+    let mut columns = columns(groups.len(), page);
+    let (frames, (mut panels, legend, mut notes)) = loop {
+        let frames = frames(groups.len(), columns, page);
+        let parts = match what {
+            Compared::Sets => parameter_plane::panels(groups, &frames, options),
+            Compared::Readings => data_plane::panels(groups, &frames, options),
+        };
+        // The axes of all panels are the same.
+        if columns == 1 || parts.0.first().is_none_or(has_room_for_scales) {
+            break (frames, parts);
+        }
+        columns -= 1;
     };
     for (index, panel) in panels.iter_mut().enumerate() {
         panel.labelled = [index + columns >= groups.len(), index % columns == 0];
@@ -71,6 +82,14 @@ pub(crate) fn drawing(
         legend,
         notes,
     }
+}
+
+/// Whether a panel is wide enough for what its ticks are to be multiplied with and moved by, and for some of the name beside that.
+fn has_room_for_scales(panel: &Panel) -> bool {
+    let width = |axis: &Axis| LETTER * axis.scale().chars().count() as f64;
+    let [horizontal, vertical] = panel.axes.each_ref().map(width);
+    let name = if panel.axes[0].name.is_empty() { 0.0 } else { NAME };
+    horizontal + name <= panel.frame.width && vertical <= panel.frame.width
 }
 
 /// How many panels stand side by side.

@@ -78,10 +78,18 @@ impl Series<'_> {
     }
 }
 
+/// How to draw one of several fits: with the units that its own file states, where none are asked for.
+pub(crate) fn own_options(problem: &Problem, options: &PlotOptions) -> PlotOptions {
+    let [x, y] = problem.measurements.plane_units();
+    let stated = |asked: &Option<Foreign>, stated: Option<&Foreign>| asked.clone().or(stated.cloned());
+    PlotOptions { x_unit: stated(&options.x_unit, x), y_unit: stated(&options.y_unit, y), ..options.clone() }
+}
+
 /// What is the same for all fits, of model, bound and rows.
 pub(crate) fn subtitle(series: &[Series], options: &PlotOptions) -> String {
-    let parts: [&dyn Fn(&Problem) -> String; 2] =
-        [&|problem| labels::model(problem), &|problem| labels::bound(problem, options)];
+    let parts: [&dyn Fn(&Problem) -> String; 2] = [&|problem| labels::model(problem), &|problem| {
+        labels::bound(problem, &own_options(problem, options))
+    }];
     let parts = parts.into_iter().filter_map(|part| {
         let mut all = series.iter().map(|own| part(own.problem));
         let first = all.next()?;
@@ -91,10 +99,14 @@ pub(crate) fn subtitle(series: &[Series], options: &PlotOptions) -> String {
 }
 
 /// What axes are called: the name that all fits give them, or their names one after the other.
-pub(crate) fn axis_name(series: &[Series], name: impl Fn(&Problem) -> String) -> String {
+pub(crate) fn axis_name(
+    series: &[Series],
+    options: &PlotOptions,
+    name: impl Fn(&Problem, &PlotOptions) -> String,
+) -> String {
     let mut names: Vec<String> = Vec::new();
     for own in series {
-        let name = name(own.problem);
+        let name = name(own.problem, &own_options(own.problem, options));
         if !names.contains(&name) {
             names.push(name);
         }

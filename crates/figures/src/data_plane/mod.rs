@@ -185,16 +185,20 @@ fn description(scene: &Scene, notes: &[String]) -> String {
     sentences.join(" ")
 }
 
-fn legend(scene: &Scene, bands: &Bands) -> Vec<LegendEntry> {
-    let mut entries = Vec::new();
-    let bound = match scene.problem.measurements.error_bound() {
+/// What the bar of a reading shows.
+fn bar_name(problem: &Problem) -> &'static str {
+    match problem.measurements.error_bound() {
         ErrorBound::Uniform(epsilon) if epsilon.is_zero() => "reading (ε = 0)",
         ErrorBound::Interval { .. } => "bounds of a reading",
         _ => "reading ± ε",
-    };
+    }
+}
+
+fn legend(scene: &Scene, bands: &Bands) -> Vec<LegendEntry> {
+    let mut entries = Vec::new();
     let dense = scene.is_dense();
     let (bar, mark) = readings::style_of_fitted(dense);
-    entries.push(LegendEntry::new(Swatch::bar(bar, mark), bound));
+    entries.push(LegendEntry::new(Swatch::bar(bar, mark), bar_name(scene.problem)));
     let all = "from the lowest to the highest reading, with ε";
     entries.push(LegendEntry::new(Swatch::inside(style::ALL_READINGS), all));
     entries.extend(density::legend());

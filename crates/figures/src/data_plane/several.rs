@@ -46,14 +46,15 @@ pub(crate) fn several(all: &[Series], options: &PlotOptions) -> Drawing {
     // Wide bars first, or they would cover narrow ones at the same x.
     let mut order: Vec<usize> = (0..all.len()).collect();
     order.sort_by_key(|&index| std::cmp::Reverse(widest(all[index].problem)));
-    // One file under several bounds has one line, and bars on bars.
+    // One file under several bounds has one line and one kind of marks, and bars on bars.
     let is_one = all.windows(2).all(|pair| are_same(pair[0].problem, pair[1].problem));
+    let radius = styles.iter().map(|style| style.mark.radius).fold(0.0, f64::max);
     for (rank, &index) in order.iter().enumerate() {
         if is_one {
             let own = &mut styles[index];
             own.bar.width += rank as f64 * BAR_ON_BAR;
             // The readings and the line are those of all bounds.
-            own.mark = Mark { colour: INK, shape: Shape::Disc, ..own.mark };
+            own.mark = Mark::new(Shape::Disc, radius, INK);
             own.line = Stroke::new(INK, 1.6, Dash::Solid);
         }
         draw_readings(&mut panel, all[index].problem, step, &styles[index]);
@@ -101,7 +102,10 @@ pub(crate) fn panels(
     });
     let panels = panels.collect();
     let legend = vec![
-        LegendEntry::new(Swatch::bar(style.bar, style.mark), "reading ± ε"),
+        LegendEntry::new(
+            Swatch::bar(style.bar, style.mark),
+            all.first().map_or("reading", |own| super::bar_name(own.problem)),
+        ),
         LegendEntry::new(Swatch::line(style.line), "least-squares line"),
     ];
     let mut notes: Vec<String> = thinned(count, step).into_iter().collect();
@@ -169,8 +173,8 @@ fn axes(all: &[Series], frame: Frame, options: &PlotOptions) -> [Axis; 2] {
         let steps = if is_along { frame.width / 62.0 } else { frame.height / 33.0 };
         steps.max(2.0) as usize
     };
-    let x = series::axis_name(all, |problem| labels::abscissa(problem, options));
-    let y = series::axis_name(all, |problem| labels::response(problem, options));
+    let x = series::axis_name(all, options, labels::abscissa);
+    let y = series::axis_name(all, options, labels::response);
     let is_counted = all.iter().any(|own| !is_line(own.problem)) && &right - &left > Rational::one();
     let axis = if is_counted { Axis::counting } else { Axis::new };
     [axis(x, &left, &right, most(!options.flip)), Axis::new(y, &bottom, &top, most(options.flip))]

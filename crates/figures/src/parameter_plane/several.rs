@@ -56,7 +56,9 @@ pub(crate) fn several(all: &[Series], options: &PlotOptions) -> Drawing {
 
 /// The names of both axes.
 fn names(all: &[Series], options: &PlotOptions) -> [String; 2] {
-    [0, 1].map(|j| series::axis_name(all, |problem| labels::axes_of_parameters(problem, options)[j].clone()))
+    [0, 1].map(|j| {
+        series::axis_name(all, options, |problem, own| labels::axes_of_parameters(problem, own)[j].clone())
+    })
 }
 
 /// Its place where the set is too small to be seen, or is one point: the central estimate.
@@ -73,6 +75,7 @@ fn mark_set(panel: &mut Panel, own: &Series, look: SeriesLook) {
 /// A line of the legend, also for a set that is empty.
 fn entry(own: &Series, look: SeriesLook) -> LegendEntry {
     let swatch = match own.fit.fps.polyhedron().region().kind() {
+        RegionKind::Point => Swatch::mark(look.mark),
         RegionKind::Empty => Swatch::area(crate::palette::Fill { opacity: 0.0, ..look.fill() }, look.edge),
         RegionKind::Segment | RegionKind::Ray | RegionKind::Line => Swatch::line(look.edge),
         _ => Swatch::area(look.fill(), look.edge),

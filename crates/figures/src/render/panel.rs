@@ -60,7 +60,7 @@ pub(super) fn texts(brush: &Brush, panel: &Panel, frame: Frame) -> CanvasResult<
     let text = brush.fitted(&panel.heading, NAME_SIZE, width)?;
     let heading_width = brush.text_width(&text, NAME_SIZE)?;
     let free = (width - heading_width) / 2.0;
-    let raised = if free < scale_width + APART { 15.0 } else { 0.0 };
+    let raised = if scale_width > 0.0 && free < scale_width + APART { 15.0 } else { 0.0 };
     let at = [left + width / 2.0, top - ABOVE - raised];
     texts.push(written(at, text, (NAME_SIZE, INK), Align::Middle));
     let above = [([left, top - ABOVE], scale_width), ([left + free, top - ABOVE - raised], heading_width)];
@@ -113,7 +113,8 @@ pub(super) fn pixel([x, y]: Place, frame: Frame) -> Pixel {
 fn name_below(brush: &Brush, axis: &Axis, frame: Frame) -> CanvasResult<[Written; 2]> {
     let Frame { left, top, width, height } = frame;
     let below = top + height + BOTTOM_LABELS - 8.5;
-    let scale = brush.fitted(axis.scale(), LABEL_SIZE, 0.7 * width)?;
+    // Without its scale an axis would be wrong; of its name some is enough.
+    let scale = brush.fitted(axis.scale(), LABEL_SIZE, width)?;
     let scale_width = if scale.is_empty() { 0.0 } else { brush.text_width(&scale, LABEL_SIZE)? + APART };
     let scale = written([left + width, below], scale, (LABEL_SIZE, FAINT_INK), Align::End);
     let name = brush.fitted(&axis.name, NAME_SIZE, width - scale_width)?;

@@ -193,6 +193,7 @@ fn what_is_not_drawn_of_several_is_refused() {
             "north.csv south.csv far.csv --x t --y 2 --eps 2 --eps 3 --eps 4",
             "9 fits are too many to be told apart in one panel (expected at most 6 files, error bounds, or pairs of them)",
         ),
+        ("- - --x t --y 2 --eps 2", "'-' is standard input, which is read once, and it is given twice"),
         ("north.csv none.csv --x t --y 2 --eps 2", "none.csv: cannot read"),
         ("cells.csv --x t --y U --eps 2 --by no", "there is no column \"no\""),
     ] {
@@ -201,4 +202,108 @@ fn what_is_not_drawn_of_several_is_refused() {
         assert!(matches!(output.status.code(), Some(1 | 2)) && output.stdout.is_empty(), "{words}");
         assert!(message.contains(problem), "{words}: {message}");
     }
+}
+
+#[test]
+fn units_of_files_are_their_own() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, header) in
+        [("volts.csv", "x [V],y [m]"), ("millivolts.csv", "x [mV],y [mm]"), ("also.csv", "x [V],y [m]")]
+    {
+        fs::write(folder.path().join(name), format!("{header}\n0,0\n1,1\n2,2.5\n")).unwrap();
+    }
+    for (words, named, unnamed) in [
+        (
+            "volts.csv millivolts.csv --x 1 --y 2 --eps 1",
+            &["θ₁ [m/V], θ₁ [mm/mV]", "θ₂ [m], θ₂ [mm]"][..],
+            &["|e|"][..],
+        ),
+        (
+            "volts.csv millivolts.csv --x 1 --y 2 --eps 1 --figure data",
+            &["x [V], x [mV]\n", "y [m], y [mm]\n"],
+            &["|e|", "[mV] [V]", "[mm] [m]"],
+        ),
+        ("volts.csv also.csv --x 1 --y 2 --eps 1", &["θ₁ [m/V]\n", "|e| ≤ 1 m\n"], &[]),
+        (
+            "volts.csv millivolts.csv --x 1 --y 2 --eps 1 --x-unit s --y-unit K",
+            &["θ₁ [K/s]\n", "|e| ≤ 1 K\n"],
+            &[],
+        ),
+    ] {
+        let text = svg(&line(&folder, &format!("{words} --real-text")), 0);
+        assert!(named.iter().all(|expected| text.contains(expected)), "{words}: {text}");
+        assert!(!unnamed.iter().any(|other| text.contains(other)), "{words}: {text}");
+    }
+}
+
+#[test]
+fn files_of_one_name_are_told_apart_by_their_folders() {
+    let folder = tempfile::tempdir().unwrap();
+    let deep = folder.path().join("a-folder-with-a-name-that-is-longer-than-what-a-legend-has-room-for");
+    for run in ["first", "second"] {
+        fs::create_dir_all(deep.join(run)).unwrap();
+        fs::write(deep.join(run).join("log.csv"), "x,y\n0,0\n1,1\n2,2.5\n").unwrap();
+    }
+    let path = |run: &str| deep.join(run).join("log.csv").display().to_string();
+    let text = svg(&format!("{} {} --x x --y y --eps 1", path("first"), path("second")), 0);
+    let said = description(&text).replace('\\', "/");
+    assert!(said.contains("first/log.csv: polygon") && said.contains("second/log.csv: polygon"), "{said}");
+    assert!(!said.contains("a-folder"), "{said}");
+}
+
+/// The height at which each of some texts stands.
+fn heights(text: &str, part: &str) -> Vec<String> {
+    let tags = text
+        .split("<text ")
+        .skip(1)
+        .filter(|tag| tag.split_once('>').is_some_and(|(_, said)| said.trim_start().starts_with(part)));
+    tags.map(|tag| tag.split_once("y=\"").unwrap().1.split_once('"').unwrap().0.to_owned()).collect()
+}
+
+#[test]
+fn long_names_of_groups_stand_as_close_above_their_panels_as_short_ones() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = |name: &str| {
+        let rows: String =
+            (0..12).map(|row| format!("{},{},{name}{}\n", row % 3, row % 3, row / 3)).collect();
+        fs::write(folder.path().join("groups.csv"), format!("x,y,g\n{rows}")).unwrap();
+        let words = "groups.csv --x x --y y --eps 1 --by g --size 85mm --font-size 8pt --real-text";
+        let text = svg(&line(&folder, words), 0);
+        heights(&text, &name[..4])
+    };
+    let long = table("name of a sensor that a panel has no room for ");
+    assert_eq!((long.len(), long), (4, table("name")));
+}
+
+#[test]
+fn panels_are_as_wide_as_the_scales_of_their_axes() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows: String = (0..28)
+        .map(|row| format!("1000000.{:04},{}e-5,g{}\n", row % 4 * 7, row % 4 + row / 4, row / 4))
+        .collect();
+    fs::write(folder.path().join("groups.csv"), format!("x,y,g\n{rows}")).unwrap();
+    for (more, panels) in
+        [("", 7), (" --size 60mm --font-size 6pt", 7), (" --size 60mm --font-size 6pt --flip", 7)]
+    {
+        let words = format!("groups.csv --x x --y y --eps 1e-5 --by g --figure data --real-text{more}");
+        let text = svg(&line(&folder, &words), 0);
+        assert_eq!(heights(&text, "g").len(), panels, "{words}");
+        assert!(text.contains("+ 1000000\n"), "{words}");
+        let is_cut = |part: &str| part.contains('…') && (part.contains('×') || part.contains("+ 1"));
+        assert!(!text.split('<').any(is_cut), "{words}");
+        assert_labels_have_room(&text, &words);
+    }
+}
+
+#[test]
+fn bars_and_points_are_called_what_they_are() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows: String =
+        (0..8).map(|row| format!("{row},{row},{},{},g{}\n", row - 1, row + 1, row / 4)).collect();
+    fs::write(folder.path().join("groups.csv"), format!("x,y,low,high,g\n{rows}")).unwrap();
+    let drawn = |words: &str| svg(&line(&folder, &format!("groups.csv --x x --y y {words} --real-text")), 0);
+    assert!(drawn("--lower low --upper high --by g --figure data").contains("bounds of a reading\n"));
+    assert!(drawn("--eps 0 --by g --figure data").contains("reading (ε = 0)\n"));
+    // The legend of one point has no area.
+    assert!(!drawn("--eps 0 --eps min").contains("opacity=\"0.14\""));
 }

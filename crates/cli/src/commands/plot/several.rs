@@ -1,12 +1,15 @@
 //! Several fits in one picture: of several files or error bounds in one panel, of groups of rows in one each.
 
-use std::path::Path;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
 
 use boundfit_estimation::{Fit, Problem};
 use boundfit_exact::Foreign;
-use boundfit_figures::{Compared, Figure, MOST_COMPARED, MOST_PANELS, Series, draw_compared, draw_groups};
+use boundfit_figures::{
+    Compared, Figure, MOST_COMPARED, MOST_PANELS, PlotOptions, Series, draw_compared, draw_groups,
+};
 
-use super::{Job, options};
+use super::{Job, plain_options};
 use crate::CommandResult;
 use crate::arguments::{DataArguments, Figures, PlotArguments};
 use crate::commands::fleet;
@@ -36,6 +39,11 @@ pub(super) fn asked(arguments: &PlotArguments) -> Result<Option<Several>, Failur
         (None, 1, _) => "several '--eps' are drawn in one panel",
         (None, ..) => "several files are drawn in one panel",
     };
+    if arguments.files().filter(|file| *file == "-").count() > 1 {
+        return Err(Failure::Usage(
+            "'-' is standard input, which is read once, and it is given twice".to_owned(),
+        ));
+    }
     if arguments.x_errors.are_asked()? || arguments.factors()?.is_some() {
         return Err(Failure::Usage(format!("{subject}, without '--x-eps', '--x-eps-column' and '--sweep'")));
     }
@@ -76,6 +84,12 @@ fn series(all: &[Named]) -> Vec<Series<'_>> {
         .collect()
 }
 
+/// How to draw; units that no option states are those of each file.
+fn options(arguments: &PlotArguments) -> PlotOptions {
+    let labels = &arguments.labels;
+    plain_options(arguments, [labels.x_unit.clone(), labels.y_unit.clone()])
+}
+
 /// The status of several fits.
 fn status(all: &[Named]) -> Exit {
     if all.iter().any(|own| own.fit.is_empty()) { Exit::Empty } else { Exit::Answer }
@@ -89,8 +103,7 @@ fn run_compared(job: &Job, what: Compared) -> CommandResult {
         let fit = while_working("fitting", || problem.fit());
         all.push(Named { name, problem, fit });
     }
-    let Some(first) = all.first() else { return Ok(Exit::Answer) };
-    let options = options(job.arguments, &first.problem);
+    let options = options(job.arguments);
     let series = series(&all);
     job.write(while_working("drawing", || draw_compared(&series, what, &options)))?;
     Ok(status(&all))
@@ -99,15 +112,9 @@ fn run_compared(job: &Job, what: Compared) -> CommandResult {
 /// The fits that are compared: each file under each bound, with what tells it from the others.
 fn parts(arguments: &PlotArguments) -> Vec<(String, DataArguments)> {
     let files: Vec<&str> = arguments.files().collect();
-    let stem = |file: &str| Path::new(file).file_stem().and_then(|stem| stem.to_str()).map(str::to_owned);
-    let mut stems: Vec<Option<String>> = files.iter().map(|file| stem(file)).collect();
-    stems.sort();
-    stems.dedup();
-    let short = stems.len() == files.len();
     let bounds = arguments.data.bounds();
     let mut parts = Vec::new();
-    for file in &files {
-        let name = stem(file).filter(|_| short).unwrap_or_else(|| (*file).to_owned());
+    for (file, name) in files.iter().zip(names(&files)) {
         if bounds.len() < 2 {
             parts.push((name.clone(), arguments.data.with(file, None)));
             continue;
@@ -119,6 +126,29 @@ fn parts(arguments: &PlotArguments) -> Vec<(String, DataArguments)> {
         }
     }
     parts
+}
+
+/// What files are called: by their names alone where these differ, else by their paths, but for the folders that all are in.
+fn names(files: &[&str]) -> Vec<String> {
+    let stem = |file: &&str| Path::new(file).file_stem().and_then(|stem| stem.to_str()).map(str::to_owned);
+    let stems: Vec<Option<String>> = files.iter().map(stem).collect();
+    if stems.iter().collect::<BTreeSet<_>>().len() == files.len() {
+        return files
+            .iter()
+            .zip(stems)
+            .map(|(file, stem)| stem.unwrap_or_else(|| (*file).to_owned()))
+            .collect();
+    }
+    let folders = |file: &&str| Path::new(*file).parent().map_or(0, |folder| folder.components().count());
+    let most = files.iter().map(folders).min().unwrap_or_default();
+    let is_shared = |depth: &usize| {
+        let parts = files.iter().map(|file| Path::new(file).components().nth(*depth));
+        parts.collect::<BTreeSet<_>>().len() == 1
+    };
+    let shared = (0..most).take_while(is_shared).count();
+    let rest =
+        |file: &&str| Path::new(*file).components().skip(shared).collect::<PathBuf>().display().to_string();
+    files.iter().map(rest).collect()
 }
 
 fn run_groups(job: &Job, what: Compared) -> CommandResult {
@@ -137,11 +167,11 @@ fn run_groups(job: &Job, what: Compared) -> CommandResult {
         let fit = while_working("fitting", || problem.fit());
         all.push(Named { name: fleet.key(group).raw().to_owned(), problem, fit });
     }
-    let Some(first) = all.first() else {
+    if all.is_empty() {
         let name = job.arguments.data.file_name();
         return Err(Failure::data(format_args!("{name}: there are no groups to draw")));
-    };
-    let options = options(job.arguments, &first.problem);
+    }
+    let options = options(job.arguments);
     let series = series(&all);
     let by = by.text();
     job.write(while_working("drawing", || draw_groups(&series, by, fleet.len(), what, &options)))?;
