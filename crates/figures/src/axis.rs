@@ -12,6 +12,8 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, Value
 const DIGITS_WORTH_AN_OFFSET: usize = 4;
 /// Tick labels have no power of ten taken out when they need at most this many decimals.
 const MOST_DECIMALS: i64 = 4;
+/// So many views away are numbers that are farther: a float has no product of theirs, and lines to infinity have no direction.
+const FARTHEST: f64 = 1e100;
 
 /// A mark on an axis.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,11 +81,12 @@ impl Axis {
         Axis::of_grid(name, lower.clone(), upper, TickGrid::new(lower, upper, most))
     }
 
-    /// Where a number falls: 0 at the lower end of the view, 1 at the upper one. Rounded once.
+    /// Where a number falls: 0 at the lower end of the view, 1 at the upper one. Rounded once; at most [`FARTHEST`] away.
     pub(crate) fn fraction(&self, value: &Rational) -> f64 {
         let (numerator, denominator) = (value.numerator(), value.denominator());
         let above = &numerator * &self.terms[0] - &denominator * &self.terms[1];
-        Fraction::new(above, denominator * &self.terms[2]).map_or(0.0, |fraction| fraction.to_f64())
+        let fraction = Fraction::new(above, denominator * &self.terms[2]).map_or(0.0, |own| own.to_f64());
+        fraction.clamp(-FARTHEST, FARTHEST)
     }
 
     /// The lower end.
@@ -315,6 +318,13 @@ mod tests {
         // Exact before it is a float: a third of a width that binary64 cannot see beside a million.
         let third = &lower + &width * Rational::ratio(1, 3);
         assert_eq!(narrow.fraction(&third), 1.0 / 3.0);
+    }
+
+    #[test]
+    fn no_number_is_infinitely_far_from_a_view() {
+        let narrow = axis(Rational::zero(), Rational::scientific(1, -400), 5);
+        assert_eq!(narrow.fraction(&Rational::one()), FARTHEST);
+        assert_eq!(narrow.fraction(&Rational::from(-1)), -FARTHEST);
     }
 
     #[test]

@@ -28,6 +28,13 @@ pub(crate) fn unit(text: &Option<Foreign>) -> Option<String> {
     text.as_ref().map(|text| one_line(text, LONGEST_NAME)).filter(|unit| !unit.is_empty())
 }
 
+/// Options for the names in a description: of an axis without a name, what it would be called.
+pub(crate) fn described(options: &PlotOptions) -> PlotOptions {
+    let named =
+        |label: &Option<Foreign>| label.clone().filter(|label| !one_line(label, LONGEST_LABEL).is_empty());
+    PlotOptions { x_label: named(&options.x_label), y_label: named(&options.y_label), ..options.clone() }
+}
+
 /// The name of the abscissa of figures of the data plane: x, or the number of the row.
 pub(crate) fn abscissa(problem: &Problem, options: &PlotOptions) -> String {
     if let Some(label) = &options.x_label {

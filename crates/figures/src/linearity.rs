@@ -10,7 +10,7 @@ use crate::draw::finished;
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::extent::Extent;
 use crate::figure::PlotOptions;
-use crate::labels::{LONGEST_NAME, asked_for, number, unit, with_unit};
+use crate::labels::{LONGEST_NAME, asked_for, described, number, unit, with_unit};
 use crate::page::Page;
 use crate::palette::{BLUE, Dash, FAINT_INK, Fill, GREEN, INK, Mark, PURPLE, SKY, Shape, Stroke, VERMILLION};
 use crate::picture::{FigureError, Picture};
@@ -98,11 +98,12 @@ impl Sheet<'_> {
             None => "Linearity: deviation from the best straight line".to_owned(),
         };
         let notes = vec![self.other_methods()];
+        let names = asked_for(&described(self.options), [self.abscissa(), self.ordinate()]);
         Drawing {
             description: format!(
                 "{title}. Horizontal axis: {}. Vertical axis: {}. {}",
-                self.abscissa(),
-                self.ordinate(),
+                names[0],
+                names[1],
                 notes.join(" ")
             ),
             title,

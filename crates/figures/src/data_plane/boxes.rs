@@ -88,8 +88,9 @@ pub(crate) fn boxes(problem: &XErrorProblem, answer: &XErrorFit, options: &PlotO
     } else {
         "Readings with errors in x, and the lines that agree with all of them"
     };
+    let named = labels::described(options);
     let [across, up] =
-        [labels::abscissa(problem.problem(), options), labels::response(problem.problem(), options)];
+        [labels::abscissa(problem.problem(), &named), labels::response(problem.problem(), &named)];
     Drawing {
         title: title.to_owned(),
         subtitle: labels::subtitle(problem.problem(), options),

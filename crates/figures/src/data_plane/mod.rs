@@ -169,6 +169,7 @@ fn title_of_empty(scene: &Scene) -> String {
 
 fn description(scene: &Scene, notes: &[String]) -> String {
     let Scene { problem, options, .. } = scene;
+    let options = &labels::described(options);
     let [up, across] = [labels::response(problem, options), labels::abscissa(problem, options)];
     let mut sentences = vec![format!("First panel: {up} against {across}.")];
     if let Some(reference) = &scene.reference {

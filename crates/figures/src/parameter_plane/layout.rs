@@ -58,7 +58,7 @@ pub(super) fn finished(
     legend: Vec<LegendEntry>,
     notes: Vec<String>,
 ) -> Drawing {
-    let axes = described_axes(&labels::parameters(problem, options));
+    let axes = described_axes(&labels::axes_of_parameters(problem, &labels::described(options)));
     let bottoms = panels.iter().map(|panel| panel.frame.top + panel.frame.height);
     let bottom = bottoms.fold(0.0, f64::max);
     Drawing {

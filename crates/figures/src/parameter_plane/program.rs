@@ -44,7 +44,7 @@ pub(crate) fn region(
     finished(
         one_line(title, 90),
         format!("set: {}", kind.name()),
-        &names,
+        &labels::asked_for(&labels::described(options), names),
         panel,
         vec![LegendEntry::new(set, "set")],
         (note, true),
@@ -99,6 +99,7 @@ pub(crate) fn drawing(
         Support::Empty(_) => ("No point is feasible.", true),
     };
     let subtitle = format!("feasible set: {}", polyhedron.region().kind().name());
+    let names = labels::asked_for(&labels::described(options), names);
     finished(one_line(title, 90), subtitle, &names, panel, legend, (note, is_shown))
 }
 

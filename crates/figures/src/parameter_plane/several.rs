@@ -36,12 +36,13 @@ pub(crate) fn several(all: &[Series], options: &PlotOptions) -> Drawing {
     }
     notes.extend(without_end(all));
     let title = "Feasible parameter sets, compared".to_owned();
+    let described = self::names(all, &labels::described(options));
     let told: Vec<String> = all.iter().map(told).collect();
     Drawing {
         description: format!(
             "{title}. Horizontal axis: {}. Vertical axis: {}. {}. {}",
-            names[0],
-            names[1],
+            described[0],
+            described[1],
             told.join("; "),
             notes.join(" ")
         ),

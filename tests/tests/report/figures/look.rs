@@ -5,6 +5,7 @@ use std::process::{Command, Output};
 
 use boundfit_tests::program::{binary, root};
 
+use super::TRANSDUCER;
 use super::geometry::assert_labels_have_room;
 
 const COMMANDS: [&str; 3] = ["judge", "polygon", "linearity"];
@@ -107,5 +108,35 @@ fn options_of_a_picture_that_is_not_drawn_are_refused() {
         let output = drawn(&folder, command, &["--size", "30mm", "--font-size", "8pt"], Some("own.svg"));
         let message = String::from_utf8_lossy(&output.stderr);
         assert!(message.contains("27 to 266 times as wide as its letters are large"), "{command}: {message}");
+    }
+}
+
+#[test]
+fn descriptions_name_axes_as_the_figure_does_and_those_without_names_too() {
+    for command in COMMANDS {
+        let folder = inputs();
+        let output = drawn(&folder, command, &["--x-label", "own x", "--y-label", ""], Some("own.svg"));
+        assert_eq!(output.status.code(), Some(0), "{command}");
+        let text = fs::read_to_string(folder.path().join("own.svg")).unwrap();
+        let said = text.split_once("<desc>").unwrap().1.split_once("</desc>").unwrap().0;
+        assert!(said.contains("Horizontal axis: own x. Vertical axis: "), "{command}: {said}");
+        assert!(!said.contains("Vertical axis: ."), "{command}: {said}");
+    }
+    for (figure, expected) in [
+        ("fps", "Horizontal axis: θ₁ [m/V]. Vertical axis: own y."),
+        ("data", "First panel: own y against Vz [V]."),
+        ("fps --eps 1", "Horizontal axis: θ₁ [m/V]. Vertical axis: own y."),
+        ("data --x-eps 1e-3", ": own y against Vz [V]."),
+    ] {
+        let words = format!("{TRANSDUCER} --figure {figure} --x-label= --y-label");
+        let output = Command::new(binary())
+            .arg("plot")
+            .args(words.split(' ').filter(|word| !word.is_empty()))
+            .arg("own y")
+            .current_dir(root())
+            .output()
+            .unwrap();
+        let text = String::from_utf8_lossy(&output.stdout);
+        assert!(text.contains(expected), "{figure}: {}", String::from_utf8_lossy(&output.stderr));
     }
 }
