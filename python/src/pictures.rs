@@ -107,6 +107,9 @@ pub(crate) fn figure(
         return Err(refuse(format_args!("dpi={dpi}: expected 30 to 1200")));
     }
     let encoding = Encoding { real_text: labels.real_text, dpi };
+    if asked == Figure::Status && (labels.x_range.is_some() || labels.y_range.is_some()) {
+        return Err(refuse("x_range, y_range: the axes of \"status\" are residuals and leverages"));
+    }
     let options = labels.options()?;
     py.detach(|| draw(&fitted.problem, &fitted.fit, asked, &options)?.encoded_as(format, &encoding))
         .map_err(refuse)

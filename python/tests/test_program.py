@@ -113,6 +113,7 @@ def test_figures_and_lesson_are_the_programs(program: Program, tmp_path: Path, m
         ({"dpi": 20}, "dpi=20: expected 30 to 1200"),
         ({"x_range": (1, 1)}, "x_range: the lower end is not below the upper one"),
         ({"y_range": ("a", 1)}, "y_range"),
+        ({"figure": "status", "x_range": (0, 1)}, 'the axes of "status" are residuals and leverages'),
         ({"directions": 2}, "directions: expected 3 to 1000 of them"),
     ]:
         with pytest.raises(ValueError, match=problem):

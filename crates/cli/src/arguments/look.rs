@@ -1,7 +1,7 @@
 //! How a figure looks: its size, axes and colours.
 
 use boundfit_exact::{Foreign, Limits, Rational, Reading};
-use boundfit_figures::{Encoding, PlotOptions};
+use boundfit_figures::{Encoding, PictureFormat, PlotOptions};
 use clap::{Args, value_parser};
 
 use super::values::number_problem;
@@ -60,6 +60,11 @@ impl PictureArguments {
         self.look.check(option, is_drawn)
     }
 
+    /// Refuses what a picture of this format does not have.
+    pub(crate) fn check_format(&self, format: PictureFormat) -> Result<(), Failure> {
+        self.look.check_format(format)
+    }
+
     /// How to draw.
     pub(crate) fn options(&self) -> PlotOptions {
         self.look.options(self.title.clone())
@@ -82,6 +87,27 @@ impl LookArguments {
                 "with '--font-size' a picture has to be 27 to 266 times as wide as its letters are large: change it, or '--size'"
                     .to_owned(),
             )),
+        }
+    }
+
+    /// Refuses what a picture of this format does not have.
+    pub(crate) fn check_format(&self, format: PictureFormat) -> Result<(), Failure> {
+        let is = |other: PictureFormat| format == other;
+        let asked = [
+            ("--dpi", "the pixels of a PNG", self.dpi.is_some() && !is(PictureFormat::Png)),
+            ("--real-text", "the texts of an SVG", self.real_text && !is(PictureFormat::Svg)),
+        ];
+        let name = match format {
+            PictureFormat::Svg => "an SVG",
+            PictureFormat::Png => "a PNG",
+            PictureFormat::Pdf => "a PDF",
+            PictureFormat::Tikz | PictureFormat::Tex => "source for TikZ",
+        };
+        match asked.iter().find(|(.., is_refused)| *is_refused) {
+            Some((option, about, _)) => {
+                Err(Failure::Usage(format!("'{option}' is about {about}, and the picture is {name}")))
+            }
+            None => Ok(()),
         }
     }
 
@@ -123,8 +149,12 @@ impl LookArguments {
     }
 }
 
-/// Refuses an option about a picture that is not drawn.
-fn refuse_without_picture(asked: Option<&str>, option: &str, is_drawn: bool) -> Result<(), Failure> {
+/// Refuses an option about a picture that is not drawn; `option` draws it.
+pub(crate) fn refuse_without_picture(
+    asked: Option<&str>,
+    option: &str,
+    is_drawn: bool,
+) -> Result<(), Failure> {
     match asked.filter(|_| !is_drawn) {
         Some(asked) => Err(Failure::Usage(format!(
             "'{asked}' is about the picture: say where it goes with '{option} <FILE>'"

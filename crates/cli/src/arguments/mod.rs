@@ -37,7 +37,7 @@ pub(crate) use fit::FitArguments;
 pub(crate) use judge::{JudgeArguments, JudgeFormat};
 pub(crate) use lesson::LessonArguments;
 pub(crate) use linearity::LinearityArguments;
-pub(crate) use look::PictureArguments;
+pub(crate) use look::{PictureArguments, refuse_without_picture};
 pub(crate) use notes::Notes;
 pub(crate) use outliers::OutliersArguments;
 pub(crate) use playground::PlaygroundArguments;

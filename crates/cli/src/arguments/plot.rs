@@ -95,9 +95,9 @@ pub(crate) struct PlotArguments {
     /// Draw the response y along the horizontal axis and x along the vertical one
     #[arg(long)]
     pub(crate) flip: bool,
-    /// How many directions the figure 'directions' has
-    #[arg(long, value_name = "N", default_value_t = 16, value_parser = value_parser!(u16).range(3..=1000))]
-    pub(crate) directions: u16,
+    /// How many directions the figure 'directions' has [default: 16]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(3..=1000))]
+    pub(crate) directions: Option<u16>,
     /// SVG, PNG, PDF, tikz (source for TikZ, to be put into a LaTeX document by \\input) or tex (a document of its own with
     /// that picture); told by the end of the output file's name when left out, else SVG
     #[arg(long, value_parser = named(PictureFormat::ALL.map(|format| (format.name(), format))))]

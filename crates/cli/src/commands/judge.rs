@@ -26,6 +26,7 @@ pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
     check_usage_of_files(arguments)?;
     arguments.picture.check("--plot", arguments.plot.is_some())?;
     let plot = arguments.plot.as_deref().map(|file| picture_format("--plot <FILE>", file)).transpose()?;
+    plot.map_or(Ok(()), |format| arguments.picture.check_format(format))?;
     let format = arguments.output.format()?;
     check_usage_of_format(arguments, format)?;
     let inputs = arguments.solutions.solutions.iter().chain([&arguments.model]).map(String::as_str);

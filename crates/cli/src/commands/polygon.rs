@@ -24,6 +24,7 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     files_apart(&[("--output", Some(output.unwrap_or("-"))), ("--plot", arguments.plot.as_deref())])?;
     arguments.picture.check("--plot", arguments.plot.is_some())?;
     let plot = arguments.plot.as_deref().map(|file| picture_format("--plot <FILE>", file)).transpose()?;
+    plot.map_or(Ok(()), |format| arguments.picture.check_format(format))?;
     let format = arguments.output.format()?;
     let mut guard = arguments.output.file.replace.guard([arguments.file.as_str()]);
     guard.check(output)?;

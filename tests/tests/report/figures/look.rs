@@ -105,6 +105,29 @@ fn options_of_a_picture_that_is_not_drawn_are_refused() {
             assert_eq!((output.status.code(), output.stdout.is_empty()), (Some(2), true), "{command}");
             assert_eq!(message.lines().next(), Some(expected.as_str()), "{command}");
         }
+        for (words, file, problem) in [
+            (
+                &["--dpi", "300"][..],
+                "own.svg",
+                "'--dpi' is about the pixels of a PNG, and the picture is an SVG",
+            ),
+            (
+                &["--real-text"],
+                "own.pdf",
+                "'--real-text' is about the texts of an SVG, and the picture is a PDF",
+            ),
+        ] {
+            let output = drawn(&folder, command, words, Some(file));
+            let message = String::from_utf8_lossy(&output.stderr);
+            assert_eq!(
+                (output.status.code(), message.contains(problem)),
+                (Some(2), true),
+                "{command}: {message}"
+            );
+        }
+        let output = drawn(&folder, command, &["--title", "own"], None);
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert!(message.contains("'--title' is about the picture"), "{command}: {message}");
         let output = drawn(&folder, command, &["--size", "30mm", "--font-size", "8pt"], Some("own.svg"));
         let message = String::from_utf8_lossy(&output.stderr);
         assert!(message.contains("27 to 266 times as wide as its letters are large"), "{command}: {message}");

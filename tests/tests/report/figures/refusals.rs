@@ -113,6 +113,35 @@ fn ranges_of_axes_that_are_neither_of_readings_nor_of_parameters() {
 }
 
 #[test]
+fn options_about_other_pictures() {
+    for (more, problem) in [
+        ("--dpi 300", "'--dpi' is about the pixels of a PNG, and the picture is an SVG"),
+        ("--dpi 300 --format pdf", "'--dpi' is about the pixels of a PNG, and the picture is a PDF"),
+        (
+            "--dpi 300 --format tex",
+            "'--dpi' is about the pixels of a PNG, and the picture is source for TikZ",
+        ),
+        ("--real-text --format png", "'--real-text' is about the texts of an SVG, and the picture is a PNG"),
+        (
+            "--real-text --format tikz",
+            "'--real-text' is about the texts of an SVG, and the picture is source for TikZ",
+        ),
+        (
+            "--figure fps --flip",
+            "'--flip' turns the figures 'data', 'eui', 'pui' and 'corridor', and this is '--figure fps'",
+        ),
+        (
+            "--figure range --flip",
+            "'--flip' turns the figures 'data', 'eui', 'pui' and 'corridor', and this is '--figure range'",
+        ),
+        ("--directions 9", "'--directions' is about '--figure directions', and this is '--figure fps'"),
+    ] {
+        let (status, message) = refused(more);
+        assert_eq!((status, message.contains(problem)), (2, true), "{more}: {message}");
+    }
+}
+
+#[test]
 fn more_pixels_than_fit_into_memory() {
     let (status, message) = refused("--size 2000mm --dpi 1200 --format png");
     assert_eq!((status, message.contains("pixels are too many")), (1, true), "{message}");

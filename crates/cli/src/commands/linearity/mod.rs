@@ -10,7 +10,7 @@ use boundfit_report::{Origin, linearity_csv, linearity_document, linearity_json}
 
 use super::pictures;
 use crate::CommandResult;
-use crate::arguments::{LinearityArguments, TableFormat};
+use crate::arguments::{LinearityArguments, TableFormat, refuse_without_picture};
 use crate::exit::{Exit, Failure};
 use crate::input;
 use crate::output;
@@ -24,7 +24,7 @@ pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
     let mut guard = arguments.output.file.replace.guard([arguments.data.as_str()]);
     guard.check(output)?;
     let figure = figure(arguments)?;
-    arguments.look.check("--figure", figure.is_some())?;
+    check_look(arguments, figure.map(|(_, format)| format))?;
     guard.check(figure.map(|(file, _)| file))?;
     proof::check_usage(arguments)?;
     guard.check(arguments.proof.as_deref())?;
@@ -79,6 +79,16 @@ pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
     let parts: Vec<_> = proof.into_iter().chain(picture).chain([(report.as_bytes(), output)]).collect();
     output::write_together(&parts, &mut guard)?;
     Ok(Exit::Answer)
+}
+
+/// Refuses options about a picture that is not drawn, or that its format does not have.
+fn check_look(arguments: &LinearityArguments, format: Option<PictureFormat>) -> Result<(), Failure> {
+    let labels = &arguments.labels;
+    let given = [("--title", &labels.title), ("--x-unit", &labels.x_unit), ("--y-unit", &labels.y_unit)];
+    let asked = given.into_iter().find(|(_, text)| text.is_some()).map(|(option, _)| option);
+    refuse_without_picture(asked, "--figure", format.is_some())?;
+    arguments.look.check("--figure", format.is_some())?;
+    format.map_or(Ok(()), |format| arguments.look.check_format(format))
 }
 
 /// Where the picture goes and how it is encoded, if one is asked for.

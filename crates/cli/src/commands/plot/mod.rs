@@ -46,8 +46,10 @@ pub(crate) fn run(arguments: &PlotArguments) -> CommandResult {
     }
     let several = several::asked(arguments)?;
     refuse_ranges_of_statuses(arguments)?;
+    refuse_of_other_figures(arguments)?;
     arguments.look.check("--output", true)?;
     let (destination, format) = destination(arguments)?;
+    arguments.look.check_format(format)?;
     let name = |figure: Figure| format!("{}.{}", figure.name(), format.name());
     let guard = arguments.replace.guard(arguments.files());
     let (figure, file) = match destination {
@@ -194,6 +196,24 @@ fn refuse_ranges_of_statuses(arguments: &PlotArguments) -> Result<(), Failure> {
     }
 }
 
+/// Refuses options about other figures than the one that is drawn.
+fn refuse_of_other_figures(arguments: &PlotArguments) -> Result<(), Failure> {
+    let Figures::One(figure) = arguments.figure else { return Ok(()) };
+    let name = figure.name();
+    let is_turned = matches!(figure, Figure::Data | Figure::Eui | Figure::Pui | Figure::Corridor);
+    if arguments.flip && !is_turned {
+        return Err(Failure::Usage(format!(
+            "'--flip' turns the figures 'data', 'eui', 'pui' and 'corridor', and this is '--figure {name}'"
+        )));
+    }
+    if arguments.directions.is_some() && figure != Figure::Directions {
+        return Err(Failure::Usage(format!(
+            "'--directions' is about '--figure directions', and this is '--figure {name}'"
+        )));
+    }
+    Ok(())
+}
+
 /// What draws a figure of errors in x.
 type DrawXErrors = fn(&XErrorProblem, &XErrorFit, &PlotOptions) -> Result<Picture, FigureError>;
 
@@ -221,7 +241,7 @@ fn plain_options(arguments: &PlotArguments, [x_unit, y_unit]: [Option<Foreign>; 
         x_unit,
         y_unit,
         flip: arguments.flip,
-        directions: usize::from(arguments.directions),
+        directions: arguments.directions.map_or(PlotOptions::default().directions, usize::from),
         ..arguments.look.options(arguments.labels.title.clone())
     }
 }
