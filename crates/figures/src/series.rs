@@ -85,6 +85,15 @@ pub(crate) fn own_options(problem: &Problem, options: &PlotOptions) -> PlotOptio
     PlotOptions { x_unit: stated(&options.x_unit, x), y_unit: stated(&options.y_unit, y), ..options.clone() }
 }
 
+/// Whether the numbers of all fits have the same units, so that they may be compared.
+pub(crate) fn have_one_unit(series: &[Series], options: &PlotOptions) -> bool {
+    let units = |own: &Series| {
+        let own = own_options(own.problem, options);
+        [own.x_unit, own.y_unit]
+    };
+    series.windows(2).all(|pair| units(&pair[0]) == units(&pair[1]))
+}
+
 /// What is the same for all fits, of model, bound and rows.
 pub(crate) fn subtitle(series: &[Series], options: &PlotOptions) -> String {
     let parts: [&dyn Fn(&Problem) -> String; 2] = [&|problem| labels::model(problem), &|problem| {

@@ -30,7 +30,11 @@ pub(crate) fn several(all: &[Series], options: &PlotOptions) -> Drawing {
         mark_set(&mut main, own, *look);
     }
     let legend = all.iter().zip(looks).map(|(own, look)| entry(own, look)).collect();
-    let mut notes: Vec<String> = common(all).into_iter().collect();
+    let common = match series::have_one_unit(all, options) {
+        true => common(all),
+        false => Some("Units differ: whether any parameters are in all sets is not asked.".to_owned()),
+    };
+    let mut notes: Vec<String> = common.into_iter().collect();
     if all.iter().any(|own| own.fit.central.is_some()) {
         notes.push("Marks: central estimates.".to_owned());
     }

@@ -215,8 +215,8 @@ fn units_of_files_are_their_own() {
     for (words, named, unnamed) in [
         (
             "volts.csv millivolts.csv --x 1 --y 2 --eps 1",
-            &["θ₁ [m/V], θ₁ [mm/mV]", "θ₂ [m], θ₂ [mm]"][..],
-            &["|e|"][..],
+            &["θ₁ [m/V], θ₁ [mm/mV]", "θ₂ [m], θ₂ [mm]", "Units differ: "][..],
+            &["|e|", "of these sets"][..],
         ),
         (
             "volts.csv millivolts.csv --x 1 --y 2 --eps 1 --figure data",
