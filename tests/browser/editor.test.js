@@ -448,6 +448,26 @@ test("a file is opened or dropped; where the header does not say it, the reader 
   await close();
 });
 
+test("a file that is dropped on the half-planes does not take the place of the page", async () => {
+  const { page, complaints, close } = await opened(DATA.transducer);
+  await page.locator('[data-view-choice="half-planes"]').click();
+  const before = await cells(page);
+  const prevented = await page.evaluate(() => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File(["x,y\n1,2\n2,3\n"], "dropped.csv"));
+    return ["dragover", "drop"].map((kind) => {
+      const event = new DragEvent(kind, { dataTransfer, bubbles: true, cancelable: true });
+      document.body.dispatchEvent(event);
+      return event.defaultPrevented;
+    });
+  });
+  assert.deepEqual(prevented, [true, true]);
+  await settled(page);
+  assert.deepEqual(await cells(page), before);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test("what is dropped and is no table is refused in the engine's words", async () => {
   const { page, close } = await opened(LINE);
   const before = await vertices(page);

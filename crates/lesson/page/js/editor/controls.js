@@ -164,12 +164,14 @@ function onUndoKey(bench, event) {
 /** @param {Workbench} bench */
 function connectDropping(bench) {
   addEventListener("dragover", (event) => {
-    const types = event.dataTransfer?.types ?? [];
-    if (!isElsewhere() && types.some((type) => ["files", "text/plain"].includes(type.toLowerCase()))) event.preventDefault();
+    const types = (event.dataTransfer?.types ?? []).map((type) => type.toLowerCase());
+    // A browser shows a file that nobody takes in the place of the page.
+    if (types.includes("files") || (!isElsewhere() && types.includes("text/plain"))) event.preventDefault();
   });
   addEventListener("drop", (event) => {
     const file = event.dataTransfer?.files[0];
     const text = event.dataTransfer?.getData("text/plain") ?? "";
+    if (file !== undefined) event.preventDefault();
     if (isElsewhere() || (file === undefined && !text.includes("\n"))) return;
     event.preventDefault();
     if (file !== undefined) readFile(bench, file);
