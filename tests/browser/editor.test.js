@@ -451,7 +451,8 @@ test("a file is opened or dropped; where the header does not say it, the reader 
 test("a file that is dropped on the half-planes does not take the place of the page", async () => {
   const { page, complaints, close } = await opened(DATA.transducer);
   await page.locator('[data-view-choice="half-planes"]').click();
-  const before = await cells(page);
+  const csv = () => page.evaluate(() => boundfit.editor.csv());
+  const before = await csv();
   const prevented = await page.evaluate(() => {
     const dataTransfer = new DataTransfer();
     dataTransfer.items.add(new File(["x,y\n1,2\n2,3\n"], "dropped.csv"));
@@ -462,8 +463,8 @@ test("a file that is dropped on the half-planes does not take the place of the p
     });
   });
   assert.deepEqual(prevented, [true, true]);
-  await settled(page);
-  assert.deepEqual(await cells(page), before);
+  await page.evaluate(() => boundfit.editor.settled());
+  assert.equal(await csv(), before);
   assert.deepEqual(complaints, []);
   await close();
 });

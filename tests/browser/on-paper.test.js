@@ -72,6 +72,8 @@ test("a printed page is a handout: no answers, no controls, whole pictures and t
   assert.equal(await shown(page, "#question-list p, .show-me"), 0, "an answer that was opened stays at home");
   assert.equal(await shown(page, "button:not(.plain), select, input, .panel, #teacher"), 0);
   assert.equal(await shown(page, "#readings tbody tr"), 23);
+  assert.equal(await shown(page, "#readings-note, #active"), 0, "which readings matter is asked for");
+  assert.deepEqual(await page.locator("#readings thead th").evaluateAll((heads) => heads.filter((head) => head.getClientRects().length > 0).map((head) => head.textContent)), ["row", "Vz", "z", "ε"]);
   for (const selector of ["#data-plane", "#parameter-plane", "#readings"]) {
     for (const part of await page.locator(selector).all()) {
       const box = await part.boundingBox();
