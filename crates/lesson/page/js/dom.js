@@ -95,7 +95,7 @@ export function patch(parent, children) {
  */
 function focusLast(parent) {
   const last = parent.lastElementChild;
-  const found = last?.matches("[tabindex]") ? last : [...(last?.querySelectorAll("button, input, [tabindex]") ?? [])].at(-1);
+  const found = last?.matches("[tabindex]") ? last : [...(last?.querySelectorAll("button,input,[tabindex]") ?? [])].at(-1);
   queueMicrotask(() => /** @type {HTMLElement | undefined} */ (found)?.focus());
 }
 

@@ -116,7 +116,7 @@ export function connectDragging(svg, store, current, edits) {
     const at = placeOf(svg, event);
     const { left, top, width, height } = map.area;
     const isInside = at[0] >= left && at[0] <= left + width && at[1] >= top && at[1] <= top + height;
-    if (closest(event, "[data-reading], [data-handle]") !== null || !isInside) return;
+    if (closest(event, "[data-reading],[data-handle]") !== null || !isInside) return;
     const { x, y } = measuredAt(store.lesson(), store.get(), map, at, null);
     if (x !== null) edits.add(x, y);
   });

@@ -3,7 +3,8 @@
 
 import { distinct, questionOf } from "./sheet.js";
 
-const VERSION = "readings-1.";
+const NAME = "readings-";
+const VERSION = `${NAME}1.`;
 /** Many a program cuts addresses that are longer. */
 const LONGEST = 8000;
 const LONGEST_UNPACKED = 1_000_000;
@@ -51,7 +52,7 @@ export async function wordsOfSheet({ columns, rows, question: asked }) {
  * @returns {Promise<Sheet | Error | null>}
  */
 export async function sheetOfWords(words) {
-  if (!words.startsWith("readings-")) return null;
+  if (!words.startsWith(NAME)) return null;
   if (!words.startsWith(VERSION)) return new Error("version");
   try {
     const letters = words.slice(VERSION.length).replaceAll("-", "+").replaceAll("_", "/");
