@@ -99,7 +99,8 @@ impl Interval {
     /// How many significant digits the ends are to be shown with: at least `least`, and so many that the interval between
     /// the ends rounded outward is at most a twentieth wider than this one. The comparison is exact. Beyond 40 digits a
     /// reader is better served by the exact fractions, and it is `least` again; also when there is no width. Cost: two
-    /// roundings for each number of digits that is tried.
+    /// roundings to 40 digits, which are long divisions of long numbers, and where these are enough two for each of about five
+    /// numbers of digits that are tried.
     pub fn resolving_digits(&self, least: usize) -> usize {
         const MOST: usize = 40;
         const TWENTY: i64 = 20;
@@ -111,7 +112,13 @@ impl Interval {
         let added = |digits: usize| {
             (lower - lower.rounded(digits, Rounding::Down)) + (upper.rounded(digits, Rounding::Up) - upper)
         };
-        (least..=MOST.max(least)).find(|digits| added(*digits) <= room).unwrap_or(least)
+        let most = MOST.max(least);
+        if added(most) > room {
+            return least;
+        }
+        // A decimal of so many digits is one of more digits too: with more digits never more is added.
+        let fewer: Vec<usize> = (least..most).collect();
+        least + fewer.partition_point(|digits| added(*digits) > room)
     }
 
     /// Whether a twentieth of the width is certainly more than rounding the ends outward adds, which is less than a unit of the last
