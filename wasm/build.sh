@@ -1,11 +1,16 @@
 #!/usr/bin/env bash
-# Builds boundfit_wasm.wasm.gz and the JavaScript that goes with it from source, into crates/lesson/engine: the lesson has them inside.
+# Builds boundfit_wasm.wasm.gz and the JavaScript that goes with it from source, into crates/lesson/engine, where the lesson takes them
+# from, or into the folder that is named.
 #
 # The standard library for WebAssembly is compiled too, from Debian's sources of it, so that nothing is downloaded but packages and
 # crates: Debian's compiler for browsers (rustc-web, and rust-web-src of the same version), the linker of the usual toolchain, and
 # wasm-opt of binaryen. They are installed if this runs as root, 140 MB. Takes four minutes of processor time, then half a minute.
 set -euo pipefail
-cd "$(dirname "$0")"
+root=$(cd "$(dirname "$0")/.." && pwd)
+of_lesson=$root/crates/lesson/engine
+mkdir -p "${1:-$of_lesson}"
+engine=$(cd "${1:-$of_lesson}" && pwd)
+cd "$root/wasm"
 
 missing=()
 [ -x /usr/bin/rustc ] && ls /usr/src/rustc-*/library/Cargo.toml >/dev/null 2>&1 || missing+=(rustc-web rust-web-src)
@@ -23,8 +28,6 @@ export RUSTC=/usr/bin/rustc
 export RUSTC_BOOTSTRAP=1
 CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=$(find "$usual" -name rust-lld -type f | head -n 1)
 export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER
-root=$(cd .. && pwd)
-engine=$root/crates/lesson/engine
 home=${CARGO_HOME:-$HOME/.cargo}
 flags=(
   # No path of this machine is part of the module.
@@ -51,5 +54,6 @@ gzip -9 -n < "$target/packed/boundfit_wasm.wasm" > "$engine/boundfit_wasm.wasm.g
 sed -e '/^async function __wbg_load(/,/^}/d' -e '/^let __wbg_init_promise/,/^export /d' \
   "$target/packed/boundfit_wasm.js" > "$engine/boundfit_wasm.mjs"
 echo 'export { initSync };' >> "$engine/boundfit_wasm.mjs"
+[ "$engine" = "$of_lesson" ] || cp "$of_lesson/boundfit.mjs" "$engine"
 sed '/^ \* If `module_or_path` is/,$d' "$target/packed/boundfit_wasm.d.ts" | sed '$d' > "$engine/boundfit_wasm.d.mts"
 wc -c "$target/packed/boundfit_wasm.wasm" "$engine/boundfit_wasm.wasm.gz"

@@ -1,5 +1,6 @@
 // Asks the module and the program the same, in Node without packages: `node wasm/test.mjs`. BOUNDFIT_PROGRAM names the program,
-// otherwise it is that of `cargo build --release`.
+// otherwise it is that of `cargo build --release`; BOUNDFIT_ENGINE the folder of the module and its JavaScript, otherwise it is that
+// of the lesson.
 //
 // All must be equal byte for byte, but for what is said of least squares in doubles: that is the rounded answer of a library, whose
 // last digit is the platform's (it differs in one fit in eight).
@@ -8,17 +9,18 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { join, resolve } from "node:path";
 import { test } from "node:test";
-import { fileURLToPath } from "node:url";
+import { fileURLToPath, pathToFileURL } from "node:url";
 
-import { columns, lesson, run, start } from "../crates/lesson/engine/boundfit.mjs";
 import { tableOf } from "../crates/lesson/page/js/model/table.js";
 
 const root = fileURLToPath(new URL("..", import.meta.url));
 const fixtures = join(root, "fixtures");
 const program = process.env.BOUNDFIT_PROGRAM ?? join(root, "target/release/boundfit");
-const exports = await start(readFileSync(new URL("../crates/lesson/engine/boundfit_wasm.wasm.gz", import.meta.url)));
+const engine = resolve(process.env.BOUNDFIT_ENGINE ?? join(root, "crates/lesson/engine"));
+const { columns, lesson, run, start } = await import(pathToFileURL(join(engine, "boundfit.mjs")).href);
+const exports = await start(readFileSync(join(engine, "boundfit_wasm.wasm.gz")));
 
 const flags = ["through-origin", "no-eui", "exact", "units-row"];
 const repeated = ["where", "where-row"];
