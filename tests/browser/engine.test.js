@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 
-import { DATA, PLAYGROUND, boundfit, fitReport, launch, openLesson } from "./harness.js";
+import { DATA, PLAYGROUND, boundfit, fitReport, launch, openLesson, withoutRow } from "./harness.js";
 
 let browser;
 
@@ -103,6 +103,36 @@ test("a table that is typed into the page without readings is fitted", async () 
   const shown = await page.evaluate(() => boundfit.store.lesson().data.fit.fps);
   assert.deepEqual(shown.vertices.map(({ theta }) => theta.map(({ exact }) => exact)), expected.fps.vertices.map(({ theta }) => theta.map(({ exact }) => exact)));
   assert.ok(!(await page.locator("#start").isVisible()));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+/** The page as a program writes it that is built without the feature `engine`. */
+const withoutEngine = (html) => {
+  const elements = /<script type="application\/octet-stream;base64" id="engine-module">[^]*?<\/script>\n<script type="text\/plain" id="engine-worker">[^]*?<\/script>\n/;
+  const policy = " 'wasm-unsafe-eval'; worker-src blob:";
+  assert.ok(elements.test(html) && html.includes(policy));
+  return html.replace(elements, "").replace(policy, "");
+};
+
+test("without the engine the page has everything but what asks it", async () => {
+  const { page, complaints, close } = await openLesson(browser, DATA.transducer, { edit: withoutEngine });
+  assert.equal(await page.evaluate(() => boundfit.engine), null);
+  for (const asking of ["#view-choice", "#editor"]) assert.equal(await page.locator(asking).isVisible(), false, asking);
+  const vertices = () => page.locator("#parameter-plane [data-vertex]").evaluateAll((marks) => marks.map(({ dataset }) => [dataset.theta1, dataset.theta2].join()).sort());
+  const exact = (report) => report.fps.vertices.map(({ theta }) => theta.map((value) => value.exact).join()).sort();
+  const all = exact(fitReport(DATA.transducer));
+  assert.deepEqual(await vertices(), all);
+  await page.click("#tab-clip");
+  assert.deepEqual(await vertices(), []);
+  await page.click("#step-last");
+  assert.deepEqual(await vertices(), all);
+  await page.locator("#leave-out-34").uncheck();
+  assert.deepEqual(await vertices(), exact(withoutRow(34)));
+  for (const tab of ["epsilon", "worst-line", "explore"]) {
+    await page.click(`#tab-${tab}`);
+    assert.equal(await page.locator(`#tab-${tab}`).getAttribute("aria-selected"), "true");
+  }
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -86,6 +86,12 @@ function pageFile(options) {
   return pages.get(key);
 }
 
+function editedFile(file, edit) {
+  const edited = file.replace(".html", "-edited.html");
+  writeFileSync(edited, edit(readFileSync(file, "utf8")));
+  return edited;
+}
+
 function browserFile() {
   const candidates = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
   const found = candidates.find((candidate) => candidate && existsSync(candidate));
@@ -101,14 +107,15 @@ export function launch() {
 
 /**
  * Opens the lesson of a data set from disk. `complaints` collects what must not happen: errors and warnings on the
- * console, uncaught errors, and requests for anything but the page itself. `init` runs in the page before its own script.
+ * console, uncaught errors, and requests for anything but the page itself. `init` runs in the page before its own script; `edit`
+ * makes another file of that of the program.
  */
-export async function openLesson(browser, options, { width = 1280, height = 900, init = () => undefined, ...context } = {}) {
+export async function openLesson(browser, options, { width = 1280, height = 900, init = () => undefined, edit, ...context } = {}) {
   const opened = await browser.newContext({ viewport: { width, height }, reducedMotion: "reduce", ...context });
   const page = await opened.newPage();
   page.setDefaultTimeout(10_000);
   const complaints = [];
-  const address = pathToFileURL(pageFile(options)).href;
+  const address = pathToFileURL(edit === undefined ? pageFile(options) : editedFile(pageFile(options), edit)).href;
   page.on("console", (message) => {
     if (["error", "warning"].includes(message.type())) complaints.push(`console: ${message.text()}`);
   });
