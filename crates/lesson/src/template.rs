@@ -57,6 +57,7 @@ const MODULES: &[(&str, &str)] = &[
     module!("panels/summary.js"),
     module!("panels/teacher.js"),
     module!("panels/worst-line.js"),
+    module!("picture.js"),
     module!("planes/axes.js"),
     module!("planes/corridor.js"),
     module!("planes/data-frame.js"),

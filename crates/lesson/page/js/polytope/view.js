@@ -2,6 +2,7 @@
 // The second view of the page: half-planes without readings. Names that tests and bookmarks may rely on:
 //   body[data-view]              readings | half-planes;  [data-view-choice="half-planes"] switches it, where the engine is in the page
 //   body[data-plane-tab]         set | clip | objective | simplex | exercises;  [data-plane-tab-choice="clip"] switches it
+//   [data-plane-picture="svg"]   takes the picture away, as SVG or PNG
 //   #half-plane-picture          data-kind; [data-plane-line="0"], [data-corner="0"] with exact data-theta1, data-theta2
 //   #plane-text                  one half-plane a line; [data-note-line="1"] what is wrong with it
 //   #plane-sentence              what is shown, in words; #plane-story its tables; #plane-status the live region
@@ -12,6 +13,7 @@
 
 import { all, byId, element, patch, rove } from "../dom.js";
 import { engine } from "../engine.js";
+import { takePicture } from "../picture.js";
 import { t } from "../texts.js";
 import { drawHalfPlanes } from "./drawing.js";
 import { connectPlaneEditor, drawPlaneEditor, listPlaneExamples } from "./editor.js";
@@ -50,6 +52,9 @@ export function connectHalfPlanes(page, onReadings) {
   connectExercises(store);
   connectPlaneTabs(store);
   connectPlaneSteps(store);
+  for (const button of all("[data-plane-picture]")) {
+    button.addEventListener("click", () => takePicture(/** @type {SVGElement} */ (/** @type {unknown} */ (svg)), "half-planes", button.dataset.planePicture ?? "svg"));
+  }
   store.subscribe((state, before) => {
     draw();
     const words = spokenChange(state, before);
