@@ -1,6 +1,7 @@
 // A lesson page of the program in a real browser. Nothing here skips: without a browser, or without the program, the
 // tests fail.
 
+import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -133,6 +134,30 @@ export async function openLesson(browser, options, { width = 1280, height = 900,
 export async function pressIfEnabled(page, id) {
   const button = page.locator(id);
   if (await button.isEnabled()) await button.click();
+}
+
+/**
+ * That a picture which was taken away as SVG and as PNG is that of an element of the page, and needs nothing of the page.
+ * `taken` says which bytes were taken as either.
+ */
+export async function checkPicture(page, selector, taken) {
+  const svg = (await taken("svg")).toString();
+  assert.match(svg, /^<svg [^>]*xmlns="http:\/\/www\.w3\.org\/2000\/svg"/);
+  assert.ok(!/\s(class|aria-\w+|data-[\w-]+)=|var\(/.test(svg), "nothing of the page is needed");
+  // Every reference is to what the file has.
+  for (const [, id] of svg.matchAll(/url\(["']?#([\w-]+)/g)) assert.ok(svg.includes(`id="${id}"`), id);
+  const drawn = await page.evaluate(async (text) => {
+    const image = new Image();
+    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
+    await image.decode();
+    return [image.naturalWidth, image.naturalHeight];
+  }, svg);
+  const box = await page.locator(selector).boundingBox();
+  assert.ok(Math.abs(drawn[0] - box.width) < 1.5 && Math.abs(drawn[1] - box.height) < 1.5, `${drawn}`);
+  const png = await taken("png");
+  assert.deepEqual([...png.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
+  assert.ok(Math.abs(png.readUInt32BE(16) - 3 * box.width) < 5);
+  return svg;
 }
 
 /** The report of the transducer without one of its rows. */

@@ -4,6 +4,19 @@ use std::fmt;
 
 use crate::{Rational, Rounding};
 
+/// The fewest significant digits, from `least` to 40, that are enough where more digits are never less so: as a decimal of so many
+/// digits is one of more digits too, rounding to more never adds more. `least` where 40 are not enough. Cost: `is_enough` of 40 digits
+/// first, since it takes long divisions of long numbers, and only where these are enough of about five more numbers of digits.
+pub fn fewest_digits(least: usize, is_enough: impl Fn(usize) -> bool) -> usize {
+    const MOST: usize = 40;
+    let most = MOST.max(least);
+    if !is_enough(most) {
+        return least;
+    }
+    let fewer: Vec<usize> = (least..most).collect();
+    least + fewer.partition_point(|digits| !is_enough(*digits))
+}
+
 /// One end of an [`Interval`].
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Endpoint {
@@ -98,11 +111,9 @@ impl Interval {
 
     /// How many significant digits the ends are to be shown with: at least `least`, and so many that the interval between
     /// the ends rounded outward is at most a twentieth wider than this one. The comparison is exact. Beyond 40 digits a
-    /// reader is better served by the exact fractions, and it is `least` again; also when there is no width. Cost: two
-    /// roundings to 40 digits, which are long divisions of long numbers, and where these are enough two for each of about five
-    /// numbers of digits that are tried.
+    /// reader is better served by the exact fractions, and it is `least` again; also when there is no width. Cost: that of
+    /// [`fewest_digits`], with two roundings for each number of digits.
     pub fn resolving_digits(&self, least: usize) -> usize {
-        const MOST: usize = 40;
         const TWENTY: i64 = 20;
         let Some((lower, upper)) = self.ends().filter(|(lower, upper)| lower != upper) else { return least };
         if self.is_far_wider_than_digits(least) {
@@ -112,13 +123,7 @@ impl Interval {
         let added = |digits: usize| {
             (lower - lower.rounded(digits, Rounding::Down)) + (upper.rounded(digits, Rounding::Up) - upper)
         };
-        let most = MOST.max(least);
-        if added(most) > room {
-            return least;
-        }
-        // A decimal of so many digits is one of more digits too: with more digits never more is added.
-        let fewer: Vec<usize> = (least..most).collect();
-        least + fewer.partition_point(|digits| added(*digits) > room)
+        fewest_digits(least, |digits| added(digits) <= room)
     }
 
     /// Whether a twentieth of the width is certainly more than rounding the ends outward adds, which is less than a unit of the last

@@ -50,7 +50,7 @@ pub use decimal::{Decimal, Rounding};
 pub use double_sum::DoubleSum;
 pub use dyadic::Dyadic;
 pub use foreign::Foreign;
-pub use interval::{Endpoint, Interval};
+pub use interval::{Endpoint, Interval, fewest_digits};
 pub use limit::Limit;
 pub use long_decimal::{LONG_DIGITS, LongPrefix, long_prefix};
 pub use long_sum::LongSum;

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use boundfit_exact::{Interval, Rational, Rounding};
+use boundfit_exact::{Interval, Rational, Rounding, fewest_digits};
 use boundfit_geometry::{Measure, Vertex};
 
 use crate::document::{Symbol, Text};
@@ -51,11 +51,10 @@ fn fine_enough<'a>(
     const TWENTY: i64 = 20;
     let Some(width) = range.width().filter(|width| !width.is_zero()) else { return digits };
     let room = width * Rational::ratio(1, TWENTY);
-    let is_fine = |digits: &usize| {
+    fewest_digits(digits, |digits| {
         let mut all = estimates.clone();
-        all.all(|value| (value - value.rounded(*digits, Rounding::Nearest)).abs() <= room)
-    };
-    (digits..=MOST_DIGITS).find(is_fine).unwrap_or(digits)
+        all.all(|value| (value - value.rounded(digits, Rounding::Nearest)).abs() <= room)
+    })
 }
 
 /// These scales with as many more digits as it takes for different vertices to look different; these where that takes too

@@ -1,6 +1,8 @@
 // @ts-check
 // Pictures of the page as files of their own.
 
+import { byId } from "./dom.js";
+
 const DRAWN_PROPERTIES = ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-opacity", "stroke-dasharray", "stroke-linecap", "stroke-linejoin", "opacity", "font-family", "font-size", "font-weight", "text-anchor", "paint-order"];
 const DROPPED_ATTRIBUTES = /^(class|role|tabindex|style|aria-.*|data-.*)$/;
 const PIXELS = 3;
@@ -94,11 +96,12 @@ async function inPixels(svg) {
 
 /**
  * Hands over a picture of the page.
- * @param {SVGElement} svg
+ * @param {string} id of its element
  * @param {string} name of the file, without its ending
  * @param {string} type "svg" or "png"
  */
-export async function takePicture(svg, name, type) {
+export async function takePicture(id, name, type) {
+  const svg = /** @type {SVGElement} */ (/** @type {unknown} */ (byId(id)));
   const picture = type === "svg" ? new Blob([standalone(svg).text], { type: "image/svg+xml" }) : await inPixels(svg);
   download(`${name}.${type}`, picture);
 }

@@ -206,3 +206,8 @@ function countOf(value) {
   if (typeof value === "number") return value;
   return typeof value === "object" && !Array.isArray(value) && "list" in value ? value.list.length + (value.more ?? 0) : 1;
 }
+
+/** @param {unknown} error */
+export function wordsOfError(error) {
+  return error instanceof Error ? error.message : `${error}`;
+}

@@ -7,7 +7,7 @@ import { columnsOf, guessed, imported } from "./importing.js";
 import { movedSheet, newCells } from "./moving.js";
 import { isSameSheet, usedRows, withCell, withFitted, withQuestion, withoutRowAt } from "./sheet.js";
 import { cellText } from "../model/table.js";
-import { numberText, t } from "../texts.js";
+import { numberText, t, wordsOfError } from "../texts.js";
 
 /** In megabytes. */
 const LARGEST_FILE = 16;
@@ -195,9 +195,4 @@ export async function readFile(bench, file) {
   if (content !== null) return startImport(bench, new Uint8Array(content), file.name);
   bench.notice = t(isSmall ? "edit.unreadable" : "edit.too-large", { file: file.name, count: LARGEST_FILE });
   bench.draw();
-}
-
-/** @param {unknown} error */
-export function wordsOfError(error) {
-  return error instanceof Error ? error.message : `${error}`;
 }

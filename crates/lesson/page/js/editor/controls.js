@@ -2,12 +2,12 @@
 // The editor's controls: buttons, cells, keys, the clipboard, files that are dropped.
 
 import { byId, closest, targetOf } from "../dom.js";
-import { addRow, applyImport, commitCell, deleteAt, fitAt, press, readFile, startImport, takeExample, wordsOfError } from "./actions.js";
+import { addRow, applyImport, commitCell, deleteAt, fitAt, press, readFile, startImport, takeExample } from "./actions.js";
 import { isElsewhere } from "./address.js";
 import { takeAway } from "./export.js";
 import { askedBy } from "./question-form.js";
 import { usedRows, withBlock } from "./sheet.js";
-import { t } from "../texts.js";
+import { t, wordsOfError } from "../texts.js";
 
 /**
  * Connects the controls.

@@ -1,7 +1,6 @@
 // @ts-check
 // What can be taken away from the page: the readings, the report, the pictures.
 
-import { byId } from "../dom.js";
 import { download, takePicture } from "../picture.js";
 import { csvOf, optionsOf } from "./sheet.js";
 
@@ -34,6 +33,5 @@ export async function takeAway(engine, sheet, kind) {
     return download(["report", ENDINGS[kind]].join("."), new Blob([report], { type: "text/plain" }));
   }
   const [plane, type] = kind.split("-");
-  const svg = /** @type {SVGElement} */ (/** @type {unknown} */ (byId(`${plane}-plane`)));
-  await takePicture(svg, `${plane}-plane`, type);
+  await takePicture(`${plane}-plane`, `${plane}-plane`, type);
 }

@@ -3,7 +3,7 @@
 
 import { engine } from "../engine.js";
 import { ONE, Rational } from "../model/rational.js";
-import { currentLanguage } from "../texts.js";
+import { currentLanguage, wordsOfError } from "../texts.js";
 import { exercisesOf } from "./exercises.js";
 import { halfPlaneText } from "./half-planes.js";
 import { freshSeed } from "./random.js";
@@ -97,7 +97,7 @@ export function connectPolytopeEngine(store) {
         if (own !== latest) return;
         // A vertex that is no longer there.
         if (store.get().start !== null) store.change({ start: null });
-        else store.change({ refused: error instanceof Error ? error.message : `${error}` });
+        else store.change({ refused: wordsOfError(error) });
       },
     );
   };

@@ -14,7 +14,7 @@
 import { all, byId, element, patch, rove } from "../dom.js";
 import { engine } from "../engine.js";
 import { takePicture } from "../picture.js";
-import { t } from "../texts.js";
+import { t, wordsOfError } from "../texts.js";
 import { drawHalfPlanes } from "./drawing.js";
 import { connectPlaneEditor, drawPlaneEditor, listPlaneExamples } from "./editor.js";
 import { connectExercises, drawExercises } from "./exercise-panel.js";
@@ -53,7 +53,9 @@ export function connectHalfPlanes(page, onReadings) {
   connectPlaneTabs(store);
   connectPlaneSteps(store);
   for (const button of all("[data-plane-picture]")) {
-    button.addEventListener("click", () => takePicture(/** @type {SVGElement} */ (/** @type {unknown} */ (svg)), "half-planes", button.dataset.planePicture ?? "svg"));
+    button.addEventListener("click", () => {
+      takePicture(svg.id, "half-planes", button.dataset.planePicture ?? "svg").catch((error) => store.change({ refused: wordsOfError(error) }));
+    });
   }
   store.subscribe((state, before) => {
     draw();
