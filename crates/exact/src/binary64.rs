@@ -1,6 +1,7 @@
 //! The one door between exact numbers and IEEE 754 binary64.
 
-use crate::{Fraction, Integer, Limits, Rational, Reading, plain_decimal};
+use crate::shortest::shortest_decimal;
+use crate::{Fraction, Integer, Rational, plain_decimal};
 
 /// Binary exponent of the smallest positive binary64.
 pub(crate) const LEAST_EXPONENT: i64 = -1074;
@@ -68,9 +69,8 @@ impl Rational {
     pub fn shortest_of_f64(&self) -> Option<Rational> {
         let double = self.to_finite_f64()?;
         let is_exact = Rational::from_f64(double).as_ref() == Some(self);
-        // The text that is shortest comes from the standard library, with a power of ten.
-        let shortest = || Reading::Decimal.read(&format!("{double:e}"), &Limits::default()).ok();
-        is_exact.then(shortest).flatten()
+        let (mantissa, exponent) = shortest_decimal(double)?;
+        is_exact.then(|| Rational::scientific(mantissa, exponent))
     }
 }
 

@@ -1,12 +1,15 @@
 //! Decimals out: rounded to a number of significant digits, in a stated direction.
 
 mod finite;
+mod plus_minus;
 mod words;
 
 use std::fmt;
 
 use crate::short_text::ShortText;
 use crate::{Integer, Rational};
+
+pub use plus_minus::{PlacedDecimal, PlusMinus};
 
 /// The direction in which a printed decimal may differ from the exact value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -228,7 +231,7 @@ struct Parts<'a> {
 }
 
 impl<'a> Parts<'a> {
-    /// From significant digits whose first one weighs `10^exponent`. Down to `least_plain`, at least -4, there is no power
+    /// From significant digits whose first one weighs `10^exponent`. Down to `least_plain`, at least -9, there is no power
     /// of ten below 1.
     fn new(digits: &'a str, exponent: i64, exact: bool, least_plain: i64) -> Self {
         let zeros = digits.bytes().rev().take_while(|&digit| digit == b'0').count();
@@ -237,7 +240,7 @@ impl<'a> Parts<'a> {
         let plain = Parts { before: "", whole: digits, fraction: "", zeros: "", power: None };
         match exponent {
             ..=-1 if exponent >= least_plain => {
-                Parts { before: &"0.000"[..(1 - exponent) as usize], ..plain }
+                Parts { before: &"0.00000000"[..(1 - exponent) as usize], ..plain }
             }
             0.. if exponent < count => {
                 let (whole, fraction) = digits.split_at(exponent as usize + 1);

@@ -20,6 +20,23 @@ pub fn in_words(count: usize) -> String {
     WORDS.get(count).map_or_else(|| count.to_string(), |word| (*word).to_owned())
 }
 
+/// A size in bytes: `1 GiB`, `1.5 GiB`, `512 MiB`, `100 bytes`; what is not whole is rounded up to a tenth.
+///
+/// ```
+/// use boundfit_exact::english::size_text;
+///
+/// assert_eq!([1 << 30, (3 << 29) + 1, 700, 1 << 20].map(size_text), ["1 GiB", "1.6 GiB", "700 bytes", "1 MiB"]);
+/// ```
+pub fn size_text(bytes: u64) -> String {
+    let unit = [(30, "GiB"), (20, "MiB"), (10, "KiB")].into_iter().find(|(bits, _)| bytes >> bits > 0);
+    let Some((bits, name)) = unit else { return counted(bytes as usize, "byte", "bytes") };
+    let tenths = (u128::from(bytes) * 10).div_ceil(1 << bits);
+    match tenths % 10 {
+        0 => format!("{} {name}", tenths / 10),
+        part => format!("{}.{part} {name}", tenths / 10),
+    }
+}
+
 /// A name and the unit behind it in parentheses or brackets: `U (mV)`, `U [mV]`.
 ///
 /// ```

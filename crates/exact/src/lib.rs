@@ -46,7 +46,7 @@ mod written;
 
 pub use binary64::{nearest_double, plain_double, significand_and_exponent};
 pub use column::{Column, Count, Long, LongProducts, LongTotal, Scaled, Unit, compare_words};
-pub use decimal::{Decimal, Rounding};
+pub use decimal::{Decimal, PlacedDecimal, PlusMinus, Rounding};
 pub use double_sum::DoubleSum;
 pub use dyadic::Dyadic;
 pub use foreign::Foreign;
@@ -58,7 +58,7 @@ pub use notation::{DecimalMark, MISSING_WORDS, Notation, Thousands, is_missing, 
 pub use number::{Fraction, Integer, Rational, Sign, TooWide};
 pub use parse::{Limits, ParseNumberError, ParseNumberErrorKind, Reading, characters_before};
 pub use plain::{PLAIN_DIGITS, PLAIN_EXPONENT, PlainPrefix, exponent_prefix, plain_decimal, plain_prefix};
-pub use shortest::{shortest_decimal, shortest_decimal_of_f32};
+pub use shortest::{Shortest, shortest_decimal, shortest_decimal_of_f32};
 pub use sum::Sum;
 pub use surd::Surd;
 pub use wide_sum::{WideProducts, WideSum};

@@ -31,6 +31,8 @@ pub enum Limit {
     Nesting,
     /// Digits of the fraction of a sum over all vertices that is printed.
     Fraction,
+    /// Bytes of memory that readings, with what a question makes of them, may take.
+    Memory,
 }
 
 impl Limit {
@@ -67,6 +69,7 @@ impl Limit {
             Limit::Text => "--max-text",
             Limit::Nesting => "--max-nesting",
             Limit::Fraction => "--max-fraction",
+            Limit::Memory => "--limit memory=SIZE",
         }
     }
 }

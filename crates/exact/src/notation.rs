@@ -76,15 +76,29 @@ impl Thousands {
         }
     }
 
+    /// A number without the marks between its groups of digits.
+    ///
+    /// ```
+    /// use boundfit_exact::Thousands;
+    ///
+    /// assert_eq!(Thousands::Point.taken_out_of("1.234,50"), "1234,50");
+    /// ```
+    pub fn taken_out_of(self, number: &str) -> String {
+        number.chars().filter(|&character| !self.is(character)).collect()
+    }
+
+    fn is(self, character: char) -> bool {
+        match self {
+            Thousands::Comma => character == ',',
+            Thousands::Point => character == '.',
+            Thousands::Blank => character == ' ' || SPACES.contains(&character),
+            Thousands::Apostrophe => matches!(character, '\'' | '\u{2019}'),
+        }
+    }
+
     /// How many bytes the mark takes at the start of a text; 0 where it does not stand.
     pub(crate) fn length_in(self, text: &str) -> usize {
-        let is_mark = |character: &char| match self {
-            Thousands::Comma => *character == ',',
-            Thousands::Point => *character == '.',
-            Thousands::Blank => *character == ' ' || SPACES.contains(character),
-            Thousands::Apostrophe => matches!(character, '\'' | '\u{2019}'),
-        };
-        text.chars().next().filter(is_mark).map_or(0, char::len_utf8)
+        text.chars().next().filter(|&first| self.is(first)).map_or(0, char::len_utf8)
     }
 }
 
@@ -97,19 +111,32 @@ pub fn trim_number(text: &str) -> &str {
     text.trim_matches(|character: char| character.is_ascii_whitespace() || SPACES.contains(&character))
 }
 
-/// What stands in a cell whose value is missing, beside nothing: in any letters, small or large.
-pub const MISSING_WORDS: [&str; 10] = ["NA", "N/A", "#N/A", "NaN", "null", "none", "-", "--", ".", "?"];
+/// What stands in a cell whose value is missing, beside nothing: in any letters, small or large. The last ones are what
+/// spreadsheets in other languages have for `#N/A`.
+pub const MISSING_WORDS: [&str; 14] =
+    ["NA", "N/A", "#N/A", "NaN", "null", "none", "-", "--", ".", "?", "#NV", "#N/D", "#N/B", "#GETTING_DATA"];
 
-/// Whether a text says that a value is missing: nothing but white space, or one of [`MISSING_WORDS`]. No number is written
-/// so.
+/// Whether a text says that a value is missing: nothing but white space, one of [`MISSING_WORDS`], or an error of a
+/// spreadsheet, such as `#DIV/0!`, `#NAME?` or `Err:502`. No number is written so.
 ///
 /// ```
 /// use boundfit_exact::is_missing;
 ///
-/// assert!(["", "  ", "NA", " nan", "#N/A", "-"].into_iter().all(is_missing));
-/// assert!(!["0", "-1", "inf", "#DIV/0!", "error"].into_iter().any(is_missing));
+/// assert!(["", "  ", "NA", " nan", "#N/A", "-", "#DIV/0!", "#name?", "#WERT!", "Err:502"].into_iter().all(is_missing));
+/// assert!(!["0", "-1", "inf", "error", "#1", "#!", "# no!", "Err:", "Err:x"].into_iter().any(is_missing));
 /// ```
 pub fn is_missing(text: &str) -> bool {
     let text = trim_number(text);
-    text.is_empty() || MISSING_WORDS.iter().any(|word| word.eq_ignore_ascii_case(text))
+    text.is_empty()
+        || MISSING_WORDS.iter().any(|word| word.eq_ignore_ascii_case(text))
+        || is_sheet_error(text)
+}
+
+/// `#` and a word that ends with `!` or `?`, in whatever language; LibreOffice's `Err:` and a number.
+fn is_sheet_error(text: &str) -> bool {
+    let word = text.strip_prefix('#').and_then(|rest| rest.strip_suffix(['!', '?']));
+    let number = text.split_at_checked(4).filter(|(start, _)| start.eq_ignore_ascii_case("err:"));
+    word.is_some_and(|word| !word.is_empty() && !word.contains(' '))
+        || number
+            .is_some_and(|(_, number)| !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
 }

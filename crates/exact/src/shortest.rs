@@ -19,11 +19,13 @@ const DOUBLES: [f64; MOST_PLACES + 1] = [
 
 /// The shortest decimal that is read as this binary64, and of those that are equally short the nearest one, as
 /// `(mantissa, exponent)`, meaning `mantissa · 10^exponent`; `None` for an infinity or NaN. The mantissa has at most 17 digits,
-/// and no zero at its end unless it is 0.
+/// and no zero at its end unless it is 0. Where two of them are equally near it is the even one, as Python and the libraries
+/// that write tables from it print it; the standard library of Rust takes the larger one.
 ///
 /// ```
 /// # use boundfit_exact::shortest_decimal;
 /// assert_eq!(shortest_decimal(0.1), Some((1, -1)));
+/// assert_eq!(shortest_decimal(1_732_372_800_000_000.25), Some((17_323_728_000_000_002, -1)));
 /// assert_eq!(shortest_decimal(-2.0 / 3.0), Some((-6_666_666_666_666_666, -16)));
 /// ```
 pub fn shortest_decimal(value: f64) -> Option<(i64, i32)> {
@@ -42,6 +44,52 @@ pub fn shortest_decimal_of_f32(value: f32) -> Option<(i64, i32)> {
     let is_power = significand == 1 << 23 && exponent > LEAST;
     let shortest = || signed(shortest_of(significand.into(), exponent, is_power)?, value.is_sign_negative());
     value.is_finite().then(|| shortest().or_else(|| plain_decimal(format!("{value:e}").as_bytes()))).flatten()
+}
+
+/// A float that has a shortest decimal.
+pub trait Shortest: Copy + std::fmt::Debug + std::fmt::Display + std::fmt::LowerExp {
+    /// See [`shortest_decimal`].
+    fn shortest(self) -> Option<(i64, i32)>;
+
+    /// What the standard library writes of this float by `{}`, `{:?}` or `{:e}`, with the digits of [`shortest_decimal`].
+    ///
+    /// ```
+    /// # use boundfit_exact::Shortest;
+    /// assert_eq!(0.25.in_shortest_digits(0.25.to_string()), "0.25");
+    /// let stamp = 1_732_372_800_000_000.25;
+    /// assert_eq!(stamp.in_shortest_digits(stamp.to_string()), "1732372800000000.2");
+    /// ```
+    fn in_shortest_digits(self, written: String) -> String {
+        let (digits, exponent) = written.split_once('e').unwrap_or((&written, ""));
+        // Of two decimals that are equally near the standard library writes the upper one: the odd one, if it is not ours.
+        let Some((rest, odd @ ('1' | '3' | '5' | '7' | '9'))) = last_character(digits) else {
+            return written;
+        };
+        let is_ours =
+            plain_decimal(written.as_bytes()).is_none_or(|written| Some(written) == self.shortest());
+        if is_ours {
+            return written;
+        }
+        let even = char::from(odd as u8 - 1);
+        if exponent.is_empty() { format!("{rest}{even}") } else { format!("{rest}{even}e{exponent}") }
+    }
+}
+
+impl Shortest for f64 {
+    fn shortest(self) -> Option<(i64, i32)> {
+        shortest_decimal(self)
+    }
+}
+
+impl Shortest for f32 {
+    fn shortest(self) -> Option<(i64, i32)> {
+        shortest_decimal_of_f32(self)
+    }
+}
+
+fn last_character(text: &str) -> Option<(&str, char)> {
+    let last = text.chars().next_back()?;
+    Some((text.strip_suffix(last)?, last))
 }
 
 /// A mantissa of at most 17 digits with its sign.
@@ -67,8 +115,8 @@ fn shortest_of(significand: u64, exponent: i32, is_power: bool) -> Option<(u64, 
     let tens = floor / 10;
     let (tens_above, tens_below) = (is_above(10 * tens), is_below(10 * tens + 10));
     let (floor_above, floor_below) = (is_above(floor), is_below(floor + 1));
-    // Of two that are equally near the larger one, as the standard library writes it.
-    let nearer = floor + u64::from(value >= 4 * floor + 2);
+    // Of two that are equally near the even one: only a value that is exactly between them is an even number of quarters.
+    let nearer = floor + u64::from(value + (floor & 1) > 4 * floor + 2);
     // No branches: whether digits are few is as good as random, and a wrong guess costs more than all of this.
     let one_of_two = floor + u64::from(floor_below);
     let multiple = if floor_above != floor_below { one_of_two } else { nearer };
@@ -292,13 +340,40 @@ mod tests {
         (mantissa, if mantissa == 0 { 0 } else { exponent.parse::<i32>().unwrap() - fraction })
     }
 
+    /// The shortest decimal by the standard library, and of two that are equally near the even one.
+    fn expected(value: f64, text: &str, reads_back: impl Fn(String) -> bool) -> (i64, i32) {
+        let (mantissa, exponent) = written(text);
+        if mantissa % 2 == 0 || !(-30..0).contains(&exponent) {
+            return (mantissa, exponent);
+        }
+        let below = mantissa - mantissa.signum();
+        let middle = Rational::scientific(i128::from(mantissa) + i128::from(below), exponent);
+        let is_tie = Rational::from_f64(value).unwrap() * Rational::from(2) == middle;
+        // Below a power of two the floats are closer together.
+        (if is_tie && reads_back(format!("{below}e{exponent}")) { below } else { mantissa }, exponent)
+    }
+
     #[track_caller]
     fn check(value: f64) {
         for value in [value, value.next_down(), value.next_up()].into_iter().filter(|value| value.is_finite())
         {
             let text = format!("{value:e}");
-            assert_eq!(shortest_decimal(value), Some(written(&text)), "{text}");
+            let own = shortest_decimal(value);
+            assert_eq!(own, Some(expected(value, &text, |text| text.parse() == Ok(value))), "{text}");
+            for text in [text, format!("{value:?}"), value.to_string()] {
+                let own_text = value.in_shortest_digits(text.clone());
+                assert_eq!(own_text.len(), text.len(), "{text}");
+                assert_eq!(own_text.parse::<f64>().unwrap().to_bits(), value.to_bits(), "{text}");
+                assert!(written_any(&own_text).is_none_or(|written| Some(written) == own), "{text}");
+            }
         }
+    }
+
+    /// Mantissa and exponent of a text of few digits, the mantissa without zeros at its end.
+    fn written_any(text: &str) -> Option<(i64, i32)> {
+        let (mantissa, exponent) = plain_decimal(text.as_bytes())?;
+        let (least, exponent) = without_zeros(mantissa.unsigned_abs().max(1), exponent);
+        if mantissa == 0 { Some((0, 0)) } else { signed((least, exponent), mantissa < 0) }
     }
 
     #[track_caller]
@@ -306,7 +381,39 @@ mod tests {
         for value in [value, value.next_down(), value.next_up()].into_iter().filter(|value| value.is_finite())
         {
             let text = format!("{value:e}");
-            assert_eq!(shortest_decimal_of_f32(value), Some(written(&text)), "{text}");
+            assert_eq!(
+                shortest_decimal_of_f32(value),
+                Some(expected(value.into(), &text, |text| text.parse() == Ok(value))),
+                "{text}"
+            );
+        }
+    }
+
+    // The values are written in full: what is read is the double itself.
+    #[allow(clippy::excessive_precision)]
+    #[test]
+    fn of_two_that_are_equally_near_the_even_one_is_taken() {
+        // What Python 3.11 prints.
+        for (value, text) in [
+            (1_732_372_800_000_000.25, "1732372800000000.2"),
+            (1_732_372_800_000_000.75, "1732372800000000.8"),
+            (-1_732_372_800_000_001.25, "-1732372800000001.2"),
+            (1_000_000_000_000_000.125, "1000000000000000.1"),
+            (1_000_000_000_000_000.375, "1000000000000000.4"),
+            (1_000_000_000_000_000.625, "1000000000000000.6"),
+            (100_000_000_000_000.062_5, "100000000000000.06"),
+            (562_949_953_421_312.125, "562949953421312.1"),
+            (70_368_744_177_664.015_625, "70368744177664.02"),
+            (2_251_799_813_685_248.5, "2251799813685248.5"),
+            (1_125_899_906_842_624.25, "1125899906842624.2"),
+        ] {
+            assert_eq!(f64::in_shortest_digits(value, format!("{value:?}")), text);
+            check(value);
+        }
+        for quarter in 0..40_000_u64 {
+            check((6_929_491_200_000_000 + quarter) as f64 / 4.0);
+            check((1 << 53 | quarter) as f64 / 8.0);
+            check_single((1 << 23 | quarter as u32) as f32 / 8.0);
         }
     }
 

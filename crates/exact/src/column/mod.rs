@@ -1,5 +1,6 @@
 //! Columns of exact numbers, as compact as the numbers allow.
 
+mod alike;
 mod decimals;
 mod long;
 mod rounded;

@@ -1,0 +1,201 @@
+//! An estimate and its error bound as decimals that belong together.
+
+use std::fmt;
+
+use super::{LEAST_PLAIN, Parts, Rounding, significand};
+use crate::{Integer, Rational};
+
+/// The most digits of an estimate that its error bound asks for.
+const MOST_DIGITS: usize = 40;
+
+/// Beside an estimate without a power of ten its error bound has none either, down to here.
+const LEAST_PLAIN_BESIDE_PLAIN: i64 = -9;
+
+/// An estimate c and its error bound g as decimals c' and g' with the same last place.
+///
+/// They are rounded so that [c' - g', c' + g'] contains [c - g, c + g].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PlusMinus {
+    /// The estimate, to nearest.
+    pub centre: PlacedDecimal,
+    /// The error bound.
+    pub error: PlacedDecimal,
+}
+
+/// A decimal whose last digit has a given place. [`Display`](fmt::Display) omits the zeros at its end where it is exact.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PlacedDecimal {
+    is_negative: bool,
+    /// Its size in units of the last place.
+    units: Integer,
+    /// The last place, as a power of ten.
+    place: i64,
+    is_exact: bool,
+    least_plain: i64,
+}
+
+impl PlusMinus {
+    /// Rounds the estimate to the last place of its error bound with so many digits (at least 1), and the error bound up
+    /// by as much as covers that.
+    ///
+    /// Where the estimate would take more than 40 digits, both have fewer places.
+    ///
+    /// ```
+    /// use boundfit_exact::{PlusMinus, Rational};
+    /// let (centre, error) = (Rational::ratio(34_761, 10_000), Rational::ratio(1_905, 10_000));
+    /// let shown = PlusMinus::enclosing(&centre, &error, 3);
+    /// assert_eq!(format!("{} ± {}", shown.centre, shown.error), "3.476 ± 0.191");
+    /// ```
+    pub fn enclosing(centre: &Rational, error: &Rational, digits: usize) -> Self {
+        let digits = digits.max(1);
+        let mut place = last_place(centre, error, digits);
+        loop {
+            let shown = PlusMinus::at(centre, error, place);
+            // Covering the rounding may carry into one more digit.
+            if error.is_zero() || shown.error.units < Integer::power_of_ten(digits as u32) {
+                return shown;
+            }
+            place += 1;
+        }
+    }
+
+    /// With this last place.
+    fn at(centre: &Rational, error: &Rational, place: i64) -> Self {
+        let centre_shown = PlacedDecimal::rounded(centre, place, Rounding::Nearest);
+        let covering = error + (centre_shown.value() - centre).abs();
+        let mut error = PlacedDecimal::rounded(&covering, place, Rounding::Up);
+        if !centre_shown.is_exact && centre_shown.is_plain() {
+            error.least_plain = LEAST_PLAIN_BESIDE_PLAIN;
+        }
+        PlusMinus { centre: centre_shown, error }
+    }
+}
+
+/// The place of the last of so many digits of the error bound; of an error bound of 0 that of the estimate.
+fn last_place(centre: &Rational, error: &Rational, digits: usize) -> i64 {
+    let last =
+        |value: &Rational, digits: usize| value.decimal_exponent().map(|first| first + 1 - digits as i64);
+    let asked = match error.is_zero() {
+        true => last(centre, digits).unwrap_or(0),
+        false => last(&error.rounded(digits, Rounding::Up), digits).unwrap_or(0),
+    };
+    match last(centre, digits.max(MOST_DIGITS)) {
+        Some(finest) if finest > asked && centre.exact_decimal(MOST_DIGITS).is_none() => finest,
+        _ => asked,
+    }
+}
+
+impl PlacedDecimal {
+    fn rounded(value: &Rational, place: i64, rounding: Rounding) -> Self {
+        let away_from_zero = rounding.away_from_zero(value);
+        let (units, is_exact) = significand(&value.abs(), place, 1, away_from_zero);
+        PlacedDecimal { is_negative: value.is_negative(), units, place, is_exact, least_plain: LEAST_PLAIN }
+    }
+
+    /// The number that the decimal says. Exact.
+    pub fn value(&self) -> Rational {
+        let size = Rational::scientific(self.units.clone(), self.place);
+        if self.is_negative { -size } else { size }
+    }
+
+    /// As files for programs have it: below 0.1 with a power of ten.
+    #[must_use]
+    pub fn compact(self) -> Self {
+        PlacedDecimal { least_plain: -1, ..self }
+    }
+
+    /// Whether a rounded one is written without a power of ten.
+    fn is_plain(&self) -> bool {
+        let first = self.units.to_string().len() as i64 - 1 + self.place;
+        self.place <= 0 && (self.units.is_zero() || first >= LEAST_PLAIN)
+    }
+}
+
+impl fmt::Display for PlacedDecimal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.units.is_zero() {
+            // Rounded, 0 has as many places as its error bound.
+            return match usize::try_from(-self.place) {
+                Ok(places @ 1..=MOST_DIGITS) if !self.is_exact => write!(f, "0.{:0<places$}", ""),
+                _ => f.write_str("0"),
+            };
+        }
+        let digits = self.units.to_string();
+        let first = digits.len() as i64 - 1 + self.place;
+        let mut text = String::new();
+        Parts::new(&digits, first, self.is_exact, self.least_plain)
+            .write(self.is_negative, |part| text.push_str(part));
+        f.write_str(&text)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Limits, Reading};
+
+    fn value(text: &str) -> Rational {
+        Reading::Decimal.read(text, &Limits::default()).unwrap()
+    }
+
+    #[test]
+    fn the_estimate_has_the_places_of_its_error_bound_which_covers_its_rounding() {
+        for (centre, error, digits, printed) in [
+            ("3.4761", "0.1905", 3, "3.476 ± 0.191"),
+            ("1/3", "0.25", 2, "0.33 ± 0.26"),
+            ("0.5", "1/3", 3, "0.5 ± 0.334"),
+            ("9.996", "0.01", 2, "9.996 ± 0.01"),
+            ("29.9999", "0.1", 2, "30.00 ± 0.11"),
+            // Covering carries: 0.99 + 0.0033 takes a place less.
+            ("1/3", "0.99", 2, "0.3 ± 1.1"),
+            ("1/3", "0.99", 1, "0 ± 2"),
+            ("-1/3", "0.0123", 2, "-0.333 ± 0.013"),
+            ("0.0018195", "2.87436e-5", 5, "0.0018195 ± 2.8744e-5"),
+            ("0.00181959573", "2.87436e-5", 5, "0.001819596 ± 0.000028744"),
+            ("1/30000", "2.87436e-6", 3, "3.333e-5 ± 2.88e-6"),
+            ("123456789", "12345", 2, "1.23457e8 ± 1.3e4"),
+            ("1/700", "12", 3, "0.0 ± 12.1"),
+            ("1/7", "0", 4, "0.1429 ± 0.0001"),
+            ("7", "0", 4, "7 ± 0"),
+            ("0", "0", 4, "0 ± 0"),
+            ("0", "1/3", 4, "0 ± 0.3334"),
+            ("1.7", "1e-9999", 5, "1.7 ± 1e-9999"),
+        ] {
+            let PlusMinus { centre, error } = PlusMinus::enclosing(&value(centre), &value(error), digits);
+            assert_eq!(format!("{centre} ± {error}"), printed);
+        }
+    }
+
+    #[test]
+    fn an_estimate_beside_a_tiny_error_bound_has_no_endless_digits() {
+        let shown = PlusMinus::enclosing(&value("1/3"), &value("1e-9999"), 5);
+        let threes = "3".repeat(40);
+        assert_eq!(shown.centre.to_string(), format!("0.{threes}"));
+        assert_eq!(shown.error.to_string(), "1e-40");
+    }
+
+    #[test]
+    fn what_is_printed_encloses_what_is_exact_and_is_hardly_wider() {
+        for numerator in [-1_234_567_i64, -7, 0, 1, 22, 355, 99_999] {
+            for denominator in [1_i64, 3, 7, 113, 1024] {
+                for exponent in -9..9 {
+                    for digits in 1..=12 {
+                        let centre = Rational::ratio(numerator, denominator);
+                        let error =
+                            Rational::scientific(numerator.abs() % 19, exponent) * Rational::ratio(1, 7);
+                        let shown = PlusMinus::enclosing(&centre, &error, digits);
+                        let compact = [shown.centre.clone(), shown.error.clone()].map(PlacedDecimal::compact);
+                        for [c, g] in [[shown.centre.clone(), shown.error.clone()], compact] {
+                            let [c, g] = [c, g].map(|own| value(&own.to_string()));
+                            assert_eq!([&c, &g], [&shown.centre.value(), &shown.error.value()]);
+                            assert!(&c - &g <= &centre - &error, "{centre} {error} {digits}: {c} {g}");
+                            assert!(&c + &g >= &centre + &error, "{centre} {error} {digits}: {c} {g}");
+                            let unit = Rational::scientific(1, shown.error.place);
+                            assert!(g <= &error + unit.clone() + unit, "{centre} {error} {digits}: {c} {g}");
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
