@@ -50,7 +50,7 @@ impl BoundName {
     }
 
     /// The bound on the same side of another data row; a condition stays itself.
-    pub(crate) fn of_row(self, row: usize) -> Self {
+    pub fn of_row(self, row: usize) -> Self {
         match self {
             BoundName::Upper(_) => BoundName::Upper(row),
             BoundName::Lower(_) => BoundName::Lower(row),

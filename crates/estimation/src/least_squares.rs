@@ -62,7 +62,7 @@ impl LeastSquares {
             return LeastSquares::through_origin(measurements);
         }
         match measurements.readings() {
-            Readings::Supporting { reduction, .. } => {
+            Readings::Supporting { reduction, .. } | Readings::Counted { reduction, .. } => {
                 LeastSquares::of_reduction(reduction, measurements.error_bound())
             }
             Readings::All(rows) => grid

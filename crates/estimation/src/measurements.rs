@@ -1,8 +1,12 @@
 //! The readings of a fit, and where they come from.
 
+use std::borrow::Cow;
+use std::collections::{BTreeMap, BTreeSet};
+
 use boundfit_exact::{Foreign, Rational};
 #[cfg(feature = "files")]
-use boundfit_formats::{RowNumbers, TextLayout};
+use boundfit_formats::{RowNumbers, TableNotes, TextLayout};
+use boundfit_geometry::Tally;
 
 use crate::hulls::Extremes;
 use crate::law::{Law, range_of_y};
@@ -31,6 +35,15 @@ pub enum Readings {
         /// What else is known about all readings.
         reduction: Reduction,
     },
+    /// Every one of them, equal ones once.
+    Counted {
+        /// The first of those that are equal, ascending by row.
+        rows: Vec<Measurement>,
+        /// Which ones each of these stands for: all are listed.
+        ties: Ties,
+        /// What else is known about all readings.
+        reduction: Reduction,
+    },
 }
 
 /// Where readings come from.
@@ -44,10 +57,13 @@ pub(crate) struct Origin {
     pub(crate) ranges: Vec<[usize; 2]>,
     /// How many rows that were asked for were left out since they lack a number.
     pub(crate) rows_missing: usize,
-    /// What is unusual about how the file is written, in words.
-    pub(crate) written: Option<String>,
+    /// What the table was taken for.
+    #[cfg(feature = "files")]
+    pub(crate) table: Option<TableNotes>,
     /// The units of regressors, response and error bound, where the file states them.
     pub(crate) units: Vec<Option<Foreign>>,
+    /// The texts of the cells of each row, by its number, where they were kept.
+    pub(crate) cells: BTreeMap<usize, Vec<String>>,
     #[cfg(feature = "files")]
     pub(crate) layout: Option<TextLayout>,
     pub(crate) sha256: Option<String>,
@@ -69,10 +85,37 @@ impl Measurements {
         Measurements::of_meaning(Meaning::new(model, response, error_bound), rows)
     }
 
+    /// Readings that do not come from a file, each of which stands for so many that are equal to it, itself included.
+    pub fn counted(
+        model: Model,
+        response: Foreign,
+        error_bound: ErrorBound,
+        rows: Vec<Measurement>,
+        counts: &[u64],
+    ) -> Self {
+        let mut ties = Ties::default();
+        for (reading, &count) in rows.iter().zip(counts) {
+            ties.insert(reading.row, Tally::counted(reading.row as u64, count));
+        }
+        Measurements::of_counted(Meaning::new(model, response, error_bound), rows, ties)
+    }
+
+    /// Readings of which each stands for others equal to it, with numbers of this meaning.
+    pub(crate) fn of_counted(meaning: Meaning, rows: Vec<Measurement>, ties: Ties) -> Self {
+        let reduction = Reduction::of_counted(&meaning, &rows, &ties);
+        Measurements::of_readings(meaning, Readings::Counted { rows, ties, reduction })
+    }
+
     /// Readings that do not come from a file, with numbers of this meaning.
+    pub(crate) fn of_readings(meaning: Meaning, readings: Readings) -> Self {
+        let mut own = Measurements { meaning, readings, others: Vec::new(), origin: Origin::default() };
+        own.origin.rows_total = own.fitted();
+        own
+    }
+
+    /// Every one of some readings that do not come from a file, with numbers of this meaning.
     pub(crate) fn of_meaning(meaning: Meaning, rows: Vec<Measurement>) -> Self {
-        let origin = Origin { rows_total: rows.len(), ..Origin::default() };
-        Measurements { meaning, readings: Readings::All(rows), others: Vec::new(), origin }
+        Measurements::of_readings(meaning, Readings::All(rows))
     }
 
     /// The readings at these positions of [`Measurements::kept`] alone, ascending; the rest of those are to be shown but not
@@ -103,6 +146,8 @@ impl Measurements {
         for row in rows.iter_mut().chain(&mut self.others) {
             row.row = numbers.get(row.row - 1);
         }
+        let cells = std::mem::take(&mut self.origin.cells);
+        self.origin.cells = cells.into_iter().map(|(row, cells)| (numbers.get(row - 1), cells)).collect();
         self.origin.selection = asked;
         Some(self)
     }
@@ -148,7 +193,7 @@ impl Measurements {
     pub(crate) fn within_multiple(mut self, multiple: MultipleOfLeast) -> Self {
         let epsilon = &multiple.factor * &multiple.least;
         let rows = match &mut self.readings {
-            Readings::All(rows) | Readings::Supporting { rows, .. } => rows,
+            Readings::All(rows) | Readings::Supporting { rows, .. } | Readings::Counted { rows, .. } => rows,
         };
         for row in rows.iter_mut().chain(&mut self.others) {
             *row = row.clone().within(epsilon.clone());
@@ -177,7 +222,9 @@ impl Measurements {
     pub fn has_widths(&self) -> bool {
         match &self.readings {
             Readings::All(rows) => rows.is_empty() || rows.iter().any(|row| row.half_width().is_some()),
-            Readings::Supporting { reduction, .. } => reduction.has_widths,
+            Readings::Supporting { reduction, .. } | Readings::Counted { reduction, .. } => {
+                reduction.has_widths
+            }
         }
     }
 
@@ -213,7 +260,63 @@ impl Measurements {
     pub fn all(&self) -> Option<&[Measurement]> {
         match &self.readings {
             Readings::All(rows) => Some(rows),
+            Readings::Supporting { .. } | Readings::Counted { .. } => None,
+        }
+    }
+
+    /// Every reading that is fitted, equal ones maybe once, with what these stand for; `None` when only those that support a hull
+    /// are in memory.
+    pub fn every(&self) -> Option<(&[Measurement], Cow<'_, Ties>)> {
+        match &self.readings {
+            Readings::All(rows) => Some((rows, Cow::Owned(Ties::default()))),
+            Readings::Counted { rows, ties, .. } => Some((rows, Cow::Borrowed(ties))),
             Readings::Supporting { .. } => None,
+        }
+    }
+
+    /// The readings of these data rows, ascending, as far as they are in memory.
+    pub fn readings_of<'a>(&'a self, rows: &'a [usize]) -> Vec<(usize, &'a Measurement)> {
+        let kept = self.kept();
+        let Some(ties) = self.ties() else {
+            let own = |&row: &usize| {
+                let place = kept.binary_search_by_key(&row, |reading| reading.row).ok()?;
+                Some((row, kept.get(place)?))
+            };
+            return rows.iter().filter_map(own).collect();
+        };
+        // Of equal readings the first is among these rows, or none is.
+        let is_asked = |row: usize| rows.binary_search(&row).is_ok();
+        let asked = kept.iter().filter(|reading| is_asked(reading.row));
+        let of_rows = asked.flat_map(|reading| {
+            ties.rows(reading.row).filter(|&row| is_asked(row)).map(move |row| (row, reading))
+        });
+        let mut found: Vec<(usize, &Measurement)> = of_rows.collect();
+        found.sort_by_key(|(row, _)| *row);
+        found
+    }
+
+    /// The readings without those of some rows, ascending: of equal ones the first that is left.
+    pub fn without(&self, rows: &BTreeSet<usize>) -> Vec<Measurement> {
+        let ties = self.ties();
+        let first_left = |reading: &Measurement| match ties {
+            Some(ties) => ties.rows(reading.row).find(|row| !rows.contains(row)),
+            None => Some(reading.row).filter(|row| !rows.contains(row)),
+        };
+        let left = |reading: &Measurement| Some(Measurement { row: first_left(reading)?, ..reading.clone() });
+        let mut left: Vec<Measurement> = self.kept().iter().filter_map(left).collect();
+        left.sort_by_key(|reading| reading.row);
+        left
+    }
+
+    /// These readings alone, of those in memory, with what they stand for, as far as reports list it.
+    #[must_use]
+    pub fn of_kept(&self, rows: Vec<Measurement>) -> Self {
+        let meaning = Meaning::new(self.model().clone(), self.response().clone(), self.error_bound().clone());
+        let ties =
+            self.ties().map(|ties| ties.among(rows.iter().map(|reading| reading.row), Ties::MOST_LISTED));
+        match ties.filter(|ties| !ties.is_empty()) {
+            Some(ties) => Measurements::of_counted(meaning, rows, ties),
+            None => Measurements::of_meaning(meaning, rows),
         }
     }
 
@@ -223,7 +326,7 @@ impl Measurements {
     /// Why they are not known.
     pub fn deciding_minimax(&self) -> Result<&[Measurement], NoMinimax> {
         match &self.readings {
-            Readings::All(rows) => Ok(rows),
+            Readings::All(rows) | Readings::Counted { rows, .. } => Ok(rows),
             Readings::Supporting { rows, reduction, .. } => match &reduction.minimax {
                 DecidingMinimax::Kept => Ok(rows),
                 DecidingMinimax::Own(rows) => Ok(rows),
@@ -235,7 +338,7 @@ impl Measurements {
     /// Whether the reading that any θ, or the least-squares estimate at least, misses most is among those in memory.
     pub(crate) fn have_tightest(&self) -> bool {
         match &self.readings {
-            Readings::All(_) => true,
+            Readings::All(_) | Readings::Counted { .. } => true,
             Readings::Supporting { reduction, .. } => {
                 self.meaning.regressors() == 1 || !matches!(reduction.minimax, DecidingMinimax::Unknown(_))
             }
@@ -245,7 +348,7 @@ impl Measurements {
     /// Whether the readings in memory decide for every multiple of their error bounds.
     pub fn are_open(&self) -> bool {
         match &self.readings {
-            Readings::All(_) => true,
+            Readings::All(_) | Readings::Counted { .. } => true,
             Readings::Supporting { reduction, .. } => reduction.minimax == DecidingMinimax::Kept,
         }
     }
@@ -253,7 +356,7 @@ impl Measurements {
     /// The readings in memory: all of them, or those that decide the feasible set.
     pub fn kept(&self) -> &[Measurement] {
         match &self.readings {
-            Readings::All(rows) | Readings::Supporting { rows, .. } => rows,
+            Readings::All(rows) | Readings::Supporting { rows, .. } | Readings::Counted { rows, .. } => rows,
         }
     }
 
@@ -270,7 +373,7 @@ impl Measurements {
     pub fn ties(&self) -> Option<&Ties> {
         match &self.readings {
             Readings::All(_) => None,
-            Readings::Supporting { ties, .. } => Some(ties),
+            Readings::Supporting { ties, .. } | Readings::Counted { ties, .. } => Some(ties),
         }
     }
 
@@ -286,7 +389,7 @@ impl Measurements {
     pub fn fitted(&self) -> usize {
         match &self.readings {
             Readings::All(rows) => rows.len(),
-            Readings::Supporting { reduction, .. } => reduction.count,
+            Readings::Supporting { reduction, .. } | Readings::Counted { reduction, .. } => reduction.count,
         }
     }
 
@@ -323,10 +426,17 @@ impl Measurements {
         self.origin.rows_missing
     }
 
-    /// What is unusual about how the file is written, such as `decimal comma, separated by semicolons`; `None` of text that is
-    /// as usual, and of what is no text.
-    pub fn written(&self) -> Option<&str> {
-        self.origin.written.as_deref()
+    /// What the table was taken for; `None` unless the readings come from text or a sheet.
+    #[cfg(feature = "files")]
+    pub fn table(&self) -> Option<&TableNotes> {
+        self.origin.table.as_ref()
+    }
+
+    /// The texts of the cells of a row, fitted or not, as they are written in the file: regressors, response and, where they are
+    /// columns, error bounds. `None` unless the table was read with
+    /// [`TableOptions::keep_cells`](boundfit_formats::TableOptions::keep_cells) and is text.
+    pub fn cells(&self, row: usize) -> Option<&[String]> {
+        self.origin.cells.get(&row).map(Vec::as_slice)
     }
 
     /// The unit that the file states for a column: regressors, response and, with one per row, error bound, from 0.

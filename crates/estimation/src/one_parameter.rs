@@ -23,7 +23,9 @@ impl LeastSquares {
     pub(crate) fn through_origin(measurements: &Measurements) -> Result<Self, NoLeastSquares> {
         let Sums { xx, xy, about } = match measurements.readings() {
             Readings::All(rows) => sums_of_rows(rows)?,
-            Readings::Supporting { reduction, .. } => sums_of_reduction(reduction, measurements)?,
+            Readings::Supporting { reduction, .. } | Readings::Counted { reduction, .. } => {
+                sums_of_reduction(reduction, measurements)?
+            }
         };
         let solved = |numerator: &Rational| numerator.checked_div(&xx).ok_or(NoLeastSquares::EveryXZero);
         let theta = [solved(&xy)?, Rational::zero()];

@@ -54,9 +54,26 @@ impl Ties {
         weighted
     }
 
+    /// Whether every reading stands for itself alone.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// How many readings that of a row stands for, itself included.
     pub fn count(&self, row: usize) -> usize {
         self.0.get(&row).map_or(1, |rows| rows.count() as usize)
+    }
+
+    /// The rows that one stands for, as far as they are listed, ascending; itself is the first.
+    pub fn rows(&self, row: usize) -> impl Iterator<Item = usize> + '_ {
+        let others = self.0.get(&row).into_iter().flat_map(Tally::rows).map(|row| row as usize);
+        [row].into_iter().chain(others.skip(1))
+    }
+
+    /// What these rows stand for, alone, with at most so many numbers of each.
+    pub(crate) fn among(&self, rows: impl Iterator<Item = usize>, most: usize) -> Self {
+        let listed = |tally: &Tally| Tally::merged([tally.clone()].into_iter(), most);
+        Ties(rows.filter_map(|row| Some((row, listed(self.0.get(&row)?)))).collect())
     }
 
     /// The readings that one stands for.
@@ -71,7 +88,8 @@ impl Ties {
             match name.row().and_then(|row| self.0.get(&row)) {
                 Some(rows) => {
                     count += rows.count() as usize;
-                    all.extend(rows.rows().map(|row| name.of_row(row as usize)));
+                    // Names are sorted by row.
+                    all.extend(rows.rows().take(most).map(|row| name.of_row(row as usize)));
                 }
                 None => {
                     count += 1;

@@ -2,18 +2,21 @@
 
 mod agreement;
 mod columns;
+mod counted;
 mod fleet;
 mod kept_columns;
 mod looks;
 mod outline;
 mod reduce;
 mod scan;
+mod series;
 mod stated;
 
 use boundfit_exact::Rational;
 use boundfit_formats::{ColumnSelector, InputError, ScanOptions, Source, TableOptions, TableRow, read_table};
 
 pub use columns::{Columns, EpsilonColumn};
+pub use counted::{CountedBatch, CountedRows};
 pub use fleet::Fleet;
 pub use reduce::ReducedTable;
 
@@ -49,8 +52,13 @@ impl Measurements {
         let file = source.name().to_owned();
         let own = columns.selectors();
         let selectors: Vec<ColumnSelector> = own.iter().chain(beside).cloned().collect();
-        let table = read_table(source, &selectors, options)?;
+        let mut table = read_table(source, &selectors, options)?;
         columns.refuse_long_in_each(&file, table.rows.len() + table.others.len(), options.sizes.work)?;
+        let cells_of = |row: &mut TableRow| {
+            let cells = std::mem::take(&mut row.cells);
+            (!cells.is_empty()).then_some((row.row, cells))
+        };
+        let cells = table.rows.iter_mut().chain(&mut table.others).filter_map(cells_of).collect();
         let further = |position: usize| {
             let numbers = table.rows.iter().map(|row| row.numbers.get(own.len() + position).cloned());
             numbers.map(Option::unwrap_or_default).collect()
@@ -73,8 +81,9 @@ impl Measurements {
             selection: Selection::of(options),
             fractions: FractionCells::of(&table.names, &table.fractions),
             ranges: table.ranges,
-            written: table.layout.as_ref().and_then(|layout| layout.dialect.words()),
+            table: table.table,
             units: table.units,
+            cells,
             layout: table.layout,
             sha256: Some(table.sha256),
         };

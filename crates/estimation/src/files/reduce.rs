@@ -4,7 +4,9 @@ use std::collections::{HashMap, HashSet};
 use std::io::{self, Write};
 
 use boundfit_exact::Rational;
-use boundfit_formats::{Batch, InputError, ReductionRecord, ScanOptions, Source, open_reduction, scan};
+use boundfit_formats::{
+    AskedBlock, Batch, InputError, ReductionRecord, ScanOptions, Source, TableNotes, open_reduction, scan,
+};
 
 use super::agreement::KeptRows;
 use super::columns::Columns;
@@ -28,6 +30,7 @@ pub struct ReducedTable {
     rows: Vec<Vec<u8>>,
     /// How many readings each of these stands for.
     counts: Vec<usize>,
+    table: Option<TableNotes>,
 }
 
 /// Which readings are kept.
@@ -89,8 +92,10 @@ impl ReducedTable {
         let mut options = ScanOptions { keep_text: true, hash: false, ..options.clone() };
         if let Some(reductions) = &reductions {
             options.table.header = reductions.header();
+            // Records stand between the rows of several.
+            options.table.block = Some(AskedBlock::All);
             // Whether they fit together comes first.
-            options.unbounded_rows = true;
+            (options.unbounded_rows, options.same_columns) = (true, true);
             // Those of nothing are reductions too.
             options.allow_nothing = true;
         }
@@ -149,7 +154,9 @@ impl ReducedTable {
             widths: own.has_widths,
             sums: written(&own.sums),
         };
-        Ok(ReducedTable { record, header: scanned.header_line, rows, counts })
+        // What reductions were made from is no longer known.
+        let table = scanned.table.filter(|_| reductions.is_none());
+        Ok(ReducedTable { record, header: scanned.header_line, rows, counts, table })
     }
 
     /// How many readings there were.
@@ -160,6 +167,11 @@ impl ReducedTable {
     /// How many of them are kept.
     pub fn kept(&self) -> usize {
         self.rows.len()
+    }
+
+    /// What the table was taken for; nothing unless it is text or a sheet, and no reduction.
+    pub fn table(&self) -> Option<&TableNotes> {
+        self.table.as_ref()
     }
 
     /// Writes the reduction as text.

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use boundfit_exact::{Column, Rational};
 use boundfit_formats::{
-    Batch, HeldRows, InputError, RowNumbers, ScanOptions, Scanned, Source, TableRow, open_reduction, scan,
+    AskedBlock, Batch, HeldRows, InputError, RowNumbers, ScanOptions, Scanned, Source, TableRow,
+    open_reduction, scan,
 };
 
 use super::agreement::KeptRows;
@@ -98,6 +99,8 @@ impl Measurements {
         let name = source.name().to_owned();
         let path = source.path().map(str::to_owned);
         let usual = if path.is_some() { MOST_BYTES_OF_FILE } else { MOST_BYTES_OF_STREAM };
+        let memory = usize::try_from(options.table.sizes.memory / 2).unwrap_or(usize::MAX);
+        let usual = usual.min(memory);
         let mut all = Collected::new(keep.most_bytes.unwrap_or(usual));
         let unnamed = columns.meaning(&[]);
         let scale = Scale::AsStated;
@@ -106,8 +109,10 @@ impl Measurements {
         let mut options = options.clone();
         if let Some(reductions) = &reductions {
             options.table.header = reductions.header();
+            // Records stand between the rows of several.
+            options.table.block = Some(AskedBlock::All);
             // Whether the reduction serves these bounds comes first.
-            options.unbounded_rows = true;
+            (options.unbounded_rows, options.same_columns) = (true, true);
         }
         let summarises = unnamed.is_open() || unnamed.are_bounds_known();
         // A proof names every row that touches; of a reduction the rows are few, and stand for others by their numbers.
@@ -148,7 +153,11 @@ impl Measurements {
         });
         let holds_all = held.is_some();
         held.map_or(Ok(()), |held| held.check(name.raw()))?;
-        let scanned = scanned?;
+        let mut scanned = scanned?;
+        if reductions.is_some() {
+            // What its table was taken for is said in its record.
+            scanned.table = None;
+        }
         if holds_all {
             columns.refuse_long_in_each(&name, held_rows, options.table.sizes.work)?;
         }
@@ -354,17 +363,17 @@ impl Collected {
 }
 
 /// Readings of a table that was read in batches.
-fn measurements(
+pub(super) fn measurements(
     meaning: Meaning,
     selection: Selection,
     scanned: Scanned,
     readings: Readings,
 ) -> Measurements {
-    let Scanned { names, fractions, rows_total, rows_missing, ranges, units, layout, sha256, .. } = scanned;
-    let written = layout.as_ref().and_then(|layout| layout.dialect.words());
+    let Scanned { names, fractions, rows_total, rows_missing, ranges, units, layout, table, sha256, .. } =
+        scanned;
     let fractions = FractionCells::of(&names, &fractions);
-    let origin =
-        Origin { rows_total, rows_missing, selection, fractions, ranges, written, units, layout, sha256 };
+    let known = Origin { rows_total, rows_missing, selection, fractions, ranges, ..Origin::default() };
+    let origin = Origin { table, units, layout, sha256, ..known };
     Measurements { meaning, readings, others: Vec::new(), origin }
 }
 

@@ -1,19 +1,20 @@
 //! The readings that decide a fit under bounds that are fixed, found part by part.
 
-use std::collections::hash_map::Entry;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
+use std::hash::BuildHasher;
 use std::sync::{Arc, RwLock};
 
 use boundfit_exact::{Column, Rational};
 use boundfit_geometry::grid::{EnvelopeSieve, in_range};
 use boundfit_geometry::{Constraint, HalfPlane, Inequality, Tally, touching_an_envelope};
+use hashbrown::{DefaultHashBuilder, HashTable};
 
 use super::rounded::{may_be_tightest, rounded_strips};
 use super::scale::Scale;
 use super::sums::Sums;
 use crate::least_squares::NoLeastSquares;
 use crate::meaning::Meaning;
-use crate::measurement::{Bounds, Measurement};
+use crate::measurement::Measurement;
 use crate::ties::{TiedReading, Ties};
 
 /// Merging waits for at least this many new rows, so that small parts do not each pay for the whole.
@@ -47,16 +48,23 @@ pub(crate) fn touching(readings: Vec<TiedReading>, scale: &Scale, most: usize) -
 /// The readings by row, of several that say the same the first with the numbers of all. Exact. Cost: O(n log n).
 fn told_once(mut readings: Vec<TiedReading>, most: usize) -> Vec<TiedReading> {
     readings.sort_by_key(|own| own.reading.row);
-    let mut of: HashMap<([Rational; 2], Bounds), usize> = HashMap::new();
+    let hasher = DefaultHashBuilder::default();
+    let hash = |own: &Measurement| hasher.hash_one((&own.regressor, &own.bounds));
+    let mut of: HashTable<usize> = HashTable::new();
     let mut others: BTreeMap<usize, Vec<Tally>> = BTreeMap::new();
     let mut once: Vec<TiedReading> = Vec::new();
     for TiedReading { reading, rows } in readings {
-        match of.entry((reading.regressor.clone(), reading.bounds.clone())) {
+        let own = hash(&reading);
+        let says_the_same = |&place: &usize| {
+            let other = &once[place].reading;
+            reading.regressor == other.regressor && reading.bounds == other.bounds
+        };
+        match of.find(own, says_the_same).copied() {
             // Without regressors none is ever active: of those only the first counts, whatever else was in its part.
-            Entry::Occupied(_) if reading.regressor.iter().all(Rational::is_zero) => {}
-            Entry::Occupied(first) => others.entry(*first.get()).or_default().push(rows),
-            Entry::Vacant(place) => {
-                place.insert(once.len());
+            Some(_) if reading.regressor.iter().all(Rational::is_zero) => {}
+            Some(first) => others.entry(first).or_default().push(rows),
+            None => {
+                of.insert_unique(own, once.len(), |&place| hash(&once[place].reading));
                 once.push(TiedReading { reading, rows });
             }
         }

@@ -6,6 +6,7 @@
 
 #[cfg(feature = "files")]
 mod brackets;
+mod counted;
 #[cfg(feature = "files")]
 mod fixed;
 #[cfg(feature = "files")]

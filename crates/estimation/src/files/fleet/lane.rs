@@ -10,9 +10,9 @@ use crate::group_fit::GroupFit;
 use crate::moments::{Moments, SUM_BITS, Solution, bits};
 
 /// Numbers as integers on a power of ten.
-pub(super) struct Counts {
-    pub(super) counts: Vec<i128>,
-    pub(super) exponent: i32,
+pub(in crate::files) struct Counts {
+    pub(in crate::files) counts: Vec<i128>,
+    pub(in crate::files) exponent: i32,
 }
 
 /// Powers of ten beyond these are left to numbers of any size.

@@ -7,22 +7,29 @@ mod chains;
 mod groups;
 mod keys;
 mod lane;
-mod series;
 
+use std::collections::HashMap;
 use std::io;
 use std::ops::Range;
 
-use boundfit_exact::Foreign;
-use boundfit_formats::{Batch, ColumnSelector, InputError, RowNumbers, ScanOptions, Source, scan, threads};
+use boundfit_exact::{Column, Foreign, Unit};
+use boundfit_formats::{
+    Batch, ColumnSelector, HeldRows, InputError, RowNumbers, ScanOptions, Source, TableNotes, scan, threads,
+};
+use boundfit_geometry::Tally;
 
 use crate::files::Columns;
+use crate::files::counted::{CountedBatch, CountedRows};
+use crate::files::series::Series;
 use crate::group_fit::GroupFit;
 use crate::meaning::{ErrorBound, Meaning, Model};
 use crate::measurement::Measurement;
-use crate::measurements::Measurements;
+use crate::measurements::{Measurements, Readings};
+use crate::summary::{DecidingMinimax, Keep, LineSummary, Reach, Reduction, SharedSieve, Spread, Thresholds};
+use crate::ties::Ties;
 use groups::Groups;
 use keys::Keys;
-use series::Series;
+pub(super) use lane::Counts;
 
 /// How many groups one piece of work has.
 const GROUPS_PER_PIECE: usize = 64;
@@ -40,7 +47,11 @@ pub struct Fleet {
     columns: Vec<Series>,
     /// Which rows of the file these are.
     rows: RowNumbers,
+    /// Other rows, of which many are equal: the number of the group, and then as the columns.
+    counted: CountedRows,
+    counted_groups: Groups,
     rows_missing: usize,
+    table: Option<TableNotes>,
 }
 
 impl Fleet {
@@ -59,13 +70,17 @@ impl Fleet {
         let selectors = columns.selectors();
         let options = ScanOptions { key: Some(by.clone()), ..options };
         let file = source.name().to_owned();
+        let mut options = options;
+        let held = HeldRows::limiting(&mut options);
         let mut store = Store { columns: vec![Series::default(); selectors.len()], ..Store::default() };
         let mut unbounded = None;
-        let runs = |batch: Batch| (columns.first_unbounded(&batch), Runs::new(batch));
-        let scanned = scan(source, &selectors, &options, runs, |(row, runs)| {
+        let part = |batch: Batch| (columns.first_unbounded(&batch), Part::of(batch));
+        let scanned = scan(source, &selectors, &options, part, |(row, part)| {
             unbounded = unbounded.or(row);
-            store.push(&runs);
-        })?;
+            store.push(part, &held);
+        });
+        held.check(file.raw())?;
+        let scanned = scanned?;
         columns.refuse_unbounded(&file, unbounded)?;
         if store.is_full {
             let error = io::Error::other(format!("more than {} rows", u32::MAX));
@@ -73,15 +88,10 @@ impl Fleet {
         }
         let meaning = columns.meaning(&scanned.names);
         let groups = Groups::new(&store.group_of, store.keys.len());
-        let rows_missing = scanned.rows_missing;
-        Ok(Fleet {
-            meaning,
-            keys: store.keys,
-            groups,
-            columns: store.columns,
-            rows: store.rows,
-            rows_missing,
-        })
+        let counted_groups = Groups::new(&store.counted_group_of, store.keys.len());
+        let (rows_missing, table) = (scanned.rows_missing, scanned.table);
+        let Store { keys, columns, rows, counted, .. } = store;
+        Ok(Fleet { meaning, keys, groups, columns, rows, counted, counted_groups, rows_missing, table })
     }
 
     /// How many groups there are.
@@ -96,12 +106,17 @@ impl Fleet {
 
     /// How many readings there are.
     pub fn readings(&self) -> usize {
-        self.rows.len()
+        self.rows.len() + self.counted.rows()
     }
 
     /// How many rows that were asked for were left out since they lack a number.
     pub fn rows_missing(&self) -> usize {
         self.rows_missing
+    }
+
+    /// What the table was taken for; nothing unless it is text or a sheet.
+    pub fn table(&self) -> Option<&TableNotes> {
+        self.table.as_ref()
     }
 
     /// Whether every reading has its own error bound.
@@ -111,7 +126,7 @@ impl Fleet {
 
     /// Whether numbers may be long: some did not fit into machine words.
     pub fn has_fractions(&self) -> bool {
-        self.columns.iter().any(Series::has_fractions)
+        self.columns.iter().chain(self.counted.columns()).any(Series::has_fractions)
     }
 
     /// The text that the rows of a group have in common.
@@ -122,19 +137,103 @@ impl Fleet {
         Foreign::of(self.keys.get(group))
     }
 
-    /// The readings of a group in the order of the file.
+    /// The readings of a group in the order of the file: of a group of more than [`Keep::MOST_ROWS`] equal ones once where many are
+    /// equal, and of a line under one bound else those that support a hull.
     ///
     /// # Panics
     /// When there are not that many groups.
     pub fn measurements(&self, group: usize) -> Measurements {
-        let measurement = |index: usize| {
-            let numbers = self.columns.iter().map(|column| column.get(index));
-            self.meaning.measurement(self.rows.get(index), numbers)
+        let kinds = self.counted_groups.rows(group);
+        let count = |kind: usize| self.counted.tally(kind).count() as usize;
+        let is_large =
+            self.groups.rows(group).len() + kinds.clone().map(count).sum::<usize>() > Keep::MOST_ROWS;
+        match (is_large, kinds.len() > 0) {
+            (true, false) if self.meaning.is_open() => return self.supporting(group),
+            (true, true) => {}
+            _ => return self.each(group),
+        }
+        let mut rows = self.kinds_of(group);
+        rows.sort_by_key(|(reading, _)| reading.row);
+        let mut ties = Ties::default();
+        for (reading, tally) in &rows {
+            tally.iter().for_each(|tally| ties.insert(reading.row, (*tally).clone()));
+        }
+        let mut rows: Vec<Measurement> = rows.into_iter().map(|(reading, _)| reading).collect();
+        let mut meaning = self.meaning.clone();
+        meaning.settle(&mut rows);
+        Measurements::of_counted(meaning, rows, ties)
+    }
+
+    /// Every reading of a group by itself, in the order of the file.
+    ///
+    /// # Panics
+    /// When there are not that many groups.
+    pub fn each(&self, group: usize) -> Measurements {
+        let each = |(reading, tally): (Measurement, Option<&Tally>)| match tally {
+            None => vec![reading],
+            Some(tally) => {
+                tally.rows().map(|row| Measurement { row: row as usize, ..reading.clone() }).collect()
+            }
         };
-        let mut rows: Vec<Measurement> = self.groups.rows(group).map(measurement).collect();
+        let mut rows: Vec<Measurement> = self.kinds_of(group).into_iter().flat_map(each).collect();
+        if self.counted_groups.rows(group).len() > 0 {
+            rows.sort_by_key(|reading| reading.row);
+        }
         let mut meaning = self.meaning.clone();
         meaning.settle(&mut rows);
         Measurements::of_meaning(meaning, rows)
+    }
+
+    /// The readings of a group that are kept by themselves, and behind them those that are counted.
+    fn kinds_of(&self, group: usize) -> Vec<(Measurement, Option<&Tally>)> {
+        let reading = |index: usize| {
+            let numbers = self.columns.iter().map(|column| column.get(index));
+            (self.meaning.measurement(self.rows.get(index), numbers), None)
+        };
+        let of_kind = |kind: usize| {
+            let tally = self.counted.tally(kind);
+            // The first column has the group.
+            let numbers = self.counted.numbers(kind).skip(1);
+            (self.meaning.measurement(tally.first() as usize, numbers), Some(tally))
+        };
+        let kinds = self.counted_groups.rows(group).map(of_kind);
+        self.groups.rows(group).map(reading).chain(kinds).collect()
+    }
+
+    /// The readings of a group of a line under one bound that support a hull, with what is known of all.
+    fn supporting(&self, group: usize) -> Measurements {
+        const ROWS: usize = 1 << 16;
+        let mut meaning = self.meaning.clone();
+        let count = self.groups.rows(group).len();
+        let part = |column: usize, start: usize| {
+            let rows = self.groups.rows(group).skip(start).take(ROWS);
+            self.columns.get(column).map(|series| series.column(rows)).unwrap_or_default()
+        };
+        let (mut summary, sieve) = (LineSummary::default(), SharedSieve::listing(Ties::MOST_LISTED));
+        for start in (0..count).step_by(ROWS) {
+            let numbers: Vec<usize> =
+                self.groups.rows(group).skip(start).take(ROWS).map(|row| self.rows.get(row)).collect();
+            let [x, y] = [part(0, start), part(1, start)];
+            let own = LineSummary::of_columns([&x, &y], None, &|row| numbers[row], &sieve);
+            summary.merge(own, &sieve);
+        }
+        let epsilon = meaning.error_bound.uniform().cloned().unwrap_or_default();
+        let (sums, mut rows, ties) = summary.into_parts(&epsilon, &sieve);
+        let form = meaning.form.clone();
+        form.count_rows(&mut rows);
+        meaning.settle(&mut rows);
+        let sums = form.sums(sums);
+        let thresholds = Thresholds::of_form(&form, &sums);
+        let mut spread = Spread::default();
+        for start in (0..count).step_by(ROWS) {
+            spread = spread.merged(&thresholds.of_column(&part(0, start)));
+        }
+        let spread = form.spread(spread);
+        let (radii, absolute) = (spread.absolute_weights(&sums), spread.absolute_x(&sums));
+        let reach = Ok(Reach { radii, absolute, middles: None });
+        let (minimax, has_widths) = (DecidingMinimax::Kept, true);
+        let reduction = Reduction { count, sums: Ok(sums), reach, minimax, has_widths };
+        Measurements::of_readings(meaning, Readings::Supporting { rows, ties, reduction })
     }
 
     /// What a line says of a group under no conditions: [`GroupFit::of`] its fit. `None` where only the fit tells: unless the model
@@ -146,9 +245,9 @@ impl Fleet {
     pub fn group_fit(&self, group: usize) -> Option<GroupFit> {
         let Meaning { model, has_response, error_bound, uniform_law, form, multiple_of_least, .. } =
             &self.meaning;
-        let (Model::Line { .. }, ErrorBound::Uniform(epsilon), [x, y]) =
-            (model, error_bound, self.columns.as_slice())
-        else {
+        let (plain, kinds) = (self.groups.rows(group), self.counted_groups.rows(group));
+        let columns = if kinds.len() == 0 { &self.columns } else { self.counted.columns().get(1..)? };
+        let (Model::Line { .. }, ErrorBound::Uniform(epsilon), [x, y]) = (model, error_bound, columns) else {
             return None;
         };
         let is_plain = *has_response
@@ -159,9 +258,19 @@ impl Fleet {
         if !is_plain {
             return None;
         }
-        let rows = self.groups.rows(group);
-        let line = lane::group_fit(&x.counts(rows.clone())?, &y.counts(rows.clone())?, epsilon)?;
-        Some(GroupFit { first_row: rows.map(|row| self.rows.get(row)).next(), ..line })
+        if kinds.len() == 0 {
+            let line = lane::group_fit(&x.counts(plain.clone())?, &y.counts(plain.clone())?, epsilon)?;
+            return Some(GroupFit { first_row: plain.map(|row| self.rows.get(row)).next(), ..line });
+        }
+        let first_row = kinds.clone().map(|kind| self.counted.tally(kind).first() as usize).min();
+        let count = |kind: usize| self.counted.tally(kind).count() as usize;
+        if plain.len() > 0 || kinds.clone().map(count).sum::<usize>() > Keep::MOST_ROWS {
+            return None;
+        }
+        let rows: Vec<usize> = kinds.flat_map(|kind| std::iter::repeat_n(kind, count(kind))).collect();
+        let line =
+            lane::group_fit(&x.counts(rows.iter().copied())?, &y.counts(rows.iter().copied())?, epsilon)?;
+        Some(GroupFit { first_row, ..line })
     }
 
     /// Calls `work` for consecutive groups, on the threads of the current rayon pool and in any order, and `take` with
@@ -199,12 +308,32 @@ struct Store {
     group_of: Vec<u32>,
     keys: Keys,
     rows: RowNumbers,
+    counted: CountedRows,
+    counted_group_of: Vec<u32>,
     /// Whether there are more rows than can be numbered.
     is_full: bool,
 }
 
 impl Store {
-    fn push(&mut self, Runs { batch, starts }: &Runs) {
+    fn push(&mut self, part: Part, held: &HeldRows) {
+        match part {
+            Part::Each { batch, starts } => {
+                // Its numbers, its group, and its place in the order of groups.
+                let bytes = 8 * (self.columns.len() as u64 + 1);
+                held.add_bytes(batch.rows.len(), batch.rows.len(), bytes * batch.rows.len() as u64);
+                self.push_each(&batch, &starts);
+            }
+            Part::Counted { rows, keys, key_of } => {
+                let before = (self.counted.kinds(), self.counted.bytes());
+                let met = rows.rows();
+                self.push_counted(rows, &keys, &key_of);
+                let more = self.counted.bytes().saturating_sub(before.1);
+                held.add_counted(met, self.counted.kinds() - before.0, more);
+            }
+        }
+    }
+
+    fn push_each(&mut self, batch: &Batch, starts: &[usize]) {
         let Some(keys) = &batch.keys else { return };
         self.is_full |= u32::try_from(self.group_of.len() + batch.rows.len()).is_err();
         if self.is_full {
@@ -221,20 +350,68 @@ impl Store {
             self.group_of.extend(std::iter::repeat_n(group, end - start));
         }
     }
+
+    fn push_counted(&mut self, rows: CountedBatch, keys: &[String], key_of: &[usize]) {
+        let numbers: Option<Vec<u32>> = keys.iter().map(|key| self.keys.number_of(key)).collect();
+        let Some(numbers) = numbers else { return };
+        let groups = key_of.iter().filter_map(|&key| numbers.get(key).copied());
+        let groups = Column::of_counts(groups.map(i128::from), Unit::TenTo(0));
+        let before = self.counted.kinds();
+        self.counted.push(rows, Some(&groups));
+        let group = |kind: usize| self.counted.numbers(kind).next()?.numerator().to_i128();
+        let new =
+            (before..self.counted.kinds()).map(|kind| group(kind).and_then(|own| u32::try_from(own).ok()));
+        self.counted_group_of.extend(new.map(Option::unwrap_or_default));
+    }
 }
 
-/// Rows with the places where a new key begins: a sorted table needs one look-up per group then.
-struct Runs {
-    batch: Batch,
-    starts: Vec<usize>,
+/// Of so many rows at least all but one have to be equal to others, for it to be worth the while to count them.
+const FEWEST_EQUAL: usize = 4;
+
+/// The rows of a batch.
+enum Part {
+    /// Each, with the places where a new key begins: a sorted table needs one look-up per group then.
+    Each { batch: Batch, starts: Vec<usize> },
+    /// Equal ones once, each kind with the number of its key.
+    Counted { rows: CountedBatch, keys: Vec<String>, key_of: Vec<usize> },
 }
 
-impl Runs {
-    fn new(batch: Batch) -> Self {
+impl Part {
+    fn of(mut batch: Batch) -> Self {
         let begins = |&row: &usize| {
             batch.keys.as_ref().is_some_and(|keys| row == 0 || keys.get(row) != keys.get(row - 1))
         };
-        let starts = (0..batch.rows.len()).filter(begins).collect();
-        Runs { batch, starts }
+        let starts: Vec<usize> = (0..batch.rows.len()).filter(begins).collect();
+        if !CountedBatch::are_few(&batch.columns, FEWEST_EQUAL) {
+            return Part::Each { batch, starts };
+        }
+        let (keys, number_of) = Part::keys(&batch, &starts);
+        let key = |row: usize| number_of.get(row).map(|&number| number as u32);
+        let columns = std::mem::take(&mut batch.columns);
+        let rows = CountedBatch::new(columns, &batch.rows, key, FEWEST_EQUAL);
+        if rows.kinds() * FEWEST_EQUAL > rows.rows() {
+            let columns = rows.into_columns();
+            return Part::Each { batch: Batch { columns, ..batch }, starts };
+        }
+        let key_of = rows.positions().filter_map(|row| number_of.get(row).copied()).collect();
+        Part::Counted { rows, keys, key_of }
+    }
+
+    /// The different keys in the order in which they come, and the number of that of each row.
+    fn keys(batch: &Batch, starts: &[usize]) -> (Vec<String>, Vec<usize>) {
+        let Some(texts) = &batch.keys else { return <(Vec<String>, Vec<usize>)>::default() };
+        let mut keys: Vec<String> = Vec::new();
+        let mut numbers: HashMap<&str, usize> = HashMap::new();
+        let mut number_of = Vec::with_capacity(batch.rows.len());
+        let ends = starts.iter().skip(1).copied().chain([batch.rows.len()]);
+        for (&start, end) in starts.iter().zip(ends) {
+            let key = texts.get(start);
+            let number = *numbers.entry(key).or_insert_with(|| {
+                keys.push(key.to_owned());
+                keys.len() - 1
+            });
+            number_of.extend(std::iter::repeat_n(number, end - start));
+        }
+        (keys, number_of)
     }
 }

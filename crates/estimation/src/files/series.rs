@@ -1,8 +1,10 @@
 //! A column of any length in memory: eight bytes per number where the numbers allow it.
 
+use std::ops::Range;
+
 use boundfit_exact::{Column, Rational, Unit};
 
-use super::lane::Counts;
+use super::fleet::Counts;
 
 /// How many numbers a segment has. One number that needs more room makes its segment longer, not the whole column, and a
 /// column grows without being moved.
@@ -38,6 +40,24 @@ impl Series {
     /// Whether some numbers did not fit into integers of machine words or doubles.
     pub(super) fn has_fractions(&self) -> bool {
         self.segments.iter().any(|segment| matches!(segment, Column::Fractions(_)))
+    }
+
+    /// Some of the numbers, by their ascending positions.
+    pub(super) fn column(&self, rows: impl Iterator<Item = usize>) -> Column {
+        let mut column = Column::default();
+        let mut run: Option<Range<usize>> = None;
+        let mut add = |run: Range<usize>| {
+            let start = run.start % SEGMENT;
+            column.append(&self.segments[run.start / SEGMENT], start..start + run.len());
+        };
+        for row in rows {
+            match &mut run {
+                Some(run) if run.end == row && row % SEGMENT != 0 => run.end += 1,
+                _ => run.replace(row..row + 1).into_iter().for_each(&mut add),
+            }
+        }
+        run.into_iter().for_each(&mut add);
+        column
     }
 
     /// A number.
@@ -91,9 +111,12 @@ mod tests {
         ];
         let mut series = Series::default();
         columns.iter().for_each(|column| series.push(column));
+        let all = series.column(0..columns.iter().map(Column::len).sum());
+        let some = series.column([1, 2, 5, 6].into_iter());
+        assert_eq!([0, 3].map(|k| some.get(k)), [1, 6].map(|k| series.get(k)));
         let expected = columns.iter().flat_map(|column| (0..column.len()).map(|index| column.get(index)));
         for (index, expected) in expected.enumerate() {
-            assert_eq!(series.get(index), expected, "{index}");
+            assert_eq!([series.get(index), all.get(index)], [expected.clone(), expected], "{index}");
         }
     }
 
