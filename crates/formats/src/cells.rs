@@ -1,10 +1,8 @@
 //! Cells of tables that are not text, on their way into columns.
 
-use std::fmt::LowerExp;
-
 use boundfit_exact::{
     Column, DecimalMark, PLAIN_DIGITS, PLAIN_EXPONENT, ParseNumberError, ParseNumberErrorKind, Rational,
-    Reading, Unit, WorkMeter, plain_decimal,
+    Reading, Shortest, Unit, WorkMeter, plain_decimal,
 };
 
 use crate::columns::{ColumnSelector, decode};
@@ -33,20 +31,21 @@ impl CellReader<'_> {
     }
 
     /// Finite floats: what their shortest text says, or themselves. Others are refused as the text that they would be.
-    pub(crate) fn floats<F: LowerExp>(
+    pub(crate) fn floats<F: Shortest>(
         &self,
         floats: &[F],
         decimals: impl FnOnce(&[F]) -> Result<Column, usize>,
         doubles: impl FnOnce() -> Result<Column, usize>,
     ) -> Result<Column, BadIndex> {
+        let text = |float: &F| float.in_shortest_digits(format!("{float:e}"));
         let column = match self.options.reading {
             Reading::Binary64 => doubles(),
             Reading::Decimal if self.is_plain() => decimals(floats),
             // Limits this low are those of the text.
-            Reading::Decimal => return self.texts(floats.iter().map(|float| format!("{float:e}"))),
+            Reading::Decimal => return self.texts(floats.iter().map(text)),
         };
         column.map_err(|index| {
-            let problem = floats.get(index).and_then(|float| self.exact(&format!("{float:e}")).err());
+            let problem = floats.get(index).and_then(|float| self.exact(&text(float)).err());
             (index, problem.unwrap_or(InputErrorKind::NotFinite))
         })
     }
@@ -69,7 +68,9 @@ impl CellReader<'_> {
     /// The number in a text.
     pub(crate) fn exact(&self, text: &str) -> Result<Rational, InputErrorKind> {
         let (cell, column) = (text.as_bytes(), self.selector);
-        if let Some((mantissa, exponent)) = instead_of_number(cell, column, Some(DecimalMark::Point))? {
+        if let Some((mantissa, exponent)) =
+            instead_of_number(cell, column, Some(DecimalMark::Point), &self.options.missing_as)?
+        {
             return Ok(Rational::scientific(mantissa, exponent));
         }
         // What is said of a comma is about the options that tell how text is written.

@@ -4,15 +4,13 @@ use std::io::{self, Read};
 use std::ops::Deref;
 
 use memchr::{memchr, memchr_iter, memchr2, memrchr};
-use sha2::{Digest, Sha256};
 
 use crate::binary::refuse_binary;
+use crate::decoding::TextReader;
 use crate::dialect::Encoding;
 use crate::error::{InputError, InputErrorKind};
-use crate::hash::hexadecimal;
 use crate::limits::LONGEST_LINE;
 use crate::start::{FirstLine, refuse_other, without_mark};
-use crate::utf16::{Utf16Reader, utf16_of};
 
 /// How much is read beyond the size of a chunk, to find the end of its last line without another call.
 const BEYOND: usize = 4096;
@@ -45,46 +43,6 @@ impl Chunk {
     }
 }
 
-/// The bytes of a file as they are, counted and hashed.
-struct RawBytes {
-    bytes: Box<dyn Read>,
-    hash: Option<Sha256>,
-    total: u64,
-}
-
-impl Read for RawBytes {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let count = self.bytes.read(buffer)?;
-        self.total += count as u64;
-        if let Some(hash) = &mut self.hash {
-            hash.update(buffer.get(..count).unwrap_or_default());
-        }
-        Ok(count)
-    }
-}
-
-/// The text of a file.
-enum Text {
-    Utf8(RawBytes),
-    Utf16(Utf16Reader<RawBytes>),
-}
-
-impl Text {
-    fn raw(&self) -> &RawBytes {
-        match self {
-            Text::Utf8(raw) => raw,
-            Text::Utf16(reader) => reader.inner(),
-        }
-    }
-
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        match self {
-            Text::Utf8(raw) => raw.read(buffer),
-            Text::Utf16(reader) => reader.read(buffer),
-        }
-    }
-}
-
 /// Whether more bytes come.
 enum State {
     More,
@@ -96,8 +54,7 @@ enum State {
 ///
 /// A chunk ends with the first line end at or after its size, so that the cuts follow from the bytes alone.
 pub(crate) struct ChunkReader {
-    text: Text,
-    encoding: Encoding,
+    text: TextReader,
     chunk_bytes: usize,
     longest_line: usize,
     /// What was read but belongs to the next chunk.
@@ -111,8 +68,7 @@ impl ChunkReader {
     /// Chunks of at least so many bytes, with lines of at most so many.
     pub(crate) fn new(bytes: Box<dyn Read>, chunk_bytes: usize, longest_line: usize, hash: bool) -> Self {
         ChunkReader {
-            text: Text::Utf8(RawBytes { bytes, hash: hash.then(Sha256::new), total: 0 }),
-            encoding: Encoding::Utf8,
+            text: TextReader::new(bytes, hash),
             chunk_bytes: chunk_bytes.clamp(1, LONGEST_LINE),
             longest_line,
             pending: Chunk::default(),
@@ -122,17 +78,13 @@ impl ChunkReader {
         }
     }
 
-    /// Reads the first line that is not blank, if there is one, and passes over a byte order mark.
-    pub(crate) fn start(&mut self, file: &str) -> Result<(), InputError> {
+    /// Reads the first line that is not blank, if there is one, in this encoding or the one that the text tells, and passes over a byte
+    /// order mark.
+    pub(crate) fn start(&mut self, file: &str, asked: Option<Encoding>) -> Result<(), InputError> {
         let mut search = FirstLine::default();
+        self.text.begin(asked);
+        refuse_binary(file, self.text.held())?;
         let mut added = self.read_on();
-        while matches!(&*self.pending, [0xff | 0xfe]) && self.read_on() > 0 {
-            added = self.pending.len();
-        }
-        if let Some(encoding) = utf16_of(&self.pending) {
-            self.decode(encoding);
-            added = self.read_on();
-        }
         // Blank lines are passed over where lines are counted: a packed file may have any number of them.
         while added > 0 && !search.is_in(&self.pending, added) && !search.is_far_away() {
             added = self.read_on();
@@ -144,28 +96,14 @@ impl ChunkReader {
             let line = 1 + memchr_iter(b'\n', &self.pending).count() as u64;
             return Err(InputError::of_line(file, line, problem));
         }
-        refuse_binary(file, &self.pending)?;
         refuse_other(&self.pending).map_err(|problem| InputError::of_file(file, problem))?;
         self.pass_byte_order_mark();
         Ok(())
     }
 
-    /// Reads what there is, and what follows, as UTF-16.
-    fn decode(&mut self, encoding: Encoding) {
-        let start = std::mem::take(&mut self.pending);
-        let nothing = RawBytes { bytes: Box::new(io::empty()), hash: None, total: 0 };
-        if let Text::Utf8(raw) = std::mem::replace(&mut self.text, Text::Utf8(nothing)) {
-            self.text = Text::Utf16(Utf16Reader::new(&start, raw, encoding));
-        }
-        self.encoding = encoding;
-        self.since_line_end = 0;
-        // What had ended has not been decoded.
-        self.state = State::More;
-    }
-
-    /// How the bytes of the text are encoded, once its start was read.
+    /// How the bytes of the text are encoded, as far as they were read.
     pub(crate) fn encoding(&self) -> Encoding {
-        self.encoding
+        self.text.encoding()
     }
 
     /// Where the line ends that starts so many bytes into what was not handed out: before its line end, and behind it. Reads
@@ -303,12 +241,12 @@ impl ChunkReader {
 
     /// How many bytes were read.
     pub(crate) fn total(&self) -> u64 {
-        self.text.raw().total
+        self.text.total()
     }
 
     /// SHA-256 of all bytes read, in hexadecimal.
     pub(crate) fn sha256(&self) -> Option<String> {
-        self.text.raw().hash.as_ref().map(hexadecimal)
+        self.text.sha256()
     }
 
     /// Reads into the free part of a buffer once; returns how many bytes came.

@@ -1,6 +1,6 @@
 //! How a text table is written.
 
-use boundfit_exact::{DecimalMark, Notation, Thousands};
+use boundfit_exact::{DecimalMark, Limits, Notation, Rational, Reading, Thousands, is_missing, trim_number};
 
 /// The delimiter that stands for runs of blanks and tabs.
 pub const BLANKS: u8 = b' ';
@@ -57,6 +57,60 @@ impl Missing {
     }
 }
 
+/// What else says that a value is missing, beside the words that always do.
+///
+/// ```
+/// use boundfit_formats::MissingWords;
+///
+/// let words = MissingWords::new(["OVLD".to_owned(), "-999".to_owned()]);
+/// assert!(["OVLD", " -999.00", "NA"].iter().all(|cell| words.are_in(cell)));
+/// assert!(!words.are_in("999"));
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct MissingWords {
+    texts: Vec<String>,
+    /// Those of them that are numbers: however one is written in a cell, it is no reading.
+    numbers: Vec<Rational>,
+}
+
+impl MissingWords {
+    /// These texts.
+    pub fn new(texts: impl IntoIterator<Item = String>) -> Self {
+        let texts: Vec<String> = texts.into_iter().map(|text| trim_number(&text).to_owned()).collect();
+        let numbers = texts.iter().filter_map(|text| numbers_of(text).next()).collect();
+        MissingWords { texts, numbers }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.texts.is_empty()
+    }
+
+    /// Whether a cell says that its value is missing.
+    pub fn are_in(&self, cell: &str) -> bool {
+        is_missing(cell) || self.lists(cell)
+    }
+
+    /// Whether a cell says so by one of these words.
+    pub(crate) fn lists(&self, cell: &str) -> bool {
+        if self.is_empty() {
+            return false;
+        }
+        let cell = trim_number(cell);
+        self.texts.iter().any(|text| text == cell)
+            || (!self.numbers.is_empty() && numbers_of(cell).any(|number| self.numbers.contains(&number)))
+    }
+}
+
+/// The numbers that a text may stand for, with a decimal point or a comma.
+fn numbers_of(text: &str) -> impl Iterator<Item = Rational> {
+    let marks = DecimalMark::ALL.into_iter();
+    marks.filter_map(move |decimal| {
+        let notation = Notation { decimal, thousands: None };
+        Reading::Decimal.read_written(text, notation, &Limits::default()).ok()
+    })
+}
+
 /// The bytes of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Encoding {
@@ -67,15 +121,53 @@ pub enum Encoding {
     Utf16Le,
     /// UTF-16, the high byte of two first.
     Utf16Be,
+    /// Windows-1252, which Excel's "CSV" is in western Europe.
+    Windows1252,
+    /// ISO 8859-1.
+    Iso8859Part1,
+    /// ISO 8859-15.
+    Iso8859Part15,
 }
 
 impl Encoding {
+    /// All of them.
+    pub const ALL: [Encoding; 6] = [
+        Encoding::Utf8,
+        Encoding::Windows1252,
+        Encoding::Iso8859Part1,
+        Encoding::Iso8859Part15,
+        Encoding::Utf16Le,
+        Encoding::Utf16Be,
+    ];
+
+    /// The names that may be asked for, in words.
+    pub fn names() -> String {
+        Encoding::ALL.map(|encoding| encoding.name().to_lowercase()).join(", ")
+    }
+
+    /// The encoding with this name, in small or large letters, or with a usual other one: `utf8`, `cp1252`, `latin-1`.
+    pub fn named(name: &str) -> Option<Self> {
+        let letters = |name: &str| -> String {
+            name.chars().filter(|letter| !"-_ ".contains(*letter)).flat_map(char::to_lowercase).collect()
+        };
+        let wanted = match letters(name).as_str() {
+            "cp1252" | "ansi" => "windows1252".to_owned(),
+            "latin1" => "iso88591".to_owned(),
+            "latin9" => "iso885915".to_owned(),
+            other => other.to_owned(),
+        };
+        Encoding::ALL.into_iter().find(|encoding| letters(encoding.name()) == wanted)
+    }
+
     /// The name that reports and proofs use.
     pub fn name(self) -> &'static str {
         match self {
             Encoding::Utf8 => "UTF-8",
             Encoding::Utf16Le => "UTF-16LE",
             Encoding::Utf16Be => "UTF-16BE",
+            Encoding::Windows1252 => "Windows-1252",
+            Encoding::Iso8859Part1 => "ISO-8859-1",
+            Encoding::Iso8859Part15 => "ISO-8859-15",
         }
     }
 }
@@ -83,6 +175,8 @@ impl Encoding {
 /// How a text table is written, as far as that is known before it is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct AskedDialect {
+    /// How the bytes are encoded; found out when `None`: UTF-8, UTF-16, or else Windows-1252.
+    pub encoding: Option<Encoding>,
     /// What separates cells, [`BLANKS`] for runs of blanks and tabs; found out from the first lines when `None`.
     pub delimiter: Option<u8>,
     /// The decimal mark; found out when `None`, unless commas separate cells.
@@ -125,31 +219,5 @@ impl Dialect {
             && self.skip_lines == 0
             && self.records_before <= 1
             && self.encoding == Encoding::Utf8
-    }
-
-    /// What is unusual about the table, in words: nothing where commas, semicolons or tabs separate numbers with points.
-    pub fn words(&self) -> Option<String> {
-        let mut words = Vec::new();
-        let (separator, is_usual) = match self.delimiter {
-            b',' => ("commas", true),
-            b';' => ("semicolons", true),
-            b'\t' => ("tabs", true),
-            b'|' => ("bars", false),
-            BLANKS => ("blanks", false),
-            _ => ("other characters", true),
-        };
-        if self.notation.decimal == DecimalMark::Comma {
-            words.push("decimal comma".to_owned());
-        }
-        if let Some(thousands) = self.notation.thousands {
-            words.push(format!("digits grouped by {:?}", thousands.mark()));
-        }
-        if !(words.is_empty() && is_usual) {
-            words.push(format!("separated by {separator}"));
-        }
-        if self.encoding != Encoding::Utf8 {
-            words.push(self.encoding.name().to_owned());
-        }
-        (!words.is_empty()).then(|| words.join(", "))
     }
 }

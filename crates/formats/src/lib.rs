@@ -14,19 +14,24 @@
 mod arrow;
 mod binary;
 mod blanks;
+mod blocks;
 mod cdd;
 mod cells;
 mod chunks;
 mod columns;
+mod decoding;
 mod dialect;
 mod error;
 mod fractions;
 mod half_planes;
 mod hash;
+mod heading;
+mod json;
 mod lacking;
 mod limits;
 mod mat;
 mod memory;
+mod notes;
 mod open;
 mod records;
 mod reduction;
@@ -37,21 +42,23 @@ mod source;
 mod start;
 mod table;
 pub mod threads;
+mod times;
 mod units;
 mod unpack;
-mod utf16;
 mod wanted;
 mod whole;
 #[cfg(feature = "spreadsheets")]
 mod workbook;
 
+pub use blocks::{AskedBlock, Block};
 pub use columns::{ColumnSelector, Header};
-pub use dialect::{AskedDialect, BLANKS, CommentMark, DELIMITERS, Dialect, Encoding, Missing};
+pub use dialect::{AskedDialect, BLANKS, CommentMark, DELIMITERS, Dialect, Encoding, Missing, MissingWords};
 pub use error::{InputError, InputErrorKind, Place};
 pub use fractions::Fractions;
 pub use half_planes::{GeneratorRows, HalfPlaneFile, HalfPlaneFormat, RowOrigin, read_half_planes};
 pub use limits::{LONGEST_LINE, SizeLimits};
 pub use memory::{MemoryNumbers, MemoryTable};
+pub use notes::{BlockNote, HeaderNote, Skipped, TableNotes};
 pub use open::{HeldRows, read_table, scan};
 pub use reduction::{
     AskedReduction, REDUCTION_MARK, ReducedBounds, ReducedModel, ReductionError, ReductionRecord, Reductions,

@@ -29,11 +29,13 @@ pub struct SizeLimits {
     pub text: u64,
     /// How deep arrays and objects of a JSON file may be nested.
     pub nesting: usize,
+    /// Bytes of memory that rows which are held may take, with what is made of each ([`HeldRows`](crate::HeldRows)).
+    pub memory: u64,
 }
 
 impl Default for SizeLimits {
     /// 16,777,216 bytes, 100,000 columns, 10,000,000 rows, 100,000,000 elements, 68,719,476,736 bytes, 100 times the size,
-    /// 1,073,741,824 bytes, [`MOST_WORK`], 1,073,741,824 bytes, 64 levels.
+    /// 1,073,741,824 bytes, [`MOST_WORK`], 1,073,741,824 bytes, 64 levels, 1,073,741,824 bytes.
     fn default() -> Self {
         SizeLimits {
             line: LONGEST_LINE,
@@ -46,6 +48,7 @@ impl Default for SizeLimits {
             work: MOST_WORK,
             text: 1 << 30,
             nesting: 64,
+            memory: 1 << 30,
         }
     }
 }

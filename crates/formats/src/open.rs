@@ -1,7 +1,7 @@
 //! Which reader reads an input: the only place where formats are told apart.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 
 use boundfit_exact::Foreign;
 
@@ -10,6 +10,7 @@ use crate::arrow::{scan_arrow, scan_batches};
 use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
 use crate::fractions::Fractions;
+use crate::json::scan_json;
 use crate::mat::scan_mat;
 use crate::memory::scan_memory;
 use crate::scan::{Batch, Progress, ScanOptions, Scanned, scan_text};
@@ -95,12 +96,19 @@ fn scan_content<T: Send>(
     if options.table.sheet.is_some() && !has_sheets {
         return Err(InputError::of_file(name, InputErrorKind::NoSheets));
     }
+    if options.table.block.is_some() && !has_sheets && !matches!(content, Content::Bytes(_)) {
+        return Err(InputError::of_file(name, InputErrorKind::NoBlocks));
+    }
+    if !options.table.missing_as.is_empty() && !has_sheets && !matches!(content, Content::Bytes(_)) {
+        return Err(InputError::of_file(name, InputErrorKind::NoMissingWords));
+    }
     match content {
-        Content::Matlab(file) => scan_mat(name, file, columns, options, work, take),
+        Content::Matlab(file) | Content::Octave(file) => scan_mat(name, file, columns, options, work, take),
         #[cfg(feature = "arrow")]
         Content::Columns(format, file) => scan_arrow(name, format, file, columns, options, work, take),
         #[cfg(feature = "spreadsheets")]
         Content::Archive(bytes) => scan_workbook(name, bytes, columns, options, work, take),
+        Content::Json(bytes) => scan_json(name, bytes, columns, options, work, take),
         Content::Bytes(bytes) => scan_text(name, bytes, columns, options, work, take),
         #[cfg(feature = "arrow")]
         Content::Batches(reader) => scan_batches(name, reader, columns, options, work, take),
@@ -131,42 +139,83 @@ impl Wanted {
     }
 }
 
-/// Stops a scan whose rows are kept where more of them would be in memory than may be: a stream has any number of them.
+/// Stops a scan whose rows are held where more of them, or more bytes, would be in memory than may be: a stream has any number of
+/// them.
 pub struct HeldRows {
     limit: usize,
+    memory: u64,
+    row_cost: u64,
+    /// How many rows have been met, and how many of them are held.
+    met: AtomicUsize,
     rows: AtomicUsize,
+    bytes: AtomicU64,
+    is_stopped: AtomicBool,
     progress: Option<Arc<dyn Progress>>,
 }
 
+/// Bytes that a row takes at least: its number, and two of its own.
+const LEAST_ROW_COST: usize = 200;
+
 impl HeldRows {
-    /// Nothing yet of a scan with these options, which from now on stops at the limit of rows.
+    /// Nothing yet of a scan with these options, which from now on stops at the limits of rows and of memory.
     pub fn limiting(options: &mut ScanOptions) -> Arc<Self> {
-        let (limit, progress) = (options.table.sizes.rows, options.progress.take());
-        let held = Arc::new(HeldRows { limit, rows: AtomicUsize::new(0), progress });
+        let TableOptions { sizes, row_cost, .. } = &options.table;
+        let held = Arc::new(HeldRows {
+            limit: sizes.rows,
+            memory: sizes.memory,
+            row_cost: LEAST_ROW_COST.max(*row_cost) as u64,
+            met: AtomicUsize::new(0),
+            rows: AtomicUsize::new(0),
+            bytes: AtomicU64::new(0),
+            is_stopped: AtomicBool::new(false),
+            progress: options.progress.take(),
+        });
         options.progress = Some(held.clone());
         held
     }
 
-    /// So many more rows are kept.
+    /// So many more rows are held.
     pub fn add(&self, rows: usize) {
-        self.rows.fetch_add(rows, Ordering::Relaxed);
+        self.add_counted(rows, rows, 0);
     }
 
-    /// Refuses more rows than there may be.
+    /// So many more rows have been met, of which so many are held, and so many bytes beside these.
+    pub fn add_counted(&self, met: usize, held: usize, bytes: usize) {
+        self.add_bytes(met, held, (held as u64).saturating_mul(self.row_cost).saturating_add(bytes as u64));
+    }
+
+    /// So many more rows have been met, of which so many are held, in so many bytes.
+    pub fn add_bytes(&self, met: usize, held: usize, bytes: u64) {
+        self.met.fetch_add(met, Ordering::Relaxed);
+        self.rows.fetch_add(held, Ordering::Relaxed);
+        self.bytes.fetch_add(bytes, Ordering::Relaxed);
+    }
+
+    /// Stops the scan.
+    fn stop(&self) {
+        self.is_stopped.store(true, Ordering::Relaxed);
+    }
+
+    /// Refuses more rows, or more memory for them, than there may be.
     ///
     /// # Errors
-    /// [`InputErrorKind::TooManyRows`] about this file.
+    /// [`InputErrorKind::TooManyRows`] or [`InputErrorKind::TooMuchMemory`] about this file.
     pub fn check(&self, file: &str) -> Result<(), InputError> {
-        let limit = self.limit;
-        if self.is_full() {
-            Err(InputError::of_file(file, InputErrorKind::TooManyRows { limit }))
-        } else {
-            Ok(())
-        }
+        let (rows, needed) = (self.rows.load(Ordering::Relaxed), self.bytes.load(Ordering::Relaxed));
+        let (limit, memory) = (self.limit, self.memory);
+        let met = self.met.load(Ordering::Relaxed);
+        let problem = match (rows > limit, needed > memory) {
+            (true, _) => InputErrorKind::TooManyRows { limit },
+            (false, true) => InputErrorKind::TooMuchMemory { rows: met, needed, limit: memory },
+            (false, false) => return Ok(()),
+        };
+        Err(InputError::of_file(file, problem))
     }
 
     fn is_full(&self) -> bool {
         self.rows.load(Ordering::Relaxed) > self.limit
+            || self.bytes.load(Ordering::Relaxed) > self.memory
+            || self.is_stopped.load(Ordering::Relaxed)
     }
 }
 
@@ -211,11 +260,21 @@ pub fn read_table(
     let held = HeldRows::limiting(&mut options);
     let (mut rows, mut others) = (Vec::new(), Vec::new());
     let rows_of = |batch: Batch| (batch.table_rows().collect::<Vec<TableRow>>(), batch.others);
+    let most_wanted = options.table.most_wanted.unwrap_or(usize::MAX);
+    let mut is_full = false;
     let scanned = scan(source, columns, &options, rows_of, |(wanted, unwanted)| {
         held.add(wanted.len() + unwanted.len());
-        rows.extend(wanted);
-        others.extend(unwanted);
+        is_full |= rows.len().saturating_add(wanted.len()) > most_wanted;
+        if is_full {
+            held.stop();
+        } else {
+            rows.extend(wanted);
+            others.extend(unwanted);
+        }
     });
+    if is_full {
+        return Err(InputError::of_file(&file, InputErrorKind::TooManyWanted { limit: most_wanted }));
+    }
     held.check(file.raw())?;
     let scanned = scanned?;
     Ok(Table {
@@ -229,6 +288,7 @@ pub fn read_table(
         rows_missing: scanned.rows_missing,
         units: scanned.units,
         layout: scanned.layout,
+        table: scanned.table,
         sha256: scanned.sha256.unwrap_or_default(),
     })
 }

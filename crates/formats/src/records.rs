@@ -7,8 +7,10 @@ use csv_core::{ReadRecordResult, Reader, ReaderBuilder};
 use memchr::{memchr2, memchr2_iter};
 
 use crate::blanks::{BlankReader, Cells};
+use crate::blocks::Gap;
 use crate::dialect::BLANKS;
 use crate::error::{InputError, InputErrorKind};
+use crate::limits::SizeLimits;
 
 /// What spreadsheets write into cells that have no value.
 const SHEET_ERRORS: [&[u8]; 7] = [b"#N/A", b"#DIV/0!", b"#NUM!", b"#VALUE!", b"#REF!", b"#NAME?", b"#NULL!"];
@@ -47,6 +49,8 @@ pub(crate) struct Record {
     /// Where the cells end, and room for more of them.
     ends: Vec<usize>,
     cells: usize,
+    /// How many cells are kept: each takes memory, and may be nothing but a comma.
+    most_cells: usize,
 }
 
 impl Record {
@@ -84,11 +88,17 @@ impl Record {
     fn go_on(&mut self, core: &mut Core, input: &[u8]) -> (usize, bool) {
         match core {
             Core::Blanks(core) => core.read(input, self),
+            Core::Delimited(_) if self.is_too_wide() => (input.len(), false),
             Core::Delimited(core) => {
                 let (result, taken) = self.read(core, input);
                 (taken, result == ReadRecordResult::Record)
             }
         }
+    }
+
+    /// Whether there are more cells than are kept.
+    fn is_too_wide(&self) -> bool {
+        self.cells > self.most_cells
     }
 
     /// Ends this record, since nothing follows; gives whether it is within quotes, which nothing closes.
@@ -147,7 +157,7 @@ impl Cells for Record {
     }
 
     fn end_cell(&mut self) {
-        if self.cells == self.ends.len() {
+        if self.cells == self.ends.len() && !self.is_too_wide() {
             self.ends.resize(grown(self.ends.len()), 0);
         }
         if let Some(end) = self.ends.get_mut(self.cells) {
@@ -182,19 +192,20 @@ pub(crate) struct Records<'a> {
     record_line: u64,
     record_bytes: usize,
     longest_record: usize,
+    /// How many cells rows have; 0 where that is not known.
+    width: usize,
+    /// What stands between the last record and the one before, and behind the last one.
+    gap: Gap,
+    behind: Gap,
+    /// The line behind the last record that is not blank.
+    end_line: u64,
     /// The bytes of the record, where they are kept.
     text: Option<Vec<u8>>,
 }
 
 impl<'a> Records<'a> {
-    /// Records with at most so many bytes, from this line of a file on. Their text is kept only if that is asked for.
-    pub(crate) fn new(
-        file: &'a str,
-        syntax: Syntax,
-        line: u64,
-        longest_record: usize,
-        keep_text: bool,
-    ) -> Self {
+    /// Records with at most so many bytes and cells, from this line of a file on. Their text is kept only if that is asked for.
+    pub(crate) fn new(file: &'a str, syntax: Syntax, line: u64, sizes: &SizeLimits, keep_text: bool) -> Self {
         let core = if syntax.delimiter == BLANKS {
             Core::Blanks(BlankReader::default())
         } else {
@@ -208,7 +219,7 @@ impl<'a> Records<'a> {
             file,
             syntax,
             core,
-            record: Record::default(),
+            record: Record { most_cells: sizes.columns, ..Record::default() },
             is_open: false,
             is_within_quotes: false,
             is_in_comment: false,
@@ -216,7 +227,11 @@ impl<'a> Records<'a> {
             is_after_return: false,
             record_line: line,
             record_bytes: 0,
-            longest_record,
+            longest_record: sizes.line,
+            width: 0,
+            gap: Gap::default(),
+            behind: Gap::default(),
+            end_line: line,
             text: keep_text.then(Vec::new),
         }
     }
@@ -225,7 +240,7 @@ impl<'a> Records<'a> {
     /// before. The bytes of the next piece are those that follow.
     ///
     /// # Errors
-    /// When the record is too long.
+    /// When the record is too long or too wide.
     pub(crate) fn next(&mut self, piece: &mut &[u8]) -> Result<bool, InputError> {
         loop {
             if !self.is_open {
@@ -240,13 +255,36 @@ impl<'a> Records<'a> {
                 let too_long = InputErrorKind::RowTooLong { limit: self.longest_record };
                 return Err(InputError::of_line(self.file, self.record_line, too_long));
             }
+            // Before quotes that are never closed swallow all that follows, they make one cell.
+            if self.record.is_too_wide() {
+                let too_wide = InputErrorKind::TooManyColumns { limit: self.record.most_cells };
+                return Err(InputError::of_line(self.file, self.record_line, too_wide));
+            }
             if !is_complete {
                 return Ok(false);
             }
             self.is_open = false;
             if !self.record.is_blank() {
+                self.end_gap();
                 return Ok(true);
             }
+            if self.has_blank_cell() {
+                self.pass_blank_cell();
+            }
+        }
+    }
+
+    /// Whether the record is one blank cell in quotes: it is passed over as a blank line is, but it parts no blocks.
+    fn has_blank_cell(&self) -> bool {
+        // What is more than the cell and its line end are quotes.
+        self.record.cells == 1 && self.record_bytes > self.record.bytes_used + 1
+    }
+
+    /// Counts blank lines anew behind a blank cell, unless those before it part blocks already.
+    fn pass_blank_cell(&mut self) {
+        self.end_gap();
+        if !self.gap.is_break() {
+            self.gap.blank_lines = 0;
         }
     }
 
@@ -254,7 +292,36 @@ impl<'a> Records<'a> {
     pub(crate) fn finish(&mut self) -> bool {
         let was_open = std::mem::take(&mut self.is_open);
         self.is_within_quotes = was_open && self.record.finish(&mut self.core);
-        was_open && !self.record.is_blank()
+        let is_record = was_open && !self.record.is_blank();
+        if is_record {
+            self.end_gap();
+        }
+        is_record
+    }
+
+    /// These records of rows with so many cells.
+    pub(crate) fn of_width(self, width: usize) -> Self {
+        Records { width, ..self }
+    }
+
+    /// What stood between the last record and the one before it, or the start.
+    pub(crate) fn take_gap(&mut self) -> Gap {
+        std::mem::take(&mut self.gap)
+    }
+
+    /// What stands behind the last record.
+    pub(crate) fn gap_behind(&self) -> Gap {
+        let mut gap = self.behind.clone();
+        gap.blank_lines = (self.line - self.end_line).saturating_sub(gap.comments);
+        gap
+    }
+
+    /// Ends what stands before a record that is not blank.
+    fn end_gap(&mut self) {
+        let mut gap = std::mem::take(&mut self.behind);
+        gap.blank_lines = (self.record_line - self.end_line).saturating_sub(gap.comments);
+        self.gap.add(gap);
+        self.end_line = self.line;
     }
 
     /// Whether the last record is within quotes that nothing closes.
@@ -327,6 +394,9 @@ impl<'a> Records<'a> {
             if !self.syntax.is_comment(piece) {
                 return;
             }
+            let end = memchr2(b'\r', b'\n', piece).unwrap_or(piece.len());
+            let comment = piece.get(..end).unwrap_or_default();
+            self.behind.add_comment(comment, self.syntax.delimiter, self.width);
             self.is_in_comment = true;
         }
     }
@@ -367,7 +437,8 @@ mod tests {
         longest: usize,
     ) -> Result<Vec<(u64, Vec<String>)>, InputError> {
         let syntax = Syntax { delimiter, comment: Some([b'#'; 2]) };
-        let mut records = Records::new("test", syntax, 1, longest, false);
+        let sizes = SizeLimits { line: longest, ..SizeLimits::default() };
+        let mut records = Records::new("test", syntax, 1, &sizes, false);
         let mut found = Vec::new();
         let mut add = |records: &Records| {
             let cells = records.record().cells().map(|cell| String::from_utf8_lossy(cell).into_owned());

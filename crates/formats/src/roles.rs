@@ -1,8 +1,9 @@
 //! What a column takes from its cells when it is not their number.
 
-use boundfit_exact::{Column, DecimalMark, Rational, Reading, WrittenDigits, is_missing};
+use boundfit_exact::{Column, DecimalMark, Rational, Reading, WrittenDigits};
 
 use crate::columns::{ColumnSelector, decode};
+use crate::dialect::MissingWords;
 use crate::error::InputErrorKind;
 
 /// What a column takes from its cells.
@@ -34,8 +35,9 @@ pub(crate) fn instead_of_number(
     cell: &[u8],
     selector: &ColumnSelector,
     mark: Option<DecimalMark>,
+    words: &MissingWords,
 ) -> Result<Option<(i64, i64)>, InputErrorKind> {
-    let is_missing = || Ok::<_, InputErrorKind>(is_missing(decode(cell)?));
+    let is_missing = || Ok::<_, InputErrorKind>(words.are_in(decode(cell)?));
     Ok(match selector.role() {
         Role::Number | Role::NonNegative => None,
         Role::Optional => is_missing()?.then_some((0, 0)),
@@ -76,7 +78,13 @@ mod tests {
             ("0", (5, -1)),
             ("0.000", (5, -4)),
         ] {
-            let found = instead_of_number(text.as_bytes(), &column, Some(DecimalMark::Point)).unwrap();
+            let found = instead_of_number(
+                text.as_bytes(),
+                &column,
+                Some(DecimalMark::Point),
+                &MissingWords::default(),
+            )
+            .unwrap();
             assert_eq!(found, Some(expected), "{text}");
         }
         for (text, mark, expected) in [
@@ -85,9 +93,13 @@ mod tests {
             ("12,30", None, (5, -3)),
             ("1,5D\u{2212}03", None, (5, -5)),
         ] {
-            assert_eq!(instead_of_number(text.as_bytes(), &column, mark).unwrap(), Some(expected), "{text}");
+            assert_eq!(
+                instead_of_number(text.as_bytes(), &column, mark, &MissingWords::default()).unwrap(),
+                Some(expected),
+                "{text}"
+            );
         }
-        let fraction = instead_of_number(b"1/3", &column, None).unwrap_err();
+        let fraction = instead_of_number(b"1/3", &column, None, &MissingWords::default()).unwrap_err();
         assert!(matches!(fraction, InputErrorKind::NoLastDigit));
     }
 
@@ -102,11 +114,14 @@ mod tests {
             ("x", None, 1),
         ] {
             assert_eq!(
-                instead_of_number(text.as_bytes(), &side.clone().optional(), None).unwrap(),
+                instead_of_number(text.as_bytes(), &side.clone().optional(), None, &MissingWords::default())
+                    .unwrap(),
                 number,
                 "{text}"
             );
-            let found = instead_of_number(text.as_bytes(), &side.clone().presence(), None).unwrap();
+            let found =
+                instead_of_number(text.as_bytes(), &side.clone().presence(), None, &MissingWords::default())
+                    .unwrap();
             assert_eq!(found, Some((presence, 0)), "{text}");
         }
     }

@@ -12,6 +12,8 @@ use boundfit_exact::Foreign;
 
 use crate::binary::{self, BinaryFormat};
 use crate::error::{InputError, InputErrorKind, STANDARD_INPUT};
+use crate::json::is_json;
+use crate::mat::octave::is_octave;
 use crate::memory::MemoryTable;
 use crate::reduction::record::REDUCTION_MARK;
 use crate::unpack::Packed;
@@ -34,6 +36,8 @@ pub(crate) enum Content {
     Bytes(Box<dyn Read>),
     /// A MATLAB file.
     Matlab(Box<dyn Read>),
+    /// Variables in Octave's text.
+    Octave(Box<dyn Read>),
     /// A zip archive, which may be a workbook.
     #[cfg(feature = "spreadsheets")]
     Archive(Box<dyn Read>),
@@ -43,6 +47,8 @@ pub(crate) enum Content {
     /// Record batches that are not from a file.
     #[cfg(feature = "arrow")]
     Batches(Box<dyn RecordBatchReader>),
+    /// Records in JSON.
+    Json(Box<dyn Read>),
     /// Columns in memory.
     Memory(Arc<MemoryTable>),
 }
@@ -52,6 +58,8 @@ impl Content {
     fn of(start: &[u8], bytes: Box<dyn Read>) -> Self {
         match BinaryFormat::of(start) {
             Some(BinaryFormat::Matlab) => Content::Matlab(bytes),
+            None if is_octave(start) => Content::Octave(bytes),
+            None if is_json(start) => Content::Json(bytes),
             #[cfg(feature = "spreadsheets")]
             Some(BinaryFormat::Archive) => Content::Archive(bytes),
             _ => Content::Bytes(bytes),
@@ -61,7 +69,10 @@ impl Content {
     /// The bytes, whatever they are.
     fn into_bytes(self) -> Box<dyn Read> {
         match self {
-            Content::Bytes(bytes) | Content::Matlab(bytes) => bytes,
+            Content::Bytes(bytes)
+            | Content::Matlab(bytes)
+            | Content::Octave(bytes)
+            | Content::Json(bytes) => bytes,
             #[cfg(feature = "spreadsheets")]
             Content::Archive(bytes) => bytes,
             #[cfg(feature = "arrow")]

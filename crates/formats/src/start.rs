@@ -76,7 +76,7 @@ fn outside_quotes(line: &[u8]) -> Vec<u8> {
 }
 
 /// How many cells a line has if blanks separate them.
-fn cells_between_blanks(line: &[u8]) -> usize {
+pub(crate) fn cells_between_blanks(line: &[u8]) -> usize {
     let mut record = Count(0);
     let mut reader = BlankReader::default();
     reader.read(line, &mut record);

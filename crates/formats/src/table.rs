@@ -2,11 +2,13 @@
 
 use boundfit_exact::{Foreign, Limits, Rational, Reading};
 
+use crate::blocks::AskedBlock;
 use crate::columns::{ColumnPlace, Header};
-use crate::dialect::{AskedDialect, Dialect, Missing};
+use crate::dialect::{AskedDialect, Dialect, Missing, MissingWords};
 use crate::error::{InputError, InputErrorKind};
 use crate::fractions::Fractions;
 use crate::limits::SizeLimits;
+use crate::notes::TableNotes;
 use crate::scan::ScanOptions;
 use crate::selection::{RowCondition, RowSet};
 
@@ -36,20 +38,31 @@ pub struct TableOptions {
     pub sheet: Option<String>,
     /// How a text is written.
     pub dialect: AskedDialect,
+    /// Which block of a file with several of them; such a file is refused when `None`.
+    pub block: Option<AskedBlock>,
     /// What becomes of rows that lack a number.
     pub missing: Missing,
+    /// What else says that a value is missing, in text and workbooks.
+    pub missing_as: MissingWords,
     /// The rows that may be wanted.
     pub rows: RowSet,
     /// What must hold for each of these to be wanted: every condition.
     pub conditions: Vec<RowCondition>,
     /// Whether rows that are not wanted are kept too, where their cells are numbers.
     pub keep_others: bool,
+    /// Whether the texts of the cells are kept too, where the table is text.
+    pub keep_cells: bool,
     /// How numbers are read.
     pub reading: Reading,
     /// What one number may ask for.
     pub limits: Limits,
     /// What the file as a whole may ask for.
     pub sizes: SizeLimits,
+    /// Bytes of memory that a row takes where rows are held, with all that is made of it, as far as the caller knows; counted
+    /// against [`SizeLimits::memory`].
+    pub row_cost: usize,
+    /// How many wanted rows may be held: one more is refused as soon as it is met.
+    pub most_wanted: Option<usize>,
 }
 
 impl TableOptions {
@@ -66,6 +79,9 @@ pub struct TableRow {
     pub row: usize,
     /// The numbers of the columns asked for, in the order asked.
     pub numbers: Vec<Rational>,
+    /// With [`TableOptions::keep_cells`], the texts of the cells that are asked for their numbers, as they are written but for
+    /// grouped digits; empty where a value is missing.
+    pub cells: Vec<String>,
 }
 
 /// The columns asked for, as numbers.
@@ -91,6 +107,8 @@ pub struct Table {
     pub ranges: Vec<[usize; 2]>,
     /// Where the numbers stand; `None` unless the table is delimited text.
     pub layout: Option<TextLayout>,
+    /// What the table was taken for; `None` unless it is text or a sheet.
+    pub table: Option<TableNotes>,
     /// SHA-256 of the file's bytes, in hexadecimal.
     pub sha256: String,
 }

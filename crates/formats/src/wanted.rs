@@ -2,8 +2,9 @@
 
 use boundfit_exact::{Foreign, WorkMeter};
 
-use crate::columns::{ColumnPlace, ColumnSelector, Header, Heading};
+use crate::columns::{ColumnPlace, ColumnSelector, Header, refuse_same};
 use crate::error::InputError;
+use crate::heading::{AskedColumns, Heading};
 use crate::scan::{ScanOptions, Scanned, csv_line, each_once};
 use crate::selection::RowCondition;
 
@@ -38,7 +39,8 @@ impl<'a> WantedColumns<'a> {
         let others: Vec<&ColumnSelector> =
             key.into_iter().chain(identity).chain(conditions.iter().map(RowCondition::column)).collect();
         let cells: Vec<&[u8]> = names.iter().map(|name| name.raw().as_bytes()).collect();
-        let heading = Heading::new(file, &cells, 1, Header::Present, selectors, &others)?;
+        let asked = AskedColumns { columns: selectors, others: &others };
+        let heading = Heading::new(file, &cells, 1, Header::Present, asked, &|_| false)?;
         let find = |selector| {
             heading.find(file, selector).map_err(|mut error| {
                 // There are no lines here.
@@ -46,11 +48,13 @@ impl<'a> WantedColumns<'a> {
                 error
             })
         };
+        let places: Vec<ColumnPlace> = selectors.iter().map(find).collect::<Result<_, _>>()?;
+        refuse_same(file, places.iter().zip(selectors))?;
         Ok(WantedColumns {
             file,
             options,
             selectors,
-            places: selectors.iter().map(find).collect::<Result<_, _>>()?,
+            places,
             key: key.map(find).transpose()?,
             identity: identity.map(find).transpose()?,
             conditions: conditions
@@ -68,6 +72,12 @@ impl<'a> WantedColumns<'a> {
         looked_at.chain(read.filter(|(_, selector)| selector.role().is_needed()).map(|(place, _)| place))
     }
 
+    /// All columns that are wanted for something.
+    pub(crate) fn all(&self) -> impl Iterator<Item = &ColumnPlace> {
+        let looked_at = self.conditions.iter().map(|(place, _)| place);
+        self.places.iter().chain(&self.key).chain(&self.identity).chain(looked_at)
+    }
+
     /// The columns that rows have as text, each once.
     pub(crate) fn written(&self) -> Vec<&ColumnPlace> {
         let places = || self.places.iter().chain(&self.identity);
@@ -80,6 +90,7 @@ impl<'a> WantedColumns<'a> {
         let titles = || self.written().into_iter().map(|place| place.title().raw().to_owned());
         Scanned {
             layout: None,
+            table: None,
             header_line: self.options.keep_text.then(|| csv_line(titles())),
             header: Vec::new(),
             units: vec![None; self.places.len()],

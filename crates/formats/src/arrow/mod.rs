@@ -299,7 +299,7 @@ impl Rows<'_> {
         };
         let fractions = self.wanted.places.iter().map(|place| Ok(fractions(&self.array(place, batch)?)));
         let fractions = fractions.collect::<Result<_, InputError>>()?;
-        Ok(Batch { rows, columns, keys, lines, fractions, others: Vec::new() })
+        Ok(Batch { rows, columns, keys, lines, fractions, cells: Vec::new(), others: Vec::new() })
     }
 
     /// The numbers of one column of a batch that has these rows.

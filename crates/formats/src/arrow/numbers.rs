@@ -1,7 +1,5 @@
 //! Arrays as columns of exact numbers.
 
-use std::fmt::LowerExp;
-
 use arrow_array::cast::AsArray;
 use arrow_array::types::{
     Decimal32Type, Decimal64Type, Decimal128Type, Decimal256Type, Float32Type, Float64Type, Int8Type,
@@ -9,11 +7,12 @@ use arrow_array::types::{
 };
 use arrow_array::{Array, ArrayRef, ArrowPrimitiveType};
 use arrow_schema::DataType;
-use boundfit_exact::{Column, DecimalMark, Rational, Reading, Unit, WorkMeter};
+use boundfit_exact::{Column, DecimalMark, Rational, Reading, Shortest, Unit, WorkMeter};
 
 use super::texts::{BadCell, refuse_nulls, text};
 use crate::cells::CellReader;
 use crate::columns::ColumnSelector;
+use crate::dialect::MissingWords;
 use crate::error::InputErrorKind;
 use crate::fractions::Fractions;
 use crate::roles::{Role, instead_of_number};
@@ -121,7 +120,8 @@ fn half_units(array: &ArrayRef, selector: &ColumnSelector) -> Result<Column, Bad
     for index in 0..array.len() {
         let cell = text(array, index)
             .ok_or_else(|| BadCell::of_type(array.data_type(), "a column of decimals or text"))?;
-        let value = instead_of_number(cell.as_bytes(), selector, Some(DecimalMark::Point));
+        let value =
+            instead_of_number(cell.as_bytes(), selector, Some(DecimalMark::Point), &MissingWords::default());
         let value = value.map_err(|problem| BadCell::at(array, index, problem))?;
         let (mantissa, exponent) = value.unwrap_or_default();
         column.push(Rational::scientific(mantissa, exponent));
@@ -189,7 +189,7 @@ impl Reader<'_> {
     }
 
     /// Finite floats: what their shortest text says, or themselves.
-    fn floats<F: LowerExp>(
+    fn floats<F: Shortest>(
         &self,
         floats: &[F],
         decimals: impl FnOnce(&[F]) -> Result<Column, usize>,

@@ -7,7 +7,7 @@ use arrow_array::types::{
 };
 use arrow_array::{Array, ArrayRef};
 use arrow_schema::DataType;
-use boundfit_exact::{Foreign, Reading};
+use boundfit_exact::{Foreign, Reading, Shortest};
 
 use crate::error::InputErrorKind;
 use crate::scan::{Pieces, csv_line};
@@ -89,12 +89,16 @@ pub(super) fn text(array: &dyn Array, index: usize) -> Option<String> {
         DataType::UInt16 => array.as_primitive::<UInt16Type>().value(index).to_string(),
         DataType::UInt32 => array.as_primitive::<UInt32Type>().value(index).to_string(),
         DataType::UInt64 => array.as_primitive::<UInt64Type>().value(index).to_string(),
-        DataType::Float32 => array.as_primitive::<Float32Type>().value(index).to_string(),
-        DataType::Float64 => array.as_primitive::<Float64Type>().value(index).to_string(),
+        DataType::Float32 => shortest(array.as_primitive::<Float32Type>().value(index)),
+        DataType::Float64 => shortest(array.as_primitive::<Float64Type>().value(index)),
         DataType::Decimal32(..) => array.as_primitive::<Decimal32Type>().value_as_string(index),
         DataType::Decimal64(..) => array.as_primitive::<Decimal64Type>().value_as_string(index),
         DataType::Decimal128(..) => array.as_primitive::<Decimal128Type>().value_as_string(index),
         DataType::Decimal256(..) => array.as_primitive::<Decimal256Type>().value_as_string(index),
         _ => return None,
     })
+}
+
+fn shortest(float: impl Shortest) -> String {
+    float.in_shortest_digits(float.to_string())
 }

@@ -2,10 +2,11 @@
 
 use std::io;
 
-use boundfit_exact::english::counted;
+use boundfit_exact::english::{counted, size_text};
 use boundfit_exact::{DecimalMark, Foreign, Limit, ParseNumberError, ParseNumberErrorKind, TooMuchWork};
 use thiserror::Error;
 
+use crate::blocks::{AskedBlock, Block, listed};
 use crate::limits::ANY_FILE;
 use crate::reduction::error::ReductionError;
 use crate::selection::RowRange;
@@ -136,9 +137,21 @@ pub enum InputErrorKind {
     /// A sheet of what has none.
     #[error("'--sheet' is about workbooks (.xlsx, .ods), and this is none")]
     NoSheets,
+    /// JSON that is none, or no records.
+    #[error("read as JSON, where {expected} belongs here")]
+    Json {
+        /// What does.
+        expected: &'static str,
+    },
+    /// An object or array of JSON where a number belongs.
+    #[error("an object or array, not a number")]
+    NestedJson,
     /// A date or a time where a number belongs.
     #[error("a date or a time, not a number")]
     Time,
+    /// A formula of a sheet that was never computed.
+    #[error("a formula without a stored value")]
+    NoValue,
     /// A directory was named.
     #[error("is a directory")]
     IsDirectory,
@@ -190,6 +203,67 @@ pub enum InputErrorKind {
         found: usize,
         /// Cells in the first row.
         expected: usize,
+    },
+    /// A row of a table with commas between columns that has two cells for every one of the first row.
+    #[error(
+        "the row has {found} cells where the first row has {expected}: decimal commas and commas between columns?"
+    )]
+    CommasTwice {
+        /// Cells in this row.
+        found: usize,
+        /// Cells in the first row.
+        expected: usize,
+    },
+    /// Rows behind a comment or two blank lines, where no block is chosen.
+    #[error("the file has {total} blocks of rows: {}", listed(.blocks, *.total))]
+    SeveralBlocks {
+        /// How many.
+        total: usize,
+        /// The first of them.
+        blocks: Vec<Block>,
+    },
+    /// A block that a file does not have.
+    #[error("there is no block {wanted}; the file has {total}: {}", listed(.blocks, *.total))]
+    UnknownBlock {
+        /// The block asked for.
+        wanted: AskedBlock,
+        /// How many there are.
+        total: usize,
+        /// The first of them.
+        blocks: Vec<Block>,
+    },
+    /// A name of several blocks.
+    #[error("{name:?} is the name of {count} blocks")]
+    AmbiguousBlock {
+        /// The name.
+        name: Foreign,
+        /// How many blocks have it.
+        count: usize,
+    },
+    /// Another block begins: what the readers of rows say to each other.
+    #[error("another block of rows begins here")]
+    NextBlock,
+    /// Words for missing values where there are no words.
+    #[error("'--missing-as' is about text and workbooks, and this is neither")]
+    NoMissingWords,
+    /// A block of what has none.
+    #[error("'--block' is about text and workbooks, and this is neither")]
+    NoBlocks,
+    /// A column that is asked for twice.
+    #[error("the same column is asked for as {first:?} and as {second:?}")]
+    SameColumn {
+        /// As what first.
+        first: Foreign,
+        /// As what then.
+        second: Foreign,
+    },
+    /// What is the name of a column and the number of another one.
+    #[error("{wanted:?} is the name of column {named} and the number of another one")]
+    NameOrNumber {
+        /// The column asked for.
+        wanted: Foreign,
+        /// The column with this name.
+        named: usize,
     },
     /// A column that the table does not have.
     #[error("there is no column {wanted:?}{}", advice(.wanted, .available, *.numbers))]
@@ -320,6 +394,22 @@ pub enum InputErrorKind {
         /// The most rows that are read.
         limit: usize,
     },
+    /// Rows that are held take more memory than they may.
+    #[error("the first {rows} rows take {needed} of memory, more than {limit} (the limit)", needed = size_text(*.needed), limit = size_text(*.limit))]
+    TooMuchMemory {
+        /// How many rows have been counted.
+        rows: usize,
+        /// How many bytes they take at least, with what is made of them.
+        needed: u64,
+        /// How many they may take.
+        limit: u64,
+    },
+    /// More wanted rows than the caller takes.
+    #[error("there are more than {limit} rows")]
+    TooManyWanted {
+        /// How many it takes.
+        limit: usize,
+    },
     /// A matrix of unknown size that ends within a row.
     #[error("the last row has {found} of 3 numbers")]
     PartOfARow {
@@ -372,6 +462,7 @@ impl InputErrorKind {
             InputErrorKind::LineTooLong { .. } | InputErrorKind::RowTooLong { .. } => Some(Limit::Line),
             InputErrorKind::TooManyColumns { .. } => Some(Limit::Columns),
             InputErrorKind::TooManyRows { .. } => Some(Limit::Rows),
+            InputErrorKind::TooMuchMemory { .. } => Some(Limit::Memory),
             InputErrorKind::TooManyElements { .. } => Some(Limit::Elements),
             InputErrorKind::TooMuchUnpacked { .. } => Some(Limit::Unpacked),
             InputErrorKind::UnpacksTooFar { .. } => Some(Limit::Ratio),
@@ -388,7 +479,7 @@ impl InputErrorKind {
             InputErrorKind::IsDirectory => "a file, or - for standard input".to_owned(),
             InputErrorKind::Empty | InputErrorKind::NoRows => "at least one row of numbers".to_owned(),
             InputErrorKind::NotUtf8 { unit: "cell", .. } => {
-                "text in UTF-8: save it as \"CSV UTF-8\", or convert it with iconv -f WINDOWS-1252 -t UTF-8".to_owned()
+                "text in UTF-8, as the characters before it are; --encoding windows-1252 reads any byte".to_owned()
             }
             InputErrorKind::Utf16 | InputErrorKind::NotUtf8 { .. } => "text in UTF-8".to_owned(),
             InputErrorKind::UnknownColumn { available, .. } if are_no_names(available) => return None,
@@ -412,8 +503,28 @@ impl InputErrorKind {
             InputErrorKind::Time => {
                 "a number: give the cells the format of one, or add a column of seconds or days".to_owned()
             }
+            InputErrorKind::NoValue => "a value: open the workbook in a spreadsheet and save it".to_owned(),
+            InputErrorKind::AmbiguousBlock { .. } => "--block with a number".to_owned(),
+            InputErrorKind::SeveralBlocks { .. } | InputErrorKind::UnknownBlock { .. } => {
+                "--block with a number or a name; --block all takes the rows of all of them together".to_owned()
+            }
+            InputErrorKind::SameColumn { .. } => "two columns".to_owned(),
+            InputErrorKind::NameOrNumber { wanted, .. } => format!(
+                "'\"{wanted}\"', with the quotes, for the name; for the number the name of that column, or --header no if \
+                 the first row is a reading"
+            ),
+            InputErrorKind::CommasTwice { .. } => {
+                "semicolons or tabs between the columns, or quotes around numbers with commas and --decimal comma"
+                    .to_owned()
+            }
             InputErrorKind::AmbiguousColumn { .. } => {
                 "a name that occurs once, or the column's number".to_owned()
+            }
+            InputErrorKind::Json { .. } => {
+                "JSON with an object for each row, or a table of text such as CSV".to_owned()
+            }
+            InputErrorKind::NestedJson => {
+                "JSON with an object for each row; in pandas table.to_json('FILE', orient='records')".to_owned()
             }
             InputErrorKind::Null => "a value".to_owned(),
             InputErrorKind::NotFinite => "a finite number".to_owned(),
@@ -439,7 +550,9 @@ impl InputErrorKind {
                 "1.5, or a column of numbers: write the file with one, or a CSV to be read with --decimal comma".to_owned()
             }
             InputErrorKind::NoDelimiter { .. } => {
-                "--delimiter comma, semicolon, tab, space or pipe, or a column's number".to_owned()
+                "--delimiter comma, semicolon, tab, space or pipe, or a column's number; --skip-lines N if N lines come before \
+                 the table"
+                    .to_owned()
             }
             InputErrorKind::AnotherDecimalMark { .. } => {
                 "one decimal mark; --decimal comma or --decimal point says which, --thousands what groups digits"

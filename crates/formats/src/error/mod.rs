@@ -68,15 +68,13 @@ impl InputError {
     #[cfg(feature = "spreadsheets")]
     pub(crate) fn in_sheet(mut self, sheet: &str) -> Self {
         self.place.sheet = Some(sheet.into());
-        let is_time = |text: &Foreign| {
-            let text = text.raw();
-            let digits = text.bytes().take_while(u8::is_ascii_digit).count();
-            let rest = text.get(digits..).unwrap_or_default();
-            (digits == 4 && rest.starts_with('-')) || (digits > 0 && rest.starts_with(':'))
-        };
-        if matches!(self.kind, InputErrorKind::NotANumber(_)) && self.place.text.as_ref().is_some_and(is_time)
-        {
-            self.kind = InputErrorKind::Time;
+        let is_formula = |text: &Foreign| text.raw().starts_with('=');
+        let says = |is_it: &dyn Fn(&Foreign) -> bool| self.place.text.as_ref().is_some_and(is_it);
+        match self.kind {
+            InputErrorKind::NotANumber(_) | InputErrorKind::NoNumberInFirstRow if says(&is_formula) => {
+                self.kind = InputErrorKind::NoValue;
+            }
+            _ => {}
         }
         self
     }

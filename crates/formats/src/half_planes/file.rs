@@ -2,6 +2,8 @@
 
 use boundfit_geometry::{Generators, System};
 
+use crate::notes::TableNotes;
+
 /// Which row of the file an inequality of the system comes from; for a V-representation, its number among those computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct RowOrigin {
@@ -24,6 +26,8 @@ pub struct HalfPlaneFile {
     pub sha256: String,
     /// The rows of a V-representation.
     pub generators: Option<GeneratorRows>,
+    /// What a table was taken for; `None` for a representation of cdd and lrs.
+    pub table: Option<TableNotes>,
 }
 
 /// The rows of a V-representation.

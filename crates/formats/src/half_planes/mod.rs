@@ -9,6 +9,7 @@ use boundfit_geometry::Inequality;
 use crate::cdd::parse_cdd;
 use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
+use crate::notes::TableNotes;
 use crate::open::read_table;
 use crate::source::Source;
 use crate::table::TableOptions;
@@ -68,7 +69,14 @@ pub fn read_half_planes(source: Source, options: &TableOptions) -> Result<HalfPl
         rows: table.rows_total,
         sha256,
         generators: None,
+        table: table.table.map(in_order),
     })
+}
+
+/// What a table was taken for, in which columns without names are a1, a2 and b in this order: that is no guess.
+fn in_order(mut notes: TableNotes) -> TableNotes {
+    notes.header.is_open &= notes.header.line.is_some();
+    notes
 }
 
 /// Whether a column is a3, a4 and so on.

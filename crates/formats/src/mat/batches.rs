@@ -3,18 +3,32 @@
 use std::io::Read;
 use std::ops::Range;
 
-use boundfit_exact::{Column, Foreign};
+use boundfit_exact::{Column, Foreign, WorkMeter};
 
 use super::columns::{MatColumn, MatColumns};
-use super::numbers::BadNumber;
-use crate::columns::{ColumnPlace, ColumnSelector};
+use crate::cells::CellReader;
+use crate::columns::{ColumnPlace, ColumnSelector, refuse_same};
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::lacking::Lacking;
-use crate::roles::Role;
+use crate::memory::BadNumber;
 use crate::scan::{Batch, Pieces, ScanOptions, Scanned, csv_line, each_once, readable_rows};
 use crate::selection::{RowCondition, RowNumbers, between, in_batches};
 use crate::table::check_rows;
 use crate::threads;
+
+/// Refuses a variable, or a column of one, that is asked for twice.
+fn refuse_twice(file: &str, selectors: &[ColumnSelector]) -> Result<(), InputError> {
+    let place = |selector: &ColumnSelector| {
+        let first = selectors.iter().position(|other| other.text() == selector.text());
+        ColumnPlace { position: first.unwrap_or_default(), name: None }
+    };
+    let places: Vec<ColumnPlace> = selectors.iter().map(place).collect();
+    refuse_same(file, places.iter().zip(selectors)).map_err(|mut error| {
+        // Variables have no numbers.
+        error.place.column = None;
+        error
+    })
+}
 
 /// Reads columns of a MATLAB file as [`scan`](crate::scan) says. Every number is the one that is stored, whichever way text is to be read. With [`ScanOptions::keep_text`], the rows are written as CSV of the columns
 /// asked for, which reads back the same under the binary64 reading.
@@ -37,14 +51,15 @@ pub(crate) fn scan_mat<T: Send>(
     let selectors: Vec<&ColumnSelector> =
         columns.iter().chain(&options.key).chain(&options.identity).chain(looked_at).collect();
     let progress = options.progress.as_deref();
+    refuse_twice(name, columns)?;
     let found = MatColumns::read(file, &selectors, &options.table.sizes, options.hash, progress);
     let MatColumns { columns: found, rows, sha256, bytes } = found.map_err(fail)?;
     check_rows(name, rows, options)?;
     let (numbers, others) = found.split_at_checked(columns.len()).unwrap_or_default();
     let (key, looked_at) = others.split_at_checked(options.key.iter().len()).unwrap_or_default();
     let (identity, looked_at) = looked_at.split_at_checked(options.identity.iter().len()).unwrap_or_default();
-    let rows_of =
-        Rows { file: name, selectors: columns, columns: numbers, key: key.first(), identity, options };
+    let (key, meter) = (key.first(), WorkMeter::default());
+    let rows_of = Rows { file: name, selectors: columns, columns: numbers, key, identity, options, meter };
     let asked = options.table.rows.among(1, rows + 1);
     let mut lacking = Lacking::default();
     let [satisfying, wanted] = rows_of.with_values(conditions, looked_at, &asked, &mut lacking)?;
@@ -68,13 +83,14 @@ pub(crate) fn scan_mat<T: Send>(
     let names: Vec<Foreign> = numbers.iter().map(|column| column.place.title()).collect();
     Ok(Scanned {
         layout: None,
+        table: None,
         header_line: options
             .keep_text
             .then(|| csv_line(rows_of.written().iter().map(|column| column.place.title().raw().to_owned()))),
         names,
         header: Vec::new(),
         fractions: Vec::new(),
-        key_name: key.first().map(|column| column.place.title()),
+        key_name: key.map(|column| column.place.title()),
         units: vec![None; columns.len()],
         rows_total: rows,
         ranges: Vec::new(),
@@ -93,6 +109,8 @@ struct Rows<'a> {
     /// One, or none.
     identity: &'a [MatColumn],
     options: &'a ScanOptions,
+    /// The work on the numbers that were read as text.
+    meter: WorkMeter,
 }
 
 impl Rows<'_> {
@@ -118,7 +136,9 @@ impl Rows<'_> {
         let is_missing = |column: &MatColumn, row: usize| column.numbers.is_missing(column.start + row - 1);
         let [mut satisfying, mut wanted] = [RowNumbers::default(), RowNumbers::default()];
         for range in rows {
-            let numbers = looked_at.iter().map(|column| self.numbers(column, range, Role::Optional));
+            let numbers = conditions.iter().zip(looked_at).map(|(condition, column)| {
+                self.numbers(column, range, &condition.column().clone().optional())
+            });
             let numbers: Vec<Column> = numbers.collect::<Result<_, _>>()?;
             for row in range.clone() {
                 let mut pairs = conditions.iter().zip(looked_at.iter().zip(&numbers));
@@ -144,7 +164,12 @@ impl Rows<'_> {
     }
 
     /// The numbers of a column in the rows of a range, counted from 1.
-    fn numbers(&self, column: &MatColumn, rows: &Range<usize>, role: Role) -> Result<Column, InputError> {
+    fn numbers(
+        &self,
+        column: &MatColumn,
+        rows: &Range<usize>,
+        selector: &ColumnSelector,
+    ) -> Result<Column, InputError> {
         let range = column.start + rows.start - 1..column.start + rows.end - 1;
         if self.options.keep_text
             && let Some(index) = column.numbers.first_beyond_doubles(range.clone())
@@ -152,14 +177,15 @@ impl Rows<'_> {
             let text = column.numbers.text(index);
             return Err(self.error(column, BadNumber { index, text, problem: InputErrorKind::NotBinary64 }));
         }
-        column.numbers.column(range, role).map_err(|bad| self.error(column, bad))
+        let reader = CellReader { selector, options: &self.options.table, meter: &self.meter };
+        column.numbers.column(range, reader).map_err(|bad| self.error(column, bad))
     }
 
     /// The rows of these ranges, counted from 1.
     fn batch(&self, ranges: &[Range<usize>]) -> Result<Batch, InputError> {
         let mut columns = Vec::new();
         for (column, selector) in self.columns.iter().zip(self.selectors) {
-            let mut parts = ranges.iter().map(|range| self.numbers(column, range, selector.role()));
+            let mut parts = ranges.iter().map(|range| self.numbers(column, range, selector));
             let mut numbers = parts.next().transpose()?.unwrap_or_default();
             for part in parts {
                 let part = part?;
@@ -188,6 +214,7 @@ impl Rows<'_> {
             keys,
             lines,
             fractions: Vec::new(),
+            cells: Vec::new(),
             others: Vec::new(),
         })
     }

@@ -10,6 +10,8 @@ use super::elements::{COMPRESSED, Damage, Elements, MATRIX};
 use super::file::MatFile;
 use super::kind::{ByteOrder, MatKind, START, byte_order, kind_of};
 use super::numbers::Numbers;
+use super::octave::{self, is_octave};
+use super::v4;
 use super::variable::{Content, Variable, fields};
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::InputErrorKind;
@@ -18,6 +20,9 @@ use crate::scan::Progress;
 
 /// What reports call such files.
 const FORMAT: &str = "a MATLAB file";
+
+/// How else the tables of HDF5 files are had.
+const FROM_HDF5: &str = "save its table as CSV: in Python pandas.read_hdf('FILE').to_csv('FILE.csv'), in Octave save -text FILE NAME";
 
 /// What a number takes in memory, whatever it takes in the file.
 const BYTES_PER_NUMBER: u64 = 8;
@@ -83,7 +88,7 @@ impl Found {
 }
 
 /// Which column is meant by a selector.
-struct Wanted<'a> {
+pub(super) struct Wanted<'a> {
     text: &'a str,
     /// `M` and 2 of `M(:,2)`.
     of_matrix: Option<(String, u64)>,
@@ -91,7 +96,7 @@ struct Wanted<'a> {
 }
 
 impl<'a> Wanted<'a> {
-    fn new(selector: &'a ColumnSelector) -> Self {
+    pub(super) fn new(selector: &'a ColumnSelector) -> Self {
         let text = selector.text().raw();
         let bare: String = text.split_whitespace().collect();
         let of_matrix = bare.strip_suffix(')').and_then(|bare| {
@@ -121,47 +126,67 @@ impl MatColumns {
         progress: Option<&dyn Progress>,
     ) -> Result<Self, InputErrorKind> {
         let mut file = MatFile::new(file, hash, progress);
-        let order = header(&mut file)?;
+        let (layout, first) = header(&mut file)?;
         let wanted: Vec<Wanted> = selectors.iter().map(|selector| Wanted::new(selector)).collect();
-        let mut search = Search { wanted: &wanted, sizes, all: Vec::new(), before: 0, packed: 0, held: 0 };
+        let mut search = Search::new(&wanted, sizes);
+        let mut first = first.as_slice();
         loop {
             file.go_on()?;
-            let start = file.position();
-            let found = search.next(&mut file, order);
+            let start = file.position() - first.len() as u64;
+            let found = match layout {
+                Layout::Octave => {
+                    octave::read(&mut search, first, &mut file, sizes)?;
+                    break;
+                }
+                Layout::V4 => v4::next(&mut search, &mut first.by_ref().chain(&mut file)),
+                Layout::V5(order) => search.next(&mut file, order),
+            };
             if !found.map_err(|damage| unreadable(start, damage))? {
                 break;
             }
         }
-        let all = search.all;
-        let columns = wanted.iter().map(|wanted| resolve(wanted, &all)).collect::<Result<Vec<_>, _>>()?;
-        let rows = common_length(&columns)?;
+        let (columns, rows) = search.columns()?;
         Ok(MatColumns { columns, rows, sha256: file.sha256(), bytes: file.position() })
     }
 }
 
-/// Reads the header.
-fn header(file: &mut MatFile) -> Result<ByteOrder, InputErrorKind> {
+/// How the variables of a file are written.
+enum Layout {
+    /// Version 4, each variable in an order of bytes of its own.
+    V4,
+    /// Version 5, in this order of bytes.
+    V5(ByteOrder),
+    /// Octave's text.
+    Octave,
+}
+
+/// Reads as much as tells how a file is written; gives what of that belongs to its first variable.
+fn header(file: &mut MatFile) -> Result<(Layout, Vec<u8>), InputErrorKind> {
     let mut header = Vec::new();
     file.by_ref().take(START as u64).read_to_end(&mut header)?;
+    if is_octave(&header) {
+        return Ok((Layout::Octave, header));
+    }
     let refused = |format, instead| Err(InputErrorKind::BinaryTable { format, instead });
     match kind_of(&header) {
         Some(MatKind::V73) => refused(
             "a MATLAB file of version 7.3, which is HDF5",
             "save it with -v7: save('FILE.mat', '-v7')",
         ),
-        Some(MatKind::Hdf5) => refused("an HDF5 file", "save it with -v7: save('FILE.mat', '-v7')"),
-        Some(MatKind::V4) => {
-            refused("a MATLAB file of version 4", "save it with -v7: save('FILE.mat', '-v7')")
-        }
-        Some(MatKind::V5) | None => byte_order(&header).ok_or_else(|| {
-            let reason = "its header of 128 bytes does not end with version and byte order".to_owned();
-            InputErrorKind::Unreadable { format: FORMAT, reason: reason.into() }
-        }),
+        Some(MatKind::Hdf5) => refused("an HDF5 file", FROM_HDF5),
+        Some(MatKind::V4) => Ok((Layout::V4, header)),
+        Some(MatKind::V5) | None => match byte_order(&header) {
+            Some(order) => Ok((Layout::V5(order), Vec::new())),
+            None => {
+                let reason = "its header of 128 bytes does not end with version and byte order".to_owned();
+                Err(InputErrorKind::Unreadable { format: FORMAT, reason: reason.into() })
+            }
+        },
     }
 }
 
 /// A file on its way: what is looked for, and what was found.
-struct Search<'a> {
+pub(super) struct Search<'a> {
     wanted: &'a [Wanted<'a>],
     sizes: &'a SizeLimits,
     all: Vec<Found>,
@@ -172,8 +197,63 @@ struct Search<'a> {
     held: u64,
 }
 
-impl Search<'_> {
-    /// Reads the next variable; `false` at the end of the file.
+impl<'a> Search<'a> {
+    pub(super) fn new(wanted: &'a [Wanted<'a>], sizes: &'a SizeLimits) -> Self {
+        Search { wanted, sizes, all: Vec::new(), before: 0, packed: 0, held: 0 }
+    }
+
+    /// The columns that are looked for, and how many rows they have.
+    pub(super) fn columns(&self) -> Result<(Vec<MatColumn>, usize), InputErrorKind> {
+        let columns = self.wanted.iter().map(|wanted| resolve(wanted, &self.all));
+        let columns = columns.collect::<Result<Vec<_>, _>>()?;
+        let rows = common_length(&columns)?;
+        Ok((columns, rows))
+    }
+
+    /// Adds a variable that has so many bytes in the file. Where its numbers may be wanted, `read` reads so many; else they are for
+    /// whoever calls to pass over. Gives whether they were read.
+    pub(super) fn add(
+        &mut self,
+        variable: Variable,
+        bytes: u64,
+        read: impl FnOnce(u64) -> Result<Numbers, Damage>,
+    ) -> Result<bool, Damage> {
+        self.packed = self.packed.saturating_add(bytes);
+        let mut found = Found { variable, numbers: None, before: self.before, fields: Vec::new() };
+        let is_wanted = self.admit(&mut found, read)?;
+        self.before = self.before.saturating_add(found.variable.content.columns());
+        self.all.push(found);
+        Ok(is_wanted)
+    }
+
+    /// Reads the numbers of a variable if they may be wanted and keep to the limits.
+    fn admit(
+        &mut self,
+        found: &mut Found,
+        read: impl FnOnce(u64) -> Result<Numbers, Damage>,
+    ) -> Result<bool, Damage> {
+        let Content::Numbers { rows, columns } = found.variable.content else { return Ok(false) };
+        if !self.wanted.iter().any(|wanted| wanted.is_in(found)) {
+            return Ok(false);
+        }
+        self.refuse_second(found)?;
+        let count = rows.saturating_mul(columns);
+        let limit = self.sizes.elements;
+        if usize::try_from(count).map_or(true, |count| count > limit) {
+            let variable = found.variable.name.clone().into();
+            return Err(Damage::Refused(InputErrorKind::TooManyElements {
+                variable,
+                elements: count,
+                limit,
+            }));
+        }
+        self.held = self.held.saturating_add(count.saturating_mul(BYTES_PER_NUMBER));
+        self.sizes.check_ratio(self.packed, self.held).map_err(Damage::Refused)?;
+        found.numbers = Some(Arc::new(read(count)?));
+        Ok(true)
+    }
+
+    /// Reads the next variable of version 5; `false` at the end of the file.
     fn next(&mut self, file: &mut MatFile, order: ByteOrder) -> Result<bool, Damage> {
         let Some(tag) = Elements::new(file.by_ref(), order).tag()? else { return Ok(false) };
         let mut body = file.by_ref().take(tag.bytes);
@@ -220,35 +300,18 @@ impl Search<'_> {
         if found.variable.name.is_empty() {
             found.variable.content = Content::Other("MATLAB's own".to_owned());
         }
-        let (rows, columns) = match found.variable.content {
-            Content::Numbers { rows, columns } => (rows, columns),
+        match found.variable.content {
+            Content::Numbers { .. } => {}
             Content::Struct => return self.fields(elements, found, nesting),
             Content::Other(_) => {
                 self.all.push(found);
                 return Ok(false);
             }
-        };
-        let is_wanted = self.wanted.iter().any(|wanted| wanted.is_in(&found));
-        if is_wanted {
-            self.refuse_second(&found)?;
-            // Both are below 2³¹.
-            let count = rows * columns;
-            let limit = self.sizes.elements;
-            if usize::try_from(count).map_or(true, |count| count > limit) {
-                let variable = found.variable.name.into();
-                return Err(Damage::Refused(InputErrorKind::TooManyElements {
-                    variable,
-                    elements: count,
-                    limit,
-                }));
-            }
-            self.held = self.held.saturating_add(count.saturating_mul(BYTES_PER_NUMBER));
-            self.sizes.check_ratio(self.packed, self.held).map_err(Damage::Refused)?;
-            found.numbers = Some(Arc::new(Numbers::read(elements, count)?));
-            // What is left of the variable is inflated for its checksum, and is at most padding.
-            if elements.tag()?.is_some() {
-                return Err(Damage::format(format!("{:?} goes on behind its numbers", found.variable.name)));
-            }
+        }
+        let is_wanted = self.admit(&mut found, |count| Numbers::read(elements, count))?;
+        // What is left of the variable is inflated for its checksum, and is at most padding.
+        if is_wanted && elements.tag()?.is_some() {
+            return Err(Damage::format(format!("{:?} goes on behind its numbers", found.variable.name)));
         }
         self.before = self.before.saturating_add(found.variable.content.columns());
         self.all.push(found);

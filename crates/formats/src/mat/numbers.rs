@@ -3,11 +3,13 @@
 use std::io::Read;
 use std::ops::Range;
 
-use boundfit_exact::{Column, Unit};
+use boundfit_exact::{Column, Reading, Shortest, Unit};
 
 use super::elements::{Damage, Elements};
 use super::kind::ByteOrder;
+use crate::cells::CellReader;
 use crate::error::InputErrorKind;
+use crate::memory::{BadNumber, MemoryNumbers};
 use crate::roles::Role;
 
 /// Numbers exactly as they are stored.
@@ -17,13 +19,8 @@ pub(super) enum Numbers {
     Doubles(Vec<f64>),
     /// Integers of 64 bits.
     Integers(Vec<i128>),
-}
-
-/// A number that cannot be used: which one, its text, and why.
-pub(super) struct BadNumber {
-    pub(super) index: usize,
-    pub(super) text: String,
-    pub(super) problem: InputErrorKind,
+    /// Numbers as text, which are read as those of a table of text are.
+    Texts(MemoryNumbers),
 }
 
 impl Numbers {
@@ -55,14 +52,18 @@ impl Numbers {
                 integers.extend(words(part, order).map(|word| i128::from(u64::from_le_bytes(word))));
             }
             Numbers::Doubles(doubles) => extend(doubles, tag.kind, part, order),
+            Numbers::Texts(_) => {}
         })?;
         Ok(numbers)
     }
 
     /// What a column takes from the numbers in a range; a NaN is none.
-    pub(super) fn column(&self, range: Range<usize>, role: Role) -> Result<Column, BadNumber> {
-        match role {
-            Role::Number | Role::NonNegative => self.numbers(range, role == Role::NonNegative),
+    pub(super) fn column(&self, range: Range<usize>, reader: CellReader) -> Result<Column, BadNumber> {
+        if let Numbers::Texts(texts) = self {
+            return texts.column(range, reader);
+        }
+        match reader.selector.role() {
+            role @ (Role::Number | Role::NonNegative) => self.numbers(range, role == Role::NonNegative),
             Role::Presence => {
                 Ok(Column::of_counts(range.map(|index| i128::from(!self.is_missing(index))), Unit::TenTo(0)))
             }
@@ -77,7 +78,7 @@ impl Numbers {
                     let filled = own.iter().map(|&double| if double.is_nan() { 0.0 } else { double + 0.0 });
                     Ok(Column::Doubles(filled.collect()))
                 }
-                Numbers::Integers(_) => self.numbers(range, false),
+                Numbers::Integers(_) | Numbers::Texts(_) => self.numbers(range, false),
             },
             Role::HalfUnit => {
                 let problem = InputErrorKind::NoDigits { format: "a MATLAB file" };
@@ -91,6 +92,7 @@ impl Numbers {
         match self {
             Numbers::Doubles(doubles) => doubles.get(index).is_some_and(|double| double.is_nan()),
             Numbers::Integers(_) => false,
+            Numbers::Texts(texts) => texts.is_missing(index),
         }
     }
 
@@ -115,6 +117,7 @@ impl Numbers {
                 let exact = || Column::of_counts(integers.iter().copied(), Unit::TenTo(0));
                 Option::map_or_else(doubles, exact, Column::Doubles)
             }
+            Numbers::Texts(_) => Column::default(),
         };
         let negative = if non_negative { column.first_negative() } else { None };
         match negative {
@@ -128,6 +131,7 @@ impl Numbers {
         let text = match self {
             Numbers::Doubles(doubles) => doubles.get(index).map(|&double| double_text(double)),
             Numbers::Integers(integers) => integers.get(index).map(i128::to_string),
+            Numbers::Texts(texts) => Some(texts.text(index, Reading::Decimal)),
         };
         text.unwrap_or_default()
     }
@@ -152,7 +156,7 @@ fn words<const N: usize>(part: &[u8], order: ByteOrder) -> impl Iterator<Item = 
 }
 
 /// Adds the numbers in a part, of an element type that doubles have all numbers of.
-fn extend(doubles: &mut Vec<f64>, kind: u32, part: &[u8], order: ByteOrder) {
+pub(super) fn extend(doubles: &mut Vec<f64>, kind: u32, part: &[u8], order: ByteOrder) {
     match kind {
         1 => doubles.extend(words(part, order).map(|word| f64::from(i8::from_le_bytes(word)))),
         2 => doubles.extend(words(part, order).map(|word| f64::from(u8::from_le_bytes(word)))),
@@ -177,8 +181,8 @@ pub(crate) fn double_text(double: f64) -> String {
     match double.abs() {
         size if size.is_nan() => "NaN".to_owned(),
         size if size.is_infinite() => if double > 0.0 { "Inf" } else { "-Inf" }.to_owned(),
-        size if size == 0.0 || usual.contains(&size) => double.to_string(),
-        _ => format!("{double:e}"),
+        size if size == 0.0 || usual.contains(&size) => double.in_shortest_digits(double.to_string()),
+        _ => double.in_shortest_digits(format!("{double:e}")),
     }
 }
 

@@ -5,7 +5,7 @@ use std::io::Read;
 use super::elements::{Damage, Elements, Tag};
 
 /// MATLAB's names have up to 63 characters.
-const LONGEST_NAME: u64 = 255;
+pub(super) const LONGEST_NAME: u64 = 255;
 /// More dimensions than anybody uses.
 const MOST_DIMENSIONS: u64 = 64;
 /// Element types of the parts.

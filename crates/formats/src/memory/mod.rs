@@ -16,7 +16,7 @@ use crate::table::check_rows;
 use crate::threads;
 use crate::wanted::WantedColumns;
 
-use numbers::BadNumber;
+pub(crate) use numbers::BadNumber;
 
 /// A table whose columns are in memory. [`Source::of_table`](crate::Source::of_table) makes an input of it, which
 /// [`scan`](crate::scan) hands out as it does a file's: what reads files reads it, and refuses the same things.
@@ -40,7 +40,7 @@ pub struct MemoryTable {
 }
 
 /// The cells of a column in memory.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum MemoryNumbers {
     /// Doubles. Each stands, under [`Reading::Decimal`](boundfit_exact::Reading::Decimal), for the shortest decimal that is read
     /// as it, which is what a CSV of them shows (0.1 is 1/10); under [`Reading::Binary64`](boundfit_exact::Reading::Binary64) for
@@ -62,6 +62,11 @@ impl MemoryTable {
     pub fn push(&mut self, name: impl Into<Foreign>, numbers: MemoryNumbers) {
         self.names.push(name.into());
         self.columns.push(numbers);
+    }
+
+    /// The columns with their names.
+    pub fn columns(&self) -> impl Iterator<Item = (&Foreign, &MemoryNumbers)> {
+        self.names.iter().zip(&self.columns)
     }
 
     /// The table as CSV with a header, UTF-8 with a line feed behind each line: under the reading that it is written for it reads
@@ -90,6 +95,22 @@ impl MemoryTable {
     fn rows(&self) -> usize {
         self.columns.first().map_or(0, MemoryNumbers::len)
     }
+
+    /// Refuses columns that are not equally long.
+    fn check_lengths(&self, file: &str) -> Result<(), InputError> {
+        let described = |index: usize| {
+            let name = self.names.get(index).cloned().unwrap_or_default();
+            (name, self.columns.get(index).map_or(0, MemoryNumbers::len) as u64)
+        };
+        let rows = self.rows();
+        match self.columns.iter().position(|column| column.len() != rows) {
+            Some(other) => {
+                let (first, other) = (described(0), described(other));
+                Err(InputError::of_file(file, InputErrorKind::DifferentLengths { first, other }))
+            }
+            None => Ok(()),
+        }
+    }
 }
 
 /// Reads columns in memory as [`scan`](crate::scan) says. With [`ScanOptions::keep_text`], the rows are written as CSV of the
@@ -107,83 +128,100 @@ pub(crate) fn scan_memory<T: Send>(
     work: impl Fn(Batch) -> T + Sync,
     mut take: impl FnMut(T),
 ) -> Result<Scanned, InputError> {
-    let rows_of = Rows::new(name, table, columns, options)?;
+    let wanted = WantedColumns::new(name, &table.names, columns, options)?;
     let rows = table.rows();
+    table.check_lengths(name)?;
     check_rows(name, rows, options)?;
-    let asked = options.table.rows.among(1, rows + 1);
+    let part = Part { table, wanted: &wanted, before: 0, lines: &[] };
     let mut lacking = Lacking::default();
-    let [satisfying, wanted] = rows_of.with_values(&asked, &mut lacking)?;
-    let used = wanted.iter().map(ExactSizeIterator::len).sum();
+    let [satisfying, found] = part.with_values(rows, &mut lacking)?;
+    let used = found.iter().map(ExactSizeIterator::len).sum();
     let ((), rows_missing) = lacking.settle(Ok(()), used, options)?;
-    for group in in_batches(&wanted).chunks(threads::count()) {
-        let batch = |rows: Vec<Range<usize>>| rows_of.batch(&rows).map(&work);
-        let done: Vec<Result<T, InputError>> = threads::map(group.to_vec(), batch);
-        for result in done {
-            take(result?);
-        }
-        if options.progress.as_deref().is_some_and(|progress| progress.is_cancelled()) {
-            return Err(InputError::of_file(name, InputErrorKind::Interrupted));
-        }
-    }
-    if options.table.keep_others && options.table.selects_rows() {
-        let unwanted = between(&satisfying, 1, rows + 1).into_iter();
-        let others = unwanted.flat_map(|rows| readable_rows(rows, &|rows| rows_of.batch(&[rows]))).collect();
-        take(work(Batch { others, ..rows_of.batch(&[])? }));
-    }
-    Ok(Scanned { header: table.names.clone(), ..rows_of.wanted.scanned(rows, rows_missing) })
+    part.hand_out_rows(&satisfying, &found, rows, &work, &mut take)?;
+    Ok(Scanned { header: table.names.clone(), ..wanted.scanned(rows, rows_missing) })
 }
 
-/// The rows of a table, and which of its columns are wanted.
-struct Rows<'a> {
-    table: &'a MemoryTable,
-    wanted: WantedColumns<'a>,
+/// Some rows of a table, whose columns are in memory as far as they are wanted.
+pub(crate) struct Part<'a> {
+    pub(crate) table: &'a MemoryTable,
+    pub(crate) wanted: &'a WantedColumns<'a>,
+    /// How many rows of the table come before.
+    pub(crate) before: usize,
+    /// The lines on which the rows begin, in a table that has lines.
+    pub(crate) lines: &'a [u64],
 }
 
-impl<'a> Rows<'a> {
-    fn new(
-        file: &'a str,
-        table: &'a MemoryTable,
-        selectors: &'a [ColumnSelector],
-        options: &'a ScanOptions,
-    ) -> Result<Self, InputError> {
-        let wanted = WantedColumns::new(file, &table.names, selectors, options)?;
-        let described = |index: usize| {
-            let name = table.names.get(index).cloned().unwrap_or_default();
-            (name, table.columns.get(index).map_or(0, MemoryNumbers::len) as u64)
-        };
-        let rows = table.rows();
-        if let Some(other) = table.columns.iter().position(|column| column.len() != rows) {
-            let problem = InputErrorKind::DifferentLengths { first: described(0), other: described(other) };
-            return Err(InputError::of_file(file, problem));
+impl Part<'_> {
+    /// Hands out so many rows, which are all that there are here; gives how many of them are wanted and lack nothing.
+    ///
+    /// # Errors
+    /// The first cell that is no number, with its place.
+    pub(crate) fn hand_out<T: Send>(
+        &self,
+        rows: usize,
+        lacking: &mut Lacking,
+        work: &(impl Fn(Batch) -> T + Sync),
+        take: &mut impl FnMut(T),
+    ) -> Result<usize, InputError> {
+        let [satisfying, found] = self.with_values(rows, lacking)?;
+        self.hand_out_rows(&satisfying, &found, rows, work, take)?;
+        Ok(found.iter().map(ExactSizeIterator::len).sum())
+    }
+
+    /// Hands out the rows that were found, and those others of so many that are to be kept.
+    fn hand_out_rows<T: Send>(
+        &self,
+        satisfying: &[Range<usize>],
+        found: &[Range<usize>],
+        rows: usize,
+        work: &(impl Fn(Batch) -> T + Sync),
+        take: &mut impl FnMut(T),
+    ) -> Result<(), InputError> {
+        let options = self.wanted.options;
+        for group in in_batches(found).chunks(threads::count()) {
+            let batch = |rows: Vec<Range<usize>>| self.batch(&rows).map(work);
+            let done: Vec<Result<T, InputError>> = threads::map(group.to_vec(), batch);
+            for result in done {
+                take(result?);
+            }
+            if options.progress.as_deref().is_some_and(|progress| progress.is_cancelled()) {
+                return Err(InputError::of_file(self.wanted.file, InputErrorKind::Interrupted));
+            }
         }
-        Ok(Rows { table, wanted })
+        if options.table.keep_others && options.table.selects_rows() {
+            let unwanted = between(satisfying, self.before + 1, self.before + rows + 1).into_iter();
+            let others = unwanted.flat_map(|rows| readable_rows(rows, &|rows| self.batch(&[rows]))).collect();
+            take(work(Batch { others, ..self.batch(&[])? }));
+        }
+        Ok(())
+    }
+
+    /// Where a row of the table, counted from 1, stands here.
+    fn index(&self, row: usize) -> usize {
+        row - 1 - self.before
     }
 
     fn cells(&self, place: &ColumnPlace) -> Option<&MemoryNumbers> {
         self.table.columns.get(place.position - 1)
     }
 
-    /// Of rows in these ranges, those whose numbers satisfy the conditions as far as they are there, and those of them that lack
+    /// Of so many rows, those that are asked for and whose numbers satisfy the conditions as far as they are there, and those of them that lack
     /// no number.
-    fn with_values(
-        &self,
-        rows: &[Range<usize>],
-        lacking: &mut Lacking,
-    ) -> Result<[Vec<Range<usize>>; 2], InputError> {
+    fn with_values(&self, rows: usize, lacking: &mut Lacking) -> Result<[Vec<Range<usize>>; 2], InputError> {
+        let rows = self.wanted.options.table.rows.among(self.before + 1, self.before + rows + 1);
         let has_missing = |place: &&ColumnPlace| self.cells(place).is_some_and(MemoryNumbers::has_missing);
         let needed: Vec<&ColumnPlace> = self.wanted.needed().filter(has_missing).collect();
         if needed.is_empty() && self.wanted.conditions.is_empty() {
-            return Ok([rows.to_vec(), rows.to_vec()]);
+            return Ok([rows.clone(), rows]);
         }
         let is_missing = |place: &ColumnPlace, row: usize| {
-            self.cells(place).is_some_and(|cells| cells.is_missing(row - 1))
+            self.cells(place).is_some_and(|cells| cells.is_missing(self.index(row)))
         };
         let [mut satisfying, mut wanted] = [RowNumbers::default(), RowNumbers::default()];
         for range in rows {
-            let numbers =
-                self.wanted.conditions.iter().map(|(place, condition)| {
-                    self.numbers(place, range, &condition.column().clone().optional())
-                });
+            let numbers = self.wanted.conditions.iter().map(|(place, condition)| {
+                self.numbers(place, &range, &condition.column().clone().optional())
+            });
             let numbers: Vec<Column> = numbers.collect::<Result<_, _>>()?;
             for row in range.clone() {
                 let satisfies =
@@ -199,9 +237,12 @@ impl<'a> Rows<'a> {
                     Some(place) => lacking.notice(|| {
                         let text = self
                             .cells(place)
-                            .map(|cells| cells.text(row - 1, self.wanted.options.table.reading))
+                            .map(|cells| cells.text(self.index(row), self.wanted.options.table.reading))
                             .unwrap_or_default();
-                        self.error(place, BadNumber { index: row - 1, text, problem: InputErrorKind::Null })
+                        self.error(
+                            place,
+                            BadNumber { index: self.index(row), text, problem: InputErrorKind::Null },
+                        )
                     }),
                 }
             }
@@ -218,7 +259,9 @@ impl<'a> Rows<'a> {
     ) -> Result<Column, InputError> {
         let Some(cells) = self.cells(place) else { return Ok(Column::default()) };
         let reader = CellReader { selector, options: &self.wanted.options.table, meter: &self.wanted.meter };
-        cells.column(rows.start - 1..rows.end - 1, reader).map_err(|bad| self.error(place, bad))
+        cells
+            .column(self.index(rows.start)..self.index(rows.end), reader)
+            .map_err(|bad| self.error(place, bad))
     }
 
     /// The rows of these ranges, counted from 1.
@@ -236,7 +279,7 @@ impl<'a> Rows<'a> {
         let rows = || ranges.iter().cloned().flatten();
         let text = |place: &ColumnPlace, row: usize| {
             self.cells(place)
-                .map(|cells| cells.text(row - 1, self.wanted.options.table.reading))
+                .map(|cells| cells.text(self.index(row), self.wanted.options.table.reading))
                 .unwrap_or_default()
         };
         let keys = self.wanted.key.as_ref().map(|key| {
@@ -244,7 +287,7 @@ impl<'a> Rows<'a> {
             match self.cells(key) {
                 Some(MemoryNumbers::Texts(texts)) => {
                     for row in rows() {
-                        keys.push(texts.get(row - 1).map_or("", |text| trimmed(text)));
+                        keys.push(texts.get(self.index(row)).map_or("", |text| trimmed(text)));
                     }
                 }
                 _ => rows().for_each(|row| keys.push(&text(key, row))),
@@ -263,14 +306,17 @@ impl<'a> Rows<'a> {
             keys,
             lines,
             fractions: Vec::new(),
+            cells: Vec::new(),
             others: Vec::new(),
         })
     }
 
     fn error(&self, place: &ColumnPlace, bad: BadNumber) -> InputError {
         let ColumnPlace { position, name } = place.clone();
+        let line = self.lines.get(bad.index).copied();
         let place = Place {
-            row: Some(bad.index + 1),
+            line,
+            row: Some(self.before + bad.index + 1).filter(|_| line.is_none()),
             column: Some((position, name)),
             text: Some(bad.text.into()),
             ..Place::default()

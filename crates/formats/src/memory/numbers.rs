@@ -2,19 +2,20 @@
 
 use std::ops::Range;
 
-use boundfit_exact::{Column, DecimalMark, Rational, Reading, Unit, is_missing};
+use boundfit_exact::{Column, DecimalMark, Rational, Reading, Shortest, Unit, is_missing};
 
 use super::MemoryNumbers;
 use crate::cells::{BadIndex, CellReader};
 use crate::columns::ColumnSelector;
+use crate::dialect::MissingWords;
 use crate::error::InputErrorKind;
 use crate::roles::{Role, instead_of_number};
 
 /// A cell that cannot be used: which one from 0, its text, and why.
-pub(super) struct BadNumber {
-    pub(super) index: usize,
-    pub(super) text: String,
-    pub(super) problem: InputErrorKind,
+pub(crate) struct BadNumber {
+    pub(crate) index: usize,
+    pub(crate) text: String,
+    pub(crate) problem: InputErrorKind,
 }
 
 impl MemoryNumbers {
@@ -35,7 +36,7 @@ impl MemoryNumbers {
     }
 
     /// Whether a cell has no number.
-    pub(super) fn has_missing(&self) -> bool {
+    pub(crate) fn has_missing(&self) -> bool {
         match self {
             // Not `any`, so that many are compared at a time.
             MemoryNumbers::Doubles(doubles) => {
@@ -48,7 +49,7 @@ impl MemoryNumbers {
     }
 
     /// Whether this cell has no number.
-    pub(super) fn is_missing(&self, index: usize) -> bool {
+    pub(crate) fn is_missing(&self, index: usize) -> bool {
         match self {
             MemoryNumbers::Doubles(doubles) => doubles.get(index).is_some_and(|double| double.is_nan()),
             MemoryNumbers::Floats(floats) => floats.get(index).is_some_and(|float| float.is_nan()),
@@ -59,7 +60,7 @@ impl MemoryNumbers {
 
     /// A cell as a CSV would show it, for this reading: the shortest text of a float of 32 bits is not that of the double which
     /// it is.
-    pub(super) fn text(&self, index: usize, reading: Reading) -> String {
+    pub(crate) fn text(&self, index: usize, reading: Reading) -> String {
         match self {
             MemoryNumbers::Doubles(doubles) => doubles.get(index).map(shown),
             MemoryNumbers::Floats(floats) => floats.get(index).map(|float| match reading {
@@ -74,7 +75,7 @@ impl MemoryNumbers {
     }
 
     /// What a column takes from the cells in a range.
-    pub(super) fn column(&self, range: Range<usize>, reader: CellReader) -> Result<Column, BadNumber> {
+    pub(crate) fn column(&self, range: Range<usize>, reader: CellReader) -> Result<Column, BadNumber> {
         let column = match reader.selector.role() {
             Role::Number | Role::NonNegative => self.given(range.clone(), reader),
             Role::Presence => {
@@ -159,7 +160,12 @@ impl MemoryNumbers {
         };
         let mut column = Column::default();
         for (index, text) in texts.iter().enumerate() {
-            let value = instead_of_number(text.as_bytes(), selector, Some(DecimalMark::Point));
+            let value = instead_of_number(
+                text.as_bytes(),
+                selector,
+                Some(DecimalMark::Point),
+                &MissingWords::default(),
+            );
             let (mantissa, exponent) = value.map_err(|problem| (index, problem))?.unwrap_or_default();
             column.push(Rational::scientific(mantissa, exponent));
         }
@@ -168,8 +174,8 @@ impl MemoryNumbers {
 }
 
 /// A float as its shortest text.
-fn shown(float: &impl std::fmt::Debug) -> String {
-    format!("{float:?}")
+fn shown(float: &impl Shortest) -> String {
+    float.in_shortest_digits(format!("{float:?}"))
 }
 
 /// Some of the cells; those that there are.

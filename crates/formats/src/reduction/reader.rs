@@ -19,8 +19,18 @@ pub struct Reductions(Arc<Mutex<Seen>>);
 #[derive(Debug, Default)]
 struct Seen {
     records: Vec<ReductionRecord>,
-    /// How many readings each row stands for, in order.
-    counts: Vec<u64>,
+    /// How many rows there are, and of those that do not stand for one reading their place among all and for how many.
+    rows: usize,
+    counts: Vec<(usize, u64)>,
+}
+
+impl Seen {
+    fn push(&mut self, count: u64) {
+        if count != 1 {
+            self.counts.push((self.rows, count));
+        }
+        self.rows += 1;
+    }
 }
 
 impl Reductions {
@@ -39,15 +49,24 @@ impl Reductions {
         if !seen.records.iter().any(|record| record.counted) {
             return Ok(None);
         }
-        let counts = std::mem::take(&mut seen.counts);
-        if counts.len() == rows { Ok(Some(counts)) } else { Err(ReductionError::RowsOfSeveralLines) }
+        if seen.rows != rows {
+            return Err(ReductionError::RowsOfSeveralLines);
+        }
+        let mut counts = vec![1; rows];
+        for (row, count) in std::mem::take(&mut seen.counts) {
+            counts.get_mut(row).into_iter().for_each(|own| *own = count);
+        }
+        Ok(Some(counts))
     }
 
     /// Of rows with these numbers, counted from 1, those that stand for more than one reading: their position among these and how
     /// many readings beside themselves. Rows that have not been read stand for themselves.
     pub fn beside_themselves(&self, rows: impl Iterator<Item = usize>) -> Vec<(usize, u64)> {
         let Ok(seen) = self.0.lock() else { return Vec::new() };
-        let count = |row: usize| row.checked_sub(1).and_then(|row| seen.counts.get(row)).copied();
+        let count = |row: usize| {
+            let place = seen.counts.binary_search_by_key(&row.checked_sub(1)?, |(row, _)| *row).ok()?;
+            seen.counts.get(place).map(|(_, count)| *count)
+        };
         rows.map(|row| count(row).unwrap_or(1).saturating_sub(1))
             .enumerate()
             .filter(|&(_, others)| others > 0)
@@ -158,7 +177,7 @@ impl<R: Read> ReductionReader<R> {
     fn row(&mut self, line: Vec<u8>) -> io::Result<Vec<u8>> {
         let mut seen = self.reductions.0.lock().map_err(|_| poisoned())?;
         let Some(counted) = &mut self.counted else {
-            seen.counts.push(1);
+            seen.push(1);
             return Ok(line);
         };
         let fail = || io::Error::other(ReductionError::NoCount { line: self.line });
@@ -168,7 +187,7 @@ impl<R: Read> ReductionReader<R> {
         let rest = rest.strip_prefix(b" ").ok_or_else(fail)?;
         // A line within a row belongs to one that has begun.
         if count > 0 {
-            seen.counts.push(count);
+            seen.push(count);
             *counted = counted.saturating_add(count);
         } else if self.found == 0 {
             return Err(fail());

@@ -6,6 +6,7 @@ use boundfit_exact::{Column, Foreign};
 
 use crate::columns::ColumnSelector;
 use crate::fractions::Fractions;
+use crate::notes::TableNotes;
 use crate::selection::RowNumbers;
 use crate::table::{TableOptions, TableRow, TextLayout};
 
@@ -79,6 +80,8 @@ pub struct Batch {
     pub keys: Option<Pieces<String>>,
     /// With [`ScanOptions::keep_text`], each row as it stands in the file, without its line end.
     pub lines: Option<Pieces<Vec<u8>>>,
+    /// With [`TableOptions::keep_cells`], [`TableRow::cells`] of each row; nothing of tables that are no text.
+    pub cells: Vec<Vec<String>>,
     /// How many cells of each column asked for are fractions; none are counted where numbers are stored.
     pub fractions: Vec<Fractions>,
     /// With [`TableOptions::keep_others`], rows that are not wanted but hold numbers; then there may be no other rows.
@@ -92,6 +95,7 @@ impl Batch {
         rows.enumerate().map(|(index, row)| TableRow {
             row,
             numbers: self.columns.iter().map(|column| column.get(index)).collect(),
+            cells: self.cells.get(index).cloned().unwrap_or_default(),
         })
     }
 }
@@ -117,6 +121,8 @@ pub struct ScanOptions {
     /// Whether rows are handed out that have a number in none of the columns that may lack one. They are refused otherwise, with
     /// their place.
     pub unbounded_rows: bool,
+    /// Whether a column may be asked for twice. It is refused otherwise; of a reduction, what it does not answer is said first.
+    pub same_columns: bool,
     /// About how many bytes a batch stands for, at least 1.
     pub chunk_bytes: usize,
     /// Who is told how far it is, and may stop it.
@@ -137,6 +143,7 @@ impl Default for ScanOptions {
             hash: true,
             list_rows: true,
             unbounded_rows: false,
+            same_columns: false,
             chunk_bytes: CHUNK_BYTES,
             progress: None,
         }
@@ -171,6 +178,8 @@ pub struct Scanned {
     pub units: Vec<Option<Foreign>>,
     /// Where the numbers stand; `None` unless the table is delimited text.
     pub layout: Option<TextLayout>,
+    /// What the table was taken for; `None` unless it is text or a sheet.
+    pub table: Option<TableNotes>,
     /// With [`ScanOptions::list_rows`], first and last of the wanted rows that follow each other without a gap.
     pub ranges: Vec<[usize; 2]>,
     /// How many data rows the file has.

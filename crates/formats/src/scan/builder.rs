@@ -15,6 +15,7 @@ pub(super) struct BatchBuilder {
     pub(super) keys: Option<Pieces<String>>,
     lines: Option<Pieces<Vec<u8>>>,
     rows: RowNumbers,
+    pub(super) cells: Vec<Vec<String>>,
     pub(super) others: Vec<TableRow>,
 }
 
@@ -26,6 +27,7 @@ impl BatchBuilder {
             keys: keys.then(Pieces::default),
             lines: lines.then(Pieces::default),
             rows: RowNumbers::default(),
+            cells: Vec::new(),
             others: Vec::new(),
         }
     }
@@ -51,10 +53,10 @@ impl BatchBuilder {
 
     /// The batch, when it has rows, with so much added to their numbers.
     pub(super) fn finish(self, shift: usize) -> Option<Batch> {
-        let BatchBuilder { columns, fractions, keys, lines, mut rows, mut others } = self;
+        let BatchBuilder { columns, fractions, keys, lines, mut rows, cells, mut others } = self;
         others.iter_mut().for_each(|other| other.row += shift);
         rows.shift(shift);
         let is_empty = rows.is_empty() && others.is_empty();
-        (!is_empty).then_some(Batch { rows, columns, fractions, keys, lines, others })
+        (!is_empty).then_some(Batch { rows, columns, fractions, keys, lines, cells, others })
     }
 }

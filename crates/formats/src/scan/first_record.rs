@@ -4,15 +4,18 @@ use boundfit_exact::Foreign;
 use memchr::memchr_iter;
 
 use crate::chunks::ChunkReader;
-use crate::columns::{ColumnSelector, Header, Heading, decode};
+use crate::columns::{ColumnSelector, Header, decode};
+use crate::dialect::CommentMark;
 use crate::error::{InputError, InputErrorKind};
+use crate::heading::{AskedColumns, Heading};
+use crate::notes::HeaderNote;
 use crate::records::{Records, Syntax};
 use crate::selection::RowCondition;
 use crate::table::check_columns;
 
 use super::batch::ScanOptions;
 use super::layout::{Layout, Shape};
-use super::preamble::Preamble;
+use super::preamble::{Preamble, USUAL_MARKS};
 use super::values::{Mark, Numbers};
 
 /// How far the rows have been read.
@@ -39,6 +42,10 @@ pub(super) struct FirstRecord<'a> {
 /// have to be held.
 const MOST_BLANK_LINES: u64 = 4096;
 
+/// So many rows, and bytes of them, are looked at to see whether numbers stand below the first record.
+const MOST_ROWS_BELOW: usize = 16;
+const MOST_BYTES_BELOW: usize = 1 << 16;
+
 /// A record at the start of a table.
 struct Found {
     cells: Vec<Vec<u8>>,
@@ -56,14 +63,17 @@ struct Cursor {
 }
 
 impl<'a> FirstRecord<'a> {
-    /// Reads what comes before the first data row, and has the reader pass over it.
+    /// Reads what comes before the first data row, and has the reader pass over it. Where a block was found, the reader is on these
+    /// lines, and the lines that are none of the table are behind it.
     pub(super) fn read(
         file: &'a str,
         columns: &'a [ColumnSelector],
         options: &'a ScanOptions,
         reader: &mut ChunkReader,
+        start: Option<[u64; 2]>,
     ) -> Result<Self, InputError> {
-        let preamble = Preamble::read(reader, &options.table.dialect);
+        let names = wanted_names(columns, options);
+        let preamble = Preamble::read(reader, &options.table.dialect, &names, start);
         let start = Start { file, options, syntax: preamble.syntax };
         let mut cursor = Cursor { at: 0, lines: preamble.lines };
         let mut behind = cursor;
@@ -85,7 +95,10 @@ impl<'a> FirstRecord<'a> {
         let is_commented = commented.is_some();
         let mut heading = match commented {
             Some(names) => Heading::of_comment(names.into_iter().map(Foreign::from).collect(), first.line),
-            None => start.heading(&first, columns).map_err(explained)?,
+            None => {
+                let below = start.below(&first, columns, reader, behind);
+                start.heading(&first, columns, &below).map_err(explained)?
+            }
         };
         let has_header = heading.names.is_some() && !is_commented;
         let mut records_before = 0;
@@ -99,6 +112,7 @@ impl<'a> FirstRecord<'a> {
             records_before += usize::from(units.is_some());
         }
         let mut shape = Shape::of_first(&first.cells);
+        let mut has_row_names = false;
         if has_header {
             let row = start.peek(reader, &mut cursor.clone());
             let is_named = |row: &Found| {
@@ -108,6 +122,7 @@ impl<'a> FirstRecord<'a> {
             if row.is_some_and(|row| is_named(&row)) {
                 heading = heading.after_row_names();
                 shape = shape.with_row_names();
+                has_row_names = true;
             }
         }
         let mut position = Position { rows: 0, lines: cursor.lines, line_feeds: preamble.line_feeds };
@@ -117,9 +132,31 @@ impl<'a> FirstRecord<'a> {
             if is_commented { preamble.comment.clone() } else { first.text.clone().filter(|_| has_header) };
         let layout = Layout::new(file, &heading, shape, &preamble, columns, options);
         let layout = layout.map_err(|error| explained(no_delimiter(error, &preamble, &first.cells)))?;
-        let layout = layout.with(reader.encoding(), records_before, units.as_deref());
+        let mut layout = layout.with(reader.encoding(), records_before, units.as_deref());
+        layout.names_in = HeaderNote {
+            line: if is_commented { Some(preamble.comment_line) } else { has_header.then_some(first.line) },
+            is_comment: is_commented,
+            is_open: heading.is_open,
+            has_row_names,
+            ..HeaderNote::default()
+        };
+        layout.skipped.lines = preamble.unasked;
+        layout.title = preamble.title();
+        layout.first_line = first.line;
         Ok(FirstRecord { layout, header_line: header_line.filter(|_| options.keep_text), position })
     }
+}
+
+/// The names that are asked for, where only they can tell which line is the header: more than one of them.
+fn wanted_names<'a>(columns: &'a [ColumnSelector], options: &ScanOptions) -> Vec<&'a str> {
+    let is_telling = options.table.header != Header::Absent && columns.iter().all(ColumnSelector::is_name);
+    let mut names: Vec<&str> = Vec::new();
+    for column in columns.iter().filter(|_| is_telling) {
+        if !names.contains(&column.text().raw()) {
+            names.push(column.text().raw());
+        }
+    }
+    if names.len() < 2 { Vec::new() } else { names }
 }
 
 /// The error, that says rather that there is no delimiter, if that is why a column is not there.
@@ -149,8 +186,8 @@ impl Start<'_> {
         cursor: &mut Cursor,
         most_lines: u64,
     ) -> Result<Option<Found>, InputError> {
-        let longest = self.options.table.sizes.line;
-        let mut records = Records::new(self.file, self.syntax, cursor.lines, longest, self.options.keep_text);
+        let sizes = &self.options.table.sizes;
+        let mut records = Records::new(self.file, self.syntax, cursor.lines, sizes, self.options.keep_text);
         let mut end = cursor.at;
         loop {
             let mut rest = reader.pending().get(end..).unwrap_or_default();
@@ -205,7 +242,51 @@ impl Start<'_> {
         self.record(reader, cursor, MOST_BLANK_LINES).unwrap_or_default()
     }
 
-    /// The names in the comment right before the first record, if that is a row: it has as many cells, and a number.
+    /// For each cell of the first record whether numbers stand below it: in one of the first two cells that are not missing, since the
+    /// first may be a unit. Where the question tells whether the record is a header, nothing is looked at.
+    fn below(
+        &self,
+        first: &Found,
+        columns: &[ColumnSelector],
+        reader: &mut ChunkReader,
+        behind: Cursor,
+    ) -> Vec<bool> {
+        let table = &self.options.table;
+        let others = others(self.options);
+        let asked = AskedColumns { columns, others: &others };
+        let cells: Vec<&[u8]> = first.cells.iter().map(Vec::as_slice).collect();
+        if table.header != Header::Auto || asked.tell(&cells) {
+            return Vec::new();
+        }
+        let numbers = Numbers::new(table);
+        // How many cells of each column told something, and whether one of them is a number.
+        let mut below = vec![(0, false); cells.len()];
+        let mut cursor = behind;
+        let mut shift = None;
+        for _ in 0..MOST_ROWS_BELOW {
+            let Some(row) = self.peek(reader, &mut cursor) else { break };
+            let start = row.cells.first().and_then(|cell| cell.first());
+            let may_be_comment = table.dialect.comment == CommentMark::Auto;
+            if may_be_comment && start.is_some_and(|start| USUAL_MARKS.contains(start)) {
+                continue;
+            }
+            // The names of rows have none.
+            let shift = *shift.get_or_insert(usize::from(row.cells.len() == cells.len() + 1));
+            for ((told, is_number), cell) in below.iter_mut().zip(row.cells.iter().skip(shift)) {
+                if *told < 2 && !numbers.is_missing(cell) {
+                    *told += 1;
+                    *is_number |= numbers.is_number(cell, Mark::Open);
+                }
+            }
+            if below.iter().all(|(told, _)| *told == 2) || cursor.at > behind.at + MOST_BYTES_BELOW {
+                break;
+            }
+        }
+        below.into_iter().map(|(_, is_number)| is_number).collect()
+    }
+
+    /// The names in the comment right before the first record, if that is a row: it has as many cells, and a number. Numbers are no
+    /// names: `# run 1` above two columns is a remark.
     fn commented(&self, preamble: &Preamble, first: &Found) -> Option<Vec<String>> {
         if self.options.table.header == Header::Absent {
             return None;
@@ -216,18 +297,32 @@ impl Start<'_> {
         if !first.cells.iter().any(is_number) {
             return None;
         }
+        if cells.iter().any(is_number) {
+            return None;
+        }
         let name = |cell: &Vec<u8>| decode(cell).ok().map(|name| name.trim().to_owned());
         cells.iter().map(name).collect()
     }
 
-    /// What the first record says.
-    fn heading(&self, first: &Found, columns: &[ColumnSelector]) -> Result<Heading, InputError> {
+    /// What the first record says, above cells with numbers or not.
+    fn heading(
+        &self,
+        first: &Found,
+        columns: &[ColumnSelector],
+        below: &[bool],
+    ) -> Result<Heading, InputError> {
         let cells: Vec<&[u8]> = first.cells.iter().map(Vec::as_slice).collect();
-        let table = &self.options.table;
-        let conditions = table.conditions.iter().map(RowCondition::column);
-        let others: Vec<&ColumnSelector> = self.options.key.iter().chain(conditions).collect();
-        Heading::new(self.file, &cells, first.line, table.header, columns, &others)
+        let others = others(self.options);
+        let asked = AskedColumns { columns, others: &others };
+        let has_numbers_below = |index: usize| below.get(index).copied().unwrap_or_default();
+        let header = self.options.table.header;
+        Heading::new(self.file, &cells, first.line, header, asked, &has_numbers_below)
     }
+}
+
+/// The columns from which something else than numbers is wanted.
+fn others(options: &ScanOptions) -> Vec<&ColumnSelector> {
+    options.key.iter().chain(options.table.conditions.iter().map(RowCondition::column)).collect()
 }
 
 fn line_feeds(bytes: &[u8]) -> u64 {

@@ -1,15 +1,21 @@
 //! What is taken from every row of a table.
 
 use boundfit_exact::english::split_unit;
-use boundfit_exact::{DecimalMark, Foreign, Notation, Thousands, TooMuchWork, WorkMeter, is_missing};
+use boundfit_exact::{
+    DecimalMark, Foreign, Notation, Thousands, TooMuchWork, WorkMeter, is_missing, trim_number,
+};
 
-use crate::columns::{ColumnPlace, ColumnSelector, Heading, decode};
+use crate::blocks::AskedBlock;
+use crate::columns::{ColumnPlace, ColumnSelector, decode, refuse_same};
 use crate::dialect::{BLANKS, CommentMark, Dialect, Encoding};
 use crate::error::{InputError, InputErrorKind};
+use crate::heading::Heading;
+use crate::notes::{BlockNote, HeaderNote, Skipped, TableNotes};
 use crate::records::{Record, Records, Syntax};
 use crate::roles::Role;
 use crate::selection::RowCondition;
 use crate::table::TableRow;
+use crate::times::{is_time, or_time};
 use crate::units::unit_of_cell;
 
 use super::batch::{Pieces, ScanOptions};
@@ -48,8 +54,19 @@ pub(super) struct Layout<'a> {
     pub(super) options: &'a ScanOptions,
     pub(super) selectors: &'a [ColumnSelector],
     pub(super) shape: Shape,
+    /// The last cell that a row must have.
+    needed: usize,
+    /// How many lines before the table are none of it.
+    passed: u64,
     pub(super) syntax: Syntax,
-    has_header: bool,
+    /// What names the columns.
+    pub(super) names_in: HeaderNote,
+    pub(super) skipped: Skipped,
+    /// The block that is read, of a file with several.
+    pub(super) block: Option<BlockNote>,
+    /// The comment before the table, and the line of its first record.
+    pub(super) title: Option<Foreign>,
+    pub(super) first_line: u64,
     /// What is known of decimal marks so far.
     pub(super) mark: Mark,
     pub(super) numbers: Numbers<'a>,
@@ -63,7 +80,7 @@ pub(super) struct Layout<'a> {
     /// What must hold for rows to be wanted, and where the columns are that it is about.
     pub(super) conditions: Vec<(ColumnPlace, &'a RowCondition)>,
     pub(super) units: Vec<Option<Foreign>>,
-    encoding: Encoding,
+    pub(super) encoding: Encoding,
     records_before: usize,
     /// Whether comments turned up between rows or after them.
     pub(super) has_comments: bool,
@@ -94,28 +111,62 @@ impl<'a> Layout<'a> {
             return Err(InputError::of_file(file, InputErrorKind::BlanksTwice));
         }
         let places = selectors.iter().map(|selector| heading.find(file, selector));
+        let places: Vec<ColumnPlace> = places.collect::<Result<_, _>>()?;
+        if !options.same_columns {
+            refuse_same(file, places.iter().zip(selectors)).map_err(|mut error| {
+                error.place.line = Some(heading.line);
+                error
+            })?;
+        }
         let key = options.key.as_ref();
         let conditions = options.table.conditions.iter();
         let conditions = conditions.map(|condition| Ok((heading.find(file, condition.column())?, condition)));
+        let key = key.map(|selector| heading.find(file, selector)).transpose()?;
+        let conditions: Vec<(ColumnPlace, &RowCondition)> = conditions.collect::<Result<_, InputError>>()?;
+        let needed = places.iter().chain(&key).chain(conditions.iter().map(|(place, _)| place));
+        let needed = needed.map(|place| place.position).max().unwrap_or(1);
         Ok(Layout {
             file,
             options,
             selectors,
             shape,
+            needed,
+            passed: preamble.passed,
             syntax,
-            has_header: heading.names.is_some(),
+            names_in: HeaderNote::default(),
+            skipped: Skipped::default(),
+            block: None,
+            title: None,
+            first_line: 1,
             mark: Mark::of(dialect, syntax.delimiter),
             numbers: Numbers::new(&options.table),
             meter: WorkMeter::default(),
-            places: places.collect::<Result<_, _>>()?,
-            key: key.map(|selector| heading.find(file, selector)).transpose()?,
-            conditions: conditions.collect::<Result<_, InputError>>()?,
+            places,
+            key,
+            conditions,
             header: heading.names.clone().unwrap_or_default(),
             units: Vec::new(),
             encoding: Encoding::default(),
             records_before: 0,
             has_comments: false,
         })
+    }
+
+    /// What the table was taken for, as far as is known by now.
+    pub(super) fn table_notes(&self) -> TableNotes {
+        let is_number = |place: &ColumnPlace| {
+            place.name.as_ref().is_some_and(|name| {
+                name.is_empty() || self.numbers.is_number(name.raw().as_bytes(), Mark::Open)
+            })
+        };
+        let has_numbers = self.names_in.line.is_some() && self.places.iter().any(is_number);
+        TableNotes {
+            header: HeaderNote { has_numbers, ..self.names_in },
+            dialect: self.dialect(),
+            is_sheet: false,
+            block: self.block.clone(),
+            skipped: self.skipped,
+        }
     }
 
     /// This layout of a text in this encoding, after so many records that are no rows, with a row of units or not.
@@ -139,7 +190,7 @@ impl<'a> Layout<'a> {
                 thousands: table.dialect.thousands,
             },
             comment: self.syntax.comment.or(self.has_comments.then_some(USUAL_MARKS)),
-            skip_lines: table.dialect.skip_lines,
+            skip_lines: self.passed,
             records_before: self.records_before,
             encoding: self.encoding,
             missing: table.missing,
@@ -148,15 +199,20 @@ impl<'a> Layout<'a> {
 
     /// Records of bytes that start on this line.
     pub(super) fn records(&self, line: u64) -> Records<'a> {
-        let longest = self.options.table.sizes.line;
         // The text of a record tells whether a key stands in quotes.
         let keeps_text = self.options.keep_text || self.key.is_some();
-        Records::new(self.file, self.syntax, line, longest, keeps_text)
+        Records::new(self.file, self.syntax, line, &self.options.table.sizes, keeps_text)
+            .of_width(self.shape.width)
     }
 
     /// An empty batch.
     pub(super) fn batch(&self) -> BatchBuilder {
         BatchBuilder::new(self.places.len(), self.key.is_some(), self.options.keep_text)
+    }
+
+    /// Whether the rows of all blocks are read as if there were one.
+    pub(super) fn takes_all_blocks(&self) -> bool {
+        self.options.table.block == Some(AskedBlock::All)
     }
 
     /// Whether a data row, counted from 1, may be wanted.
@@ -193,13 +249,29 @@ impl<'a> Layout<'a> {
         record.len() >= least && (width..record.len()).all(is_empty)
     }
 
-    /// Refuses a row that has not as many cells as the first one.
-    pub(super) fn check_width(&self, record: &Record, line: u64) -> Result<(), InputError> {
+    /// Refuses a row that has more cells than the first one, or not all that are asked for; others are counted. Where blanks separate
+    /// cells nobody knows which one is not there.
+    pub(super) fn check_width(
+        &self,
+        record: &Record,
+        line: u64,
+        notes: &mut Notes,
+    ) -> Result<(), InputError> {
+        let (found, expected) = (record.len(), self.shape.width);
         if self.fits(record) {
+            notes.skipped.long_rows += u64::from(found > expected);
             return Ok(());
         }
-        let (found, expected) = (record.len(), self.shape.width);
-        Err(InputError::of_line(self.file, line, InputErrorKind::RaggedRow { found, expected }))
+        if (self.needed..=expected).contains(&found) && self.syntax.delimiter != BLANKS {
+            notes.skipped.short_rows += 1;
+            return Ok(());
+        }
+        let is_split = self.syntax.delimiter == b',' && found == 2 * expected && record.cells().all(is_half);
+        let kind = match is_split {
+            true => InputErrorKind::CommasTwice { found, expected },
+            false => InputErrorKind::RaggedRow { found, expected },
+        };
+        Err(InputError::of_line(self.file, line, kind))
     }
 
     /// The numbers of a record. Where the decimal mark was open, the first one tells it: that is noted, with the error that its
@@ -232,7 +304,7 @@ impl<'a> Layout<'a> {
                     tell(mark, found, &error);
                     satisfies &= holds;
                 }
-                Err(problem) if decode(cell).is_ok_and(is_missing) => {
+                Err(problem) if self.numbers.is_missing(cell) => {
                     lacks.get_or_insert(error(problem));
                 }
                 Err(problem) => return Err(error(problem)),
@@ -243,7 +315,7 @@ impl<'a> Layout<'a> {
         }
         for (place, selector) in self.places.iter().zip(self.selectors) {
             let cell = record.cell(place.position - 1);
-            let error = |problem| place.error(self.file, line, cell, problem);
+            let error = |problem| place.error(self.file, line, cell, or_time(problem, cell));
             match self.numbers.value(cell, selector, *mark) {
                 Ok((value, found)) => {
                     tell(mark, found, &error);
@@ -251,10 +323,12 @@ impl<'a> Layout<'a> {
                     self.meter(&value, cell).map_err(|problem| error(problem.into()))?;
                     values.push(value);
                 }
-                Err(problem) if decode(cell).is_ok_and(is_missing) => {
+                Err(problem) if self.numbers.is_missing(cell) => {
                     lacks.get_or_insert(error(problem));
                 }
-                Err(InputErrorKind::NotANumber(_)) if row == 1 && self.has_no_number(record, *mark) => {
+                Err(InputErrorKind::NotANumber(_))
+                    if row == 1 && !is_time(cell) && self.has_no_number(record, *mark) =>
+                {
                     return Err(error(InputErrorKind::NoNumberInFirstRow));
                 }
                 Err(problem) => return Err(error(problem)),
@@ -299,9 +373,14 @@ impl<'a> Layout<'a> {
     fn has_no_number(&self, record: &Record, mark: Mark) -> bool {
         let is_text = |place: &ColumnPlace| {
             let cell = record.cell(place.position - 1);
-            !self.numbers.is_number(cell, mark) && !decode(cell).is_ok_and(is_missing)
+            // A number with the other mark is told apart by its own error.
+            let is_number = self.numbers.is_number(cell, mark) || self.numbers.is_number(cell, Mark::Open);
+            !is_number && !self.numbers.is_missing(cell)
         };
-        self.has_header && !self.options.table.dialect.units_row && self.places.iter().all(is_text)
+        self.names_in.line.is_some()
+            && !self.names_in.is_comment
+            && !self.options.table.dialect.units_row
+            && self.places.iter().all(is_text)
     }
 
     /// The place of the first cell asked for.
@@ -345,9 +424,31 @@ impl<'a> Layout<'a> {
     }
 
     /// The row of a record that is not wanted, if its cells are numbers.
-    pub(super) fn other(&self, values: Vec<Value>, row: usize) -> TableRow {
-        TableRow { row, numbers: values.into_iter().map(Value::exact).collect() }
+    pub(super) fn other(&self, record: &Record, values: Vec<Value>, row: usize) -> TableRow {
+        let cells = if self.options.table.keep_cells { self.cells(record) } else { Vec::new() };
+        TableRow { row, numbers: values.into_iter().map(Value::exact).collect(), cells }
     }
+
+    /// The texts of the cells that are asked for their numbers.
+    pub(super) fn cells(&self, record: &Record) -> Vec<String> {
+        let is_number = |role: Role| !matches!(role, Role::Presence | Role::HalfUnit);
+        let asked = self.places.iter().zip(self.selectors).filter(|(_, selector)| is_number(selector.role()));
+        let text = |cell| match decode(cell).map(trim_number) {
+            Ok(text) if !is_missing(text) => match self.options.table.dialect.thousands {
+                Some(thousands) => thousands.taken_out_of(text),
+                None => text.to_owned(),
+            },
+            _ => String::new(),
+        };
+        asked.map(|(place, _)| text(record.cell(place.position - 1))).collect()
+    }
+}
+
+/// Whether a cell may be what stands before or behind a comma of a number.
+fn is_half(cell: &[u8]) -> bool {
+    let cell = cell.trim_ascii();
+    let digits = cell.strip_prefix(b"-").unwrap_or(cell);
+    !digits.is_empty() && digits.iter().all(u8::is_ascii_digit)
 }
 
 /// The key in a cell without quotes: the blanks around it set columns off from each other.

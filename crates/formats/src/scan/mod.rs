@@ -7,6 +7,7 @@
 
 mod batch;
 mod builder;
+mod chosen;
 mod csv_line;
 mod first_record;
 mod layout;
@@ -23,12 +24,16 @@ mod values;
 
 use std::io::Read;
 
+use crate::binary::{DOCUMENT_START, refuse_document};
+use crate::blocks::AskedBlock;
 use crate::chunks::ChunkReader;
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::{InputError, InputErrorKind};
+use crate::notes::BlockNote;
 use crate::table::{TextLayout, check_rows};
 
 pub use batch::{Batch, Pieces, Progress, ScanOptions, Scanned};
+use chosen::Chosen;
 pub(crate) use csv_line::{csv_line, each_once};
 use first_record::FirstRecord;
 use notes::Notes;
@@ -44,16 +49,36 @@ pub(crate) fn scan_text<T: Send>(
     take: impl FnMut(T),
 ) -> Result<Scanned, InputError> {
     let mut reader = ChunkReader::new(bytes, options.chunk_bytes, options.table.sizes.line, options.hash);
-    reader.start(file)?;
+    reader.start(file, options.table.dialect.encoding)?;
+    if options.table.dialect.skip_lines == 0 {
+        let is_full = |text: &[u8]| text.len() >= DOCUMENT_START;
+        // What tells may stand far behind the first line, if that begins like a comment or a document.
+        while matches!(reader.pending().trim_ascii_start(), [b'<' | b'%' | b'!', ..])
+            && !is_full(reader.pending())
+            && reader.read_on() > 0
+        {}
+        refuse_document(file, reader.pending())?;
+    }
     // A second mark is passed over too, as CSV readers do that are handed the text behind the first one.
     reader.pass_byte_order_mark();
+    let chosen = Chosen::find(file, options, &mut reader)?;
+    let start = chosen.as_ref().map(|chosen| chosen.lines);
     let FirstRecord { mut layout, header_line, position } =
-        FirstRecord::read(file, columns, options, &mut reader)?;
+        FirstRecord::read(file, columns, options, &mut reader, start)?;
     let mut run = Run { file, options, work, take };
     let mut notes = Notes::default();
-    let read = run.read_chunks(&mut layout, &mut reader, position, &mut notes);
+    let read = match chosen {
+        Some(chosen) => run.read_chosen(&mut layout, &mut reader, position, &mut notes, chosen),
+        None => run.read_chunks(&mut layout, &mut reader, position, &mut notes),
+    };
+    if options.table.block == Some(AskedBlock::All) {
+        layout.block = BlockNote::of(None, None, notes.breaks + 1);
+    }
     layout.mark = notes.mark_after(layout.mark);
     layout.has_comments = notes.has_comments;
+    // A character that tells it may stand in any row.
+    layout.encoding = reader.encoding();
+    layout.skipped.add(notes.skipped);
     let (rows_total, rows_missing) = notes.settle(read, options)?;
     check_rows(file, rows_total, options)?;
     let places = &layout.places;
@@ -63,7 +88,10 @@ pub(crate) fn scan_text<T: Send>(
         fractions: Vec::new(),
         key_name: layout.key.as_ref().map(ColumnPlace::title),
         header_line,
-        layout: Some(TextLayout::new(layout.dialect(), places)),
+        // Who reads a table by the rules of CSV alone refuses rows of another length.
+        layout: (layout.skipped.short_rows == 0 && layout.block.is_none())
+            .then(|| TextLayout::new(layout.dialect(), places)),
+        table: Some(layout.table_notes()),
         units: layout.units,
         rows_total,
         rows_missing,

@@ -3,8 +3,10 @@
 
 use boundfit_exact::DecimalMark;
 
+use crate::blocks::Gap;
 use crate::error::InputError;
 use crate::lacking::Lacking;
+use crate::notes::Skipped;
 
 use super::batch::ScanOptions;
 use super::values::Mark;
@@ -24,6 +26,14 @@ pub(super) struct Notes {
     used: usize,
     /// Whether comments were passed over between rows or after them.
     pub(super) has_comments: bool,
+    /// What stands before the first row, with the line of the row; `None` without rows.
+    before: Option<(Gap, InputError)>,
+    /// What stands behind the last row, or is all there is.
+    after: Gap,
+    /// How many blocks begin, where all of them are read.
+    pub(super) breaks: usize,
+    /// What else was passed over, or was not as the first row is.
+    pub(super) skipped: Skipped,
 }
 
 /// Rows of empty cells after which nothing has come yet.
@@ -34,9 +44,49 @@ struct Tail {
 }
 
 impl Notes {
-    /// Those of so many rows without anything to notice.
-    pub(super) fn of_rows(total: usize, used: usize) -> Self {
-        Notes { has_rows: total > 0, used, ..Notes::default() }
+    /// Those of so many rows without anything to notice but so many blank lines before and behind them. The first row stands on
+    /// this line.
+    pub(super) fn of_rows(total: usize, used: usize, blank_lines: [u64; 2], first: InputError) -> Self {
+        let [before, after] = blank_lines.map(|blank_lines| Gap { blank_lines, ..Gap::default() });
+        let before = (total > 0).then_some((before, first));
+        Notes { has_rows: total > 0, used, before, after, ..Notes::default() }
+    }
+
+    /// Notices what stands before a row, which is the first one unless `has_rows` says that there were others.
+    ///
+    /// # Errors
+    /// When another block begins with the row, and blocks are told apart.
+    pub(super) fn gap(
+        &mut self,
+        gap: Gap,
+        has_rows: bool,
+        takes_all: bool,
+        place: impl FnOnce() -> InputError,
+    ) -> Result<(), InputError> {
+        self.has_comments |= gap.comments > 0;
+        if !has_rows {
+            self.before = Some((gap, place()));
+            return Ok(());
+        }
+        self.skipped.comments += gap.comments;
+        if gap.is_break() {
+            if !takes_all {
+                return Err(place());
+            }
+            self.breaks += 1;
+        }
+        Ok(())
+    }
+
+    /// Notices what stands behind the last row.
+    pub(super) fn ends_with(&mut self, gap: Gap) {
+        self.has_comments |= gap.comments > 0;
+        self.after = gap;
+    }
+
+    /// What stands behind the last row.
+    pub(super) fn gap_behind(&self) -> &Gap {
+        &self.after
     }
 
     /// What is known of decimal marks after these rows, when this was known before them.
@@ -52,11 +102,6 @@ impl Notes {
         self.has_rows = true;
         let Tail { wanted, .. } = std::mem::take(&mut self.tail);
         self.missing.add(wanted);
-    }
-
-    /// Notices a comment.
-    pub(super) fn comment(&mut self) {
-        self.has_comments = true;
     }
 
     /// Notices that a row is handed out.
@@ -79,7 +124,8 @@ impl Notes {
     ///
     /// # Errors
     /// When these rows have another decimal mark than those before.
-    pub(super) fn add(&mut self, mut next: Notes, lines: u64) -> Result<(), InputError> {
+    pub(super) fn add(&mut self, mut next: Notes, lines: u64, takes_all: bool) -> Result<(), InputError> {
+        self.add_gaps(&mut next, lines, takes_all)?;
         let places = [&mut next.missing.first, &mut next.tail.wanted.first].into_iter().flatten();
         for place in places.chain(next.mark.as_mut().map(|(_, place)| place)) {
             place.after_lines(lines);
@@ -99,6 +145,30 @@ impl Notes {
         self.tail.wanted.add(next.tail.wanted);
         self.used += next.used;
         self.has_comments |= next.has_comments;
+        self.skipped.add(next.skipped);
+        Ok(())
+    }
+
+    /// Adds what stands between rows.
+    fn add_gaps(&mut self, next: &mut Notes, lines: u64, takes_all: bool) -> Result<(), InputError> {
+        let after = std::mem::take(&mut next.after);
+        let Some((gap, mut place)) = next.before.take() else {
+            self.after.add(after);
+            return Ok(());
+        };
+        place.after_lines(lines);
+        let mut between = std::mem::replace(&mut self.after, after);
+        between.add(gap);
+        if self.before.is_none() {
+            self.before = Some((between, place));
+        } else {
+            self.skipped.comments += between.comments;
+            if between.is_break() && !takes_all {
+                return Err(place);
+            }
+            self.breaks += usize::from(between.is_break());
+        }
+        self.breaks += next.breaks;
         Ok(())
     }
 

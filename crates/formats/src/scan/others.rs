@@ -42,6 +42,7 @@ mod tests {
                     columns: Vec::new(),
                     keys: None,
                     lines: None,
+                    cells: Vec::new(),
                     fractions: Vec::new(),
                     others: Vec::new(),
                 }),

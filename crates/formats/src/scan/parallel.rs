@@ -37,12 +37,19 @@ impl<T: Send, W: Fn(Batch) -> T + Sync, K: FnMut(T)> Run<'_, W, K> {
         let mut position = position;
         let mut group = self.next_group(reader);
         while !group.is_empty() {
+            let gap = notes.gap_behind().clone();
             let (outcome, mut next) = if reader.is_at_end() {
                 (read_group(&group, layout, route.as_ref(), position, notes, &self.work), Vec::new())
             } else {
                 self.read_group_and_next(&group, layout, route.as_ref(), position, notes, reader)
             };
-            let Outcome { made, position: end, open } = outcome?;
+            let Outcome { made, position: end, open } = match outcome {
+                Ok(outcome) => outcome,
+                Err(error) => {
+                    let rest = group.into_iter().chain(next).collect();
+                    return Err(self.or_blocks(error, layout, reader, position, (gap, rest)));
+                }
+            };
             layout.mark = notes.mark_after(layout.mark);
             made.into_iter().for_each(&mut self.take);
             position = end;
@@ -126,7 +133,7 @@ fn read_group<T: Send>(
     for (index, (parsed, rows_before)) in parsed.into_iter().enumerate() {
         match parsed {
             Parsed::Rows(rows) => {
-                notes.add(rows.notes, position.lines - 1)?;
+                notes.add(rows.notes, position.lines - 1, layout.takes_all_blocks())?;
                 let shift = position.rows - rows_before;
                 batches.extend(rows.batch.finish(shift));
                 position.rows += rows.total;
@@ -138,7 +145,7 @@ fn read_group<T: Send>(
                 break;
             }
             Parsed::Wrong(mut error, noticed) => {
-                notes.add(noticed, position.lines - 1)?;
+                notes.add(noticed, position.lines - 1, layout.takes_all_blocks())?;
                 error.after_lines(position.lines - 1);
                 return Err(error);
             }

@@ -15,6 +15,7 @@ use super::notes::Notes;
 use super::rows::Rows;
 use super::straight::Straight;
 use crate::columns::ColumnSelector;
+use crate::error::{InputError, InputErrorKind};
 use crate::roles::Role;
 
 /// Separators that are no part of a number.
@@ -63,7 +64,9 @@ impl Route {
         let table = &layout.options.table;
         if !SEPARATORS.contains(&layout.syntax.delimiter)
             || !layout.numbers.plain
+            || !table.missing_as.is_empty()
             || (table.keep_others && table.selects_rows())
+            || table.keep_cells
         {
             return None;
         }
@@ -122,6 +125,8 @@ pub(super) fn parse(chunk: &[u8], layout: &Layout, route: &Route, rows_before: u
     lane.batch.reserve(likely_rows(chunk));
     let (mut total, mut lines, mut at) = (0, 0, 0);
     let (mut straight, mut stops) = (route.straight.as_ref(), 0);
+    // Blank lines before the first row, and since the last one.
+    let (mut before, mut since) = (0, 0);
     while at < chunk.len() {
         if let Some(way) = straight {
             let (rows, next) = way.read(&mut lane, at).unwrap_or_else(|| {
@@ -129,6 +134,9 @@ pub(super) fn parse(chunk: &[u8], layout: &Layout, route: &Route, rows_before: u
                 (0, at)
             });
             at = next;
+            if rows > 0 {
+                since = blanks_ended(since, total, &mut before)?;
+            }
             lane.batch.end_rows(rows_before + total + 1, rows);
             (total, used, lines) = (total + rows, used + rows, lines + rows as u64);
             if at == chunk.len() {
@@ -142,8 +150,10 @@ pub(super) fn parse(chunk: &[u8], layout: &Layout, route: &Route, rows_before: u
         lines += 1;
         if let Some(next) = lane.after_blank_line(at) {
             at = next;
+            since += 1;
             continue;
         }
+        since = blanks_ended(since, total, &mut before)?;
         total += 1;
         let start = at;
         if layout.is_wanted(rows_before + total) && lane.satisfies_conditions(start)? {
@@ -158,7 +168,19 @@ pub(super) fn parse(chunk: &[u8], layout: &Layout, route: &Route, rows_before: u
             at = lane.end_of_row(start, layout.shape.width - 1)?;
         }
     }
-    Some(Rows { batch: lane.batch, notes: Notes::of_rows(total, used), total, lines, line_feeds: lines })
+    let first = InputError::of_line(layout.file, before + 1, InputErrorKind::NextBlock);
+    let notes = Notes::of_rows(total, used, [before, since], first);
+    Some(Rows { batch: lane.batch, notes, total, lines, line_feeds: lines })
+}
+
+/// Ends a run of blank lines before a row that comes after so many others; `None` where another block begins.
+#[inline]
+fn blanks_ended(since: u64, total: usize, before: &mut u64) -> Option<u64> {
+    if total == 0 {
+        *before = since;
+        return Some(0);
+    }
+    (since < 2).then_some(0)
 }
 
 /// The chunk in which decimals have points: a copy where they have commas. `None` where it may hold both, or where the first

@@ -2,10 +2,14 @@
 
 use memchr::memchr_iter;
 
+use crate::blocks::Gap;
 use crate::chunks::ChunkReader;
 use crate::dialect::{AskedDialect, BLANKS, CommentMark};
+use crate::heading::Heading;
+use crate::limits::SizeLimits;
 use crate::records::{Records, Syntax};
 use crate::start::{are_blanks, delimiter_of};
+use boundfit_exact::Foreign;
 
 /// How many bytes are passed over at a time, so that many short lines cost no more than a few long ones.
 const PASSED_AT_ONCE: usize = 1 << 16;
@@ -13,16 +17,27 @@ const PASSED_AT_ONCE: usize = 1 << 16;
 /// How many cells of a comment are looked at: names are few.
 const MOST_CELLS: usize = 100_000;
 
+/// In how many lines names are looked for that do not stand in the first one.
+const MOST_LINES_BEFORE: u64 = 1000;
+
 /// Bytes that start comments unless another one is asked for.
 pub(super) const USUAL_MARKS: [u8; 2] = *b"#%";
 
 /// What comes before the first record.
 pub(super) struct Preamble {
     pub(super) syntax: Syntax,
+    /// Whether there are comments, or it was said what they are.
+    has_comments: bool,
     /// Whether something separates columns.
     pub(super) has_delimiter: bool,
+    /// How many lines were passed over that are neither comments nor blank.
+    pub(super) passed: u64,
+    /// How many of them nobody asked to pass over.
+    pub(super) unasked: u64,
     /// The comment right before the first record, as it stands.
     pub(super) comment: Option<Vec<u8>>,
+    /// The line of that comment, from 1.
+    pub(super) comment_line: u64,
     /// The line that is reached, from 1.
     pub(super) lines: u64,
     /// The line that is reached when line feeds alone are counted.
@@ -62,6 +77,24 @@ impl Lines<'_> {
         }
     }
 
+    /// How many lines come before the first one in which all these names stand; 0 where none of the next ones has them.
+    fn before_names(&mut self, names: &[&str], delimiter: Option<u8>) -> u64 {
+        let mut at = self.at;
+        for before in 0..MOST_LINES_BEFORE {
+            let Some((end, behind)) = self.reader.line_at(at) else { return 0 };
+            let line = self.reader.pending().get(at..end).unwrap_or_default();
+            let delimiter = delimiter.or_else(|| delimiter_of(line)).unwrap_or(BLANKS);
+            if has_names(&cells_of(line, delimiter), names) {
+                return before;
+            }
+            if behind > self.at + PASSED_AT_ONCE {
+                return 0;
+            }
+            at = behind;
+        }
+        0
+    }
+
     fn pass(&mut self) {
         let Some((_, behind)) = self.reader.line_at(self.at) else { return };
         let passed = self.reader.pending().get(self.at..behind).unwrap_or_default();
@@ -80,32 +113,66 @@ impl Lines<'_> {
 }
 
 impl Preamble {
-    /// Has the reader pass over what comes before the first record.
-    pub(super) fn read(reader: &mut ChunkReader, asked: &AskedDialect) -> Self {
-        let mut lines = Lines { reader, at: 0, lines: 1, line_feeds: 1 };
-        for _ in 0..asked.skip_lines {
-            if lines.next().is_none() {
-                break;
-            }
-            lines.pass();
+    /// Has the reader pass over what comes before the first record. Where names are given that do not stand in the first line but
+    /// together in a later one, the lines before that are none of the table.
+    pub(super) fn read(
+        reader: &mut ChunkReader,
+        asked: &AskedDialect,
+        names: &[&str],
+        start: Option<[u64; 2]>,
+    ) -> Self {
+        let [at_line, at_line_feed] = start.unwrap_or([1, 1]);
+        let mut lines = Lines { reader, at: 0, lines: at_line, line_feeds: at_line_feed };
+        let mut asked = *asked;
+        if start.is_some() {
+            asked.skip_lines = 0;
         }
+        let mut passed = 0;
+        while passed < asked.skip_lines && lines.next().is_some() {
+            lines.pass();
+            passed += 1;
+        }
+        if passed == 0
+            && let Some(delimiter) = lines.next().and_then(stated_delimiter)
+        {
+            asked.delimiter = asked.delimiter.or(Some(delimiter));
+            lines.pass();
+            passed += 1;
+        }
+        let has_comments = asked.comment != CommentMark::Auto;
+        let mut found = Preamble::before_first(&mut lines, &asked, has_comments);
+        let mut unasked = 0;
+        if !found.has_names(names, &mut lines) {
+            unasked = lines.before_names(names, asked.delimiter);
+            (0..unasked).for_each(|_| lines.pass());
+            if unasked > 0 {
+                found = Preamble::before_first(&mut lines, &asked, found.has_comments);
+            }
+        }
+        passed += unasked;
+        lines.end();
+        Preamble { passed, unasked, lines: lines.lines, line_feeds: lines.line_feeds, ..found }
+    }
+
+    /// Passes over comments and blank lines.
+    fn before_first(lines: &mut Lines, asked: &AskedDialect, has_comments: bool) -> Self {
         let marks = match asked.comment {
             CommentMark::Auto => Some(USUAL_MARKS),
             CommentMark::None => None,
             CommentMark::Mark(mark) => Some([mark; 2]),
         };
         let is_mark = |first: u8| marks.is_some_and(|marks| marks.contains(&first));
-        let mut comment = None;
-        let mut has_comments = asked.comment != CommentMark::Auto;
+        let (mut comment, mut comment_line) = (None, 0);
+        let mut has_comments = has_comments;
         while let Some(line) = lines.next() {
             match line.first() {
                 _ if is_blank(line, asked) => comment = None,
                 Some(&first) if is_mark(first) => {
                     let line = line.to_vec();
-                    if !has_comments && is_header(&line, asked, &mut lines, is_mark) {
+                    if !has_comments && is_header(&line, asked, lines, is_mark) {
                         break;
                     }
-                    (comment, has_comments) = (Some(line), true);
+                    (comment, comment_line, has_comments) = (Some(line), lines.lines, true);
                 }
                 _ => break,
             }
@@ -116,16 +183,34 @@ impl Preamble {
             let second = lines.after_next(is_mark);
             are_blanks(&first, second.as_deref()).then_some(BLANKS)
         });
-        lines.end();
         let delimiter = found.unwrap_or(b',');
         let in_force = has_comments || delimiter == BLANKS;
         Preamble {
             syntax: Syntax { delimiter, comment: marks.filter(|_| in_force) },
+            has_comments,
             has_delimiter: found.is_some(),
+            passed: 0,
+            unasked: 0,
             comment,
+            comment_line,
             lines: lines.lines,
             line_feeds: lines.line_feeds,
         }
+    }
+
+    /// Whether all these names stand in the comment before the first record, or in the line that it starts with.
+    fn has_names(&self, names: &[&str], lines: &mut Lines) -> bool {
+        let has_all = |cells: Vec<Vec<u8>>| has_names(&cells, names);
+        names.len() < 2
+            || self.commented_cells().is_some_and(has_all)
+            || lines.next().is_none_or(|line| has_names(&cells_of(line, self.syntax.delimiter), names))
+    }
+
+    /// The text of that comment.
+    pub(super) fn title(&self) -> Option<Foreign> {
+        let mut gap = Gap::default();
+        gap.add_comment(self.comment.as_deref()?, self.syntax.delimiter, 0);
+        gap.title
     }
 
     /// The cells of the comment right before the first record, without its mark.
@@ -150,6 +235,26 @@ fn is_header(line: &[u8], asked: &AskedDialect, lines: &mut Lines, is_mark: impl
     delimiter != BLANKS && cells > 1 && cells == cells_of(&next, delimiter).len()
 }
 
+/// What separates columns by Excel's own first line, `sep=;`.
+fn stated_delimiter(line: &[u8]) -> Option<u8> {
+    let line = line.strip_prefix(b"\"").and_then(|line| line.strip_suffix(b"\"")).unwrap_or(line);
+    let (start, stated) = line.split_at_checked(4)?;
+    let is_stated = start.eq_ignore_ascii_case(b"sep=");
+    match stated {
+        [delimiter] if is_stated => {
+            (delimiter.is_ascii_punctuation() || matches!(delimiter, b'\t' | b' ')).then_some(*delimiter)
+        }
+        _ => None,
+    }
+}
+
+/// Whether each of these names is that of one of the cells.
+fn has_names(cells: &[Vec<u8>], names: &[&str]) -> bool {
+    let cells: Vec<Foreign> =
+        cells.iter().map(|cell| String::from_utf8_lossy(cell).trim().to_owned().into()).collect();
+    names.iter().all(|name| !Heading::named(&cells, name).is_empty())
+}
+
 /// Whether a line is no record, whatever separates cells; tabs that are known to separate some make one.
 fn is_blank(line: &[u8], asked: &AskedDialect) -> bool {
     line.trim_ascii().is_empty() && !(asked.delimiter == Some(b'\t') && line.contains(&b'\t'))
@@ -157,7 +262,8 @@ fn is_blank(line: &[u8], asked: &AskedDialect) -> bool {
 
 /// The cells of a line.
 fn cells_of(line: &[u8], delimiter: u8) -> Vec<Vec<u8>> {
-    let mut records = Records::new("", Syntax { delimiter, comment: None }, 1, usize::MAX, false);
+    let sizes = SizeLimits { line: usize::MAX, columns: MOST_CELLS, ..SizeLimits::default() };
+    let mut records = Records::new("", Syntax { delimiter, comment: None }, 1, &sizes, false);
     let mut rest = line;
     if !matches!(records.next(&mut rest), Ok(true)) && !records.finish() {
         return Vec::new();

@@ -2,6 +2,7 @@
 
 use memchr::memchr_iter;
 
+use crate::blocks::Gap;
 use crate::error::{InputError, InputErrorKind};
 use crate::records::Records;
 
@@ -39,13 +40,22 @@ pub(super) struct RowReader<'a> {
     mark: Mark,
     notes: Notes,
     total: usize,
+    /// Whether there was a row, and what stands behind the last one as far as comments were found among records.
+    has_rows: bool,
+    gap: Gap,
 }
 
 impl<'a> RowReader<'a> {
     /// Rows from this line on, after so many rows and with this known of their decimal marks.
     pub(super) fn new(layout: &'a Layout<'a>, mark: Mark, line: u64, rows_before: usize) -> Self {
         let notes = Notes::default();
-        RowReader { layout, records: layout.records(line), mark, notes, total: rows_before }
+        let records = layout.records(line);
+        RowReader { layout, records, mark, notes, total: rows_before, has_rows: false, gap: Gap::default() }
+    }
+
+    /// The line reached, from 1.
+    pub(super) fn line(&self) -> u64 {
+        self.records.line()
     }
 
     /// How many rows there are so far, with those before.
@@ -56,6 +66,14 @@ impl<'a> RowReader<'a> {
     /// What was noticed since this was asked last.
     pub(super) fn take_notes(&mut self) -> Notes {
         std::mem::take(&mut self.notes)
+    }
+
+    /// What was noticed, with what stands behind the last row.
+    fn notes_to_end(&mut self) -> Notes {
+        let mut gap = std::mem::take(&mut self.gap);
+        gap.add(self.records.gap_behind());
+        self.notes.ends_with(gap);
+        self.take_notes()
     }
 
     /// Adds the rows that end in a piece to batches, if they are wanted.
@@ -81,12 +99,23 @@ impl<'a> RowReader<'a> {
     }
 
     fn add(&mut self, batch: &mut BatchBuilder) -> Result<(), InputError> {
+        self.gap.add(self.records.take_gap());
         let (layout, record, line) = (self.layout, self.records.record(), self.records.record_line());
         if layout.is_comment(record) {
-            self.notes.comment();
+            let text: Vec<&[u8]> = record.cells().collect();
+            let delimiter = layout.syntax.delimiter;
+            self.gap.add_comment(&text.join(&delimiter), delimiter, layout.shape.width);
             return Ok(());
         }
-        layout.check_width(record, line)?;
+        let next_block = || InputError::of_line(layout.file, line, InputErrorKind::NextBlock);
+        self.notes.gap(
+            std::mem::take(&mut self.gap),
+            self.has_rows,
+            layout.takes_all_blocks(),
+            next_block,
+        )?;
+        self.has_rows = true;
+        layout.check_width(record, line, &mut self.notes)?;
         self.total += 1;
         let is_wanted = layout.is_wanted(self.total);
         if record.is_empty() {
@@ -106,6 +135,9 @@ impl<'a> RowReader<'a> {
                     columns.for_each(|(value, column)| value.push_to(column));
                     let cells = layout.places.iter().map(|place| record.cell(place.position - 1));
                     cells.zip(&mut batch.fractions).for_each(|(cell, fractions)| fractions.count(cell));
+                    if layout.options.table.keep_cells {
+                        batch.cells.push(layout.cells(record));
+                    }
                     batch.end_row(self.total, self.records.text());
                     self.notes.used();
                     return Ok(());
@@ -121,7 +153,7 @@ impl<'a> RowReader<'a> {
         // Rows that are not wanted are kept where they are numbers; but a mix of decimal marks is found out there too, or which
         // ones are kept would depend on where chunks end.
         match layout.row(record, line, self.total, false, &mut self.mark, &mut self.notes) {
-            Ok(Row::Values(values)) => batch.others.push(layout.other(values, self.total)),
+            Ok(Row::Values(values)) => batch.others.push(layout.other(record, values, self.total)),
             Err(error) if matches!(error.kind, InputErrorKind::AnotherDecimalMark { .. }) => {
                 return Err(error);
             }
@@ -145,7 +177,7 @@ pub(super) fn parse(chunk: &[u8], layout: &Layout, rows_before: usize) -> Parsed
         Ok(()) if reader.records.is_open() => Parsed::Open,
         Ok(()) => Parsed::Rows(Rows {
             batch,
-            notes: reader.take_notes(),
+            notes: reader.notes_to_end(),
             total: reader.total - rows_before,
             lines: reader.records.line() - 1,
             line_feeds: memchr_iter(b'\n', chunk).count() as u64,

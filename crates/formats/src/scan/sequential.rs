@@ -2,6 +2,7 @@
 
 use memchr::memchr_iter;
 
+use crate::blocks::Gap;
 use crate::chunks::{Chunk, ChunkReader};
 use crate::error::InputError;
 
@@ -29,9 +30,12 @@ impl<T, W: Fn(Batch) -> T, K: FnMut(T)> Run<'_, W, K> {
         let mut at_hand = at_hand.into_iter();
         while let Some(chunk) = at_hand.next().or_else(|| reader.next_chunk()) {
             let mut batch = layout.batch();
+            let before = Position { rows: rows.total(), lines: rows.line(), line_feeds: line };
             let read = rows.read(&chunk, &mut batch);
-            notes.add(rows.take_notes(), 0)?;
-            read?;
+            if let Err(error) = notes.add(rows.take_notes(), 0, layout.takes_all_blocks()).and(read) {
+                let rest = [chunk].into_iter().chain(at_hand).collect();
+                return Err(self.or_blocks(error, layout, reader, before, (Gap::default(), rest)));
+            }
             self.hand_out(batch, chunk.len() as u64)?;
             line += memchr_iter(b'\n', &chunk).count() as u64;
             reader.recycle(vec![chunk]);
@@ -39,20 +43,20 @@ impl<T, W: Fn(Batch) -> T, K: FnMut(T)> Run<'_, W, K> {
         // What came before a failure, if there was one; its rows are handed out no more.
         let mut batch = layout.batch();
         let read = rows.read(reader.pending(), &mut batch);
-        notes.add(rows.take_notes(), 0)?;
+        notes.add(rows.take_notes(), 0, layout.takes_all_blocks())?;
         read?;
         line += memchr_iter(b'\n', reader.pending()).count() as u64;
         if let Some(problem) = reader.failure() {
             return Err(InputError::of_line(self.file, line, problem));
         }
         let read = rows.finish(&mut batch);
-        notes.add(rows.take_notes(), 0)?;
+        notes.add(rows.take_notes(), 0, layout.takes_all_blocks())?;
         read?;
         self.hand_out(batch, 0)?;
         Ok(rows.total())
     }
 
-    fn hand_out(&mut self, batch: BatchBuilder, bytes: u64) -> Result<(), InputError> {
+    pub(super) fn hand_out(&mut self, batch: BatchBuilder, bytes: u64) -> Result<(), InputError> {
         if let Some(batch) = batch.finish(0) {
             (self.take)((self.work)(batch));
         }

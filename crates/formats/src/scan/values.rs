@@ -110,6 +110,11 @@ impl<'a> Numbers<'a> {
         Numbers { options, plain: limits.digits >= PLAIN_DIGITS && limits.exponent >= PLAIN_EXPONENT }
     }
 
+    /// Whether a cell says that its value is missing.
+    pub(super) fn is_missing(&self, cell: &[u8]) -> bool {
+        decode(cell).is_ok_and(|cell| self.options.missing_as.are_in(cell))
+    }
+
     /// Whether there is a number in a cell.
     pub(super) fn is_number(&self, cell: &[u8], mark: Mark) -> bool {
         let is_marked = |decimal| self.read_marked(cell, decimal).is_ok();
@@ -124,7 +129,7 @@ impl<'a> Numbers<'a> {
         selector: &ColumnSelector,
         mark: Mark,
     ) -> Result<(Value, Option<DecimalMark>), InputErrorKind> {
-        match instead_of_number(cell, selector, mark.known())? {
+        match instead_of_number(cell, selector, mark.known(), &self.options.missing_as)? {
             Some(value) => Ok((Value::Aside(value, self.options.reading, selector.role()), None)),
             None => self.read(cell, mark),
         }
@@ -136,6 +141,9 @@ impl<'a> Numbers<'a> {
         cell: &[u8],
         mark: Mark,
     ) -> Result<(Value, Option<DecimalMark>), InputErrorKind> {
+        if !self.options.missing_as.is_empty() && self.options.missing_as.lists(decode(cell)?) {
+            return Err(InputErrorKind::Null);
+        }
         let (value, told) = match mark {
             Mark::Given(mark) => (self.read_marked(cell, mark)?, None),
             Mark::Found(mark) => match self.read_marked(cell, mark) {

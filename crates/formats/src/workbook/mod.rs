@@ -4,27 +4,34 @@
 //! cells and everything else are those of a table of text. A number is a double; its text is the shortest that reads back as
 //! that double, so that 0.1 is 1/10 under the decimal reading and the double itself under binary64.
 
-mod cells;
-mod measure;
+mod archive;
+mod formats;
+mod ods;
 mod text;
+mod xlsx;
+mod xlsx_cells;
 
 use std::io::{Cursor, Read};
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use boundfit_exact::Foreign;
 use sha2::{Digest, Sha256};
 
 use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
 use crate::hash::hexadecimal;
 use crate::limits::most_unpacked;
+use crate::notes::TableNotes;
 use crate::roles::Role;
 use crate::scan::{Batch, ScanOptions, Scanned, scan_text};
 
-use cells::sheet_text;
-use measure::measure;
+use archive::Archive;
+use text::Lines;
 
 /// What messages call such files.
 const FORMAT: &str = "a workbook";
+
+/// The most sheets that a workbook may have.
+const MOST_SHEETS: usize = 10_000;
 
 /// The two kinds of workbooks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,11 +79,7 @@ pub(crate) fn scan_workbook<T: Send>(
     let wanted = options.table.sheet.as_deref();
     let sizes = &options.table.sizes;
     let most = limit.min(most_unpacked(total, sizes.ratio));
-    let sheet = guarded(|| {
-        let kind = measure(&content, most)?;
-        sheet_text(kind, content, wanted, most)
-    });
-    let sheet = sheet.map_err(|problem| match problem {
+    let sheet = sheet_text(content, wanted, most).map_err(|problem| match problem {
         InputErrorKind::WorkbookTooLarge { .. } if most < limit => {
             InputErrorKind::UnpacksTooFar { ratio: sizes.ratio }
         }
@@ -90,15 +93,45 @@ pub(crate) fn scan_workbook<T: Send>(
     if let Some(progress) = &options.progress {
         progress.advanced(total);
     }
-    Ok(Scanned { layout: None, bytes: total, sha256, ..scanned })
+    let table = scanned.table.map(|notes| TableNotes { is_sheet: true, ..notes });
+    Ok(Scanned { layout: None, table, bytes: total, sha256, ..scanned })
 }
 
-/// Lets the libraries work. That one of them crashes on a damaged file is an error like the others.
-fn guarded<T>(work: impl FnOnce() -> Result<T, InputErrorKind>) -> Result<T, InputErrorKind> {
-    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Err(unreadable("it is damaged")))
+/// The sheet that is wanted, by its name or its number from 1, or the first one, as text of at most so many bytes.
+fn sheet_text(content: Vec<u8>, wanted: Option<&str>, limit: u64) -> Result<Sheet, InputErrorKind> {
+    let mut archive = Archive::open(content, limit)?;
+    let mut lines = Lines::new(limit);
+    let name = match archive.kind()? {
+        Kind::Xlsx => xlsx::read_sheet(&mut archive, wanted, &mut lines)?,
+        Kind::Ods => ods::read_sheet(&mut archive, wanted, &mut lines)?,
+    };
+    drop(archive);
+    Ok(Sheet { name, text: lines.finish()? })
 }
 
-/// What a library says about a workbook that it cannot read.
+/// Which of these sheets is wanted, from 0.
+fn chosen(names: &[&str], wanted: Option<&str>) -> Result<usize, InputErrorKind> {
+    let found = match wanted {
+        None => (!names.is_empty()).then_some(0),
+        Some(wanted) => names.iter().position(|name| *name == wanted).or_else(|| {
+            let number: usize = wanted.parse().ok()?;
+            number.checked_sub(1).filter(|&index| index < names.len())
+        }),
+    };
+    found.ok_or_else(|| InputErrorKind::UnknownSheet {
+        wanted: wanted.unwrap_or("1").into(),
+        available: names.iter().map(|&name| Foreign::from(name)).collect(),
+    })
+}
+
+/// The double that a cell stores as this text; `None` where that is none.
+fn finite(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let is_number = text.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
+    text.parse().ok().filter(|number: &f64| is_number && number.is_finite())
+}
+
+/// Why a workbook cannot be read.
 fn unreadable(reason: impl ToString) -> InputErrorKind {
     InputErrorKind::Unreadable { format: FORMAT, reason: reason.to_string().into() }
 }

@@ -1,0 +1,146 @@
+//! Records in JSON as tables: an array of objects, objects one after the other (NDJSON), or an array of arrays.
+//!
+//! The keys name the columns, and what stands behind them are cells as those of a text: a number is what is written, so that 0.1 is 1/10,
+//! `null` and a key that a record lacks are missing, a text is a cell. Records are read some at a time, whatever the size of the file.
+//! Which columns there are, the first part of the file tells.
+
+mod rows;
+mod tokens;
+
+use std::io::Read;
+
+use boundfit_exact::Foreign;
+
+use crate::columns::ColumnSelector;
+use crate::decoding::TextReader;
+use crate::error::{InputError, InputErrorKind};
+use crate::lacking::Lacking;
+use crate::memory::{MemoryNumbers, MemoryTable, Part};
+use crate::scan::{Batch, ScanOptions, Scanned};
+use crate::table::check_rows;
+use crate::wanted::WantedColumns;
+
+use rows::{JsonRows, Record};
+use tokens::NESTED;
+
+/// Whether a text that starts like this is JSON: an object with a key, or an array of objects or arrays.
+pub(crate) fn is_json(start: &[u8]) -> bool {
+    let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start);
+    // Of UTF-16 the other byte of each character.
+    let mut bytes = start.iter().filter(|byte| !byte.is_ascii_whitespace() && !matches!(byte, 0 | 0xfe..));
+    match (bytes.next(), bytes.next()) {
+        (Some(b'{'), Some(b'"')) => true,
+        (Some(b'['), Some(b'{')) => matches!(bytes.next(), None | Some(b'"' | b'}')),
+        (Some(b'['), Some(b'[')) => bytes.next().is_none_or(|byte| b"\"-0123456789n]".contains(byte)),
+        _ => false,
+    }
+}
+
+/// Reads records as [`scan`](crate::scan) says. With [`ScanOptions::keep_text`], the rows are written as CSV of the columns asked for,
+/// which reads back as the same numbers.
+///
+/// Exact. Cost: one pass; memory for a part of the file.
+///
+/// # Errors
+/// The first thing wrong, with its line and key.
+pub(crate) fn scan_json<T: Send>(
+    name: &str,
+    bytes: Box<dyn Read>,
+    columns: &[ColumnSelector],
+    options: &ScanOptions,
+    work: impl Fn(Batch) -> T + Sync,
+    mut take: impl FnMut(T),
+) -> Result<Scanned, InputError> {
+    let mut text = TextReader::new(bytes, options.hash);
+    text.begin(options.table.dialect.encoding);
+    let mut reader = JsonRows::new(name, text, &options.table.sizes);
+    let mut part = reader.part(options.chunk_bytes);
+    let names = reader.close_names();
+    if names.is_empty() {
+        return Err(part.1.unwrap_or_else(|| InputError::of_file(name, InputErrorKind::Empty)));
+    }
+    let wanted = WantedColumns::new(name, &names, columns, options)?;
+    let (mut rows, mut used, mut passed) = (0, 0, 0);
+    let mut lacking = Lacking::default();
+    let read = loop {
+        let (records, failure) = part;
+        let is_at_end = records.is_empty();
+        let handed_out = hand_out(records, &names, &wanted, rows, &mut lacking, &work, &mut take);
+        match handed_out {
+            Ok(counts) => (rows, used) = (rows + counts.0, used + counts.1),
+            Err(error) => break Err(error),
+        }
+        if let Some(progress) = &options.progress {
+            progress.advanced(reader.tokens.input().total() - passed);
+            passed = reader.tokens.input().total();
+            if progress.is_cancelled() {
+                break Err(InputError::of_file(name, InputErrorKind::Interrupted));
+            }
+        }
+        match failure {
+            Some(failure) => break Err(failure),
+            None if is_at_end => break Ok(rows),
+            None => part = reader.part(options.chunk_bytes),
+        }
+    };
+    let (rows_total, rows_missing) = lacking.settle(read, used, options)?;
+    check_rows(name, rows_total, options)?;
+    let text = reader.tokens.input();
+    let (bytes, sha256) = (text.total(), text.sha256());
+    Ok(Scanned { header: names, bytes, sha256, ..wanted.scanned(rows_total, rows_missing) })
+}
+
+/// Hands out records that come after so many others; gives how many there are, and how many of them are used.
+fn hand_out<T: Send>(
+    records: Vec<Record>,
+    names: &[Foreign],
+    wanted: &WantedColumns,
+    before: usize,
+    lacking: &mut Lacking,
+    work: &(impl Fn(Batch) -> T + Sync),
+    take: &mut impl FnMut(T),
+) -> Result<(usize, usize), InputError> {
+    let lines: Vec<u64> = records.iter().map(|record| record.line).collect();
+    let mut table = MemoryTable::default();
+    let mut cells: Vec<Option<Vec<String>>> = vec![None; names.len()];
+    for position in wanted.all().map(|place| place.position) {
+        if let Some(column) = cells.get_mut(position - 1) {
+            *column = Some(vec![String::new(); lines.len()]);
+        }
+    }
+    let mut seen: Vec<Option<usize>> = vec![None; names.len()];
+    for (row, record) in records.into_iter().enumerate() {
+        for (column, text) in record.cells {
+            let Some(cell) =
+                cells.get_mut(column).and_then(Option::as_mut).and_then(|cells| cells.get_mut(row))
+            else {
+                continue;
+            };
+            *cell = text;
+            if let Some(seen) = seen.get_mut(column)
+                && seen.replace(row) == Some(row)
+            {
+                let wanted_name = names.get(column).cloned().unwrap_or_default();
+                let problem = InputErrorKind::AmbiguousColumn { wanted: wanted_name };
+                return Err(InputError::of_line(wanted.file, record.line, problem));
+            }
+        }
+    }
+    for (name, cells) in names.iter().zip(cells) {
+        table.push(name.clone(), MemoryNumbers::Texts(cells.unwrap_or_default()));
+    }
+    let part = Part { table: &table, wanted, before, lines: &lines };
+    let used = part.hand_out(lines.len(), lacking, work, take).map_err(about_nested)?;
+    Ok((lines.len(), used))
+}
+
+/// The error, that says rather that an object or array stands where a number belongs.
+fn about_nested(error: InputError) -> InputError {
+    let is_nested = error.place.text.as_ref().is_some_and(|text| NESTED.contains(&text.raw()));
+    match error.kind {
+        InputErrorKind::NotANumber(_) if is_nested => {
+            InputError { kind: InputErrorKind::NestedJson, ..error }
+        }
+        kind => InputError { kind, ..error },
+    }
+}

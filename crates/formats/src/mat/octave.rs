@@ -1,0 +1,338 @@
+//! What Octave's `save -text` writes: variables one after the other, each with lines that say its name, type and size, and its numbers
+//! as text, row by row.
+//!
+//! Source: Octave, `libinterp/corefcn/ls-oct-text.cc` and the `save_ascii` of each type.
+
+use std::io::{self, BufRead, BufReader, Read};
+
+use super::columns::Search;
+use super::elements::Damage;
+use super::file::MatFile;
+use super::numbers::Numbers;
+use super::variable::{Content, Variable};
+use crate::error::InputErrorKind;
+use crate::limits::SizeLimits;
+use crate::memory::MemoryNumbers;
+
+/// What reports call such files.
+pub(super) const FORMAT: &str = "Octave's text";
+
+/// What a number takes in memory beside its text.
+const BYTES_PER_TEXT: u64 = 32;
+
+/// Whether a file that starts like this is one.
+pub(crate) fn is_octave(start: &[u8]) -> bool {
+    let mut lines = start.split(|&byte| byte == b'\n');
+    let first = lines.next().unwrap_or_default();
+    let says = |line: &[u8], words: &str| {
+        let text = line.strip_prefix(b"# ").or_else(|| line.strip_prefix(b"% "));
+        text.is_some_and(|text| text.starts_with(words.as_bytes()))
+    };
+    says(first, "Created by Octave")
+        || says(first, "name: ") && says(lines.next().unwrap_or_default(), "type: ")
+}
+
+/// Reads all variables of a file that starts with these bytes and goes on in this file.
+pub(super) fn read(
+    search: &mut Search,
+    start: &[u8],
+    file: &mut MatFile,
+    sizes: &SizeLimits,
+) -> Result<(), InputErrorKind> {
+    let bytes = BufReader::new(start.chain(file));
+    let mut text = Text { bytes, line: 0, read: 0, held: 0, last: String::new(), sizes };
+    let mut go_through = || -> Result<(), Damage> {
+        while let Some(name) = text.name()? {
+            text.variable(Some(&mut *search), name, sizes.nesting)?;
+        }
+        Ok(())
+    };
+    go_through().map_err(|damage| {
+        let reason = match damage {
+            Damage::Refused(problem) => return problem,
+            Damage::Format(reason) => format!("line {}: {reason}", text.line),
+            Damage::Io(error) if error.kind() == io::ErrorKind::UnexpectedEof => {
+                format!("it stops within a variable, on line {}", text.line)
+            }
+            Damage::Io(error) => return error.into(),
+        };
+        InputErrorKind::Unreadable { format: FORMAT, reason: reason.into() }
+    })
+}
+
+/// The lines of a file.
+struct Text<'a, R> {
+    bytes: R,
+    /// The number of the last line, and what stands on it.
+    line: u64,
+    last: String,
+    /// How many bytes were read, and about how many are held of numbers.
+    read: u64,
+    held: u64,
+    sizes: &'a SizeLimits,
+}
+
+impl<R: BufRead> Text<'_, R> {
+    /// Goes on to the next line; `false` at the end.
+    fn next(&mut self) -> Result<bool, Damage> {
+        let mut line = Vec::new();
+        let most = (self.sizes.line as u64).saturating_add(1);
+        let count = self.bytes.by_ref().take(most).read_until(b'\n', &mut line)?;
+        if count > self.sizes.line {
+            return Err(Damage::Refused(InputErrorKind::LineTooLong { limit: self.sizes.line }));
+        }
+        self.read += count as u64;
+        self.line += u64::from(count > 0);
+        self.last = String::from_utf8_lossy(&line).trim_end().to_owned();
+        Ok(count > 0)
+    }
+
+    /// Goes on to the line that must follow.
+    fn must(&mut self) -> Result<(), Damage> {
+        if self.next()? { Ok(()) } else { Err(Damage::Io(io::ErrorKind::UnexpectedEof.into())) }
+    }
+
+    /// What the last line says of this word, as `# rows: 3` says 3 of `rows`.
+    fn said(&self, word: &str) -> Option<&str> {
+        let text = self.last.strip_prefix(['#', '%'])?.trim_start();
+        Some(text.strip_prefix(word)?.strip_prefix(':')?.trim())
+    }
+
+    /// The name of the next variable; nothing at the end.
+    fn name(&mut self) -> Result<Option<String>, Damage> {
+        while self.next()? {
+            if let Some(name) = self.said("name") {
+                return Ok(Some(name.to_owned()));
+            }
+        }
+        Ok(None)
+    }
+
+    /// What the next line must say of a word.
+    fn value(&mut self, word: &str) -> Result<String, Damage> {
+        self.must()?;
+        match self.said(word) {
+            Some(value) => Ok(value.to_owned()),
+            None => Err(Damage::format(format!("{:?} where \"# {word}: ...\" belongs", self.last))),
+        }
+    }
+
+    /// The number that the next line must say of a word.
+    fn count(&mut self, word: &str) -> Result<u64, Damage> {
+        let value = self.value(word)?;
+        let count = value.parse().ok().filter(|count| *count <= i32::MAX as u64);
+        count.ok_or_else(|| Damage::format(format!("{value:?} is no number of {word}")))
+    }
+
+    /// Reads a variable or what is in one, of which the name was read; `search` takes those that have a name of their own.
+    fn variable(&mut self, search: Option<&mut Search>, name: String, nesting: usize) -> Result<(), Damage> {
+        let kind = self.value("type")?;
+        let before = self.read;
+        let words: Vec<&str> = kind.split(' ').collect();
+        let is_number = |word: &str| {
+            let bits = word.trim_start_matches('u').strip_prefix("int");
+            word == "float" || bits.is_some_and(|bits| matches!(bits, "8" | "16" | "32" | "64"))
+        };
+        let content = match words.as_slice() {
+            ["scalar"] | ["bool"] => Content::Numbers { rows: 1, columns: 1 },
+            [kind, "scalar"] if is_number(kind) => Content::Numbers { rows: 1, columns: 1 },
+            ["matrix"] | ["bool", "matrix"] => return self.matrix(search, name),
+            [kind, "matrix"] if is_number(kind) => return self.matrix(search, name),
+            ["range" | "double_range"] => return self.range(search, name),
+            ["string" | "sq_string"] => {
+                self.pass_strings()?;
+                Content::Other("text".to_owned())
+            }
+            ["scalar", "struct"] => return self.fields(search, &name, nesting),
+            ["struct"] => {
+                self.fields(None, &name, nesting)?;
+                Content::Other("an array of structs".to_owned())
+            }
+            ["cell"] => {
+                self.cells(nesting)?;
+                Content::Other("a cell array".to_owned())
+            }
+            _ => Content::Other(format!("of the type {kind:?}")),
+        };
+        let Some(search) = search else { return Ok(()) };
+        search.add(Variable { name, content }, self.read - before, |_| {
+            self.must()?;
+            Ok(texts(vec![self.last.trim().to_owned()]))
+        })?;
+        Ok(())
+    }
+
+    /// Reads a matrix: with rows and columns, row by row, or with dimensions, column by column.
+    fn matrix(&mut self, search: Option<&mut Search>, name: String) -> Result<(), Damage> {
+        self.must()?;
+        let dimensions = self.said("ndims").map(str::to_owned);
+        let (content, is_by_row) = match (dimensions, self.said("rows")) {
+            (Some(_), _) => {
+                self.must()?;
+                let sizes = self.last.split_whitespace().map(|size| size.parse::<u32>().ok());
+                let sizes: Option<Vec<u32>> = sizes.collect();
+                let content = match sizes.as_deref() {
+                    Some(&[rows, columns]) => Content::Numbers { rows: rows.into(), columns: columns.into() },
+                    Some(more) => Content::Other(format!("an array of {} dimensions", more.len())),
+                    None => return Err(Damage::format(format!("{:?} are no dimensions", self.last))),
+                };
+                (content, false)
+            }
+            (None, Some(rows)) => {
+                let rows = rows.parse::<u32>().map_err(|_| Damage::format("rows that are no number"))?;
+                (Content::Numbers { rows: rows.into(), columns: self.count("columns")? }, true)
+            }
+            (None, None) => {
+                return Err(Damage::format(format!("{:?} where \"# rows: ...\" belongs", self.last)));
+            }
+        };
+        let content = match content {
+            Content::Numbers { rows: 0, .. } | Content::Numbers { columns: 0, .. } => {
+                Content::Other("empty".to_owned())
+            }
+            content => content,
+        };
+        let Some(search) = search else { return Ok(()) };
+        let (rows, columns) = match content {
+            Content::Numbers { rows, columns } => (rows, columns),
+            _ => (0, 0),
+        };
+        // A number has a character and a blank or line end.
+        let bytes = rows.saturating_mul(columns).saturating_mul(2);
+        search.add(Variable { name: name.clone(), content }, bytes, |_| match is_by_row {
+            true => self.by_row(&name, rows, columns),
+            false => self.by_column(&name, rows.saturating_mul(columns)),
+        })?;
+        Ok(())
+    }
+
+    fn by_row(&mut self, name: &str, rows: u64, columns: u64) -> Result<Numbers, Damage> {
+        let mut found: Vec<Vec<String>> = Vec::new();
+        for row in 1..=rows {
+            self.must()?;
+            self.hold()?;
+            let cells: Vec<&str> = self.last.split_whitespace().collect();
+            if cells.len() as u64 != columns {
+                let reason =
+                    format!("row {row} of {name:?} has {} numbers, and {columns} are announced", cells.len());
+                return Err(Damage::format(reason));
+            }
+            found.resize_with(cells.len(), Vec::new);
+            found.iter_mut().zip(cells).for_each(|(column, cell)| column.push(cell.to_owned()));
+        }
+        Ok(texts(found.concat()))
+    }
+
+    fn by_column(&mut self, name: &str, count: u64) -> Result<Numbers, Damage> {
+        let mut found: Vec<String> = Vec::new();
+        while (found.len() as u64) < count {
+            self.must()?;
+            self.hold()?;
+            if self.last.starts_with('#') {
+                let reason = format!("{name:?} has {} numbers, and {count} are announced", found.len());
+                return Err(Damage::format(reason));
+            }
+            found.extend(self.last.split_whitespace().map(str::to_owned));
+        }
+        found.truncate(usize::try_from(count).unwrap_or(usize::MAX));
+        Ok(texts(found))
+    }
+
+    /// Counts the numbers of the last line, which are held.
+    fn hold(&mut self) -> Result<(), Damage> {
+        let numbers = self.last.split_whitespace().count() as u64;
+        self.held += self.last.len() as u64 + BYTES_PER_TEXT * numbers;
+        let limit = self.sizes.text;
+        if self.held > limit { Err(Damage::Refused(InputErrorKind::TextTooLarge { limit })) } else { Ok(()) }
+    }
+
+    /// Reads a range: its base, limit and increment, of which Octave makes doubles.
+    fn range(&mut self, search: Option<&mut Search>, name: String) -> Result<(), Damage> {
+        self.must()?;
+        if self.last.starts_with(['#', '%']) {
+            self.must()?;
+        }
+        let numbers = self.last.split_whitespace().map(|number| number.parse::<f64>().ok());
+        let numbers: Option<Vec<f64>> = numbers.collect();
+        let Some(&[base, limit, increment]) = numbers.as_deref() else {
+            let reason = format!("{:?} where base, limit and increment belong", self.last);
+            return Err(Damage::format(reason));
+        };
+        // Octave's own tolerance, so that 0:0.1:1 ends with 1.
+        let steps = ((limit - base) / increment * (1.0 + 3.0 * f64::EPSILON)).floor();
+        let content = match steps {
+            steps if (0.0..2_147_483_647.0).contains(&steps) => {
+                Content::Numbers { rows: 1, columns: steps as u64 + 1 }
+            }
+            _ => Content::Other("empty".to_owned()),
+        };
+        let Some(search) = search else { return Ok(()) };
+        search.add(Variable { name, content }, self.last.len() as u64, |count| {
+            let last = count - 1;
+            let number = |index: u64| match base + index as f64 * increment {
+                number if index == last && (number > limit) == (increment > 0.0) => limit,
+                number => number,
+            };
+            Ok(Numbers::Doubles((0..count).map(number).collect()))
+        })?;
+        Ok(())
+    }
+
+    /// Passes over texts, in which anything may stand.
+    fn pass_strings(&mut self) -> Result<(), Damage> {
+        for _ in 0..self.count("elements")? {
+            let length = self.count("length")?;
+            let passed = io::copy(&mut self.bytes.by_ref().take(length), &mut io::sink())?;
+            self.read += passed;
+            self.next()?;
+        }
+        Ok(())
+    }
+
+    /// Reads the fields of a struct, as variables with its name, a point and theirs.
+    fn fields(&mut self, mut search: Option<&mut Search>, name: &str, nesting: usize) -> Result<(), Damage> {
+        let nesting = self.deeper(nesting)?;
+        self.count("ndims")?;
+        self.must()?;
+        for _ in 0..self.count("length")? {
+            let Some(field) = self.name()? else {
+                return Err(Damage::Io(io::ErrorKind::UnexpectedEof.into()));
+            };
+            self.variable(search.as_deref_mut(), format!("{name}.{field}"), nesting)?;
+        }
+        Ok(())
+    }
+
+    /// Passes over the cells of a cell array.
+    fn cells(&mut self, nesting: usize) -> Result<(), Damage> {
+        let nesting = self.deeper(nesting)?;
+        self.must()?;
+        let count = match self.said("rows").map(|rows| rows.parse::<u64>().ok()) {
+            Some(rows) => {
+                let rows = rows.ok_or_else(|| Damage::format("rows that are no number"))?;
+                rows.saturating_mul(self.count("columns")?)
+            }
+            None => {
+                self.must()?;
+                let sizes = self.last.split_whitespace().map(|size| size.parse::<u64>().unwrap_or(u64::MAX));
+                sizes.fold(1, u64::saturating_mul)
+            }
+        };
+        for _ in 0..count {
+            let Some(name) = self.name()? else {
+                return Err(Damage::Io(io::ErrorKind::UnexpectedEof.into()));
+            };
+            self.variable(None, name, nesting)?;
+        }
+        Ok(())
+    }
+
+    fn deeper(&self, nesting: usize) -> Result<usize, Damage> {
+        nesting.checked_sub(1).ok_or_else(|| Damage::format("a struct in a struct in a struct ..."))
+    }
+}
+
+/// Numbers as they are written.
+fn texts(texts: Vec<String>) -> Numbers {
+    Numbers::Texts(MemoryNumbers::Texts(texts))
+}

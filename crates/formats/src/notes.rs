@@ -1,0 +1,153 @@
+//! What a table of text, or a sheet, was taken for: what a report says of it, so that no guess goes unsaid.
+
+use boundfit_exact::{DecimalMark, Foreign};
+
+use crate::dialect::{BLANKS, Dialect, Encoding};
+
+/// What a table of text, or a sheet, was taken for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TableNotes {
+    /// What names the columns.
+    pub header: HeaderNote,
+    /// How the text is written; of a sheet the delimiter and the encoding mean nothing.
+    pub dialect: Dialect,
+    /// Whether the table is a sheet of a workbook, whose rows are then the lines.
+    pub is_sheet: bool,
+    /// Of a file with several blocks, the one that was read.
+    pub block: Option<BlockNote>,
+    /// What was passed over, or was not as the first row is.
+    pub skipped: Skipped,
+}
+
+/// What names the columns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct HeaderNote {
+    /// The line with the names, from 1; `None` where there are none.
+    pub line: Option<u64>,
+    /// Whether that line is a comment.
+    pub is_comment: bool,
+    /// Whether nothing but its cells told whether the first line is a header, and it could be the other as well.
+    pub is_open: bool,
+    /// Whether the name of a column that was asked for is a number, or there is none.
+    pub has_numbers: bool,
+    /// Whether the rows have a cell more than the header, which is their name.
+    pub has_row_names: bool,
+}
+
+/// A block of a file that has several.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct BlockNote {
+    /// Its number, from 1; `None` where all of them were read.
+    pub number: Option<usize>,
+    /// Its name: the comment before it.
+    pub name: Option<Foreign>,
+    /// How many blocks there are.
+    pub total: usize,
+}
+
+/// What was passed over, or was not as the first row is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Skipped {
+    /// Lines before the table that nobody asked to pass over: the names stand in a later one.
+    pub lines: u64,
+    /// Lines between rows, or behind them, that are comments.
+    pub comments: u64,
+    /// Rows with fewer cells than the first one, which end before a cell that is not empty there.
+    pub short_rows: u64,
+    /// Rows with more cells than the first one, all of which are empty.
+    pub long_rows: u64,
+}
+
+impl Skipped {
+    /// Adds what was met in later rows.
+    pub(crate) fn add(&mut self, later: Skipped) {
+        self.lines += later.lines;
+        self.comments += later.comments;
+        self.short_rows += later.short_rows;
+        self.long_rows += later.long_rows;
+    }
+}
+
+impl TableNotes {
+    /// What is not plain about the table, in words: nothing where the first line has the names, and commas, semicolons or tabs
+    /// separate numbers with points.
+    pub fn words(&self) -> Option<String> {
+        let words: Vec<String> = [self.header_words(), self.block_words()]
+            .into_iter()
+            .flatten()
+            .chain(self.skipped_words())
+            .collect();
+        let words: Vec<String> = words.into_iter().chain(self.written_words()).collect();
+        (!words.is_empty()).then(|| words.join(", "))
+    }
+
+    /// Whether something about the table was guessed: which line has the names, which rows belong to it. How it is written is not, but
+    /// found out where that is safe.
+    pub fn has_guesses(&self) -> bool {
+        self.header_words().is_some() || self.block.is_some() || !self.skipped_words().is_empty()
+    }
+
+    fn header_words(&self) -> Option<String> {
+        let HeaderNote { line, is_comment, is_open, has_numbers, .. } = self.header;
+        let what = if self.is_sheet { "row" } else { "line" };
+        match line {
+            None if is_open => Some(format!("no header, the first {what} is a reading (else --header yes)")),
+            None => None,
+            Some(line) if is_comment => Some(format!("names in the comment of {what} {line}")),
+            Some(line) if is_open => Some(format!("header in {what} {line} (else --header no)")),
+            Some(line) if has_numbers || self.skipped.lines > 0 => Some(format!("header in {what} {line}")),
+            Some(_) => None,
+        }
+    }
+
+    fn block_words(&self) -> Option<String> {
+        let BlockNote { number, name, total } = self.block.as_ref()?;
+        Some(match (number, name) {
+            (None, _) => format!("all {total} blocks"),
+            (Some(number), None) => format!("block {number} of {total}"),
+            (Some(number), Some(name)) => format!("block {number} of {total} ({name})"),
+        })
+    }
+
+    fn skipped_words(&self) -> Vec<String> {
+        let Skipped { comments, short_rows, .. } = self.skipped;
+        // Those that begin blocks are told by the blocks.
+        let unsaid = if self.block.is_some() { 0 } else { comments };
+        let counted = |count: u64, one: &str, many: &str| {
+            (count > 0).then(|| format!("{count} {}", if count == 1 { one } else { many }))
+        };
+        let found = [
+            self.header.has_row_names.then(|| "names of rows in column 1".to_owned()),
+            counted(comments.min(unsaid), "comment line between rows", "comment lines between rows"),
+            counted(short_rows, "row shorter than the first", "rows shorter than the first"),
+        ];
+        found.into_iter().flatten().collect()
+    }
+
+    /// What is unusual about how the text is written.
+    fn written_words(&self) -> Vec<String> {
+        let Dialect { delimiter, notation, encoding, .. } = self.dialect;
+        let (separator, is_usual) = match delimiter {
+            b',' => ("commas", true),
+            b';' => ("semicolons", true),
+            b'\t' => ("tabs", true),
+            b'|' => ("bars", false),
+            BLANKS => ("blanks", false),
+            _ => ("other characters", true),
+        };
+        let mut words = Vec::new();
+        if notation.decimal == DecimalMark::Comma {
+            words.push("decimal comma".to_owned());
+        }
+        if let Some(thousands) = notation.thousands {
+            words.push(format!("digits grouped by {:?}", thousands.mark()));
+        }
+        if !(self.is_sheet || words.is_empty() && is_usual) {
+            words.push(format!("separated by {separator}"));
+        }
+        if encoding != Encoding::Utf8 {
+            words.push(encoding.name().to_owned());
+        }
+        words
+    }
+}

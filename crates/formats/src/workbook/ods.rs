@@ -1,0 +1,277 @@
+//! Sheets of OpenDocument's `.ods`.
+
+use std::borrow::Cow;
+
+use quick_xml::events::{BytesStart, Event};
+
+use super::archive::{Archive, Part, attribute_named, check_text, own_text};
+use super::text::Lines;
+use super::{MOST_SHEETS, chosen, finite, unreadable};
+use crate::error::InputErrorKind;
+use crate::mat::double_text;
+
+/// Hands the cells of the sheet that is wanted over; gives its name.
+pub(super) fn read_sheet(
+    archive: &mut Archive,
+    wanted: Option<&str>,
+    lines: &mut Lines,
+) -> Result<String, InputErrorKind> {
+    refuse_password(archive)?;
+    let names = names(archive)?;
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let index = chosen(&names, wanted)?;
+    let limit = archive.limit();
+    let mut part = content(archive)?;
+    let mut before = 0;
+    loop {
+        let is_table = match part.next()? {
+            Event::Start(element) => sheet_name(&element)?.is_some(),
+            Event::Eof => break,
+            _ => false,
+        };
+        if is_table && before == index {
+            read_table(&mut part, limit, lines)?;
+            break;
+        }
+        if is_table {
+            part.skip()?;
+            before += 1;
+        }
+    }
+    names.get(index).map(|&name| name.to_owned()).ok_or_else(|| unreadable("it has no sheet"))
+}
+
+fn content(archive: &mut Archive) -> Result<Part<'_>, InputErrorKind> {
+    archive.part("content.xml")?.ok_or_else(|| unreadable("there is no \"content.xml\" in it"))
+}
+
+fn refuse_password(archive: &mut Archive) -> Result<(), InputErrorKind> {
+    let Some(mut part) = archive.part("META-INF/manifest.xml")? else { return Ok(()) };
+    loop {
+        match part.next()? {
+            Event::Start(element) if element.local_name().as_ref() == "encryption-data" => {
+                return Err(unreadable("it is protected by a password: save it without one"));
+            }
+            Event::Eof => return Ok(()),
+            _ => {}
+        }
+    }
+}
+
+/// The names of all sheets, once it is known that the document does not stop too soon.
+fn names(archive: &mut Archive) -> Result<Vec<String>, InputErrorKind> {
+    let mut part = content(archive)?;
+    let mut names = Vec::new();
+    loop {
+        let name = match part.next()? {
+            Event::Start(element) => sheet_name(&element)?,
+            Event::Eof => return Ok(names),
+            _ => None,
+        };
+        if let Some(name) = name {
+            names.push(name);
+            part.skip()?;
+        }
+        if names.len() > MOST_SHEETS {
+            return Err(unreadable(format!("it has more than {MOST_SHEETS} sheets")));
+        }
+    }
+}
+
+/// The name of a sheet, if its element begins here.
+fn sheet_name(element: &BytesStart<'_>) -> Result<Option<String>, InputErrorKind> {
+    if element.name().as_ref() != "table:table" {
+        return Ok(None);
+    }
+    Ok(attribute_named(element, "table:name")?.map(Cow::into_owned))
+}
+
+/// The cells of a row that are not empty.
+#[derive(Default)]
+struct Row {
+    /// The first column of each, how many columns have it, and its text.
+    cells: Vec<(u64, u64, String)>,
+    /// How many columns there are so far.
+    width: u64,
+    bytes: usize,
+}
+
+impl Row {
+    fn push(&mut self, repeats: u64, text: String) -> Result<(), InputErrorKind> {
+        self.bytes += text.len();
+        check_text(self.bytes)?;
+        if !text.is_empty() {
+            self.cells.push((self.width, repeats, text));
+        }
+        self.width = self.width.saturating_add(repeats);
+        Ok(())
+    }
+
+    /// How many bytes the row has as text.
+    fn length(&self) -> u64 {
+        let own = |(_, repeats, text): &(u64, u64, String)| repeats.saturating_mul(text.len() as u64);
+        let tabs = self.cells.last().map_or(0, |(first, repeats, _)| first.saturating_add(*repeats));
+        self.cells.iter().map(own).fold(tabs, u64::saturating_add)
+    }
+
+    /// Hands the row over once.
+    fn write(&self, row: u64, lines: &mut Lines) -> Result<(), InputErrorKind> {
+        let short = |number: u64| u32::try_from(number).unwrap_or(u32::MAX - 1);
+        for (first, repeats, text) in &self.cells {
+            for column in *first..first.saturating_add(*repeats) {
+                lines.push(short(row), short(column), text)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Hands over the cells of the table that has just begun. Empty cells are repeated up to the edge of the sheet, and cost
+/// nothing; others are written as often as they are repeated, and no further than the limit of the lines.
+fn read_table(part: &mut Part<'_>, limit: u64, lines: &mut Lines) -> Result<(), InputErrorKind> {
+    let inside = part.depth();
+    let (mut row, mut number, mut row_repeats) = (Row::default(), 0_u64, 1);
+    while part.depth() >= inside {
+        let event = part.next()?;
+        match &event {
+            Event::Start(element) => match element.name().as_ref() {
+                "table:table-row" => {
+                    row = Row::default();
+                    row_repeats = repeats(element, "table:number-rows-repeated")?;
+                }
+                "table:table-cell" | "table:covered-table-cell" => {
+                    let repeats = repeats(element, "table:number-columns-repeated")?;
+                    let cell = Cell::begin(element)?;
+                    drop(event);
+                    row.push(repeats, cell.text(part, limit)?)?;
+                }
+                // A table in a cell, or beside the cells.
+                "table:table" | "table:shapes" => {
+                    drop(event);
+                    part.skip()?;
+                }
+                _ => {}
+            },
+            Event::End(element) if element.name().as_ref() == "table:table-row" => {
+                let repeats = if row.cells.is_empty() { 0 } else { row_repeats };
+                // Before it is written again and again.
+                if row.length().saturating_mul(repeats) > limit {
+                    return Err(InputErrorKind::WorkbookTooLarge { limit });
+                }
+                for repeat in 0..repeats {
+                    row.write(number.saturating_add(repeat), lines)?;
+                }
+                number = number.saturating_add(row_repeats);
+            }
+            Event::Eof => break,
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// What the attributes of a cell say.
+struct Cell {
+    /// What is stored, as text; `None` where its content is.
+    stored: Option<String>,
+    formula: Option<String>,
+    is_error: bool,
+    is_text: bool,
+}
+
+impl Cell {
+    fn begin(element: &BytesStart<'_>) -> Result<Self, InputErrorKind> {
+        let of = |name| Ok::<_, InputErrorKind>(attribute_named(element, name)?.map(Cow::into_owned));
+        let kind = of("office:value-type")?;
+        let stored = match kind.as_deref() {
+            Some("float" | "percentage" | "currency") => {
+                of("office:value")?.map(|value| finite(&value).map_or_else(|| value.clone(), double_text))
+            }
+            Some("date") => of("office:date-value")?,
+            Some("time") => of("office:time-value")?.map(|time| clock_text(&time)),
+            Some("boolean") => of("office:boolean-value")?.map(|value| value.to_uppercase()),
+            Some("string") => of("office:string-value")?,
+            _ => None,
+        };
+        Ok(Cell {
+            stored,
+            formula: of("table:formula")?,
+            is_error: of("calcext:value-type")?.as_deref() == Some("error"),
+            is_text: kind.as_deref() == Some("string"),
+        })
+    }
+
+    /// The cell as a table of text has it, to its end. A formula without a value is its own text.
+    fn text(self, part: &mut Part<'_>, limit: u64) -> Result<String, InputErrorKind> {
+        let Cell { stored, formula, is_error, is_text } = self;
+        // LibreOffice shows an error in the content of an empty text.
+        if is_error {
+            let shown = paragraphs(part, limit)?;
+            return Ok(if shown.is_empty() { "#N/A".to_owned() } else { shown });
+        }
+        let text = match stored {
+            Some(text) => {
+                part.skip()?;
+                text
+            }
+            None => paragraphs(part, limit)?,
+        };
+        Ok(match formula {
+            Some(formula) if text.is_empty() && !is_text => {
+                format!("={}", formula.split_once('=').map_or(formula.as_str(), |(_, own)| own))
+            }
+            _ => text,
+        })
+    }
+}
+
+/// The text of the cell that has just begun, a line for each of its paragraphs, without its comments.
+fn paragraphs(part: &mut Part<'_>, limit: u64) -> Result<String, InputErrorKind> {
+    let (inside, mut text, mut has_begun) = (part.depth(), String::new(), false);
+    while part.depth() >= inside {
+        let event = part.next()?;
+        match &event {
+            Event::Start(element) => match element.name().as_ref() {
+                "office:annotation" => {
+                    drop(event);
+                    part.skip()?;
+                }
+                "text:p" if has_begun => text.push('\n'),
+                "text:p" => has_begun = true,
+                "text:s" => {
+                    let count = repeats(element, "text:c")?;
+                    if count > limit {
+                        return Err(InputErrorKind::WorkbookTooLarge { limit });
+                    }
+                    check_text(text.len().saturating_add(count as usize))?;
+                    text.extend(std::iter::repeat_n(' ', count as usize));
+                }
+                "text:tab" => text.push('\t'),
+                "text:line-break" => text.push('\n'),
+                _ => {}
+            },
+            Event::Eof => break,
+            // What is between the elements of a cell is there for the eye.
+            event if has_begun => text.push_str(own_text(event)?.as_deref().unwrap_or_default()),
+            _ => {}
+        }
+        check_text(text.len())?;
+    }
+    Ok(text)
+}
+
+/// The number in an attribute; 1 without it.
+fn repeats(element: &BytesStart<'_>, name: &str) -> Result<u64, InputErrorKind> {
+    let Some(value) = attribute_named(element, name)? else { return Ok(1) };
+    value.trim().parse().map_err(|_| unreadable(format!("{name} is no number")))
+}
+
+/// A duration such as `PT01H02M03S` as clocks show it.
+fn clock_text(duration: &str) -> String {
+    let parts = || {
+        let (hours, rest) = duration.strip_prefix("PT")?.split_once('H')?;
+        let (minutes, rest) = rest.split_once('M')?;
+        Some(format!("{hours}:{minutes}:{}", rest.strip_suffix('S')?))
+    };
+    parts().unwrap_or_else(|| duration.to_owned())
+}
