@@ -4,7 +4,7 @@
 //! The programs' values bound the set by one half-plane per direction: an *outer* approximation.
 
 use boundfit_estimation::{Fps, Problem};
-use boundfit_exact::Rational;
+use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::predicates::lexicographic;
 use boundfit_geometry::{Hulls, Inequality, Point, Polyhedron, System};
 use boundfit_lp::{ExactOutcome, ExactSimplex, Row, spread_objectives};
@@ -20,11 +20,22 @@ pub struct Approximation {
     pub area: Option<Rational>,
 }
 
+/// In how many directions a set is looked at, and where they are spread evenly.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct AskedDirections {
+    /// How many.
+    pub count: usize,
+    /// Whether they are spread evenly where the box of both intervals is a square, where there is one; else in (θ1, θ2) as it is.
+    pub is_scaled: bool,
+}
+
 /// The exact set between its inner and its outer approximation. Exact: the programs are solved by the exact simplex.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Directions {
     /// How many directions.
     pub count: usize,
+    /// Whether they are spread evenly where the box of both intervals is a square.
+    pub is_scaled: bool,
     /// How many of them the set does not bound.
     pub unbounded: usize,
     /// The hull of the optimisers; `None` when the set is empty.
@@ -35,27 +46,57 @@ pub struct Directions {
     pub outer: Option<Approximation>,
 }
 
-/// Solves a program in each of `count` directions spread around the circle. Cost: `count` exact simplex runs.
-pub fn directions(problem: &Problem, rows: &ProgramRows, count: usize) -> Directions {
+/// Solves a program in each direction, with the rows of all readings. Cost: an exact simplex run for each.
+pub fn directions(problem: &Problem, rows: &ProgramRows, asked: AskedDirections) -> Directions {
     let exact = Fps::new(&problem.measurements, &problem.conditions);
-    approximated(&rows.exact_simplex(), &spread_objectives(count), exact.polyhedron())
+    approximated(&rows.exact_simplex(), &asked.objectives(exact.polyhedron()), exact.polyhedron())
 }
 
-/// Solves a program over a set for each of some objectives, which are to be made small. Cost: one exact simplex run for each, over the
+/// Solves a program over a set for each of some objectives. Cost: one exact simplex run for each, over the
 /// irredundant bounds, which decide the same as all.
-pub fn directions_along(polyhedron: &Polyhedron, objectives: &[[Rational; 2]]) -> Directions {
+pub fn directions_along(polyhedron: &Polyhedron, objectives: &Objectives) -> Directions {
     let system = polyhedron.system();
     let bounds = polyhedron.irredundant().into_iter().filter_map(|index| system.inequalities().get(index));
     let rows: Vec<Row> = bounds.map(|bound| Row { a: bound.a.clone(), b: bound.b.clone() }).collect();
     approximated(&ExactSimplex::new(&rows), objectives, polyhedron)
 }
 
+/// What is to be made small in each direction.
+#[derive(Debug, Clone)]
+pub struct Objectives {
+    /// Coefficients of θ1 and θ2.
+    pub coefficients: Vec<[Rational; 2]>,
+    /// Whether they are spread evenly where the box of both intervals is a square.
+    pub is_scaled: bool,
+}
+
+impl AskedDirections {
+    /// The objectives for a set. Without a bounded box of some width they are spread evenly in (θ1, θ2) in any case.
+    pub fn objectives(self, polyhedron: &Polyhedron) -> Objectives {
+        let width = |interval: &Interval| interval.ends().map(|(lower, upper)| upper - lower);
+        let ratio = || {
+            let [first, second] = polyhedron.bounding_box()?;
+            let ratio = width(&first)?.checked_div(&width(&second)?)?;
+            // A direction need not be exact: what is found along it is.
+            Rational::from_f64(ratio.to_f64()).filter(Rational::is_positive)
+        };
+        let ratio = self.is_scaled.then(ratio).flatten();
+        let spread = spread_objectives(self.count);
+        let is_scaled = ratio.is_some();
+        let coefficients = match ratio {
+            Some(ratio) => spread.into_iter().map(|[c1, c2]| [c1, c2 * &ratio]).collect(),
+            None => spread,
+        };
+        Objectives { coefficients, is_scaled }
+    }
+}
+
 /// What programs over a set see of it.
-fn approximated(simplex: &ExactSimplex, objectives: &[[Rational; 2]], exact: &Polyhedron) -> Directions {
+fn approximated(simplex: &ExactSimplex, objectives: &Objectives, exact: &Polyhedron) -> Directions {
     let mut optimisers = Vec::new();
     let mut supporting = System::default();
     let (mut unbounded, mut empty) = (0, false);
-    for objective in objectives {
+    for objective in &objectives.coefficients {
         match simplex.minimise(objective) {
             ExactOutcome::Optimal { theta, value, .. } => {
                 optimisers.push(Point::new(&theta[0], &theta[1]));
@@ -67,7 +108,8 @@ fn approximated(simplex: &ExactSimplex, objectives: &[[Rational; 2]], exact: &Po
         }
     }
     Directions {
-        count: objectives.len(),
+        count: objectives.coefficients.len(),
+        is_scaled: objectives.is_scaled,
         unbounded,
         inner: (!empty).then(|| hull(optimisers)),
         exact: approximation(exact),

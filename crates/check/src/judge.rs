@@ -7,7 +7,7 @@ use boundfit_exact::{Foreign, Rational, Reading};
 use boundfit_lp::{Judgement, Referee, Verdict};
 
 use crate::answer::{Answer, SourceError, answer_of};
-use crate::directions::{Directions, directions};
+use crate::directions::{AskedDirections, Directions, directions};
 use crate::rows::ProgramRows;
 
 /// What is to be checked, and how.
@@ -23,8 +23,8 @@ pub struct CheckOptions {
     pub as_printed: bool,
     /// The longest that a solver may work on one program.
     pub time_limit: Duration,
-    /// How many directions to compare the set in; none when `None`.
-    pub directions: Option<usize>,
+    /// In which directions to compare the set; in none when `None`.
+    pub directions: Option<AskedDirections>,
     /// Whether the programs have the rows of all readings. Otherwise those of more than [`MOST_READINGS`] readings of a line
     /// under a uniform error bound, of which most cannot bound anything, have the rows of the readings on a hull only.
     pub all_rows: bool,
@@ -124,7 +124,7 @@ pub fn check(problem: &Problem, reading: Reading, options: &CheckOptions) -> Res
         let received = received.as_ref().filter(|_| !answer.exact_input);
         judged_answers.extend(received.map(|referee| judged(answer, referee, Reading::Binary64)));
     }
-    let directions = options.directions.map(|count| directions(problem, &rows, count));
+    let directions = options.directions.map(|asked| directions(problem, &rows, asked));
     let CheckOptions { tolerance, as_printed, .. } = options;
     Ok(Check {
         answers: judged_answers,

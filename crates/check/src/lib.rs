@@ -56,7 +56,7 @@ pub use claims::{
     ClaimError, ClaimFileError, ClaimLimits, ClaimText, is_solution_name, nested_beyond, parse_claim_pui,
     read_claims,
 };
-pub use directions::{Approximation, Directions, directions, directions_along};
+pub use directions::{Approximation, AskedDirections, Directions, Objectives, directions, directions_along};
 pub use exchange::ExchangeRows;
 pub use judge::{AskedReadings, Check, CheckOptions, JudgedAnswer, MOST_READINGS, check};
 pub use rows::ProgramRows;

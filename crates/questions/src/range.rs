@@ -1,7 +1,7 @@
 //! The linear range: which runs of readings a line, or a pair of parameters, agrees with.
 //!
 //! A calibration's linear range, the "linear interval" of analytical chemistry, is the range of x within which the readings
-//! follow a line. Under a stated error bound this is a question with an exact answer: a run of readings is linear when its
+//! follow a line, all readings at one x or none. Under a stated error bound this is a question with an exact answer: a run of readings is linear when its
 //! feasible parameter set is not empty. Runs within linear runs are linear too, so the longest possible ones say everything.
 
 use boundfit_estimation::{Model, Problem};
@@ -11,7 +11,7 @@ use crate::window::{Contradiction, Refusal, Window};
 /// In which order runs are taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Order {
-    /// By ascending x; readings at the same x in the order of their rows.
+    /// By ascending x. Readings at one x are one place: a run has all of them or none. They stand in the order of their rows.
     X,
     /// As the rows stand in the file.
     Row,
@@ -34,9 +34,9 @@ pub struct Run {
     pub first: usize,
     /// The position of its last reading.
     pub last: usize,
-    /// Why it cannot begin one reading earlier; `None` at the very first reading.
+    /// Why it cannot begin one place earlier; `None` at the very first reading.
     pub before: Option<Contradiction>,
-    /// Why it cannot go on with the next reading; `None` at the very last one.
+    /// Why it cannot go on with the next place; `None` at the very last one.
     pub after: Option<Contradiction>,
 }
 
@@ -65,7 +65,7 @@ pub struct LinearRange {
     pub order: Vec<usize>,
     /// The runs, by ascending first reading, and so by ascending last one.
     pub runs: Vec<Run>,
-    /// Readings that no θ agrees with even alone, under the conditions: by position in the order used.
+    /// Readings in no run, since no θ agrees with those at their place even alone, under the conditions: by position in the order used.
     pub alone: Vec<(usize, Contradiction)>,
 }
 
@@ -82,25 +82,36 @@ impl LinearRange {
         let mut window = Window::new(&problem.conditions);
         let (mut runs, mut alone) = (Vec::new(), Vec::new());
         let (mut first, mut before) = (0, None);
-        for (next, &position) in positions.iter().enumerate() {
+        let ends = place_ends(problem, order, &positions);
+        let mut start = 0;
+        while let Some(&end) = ends.get(start) {
             let mut is_told = false;
-            while let Err(refusal) = window.push_or_refuse(rows[position].clone()) {
+            let mut next = start;
+            while next < end {
+                let Err(refusal) = window.push_or_refuse(rows[positions[next]].clone()) else {
+                    next += 1;
+                    continue;
+                };
                 let Refusal { contradiction, oldest } = refusal;
-                if window.is_empty() {
-                    alone.push((next, contradiction.clone()));
-                    (first, before) = (next + 1, Some(contradiction));
-                    break;
-                }
-                if !is_told {
+                let earlier = start - first;
+                if earlier > 0 && !is_told {
                     let after = Some(contradiction.clone());
-                    runs.push(Run { first, last: next - 1, before: before.take(), after });
+                    runs.push(Run { first, last: start - 1, before: before.take(), after });
                     is_told = true;
                 }
-                // Until the oldest reading that contradicts has left, too, the next one does not come in.
-                let leaving = window.len().min(oldest + 1);
+                if oldest >= earlier {
+                    // The readings at this place contradict each other, or one contradicts itself.
+                    alone.extend((start..end).map(|position| (position, contradiction.clone())));
+                    while window.pop().is_some() {}
+                    (first, before) = (end, Some(contradiction));
+                    break;
+                }
+                // Until the place of the oldest reading that contradicts has left, too, the next one does not come in.
+                let leaving = ends[first + oldest] - first;
                 (0..leaving).for_each(|_| drop(window.pop()));
                 (first, before) = (first + leaving, Some(contradiction));
             }
+            start = end;
         }
         if !window.is_empty() {
             runs.push(Run { first, last: positions.len() - 1, before, after: None });
@@ -145,6 +156,18 @@ impl LinearRange {
         }
         chosen
     }
+}
+
+/// For each position of an order the end of its place, which is the first position behind it: by x, readings at one x are one place.
+fn place_ends(problem: &Problem, order: Order, positions: &[usize]) -> Vec<usize> {
+    let rows = problem.measurements.kept();
+    let is_same = |f: usize, g: usize| order == Order::X && rows[f].regressor[0] == rows[g].regressor[0];
+    let mut ends = Vec::with_capacity(positions.len());
+    for place in positions.chunk_by(|&f, &g| is_same(f, g)) {
+        let end = ends.len() + place.len();
+        ends.resize(end, end);
+    }
+    ends
 }
 
 /// The positions of a problem's readings in memory, in an order. Cost: O(N log N).

@@ -11,7 +11,7 @@ use crate::failure::{DataLimits, Failure};
 use crate::falsehood::Falsehood;
 use crate::name::Name;
 use crate::plane::{HalfPlane, Point, Vector, dot};
-use crate::proof::{About, End, HalfPlanes, Multiples, Proof};
+use crate::proof::{About, End, HalfPlanes, Multiples, Proof, ascending};
 use crate::scope::{ErrorScale, Part, Scope, Side, View};
 use crate::sides::Sides;
 use crate::statements::{Claim, ClaimKind, Contradictions, Kind, Statement};
@@ -32,8 +32,9 @@ impl Proof {
             .collect::<Result<_, _>>()?;
         let mut probes = Probes::default();
         let mut claims = Vec::new();
+        let shown = Shown::of(statements, about)?;
         for ((number, own), half_planes) in (1..).zip(statements).zip(&named) {
-            let claim = in_statement(number, own.check(half_planes, rows, about))?;
+            let claim = in_statement(number, own.check(half_planes, rows, about, &shown))?;
             claims.push(Claim { scope: own.scope.clone(), kind: claim });
             in_statement(number, probes.add(number, own, half_planes, about))?;
         }
@@ -70,6 +71,7 @@ impl Statement {
         half_planes: &HalfPlanes,
         rows: &BTreeMap<u64, Row>,
         about: &About,
+        shown: &Shown,
     ) -> Result<ClaimKind, Falsehood> {
         match &self.kind {
             Kind::Form { form, ends: [lower, upper] } => {
@@ -90,10 +92,60 @@ impl Statement {
                 Ok(ClaimKind::Set { extent, vertices, sides })
             }
             Kind::LeftOut { least, sets, contradictions } => {
+                let sets = match sets {
+                    Some(sets) => Some(shown.check_sets(&self.scope, *least, sets, about)?),
+                    None if *least == 0 => return Err(Falsehood::NoRowsToLeaveOut),
+                    None => None,
+                };
                 check_left_out(*least, sets.as_ref(), contradictions, half_planes)?;
-                Ok(ClaimKind::LeftOut { least: *least, sets: sets.clone() })
+                Ok(ClaimKind::LeftOut { least: *least, sets })
             }
         }
+    }
+}
+
+/// Scopes in which points are shown to be, by statements about these or about all of their sets.
+struct Shown(BTreeSet<(Part, View, BTreeSet<u64>)>);
+
+impl Shown {
+    fn of(statements: &[Statement], about: &About) -> Result<Self, Falsehood> {
+        let mut shown = BTreeSet::new();
+        if statements.iter().any(|own| matches!(own.kind, Kind::LeftOut { sets: Some(_), .. })) {
+            for (number, own) in (1..).zip(statements) {
+                if matches!(own.kind, Kind::Point(_) | Kind::Set { .. }) {
+                    let (part, view) = in_statement(number, own.scope.parts(about))?;
+                    shown.insert((part, view, own.scope.without.clone()));
+                }
+            }
+        }
+        Ok(Shown(shown))
+    }
+
+    /// Each of these sets has so many different rows of the scope, none is there twice, and something is left without each.
+    fn check_sets(
+        &self,
+        scope: &Scope,
+        least: u64,
+        sets: &[Vec<u64>],
+        about: &About,
+    ) -> Result<BTreeSet<BTreeSet<u64>>, Falsehood> {
+        let wanted = Part::of_rows(ascending(&about.rows)?);
+        let (part, view) = scope.parts(about)?;
+        let has_row = |row: &u64| wanted.has_row(*row) && part.has_row(*row) && !scope.without.contains(row);
+        let mut all = BTreeSet::new();
+        for listed in sets {
+            let rows: BTreeSet<u64> = listed.iter().copied().collect();
+            let is_set = rows.len() == listed.len() && rows.len() as u64 == least && rows.iter().all(has_row);
+            if !is_set || all.contains(&rows) {
+                return Err(Falsehood::NotASet(listed.clone()));
+            }
+            let without = scope.without.union(&rows).copied().collect();
+            if !self.0.contains(&(part.clone(), view.clone(), without)) {
+                return Err(Falsehood::NotShownToBeEnough(listed.clone()));
+            }
+            all.insert(rows);
+        }
+        Ok(all)
     }
 }
 

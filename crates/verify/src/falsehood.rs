@@ -96,6 +96,12 @@ pub enum Falsehood {
     NotLeast,
     /// These rows may be left out, and it is not shown that others must be as well.
     MayBeEnough(Vec<u64>),
+    /// These are not so many different rows of the scope as have to be left out, or are listed before.
+    NotASet(Vec<u64>),
+    /// No statement shows that anything is left without these rows.
+    NotShownToBeEnough(Vec<u64>),
+    /// That at least no row has to be left out says nothing.
+    NoRowsToLeaveOut,
 }
 
 impl fmt::Display for Falsehood {
@@ -134,12 +140,26 @@ impl fmt::Display for Falsehood {
             Falsehood::NoContradiction => write!(f, "multipliers: do not add up to 0 <= a negative number"),
             Falsehood::NotLeast => write!(f, "multipliers: do not show that it is the least"),
             Falsehood::MayBeEnough(rows) => {
-                let rows: Vec<String> = rows.iter().take(6).map(u64::to_string).collect();
-                let rows = if rows.is_empty() { "no row".to_owned() } else { rows.join(", ") };
-                write!(f, "contradictions: none is shown without {rows}")
+                write!(f, "contradictions: none is shown without {}", listed(rows))
             }
+            Falsehood::NotASet(rows) => {
+                let rows = listed(rows);
+                write!(
+                    f,
+                    "sets: {rows}: not as many different rows of the scope as \"least\", or there twice"
+                )
+            }
+            Falsehood::NotShownToBeEnough(rows) => {
+                write!(f, "sets: no statement shows that anything is left without {}", listed(rows))
+            }
+            Falsehood::NoRowsToLeaveOut => write!(f, "least: 0 says nothing without sets"),
         }
     }
+}
+
+fn listed(rows: &[u64]) -> String {
+    let rows: Vec<String> = rows.iter().take(6).map(u64::to_string).collect();
+    if rows.is_empty() { "no row".to_owned() } else { rows.join(", ") }
 }
 
 impl std::error::Error for Falsehood {}

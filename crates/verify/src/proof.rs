@@ -86,12 +86,13 @@ impl Proof {
         let mut shape = Shape::read(text, limits.digits.saturating_mul(10))?;
         let body = match shape.schema.raw() {
             "boundfit/proof/1" => Body::Whole(WholeSet::read(&mut shape)?),
-            "boundfit/proof/2" => Body::Statements(
-                needed(shape.statements.take(), "statements")?
-                    .into_iter()
-                    .map(Statement::read)
-                    .collect::<Result<_, _>>()?,
-            ),
+            "boundfit/proof/2" => {
+                let statements = needed(shape.statements.take(), "statements")?;
+                if statements.is_empty() {
+                    return Err(NotAProof::new("it states nothing"));
+                }
+                Body::Statements(statements.into_iter().map(Statement::read).collect::<Result<_, _>>()?)
+            }
             _ => return Err(NotAProof::new("another schema")),
         };
         if shape.has_more(matches!(body, Body::Statements(_))) {

@@ -103,6 +103,11 @@ impl Scope {
 }
 
 impl Part {
+    /// Rows under all conditions.
+    pub(crate) fn of_rows(rows: Vec<[u64; 2]>) -> Self {
+        Part { rows: Some(rows), conditions: None }
+    }
+
     pub(crate) fn has_row(&self, row: u64) -> bool {
         let Some(ranges) = &self.rows else { return true };
         let next = ranges.partition_point(|[_, last]| *last < row);

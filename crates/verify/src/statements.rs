@@ -51,7 +51,7 @@ pub enum ClaimKind {
     LeftOut {
         /// How many at least.
         least: u64,
-        /// All sets of so many rows without which something may be left, where they are stated.
+        /// Just the sets of so many rows without which something is left, where they are stated.
         sets: Option<BTreeSet<BTreeSet<u64>>>,
     },
 }
@@ -71,7 +71,7 @@ pub(crate) enum Kind {
     Empty(Multiples),
     Least { point: Vector, multiples: Multiples },
     Set { point: Vector, vertices: Vec<Vector>, sides: Vec<(Named, Option<u64>)> },
-    LeftOut { least: u64, sets: Option<BTreeSet<BTreeSet<u64>>>, contradictions: Contradictions },
+    LeftOut { least: u64, sets: Option<Vec<Vec<u64>>>, contradictions: Contradictions },
 }
 
 /// For rows that are left out, half-planes of others that contradict each other.
@@ -103,9 +103,7 @@ impl Statement {
             },
             "left out" => Kind::LeftOut {
                 least: needed(fields.least.take(), "least")?,
-                sets: fields.sets.take().map(|sets| {
-                    sets.into_iter().map(|set| set.into_iter().collect::<BTreeSet<_>>()).collect()
-                }),
+                sets: fields.sets.take(),
                 contradictions: needed(fields.contradictions.take(), "contradictions")?
                     .into_iter()
                     .map(|(rows, terms)| (rows.into_iter().collect(), multiples(terms)))

@@ -1,9 +1,11 @@
 //! A calibration from a table.
 
-use boundfit_estimation::{FractionCells, Selection};
-use boundfit_exact::{Foreign, Rational};
+use std::collections::HashMap;
+
+use boundfit_estimation::{CountedBatch, CountedRows, FractionCells, Keep, Selection};
+use boundfit_exact::{Column, Foreign, Rational, Unit};
 use boundfit_formats::{
-    Batch, ColumnSelector, HeldRows, InputError, Missing, ScanOptions, Scanned, Source, TableRow, scan,
+    Batch, ColumnSelector, HeldRows, InputError, Missing, ScanOptions, Scanned, Source, scan,
 };
 use thiserror::Error;
 
@@ -67,12 +69,13 @@ pub enum CalibrationError {
     },
 }
 
-/// A row: x, y of both columns where it has them, and its word for the direction.
-struct Row {
-    row: usize,
-    x: Rational,
-    y: [Option<Rational>; 2],
-    word: Option<String>,
+/// The rows of a batch, equal ones once, where each kind's word is one of a list.
+struct Rows {
+    batch: CountedBatch,
+    /// The different words, each with the first row that has it.
+    words: Vec<(String, usize)>,
+    /// The word of each kind.
+    word_of: Vec<usize>,
 }
 
 impl Calibration {
@@ -85,49 +88,124 @@ impl Calibration {
         columns: &CalibrationColumns,
         options: &ScanOptions,
     ) -> Result<Self, CalibrationError> {
+        Calibration::read_counted(source, columns, options, Keep::MOST_ROWS)
+    }
+
+    /// As [`Calibration::read`]. Of more than `most_rows` rows equal ones are kept once, where at least every other one is equal to
+    /// one before it.
+    ///
+    /// # Errors
+    /// Those of [`Calibration::read`].
+    pub fn read_counted(
+        source: Source,
+        columns: &CalibrationColumns,
+        options: &ScanOptions,
+        most_rows: usize,
+    ) -> Result<Self, CalibrationError> {
         let file = source.name().to_owned();
         let key = match &columns.response {
             CalibrationResponse::Directed { direction, .. } => Some(direction.clone()),
             _ => None,
         };
+        let has_words = key.is_some();
         let mut options = ScanOptions { key, unbounded_rows: true, ..options.clone() };
         let held = HeldRows::limiting(&mut options);
-        let mut rows: Vec<Row> = Vec::new();
-        let scanned = scan(source, &columns.selectors(), &options, rows_of, |batch: Vec<Row>| {
-            held.add(batch.len());
-            rows.extend(batch);
+        let mut counted = CountedRows::default();
+        let mut directions = Directions::default();
+        let mut wrong_word = None;
+        let scanned = scan(source, &columns.selectors(), &options, Rows::of, |rows: Rows| {
+            let before = (counted.rows(), counted.kinds(), counted.bytes());
+            if let Err(problem) = rows.add_to(&mut counted, &mut directions, has_words) {
+                wrong_word = wrong_word.take().or(Some(problem));
+            }
+            let more = counted.bytes().saturating_sub(before.2);
+            held.add_counted(counted.rows() - before.0, counted.kinds() - before.1, more);
         });
         held.check(file.raw()).map_err(CalibrationError::Input)?;
         let scanned = scanned.map_err(CalibrationError::Input)?;
         let fail = |problem: String| CalibrationError::Row { file: file.clone(), problem };
+        if let Some(problem) = wrong_word {
+            return Err(fail(problem));
+        }
+        let is_counted = counted.rows() > most_rows && 2 * counted.kinds() <= counted.rows();
+        let rows = if is_counted { counted.first_rows() } else { counted.in_order() };
         let has_two = matches!(columns.response, CalibrationResponse::Two { .. });
-        let count = rows.len();
-        let mut directions = Directions::default();
         let mut lacking = 0;
-        let mut readings: Vec<(CalibrationReading, Option<Word>)> = Vec::new();
-        for Row { row, x, y: [first, second], word } in rows {
-            if first.is_none() && second.is_none() {
+        let mut readings = Vec::new();
+        for (row, kind) in rows {
+            let mut numbers = counted.numbers(kind);
+            let word = if has_words { numbers.next() } else { None };
+            let equal = is_counted.then(|| counted.tally(kind).clone());
+            let x = numbers.next().unwrap_or_default();
+            let ys = y_of(numbers.collect());
+            if ys.iter().all(Option::is_none) {
                 if options.table.missing == Missing::Refuse {
                     return Err(fail(format!("data row {row} has a reading in neither direction")));
                 }
-                lacking += 1;
+                lacking += equal.as_ref().map_or(1, |equal| equal.count() as usize);
                 continue;
             }
-            let word = word.map(|word| directions.word(&word, row)).transpose().map_err(fail)?;
-            let pass = |pass| has_two.then_some(pass);
-            let both = [(first, pass(Pass::Up)), (second, pass(Pass::Down))];
-            for (y, pass) in both.into_iter().filter_map(|(y, pass)| Some((y?, pass))) {
-                readings.push((CalibrationReading { row, x: x.clone(), y, pass }, word));
+            let told = word.and_then(|number| directions.pass_of(&number));
+            for (y, pass) in ys.into_iter().zip([Pass::Up, Pass::Down]) {
+                let Some(y) = y else { continue };
+                let pass = if has_two { Some(pass) } else { told };
+                readings.push(CalibrationReading { row, x: x.clone(), y, pass, equal: equal.clone() });
             }
         }
-        let words = directions.words();
-        let told = |(reading, word): (CalibrationReading, Option<Word>)| CalibrationReading {
-            pass: reading.pass.or(word.map(|word| directions.pass(word))),
-            ..reading
-        };
-        let readings = readings.into_iter().map(told).collect();
-        let input = columns.input(&options, scanned, (count, lacking), words);
+        let input = columns.input(&options, scanned, (counted.rows(), lacking), directions.words());
         Ok(Calibration { readings, input })
+    }
+}
+
+impl Rows {
+    fn of(mut batch: Batch) -> Self {
+        let columns = std::mem::take(&mut batch.columns);
+        let Some(keys) = &batch.keys else {
+            let batch = CountedBatch::new(columns, &batch.rows, |_| None, 1);
+            return Rows { batch, words: Vec::new(), word_of: Vec::new() };
+        };
+        let mut words: Vec<(String, usize)> = Vec::new();
+        let mut numbers: HashMap<&str, usize> = HashMap::new();
+        let mut number_of = Vec::with_capacity(batch.rows.len());
+        for (position, row) in batch.rows.ranges().flat_map(|[first, last]| first..=last).enumerate() {
+            let word = keys.get(position);
+            number_of.push(*numbers.entry(word).or_insert_with(|| {
+                words.push((word.to_owned(), row));
+                words.len() - 1
+            }));
+        }
+        let key = |row: usize| number_of.get(row).map(|&number| number as u32);
+        let counted = CountedBatch::new(columns, &batch.rows, key, 1);
+        let word_of = counted.positions().filter_map(|row| number_of.get(row).copied()).collect();
+        Rows { batch: counted, words, word_of }
+    }
+
+    /// Adds these rows, each with the number of its word before its own numbers where there are words.
+    fn add_to(
+        self,
+        counted: &mut CountedRows,
+        directions: &mut Directions,
+        has_words: bool,
+    ) -> Result<(), String> {
+        if !has_words {
+            counted.push(self.batch, None);
+            return Ok(());
+        }
+        let words = self.words.iter().map(|(word, row)| directions.word(word, *row).map(Word::number));
+        let words: Vec<i128> = words.collect::<Result<_, _>>()?;
+        let own: Vec<i128> = self.word_of.iter().filter_map(|&word| words.get(word).copied()).collect();
+        counted.push(self.batch, Some(&Column::of_counts(own.into_iter(), Unit::TenTo(0))));
+        Ok(())
+    }
+}
+
+/// The readings of both columns, or of one.
+fn y_of(numbers: Vec<Rational>) -> [Option<Rational>; 2] {
+    match <[Rational; 4]>::try_from(numbers) {
+        Ok([up, has_up, down, has_down]) => {
+            [(!has_up.is_zero()).then_some(up), (!has_down.is_zero()).then_some(down)]
+        }
+        Err(numbers) => [numbers.into_iter().next(), None],
     }
 }
 
@@ -169,28 +247,9 @@ impl CalibrationColumns {
             rows_missing: scanned.rows_missing + lacking,
             selection: Selection::of(&options.table),
             fractions: FractionCells::of(&scanned.names, &scanned.fractions),
-            written: scanned.layout.as_ref().and_then(|layout| layout.dialect.words()),
+            table: scanned.table,
             units: [unit(0), unit(1)],
             sha256: scanned.sha256,
         }
     }
-}
-
-/// The rows of a batch.
-fn rows_of(batch: Batch) -> Vec<Row> {
-    let words = batch.keys.as_ref();
-    let row = |(position, row): (usize, TableRow)| {
-        let word = words.map(|words| words.get(position).to_owned());
-        let mut numbers = row.numbers.into_iter();
-        let x = numbers.next().unwrap_or_default();
-        let y: Vec<Rational> = numbers.collect();
-        let y = match <[Rational; 4]>::try_from(y) {
-            Ok([up, has_up, down, has_down]) => {
-                [(!has_up.is_zero()).then_some(up), (!has_down.is_zero()).then_some(down)]
-            }
-            Err(y) => [y.into_iter().next(), None],
-        };
-        Row { row: row.row, x, y, word }
-    };
-    batch.table_rows().enumerate().map(row).collect()
 }

@@ -74,7 +74,7 @@ impl LinearityLine {
     /// The data rows where the largest deviation is reached, ascending.
     pub fn rows(&self, characteristic: &Characteristic) -> Vec<usize> {
         let points = self.at.iter().filter_map(|&position| characteristic.points.get(position));
-        let mut rows: Vec<usize> = points.flat_map(|point| point.rows.iter().copied()).collect();
+        let mut rows: Vec<usize> = points.flat_map(CalibrationPoint::all_rows).collect();
         rows.sort_unstable();
         rows.dedup();
         rows
@@ -82,6 +82,11 @@ impl LinearityLine {
 }
 
 impl Characteristic {
+    /// How many points it has; equal readings that are told once are points of their own.
+    pub fn count(&self) -> usize {
+        self.points.iter().map(|point| point.count() as usize).sum()
+    }
+
     /// The linearity of points that are sorted by x; `None` without any. Exact. Cost: O(n log n).
     pub(super) fn new(points: Vec<CalibrationPoint>, options: &LinearityOptions) -> Option<Self> {
         let y = || points.iter().map(|point| &point.y);
@@ -142,8 +147,12 @@ fn measurements(points: &[CalibrationPoint], [x, y]: [&Rational; 2]) -> Measurem
         Measurement::around(position, regressor, &point.y - y, Rational::zero())
     };
     let rows = points.iter().enumerate().map(reading).collect();
-    let bound = ErrorBound::Uniform(Rational::zero());
-    Measurements::new(Model::Line { x: "x".into() }, "y".into(), bound, rows)
+    let (model, bound) = (Model::Line { x: "x".into() }, ErrorBound::Uniform(Rational::zero()));
+    if points.iter().all(|point| point.equal.is_none()) {
+        return Measurements::new(model, "y".into(), bound, rows);
+    }
+    let counts: Vec<u64> = points.iter().map(CalibrationPoint::count).collect();
+    Measurements::counted(model, "y".into(), bound, rows, &counts)
 }
 
 /// Which points prove that no line is nearer, from the multipliers of their half-planes.
@@ -189,8 +198,9 @@ fn slope_through(points: &[CalibrationPoint], through: &[Rational; 2]) -> Option
 /// The line through both ends of points that are sorted by x.
 fn terminal(points: &[CalibrationPoint]) -> Result<[Rational; 2], NoLine> {
     let end = |x: &Rational| {
-        let y = || points.iter().filter(|point| point.x == *x).map(|point| point.y.clone());
-        y().sum::<Rational>().checked_div(&Rational::from(y().count()))
+        let own = || points.iter().filter(|point| point.x == *x);
+        let sum: Rational = own().map(|point| &point.y * Rational::from(point.count())).sum();
+        sum.checked_div(&Rational::from(own().map(CalibrationPoint::count).sum::<u64>()))
     };
     let ends = || {
         let [from, to] = [&points.first()?.x, &points.last()?.x];

@@ -1,7 +1,7 @@
 //! Which words of a column say that x was rising, and which that it was falling.
 
 use super::Pass;
-use boundfit_exact::Foreign;
+use boundfit_exact::{Foreign, Rational};
 
 /// Words that need no explanation, in small letters.
 const KNOWN: [(&str, Pass); 22] = [
@@ -45,7 +45,29 @@ pub(super) enum Word {
     Other(usize),
 }
 
+impl Word {
+    /// A number for the word.
+    pub(super) fn number(self) -> i128 {
+        match self {
+            Word::Known(Pass::Up) => 0,
+            Word::Known(Pass::Down) => 1,
+            Word::Other(other) => 2 + other as i128,
+        }
+    }
+}
+
 impl Directions {
+    /// Which direction the word with a number is, when all have been met.
+    pub(super) fn pass_of(&self, number: &Rational) -> Option<Pass> {
+        let number = usize::try_from(number.numerator().to_i128()?).ok()?;
+        let word = match number {
+            0 => Word::Known(Pass::Up),
+            1 => Word::Known(Pass::Down),
+            more => Word::Other(more - 2),
+        };
+        Some(self.pass(word))
+    }
+
     /// Takes note of a word in a row.
     pub(super) fn word(&mut self, text: &str, row: usize) -> Result<Word, String> {
         let text = text.trim();

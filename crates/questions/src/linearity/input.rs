@@ -2,6 +2,8 @@
 
 use boundfit_estimation::{FractionCells, Selection};
 use boundfit_exact::Foreign;
+#[cfg(feature = "files")]
+use boundfit_formats::TableNotes;
 
 /// What a calibration was read from.
 #[derive(Debug, Clone)]
@@ -20,8 +22,9 @@ pub struct LinearityInput {
     pub selection: Selection,
     /// Columns with cells that are fractions.
     pub fractions: Vec<FractionCells>,
-    /// What is unusual about how the file is written.
-    pub written: Option<String>,
+    /// What the table was taken for.
+    #[cfg(feature = "files")]
+    pub table: Option<TableNotes>,
     /// The units of x and of the readings, where the file states them.
     pub units: [Option<Foreign>; 2],
     /// SHA-256 of the file's bytes.

@@ -15,6 +15,7 @@ mod input;
 mod points;
 
 use boundfit_exact::Rational;
+use boundfit_geometry::Tally;
 
 #[cfg(feature = "files")]
 pub use calibration::{Calibration, CalibrationColumns, CalibrationError, CalibrationResponse};
@@ -44,6 +45,26 @@ pub struct CalibrationReading {
     pub y: Rational,
     /// In which direction it was approached, where that is known.
     pub pass: Option<Pass>,
+    /// Of equal readings that are told once all of them, of which this is the first; `None` where it stands for itself.
+    pub equal: Option<Tally>,
+}
+
+impl CalibrationReading {
+    /// How many readings it stands for.
+    pub(crate) fn count(&self) -> u64 {
+        self.equal.as_ref().map_or(1, Tally::count)
+    }
+
+    /// The rows of all that it stands for, ascending.
+    fn rows(&self) -> impl Iterator<Item = usize> + '_ {
+        all_rows(self.row, self.equal.as_ref())
+    }
+}
+
+/// A row, or all that it stands for.
+fn all_rows(row: usize, equal: Option<&Tally>) -> impl Iterator<Item = usize> + '_ {
+    let others = equal.into_iter().flat_map(Tally::rows).map(|row| row as usize);
+    [row].into_iter().chain(others.skip(1))
 }
 
 /// What linearity is asked about.
@@ -89,7 +110,7 @@ impl Linearity {
     /// use boundfit_questions::{CalibrationReading, Linearity, LinearityOptions};
     ///
     /// let readings = [(0, 0), (1, 3), (2, 4)].iter().zip(1..).map(|(&(x, y), row)| {
-    ///     CalibrationReading { row, x: Rational::from(x), y: Rational::from(y), pass: None }
+    ///     CalibrationReading { row, x: Rational::from(x), y: Rational::from(y), pass: None, equal: None }
     /// });
     /// let linearity = Linearity::new(&readings.collect::<Vec<_>>(), &LinearityOptions::default()).unwrap();
     /// let independent = &linearity.average.independent;

@@ -1,6 +1,7 @@
 //! From readings to the points of a characteristic.
 
 use boundfit_exact::Rational;
+use boundfit_geometry::Tally;
 
 use super::{CalibrationReading, Difference, Pass};
 
@@ -13,6 +14,21 @@ pub struct CalibrationPoint {
     pub y: Rational,
     /// The data rows that it comes from, ascending.
     pub rows: Vec<usize>,
+    /// Where each reading is a point of its own and equal ones are told once: all of them, of which this is the first.
+    pub equal: Option<Tally>,
+}
+
+impl CalibrationPoint {
+    /// How many points it stands for.
+    pub(super) fn count(&self) -> u64 {
+        self.equal.as_ref().map_or(1, Tally::count)
+    }
+
+    /// The data rows of all that it stands for, ascending.
+    pub(super) fn all_rows(&self) -> impl Iterator<Item = usize> + '_ {
+        let others = self.equal.iter().flat_map(Tally::rows).map(|row| row as usize).skip(1);
+        self.rows.iter().copied().chain(others)
+    }
 }
 
 /// The readings at one x.
@@ -58,7 +74,7 @@ impl<'a> Passes<'a> {
                 let own = || place.readings.iter().filter(move |reading| reading.pass == pass);
                 let [least, most] =
                     [own().map(|reading| &reading.y).min()?, own().map(|reading| &reading.y).max()?];
-                (own().count() > 1)
+                (own().map(|reading| reading.count()).sum::<u64>() > 1)
                     .then(|| (most - least, place.x, place.rows(|reading| reading.pass == pass)))
             })
         });
@@ -71,16 +87,16 @@ impl Passing<'_> {
     fn average(&self, pass: Option<Pass>) -> Option<CalibrationPoint> {
         let is_own = |reading: &CalibrationReading| reading.pass == pass;
         let own = self.readings.iter().filter(|reading| is_own(reading));
-        let count = own.clone().count();
-        let sum: Rational = own.map(|reading| &reading.y).cloned().sum();
+        let count: u64 = own.clone().map(|reading| reading.count()).sum();
+        let sum: Rational = own.map(|reading| &reading.y * Rational::from(reading.count())).sum();
         let y = sum.checked_div(&Rational::from(count))?;
-        Some(CalibrationPoint { x: self.x.clone(), y, rows: self.rows(is_own) })
+        Some(CalibrationPoint { x: self.x.clone(), y, rows: self.rows(is_own), equal: None })
     }
 
     /// The data rows of some of the readings.
     fn rows(&self, is_meant: impl Fn(&CalibrationReading) -> bool) -> Vec<usize> {
         let meant = self.readings.iter().filter(|reading| is_meant(reading));
-        let mut rows: Vec<usize> = meant.map(|reading| reading.row).collect();
+        let mut rows: Vec<usize> = meant.flat_map(|reading| reading.rows()).collect();
         rows.sort_unstable();
         rows.dedup();
         rows
@@ -94,7 +110,7 @@ pub(super) fn points_of_passes(passes: &Passes) -> Vec<CalibrationPoint> {
         let averages: Vec<Rational> = averages.into_iter().flatten().map(|point| point.y).collect();
         let count = averages.len();
         let y = averages.into_iter().sum::<Rational>().checked_div(&Rational::from(count))?;
-        Some(CalibrationPoint { x: place.x.clone(), y, rows: place.rows(|_| true) })
+        Some(CalibrationPoint { x: place.x.clone(), y, rows: place.rows(|_| true), equal: None })
     };
     passes.places.iter().filter_map(point).collect()
 }
@@ -102,8 +118,8 @@ pub(super) fn points_of_passes(passes: &Passes) -> Vec<CalibrationPoint> {
 /// The characteristic of readings without directions: each as it is.
 pub(super) fn points_of_readings(sorted: &[&CalibrationReading]) -> Vec<CalibrationPoint> {
     let point = |reading: &&CalibrationReading| {
-        let CalibrationReading { row, x, y, .. } = reading;
-        CalibrationPoint { x: x.clone(), y: y.clone(), rows: vec![*row] }
+        let CalibrationReading { row, x, y, equal, .. } = reading;
+        CalibrationPoint { x: x.clone(), y: y.clone(), rows: vec![*row], equal: equal.clone() }
     };
     sorted.iter().map(point).collect()
 }
@@ -114,7 +130,7 @@ fn largest<'a>(
 ) -> Option<Difference> {
     let mut found: Option<Difference> = None;
     for (value, x, rows) in differences {
-        let point = CalibrationPoint { x: x.clone(), y: value.clone(), rows };
+        let point = CalibrationPoint { x: x.clone(), y: value.clone(), rows, equal: None };
         match &mut found {
             Some(largest) if value < largest.value => {}
             Some(largest) if value == largest.value => largest.at.push(point),

@@ -1,12 +1,16 @@
 //! The readings among which outliers are looked for, and which of them matter.
 
-use boundfit_estimation::{Condition, Measurement, conditions_by_name, half_planes};
+use std::borrow::Cow;
+
+use boundfit_estimation::{Condition, Measurement, Ties, conditions_by_name, half_planes};
 use boundfit_geometry::{Constraint, HalfPlane, Inequality, LayerOf, Layers};
 
 /// The readings that can be met or missed, and the conditions.
 pub(super) struct Kept<'a> {
     /// Readings that some θ meet and some miss.
     pub(super) rows: Vec<KeptRow<'a>>,
+    /// Which readings the rows stand for.
+    pub(super) ties: Cow<'a, Ties>,
     /// Rows that no θ meets: a lower bound above the upper one, or no regressor and bounds without 0.
     pub(super) never: Vec<usize>,
     /// The half-planes of the conditions.
@@ -16,6 +20,8 @@ pub(super) struct Kept<'a> {
 /// A reading that some θ meet and some miss.
 pub(super) struct KeptRow<'a> {
     pub(super) measurement: &'a Measurement,
+    /// How many readings it stands for.
+    pub(super) weight: u64,
     /// Its bounds as they were given, one or both.
     pub(super) inequalities: Vec<Inequality>,
     /// The half-planes that they stand for.
@@ -24,14 +30,18 @@ pub(super) struct KeptRow<'a> {
 
 impl<'a> Kept<'a> {
     /// Of readings and conditions.
-    pub(super) fn new(measurements: &'a [Measurement], conditions: &[Condition]) -> Self {
+    pub(super) fn new(
+        measurements: &'a [Measurement],
+        ties: Cow<'a, Ties>,
+        conditions: &[Condition],
+    ) -> Self {
         let (mut rows, mut never) = (Vec::new(), Vec::new());
         for measurement in measurements {
             let inequalities: Vec<Inequality> = half_planes(measurement).map(|(_, own)| own).collect();
             let constraints: Vec<Constraint> = inequalities.iter().map(Inequality::constraint).collect();
             let crosses = measurement.half_width().is_some_and(|half_width| half_width.is_negative());
             if crosses || constraints.contains(&Constraint::Never) {
-                never.push(measurement.row);
+                never.extend(ties.rows(measurement.row));
                 continue;
             }
             let boundary = |constraint: Constraint| match constraint {
@@ -40,11 +50,12 @@ impl<'a> Kept<'a> {
             };
             let half_planes: Vec<HalfPlane> = constraints.into_iter().filter_map(boundary).collect();
             if !half_planes.is_empty() {
-                rows.push(KeptRow { measurement, inequalities, half_planes });
+                let weight = ties.count(measurement.row) as u64;
+                rows.push(KeptRow { measurement, weight, inequalities, half_planes });
             }
         }
         let conditions = conditions_by_name(conditions).map(|(_, inequality)| inequality).collect();
-        Kept { rows, never, conditions }
+        Kept { rows, ties, never, conditions }
     }
 
     /// The layers of the rows.
@@ -59,6 +70,19 @@ impl<'a> Kept<'a> {
             is_taken: vec![false; self.rows.len()],
             rows: Vec::new(),
         }
+    }
+
+    /// Of some rows how many readings they stand for.
+    pub(super) fn weight(&self, rows: &[u32]) -> u64 {
+        rows.iter().map(|&row| self.rows[row as usize].weight).sum()
+    }
+
+    /// The data rows that some rows stand for, with those that no θ meets; ascending.
+    pub(super) fn data_rows(&self, rows: &[u32]) -> Vec<usize> {
+        let own = rows.iter().flat_map(|&row| self.ties.rows(self.rows[row as usize].measurement.row));
+        let mut all: Vec<usize> = own.chain(self.never.iter().copied()).collect();
+        all.sort_unstable();
+        all
     }
 
     /// The rows with a bound in the first `most + 1` layers: they decide where at most so many are missed. Ascending.

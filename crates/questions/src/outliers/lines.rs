@@ -83,7 +83,8 @@ impl Lines {
             *(if is_below { &mut line.missed_above } else { &mut line.missed_below }) += weight;
         };
         for &row in rows {
-            kept.rows[row as usize].half_planes.iter().for_each(|own| add(own, 1));
+            let row = &kept.rows[row as usize];
+            row.half_planes.iter().for_each(|own| add(own, row.weight));
         }
         for condition in &kept.conditions {
             if let Constraint::HalfPlane(own) = condition.constraint() {

@@ -100,11 +100,11 @@ impl Outliers {
     /// When there is no such number, or it takes more than the limits allow.
     pub fn new(problem: &Problem, limits: &OutlierLimits) -> Result<Self, NoOutliers> {
         let Problem { measurements, conditions } = problem;
-        let rows = measurements.all().ok_or(NoOutliers::NotInMemory)?;
+        let (rows, ties) = measurements.every().ok_or(NoOutliers::NotInMemory)?;
         if let Some(contradiction) = contradiction(conditions) {
             return Err(NoOutliers::Conditions(contradiction));
         }
-        let kept = Kept::new(rows, conditions);
+        let kept = Kept::new(rows, ties, conditions);
         let found = search::least(&kept, limits)?;
         let is_complete = found.is_complete && found.sets.len() <= limits.sets;
         let least = found.least + kept.never.len();
@@ -114,10 +114,7 @@ impl Outliers {
             let own = near.iter().filter(|&&own| set.binary_search(&own).is_err());
             let rest = own.map(|&own| kept.rows[own as usize].measurement.clone()).collect();
             let left = active_only(measurements, rest, conditions);
-            let outliers = set.iter().map(|&own| kept.rows[own as usize].measurement.row);
-            let mut rows: Vec<usize> = outliers.chain(kept.never.iter().copied()).collect();
-            rows.sort_unstable();
-            Piece { rows, left }
+            Piece { rows: kept.data_rows(set), left }
         };
         let mut pieces: Vec<Piece> = found.sets.iter().take(limits.sets).map(piece).collect();
         pieces.sort_by(|one, other| one.rows.cmp(&other.rows));
@@ -164,15 +161,15 @@ impl Outliers {
         limits: &OutlierLimits,
     ) -> Result<Vec<Growth>, NoOutliers> {
         let Problem { measurements, conditions } = problem;
-        let rows = measurements.all().ok_or(NoOutliers::NotInMemory)?;
+        let (rows, ties) = measurements.every().ok_or(NoOutliers::NotInMemory)?;
         // More than all readings cannot be left out.
-        let most = most.min(rows.len());
+        let most = most.min(measurements.fitted());
         let mut growth: Vec<Growth> = (0..=most.min(self.least)).map(Growth::none).collect();
         if most == self.least && self.is_complete {
             growth[most] = self.as_growth();
         } else if most >= self.least {
             growth.truncate(self.least);
-            let kept = Kept::new(rows, conditions);
+            let kept = Kept::new(rows, ties, conditions);
             growth.extend(growth::of(&kept, self.least, most, limits)?);
         }
         Ok(growth)
@@ -186,19 +183,13 @@ impl Outliers {
 
 /// What is left by some rows, of those that have a part in it: what others say is in no corner of it.
 fn active_only(measurements: &Measurements, rows: Vec<Measurement>, conditions: &[Condition]) -> Fps {
-    let all = Fps::of_every_half_plane(&with_rows(measurements, rows.clone()), conditions);
+    let all = Fps::of_every_half_plane(&measurements.of_kept(rows.clone()), conditions);
     let region = all.polyhedron().region();
     let vertices = region.vertices().iter().flat_map(Vertex::active);
     let active = vertices.chain(region.boundaries().iter().flat_map(Boundary::active));
     let named: BTreeSet<usize> = active.filter_map(|&index| all.name(index).row()).collect();
     let rows = rows.into_iter().filter(|row| named.contains(&row.row)).collect();
-    Fps::of_every_half_plane(&with_rows(measurements, rows), conditions)
-}
-
-/// The problem of other rows with the meaning of these.
-fn with_rows(measurements: &Measurements, rows: Vec<Measurement>) -> Measurements {
-    let (model, response) = (measurements.model().clone(), measurements.response().to_owned());
-    Measurements::new(model, response, measurements.error_bound().clone(), rows)
+    Fps::of_every_half_plane(&measurements.of_kept(rows), conditions)
 }
 
 /// Of conditions that contradict each other at most three with their multipliers.

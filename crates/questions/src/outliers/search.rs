@@ -1,6 +1,6 @@
 //! The least number of readings to leave out, and all sets of so many.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use boundfit_geometry::constructions::foot;
 use boundfit_geometry::predicates::{Side, side};
@@ -64,18 +64,25 @@ fn rows_of(certificate: &Farkas, owners: &[u32]) -> BTreeSet<u32> {
     certificate.multipliers().iter().filter_map(|multiplier| owners.get(multiplier.index).copied()).collect()
 }
 
-/// By the tree of contradictions, level by level, each set of rows once. A set of the least size is found: as long as some of
+/// By the tree of contradictions, from sets of few readings to sets of more, each set of rows once. A set of the least size is found: as long as some of
 /// it is left in, what is left is contradictory, and each of its contradictions has a row of the set.
 ///
 /// # Errors
 /// With a number of rows below which there is nothing, where more is spent than with so many boundaries may be.
 fn tree(kept: &Kept, limit: impl Fn(u64) -> u64) -> Result<Found, usize> {
     let mut layers = kept.layers(LayerOf::Corners);
-    let mut level: BTreeSet<Vec<u32>> = [Vec::new()].into();
+    let mut taken = 0;
+    // By how many readings they stand for.
+    let mut open: BTreeMap<u64, BTreeSet<Vec<u32>>> = [(0, [Vec::new()].into())].into();
     let mut spent = 0_u64;
-    for least in 0.. {
-        // These decide where at most so many are missed.
-        layers.take_next();
+    while let Some((least, level)) = open.pop_first() {
+        // Where at most so many rows are missed, one more layer than that decides.
+        let most = level.iter().map(Vec::len).max().unwrap_or_default();
+        while taken <= most {
+            layers.take_next();
+            taken += 1;
+        }
+        let least = least as usize;
         let mut rows = layers.rows.clone();
         rows.sort_unstable();
         let size = 2 * rows.len() as u64 + 2 * kept.conditions.len() as u64 + 1;
@@ -83,7 +90,7 @@ fn tree(kept: &Kept, limit: impl Fn(u64) -> u64) -> Result<Found, usize> {
         if least > 0 && spent > limit(size) {
             return Err(least);
         }
-        let (mut sets, mut next) = (Vec::new(), BTreeSet::new());
+        let mut sets = Vec::new();
         for set in level {
             let (system, owners) = system(kept, &rows, &set);
             let region = envelope::intersect(&system);
@@ -94,26 +101,27 @@ fn tree(kept: &Kept, limit: impl Fn(u64) -> u64) -> Result<Found, usize> {
             for row in rows_of(certificate, &owners) {
                 let mut larger = set.clone();
                 larger.insert(larger.partition_point(|own| *own < row), row);
-                next.insert(larger);
+                open.entry(kept.weight(&larger)).or_default().insert(larger);
             }
         }
         if !sets.is_empty() {
             return Ok(Found { least, sets, is_complete: true });
         }
-        level = next;
     }
     unreachable!("without any row the conditions leave something")
 }
 
-/// Contradictions without a row in common, one after the other: as many rows as there are have to be left out, and all of
-/// their rows are enough, at most three times as many.
+/// Contradictions without a reading in common, one after the other: as many readings as there are have to be left out, and all of
+/// their readings are enough, at most three times as many.
 ///
 /// # Errors
 /// With how many there are at least and what would be needed, where the limit is reached.
 fn packing(kept: &Kept, rows: &[u32], limit: u64) -> Result<(usize, usize), (usize, u64)> {
     let mut without: BTreeSet<u32> = BTreeSet::new();
-    let mut spent = 0_u64;
-    for count in 0.. {
+    // Of each row that a contradiction had a part in, how many of its readings no contradiction stands for yet (local ratio).
+    let mut left_of: BTreeMap<u32, u64> = BTreeMap::new();
+    let (mut spent, mut count) = (0_u64, 0);
+    loop {
         spent += 2 * INTERSECTION * (rows.len() - without.len()) as u64;
         if spent > limit {
             return Err((count, spent));
@@ -122,11 +130,21 @@ fn packing(kept: &Kept, rows: &[u32], limit: u64) -> Result<(usize, usize), (usi
         let (system, owners) = system(kept, rows, &left_out);
         let region = envelope::intersect(&system);
         match region.certificate() {
-            Some(certificate) => without.extend(rows_of(certificate, &owners)),
-            None => return Ok((count, without.len())),
+            Some(certificate) => {
+                let own = rows_of(certificate, &owners);
+                let left = |row: &u32| left_of.get(row).copied().unwrap_or(kept.rows[*row as usize].weight);
+                let fewest = own.iter().map(left).min().unwrap_or_default();
+                count += fewest as usize;
+                let rest: Vec<(u32, u64)> = own.iter().map(|row| (*row, left(row) - fewest)).collect();
+                without.extend(rest.iter().filter(|(_, rest)| *rest == 0).map(|(row, _)| *row));
+                left_of.extend(rest);
+            }
+            None => {
+                let rows: Vec<u32> = without.into_iter().collect();
+                return Ok((count, kept.weight(&rows) as usize));
+            }
         }
     }
-    unreachable!("without any row the conditions leave something")
 }
 
 /// The packing of the first layers, of ever more of them until they decide about so many as are enough.
@@ -218,7 +236,9 @@ fn missed_at(kept: &Kept, rows: &[u32], point: &Point) -> Vec<u32> {
 
 #[cfg(test)]
 mod tests {
-    use boundfit_estimation::{Condition, Measurement, Problem};
+    use std::borrow::Cow;
+
+    use boundfit_estimation::{Condition, Measurement, Problem, Ties};
     use boundfit_exact::Rational;
 
     use super::*;
@@ -247,7 +267,7 @@ mod tests {
         for round in 0..24 {
             let rows = readings(&mut seed, 16 + round, 4);
             let conditions: Vec<Condition> = Vec::new();
-            let kept = Kept::new(&rows, &conditions);
+            let kept = Kept::new(&rows, Cow::Owned(Ties::default()), &conditions);
             let by_tree = tree(&kept, |_| u64::MAX).expect("no limit");
             let (packed, enough) = packing_of_layers(&kept, 1, u64::MAX).expect("no limit");
             assert!(packed <= by_tree.least && by_tree.least <= enough && enough <= 3 * packed);

@@ -47,6 +47,14 @@ impl BoxBound {
         }
     }
 
+    /// The bound of another data row that is equal; a condition stays itself.
+    pub(super) fn of_row(self, row: usize) -> Self {
+        match self {
+            BoxBound::Bound(name, corner) => BoxBound::Bound(name.of_row(row), corner),
+            of_side => of_side,
+        }
+    }
+
     /// The data row that it is a bound of.
     pub fn row(self) -> Option<usize> {
         self.name().and_then(BoundName::row)

@@ -13,7 +13,7 @@ mod few;
 mod half_planes;
 
 use boundfit_estimation::{
-    BoundName, Central, Measurement, Model, ParameterBound, ParameterInterval, Problem, central_of,
+    BoundName, Central, Measurement, Model, ParameterBound, ParameterInterval, Problem, Ties, central_of,
     parameter_intervals,
 };
 use boundfit_exact::{Endpoint, Foreign, Interval, Rational};
@@ -33,7 +33,7 @@ pub enum XBounds {
     PerRow {
         /// The column.
         column: Foreign,
-        /// In the order of the readings.
+        /// In the order of the readings in memory.
         bounds: Vec<Rational>,
     },
 }
@@ -91,6 +91,8 @@ pub struct SideSet {
     /// Of an empty set the half-planes that say why, by their positions: those of the readings that ask for the largest factor, where
     /// these alone leave nothing.
     reason: Vec<usize>,
+    /// Which readings those stand for that have these half-planes.
+    ties: Ties,
 }
 
 /// What the line at an end of the slopes of a set of lines is among them.
@@ -174,7 +176,7 @@ impl XErrorProblem {
         if matches!(problem.measurements.model(), Model::TwoRegressors { .. }) {
             return Err(NoXErrors::TwoRegressors);
         }
-        let readings = problem.measurements.all().ok_or(NoXErrors::NotAll)?.len();
+        let readings = problem.measurements.every().ok_or(NoXErrors::NotAll)?.0.len();
         match &bounds {
             XBounds::PerRow { bounds, .. } if bounds.len() != readings => {
                 Err(NoXErrors::Count { bounds: bounds.len(), readings })
@@ -199,7 +201,7 @@ impl XErrorProblem {
         self.agreement
     }
 
-    /// The readings, each with the bound on the error of its x.
+    /// The readings in memory, each with the bound on the error of its x.
     pub fn readings(&self) -> impl Iterator<Item = (&Measurement, &Rational)> {
         let rows = self.problem.measurements.kept();
         rows.iter().enumerate().map(|(position, row)| (row, self.bounds.of(position)))
@@ -238,7 +240,32 @@ impl SideSet {
         let polyhedron = Polyhedron::intersect(inequalities.into_iter().collect());
         let pui = parameter_intervals(&polyhedron);
         let reason = (0..names.len()).collect();
-        SideSet { side, polyhedron, names, pui, reason }
+        let ties = problem.problem().measurements.ties().cloned().unwrap_or_default();
+        SideSet { side, polyhedron, names, pui, reason, ties }
+    }
+
+    /// What is active where these half-planes are, those of equal readings included: at most so many by name, sorted, and how many
+    /// there are beside them.
+    ///
+    /// # Panics
+    /// When a position is out of range.
+    pub fn active(&self, indices: &[usize], most: usize) -> (Vec<BoxBound>, usize) {
+        let mut own: Vec<BoxBound> = indices.iter().map(|&index| self.names[index]).collect();
+        own.sort_unstable();
+        own.dedup();
+        let (mut names, mut count) = (Vec::new(), 0);
+        for bound in own {
+            let row = bound.row();
+            count += row.map_or(1, |row| self.ties.count(row));
+            match row {
+                Some(row) => names.extend(self.ties.rows(row).take(most).map(|row| bound.of_row(row))),
+                None => names.push(bound),
+            }
+        }
+        names.sort_unstable();
+        names.truncate(most);
+        let more = count - names.len();
+        (names, more)
     }
 
     /// Takes the bounds of these readings and conditions for the reason of emptiness, if they are one.
