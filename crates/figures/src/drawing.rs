@@ -239,13 +239,9 @@ impl Panel {
         self.items.push(Item::ArrowHead { tip, direction, colour });
     }
 
-    /// Adds a mark, if it is wholly in the panel.
+    /// Adds a mark, if its middle is in the panel, whose border belongs to it.
     pub(crate) fn mark(&mut self, at: Place, mark: Mark) {
-        let fits = |coordinate: f64, length: f64| {
-            let pixel = coordinate * length;
-            pixel >= mark.radius && pixel <= length - mark.radius
-        };
-        if fits(at[0], self.frame.width) && fits(at[1], self.frame.height) {
+        if self.shows(at) {
             self.items.push(Item::Mark { at, mark });
         }
     }

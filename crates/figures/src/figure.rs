@@ -101,6 +101,8 @@ pub struct PlotOptions {
     pub flip: bool,
     /// How many directions [`Figure::Directions`] has, at least 3.
     pub directions: usize,
+    /// Whether these are spread evenly where the box of both intervals is a square, and not in the plane of the parameters.
+    pub are_directions_scaled: bool,
 }
 
 impl Default for PlotOptions {
@@ -119,6 +121,7 @@ impl Default for PlotOptions {
             greyscale: false,
             flip: false,
             directions: 16,
+            are_directions_scaled: false,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What is written on figures: names with units, the model, numbers.
 
-use boundfit_estimation::{BoundName, ErrorBound, Fit, Model, Problem};
+use boundfit_estimation::{BoundName, ErrorBound, Fit, LeastSquares, Model, Problem};
 use boundfit_exact::english::{counted, listed, sentence, split_unit, unit_by};
 use boundfit_exact::{Foreign, Rational, Rounding};
 
@@ -245,4 +245,13 @@ pub(crate) fn condition(text: &Foreign) -> String {
     let pretty =
         text.raw().replace("theta1", "θ₁").replace("theta2", "θ₂").replace("<=", "≤").replace(">=", "≥");
     one_line(&pretty.replace('*', "·").into(), 40)
+}
+
+/// Why a fit has no EUI, where it has none.
+pub(crate) fn why_no_eui(fit: &Fit) -> Option<String> {
+    match &fit.least_squares {
+        Err(reason) => Some(format!("No least squares and no EUI: {reason}.")),
+        Ok(LeastSquares { eui: Err(reason), .. }) => Some(format!("No EUI: {reason}.")),
+        Ok(_) => None,
+    }
 }

@@ -314,8 +314,12 @@ fn contrary(proof: &Refutation, rows: &ProgramRows, style: &Style) -> Text {
     }
 }
 
+/// Where directions are spread evenly.
+const DIRECTIONS_UNSCALED: &str = "The directions are spread evenly in the plane of theta1 and theta2.";
+const DIRECTIONS_SCALED: &str = "The directions are spread evenly where the PUI box is a square.";
+
 /// The set between its two approximations.
-fn directions(found: &Directions, style: &Style) -> [Block; 2] {
+fn directions(found: &Directions, style: &Style) -> [Block; 3] {
     let row = |name: &str, approximation: Option<&Approximation>| {
         let Some(Approximation { vertices, area }) = approximation else {
             return [name, "-", "-"].map(Text::from).into();
@@ -333,5 +337,7 @@ fn directions(found: &Directions, style: &Style) -> [Block; 2] {
         count => format!(", {count} of them unbounded"),
     };
     let title = format!("The set seen from {} directions{unbounded}", found.count);
-    [Block::Title(title.into()), Block::Table(Table::new(["", "vertices", "area"], rows))]
+    let spread = if found.is_scaled { DIRECTIONS_SCALED } else { DIRECTIONS_UNSCALED };
+    let table = Table::new(["", "vertices", "area"], rows);
+    [Block::Title(title.into()), Block::Table(table), Block::Paragraph(spread.into())]
 }

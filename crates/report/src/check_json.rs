@@ -92,6 +92,7 @@ struct EvidenceJson {
 #[derive(Serialize)]
 struct DirectionsJson {
     count: usize,
+    scaled: bool,
     unbounded: usize,
     inner: Option<ApproximationJson>,
     exact: ApproximationJson,
@@ -210,6 +211,7 @@ fn directions(found: &Directions, style: &Style) -> DirectionsJson {
     };
     DirectionsJson {
         count: found.count,
+        scaled: found.is_scaled,
         unbounded: found.unbounded,
         inner: found.inner.as_ref().map(approximation),
         exact: approximation(&found.exact),

@@ -14,7 +14,21 @@ pub(crate) fn csv_text<'a>(text: Foreign<&'a str>) -> Cow<'a, str> {
     let begins_formula = raw
         .trim_start_matches('\'')
         .starts_with(['=', '+', '-', '@', '\t', '\r', '\n', '\u{ff1d}', '\u{ff0b}', '\u{ff0d}', '\u{ff20}']);
-    if begins_formula && !is_number(raw) { Cow::Owned(format!("'{raw}")) } else { Cow::Borrowed(raw) }
+    let text = without_controls(raw);
+    if begins_formula && !is_number(raw) { Cow::Owned(format!("'{text}")) } else { text }
+}
+
+/// The text with control characters as `\u{1b}`, so that no terminal runs them; tabs and line ends stay.
+fn without_controls(text: &str) -> Cow<'_, str> {
+    let is_run = |character: char| character.is_control() && !matches!(character, '\t' | '\n' | '\r');
+    if !text.contains(is_run) {
+        return Cow::Borrowed(text);
+    }
+    let shown = |character: char| match is_run(character) {
+        true => character.escape_unicode().to_string(),
+        false => character.to_string(),
+    };
+    Cow::Owned(text.chars().map(shown).collect())
 }
 
 /// Whether a text is a decimal with a sign or without, which no spreadsheet computes anything from.
@@ -39,6 +53,17 @@ mod tests {
     fn read_back(cell: &str) -> &str {
         let shorter = cell.strip_prefix('\'').filter(|text| csv_text(Foreign::of(text)) != *text);
         shorter.unwrap_or(cell)
+    }
+
+    #[test]
+    fn no_terminal_runs_what_a_cell_holds() {
+        for (text, cell) in [
+            ("a\u{1b}[2Jb", "a\\u{1b}[2Jb"),
+            ("=\u{7}\u{9b}1", "'=\\u{7}\\u{9b}1"),
+            ("a\tb\nc\rd \u{e4}", "a\tb\nc\rd \u{e4}"),
+        ] {
+            assert_eq!(csv_text(Foreign::of(text)), cell, "{text:?}");
+        }
     }
 
     #[test]

@@ -1,21 +1,26 @@
 //! The estimates and intervals of a fit as CSV.
 
-use boundfit_estimation::{Fit, InverseParameter, Problem};
+use boundfit_estimation::{Central, Fit, InverseParameter, Problem};
 use boundfit_exact::{Endpoint, Interval, Rational};
 use csv::Writer;
+
+use crate::number::{down, up};
+use crate::style::distance_of_double;
 
 const COLUMNS: [&str; 8] =
     ["quantity", "parameter", "lower", "upper", "value", "lower_exact", "upper_exact", "value_exact"];
 
 /// Estimates and intervals as a table, one row for each quantity of each parameter.
 ///
-/// The quantities are `least_squares`, `eui`, `pui`, `central`, `guaranteed_error` and `minimax`, each as far as it is there;
-/// the parameters `theta1` and `theta2`, and of a line with an inverse `gain` and `offset`, whose `pui` is their range over the
-/// feasible set, in several rows where it has several parts. The last row is `least_error_bound`, which is a factor where the
+/// The first row, `set,kind`, has the kind of the set as its `value_exact`, so that an empty set says that it is. The quantities are
+/// `least_squares`, `eui`, `pui`, `central`, `guaranteed_error` and `minimax`, each as far as it is there; the parameters `theta1` and
+/// `theta2`, and of a line with an inverse `gain` and `offset`. Of these `pui` is what the box of both intervals leaves, `fps` their range
+/// over the feasible set, each in several rows where it has several parts. The last row is `least_error_bound`, which is a factor where the
 /// readings have bounds of their own. `lower`, `upper` and `value` are doubles: ends rounded outward, `-inf` and `inf` where
 /// there are none, errors and the least error bound up, values to nearest. The last columns are exact.
 pub fn fit_csv(problem: &Problem, fit: &Fit) -> String {
     let mut table = Table::new();
+    table.text("set", "kind", fit.fps.polyhedron().region().kind().name());
     if let Ok(estimate) = &fit.least_squares {
         table.values("least_squares", &estimate.theta);
     }
@@ -26,10 +31,7 @@ pub fn fit_csv(problem: &Problem, fit: &Fit) -> String {
         table.intervals("pui", &pui);
     }
     if let Some(central) = &fit.central {
-        table.values("central", &central.theta);
-        for (name, error) in PARAMETERS.iter().zip(&central.guaranteed_error) {
-            table.value("guaranteed_error", name, up(error), error);
-        }
+        table.central(central);
     }
     if let Some(minimax) = &fit.minimax {
         table.values("minimax", &minimax.theta);
@@ -44,7 +46,7 @@ pub fn fit_csv(problem: &Problem, fit: &Fit) -> String {
     table.into_text()
 }
 
-pub(crate) const PARAMETERS: [&str; 2] = ["theta1", "theta2"];
+const PARAMETERS: [&str; 2] = ["theta1", "theta2"];
 
 /// The table of a report.
 pub(crate) struct Table {
@@ -68,6 +70,15 @@ impl Table {
         debug_assert!(written.is_ok());
     }
 
+    /// A text stands where the exact numbers do, which are texts: the other columns are numbers or empty.
+    pub(crate) fn text(&mut self, quantity: &str, parameter: &str, text: &str) {
+        let mut row = [const { String::new() }; 8];
+        for (cell, text) in [(0, quantity), (1, parameter), (7, text)] {
+            row[cell] = text.to_owned();
+        }
+        self.row(row);
+    }
+
     pub(crate) fn value(&mut self, quantity: &str, parameter: &str, double: f64, exact: &Rational) {
         let [none, no_lower, no_upper, no_end] = [const { String::new() }; 4];
         let (quantity, parameter) = (quantity.to_owned(), parameter.to_owned());
@@ -77,6 +88,14 @@ impl Table {
     pub(crate) fn values(&mut self, quantity: &str, values: &[Rational; 2]) {
         for (parameter, value) in PARAMETERS.iter().zip(values) {
             self.value(quantity, parameter, value.to_f64(), value);
+        }
+    }
+
+    /// The central estimate and its guaranteed error, whose double covers the rounding of the estimate.
+    pub(crate) fn central(&mut self, central: &Central) {
+        self.values("central", &central.theta);
+        for ((name, error), theta) in PARAMETERS.iter().zip(&central.guaranteed_error).zip(&central.theta) {
+            self.value("guaranteed_error", name, up(&(error + distance_of_double(theta))), error);
         }
     }
 
@@ -105,8 +124,11 @@ impl Table {
         for interval in inverse.eui_range.iter().flatten() {
             self.interval("eui", parameter, interval);
         }
-        for interval in &inverse.exact_range {
+        for interval in &inverse.box_range {
             self.interval("pui", parameter, interval);
+        }
+        for interval in &inverse.exact_range {
+            self.interval("fps", parameter, interval);
         }
         if let Some(value) = &inverse.central {
             self.value("central", parameter, value.to_f64(), value);
@@ -117,36 +139,4 @@ impl Table {
 /// The shortest text that is read as this double.
 pub(crate) fn shown(double: f64) -> String {
     format!("{double:?}")
-}
-
-/// The largest double that is not greater.
-pub(crate) fn down(value: &Rational) -> f64 {
-    let nearest = value.to_f64();
-    let is_greater = Rational::from_f64(nearest).map_or(nearest > 0.0, |double| double > *value);
-    if is_greater { nearest.next_down() } else { nearest }
-}
-
-/// The least double that is not smaller.
-pub(crate) fn up(value: &Rational) -> f64 {
-    -down(&-value)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn doubles_enclose_the_number() {
-        let huge = Rational::scientific(1, 400);
-        for value in
-            [Rational::ratio(1, 3), Rational::ratio(-1, 3), Rational::ratio(1, 10), huge.clone(), -&huge]
-        {
-            let (below, above) = (down(&value), up(&value));
-            assert!(Rational::from_f64(below).is_none_or(|double| double <= value), "{value}");
-            assert!(Rational::from_f64(above).is_none_or(|double| double >= value), "{value}");
-            assert!(above == below.next_up(), "{value}: {below} {above}");
-        }
-        assert_eq!((down(&Rational::ratio(3, 4)), up(&Rational::ratio(3, 4))), (0.75, 0.75));
-        assert_eq!((down(&huge), up(&huge)), (f64::MAX, f64::INFINITY));
-    }
 }

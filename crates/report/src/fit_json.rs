@@ -1,4 +1,4 @@
-//! The JSON report of a fit, schema `boundfit/fit/1`.
+//! The JSON report of a fit, schema `boundfit/fit/2`.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use serde::Serialize;
 use crate::guarantee::GuaranteeJson;
 use crate::input_json::InputJson;
 use crate::json::{
-    ActiveJson, BoundJson, IntervalJson, RangeJson, RegionJson, SlopeJson, SlopesJson, TermJson,
+    ActiveJson, BoundJson, IntervalJson, ProgramJson, RangeJson, RegionJson, SlopeJson, SlopesJson, TermJson,
     centroid_json, long_fractions, to_text,
 };
 use crate::number::Number;
@@ -25,12 +25,13 @@ use crate::sweep_json::SweepJson;
 /// Why binary64 least squares is left out of a report.
 pub(crate) const NO_BINARY64: &str = "not computed, since not every reading is kept in memory";
 
-/// The report of a fit, which is serialised as schema `boundfit/fit/1`. A main part that is null (least squares, EUI, PUI,
+/// The report of a fit, which is serialised as schema `boundfit/fit/2`. A main part that is null (least squares, EUI, PUI,
 /// central, slopes, ε_min, minimax, inverse, tightness) has an entry in `reasons`. A family over the error bound becomes the part
 /// `sweep`, a guarantee for further readings the part `guarantee`.
 #[derive(Debug, Serialize)]
 pub struct FitJson {
     schema: &'static str,
+    program: ProgramJson,
     input: InputJson,
     least_squares: Option<LeastSquaresJson>,
     eui: Option<[RangeJson; 2]>,
@@ -131,7 +132,8 @@ impl FitJson {
             reasons.insert("tightness", style.too_long());
         }
         FitJson {
-            schema: "boundfit/fit/1",
+            schema: "boundfit/fit/2",
+            program: ProgramJson::OWN,
             input: InputJson::new(problem, origin, style),
             least_squares: least_squares(problem, fit, style),
             eui: fit.eui().map(|eui| eui.each_ref().map(|eui| RangeJson::new(eui, style))),
@@ -182,14 +184,28 @@ fn least_squares(problem: &Problem, fit: &Fit, style: &Style) -> Option<LeastSqu
     let float = fit.float_least_squares(&problem.measurements).map(|floats| {
         BTreeMap::from([("qr", float(&floats.qr)), ("pseudo_inverse", float(&floats.pseudo_inverse))])
     });
+    let (theta, guaranteed_error) = least_squares_numbers(fit, &estimate.theta, style);
     Some(LeastSquaresJson {
-        theta: style.numbers(&estimate.theta),
+        theta,
         in_fps: least_squares_is_feasible(fit).unwrap_or(false),
-        guaranteed_error: fit
-            .least_squares_guaranteed_error()
-            .map(|error| error.each_ref().map(|error| style.upper_number(error))),
+        guaranteed_error,
         binary64: float.unwrap_or_default(),
     })
+}
+
+/// The least-squares estimate, with its guaranteed error where it has one.
+pub(crate) fn least_squares_numbers(
+    fit: &Fit,
+    theta: &[Rational; 2],
+    style: &Style,
+) -> ([Number; 2], Option<[Number; 2]>) {
+    match fit.least_squares_guaranteed_error() {
+        Some(errors) => {
+            let (theta, errors) = style.estimate_numbers(theta, &errors);
+            (theta, Some(errors))
+        }
+        None => (style.numbers(theta), None),
+    }
 }
 
 fn fps(problem: &Problem, fit: &Fit, measures: &Measures, style: &Style) -> RegionJson<ActiveJson> {
@@ -210,10 +226,10 @@ fn has_bounded_end(fit: &Fit) -> bool {
 /// The parameter uncertainty intervals with their proofs; `None` when no end is bounded.
 pub(crate) fn pui(fit: &Fit, style: &Style) -> Option<[IntervalJson; 2]> {
     let bound = |bound: &ParameterBound, number: &dyn Fn(&Rational) -> Number| match bound {
-        ParameterBound::Unbounded(_) => BoundJson { value: None, active: Vec::new() },
+        ParameterBound::Unbounded(_) => BoundJson::unbounded(style),
         ParameterBound::Bounded { value, proof } => {
             let named = |m: &Multiplier| TermJson::new(fit.fps.name(m.index), &m.value, style);
-            BoundJson { value: Some(number(value)), active: proof.multipliers.iter().map(named).collect() }
+            BoundJson::proved(number(value), proof.multipliers.iter().map(named).collect())
         }
     };
     let interval = |interval: &ParameterInterval| IntervalJson {
@@ -236,10 +252,8 @@ fn slopes(problem: &Problem, fit: &Fit, style: &Style) -> Option<SlopesJson> {
 
 /// A central estimate with its guaranteed error.
 pub(crate) fn central_of(central: &Central, style: &Style) -> CentralJson {
-    CentralJson {
-        theta: style.numbers(&central.theta),
-        guaranteed_error: central.guaranteed_error.each_ref().map(|error| style.upper_number(error)),
-    }
+    let (theta, guaranteed_error) = style.estimate_numbers(&central.theta, &central.guaranteed_error);
+    CentralJson { theta, guaranteed_error }
 }
 
 /// ε_min exists under a uniform error bound only.

@@ -7,7 +7,7 @@ use boundfit_exact::{Endpoint, Foreign, Rational};
 use csv::Writer;
 
 use crate::csv_text::csv_text;
-use crate::style::Style;
+use crate::style::{Shown, Style};
 
 /// The names of the columns but for the last, which says what it is about.
 const COLUMNS: [&str; 14] = [
@@ -70,10 +70,14 @@ impl FleetCsv {
                 }
             }
         }
-        let central = group.central.as_ref();
-        for (axis, own) in styles.iter().enumerate() {
-            self.optional(central.map(|central| own.nearest(&central.theta[axis]).compact()));
-            self.optional(central.map(|central| style.upper(&central.guaranteed_error[axis]).compact()));
+        for (axis, alone) in styles.iter().enumerate() {
+            let shown = group
+                .central
+                .as_ref()
+                .map(|own| style.give_or_take(&own.theta[axis], &own.guaranteed_error[axis], alone));
+            let (centre, error) = shown.map(|own| (own.centre, own.error)).unzip();
+            self.optional(centre.map(Shown::compact));
+            self.optional(error.map(Shown::compact));
         }
         for (axis, own) in styles.iter().enumerate() {
             let estimate = group.least_squares.as_ref();

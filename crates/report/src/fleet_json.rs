@@ -1,11 +1,11 @@
-//! One group of a fleet as a line of JSON, schema `boundfit/fleet/1`. What means the same as in `boundfit/fit/1` has the
+//! One group of a fleet as a line of JSON, schema `boundfit/fleet/2`. What means the same as in `boundfit/fit/2` has the
 //! same name and the same shape.
 
 use boundfit_estimation::least_squares_is_feasible;
 use boundfit_exact::Foreign;
 use serde::Serialize;
 
-use crate::fit_json::{CentralJson, central, pui, uniform_minimum};
+use crate::fit_json::{CentralJson, central, least_squares_numbers, pui, uniform_minimum};
 use crate::fleet_summary::GroupReport;
 use crate::json::{CertificateJson, IntervalJson, RangeJson, TermJson};
 use crate::number::Number;
@@ -30,6 +30,7 @@ struct GroupJson<'a> {
 struct LeastSquaresJson {
     theta: [Number; 2],
     in_fps: bool,
+    guaranteed_error: Option<[Number; 2]>,
 }
 
 #[derive(Serialize)]
@@ -46,13 +47,14 @@ pub fn write_group_json(text: &mut Vec<u8>, group: &GroupReport<'_>, style: &Sty
     let least_squares = fit.least_squares.as_ref().ok();
     let contradiction = fit.contradiction(problem.measurements.error_bound());
     let written = GroupJson {
-        schema: "boundfit/fleet/1",
+        schema: "boundfit/fleet/2",
         group: key,
         rows: line.rows,
         first_row: line.first_row,
-        least_squares: least_squares.map(|estimate| LeastSquaresJson {
-            theta: style.numbers(&estimate.theta),
-            in_fps: least_squares_is_feasible(fit).unwrap_or(false),
+        least_squares: least_squares.map(|estimate| {
+            let (theta, guaranteed_error) = least_squares_numbers(fit, &estimate.theta, style);
+            let in_fps = least_squares_is_feasible(fit).unwrap_or(false);
+            LeastSquaresJson { theta, in_fps, guaranteed_error }
         }),
         eui: fit.eui().map(|eui| eui.each_ref().map(|eui| RangeJson::new(eui, style))),
         fps: FpsJson {

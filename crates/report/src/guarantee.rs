@@ -13,7 +13,7 @@ use crate::style::Style;
 /// Who proved it.
 const SOURCE: &str = "Campi and Garatti, SIAM J. Optim. 19 (2008); of such bands Campi, Calafiore and Garatti, Automatica 45 (2009)";
 
-/// The guarantee of a fit: fields of `boundfit/fit/1`.
+/// The guarantee of a fit: fields of `boundfit/fit/2`.
 #[derive(Debug, Serialize)]
 pub(crate) struct GuaranteeJson {
     confidence: Number,

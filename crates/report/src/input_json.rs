@@ -2,11 +2,13 @@
 
 use boundfit_estimation::{ErrorBound, FractionCells, Model, MultipleOfLeast, Problem, Selection};
 use boundfit_exact::Foreign;
+use boundfit_exact::english::{split_unit, unit_by};
 use serde::Serialize;
 
 use crate::number::Number;
 use crate::origin::Origin;
 use crate::style::Style;
+use crate::table_json::TableJson;
 
 /// The part `input` of all reports about readings.
 #[derive(Debug, Serialize)]
@@ -18,8 +20,8 @@ pub(crate) struct InputJson {
     selection: Option<SelectionJson>,
     #[serde(skip_serializing_if = "is_zero")]
     rows_missing: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    text: Option<String>,
+    /// What the table was taken for; null unless it is text or a sheet.
+    table: Option<TableJson>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     fractions: Vec<FractionsJson>,
     reading: &'static str,
@@ -27,6 +29,8 @@ pub(crate) struct InputJson {
     model: &'static str,
     x: Vec<Foreign>,
     y: Option<Foreign>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    units: Option<UnitsJson>,
     epsilon: Option<Number>,
     epsilon_column: Option<Foreign>,
     /// The law that was asked for.
@@ -72,6 +76,36 @@ struct IntervalColumnsJson {
     upper: Option<Foreign>,
 }
 
+/// The units that the names of the columns tell, and those that follow for the parameters; null where there is none.
+#[derive(Debug, Serialize)]
+struct UnitsJson {
+    x: Vec<Option<String>>,
+    y: Option<String>,
+    theta1: Option<String>,
+    theta2: Option<String>,
+}
+
+impl UnitsJson {
+    /// `None` where no name has a unit.
+    fn new(model: &Model, y: Option<&Foreign>) -> Option<Self> {
+        let unit_of = |name: &Foreign| split_unit(name.raw()).1.map(ToOwned::to_owned);
+        let y = y.and_then(unit_of);
+        let slope = |x: &Option<String>| y.as_deref().zip(x.as_deref()).map(|(y, x)| unit_by(y, x));
+        let units = match model {
+            Model::Line { x } => {
+                let x = unit_of(x);
+                UnitsJson { theta1: slope(&x), theta2: y.clone(), x: vec![x], y }
+            }
+            Model::TwoRegressors { regressors } => {
+                let [first, second] = regressors.each_ref().map(unit_of);
+                UnitsJson { theta1: slope(&first), theta2: slope(&second), x: vec![first, second], y }
+            }
+        };
+        let is_known = units.y.is_some() || units.x.iter().any(Option::is_some);
+        is_known.then_some(units)
+    }
+}
+
 impl InputJson {
     /// What a report says of its question.
     pub(crate) fn new(problem: &Problem, origin: &Origin, style: &Style) -> Self {
@@ -99,13 +133,17 @@ impl InputJson {
             rows_total: measurements.rows_total(),
             selection: selection(measurements.selection()),
             rows_missing: measurements.rows_missing(),
-            text: measurements.written().map(ToOwned::to_owned),
+            table: TableJson::of_measurements(measurements),
             fractions: measurements.fractions().iter().cloned().map(fractions).collect(),
             reading: origin.reading.name(),
             sha256: measurements.sha256().map(ToOwned::to_owned),
             model,
             x,
             y: measurements.has_response().then(|| measurements.response().to_owned()),
+            units: UnitsJson::new(
+                measurements.model(),
+                measurements.has_response().then(|| measurements.response()),
+            ),
             epsilon,
             epsilon_column,
             epsilon_law: measurements.law().map(|law| law.text().to_owned()),

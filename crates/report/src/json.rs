@@ -1,13 +1,16 @@
 //! What the JSON documents have in common: numbers, names of half-planes, ends with their proofs, regions.
 
+use std::fmt;
+
 use boundfit_estimation::{ActiveBounds, BoundName, ParameterBound};
 use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::{Direction, Measures, Point, Region, Vertex};
 use boundfit_questions::BoxBound;
 use serde::Serialize;
+use serde::ser::{SerializeStruct, Serializer};
 
 use crate::number::Number;
-use crate::style::Style;
+use crate::style::{Reader, Style};
 
 /// The ends of an interval, null where there is none. They are numbers, or functions of the factor on the error bounds.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -70,6 +73,13 @@ fn is_zero(count: &usize) -> bool {
     *count == 0
 }
 
+impl<A> ActiveListJson<A> {
+    /// Names, and how many there are beside them.
+    pub(crate) fn of(active: Vec<A>, active_more: usize) -> Self {
+        ActiveListJson { active, active_more }
+    }
+}
+
 impl<A> From<Vec<A>> for ActiveListJson<A> {
     fn from(active: Vec<A>) -> Self {
         ActiveListJson { active, active_more: 0 }
@@ -98,11 +108,72 @@ impl TermJson {
     }
 }
 
-/// One end of an interval with its proof.
+/// One end of an interval, a number with what proves it beside its forms; where nothing bounds, all forms are null.
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct BoundJson {
-    pub(crate) value: Option<Number>,
-    pub(crate) active: Vec<TermJson>,
+    #[serde(flatten)]
+    end: EndJson,
+    active: Vec<TermJson>,
+}
+
+/// The forms of an end.
+#[derive(Debug, Clone)]
+enum EndJson {
+    Bounded(Number),
+    Unbounded(Reader),
+}
+
+impl BoundJson {
+    /// An end with its proof.
+    pub(crate) fn proved(end: Number, active: Vec<TermJson>) -> Self {
+        BoundJson { end: EndJson::Bounded(end), active }
+    }
+
+    /// Nothing bounds.
+    pub(crate) fn unbounded(style: &Style) -> Self {
+        BoundJson { end: EndJson::Unbounded(style.reader), active: Vec::new() }
+    }
+
+    /// Whether there is an end.
+    pub(crate) fn is_bounded(&self) -> bool {
+        matches!(self.end, EndJson::Bounded(_))
+    }
+}
+
+impl Serialize for EndJson {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let reader = match self {
+            EndJson::Bounded(number) => return number.serialize(serializer),
+            EndJson::Unbounded(reader) => reader,
+        };
+        let forms: &[&'static str] = match reader {
+            Reader::Program => &["exact", "decimal", "value", "outward"],
+            Reader::Person => &["exact", "decimal"],
+        };
+        let mut fields = serializer.serialize_struct("Number", forms.len())?;
+        for form in forms {
+            fields.serialize_field(form, &None::<f64>)?;
+        }
+        fields.end()
+    }
+}
+
+/// The program that wrote a document.
+#[derive(Debug, Serialize)]
+pub(crate) struct ProgramJson {
+    name: &'static str,
+    version: &'static str,
+}
+
+impl ProgramJson {
+    /// This one.
+    pub(crate) const OWN: ProgramJson = ProgramJson { name: "boundfit", version: env!("CARGO_PKG_VERSION") };
+}
+
+impl fmt::Display for ProgramJson {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.name, self.version)
+    }
 }
 
 /// A parameter interval with its proofs.

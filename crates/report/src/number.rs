@@ -2,56 +2,120 @@
 
 use std::fmt;
 
-use boundfit_exact::{Rational, Rounding};
+use boundfit_exact::{PlacedDecimal, Rational, Rounding};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 use crate::style::Reader;
 
 /// A number in JSON: `{"exact": "p/q", "decimal": "1.8194e-3", "value": 0.0018194243326268529}`, where the value is the
-/// nearest double and null beyond the largest one; `exact` is null where the fraction is too long to be written, or there is none. A person gets
-/// the decimal without powers of ten and no value. It becomes text only where it is written.
+/// nearest double and null beyond the largest one; `exact` is null where the fraction is too long to be written, or there is none. Ends of
+/// intervals and error bounds have `outward` too, a double that is not inside. A person gets the decimal without powers of ten and no
+/// double. It becomes text only where it is written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Number {
     /// The number, or one that rounds like it.
     value: Rational,
     is_exact: bool,
-    digits: usize,
-    rounding: Rounding,
+    decimal: DecimalForm,
+    outward: Option<Outward>,
     reader: Reader,
+}
+
+/// How the decimal is rounded.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum DecimalForm {
+    Digits(usize, Rounding),
+    Placed(PlacedDecimal),
+}
+
+/// On which side of a number the double is that may stand for it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Outward {
+    /// Of a lower end: below.
+    Down,
+    /// Of an upper end or an error bound: above.
+    Up,
+    /// Of the error bound of an estimate: above this number, which covers the rounding of the estimate to a double.
+    Above(Rational),
 }
 
 impl Number {
     /// A number with a decimal of so many significant digits, rounded in this way.
     pub(crate) fn rounded(value: &Rational, digits: usize, rounding: Rounding, reader: Reader) -> Self {
-        Number { value: value.clone(), is_exact: true, digits, rounding, reader }
+        let decimal = DecimalForm::Digits(digits, rounding);
+        Number { value: value.clone(), is_exact: true, decimal, outward: None, reader }
     }
 
-    /// A number without its fraction, from one that is rounded like it to so many digits and to binary64.
-    pub(crate) fn without_fraction(alike: Rational, digits: usize, reader: Reader) -> Self {
-        Number { value: alike, is_exact: false, digits, rounding: Rounding::Nearest, reader }
+    /// A number with this decimal.
+    pub(crate) fn placed(value: &Rational, decimal: PlacedDecimal, reader: Reader) -> Self {
+        let decimal = DecimalForm::Placed(decimal);
+        Number { value: value.clone(), is_exact: true, decimal, outward: None, reader }
     }
 
-    /// A number that is no fraction, from one that is rounded like it in this way to so many digits and to binary64.
-    pub(crate) fn irrational(alike: Rational, digits: usize, rounding: Rounding, reader: Reader) -> Self {
-        Number { value: alike, is_exact: false, digits, rounding, reader }
+    /// A number that is no fraction that is written, from one that is rounded like it in this way to so many digits and to binary64.
+    pub(crate) fn without_fraction(
+        alike: Rational,
+        digits: usize,
+        rounding: Rounding,
+        reader: Reader,
+    ) -> Self {
+        Number { is_exact: false, ..Number::rounded(&alike, digits, rounding, reader) }
+    }
+
+    /// This number with a double on this side of it.
+    #[must_use]
+    pub(crate) fn outward(self, outward: Outward) -> Self {
+        Number { outward: Some(outward), ..self }
     }
 
     /// Whether the fraction is too long to be written.
     pub(crate) fn lacks_fraction(&self) -> bool {
         !self.is_exact
     }
+
+    /// The double on that side of the number; `None` without end.
+    fn double(&self, outward: &Outward) -> Option<f64> {
+        let double = match (outward, self.is_exact) {
+            (Outward::Down, true) => down(&self.value),
+            (Outward::Up, true) => up(&self.value),
+            (Outward::Above(covering), _) => up(covering),
+            // One that is rounded to the same double may be on its other side.
+            (Outward::Down, false) => self.value.to_f64().next_down(),
+            (Outward::Up, false) => self.value.to_f64().next_up(),
+        };
+        // Not -0.0 for 0.
+        Some(double + 0.0).filter(|double| double.is_finite())
+    }
+}
+
+/// The largest double that is not greater.
+pub(crate) fn down(value: &Rational) -> f64 {
+    value.floor_to_f64()
+}
+
+/// The least double that is not smaller.
+pub(crate) fn up(value: &Rational) -> f64 {
+    // Not -0.0 for 0.
+    0.0 - down(&-value)
 }
 
 impl Serialize for Number {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let decimal = self.value.decimal(self.digits, self.rounding);
-        let mut fields = serializer.serialize_struct("Number", 3)?;
+        let mut fields = serializer.serialize_struct("Number", 4)?;
         fields.serialize_field("exact", &self.is_exact.then_some(Written(&self.value)))?;
-        match self.reader {
-            Reader::Person => fields.serialize_field("decimal", &Written(decimal))?,
-            Reader::Program => {
-                fields.serialize_field("decimal", &Written(decimal.compact()))?;
-                fields.serialize_field("value", &self.value.to_finite_f64())?;
+        let is_for_program = self.reader == Reader::Program;
+        match &self.decimal {
+            DecimalForm::Digits(digits, rounding) => {
+                let decimal = self.value.decimal(*digits, *rounding);
+                let decimal = if is_for_program { decimal.compact() } else { decimal };
+                fields.serialize_field("decimal", &Written(decimal))?;
+            }
+            DecimalForm::Placed(decimal) => fields.serialize_field("decimal", &Written(decimal))?,
+        }
+        if is_for_program {
+            fields.serialize_field("value", &self.value.to_finite_f64())?;
+            if let Some(outward) = &self.outward {
+                fields.serialize_field("outward", &self.double(outward))?;
             }
         }
         fields.end()
@@ -64,5 +128,46 @@ struct Written<T>(T);
 impl<T: fmt::Display> Serialize for Written<T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(&self.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zero_has_no_sign() {
+        let doubles = [up(&Rational::zero()), down(&Rational::zero())];
+        assert_eq!(doubles.map(f64::is_sign_negative), [false; 2]);
+    }
+
+    #[test]
+    fn doubles_enclose_the_number() {
+        let huge = Rational::scientific(1, 400);
+        for value in
+            [Rational::ratio(1, 3), Rational::ratio(-1, 3), Rational::ratio(1, 10), huge.clone(), -&huge]
+        {
+            let (below, above) = (down(&value), up(&value));
+            assert!(Rational::from_f64(below).is_none_or(|double| double <= value), "{value}");
+            assert!(Rational::from_f64(above).is_none_or(|double| double >= value), "{value}");
+            assert!(above == below.next_up(), "{value}: {below} {above}");
+        }
+        assert_eq!((down(&Rational::ratio(3, 4)), up(&Rational::ratio(3, 4))), (0.75, 0.75));
+        assert_eq!((down(&huge), up(&huge)), (f64::MAX, f64::INFINITY));
+    }
+
+    #[test]
+    fn ends_have_a_double_that_is_not_inside() {
+        let shown = |number: &Number| serde_json::to_string(number).unwrap();
+        let tenth = Number::rounded(&Rational::ratio(1, 3), 3, Rounding::Nearest, Reader::Program);
+        assert_eq!(shown(&tenth), r#"{"exact":"1/3","decimal":"0.333","value":0.3333333333333333}"#);
+        let upper = tenth.clone().outward(Outward::Up);
+        assert!(shown(&upper).ends_with(r#""value":0.3333333333333333,"outward":0.33333333333333337}"#));
+        let lower = tenth.clone().outward(Outward::Down);
+        assert!(shown(&lower).ends_with(r#""value":0.3333333333333333,"outward":0.3333333333333333}"#));
+        let covering = tenth.outward(Outward::Above(Rational::ratio(1, 2)));
+        assert!(shown(&covering).ends_with(r#""outward":0.5}"#));
+        let huge = Number::rounded(&Rational::scientific(1, 400), 3, Rounding::Up, Reader::Program);
+        assert!(shown(&huge.outward(Outward::Up)).ends_with(r#""value":null,"outward":null}"#));
     }
 }

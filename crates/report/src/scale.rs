@@ -6,7 +6,7 @@ use boundfit_exact::{Interval, Rational, Rounding, fewest_digits};
 use boundfit_geometry::{Measure, Vertex};
 
 use crate::document::{Symbol, Text};
-use crate::style::{Shown, Style};
+use crate::style::{GiveOrTake, Shown, Style};
 
 /// The most digits that are tried.
 const MOST_DIGITS: usize = 40;
@@ -108,6 +108,16 @@ impl Scale<'_> {
             return self.style.measure(measure);
         }
         Text::new().number(self.value(&measure.rounding_alike(self.style.significant())))
+    }
+
+    /// An estimate and its error bound with the digits of this style, see [`Style::give_or_take`].
+    pub(crate) fn give_or_take<'a>(
+        &self,
+        estimate: &'a Rational,
+        error: &'a Rational,
+        style: &Style,
+    ) -> GiveOrTake<'a> {
+        style.give_or_take(estimate, error, &self.style)
     }
 
     /// A lower end.

@@ -47,7 +47,12 @@ fn matrices(name: &str, generators: &[&Generator]) -> String {
 }
 
 /// One row per line; `nothing` without rows.
-fn assignment(name: &str, nothing: &str, [open, close]: [char; 2], rows: Vec<Vec<String>>) -> String {
+pub(crate) fn assignment(
+    name: &str,
+    nothing: &str,
+    [open, close]: [char; 2],
+    rows: Vec<Vec<String>>,
+) -> String {
     if rows.is_empty() {
         return format!("{name} = {nothing};\n");
     }
@@ -60,12 +65,12 @@ fn assignment(name: &str, nothing: &str, [open, close]: [char; 2], rows: Vec<Vec
     text + &format!("{close};\n")
 }
 
-fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     format!("'{}'", text.replace('\'', "''"))
 }
 
 /// The shortest literal that reads back as the same double.
-fn literal(double: f64) -> String {
+pub(crate) fn literal(double: f64) -> String {
     match double {
         infinite if infinite.is_infinite() => if infinite > 0.0 { "Inf" } else { "-Inf" }.to_owned(),
         double => format!("{double:e}"),

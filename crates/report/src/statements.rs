@@ -118,7 +118,8 @@ pub enum Claim {
     LeftOut {
         /// How many at least.
         least: usize,
-        /// All sets of so many rows without which something may be left; `None` when they are not stated.
+        /// Just the sets of so many rows without which something is left, each with a statement about what that is; `None` when
+        /// they are not stated.
         sets: Option<Vec<Vec<usize>>>,
         /// For sets of rows left out, the empty one first: half-planes of the others that contradict each other. One of their rows
         /// must be left out as well, which leads to the next entry.

@@ -3,11 +3,11 @@
 use std::fmt;
 
 use boundfit_exact::english::counted;
-use boundfit_exact::{Decimal, Interval, Limit, Rational, Rounding, Surd};
+use boundfit_exact::{Decimal, Interval, Limit, PlacedDecimal, PlusMinus, Rational, Rounding, Surd};
 use boundfit_geometry::Measure;
 
 use crate::document::{Inline, Symbol, Text};
-use crate::number::Number;
+use crate::number::{Number, Outward};
 
 /// The longest fraction that text reports show without being asked for exact numbers.
 const LONGEST_READABLE: usize = 80;
@@ -16,7 +16,7 @@ const LONGEST_READABLE: usize = 80;
 const GIVEN_DIGITS: usize = 20;
 
 /// Significant digits where nothing asks for more.
-const USUAL_DIGITS: usize = 5;
+pub(crate) const USUAL_DIGITS: usize = 5;
 
 /// In which direction the ends of intervals and the error bounds are rounded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -88,6 +88,13 @@ impl Default for Style {
 pub(crate) enum Shown<'a> {
     Exact(&'a Rational),
     Rounded(Decimal<'a>),
+    Placed(PlacedDecimal),
+}
+
+/// An estimate and its error bound, which enclose together what they enclose exactly.
+pub(crate) struct GiveOrTake<'a> {
+    pub(crate) centre: Shown<'a>,
+    pub(crate) error: Shown<'a>,
 }
 
 impl Shown<'_> {
@@ -96,6 +103,7 @@ impl Shown<'_> {
         match self {
             Shown::Exact(_) => self,
             Shown::Rounded(decimal) => Shown::Rounded(decimal.compact()),
+            Shown::Placed(decimal) => Shown::Placed(decimal.compact()),
         }
     }
 }
@@ -105,6 +113,7 @@ impl fmt::Display for Shown<'_> {
         match self {
             Shown::Exact(value) => value.fmt(f),
             Shown::Rounded(decimal) => decimal.fmt(f),
+            Shown::Placed(decimal) => decimal.fmt(f),
         }
     }
 }
@@ -122,12 +131,12 @@ impl Style {
 
     /// Both forms of a lower end.
     pub fn lower_number(&self, value: &Rational) -> Number {
-        self.json_number(value, self.significant(), self.directed(Rounding::Down))
+        self.json_number(value, self.significant(), self.directed(Rounding::Down)).outward(Outward::Down)
     }
 
     /// Both forms of an upper end or an error bound.
     pub fn upper_number(&self, value: &Rational) -> Number {
-        self.json_number(value, self.significant(), self.directed(Rounding::Up))
+        self.json_number(value, self.significant(), self.directed(Rounding::Up)).outward(Outward::Up)
     }
 
     /// Both forms of a given number: its decimal in full where that is exact.
@@ -146,7 +155,10 @@ impl Style {
         let digits = self.significant();
         match measure.exact_within(self.longest_fraction) {
             Some(exact) => self.number(&exact),
-            None => Number::without_fraction(measure.rounding_alike_in_binary64(digits), digits, self.reader),
+            None => {
+                let alike = measure.rounding_alike_in_binary64(digits);
+                Number::without_fraction(alike, digits, Rounding::Nearest, self.reader)
+            }
         }
     }
 
@@ -154,10 +166,52 @@ impl Style {
     pub(crate) fn surd_number(&self, value: &Surd, is_bound: bool) -> Number {
         let rounding = if is_bound { self.directed(Rounding::Up) } else { Rounding::Nearest };
         let digits = self.significant();
-        match value.rational() {
+        let number = match value.rational() {
             Some(value) => self.json_number(value, digits, rounding),
-            None => Number::irrational(value.alike(digits, rounding), digits, rounding, self.reader),
+            None => Number::without_fraction(value.alike(digits, rounding), digits, rounding, self.reader),
+        };
+        if is_bound { number.outward(Outward::Up) } else { number }
+    }
+
+    /// Both forms of an estimate of both parameters and of its error bounds. As decimals they enclose what they enclose exactly, and
+    /// so do the nearest double of the estimate and the outward one of the error bound.
+    pub(crate) fn estimate_numbers(
+        &self,
+        theta: &[Rational; 2],
+        errors: &[Rational; 2],
+    ) -> ([Number; 2], [Number; 2]) {
+        let number = |value: &Rational, decimal: PlacedDecimal| {
+            let is_for_person = self.reader == Reader::Person;
+            Number::placed(value, if is_for_person { decimal } else { decimal.compact() }, self.reader)
+        };
+        let [[theta1, error1], [theta2, error2]] = [0, 1].map(|axis| {
+            let (theta, error) = (&theta[axis], &errors[axis]);
+            let [shown, bound] = match self.ends {
+                EndRounding::Nearest => [self.number(theta), self.upper_number(error)],
+                EndRounding::Outward => {
+                    let PlusMinus { centre, error: bound } =
+                        PlusMinus::enclosing(theta, error, self.significant());
+                    [number(theta, centre), number(error, bound)]
+                }
+            };
+            [shown, bound.outward(Outward::Above(error + distance_of_double(theta)))]
+        });
+        ([theta1, theta2], [error1, error2])
+    }
+
+    /// An estimate and its error bound: as printed they enclose what they enclose exactly. Where ends are rounded to nearest they do
+    /// not, and the estimate is shown as by `alone`.
+    pub(crate) fn give_or_take<'a>(
+        &self,
+        estimate: &'a Rational,
+        error: &'a Rational,
+        alone: &Style,
+    ) -> GiveOrTake<'a> {
+        if self.exact || self.ends == EndRounding::Nearest {
+            return GiveOrTake { centre: alone.nearest(estimate), error: self.upper(error) };
         }
+        let PlusMinus { centre, error } = PlusMinus::enclosing(estimate, error, self.significant());
+        GiveOrTake { centre: Shown::Placed(centre), error: Shown::Placed(error) }
     }
 
     /// A number that may be irrational; of an error bound rounded like one.
@@ -328,6 +382,11 @@ impl Style {
 /// Whether a fraction is short enough to be read.
 pub(crate) fn is_readable(value: &Rational) -> bool {
     value.to_string().len() <= LONGEST_READABLE
+}
+
+/// How far the nearest double is from a number; 0 where it is beyond them all.
+pub(crate) fn distance_of_double(value: &Rational) -> Rational {
+    Rational::from_f64(value.to_f64()).map_or_else(Rational::zero, |double| (double - value).abs())
 }
 
 /// An interval with these ends; infinite where there is none.

@@ -1,4 +1,4 @@
-//! The family of sets over the error bound as JSON: part of `boundfit/fit/1`.
+//! The family of sets over the error bound as JSON: part of `boundfit/fit/2`.
 
 use boundfit_estimation::{
     ActiveBounds, BoundName, Breakpoint, Family, Linear, MovingArea, MovingVertex, Piece, Problem, Section,
@@ -12,7 +12,7 @@ use crate::json::{ActiveJson, ActiveListJson, RangeJson, VertexJson};
 use crate::number::Number;
 use crate::style::Style;
 
-/// The sets FPS(s·ε) from one factor to another, which are serialised as the part `sweep` of `boundfit/fit/1`.
+/// The sets FPS(s·ε) from one factor to another, which are serialised as the part `sweep` of `boundfit/fit/2`.
 #[derive(Debug, Serialize)]
 pub struct SweepJson {
     from: Number,

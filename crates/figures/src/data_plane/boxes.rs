@@ -7,9 +7,9 @@ use boundfit_exact::english::counted;
 use boundfit_exact::{Rational, Rounding};
 use boundfit_questions::{BoxBound, Corner, SideSet, SlopeEnd, XErrorFit, XErrorProblem};
 
-use super::RIGHT;
 use super::readings::{style_of_fitted, style_of_other};
-use super::scene::{MOST_LARGE_MARKS, MOST_MARKS};
+use super::scene::{MOST_LARGE_MARKS, MOST_MARKS, level};
+use super::{RIGHT, outside_note};
 use crate::axis::Axis;
 use crate::drawing::{Anchor, Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::extent::Extent;
@@ -79,6 +79,10 @@ pub(crate) fn boxes(problem: &XErrorProblem, answer: &XErrorFit, options: &PlotO
         }
     }
     let mut notes = notes(problem, answer, options);
+    let all = || measurements.others().iter().chain(measurements.kept());
+    let stands = |reading: &Measurement| panel.shows(panel.place([&reading.regressor[0], &level(reading)]));
+    let outside = all().filter(|reading| !stands(reading)).count();
+    notes.extend(outside_note([outside, count + others]));
     if step > 1 || other_step > 1 {
         let all = counted(count + others, "reading", "readings");
         notes.push(format!("{all}; drawn are some, evenly spread, and those that decide."));

@@ -9,6 +9,8 @@ mod runs;
 mod sample;
 mod scene;
 mod several;
+#[cfg(test)]
+mod tests;
 mod view;
 
 use boundfit_estimation::{ErrorBound, Family, Fit, Problem};
@@ -68,10 +70,18 @@ fn drawing_of(scene: &Scene, bands: &Bands, title: String, mut notes: Vec<String
     let names = [labels::abscissa(problem, options), labels::response(problem, options)];
     let whole = View { scene, reference: None };
     let mut panels = vec![panel(&whole, bands, frames[0], names)];
+    notes.extend(whole.outside(&panels[0]).and_then(outside_note));
     if let Some(reference) = &scene.reference {
         let view = View { scene, reference: Some(reference) };
         let names = [labels::abscissa(problem, options), labels::residual(options)];
         let mut distances = panel(&view, bands, frames[1], names);
+        if let Some([outside, count]) = view.outside(&distances)
+            && outside > 0
+            && scene.options.x_range.is_none()
+        {
+            let of = counted(count, "residual", "residuals");
+            notes.push(format!("Outside the panel of residuals: {outside} of {of}."));
+        }
         if bands.go_beyond(&view, &distances) {
             notes.push("The band goes on beyond this view.".to_owned());
         }
@@ -92,6 +102,15 @@ fn drawing_of(scene: &Scene, bands: &Bands, title: String, mut notes: Vec<String
         panels,
         legend: legend(scene, bands),
         notes,
+    }
+}
+
+/// What is said of readings outside a view: how many there are, of how many.
+pub(crate) fn outside_note([outside, count]: [usize; 2]) -> Option<String> {
+    match outside {
+        0 => None,
+        _ if outside == count => Some("No reading is in this view.".to_owned()),
+        _ => Some(format!("Outside this view: {outside} of {}.", counted(count, "reading", "readings"))),
     }
 }
 
@@ -142,7 +161,7 @@ fn title(scene: &Scene) -> String {
                 scene.reference.as_ref().map(|reference| format!("Readings and {}", reference.name));
             return reference.unwrap_or_else(|| "Readings".to_owned());
         }
-        Figure::Eui if scene.fit.least_squares.is_err() => "No EUI: the regressors are linearly dependent",
+        Figure::Eui if scene.fit.eui().is_none() => "No EUI",
         Figure::Eui if line => "Lines with parameters in the EUI box",
         Figure::Eui => "Fits with parameters in the EUI box",
         Figure::Pui if empty => "No PUI: the feasible parameter set is empty",
@@ -228,10 +247,8 @@ fn notes(scene: &Scene, bands: &Bands) -> Vec<String> {
     if !scene.conflict.bounds.is_empty() {
         notes.push(scene.conflict.sentence());
     }
-    if scene.figure == Figure::Eui && scene.fit.least_squares.is_err() {
-        notes.push(
-            "Least squares and its EUI need regressors that are not proportional to each other.".to_owned(),
-        );
+    if scene.figure == Figure::Eui {
+        notes.extend(labels::why_no_eui(scene.fit));
     }
     notes.extend(bands.notes());
     if scene.is_crowded() {

@@ -1,8 +1,8 @@
 //! The runs of readings that fit, as bars below the data.
 
 use boundfit_estimation::{Model, Problem, fit};
-use boundfit_exact::Rational;
 use boundfit_exact::english::counted;
+use boundfit_exact::{Rational, Rounding};
 use boundfit_questions::{LinearRange, Order, Run};
 
 use super::drawing;
@@ -17,6 +17,9 @@ use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
 const MOST_BARS: usize = 60;
 /// The pixels that one bar has, between these.
 const BAR_ROOM: [f64; 2] = [3.0, 9.0];
+
+/// Significant digits of x.
+const DIGITS: usize = 5;
 
 /// A run that is not the longest.
 const RUN: Stroke = Stroke::new(GREY, 2.0, Dash::Solid);
@@ -60,9 +63,18 @@ pub(crate) fn runs(problem: &Problem, options: &PlotOptions) -> Drawing {
         last.labelled[0] = false;
     }
     drawing.panels.push(panel);
-    let [first, last] = [longest.first, longest.last].map(|position| rows[range.order[position]].row);
-    let text =
-        format!("the longest run: {}, rows {first}..{last}", counted(longest.len(), "reading", "readings"));
+    let readings = counted(longest.len(), "reading", "readings");
+    let ends = [longest.first, longest.last];
+    let text = match problem.measurements.model() {
+        Model::Line { x } => {
+            let [from, to] = ends.map(|at| labels::number(&place(at), DIGITS, Rounding::Nearest));
+            format!("the longest run: {x} from {from} to {to}, {readings}")
+        }
+        Model::TwoRegressors { .. } => {
+            let [first, last] = ends.map(|position| rows[range.order[position]].row);
+            format!("the longest run: {readings}, rows {first}..{last}")
+        }
+    };
     drawing.legend.push(LegendEntry::new(Swatch::line(LONGEST), text));
     drawing.legend.push(LegendEntry::new(Swatch::line(RUN), "another run"));
     if shown.len() < range.runs.len() {

@@ -105,6 +105,11 @@ impl<'a> Scene<'a> {
         is_line(self.problem)
     }
 
+    /// x of a reading, or the number of its row.
+    pub(crate) fn abscissa(&self, reading: &Measurement) -> Rational {
+        if self.is_line() { reading.regressor[0].clone() } else { Rational::from(reading.row) }
+    }
+
     /// Whether each reading is drawn small, to leave room for the others.
     pub(crate) fn is_dense(&self) -> bool {
         self.count > MOST_LARGE_MARKS

@@ -65,7 +65,9 @@ pub(crate) fn several(all: &[Series], options: &PlotOptions) -> Drawing {
     }
     let entries = all.iter().zip(&styles).enumerate();
     let legend = entries.map(|(index, (own, style))| entry(own, style, lines.contains(&index))).collect();
-    let notes: Vec<String> = thinned(count, step).into_iter().collect();
+    let mut notes: Vec<String> = thinned(count, step).into_iter().collect();
+    let outside = all.iter().map(|own| outside(&panel, own.problem)).sum();
+    notes.extend(super::outside_note([outside, count]));
     let title = "Readings and lines, compared".to_owned();
     let told: Vec<String> = all.iter().map(|own| told(own, true)).collect();
     Drawing {
@@ -90,8 +92,10 @@ pub(crate) fn panels(
     let is_dense = all.iter().any(|own| own.problem.measurements.kept().len() > MOST_IN_SMALL);
     let (bar, mark) = super::readings::style_of_fitted(is_dense);
     let style = Style { bar, mark, line: Stroke { width: 1.3, ..style::LEAST_SQUARES } };
+    let mut beyond = 0;
     let panels = all.iter().zip(frames).map(|(own, frame)| {
         let mut panel = Panel::new(*frame, axes(all, *frame, options), options.flip);
+        beyond += outside(&panel, own.problem);
         draw_readings(&mut panel, own.problem, step, &style);
         draw_line(&mut panel, own, style.line);
         panel.heading = match own.fit.is_empty() {
@@ -100,7 +104,7 @@ pub(crate) fn panels(
         };
         panel
     });
-    let panels = panels.collect();
+    let panels: Vec<Panel> = panels.collect();
     let legend = vec![
         LegendEntry::new(
             Swatch::bar(style.bar, style.mark),
@@ -109,11 +113,19 @@ pub(crate) fn panels(
         LegendEntry::new(Swatch::line(style.line), "least-squares line"),
     ];
     let mut notes: Vec<String> = thinned(count, step).into_iter().collect();
+    notes.extend(super::outside_note([beyond, count]));
     let empty = all.iter().filter(|own| own.fit.is_empty()).count();
     if empty > 0 {
         notes.push(format!("No line agrees with all readings of {}.", counted(empty, "group", "groups")));
     }
     (panels, legend, notes)
+}
+
+/// How many readings stand outside a panel.
+fn outside(panel: &Panel, problem: &Problem) -> usize {
+    let stands =
+        |reading: &Measurement| panel.shows(panel.place([&abscissa(problem, reading), &level(reading)]));
+    problem.measurements.kept().iter().filter(|reading| !stands(reading)).count()
 }
 
 fn thinned(count: usize, step: usize) -> Option<String> {

@@ -3,10 +3,11 @@
 use boundfit_estimation::{Bounds, Measurement};
 use boundfit_exact::Rational;
 
-use super::scene::{Reference, Scene, Shown};
+use super::scene::{Reference, Scene, Shown, level};
 use crate::axis::Axis;
 use crate::drawing::{Anchor, Frame, Panel};
 use crate::extent::Extent;
+use crate::figure::Figure;
 use crate::palette::{FAINT_INK, Stroke};
 
 /// What a panel shows: values, or distances from a reference line.
@@ -89,6 +90,24 @@ impl View<'_> {
         fitted.grown_towards(bands, &band_room).grown_towards(&others, &others_room).padded(&margin)
     }
 
+    /// How many of the figure's readings stand outside the panel, and how many there are; `None` where a look at each of very many takes
+    /// long and would find none.
+    pub(crate) fn outside(&self, panel: &Panel) -> Option<[usize; 2]> {
+        let Scene { problem, figure, options, count, .. } = self.scene;
+        let is_asked = options.x_range.is_some() || options.y_range.is_some();
+        if self.scene.is_crowded() && (self.reference.is_some() || !is_asked) {
+            return None;
+        }
+        let others = if *figure == Figure::Corridor { &[] } else { problem.measurements.others() };
+        let all = others.iter().chain(problem.measurements.kept());
+        let stands = |reading: &Measurement| {
+            let level = level(reading);
+            let value = if self.reference.is_some() { level - self.reference_at(reading) } else { level };
+            panel.shows(panel.place([&self.scene.abscissa(reading), &value]))
+        };
+        Some([all.filter(|reading| !stands(reading)).count(), *count])
+    }
+
     /// Where the fitted rows begin and end, when others are shown.
     pub(crate) fn interval_of_fitted_rows(&self, panel: &mut Panel) {
         let scene = self.scene;
@@ -103,12 +122,17 @@ impl View<'_> {
         panel.line_at_first(upper, FAINT_INK);
         let rows = || fitted().map(|shown| shown.measurement.row);
         if let (Some(first), Some(last), None) = (rows().min(), rows().max(), self.reference) {
+            let are_consecutive = last + 1 - first == scene.problem.measurements.fitted();
+            let text = match are_consecutive {
+                true => format!("fitted rows {first}..{last}"),
+                false => "fitted readings".to_owned(),
+            };
             let at = panel.coordinates()[0].fraction(&(lower + upper).half());
             let (place, anchor) = match scene.options.flip {
                 false => ([at, 1.0], Anchor { across: 0.0, up: 1.0 }),
                 true => ([1.0, at], Anchor { across: -1.0, up: 0.0 }),
             };
-            panel.text(place, format!("fitted rows {first}..{last}"), anchor, FAINT_INK);
+            panel.text(place, text, anchor, FAINT_INK);
         }
     }
 

@@ -1,11 +1,10 @@
 //! The set between what linear programs in many directions see of it: the hull of the optimisers inside, the polygon of
 //! the supporting half-planes outside.
 
-use boundfit_check::Directions;
+use boundfit_check::{AskedDirections, Directions};
 use boundfit_estimation::{Fit, Problem};
-use boundfit_exact::{Interval, Rational, Rounding};
+use boundfit_exact::{Rational, Rounding};
 use boundfit_geometry::{Inequality, Polyhedron, Region, Support, System};
-use boundfit_lp::spread_objectives;
 
 use super::layout::{finished, main_frame, panel};
 use super::sliver::Sliver;
@@ -33,9 +32,10 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     if polyhedron.region().is_empty() {
         return empty::drawing(problem, fit, options);
     }
-    let (objectives, is_scaled) = objectives(fit, options.directions);
+    let asked = AskedDirections { count: options.directions, is_scaled: options.are_directions_scaled };
+    let objectives = asked.objectives(polyhedron);
     let found = boundfit_check::directions_along(polyhedron, &objectives);
-    let outer = outer(polyhedron, &objectives);
+    let outer = outer(polyhedron, &objectives.coefficients);
     let page = Page::of(options);
     let names = labels::axes_of_parameters(problem, options);
     let sliver = Sliver::of(polyhedron.region());
@@ -58,9 +58,10 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
     inner(&mut main, &places);
     let mut panels = vec![main];
     let mut notes = notes(&found);
-    if is_scaled {
-        notes.push("The directions are spread evenly where the PUI box is seen as a square.".to_owned());
-    }
+    notes.push(match found.is_scaled {
+        true => "The directions are spread evenly where the PUI box is a square.".to_owned(),
+        false => "The directions are spread evenly in the plane of θ₁ and θ₂.".to_owned(),
+    });
     if let Some(sliver) = sliver {
         panels.push(thin(sliver.panel(0, page), &sliver, polyhedron, &outer, hull));
         notes.push(Sliver::note("the exact set"));
@@ -71,20 +72,6 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
         format!("The set between its inner and outer approximation from {} directions", options.directions)
     };
     finished(problem, options, title, panels, legend(options.directions), notes)
-}
-
-/// The objectives, and whether they are spread evenly where the PUI box is a square: in θ itself nearly all of them look along
-/// one axis when the parameters are of different sizes. Without a bounded box of some width they are spread in θ.
-fn objectives(fit: &Fit, count: usize) -> (Vec<[Rational; 2]>, bool) {
-    let width = |interval: &Interval| interval.ends().map(|(lower, upper)| upper - lower);
-    let ratio = fit.pui_intervals().and_then(|[first, second]| width(&first)?.checked_div(&width(&second)?));
-    // A direction need not be exact: what is found along it is.
-    let ratio = ratio.and_then(|ratio| Rational::from_f64(ratio.to_f64())).filter(Rational::is_positive);
-    let spread = spread_objectives(count);
-    match ratio {
-        Some(ratio) => (spread.into_iter().map(|[c1, c2]| [c1, c2 * &ratio]).collect(), true),
-        None => (spread, false),
-    }
 }
 
 /// The intersection of the supporting half-planes of the set in all directions in which linear programs are solved.

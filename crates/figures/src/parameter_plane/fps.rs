@@ -57,9 +57,7 @@ pub(crate) fn drawing(problem: &Problem, fit: &Fit, options: &PlotOptions) -> Dr
         notes.push(Sliver::note("the set"));
     }
     notes.extend(marks::outside_note(&panels, &estimates));
-    if fit.least_squares.is_err() {
-        notes.push("No least squares and no EUI: the regressors are linearly dependent.".to_owned());
-    }
+    notes.extend(labels::why_no_eui(fit));
     if polyhedron.region().kind() == RegionKind::Plane {
         notes.push("Every parameter pair is feasible.".to_owned());
     } else if !polyhedron.region().is_bounded() {

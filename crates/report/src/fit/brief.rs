@@ -18,13 +18,21 @@ pub fn brief_document(problem: &Problem, fit: &Fit, origin: &Origin, style: &Sty
     let mut rows = report.facts(origin);
     rows.push(("set".into(), kind_text(region.kind(), region.vertices().len()).into()));
     for (axis, interval) in pui.iter().flatten().enumerate() {
-        let range = Text::from("in ").then(report.theta[axis].interval(interval));
-        let line = match &fit.central {
+        let range = report.theta[axis].interval(interval);
+        let is_single = interval.ends().is_some_and(|(lower, upper)| lower == upper);
+        let line = match fit.central.as_ref().filter(|_| !is_single) {
+            // A single value is its own middle.
+            None if is_single => range,
+            None => Text::from("in ").then(range),
             Some(central) => {
-                let value = range.words("; central ").number(report.theta[axis].value(&central.theta[axis]));
-                value.words(" ").then(report.give_or_take(&central.guaranteed_error[axis]))
+                let shown = report.theta[axis].give_or_take(
+                    &central.theta[axis],
+                    &central.guaranteed_error[axis],
+                    style,
+                );
+                let line = Text::from("in ").then(range).words("; central ").number(shown.centre).words(" ");
+                line.symbol(Symbol::PlusMinus).number(shown.error)
             }
-            None => range,
         };
         rows.push((THETA[axis].into(), line));
     }
@@ -38,7 +46,16 @@ pub fn brief_document(problem: &Problem, fit: &Fit, origin: &Origin, style: &Sty
         (Text::from(Symbol::LeastEpsilon), least)
     }));
     if let Ok(least_squares) = &fit.least_squares {
-        let [theta1, theta2] = [0, 1].map(|axis| report.theta[axis].value(&least_squares.theta[axis]));
+        let errors = fit.least_squares_guaranteed_error();
+        let [theta1, theta2] = [0, 1].map(|axis| {
+            let theta = &least_squares.theta[axis];
+            match &errors {
+                Some(errors) => {
+                    report.theta[axis].give_or_take(theta, &errors[axis], style).centre.to_string()
+                }
+                None => report.theta[axis].value(theta).to_string(),
+            }
+        });
         let is_feasible = fit.least_squares_slack().is_none_or(|(slack, _)| !slack.is_negative());
         let line = Text::from("least squares ").number(theta1).words(" and ").number(theta2);
         let line = line.words(if is_feasible { ", feasible" } else { ", not feasible" });

@@ -5,8 +5,8 @@ use boundfit_exact::{Interval, Rational};
 
 use super::Report;
 use crate::document::{Block, Facts, Inline, Symbol, THETA, Table, Text};
-use crate::scale::scales;
-use crate::style::EndRounding;
+use crate::scale::{Scale, scales};
+use crate::style::{EndRounding, GiveOrTake, Style};
 
 /// The part; nothing when there is neither an estimate nor an interval.
 pub(super) fn blocks(report: &Report) -> Vec<Block> {
@@ -60,17 +60,36 @@ fn parameter_rows(report: &Report) -> Vec<Vec<Text>> {
         let interval = |axis: usize| report.theta[axis].interval(&intervals[axis]);
         vec![label.into(), interval(0), interval(1)]
     };
-    rows.extend(fit.least_squares.as_ref().ok().map(|own| estimate("least squares", &own.theta)));
+    rows.extend(fit.least_squares.as_ref().ok().map(|own| match fit.least_squares_guaranteed_error() {
+        Some(errors) => {
+            let [row, _] = bounded_rows("least squares", &own.theta, &errors, report.style, &report.theta);
+            row
+        }
+        None => estimate("least squares", &own.theta),
+    }));
     rows.extend(fit.eui().map(|eui| intervals("EUI", eui)));
     rows.extend(fit.pui_intervals().map(|pui| intervals("PUI", &pui)));
-    if let Some(central) = &fit.central {
-        rows.push(estimate("central", &central.theta));
-        let mut row = vec![Text::new().with(Inline::Indent).words("guaranteed")];
-        row.extend(central.guaranteed_error.iter().map(|error| report.give_or_take(error)));
-        rows.push(row);
-    }
+    rows.extend(fit.central.iter().flat_map(|own| {
+        bounded_rows("central", &own.theta, &own.guaranteed_error, report.style, &report.theta)
+    }));
     rows.extend(fit.minimax.as_ref().map(|minimax| estimate("minimax", &minimax.theta)));
     rows
+}
+
+/// The rows of an estimate and of its guaranteed error, whose digits it has.
+pub(crate) fn bounded_rows(
+    label: &str,
+    theta: &[Rational; 2],
+    errors: &[Rational; 2],
+    style: &Style,
+    scales: &[Scale; 2],
+) -> [Vec<Text>; 2] {
+    let both = [0, 1].map(|axis| scales[axis].give_or_take(&theta[axis], &errors[axis], style));
+    let [[centre1, error1], [centre2, error2]] = both.map(|GiveOrTake { centre, error }| {
+        [Text::new().number(centre), Text::from(Symbol::PlusMinus).number(error)]
+    });
+    let guaranteed = Text::new().with(Inline::Indent).words("guaranteed");
+    [vec![label.into(), centre1, centre2], vec![guaranteed, error1, error2]]
 }
 
 /// The rows of the table of gain and offset.

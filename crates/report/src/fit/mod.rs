@@ -5,9 +5,10 @@ mod estimates;
 mod results;
 
 pub use brief::brief_document;
+pub(crate) use estimates::bounded_rows;
 
 use boundfit_estimation::{
-    BoundName, ErrorBound, Fit, FractionCells, Inverse, Model, MultipleOfLeast, NoLeastSquares,
+    BoundName, ErrorBound, Fit, FractionCells, Inverse, Measurement, Model, MultipleOfLeast, NoLeastSquares,
     ParameterBound, ParameterInterval, Problem, Ties, mending_rows,
 };
 use boundfit_exact::english::{counted, listed};
@@ -21,6 +22,7 @@ use crate::origin::Origin;
 use crate::region::{names_of, region_blocks};
 use crate::scale::{Scale, scales};
 use crate::style::Style;
+use crate::table_json::table_words;
 
 /// What the set is called in titles.
 const SET: &str = "Feasible parameter set (FPS)";
@@ -206,13 +208,13 @@ impl<'a> Report<'a> {
                 ),
                 ("reading", reading.into()),
             ]);
-        let text = measurements.written().map(|words| ("text".into(), words.into()));
+        let table = table_words(measurements).map(|words| ("table".into(), words));
         let conditions = (1..).zip(&self.problem.conditions).map(|(number, condition)| {
             (format!("where:{number}").into(), Text::new().given(condition.text()))
         });
         let fractions = measurements.fractions().iter().map(|found| ("note".into(), fractions(found)));
         let facts = facts.into_iter().map(|(label, text)| (label.into(), text));
-        facts.chain(text).chain(fractions).chain(conditions).collect()
+        facts.chain(table).chain(fractions).chain(conditions).collect()
     }
 
     fn model(&self) -> Text {
@@ -252,14 +254,17 @@ impl<'a> Report<'a> {
     fn intervals(&self) -> Text {
         let measurements = &self.problem.measurements;
         let rows = measurements.kept();
-        let lacking = rows.iter().filter(|row| row.half_width().is_none()).count();
+        let ties = measurements.ties().filter(|_| measurements.every().is_some());
+        let times = |row: &Measurement| ties.map_or(1, |ties| ties.count(row.row));
+        let all: usize = rows.iter().map(times).sum();
+        let lacking: usize = rows.iter().filter(|row| row.half_width().is_none()).map(times).sum();
         // Of the other rows it is not known.
-        let which = if measurements.all().is_some() { "" } else { " kept" };
+        let which = if measurements.every().is_some() { "" } else { " kept" };
         let bounds = match lacking {
             0 => format!("both bounds of every row{which}"),
-            _ if lacking == rows.len() => format!("one bound of every row{which}"),
+            _ if lacking == all => format!("one bound of every row{which}"),
             _ => {
-                let both = counted(rows.len() - lacking, "row", "rows");
+                let both = counted(all - lacking, "row", "rows");
                 format!("both bounds of {both}{which}, one of {lacking}")
             }
         };
@@ -307,12 +312,23 @@ impl<'a> Report<'a> {
             }
         };
         let is_known = self.problem.measurements.deciding_minimax().is_ok();
+        let help = self.swapped().map_or_else(|| is_known.then_some(help), |why| Some(why.into()));
         let mending = self.mending().into();
-        [contradiction.into(), proof.words(".")]
-            .into_iter()
-            .chain(is_known.then_some(help))
-            .chain([mending])
-            .collect()
+        [contradiction.into(), proof.words(".")].into_iter().chain(help).chain([mending]).collect()
+    }
+
+    /// In how many rows the lower bound is above the upper one, if in any.
+    fn swapped(&self) -> Option<String> {
+        let measurements = &self.problem.measurements;
+        let rows = measurements.kept();
+        let is_swapped =
+            |row: &&Measurement| row.lower().zip(row.upper()).is_some_and(|(lower, upper)| lower > upper);
+        let count = rows.iter().filter(is_swapped).count();
+        // Of the other rows it is not known.
+        let which = if measurements.all().is_some() { "rows" } else { "rows kept" };
+        (count > 0).then(|| {
+            format!("In {count} of {} {which} the lower bound is above the upper one: swapped?", rows.len())
+        })
     }
 
     /// Which single row an empty set would have to lose.

@@ -1,11 +1,10 @@
 //! The remaining results of a fit: one line each.
 
 use boundfit_estimation::{ErrorBound, FloatEstimate, LeastSquares, least_squares_is_feasible};
-use boundfit_exact::Rational;
 use boundfit_exact::english::list;
 
 use super::Report;
-use crate::document::{Symbol, Text};
+use crate::document::{Symbol, THETA, Text};
 use crate::fit_json::{NO_BINARY64, NO_WIDTHS};
 use crate::region::measured_point;
 use crate::slope_lines;
@@ -34,11 +33,6 @@ pub(super) fn lines(report: &Report) -> Vec<(Text, Text)> {
 }
 
 impl Report<'_> {
-    /// An error, either way.
-    pub(super) fn give_or_take(&self, error: &Rational) -> Text {
-        Text::from(Symbol::PlusMinus).number(self.style.upper(error))
-    }
-
     fn least_error_bound(&self) -> Vec<(Text, Text)> {
         let label = Text::from(Symbol::LeastEpsilon);
         let Some(minimax) = &self.fit.minimax else {
@@ -106,10 +100,13 @@ impl Report<'_> {
             (Ok(_), _) => "feasible".into(),
         };
         let mut lines = vec![("least squares".into(), state)];
-        if let Some([first, second]) = fit.least_squares_guaranteed_error() {
-            let line = Text::from("guaranteed error ").symbol(Symbol::Theta1).mark(" ");
-            let line = line.then(self.give_or_take(&first)).words(", ").symbol(Symbol::Theta2).mark(" ");
-            lines.push((Text::new(), line.then(self.give_or_take(&second))));
+        if let (Ok(own), Some(errors)) = (&fit.least_squares, fit.least_squares_guaranteed_error()) {
+            let error = |axis: usize| {
+                let shown = self.theta[axis].give_or_take(&own.theta[axis], &errors[axis], style);
+                Text::from(THETA[axis]).mark(" ").symbol(Symbol::PlusMinus).number(shown.error)
+            };
+            let line = Text::from("guaranteed error ").then(error(0)).words(", ").then(error(1));
+            lines.push((Text::new(), line));
         }
         lines.extend(self.in_doubles());
         if let Ok(LeastSquares { eui: Err(reason), .. }) = &fit.least_squares {

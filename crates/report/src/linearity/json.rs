@@ -15,6 +15,7 @@ use crate::json::to_text;
 use crate::number::Number;
 use crate::origin::Origin;
 use crate::style::Style;
+use crate::table_json::TableJson;
 
 #[derive(Serialize)]
 struct LinearityJson {
@@ -43,8 +44,7 @@ struct InputJson {
     #[serde(skip_serializing_if = "Option::is_none")]
     selection: Option<SelectionJson>,
     rows_missing: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    text: Option<String>,
+    table: Option<TableJson>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     fractions: Vec<FractionsJson>,
     reading: &'static str,
@@ -185,7 +185,7 @@ fn input_json(
         rows_total: input.rows_total,
         selection: selection(&input.selection),
         rows_missing: input.rows_missing,
-        text: input.written.clone(),
+        table: TableJson::of_input(input),
         fractions: input.fractions.iter().cloned().map(fractions).collect(),
         reading: origin.reading.name(),
         sha256: input.sha256.clone(),
@@ -194,7 +194,7 @@ fn input_json(
         up,
         down,
         direction,
-        points: linearity.average.points.len(),
+        points: linearity.average.count(),
         full_scale: if options.full_scale.is_some() { "given" } else { "span" },
     }
 }

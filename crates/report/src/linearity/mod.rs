@@ -17,6 +17,7 @@ use crate::fit::fractions;
 use crate::formula::pair;
 use crate::origin::Origin;
 use crate::style::Style;
+use crate::table_json::words_of_input;
 
 pub use csv::linearity_csv;
 pub use json::linearity_json;
@@ -107,14 +108,14 @@ impl Report<'_> {
             ("full scale", self.full_scale()),
         ];
         let facts = facts.into_iter().map(|(label, text)| (label.into(), text));
-        let text = self.input.written.as_deref().map(|words| ("text".into(), words.into()));
+        let table = words_of_input(self.input).map(|words| ("table".into(), words));
         let notes = self.input.fractions.iter().map(|found| ("note".into(), fractions(found)));
-        facts.chain(text).chain(notes).collect()
+        facts.chain(table).chain(notes).collect()
     }
 
     /// What the characteristic is made of.
     fn response(&self) -> Text {
-        let points = counted(self.linearity.average.points.len(), "point", "points");
+        let points = counted(self.linearity.average.count(), "point", "points");
         match &self.input.response {
             ResponseColumns::One(y) => Text::new()
                 .given(y)

@@ -2,7 +2,7 @@
 
 use boundfit_estimation::{BoundName, Columns, EpsilonColumn, LineForm, Measurements, Problem};
 use boundfit_exact::{Rational, Reading};
-use boundfit_formats::{ColumnSelector, InputError, Source, TableOptions};
+use boundfit_formats::{ColumnSelector, InputError, InputErrorKind, Source, TableOptions};
 use boundfit_questions::{CalibrationColumns, CalibrationResponse, Linearity};
 
 use crate::proof_question::ProofQuestion;
@@ -36,7 +36,19 @@ pub fn linearity_question(
         CalibrationResponse::One(y) => question(measurements(y)?),
         CalibrationResponse::Directed { .. } => None,
         CalibrationResponse::Two { up, down } => {
-            let both = [measurements(up)?, measurements(down)?];
+            // Of a point with one reading nothing is the mean of two.
+            let both = [measurements(up), measurements(down)];
+            let lacks = |error: &InputError| {
+                matches!(error.kind, InputErrorKind::Missing { .. } | InputErrorKind::AllMissing { .. })
+            };
+            if both.iter().any(|own| own.as_ref().is_err_and(lacks)) {
+                return Ok(None);
+            }
+            let [up, down] = both;
+            let both = [up?, down?];
+            if both[0].fitted_rows() != both[1].fitted_rows() {
+                return Ok(None);
+            }
             let column = |own: &Measurements| own.layout()?.columns.get(1).copied();
             let half = |own: &Measurements| Some((column(own)?, Rational::ratio(1, 2)));
             let halves = both.each_ref().map(half);

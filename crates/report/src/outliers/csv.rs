@@ -4,7 +4,8 @@ use boundfit_exact::Interval;
 use boundfit_questions::Outliers;
 use csv::Writer;
 
-use crate::fit_csv::{down, shown, up};
+use crate::fit_csv::shown;
+use crate::number::{down, up};
 
 const COLUMNS: [&str; 8] =
     ["set", "rows", "kind", "vertices", "theta1_lower", "theta1_upper", "theta2_lower", "theta2_upper"];

@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use boundfit_estimation::{Problem, Ties};
+use boundfit_estimation::{Measurement, Problem, Ties};
 use boundfit_exact::Rational;
 use boundfit_geometry::{Direction, Measure, Vertex};
 use boundfit_questions::{Growth, NoOutliers, Outliers, Piece};
 use serde::Serialize;
 
-use super::{OutliersReport, reading};
+use super::OutliersReport;
 use crate::input_json::InputJson;
 use crate::json::{ActiveJson, ActiveListJson, CertificateJson, RangeJson, TermJson, VertexJson, to_text};
 use crate::number::Number;
@@ -127,14 +127,14 @@ fn region(problem: &Problem, piece: &Piece, tells_missed: bool, style: &Style) -
     let polyhedron = piece.left.polyhedron();
     let region = polyhedron.region();
     let direction = |d: &Direction| [d.dx(), d.dy()].map(|c| style.number(&Rational::from(c)));
-    let missed = |row: &usize| {
-        let missed = piece.missed_by(reading(problem, *row)?);
+    let missed = |(row, reading): (usize, &Measurement)| {
+        let missed = piece.missed_by(reading);
         let bound = missed.as_ref().map(|(name, _)| match name {
             boundfit_estimation::BoundName::Lower(_) => "lower",
             _ => "upper",
         });
         let by = missed.map(|(_, by)| RangeJson::new(&by, style));
-        Some(MissedJson { row: *row, bound, by })
+        MissedJson { row, bound, by }
     };
     RegionJson {
         kind: region.kind().name(),
@@ -144,7 +144,8 @@ fn region(problem: &Problem, piece: &Piece, tells_missed: bool, style: &Style) -
         witness: region.witness().map(|point| style.numbers(&point.coordinates())),
         pui: polyhedron.bounding_box().map(|pui| pui.each_ref().map(|own| RangeJson::new(own, style))),
         area: region.measures().area().map(|area| style.measure_number(&area)),
-        missed: tells_missed.then(|| piece.rows.iter().filter_map(missed).collect()),
+        missed: tells_missed
+            .then(|| problem.measurements.readings_of(&piece.rows).into_iter().map(missed).collect()),
     }
 }
 

@@ -183,26 +183,19 @@ fn rows_text(rows: &[usize]) -> String {
 
 /// By how much each row that is left out is missed, over all that is left.
 fn missed_table(problem: &Problem, piece: &Piece, style: &Style) -> Vec<Block> {
-    let row = |row: &usize| {
-        let reading = reading(problem, *row)?;
+    let row = |(row, reading): (usize, &Measurement)| {
         let (bound, by) = match piece.missed_by(reading) {
-            Some((name, by)) => (name.to_string(), style.resolving(&by).interval(&by)),
+            Some((name, by)) => (name.of_row(row).to_string(), style.resolving(&by).interval(&by)),
             None => (row.to_string(), "met by no parameters at all".into()),
         };
-        Some(vec![bound.into(), by])
+        vec![bound.into(), by]
     };
-    let rows: Vec<Vec<Text>> = piece.rows.iter().take(MOST_MISSED).filter_map(row).collect();
+    let shown = piece.rows.get(..MOST_MISSED).unwrap_or(&piece.rows);
+    let rows: Vec<Vec<Text>> = problem.measurements.readings_of(shown).into_iter().map(row).collect();
     let more = piece.rows.len().saturating_sub(MOST_MISSED);
     let more = (more > 0)
         .then(|| Block::Paragraph(format!("and {}", counted(more, "more row", "more rows")).into()));
     [Block::Table(Table::new(["row and bound", "missed by"], rows))].into_iter().chain(more).collect()
-}
-
-/// The reading of a data row.
-pub(crate) fn reading(problem: &Problem, row: usize) -> Option<&Measurement> {
-    let rows = problem.measurements.kept();
-    let place = rows.binary_search_by_key(&row, |reading| reading.row).ok()?;
-    rows.get(place)
 }
 
 /// The rows of the sets that are not shown with all they have.

@@ -83,7 +83,7 @@ fn contradictions(
 /// Half-planes of the other rows and the conditions that contradict each other; none where they do not.
 fn contradiction(problem: &Problem, without: &BTreeSet<usize>) -> Vec<(BoundName, Rational)> {
     let measurements = &problem.measurements;
-    let rows = measurements.kept().iter().filter(|row| !without.contains(&row.row)).cloned().collect();
+    let rows = measurements.without(without);
     let (model, response) = (measurements.model().clone(), measurements.response().to_owned());
     let others = Measurements::new(model, response, measurements.error_bound().clone(), rows);
     let fps = Fps::new(&others, &problem.conditions);

@@ -1,4 +1,4 @@
-//! The JSON report of any half-planes or generators, schema `boundfit/polygon/1`.
+//! The JSON report of any half-planes or generators, schema `boundfit/polygon/2`.
 
 use std::collections::BTreeMap;
 
@@ -65,7 +65,7 @@ pub fn polygon_json(
         RegionJson::new(region, &measures, style, |indices| rows_of(file, indices).into(), farkas);
     let reasons = long_fractions("region.area", region_json.area(), area_centroid.as_ref(), style).collect();
     let report = PolygonJson {
-        schema: "boundfit/polygon/1",
+        schema: "boundfit/polygon/2",
         input: InputJson {
             file: name.map(Foreign::from),
             rows: file.rows,
@@ -101,10 +101,10 @@ fn term(file: &HalfPlaneFile, multiplier: &Multiplier, style: &Style) -> TermJso
 fn bounds(file: &HalfPlaneFile, polyhedron: &Polyhedron, style: &Style) -> Option<[IntervalJson; 2]> {
     let end = |form: [Rational; 2], number: &dyn Fn(&Rational) -> Number| match polyhedron.support(&form) {
         Support::Empty(_) => None,
-        Support::Unbounded(_) => Some(BoundJson { value: None, active: Vec::new() }),
+        Support::Unbounded(_) => Some(BoundJson::unbounded(style)),
         Support::Bounded { proof, .. } => {
             let active = proof.multipliers.iter().map(|m| term(file, m, style)).collect();
-            Some(BoundJson { value: Some(number(&proof.value)), active })
+            Some(BoundJson::proved(number(&proof.value), active))
         }
     };
     let interval = |theta1: i64, theta2: i64| {
@@ -115,6 +115,6 @@ fn bounds(file: &HalfPlaneFile, polyhedron: &Polyhedron, style: &Style) -> Optio
         })
     };
     let bounds = [interval(1, 0)?, interval(0, 1)?];
-    let any = bounds.iter().any(|interval| interval.lower.value.is_some() || interval.upper.value.is_some());
+    let any = bounds.iter().any(|interval| interval.lower.is_bounded() || interval.upper.is_bounded());
     any.then_some(bounds)
 }

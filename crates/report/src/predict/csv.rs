@@ -7,7 +7,8 @@ use boundfit_questions::PossibleEnd;
 use csv::Writer;
 
 use super::Prediction;
-use crate::fit_csv::{down, shown, up};
+use crate::fit_csv::shown;
+use crate::number::{down, up};
 
 /// Predictions as a table: of the values asked for, a row for each with the interval of the line and that of a further reading;
 /// else of readings, a row for each interval of x that one may come from (and one without ends and `none` where there is

@@ -13,7 +13,7 @@ pub use proof::range_proof;
 
 use boundfit_estimation::{BoundName, Fit, Model, Problem};
 use boundfit_exact::Rational;
-use boundfit_exact::english::{counted, list};
+use boundfit_exact::english::{counted, list_of};
 use boundfit_questions::{Contradiction, LinearRange, Order, Run};
 
 use crate::document::{Block, Document, Facts, Symbol, THETA, Table, Text};
@@ -24,6 +24,9 @@ use crate::style::Style;
 
 /// Runs and readings that the text lists; JSON and CSV have all.
 const MOST_LISTED: usize = 40;
+
+/// Runs that a sentence names.
+const MOST_IN_SENTENCE: usize = 8;
 
 /// What a report of the linear range is made of.
 #[derive(Debug, Clone)]
@@ -67,19 +70,43 @@ impl<'a> RangeReport<'a> {
         }
     }
 
-    /// `rows 14..36: 23 readings, x from 1.2 to 5`.
+    /// The rows of a run where they follow each other in the file: `14..36`, `7`.
+    fn consecutive_rows(&self, run: &Run) -> Option<String> {
+        let rows = || (run.first..=run.last).map(|position| self.row(position));
+        let (first, last) = rows().min().zip(rows().max())?;
+        let are_consecutive = last + 1 - first == run.len();
+        are_consecutive.then(|| if first == last { first.to_string() } else { format!("{first}..{last}") })
+    }
+
+    /// Whether runs are ranges of x.
+    fn is_by_x(&self) -> bool {
+        self.order == Order::X && self.x(0).is_some()
+    }
+
+    /// `x from 1.2 to 5: 23 readings, rows 14..36`, in the order of rows `rows 14..36: 23 readings, x from 1.2 to 5`.
     fn run_text(&self, run: &Run, style: &Style) -> Text {
-        let (first, last) = (self.row(run.first), self.row(run.last));
-        let rows = match first == last {
-            true => format!("row {first}: 1 reading"),
-            false => format!("rows {first}..{last}: {}", counted(run.len(), "reading", "readings")),
-        };
-        match (self.reach(run), self.problem.measurements.model()) {
+        let readings = counted(run.len(), "reading", "readings");
+        let reach = match (self.reach(run), self.problem.measurements.model()) {
             (Some([least, most]), Model::Line { x }) => {
-                let reach = Text::from(rows).words(", ").given(x.clone()).words(" from ");
-                reach.then(style.given(least)).words(" to ").then(style.given(most))
+                let from = Text::new().given(x.clone()).words(" from ").then(style.given(least));
+                Some(from.words(" to ").then(style.given(most)))
             }
-            _ => rows.into(),
+            _ => None,
+        };
+        let rows = |rows: String| format!("{} {rows}", if run.len() == 1 { "row" } else { "rows" });
+        match (reach, self.is_by_x()) {
+            (Some(reach), true) => {
+                let text = reach.words(format!(": {readings}"));
+                match self.consecutive_rows(run) {
+                    Some(own) => text.words(format!(", {}", rows(own))),
+                    None => text,
+                }
+            }
+            (reach, _) => {
+                let own = self.consecutive_rows(run).unwrap_or_default();
+                let text = Text::from(format!("{}: {readings}", rows(own)));
+                reach.into_iter().fold(text, |text, reach| text.words(", ").then(reach))
+            }
         }
     }
 }
@@ -132,27 +159,37 @@ fn summary(report: &RangeReport<'_>) -> String {
     }
 }
 
-/// A row for each run: where it is, and which bounds stand against another reading at either end.
+/// A row for each run: where it is, and which bounds stand against another place at either end.
 fn table(report: &RangeReport<'_>, style: &Style) -> Table {
+    let runs: Vec<&Run> = report.range.runs.iter().take(MOST_LISTED).collect();
     let reaches = report.x(0).is_some();
-    let mut header = vec!["rows", "readings"];
+    let has_rows = runs.iter().any(|run| report.consecutive_rows(run).is_some());
+    // What a run is named by comes first.
+    let mut columns = vec!["readings"];
+    let place = if report.is_by_x() { 0 } else { 1 };
     if reaches {
-        header.extend(["x from", "to"]);
+        columns.splice(place..place, ["x from", "to"]);
     }
-    header.extend(["not one before", "not one after"]);
-    let row = |run: &Run| {
-        let rows = format!("{}..{}", report.row(run.first), report.row(run.last));
-        let mut cells = vec![Text::from(rows), Text::new().number(run.len())];
-        if let Some(ends) = report.reach(run) {
-            cells.extend(ends.map(|end| style.given(end)));
-        }
-        cells.extend(
-            [&run.before, &run.after]
-                .map(|why| Text::from(why.as_ref().map_or_else(|| "-".to_owned(), rows_of))),
-        );
-        cells
+    if has_rows {
+        columns.insert(if report.is_by_x() { columns.len() } else { 0 }, "rows");
+    }
+    columns.extend(["not one before", "not one after"]);
+    let row = |run: &&Run| -> Vec<Text> {
+        let [from, to] =
+            report.reach(run).map_or_else(Default::default, |ends| ends.map(|end| style.given(end)));
+        let why =
+            |why: &Option<Contradiction>| -> Text { why.as_ref().map_or("-".to_owned(), rows_of).into() };
+        let cell = |column: &&str| match *column {
+            "x from" => from.clone(),
+            "to" => to.clone(),
+            "readings" => Text::new().number(run.len()),
+            "rows" => report.consecutive_rows(run).unwrap_or_else(|| "-".to_owned()).into(),
+            "not one before" => why(&run.before),
+            _ => why(&run.after),
+        };
+        columns.iter().map(cell).collect()
     };
-    Table::new(header, report.range.runs.iter().take(MOST_LISTED).map(row).collect())
+    Table::new(columns.clone(), runs.iter().map(row).collect())
 }
 
 /// `12, 15, 20`: short, since every run has two.
@@ -177,21 +214,23 @@ fn choices(report: &RangeReport<'_>, style: &Style) -> Vec<(Text, Text)> {
     let mut rows: Vec<(Text, Text)> = Vec::new();
     let Some(longest) = range.longest() else { return rows };
     rows.push(("longest".into(), report.run_text(longest, style)));
-    let widest = range.widest(problem).filter(|_| report.order == Order::X && report.x(0).is_some());
+    let widest = range.widest(problem).filter(|_| report.is_by_x());
     if let Some(widest) = widest.filter(|widest| *widest != longest) {
         rows.push(("widest".into(), report.run_text(widest, style)));
     }
     let fewest = range.fewest();
     if range.runs.len() > 1 {
         let all = if range.alone.is_empty() { "every reading" } else { "every reading that fits alone" };
-        let shown = fewest.iter().take(MOST_LISTED);
-        let named = list(shown.map(|run| format!("{}..{}", report.row(run.first), report.row(run.last))));
-        let more = match fewest.len().saturating_sub(MOST_LISTED) {
-            0 => String::new(),
-            more => format!(" and {more} more"),
+        let name = |run: &&Run| match (report.reach(run), report.is_by_x()) {
+            (Some([least, most]), true) if least == most => style.given(least).to_string(),
+            (Some([least, most]), true) => format!("{} to {}", style.given(least), style.given(most)),
+            _ => format!("{}..{}", report.row(run.first), report.row(run.last)),
         };
+        let shown: Vec<String> = fewest.iter().take(MOST_IN_SENTENCE).map(name).collect();
+        let named = list_of(shown.into_iter(), fewest.len().saturating_sub(MOST_IN_SENTENCE));
+        let what = if report.is_by_x() { "x from" } else { "rows" };
         let runs = counted(fewest.len(), "run has", "runs have");
-        rows.push(("fewest".into(), format!("{runs} {all}: rows {named}{more}").into()));
+        rows.push(("fewest".into(), format!("{runs} {all}: {what} {named}").into()));
     }
     rows
 }
@@ -219,8 +258,10 @@ fn longest(own: &Problem, fit: &Fit, style: &Style) -> Vec<(Text, Text)> {
     let pui = fit.pui_intervals();
     let styles = style.resolving_both(pui.as_ref());
     for (axis, interval) in pui.iter().flatten().enumerate() {
-        let range = Text::from("in ").then(styles[axis].interval(interval));
-        let line = match &fit.central {
+        let is_single = interval.ends().is_some_and(|(lower, upper)| lower == upper);
+        let range = styles[axis].interval(interval);
+        let range = if is_single { range } else { Text::from("in ").then(range) };
+        let line = match fit.central.as_ref().filter(|_| !is_single) {
             Some(central) => range.words("; central ").number(styles[axis].nearest(&central.theta[axis])),
             None => range,
         };

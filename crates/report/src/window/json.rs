@@ -1,4 +1,4 @@
-//! A window as a line of JSON, schema `boundfit/window/1`. What means the same as in `boundfit/fit/1` has the same name and the
+//! A window as a line of JSON, schema `boundfit/window/1`. What means the same as in `boundfit/fit/2` has the same name and the
 //! same shape.
 
 use boundfit_estimation::{ParameterBound, ParameterInterval};
@@ -35,11 +35,11 @@ pub fn write_window_json(text: &mut Vec<u8>, window: &WindowReport, style: &Styl
     let WindowReport { rows: [first_row, last_row], readings, x, fit } = window;
     let name = |index: usize| fit.names[index];
     let bound = |bound: &ParameterBound, number: &dyn Fn(&Rational) -> Number| match bound {
-        ParameterBound::Unbounded(_) => BoundJson { value: None, active: Vec::new() },
-        ParameterBound::Bounded { value, proof } => BoundJson {
-            value: Some(number(value)),
-            active: proof.multipliers.iter().map(|m| TermJson::new(name(m.index), &m.value, style)).collect(),
-        },
+        ParameterBound::Unbounded(_) => BoundJson::unbounded(style),
+        ParameterBound::Bounded { value, proof } => BoundJson::proved(
+            number(value),
+            proof.multipliers.iter().map(|m| TermJson::new(name(m.index), &m.value, style)).collect(),
+        ),
     };
     let interval = |interval: &ParameterInterval| IntervalJson {
         lower: bound(&interval.lower, &|value| style.lower_number(value)),

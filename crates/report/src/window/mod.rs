@@ -92,11 +92,14 @@ impl WindowReport {
             });
         }
         for (axis, own) in styles.iter().enumerate() {
-            let central = fit.central.as_ref();
-            let theta = central.map(|central| own.nearest(&central.theta[axis]).compact().to_string());
-            let error =
-                central.map(|central| style.upper(&central.guaranteed_error[axis]).compact().to_string());
-            cells.extend([theta, error].map(Option::unwrap_or_default));
+            cells.extend(match &fit.central {
+                Some(central) => {
+                    let shown =
+                        style.give_or_take(&central.theta[axis], &central.guaranteed_error[axis], own);
+                    [shown.centre, shown.error].map(|number| number.compact().to_string())
+                }
+                None => [String::new(), String::new()],
+            });
         }
         cells.push(
             fit.least.as_ref().map_or_else(String::new, |least| style.upper(least).compact().to_string()),

@@ -2,15 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use boundfit_estimation::{Fit, ParameterBound, ParameterInterval, least_squares_is_feasible};
-use boundfit_exact::Foreign;
+use boundfit_estimation::{Fit, ParameterBound, ParameterInterval, Ties, least_squares_is_feasible};
+use boundfit_exact::{Endpoint, Foreign, Interval};
 use boundfit_geometry::Multiplier;
 use boundfit_questions::{Agreement, LeastFactor, Side, SideSet, XBounds, XErrorFit, XErrorProblem};
 use serde::Serialize;
 
 use crate::input_json::InputJson;
 use crate::json::{
-    ActiveJson, BoundJson, IntervalJson, RangeJson, RegionJson, SlopeJson, SlopesJson, TermJson, to_text,
+    ActiveJson, ActiveListJson, BoundJson, IntervalJson, ProgramJson, RangeJson, RegionJson, SlopeJson,
+    SlopesJson, TermJson, to_text,
 };
 use crate::number::Number;
 use crate::origin::Origin;
@@ -19,6 +20,7 @@ use crate::style::Style;
 #[derive(Serialize)]
 struct XErrorJson {
     schema: &'static str,
+    program: ProgramJson,
     input: InputJson,
     x_epsilon: Option<Number>,
     x_epsilon_column: Option<Foreign>,
@@ -87,6 +89,7 @@ pub fn x_error_json(
     };
     to_text(&XErrorJson {
         schema: "boundfit/x-errors/1",
+        program: ProgramJson::OWN,
         input: InputJson::new(problem.problem(), origin, style),
         x_epsilon,
         x_epsilon_column,
@@ -95,10 +98,9 @@ pub fn x_error_json(
         pieces: answer.pieces().len(),
         joined: answer.are_joined(),
         pui: pui(answer, style),
-        central: answer.central.as_ref().map(|central| CentralJson {
-            theta: style.numbers(&central.theta),
-            guaranteed_error: central.guaranteed_error.each_ref().map(|error| style.upper_number(error)),
-            in_fps: answer.contains(&central.theta),
+        central: answer.central.as_ref().map(|central| {
+            let (theta, guaranteed_error) = style.estimate_numbers(&central.theta, &central.guaranteed_error);
+            CentralJson { theta, guaranteed_error, in_fps: answer.contains(&central.theta) }
         }),
         slopes: (!answer.is_empty()).then(|| SlopesJson {
             largest: slope(answer, true, style),
@@ -127,10 +129,8 @@ fn side(own: &SideSet, style: &Style) -> SideJson {
     let region = own.polyhedron.region();
     let measures = region.measures();
     let names = |indices: &[usize]| {
-        let mut names: Vec<_> = indices.iter().map(|&index| own.names[index]).collect();
-        names.sort_unstable();
-        names.dedup();
-        names.into_iter().map(ActiveJson::from).collect::<Vec<_>>().into()
+        let (names, more) = own.active(indices, Ties::MOST_LISTED);
+        ActiveListJson::of(names.into_iter().map(ActiveJson::from).collect(), more)
     };
     let farkas = own.contradiction();
     let farkas =
@@ -142,17 +142,23 @@ fn side(own: &SideSet, style: &Style) -> SideJson {
     SideJson {
         side: side_name(own.side),
         fps: RegionJson::new(region, &measures, style, names, farkas),
-        pui: own.pui.as_ref().map(|pui| pui.each_ref().map(interval)),
+        pui: own.pui.as_ref().filter(|pui| has_bounded_end(pui)).map(|pui| pui.each_ref().map(interval)),
     }
+}
+
+/// Whether anything is bounded, as of a fit.
+fn has_bounded_end(pui: &[ParameterInterval; 2]) -> bool {
+    let ends = pui.iter().flat_map(|own| [&own.lower, &own.upper]);
+    ends.into_iter().any(|end| matches!(end, ParameterBound::Bounded { .. }))
 }
 
 fn bound(side: &SideSet, bound: &ParameterBound, is_upper: bool, style: &Style) -> BoundJson {
     match bound {
-        ParameterBound::Unbounded(_) => BoundJson { value: None, active: Vec::new() },
+        ParameterBound::Unbounded(_) => BoundJson::unbounded(style),
         ParameterBound::Bounded { value, proof } => {
             let named = |own: &Multiplier| TermJson::new(side.names[own.index], &own.value, style);
             let value = if is_upper { style.upper_number(value) } else { style.lower_number(value) };
-            BoundJson { value: Some(value), active: proof.multipliers.iter().map(named).collect() }
+            BoundJson::proved(value, proof.multipliers.iter().map(named).collect())
         }
     }
 }
@@ -164,7 +170,12 @@ fn pui(answer: &XErrorFit, style: &Style) -> Option<[IntervalJson; 2]> {
         Some(bound(side, own, is_upper, style))
     };
     let interval = |axis: usize| Some(IntervalJson { lower: end(axis, false)?, upper: end(axis, true)? });
-    Some([interval(0)?, interval(1)?])
+    let is_bounded = |axis: usize| {
+        [false, true]
+            .into_iter()
+            .any(|is_upper| matches!(answer.end(axis, is_upper), Some((_, ParameterBound::Bounded { .. }))))
+    };
+    Some([interval(0)?, interval(1)?]).filter(|_| is_bounded(0) || is_bounded(1))
 }
 
 /// The line with the largest or the smallest slope, and the bounds that it touches.
@@ -198,6 +209,11 @@ fn reasons(answer: &XErrorFit, plain: &Fit) -> BTreeMap<&'static str, String> {
         }
     } else if answer.central.is_none() {
         reasons.insert("central", "the set is unbounded".to_owned());
+        let is_bounded =
+            |interval: &Interval| [interval.lower(), interval.upper()] != [&Endpoint::Unbounded; 2];
+        if !answer.pui().is_some_and(|pui| pui.iter().any(is_bounded)) {
+            reasons.insert("pui", "no end is bounded".to_owned());
+        }
     }
     match &plain.least_squares {
         Err(reason) => {

@@ -12,7 +12,7 @@ use boundfit_exact::{Interval, Rational};
 use boundfit_questions::{Agreement, BoxBound, Side, SideSet, XBounds, XErrorFit, XErrorProblem};
 
 use crate::document::{Block, Document, Facts, Inline, Operator, Symbol, THETA, Table, Text};
-use crate::fit::fit_facts;
+use crate::fit::{bounded_rows, fit_facts};
 use crate::formula::products;
 use crate::origin::Origin;
 use crate::region::region_blocks;
@@ -155,11 +155,13 @@ impl<'a> XErrorReport<'a> {
             }
         }
         if let Some(central) = &self.answer.central {
-            rows.push(numbers("central", &central.theta));
-            let mut row = vec![Text::new().with(Inline::Indent).words("guaranteed")];
-            let error = |error: &Rational| Text::from(Symbol::PlusMinus).number(self.style.upper(error));
-            row.extend(central.guaranteed_error.iter().map(error));
-            rows.push(row);
+            rows.extend(bounded_rows(
+                "central",
+                &central.theta,
+                &central.guaranteed_error,
+                self.style,
+                &self.theta,
+            ));
         }
         rows.extend(self.plain.least_squares.as_ref().ok().map(|own| numbers("least squares", &own.theta)));
         let header = [Text::new()].into_iter().chain(THETA.map(Text::from));
@@ -207,12 +209,7 @@ impl<'a> XErrorReport<'a> {
 
     /// Half-planes of a side by name, the first of them.
     fn names(&self, side: &SideSet, indices: &[usize]) -> String {
-        const MOST: usize = Ties::MOST_LISTED;
-        let mut names: Vec<BoxBound> = indices.iter().map(|&index| side.names[index]).collect();
-        names.sort_unstable();
-        names.dedup();
-        let more = names.len().saturating_sub(MOST);
-        names.truncate(MOST);
+        let (names, more) = side.active(indices, Ties::MOST_LISTED);
         list_of(names.iter().map(BoxBound::to_string), more)
     }
 

@@ -4,7 +4,8 @@ use boundfit_estimation::{Fit, ParameterInterval};
 use boundfit_exact::Rounding;
 use boundfit_questions::{Side, XErrorFit};
 
-use crate::fit_csv::{PARAMETERS, Table, shown, up};
+use crate::fit_csv::{Table, shown};
+use crate::number::up;
 use crate::style::Style;
 use crate::wkt::region_wkt;
 
@@ -13,6 +14,10 @@ use crate::wkt::region_wkt;
 /// `guaranteed_error` and `least_factor`, of which an irrational one has no exact value.
 pub fn x_error_csv(answer: &XErrorFit, plain: &Fit) -> String {
     let mut table = Table::new();
+    let kinds: Vec<&str> =
+        answer.pieces().iter().map(|piece| piece.polyhedron.region().kind().name()).collect();
+    let kinds = if kinds.is_empty() { "empty".to_owned() } else { kinds.join("; ") };
+    table.text("set", "kind", &kinds);
     if let Ok(estimate) = &plain.least_squares {
         table.values("least_squares", &estimate.theta);
     }
@@ -33,10 +38,7 @@ pub fn x_error_csv(answer: &XErrorFit, plain: &Fit) -> String {
         }
     }
     if let Some(central) = &answer.central {
-        table.values("central", &central.theta);
-        for (name, error) in PARAMETERS.iter().zip(&central.guaranteed_error) {
-            table.value("guaranteed_error", name, up(error), error);
-        }
+        table.central(central);
     }
     if let Ok(least) = &answer.least {
         match least.value.rational() {
