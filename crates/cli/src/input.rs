@@ -1,10 +1,10 @@
 //! Files that are read: each is remembered, so that nothing is written over it.
 
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, Read, Write};
 
 use boundfit_exact::Foreign;
-use boundfit_formats::{InputError, Source};
+use boundfit_formats::{InputError, Source, TableNotes};
 
 use crate::exit::Failure;
 use crate::output;
@@ -21,6 +21,14 @@ pub(crate) fn open(file: &str) -> Result<Source, InputError> {
     Source::open(file)
 }
 
+/// Says on standard error what a table was taken for where something was guessed, since the answer has no place for it.
+pub(crate) fn say_table(file: Foreign<&str>, table: Option<&TableNotes>) {
+    if let Some(words) = table.filter(|table| table.has_guesses()).and_then(TableNotes::words) {
+        // The answer is the same, whether or not somebody reads the note.
+        let _ = writeln!(io::stderr(), "note: {file}: {words}");
+    }
+}
+
 /// The text of a file, or of standard input for `-`, that has at most as many bytes as this option allows.
 pub(crate) fn read_text(file: &str, largest: u64, option: &str) -> Result<String, Failure> {
     let bytes = read_at_most(file, largest.saturating_add(1))?;
@@ -28,19 +36,25 @@ pub(crate) fn read_text(file: &str, largest: u64, option: &str) -> Result<String
     if bytes.len() as u64 > largest {
         return Err(fail(format!("larger than {largest} bytes (the limit; {option} raises it)")));
     }
-    String::from_utf8(bytes).map_err(|_| fail("this is no text in UTF-8".to_owned()))
+    let text = String::from_utf8(bytes).ok().filter(|text| !text.contains('\0'));
+    text.ok_or_else(|| fail("this is no text in UTF-8".to_owned()))
 }
+
+/// How many bytes tell whether a file is text.
+const START: u64 = 1 << 16;
 
 fn read_at_most(file: &str, most: u64) -> Result<Vec<u8>, Failure> {
     let unreadable =
         |error: io::Error| Failure::data(format_args!("{}: cannot read: {error}", Foreign::of(named(file))));
     output::is_read(file);
+    let input: Box<dyn Read> =
+        if file == "-" { Box::new(io::stdin()) } else { Box::new(File::open(file).map_err(unreadable)?) };
+    let mut input = input.take(most);
     let mut bytes = Vec::new();
-    let read = if file == "-" {
-        io::stdin().take(most).read_to_end(&mut bytes)
-    } else {
-        File::open(file).map_err(unreadable)?.take(most).read_to_end(&mut bytes)
-    };
-    read.map_err(unreadable)?;
+    input.by_ref().take(START).read_to_end(&mut bytes).map_err(unreadable)?;
+    // A device, or a file in binary, of any size.
+    if !bytes.contains(&0) {
+        input.read_to_end(&mut bytes).map_err(unreadable)?;
+    }
     Ok(bytes)
 }

@@ -8,3 +8,15 @@ pub(crate) fn keep_freed() {
     const LARGER_THAN_THE_COLUMNS_OF_A_GROUP_OF_CHUNKS: usize = 1 << 24;
     drop(std::hint::black_box(Vec::<u8>::with_capacity(LARGER_THAN_THE_COLUMNS_OF_A_GROUP_OF_CHUNKS)));
 }
+
+/// Bytes that the budget counts for each reading where a command wants every one, with all that the command makes of it. An estimate,
+/// as are those below: the largest memory that processes took, divided by the number of readings, and rounded.
+pub(crate) const OF_A_READING: usize = 400;
+/// As [`OF_A_READING`], of readings among which outliers are looked for.
+pub(crate) const OF_AN_OUTLIER: usize = 2_000;
+/// As [`OF_A_READING`], of readings with errors in x.
+pub(crate) const OF_AN_X_ERROR: usize = 2_700;
+/// As [`OF_A_READING`], of a calibration.
+pub(crate) const OF_A_CALIBRATION: usize = 800;
+/// As [`OF_A_READING`], of readings in a figure.
+pub(crate) const OF_A_FIGURE: usize = 700;

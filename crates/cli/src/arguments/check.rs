@@ -64,6 +64,9 @@ pub(crate) struct CheckArguments {
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "16",
           value_parser = value_parser!(u16).range(3..=10000))]
     pub(crate) directions: Option<u16>,
+    /// Spread these directions evenly where the box of both intervals is a square, and not in the plane of theta1 and theta2
+    #[arg(long, requires = "directions")]
+    pub(crate) scaled: bool,
     #[command(flatten)]
     pub(crate) tolerance: ToleranceArguments,
     /// Seconds that a solver may work on one program

@@ -98,6 +98,10 @@ pub(crate) struct PlotArguments {
     /// How many directions the figure 'directions' has [default: 16]
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(3..=1000))]
     pub(crate) directions: Option<u16>,
+    /// Spread the directions of the figure 'directions' evenly where the box of both intervals is a square, and not in the plane of
+    /// theta1 and theta2
+    #[arg(long)]
+    pub(crate) scaled: bool,
     /// SVG, PNG, PDF, tikz (source for TikZ, to be put into a LaTeX document by \\input) or tex (a document of its own with
     /// that picture); told by the end of the output file's name when left out, else SVG
     #[arg(long, value_parser = named(PictureFormat::ALL.map(|format| (format.name(), format))))]

@@ -4,14 +4,18 @@ use boundfit_estimation::{
     AskedBound, Columns, Condition, EpsilonColumn, Keep, LineForm, Measurements, ParseBoundErrorKind,
     ParseConditionError, ParseConditionErrorKind, ParseTextError, Problem, TextProblem,
 };
+use boundfit_exact::english::counted;
 use boundfit_exact::{Foreign, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading, Work};
-use boundfit_formats::{AskedDialect, Header, ScanOptions, SizeLimits, Source, TableOptions};
+use boundfit_formats::{
+    AskedDialect, Header, InputError, InputErrorKind, MissingWords, ScanOptions, SizeLimits, Source,
+    TableOptions,
+};
 use boundfit_questions::{Extent, Moving};
 use boundfit_report::{Origin, Style};
 use clap::ValueEnum;
 
 use super::shared::{EpsilonArguments, LineArguments};
-use super::values::{number_problem, parse_confidence, parse_factors};
+use super::values::{AskedLimit, number_problem, parse_confidence, parse_factors};
 use super::{
     DataArguments, FitArguments, FractionArguments, LabelArguments, LimitArguments, OutputArguments,
     ReduceArguments, RowArguments, TableArguments, ThreadArguments,
@@ -67,7 +71,7 @@ impl DataArguments {
         let reading = if is_stored { Reading::Binary64 } else { self.table.reading() };
         let origin =
             Origin { file: (self.data != "-").then_some(Foreign::of(&self.data)), reading, is_stored };
-        Data { arguments: self, origin, source }
+        Data { arguments: self, origin, source, row_cost: memory::OF_A_READING, most_wanted: None }
     }
 }
 
@@ -77,12 +81,29 @@ pub(crate) struct Data<'a> {
     arguments: &'a DataArguments,
     origin: Origin<'a>,
     source: Result<Source, Failure>,
+    row_cost: usize,
+    most_wanted: Option<usize>,
 }
 
 impl<'a> Data<'a> {
     /// Where the readings come from, for reports.
     pub(crate) fn origin(&self) -> Origin<'a> {
         self.origin
+    }
+
+    /// The data, of which the command holds every reading in so many bytes, with all that it makes of it.
+    pub(crate) fn holding(self, row_cost: usize) -> Self {
+        Data { row_cost, ..self }
+    }
+
+    /// The data, which are refused as soon as they have more readings than this.
+    pub(crate) fn at_most(self, most_wanted: usize) -> Self {
+        Data { most_wanted: Some(most_wanted), ..self }
+    }
+
+    /// These options of a table with what is held of it.
+    pub(super) fn limited(&self, options: TableOptions) -> TableOptions {
+        TableOptions { row_cost: self.row_cost, most_wanted: self.most_wanted, ..options }
     }
 
     /// The options that say which readings are fitted.
@@ -97,12 +118,17 @@ impl<'a> Data<'a> {
 
     /// Reads the problem.
     pub(crate) fn problem(self) -> Result<Problem, Failure> {
-        self.read(false)
+        self.read(|table| table)
     }
 
     /// Reads the problem, and keeps the readings of the file that are not fitted.
     pub(crate) fn problem_with_others(self) -> Result<Problem, Failure> {
-        self.read(true)
+        self.read(|table| TableOptions { keep_others: true, ..table })
+    }
+
+    /// As [`Data::problem_with_others`], with the texts of the cells.
+    pub(crate) fn problem_with_cells(self) -> Result<Problem, Failure> {
+        self.read(|table| TableOptions { keep_others: true, keep_cells: true, ..table })
     }
 
     /// As [`Data::problem_with_others`], without the hash of the data: in less memory where no reading may be left out.
@@ -152,6 +178,21 @@ impl<'a> Data<'a> {
         self.scanned(asked, keep, |options| ScanOptions { hash, list_rows, ..options })
     }
 
+    /// Reads the problem with every reading, of which equal ones are kept once where there are many; with the hash of the data and
+    /// the rows fitted if they will be shown.
+    pub(crate) fn counted_readings(self, hash: bool, list_rows: bool) -> Result<Problem, Failure> {
+        if self.source.as_ref().is_ok_and(Source::is_reduction) {
+            return self.every_reading(hash, list_rows);
+        }
+        let asked = self.asked()?;
+        let arguments = self.arguments;
+        let (source, options) = self.scan()?;
+        asked.check(&source)?;
+        let options = ScanOptions { hash, list_rows, ..options };
+        let read = Measurements::read_counted(source, &asked.columns, &[], &options, Keep::MOST_ROWS);
+        asked.short_problem(read.map_err(Failure::data)?.0, arguments)
+    }
+
     fn scanned(
         self,
         asked: Asked,
@@ -169,18 +210,20 @@ impl<'a> Data<'a> {
 
     /// The file, and how it is read in parts.
     pub(crate) fn scan(self) -> Result<(Source, ScanOptions), Failure> {
+        let (row_cost, most_wanted) = (self.row_cost, self.most_wanted);
         let source = self.source?;
-        let options = self.arguments.scan_options(&source)?;
+        let mut options = self.arguments.scan_options(&source)?;
+        (options.table.row_cost, options.table.most_wanted) = (row_cost, most_wanted);
         Ok((source, options))
     }
 
-    fn read(self, keep_others: bool) -> Result<Problem, Failure> {
+    fn read(self, with: impl FnOnce(TableOptions) -> TableOptions) -> Result<Problem, Failure> {
         let asked = self.asked()?;
         let table = self.arguments.table.options(self.origin.reading, Some(&self.arguments.rows))?;
-        let options = TableOptions { keep_others, ..table };
+        let options = self.limited(with(table));
         let source = self.source?;
         asked.check(&source)?;
-        let measurements = Measurements::read(source, &asked.columns, &options).map_err(Failure::data)?;
+        let measurements = Measurements::read(source, &asked.columns, &options).map_err(refused_reading)?;
         asked.short_problem(measurements, self.arguments)
     }
 
@@ -200,6 +243,18 @@ impl<'a> Data<'a> {
             form: arguments.line.form(reading, &limits, arguments.x.second.is_some())?,
         };
         Ok(Asked { columns, conditions, multiple_of_least })
+    }
+}
+
+/// Why readings cannot be had; of more than a lesson shows, what to do.
+fn refused_reading(error: InputError) -> Failure {
+    match error.kind {
+        InputErrorKind::TooManyWanted { limit } => Failure::data(format_args!(
+            "{}: more than {} for a lesson; choose some with --rows FIRST..LAST, or raise it with --max-readings",
+            error.file,
+            counted(limit, "reading is too many", "readings are too many")
+        )),
+        _ => Failure::data(error),
     }
 }
 
@@ -517,13 +572,17 @@ impl TableArguments {
             header: self.header(),
             dialect,
             missing: self.missing,
+            block: self.block.clone(),
+            missing_as: MissingWords::new(self.missing_as.iter().cloned()),
             sheet: self.sheet.clone(),
             rows: rows.map(RowArguments::set).transpose()?.unwrap_or_default(),
             conditions: rows.map(|rows| rows.conditions(reading, &limits)).transpose()?.unwrap_or_default(),
             keep_others: false,
+            keep_cells: false,
             reading,
             limits,
             sizes: self.limits.sizes(),
+            ..TableOptions::default()
         })
     }
 
@@ -552,6 +611,7 @@ impl TableArguments {
 
     fn dialect(&self) -> AskedDialect {
         AskedDialect {
+            encoding: self.encoding.0,
             delimiter: self.delimiter.0,
             decimal: self.decimal.0,
             thousands: self.thousands,
@@ -576,6 +636,12 @@ impl LimitArguments {
         Limits { digits: size(self.max_digits), exponent: self.max_exponent }
     }
 
+    /// Bytes of memory; of several the last.
+    fn memory(&self) -> u64 {
+        let asked = self.limit.iter().map(|AskedLimit::Memory(bytes)| *bytes).next_back();
+        asked.unwrap_or_else(|| SizeLimits::default().memory)
+    }
+
     /// Of a file.
     pub(crate) fn sizes(&self) -> SizeLimits {
         SizeLimits {
@@ -589,6 +655,7 @@ impl LimitArguments {
             work: self.max_work,
             text: self.max_text,
             nesting: usize::from(self.max_nesting),
+            memory: self.memory(),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The arguments of several commands.
 
 use boundfit_exact::{DecimalMark, Foreign, MOST_WORK, Reading, Thousands};
-use boundfit_formats::{ColumnSelector, CommentMark, Header, Missing};
+use boundfit_formats::{AskedBlock, ColumnSelector, CommentMark, Encoding, Header, Missing};
 use boundfit_report::{EndRounding, LONGEST_FRACTION};
 use clap::builder::NonEmptyStringValueParser;
 use clap::{ArgAction, Args, ValueEnum, value_parser};
@@ -12,8 +12,8 @@ use crate::output::Guard;
 use super::RowArguments;
 use super::endings::{NamedFormat, told_by_name};
 use super::values::{
-    DECIMAL_MARKS, IfAsked, Regressors, delimiters, named, named_or_auto, parse_column, parse_comment,
-    parse_regressors, parse_thousands,
+    AskedLimit, DECIMAL_MARKS, IfAsked, Regressors, delimiters, named, named_or_auto, parse_block,
+    parse_column, parse_comment, parse_encoding, parse_limit, parse_regressors, parse_thousands,
 };
 
 /// Where a text goes.
@@ -135,6 +135,10 @@ pub(crate) struct TableArguments {
     #[arg(long, default_value = Header::Auto.name(),
           value_parser = named(Header::ALL.map(|header| (header.name(), header))))]
     pub(super) header: Header,
+    /// Encoding of a text: utf-8, windows-1252, iso-8859-1, iso-8859-15, utf-16le or utf-16be; auto: UTF-8 or UTF-16, or else
+    /// Windows-1252, which the report says
+    #[arg(long, value_name = "NAME", default_value = "auto", value_parser = parse_encoding, help_heading = TEXT)]
+    pub(super) encoding: IfAsked<Encoding>,
     /// What separates the columns (space: runs of blanks and tabs)
     #[arg(long, default_value = "auto", value_parser = named_or_auto(delimiters()), help_heading = TEXT)]
     pub(super) delimiter: IfAsked<u8>,
@@ -153,10 +157,18 @@ pub(crate) struct TableArguments {
     /// The row after the header has units
     #[arg(long, help_heading = TEXT)]
     pub(super) units_row: bool,
-    /// What to do about rows without a number in a column that is used: empty, NA, N/A, #N/A, NaN, null, none, - -- . or ?
+    /// Read one block of a file in which comments or two blank lines between rows begin others: its number or the comment before it;
+    /// all: the rows of all of them together
+    #[arg(long, value_name = "N|NAME", value_parser = parse_block, help_heading = TEXT)]
+    pub(super) block: Option<AskedBlock>,
+    /// What to do about rows without a number in a column that is used: empty, NA, N/A, #N/A, NaN, null, none, - -- . or ?, or a
+    /// spreadsheet's error such as #DIV/0!
     #[arg(long, default_value = Missing::Refuse.name(), help_heading = TEXT,
           value_parser = named(Missing::ALL.map(|missing| (missing.name(), missing))))]
     pub(super) missing: Missing,
+    /// Take cells with this text, or the same number, for missing ones too, such as -999 or OVLD; repeatable
+    #[arg(long, value_name = "TEXT", allow_hyphen_values = true, help_heading = TEXT)]
+    pub(super) missing_as: Vec<String>,
     /// Sheet of an .xlsx or .ods workbook, by name or number; the first one when left out
     #[arg(long, value_name = "NAME|N", value_parser = NonEmptyStringValueParser::new())]
     pub(super) sheet: Option<String>,
@@ -217,6 +229,10 @@ pub(crate) struct LimitArguments {
     #[arg(long, value_name = "BYTES", default_value_t = 1 << 30, value_parser = value_parser!(u64).range(1..),
           help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_text: u64,
+    /// The most that the whole command may take of something; 'memory=SIZE', such as 512MiB or 4GiB (1 GiB when left out):
+    /// what readings that are held take, with all that is made of them. Repeatable
+    #[arg(long, value_name = "NAME=N", value_parser = parse_limit, help_heading = LIMITS, hide_short_help = true)]
+    pub(super) limit: Vec<AskedLimit>,
     /// Depth of arrays and objects in a JSON file
     #[arg(long, value_name = "N", default_value_t = 64, value_parser = value_parser!(u8).range(1..=120),
           help_heading = LIMITS, hide_short_help = true)]
@@ -319,4 +335,11 @@ pub(crate) enum ReportFormat {
     Ine,
     /// The vertices, rays and lines as cdd's and lrs's V-representation
     Ext,
+}
+
+impl ReportFormat {
+    /// Whether the answer says what the table was taken for.
+    pub(crate) fn has_input(self) -> bool {
+        matches!(self, ReportFormat::Text | ReportFormat::Json | ReportFormat::Latex | ReportFormat::Markdown)
+    }
 }

@@ -5,7 +5,7 @@ use std::iter;
 use boundfit_exact::{
     DecimalMark, Limit, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading, Thousands,
 };
-use boundfit_formats::{ColumnSelector, CommentMark, DELIMITERS};
+use boundfit_formats::{AskedBlock, ColumnSelector, CommentMark, DELIMITERS, Encoding};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::exit::Failure;
@@ -54,6 +54,16 @@ pub(super) fn parse_comment(text: &str) -> Result<CommentMark, String> {
     })
 }
 
+/// An encoding, or none where the text is to tell it.
+pub(super) fn parse_encoding(text: &str) -> Result<IfAsked<Encoding>, String> {
+    if text == "auto" {
+        return Ok(IfAsked(None));
+    }
+    let encoding =
+        Encoding::named(text).ok_or_else(|| format!("expected auto or one of {}", Encoding::names()))?;
+    Ok(IfAsked(Some(encoding)))
+}
+
 pub(super) fn parse_thousands(text: &str) -> Result<Thousands, String> {
     let mark = Thousands::ALL.into_iter().find(|thousands| thousands.mark() == text);
     mark.ok_or_else(|| "expected ',' '.' ' ' or \"'\"".to_owned())
@@ -79,11 +89,56 @@ pub(super) fn explained<T: Clone + Send + Sync + 'static>(
     })
 }
 
+/// A limit by its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum AskedLimit {
+    /// Bytes of memory.
+    Memory(u64),
+}
+
+/// Reads `memory=512MiB`.
+pub(super) fn parse_limit(text: &str) -> Result<AskedLimit, String> {
+    const EXPECTED: &str = "expected memory=SIZE, such as memory=512MiB or memory=4GiB";
+    let (name, number) = text.split_once('=').ok_or(EXPECTED)?;
+    match name.trim() {
+        "memory" => parse_size(number.trim()).map(AskedLimit::Memory).ok_or_else(|| {
+            "expected a size in bytes above 0, with k, M, G (1000) or KiB, MiB, GiB (1024) behind it, such as 512MiB".to_owned()
+        }),
+        other => Err(format!("there is no limit of the name {other:?} ({EXPECTED})")),
+    }
+}
+
+/// Bytes: `1500000`, `512MiB`, `2G`, `1.5GiB`.
+fn parse_size(text: &str) -> Option<u64> {
+    const UNITS: [(&str, u64); 9] = [
+        ("KiB", 1 << 10),
+        ("MiB", 1 << 20),
+        ("GiB", 1 << 30),
+        ("kB", 1_000),
+        ("MB", 1_000_000),
+        ("GB", 1_000_000_000),
+        ("k", 1_000),
+        ("M", 1_000_000),
+        ("G", 1_000_000_000),
+    ];
+    let with_unit = UNITS.into_iter().find_map(|(unit, times)| Some((text.strip_suffix(unit)?, times)));
+    let (number, times) = with_unit.unwrap_or((text, 1));
+    let number = Reading::Decimal.read(number.trim_end(), &Limits { digits: 20, exponent: 0 }).ok()?;
+    let bytes = number * Rational::from(times);
+    let (whole, rest) = bytes.numerator().div_rem_floor(&bytes.denominator());
+    (rest.is_zero() && bytes.is_positive()).then(|| u64::try_from(whole.to_i128()?).ok()).flatten()
+}
+
 pub(super) fn parse_column(text: &str) -> Result<ColumnSelector, String> {
     if text.trim().is_empty() {
         return Err("expected a header name or a column number".to_owned());
     }
     Ok(ColumnSelector::name_or_number(text))
+}
+
+pub(super) fn parse_block(text: &str) -> Result<AskedBlock, String> {
+    AskedBlock::parse(text)
+        .ok_or_else(|| "expected a number from 1, the comment before a block, or all".to_owned())
 }
 
 pub(super) fn parse_regressors(text: &str) -> Result<Regressors, String> {
@@ -96,16 +151,21 @@ pub(super) fn parse_regressors(text: &str) -> Result<Regressors, String> {
     }
 }
 
-/// The parts between commas; those within parentheses, as in `M(:,2)`, are not between.
+/// The parts between commas; those within parentheses, as in `M(:,2)`, or within the quotes around a name are not between.
 fn split_at_commas(text: &str) -> Vec<&str> {
     let mut depth = 0_usize;
+    let (mut quote, mut is_at_start) = (None, true);
     text.split(|character| {
+        let is_between = character == ',' && depth == 0 && quote.is_none();
         match character {
+            '"' | '\'' if quote == Some(character) => quote = None,
+            '"' | '\'' if quote.is_none() && is_at_start => quote = Some(character),
             '(' => depth += 1,
             ')' => depth = depth.saturating_sub(1),
             _ => {}
         }
-        character == ',' && depth == 0
+        is_at_start = is_between || (is_at_start && character == ' ');
+        is_between
     })
     .collect()
 }
@@ -158,7 +218,28 @@ pub(super) fn parse_confidence(text: &str, limits: &Limits) -> Result<Rational, 
 
 #[cfg(test)]
 mod tests {
-    use super::split_at_commas;
+    use super::{parse_size, split_at_commas};
+
+    #[test]
+    fn sizes_have_units() {
+        for (text, bytes) in [
+            ("1", Some(1)),
+            ("1024", Some(1024)),
+            ("3k", Some(3_000)),
+            ("3kB", Some(3_000)),
+            ("512MiB", Some(512 << 20)),
+            ("1.5GiB", Some(3 << 29)),
+            ("2 G", Some(2_000_000_000)),
+            ("0", None),
+            ("-1M", None),
+            ("1.5", None),
+            ("GiB", None),
+            ("1TiB", None),
+            ("99999999999999999999", None),
+        ] {
+            assert_eq!(parse_size(text), bytes, "{text}");
+        }
+    }
 
     #[test]
     fn commas_within_parentheses_do_not_separate() {

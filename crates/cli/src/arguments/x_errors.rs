@@ -1,11 +1,11 @@
 //! The options about errors in x.
 
 use boundfit_exact::{Limits, Rational, Reading, Work};
-use boundfit_formats::{ColumnSelector, TableOptions};
+use boundfit_formats::{ColumnSelector, ScanOptions, TableOptions};
 use boundfit_questions::{Agreement, XBounds, XErrorProblem};
 use clap::Args;
 
-use boundfit_estimation::Measurements;
+use boundfit_estimation::{Keep, Measurements};
 
 use super::DataArguments;
 use super::reading::Data;
@@ -97,7 +97,7 @@ impl Data<'_> {
         }
         let bounds = x_errors.asked(reading, &arguments.table.limits.number())?;
         let table = arguments.table.options(reading, Some(&arguments.rows))?;
-        let options = TableOptions { keep_others, ..table };
+        let options = self.limited(TableOptions { keep_others, ..table });
         let source = self.source()?;
         if source.is_reduction() {
             return Err(Failure::Usage(
@@ -108,8 +108,13 @@ impl Data<'_> {
             AskedXBounds::Column(column) => vec![column.clone().non_negative()],
             AskedXBounds::Uniform(_) => Vec::new(),
         };
-        let read =
-            Measurements::read_beside(source, &asked.columns, &beside, &options).map_err(Failure::data)?;
+        let read = if keep_others {
+            Measurements::read_beside(source, &asked.columns, &beside, &options)
+        } else {
+            let options = ScanOptions { table: options, ..arguments.scan_options(&source)? };
+            Measurements::read_counted(source, &asked.columns, &beside, &options, Keep::MOST_ROWS)
+        };
+        let read = read.map_err(Failure::data)?;
         let (measurements, mut further) = read;
         let bounds = match bounds {
             AskedXBounds::Uniform(bound) => XBounds::Uniform(bound),

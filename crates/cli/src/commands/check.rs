@@ -5,8 +5,8 @@ use std::path::Path;
 use std::time::Duration;
 
 use boundfit_check::{
-    Answer, CheckOptions, ClaimLimits, ClaimText, check, is_solution_name, parse_claim_pui, read_claims,
-    source_names,
+    Answer, AskedDirections, CheckOptions, ClaimLimits, ClaimText, check, is_solution_name, parse_claim_pui,
+    read_claims, source_names,
 };
 use boundfit_exact::Foreign;
 use boundfit_lp::Verdict;
@@ -15,7 +15,7 @@ use boundfit_report::{check_document, check_json};
 use crate::CommandResult;
 use crate::arguments::{CheckArguments, Format, Switch};
 use crate::exit::{Exit, Failure};
-use crate::input::read_text;
+use crate::input::{read_text, say_table};
 use crate::output;
 use crate::progress::while_working;
 use crate::work::{refuse_long_problem, refuse_long_text, times};
@@ -34,6 +34,7 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
     let problem = if options.all_rows { data.problem()? } else { data.supporting_problem()? };
     let limits = &arguments.data.table.limits;
     refuse_long_problem(arguments.data.file_name(), &problem, times::CHECK, limits)?;
+    say_table(arguments.data.file_name(), problem.measurements.table());
     let check = while_working("solving", || check(&problem, reading, &options));
     let check = check.map_err(|error| Failure::Usage(error.to_string()))?;
     let style = arguments.output.style();
@@ -73,7 +74,9 @@ fn options(arguments: &CheckArguments, claim_files: Vec<String>) -> Result<Check
         tolerance,
         as_printed: arguments.tolerance.digits_as_printed == Switch::On,
         time_limit: Duration::from_secs(arguments.time_limit),
-        directions: arguments.directions.map(usize::from),
+        directions: arguments
+            .directions
+            .map(|count| AskedDirections { count: usize::from(count), is_scaled: arguments.scaled }),
         all_rows,
     })
 }

@@ -10,6 +10,7 @@ use boundfit_lp::{ExchangeFormat, PuiEnd};
 use crate::CommandResult;
 use crate::arguments::{ConvertArguments, told_by_name};
 use crate::exit::{Exit, Failure};
+use crate::input;
 use crate::output::{self, Output};
 use crate::progress::while_working;
 use crate::work::{refuse_long_problem, times};
@@ -40,6 +41,7 @@ pub(crate) fn run(arguments: &ConvertArguments) -> CommandResult {
     let problem = data.whole_problem()?;
     let limits = &arguments.data.table.limits;
     refuse_long_problem(arguments.data.file_name(), &problem, times::CONVERT, limits)?;
+    input::say_table(arguments.data.file_name(), problem.measurements.table());
     let about = comments(arguments, reading, &problem);
     let rows = ExchangeRows::new(&problem);
     drop(problem);

@@ -7,15 +7,16 @@ use boundfit_estimation::{ErrorBound, Family, Fit, Measurements, Problem, fit};
 use boundfit_exact::{Foreign, Rational, Reading};
 use boundfit_questions::Guarantee;
 use boundfit_report::{
-    Document, InverseLine, active_names, brief_document, fit_csv, fit_document, fit_json, guarantee_document,
-    h_representation, proof_json, region_script, region_wkt, sweep_document, v_representation, verdict_line,
-    vertices_csv,
+    Document, InverseLine, active_names, brief_document, fit_csv, fit_document, fit_json, fit_script,
+    guarantee_document, h_representation, proof_json, region_wkt, sweep_document, v_representation,
+    verdict_line, vertices_csv,
 };
 
 use crate::CommandResult;
 use crate::arguments::{FactorRange, FitArguments, ReportFormat};
 use crate::commands::{fleet, proof_file, window, x_errors};
 use crate::exit::{Exit, Failure};
+use crate::input;
 use crate::progress::while_working;
 use crate::work::refuse_long_sweep;
 
@@ -64,6 +65,9 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
         let limits = &arguments.data.table.limits;
         refuse_long_sweep(arguments.data.file_name(), &problem, to, limits)?;
     }
+    if !format.has_input() {
+        input::say_table(arguments.data.file_name(), problem.measurements.table());
+    }
     let fit = while_working("fitting", || fit(&problem));
     let family = arguments.sweep.as_ref().map(|FactorRange { from, to }| {
         while_working("sweeping", || Family::new(&problem, from.clone(), to.clone()))
@@ -94,7 +98,7 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
             vertices_csv(fit.fps.polyhedron(), &|indices| active_names(&fit, indices), &style)
         }
         ReportFormat::Wkt => region_wkt(fit.fps.polyhedron(), &style).map_err(Failure::data)?,
-        ReportFormat::M => region_script(fit.fps.polyhedron(), &|indices| active_names(&fit, indices)),
+        ReportFormat::M => fit_script(&problem, &fit, &|indices| active_names(&fit, indices)),
         ReportFormat::Ine => h_representation(fit.fps.polyhedron()),
         ReportFormat::Ext => v_representation(fit.fps.polyhedron()),
         ReportFormat::Text => {

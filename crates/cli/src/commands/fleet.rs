@@ -11,6 +11,7 @@ use boundfit_report::{FleetCsv, FleetSummary, FleetTable, GroupCells, GroupRepor
 use crate::CommandResult;
 use crate::arguments::{Asked, DataArguments, FitArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
+use crate::input;
 use crate::output::{Guard, Output, Stop};
 use crate::progress::while_working;
 use crate::work::{refuse_long, times};
@@ -58,6 +59,7 @@ pub(super) fn read(arguments: &DataArguments, by: &ColumnSelector) -> Result<(As
     let options = ScanOptions { hash: false, list_rows: false, ..options };
     let fleet = Fleet::read(source, &asked.columns, by, options).map_err(Failure::data)?;
     refuse_long_groups(arguments, &asked, &fleet)?;
+    input::say_table(arguments.file_name(), fleet.table());
     Ok((asked, fleet))
 }
 

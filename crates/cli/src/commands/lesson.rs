@@ -2,7 +2,7 @@
 
 use boundfit_estimation::fit;
 use boundfit_formats::{InputError, ReductionError};
-use boundfit_lesson::{LessonError, LessonOptions, page};
+use boundfit_lesson::{LessonOptions, page};
 
 use crate::CommandResult;
 use crate::arguments::{LessonArguments, told_by_name};
@@ -17,9 +17,10 @@ pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
     let guard = arguments.file.replace.guard([arguments.data.path()]);
     guard.check(output)?;
     told_by_name(output, &[("html", ()), ("htm", ())], None)?;
-    let data = arguments.data.open();
+    let most = usize::from(arguments.max_readings);
+    let data = arguments.data.open().at_most(most);
     let reading = data.origin().reading;
-    let problem = data.problem_with_others()?;
+    let problem = data.problem_with_cells()?;
     if problem.measurements.is_of_reductions() {
         return Err(Failure::data(InputError::of_file(arguments.data.file_name(), ReductionError::NotHere)));
     }
@@ -32,16 +33,9 @@ pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
         x_unit,
         y_unit,
         language: arguments.language,
-        most_rows: usize::from(arguments.max_readings),
+        most_rows: most,
     };
     let page = while_working("writing the page", || page(&problem, &fit, reading, &options));
-    let page = page.map_err(|error| match error {
-        LessonError::TooManyRows { .. } => Failure::data(format_args!(
-            "{}: {error}; choose some with --rows FIRST..LAST, or raise it with --max-readings",
-            arguments.data.file_name()
-        )),
-        _ => Failure::data(error),
-    })?;
-    output::write(page, output, &guard)?;
+    output::write(page.map_err(Failure::data)?, output, &guard)?;
     Ok(if fit.fps.polyhedron().region().is_empty() { Exit::Empty } else { Exit::Answer })
 }

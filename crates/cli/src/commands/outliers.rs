@@ -12,6 +12,8 @@ use super::proof_file;
 use crate::CommandResult;
 use crate::arguments::{OutliersArguments, TableFormat};
 use crate::exit::{Exit, Failure};
+use crate::input;
+use crate::memory;
 use crate::progress::while_working;
 use crate::work::refuse_long_outliers;
 
@@ -24,12 +26,15 @@ pub(crate) fn run(arguments: &OutliersArguments) -> CommandResult {
     guard.check(output)?;
     guard.check(arguments.proof.as_deref())?;
     proof_file::check(arguments.proof.as_deref(), output)?;
-    let data = arguments.data.open();
+    let data = arguments.data.open().holding(memory::OF_AN_OUTLIER);
     let origin = data.origin();
     let shows_data = format == TableFormat::Json || arguments.proof.is_some();
-    let problem = data.every_reading(shows_data, shows_data)?;
+    let problem = data.counted_readings(shows_data, shows_data)?;
     let (file, limits) = (arguments.data.file_name(), arguments.limits());
     refuse_long_outliers(file, &problem, &arguments.data.table.limits)?;
+    if format == TableFormat::Csv {
+        input::say_table(arguments.data.file_name(), problem.measurements.table());
+    }
     let fit = while_working("fitting", || fit(&problem));
     let found = while_working("looking for outliers", || Outliers::new(&problem, &limits));
     let refused = |why: &NoOutliers| refusal(file, why, Some(limits.steps));

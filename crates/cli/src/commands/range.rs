@@ -9,6 +9,7 @@ use super::{proof_file, refuse_reductions};
 use crate::CommandResult;
 use crate::arguments::{RangeArguments, RangeFormat};
 use crate::exit::{Exit, Failure};
+use crate::input;
 use crate::progress::while_working;
 use crate::work::{refuse_long_problem, times};
 
@@ -28,6 +29,9 @@ pub(crate) fn run(arguments: &RangeArguments) -> CommandResult {
     let problem = data.every_reading(shows_data, shows_data)?;
     refuse_reductions(&problem, arguments.data.file_name(), "'range' is")?;
     refuse_long_problem(arguments.data.file_name(), &problem, times::RANGE, &arguments.data.table.limits)?;
+    if format == RangeFormat::Csv {
+        input::say_table(arguments.data.file_name(), problem.measurements.table());
+    }
     let order = arguments.order(problem.measurements.model());
     let range = while_working("finding runs", || LinearRange::of(&problem, order));
     let all = while_working("fitting", || fit(&problem));

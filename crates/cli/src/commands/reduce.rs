@@ -1,7 +1,7 @@
 //! `boundfit reduce`.
 
 use boundfit_estimation::ReducedTable;
-use boundfit_exact::Reading;
+use boundfit_exact::{Foreign, Reading};
 use boundfit_formats::{ScanOptions, Source};
 
 use crate::CommandResult;
@@ -25,6 +25,7 @@ pub(crate) fn run(arguments: &ReduceArguments) -> CommandResult {
     let options = arguments.table.scan_options(&source, Some(&arguments.rows))?;
     let options = ScanOptions { list_rows: false, ..options };
     let reduced = ReducedTable::scan(source, &columns, &options).map_err(Failure::data)?;
+    input::say_table(Foreign::of(input::named(&arguments.data)), reduced.table());
     let mut text = Vec::new();
     // Writing to memory cannot fail.
     reduced.write(&mut text).map_err(Failure::data)?;

@@ -48,6 +48,9 @@ pub(crate) fn run(arguments: &StatusArguments) -> CommandResult {
     if arguments.proof.is_some() {
         refuse_long_status_proof(arguments.data.file_name(), &problem, limits)?;
     }
+    if format == TableFormat::Csv {
+        input::say_table(arguments.data.file_name(), problem.measurements.table());
+    }
     let fit = while_working("fitting", || fit(&problem));
     let style = arguments.output.style();
     let columns = resolved(asked.columns, &problem);
@@ -217,7 +220,8 @@ impl Question<'_> {
         }
         let options = self.arguments.data.table.scan_options(&source, None)?;
         let options = ScanOptions { hash: false, ..options };
-        self.scan(source, self.columns, &options, see, seen).map_err(Failure::data)?;
+        let new = self.scan(source, self.columns, &options, see, seen).map_err(Failure::data)?;
+        input::say_table(Foreign::of(input::named(file)), new.table());
         Ok(())
     }
 

@@ -10,6 +10,7 @@ use super::refuse_reductions;
 use crate::CommandResult;
 use crate::arguments::{FitArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
+use crate::input;
 use crate::output::{Guard, Output, Stop};
 use crate::work::{refuse_long_problem, times};
 
@@ -27,6 +28,7 @@ pub(crate) fn run(
     let problem = data.whole_problem()?;
     refuse_reductions(&problem, arguments.data.file_name(), "windows are")?;
     refuse_long_problem(arguments.data.file_name(), &problem, times::RANGE, &arguments.data.table.limits)?;
+    input::say_table(arguments.data.file_name(), problem.measurements.table());
     let mut output = Output::open(arguments.output.file.output.as_deref(), guard)?;
     let mut job = Job {
         problem: &problem,

@@ -8,15 +8,20 @@ use super::proof_file;
 use crate::CommandResult;
 use crate::arguments::{FitArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
+use crate::input;
+use crate::memory;
 use crate::output::Guard;
 use crate::progress::while_working;
 
 /// Reads the data, finds the lines that agree with all readings, and writes the report.
 pub(crate) fn run(arguments: &FitArguments, format: ReportFormat, guard: &mut Guard) -> CommandResult {
     check_usage(arguments, format)?;
-    let data = arguments.data.open();
+    let data = arguments.data.open().holding(memory::OF_AN_X_ERROR);
     let origin = data.origin();
     let problem = data.x_error_problem(&arguments.x_errors, false)?;
+    if !format.has_input() {
+        input::say_table(arguments.data.file_name(), problem.problem().measurements.table());
+    }
     let (plain, answer): (_, XErrorFit) =
         while_working("fitting", || (fit(problem.problem()), problem.fit()));
     let style = arguments.fraction.limited(arguments.output.style());

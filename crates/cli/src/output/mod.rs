@@ -82,8 +82,25 @@ where
     W: Fn(&mut Output) -> Result<(), Stop>,
 {
     guard.check_all(folder, files.iter().map(|(name, _)| name.clone()))?;
-    fs::create_dir_all(folder)
-        .map_err(|error| Failure::data(format_args!("{}: cannot create: {error}", Foreign::of(folder))))?;
+    let made: Vec<&Path> = Path::new(folder)
+        .ancestors()
+        .take_while(|path| *path != Path::new("") && fs::symlink_metadata(path).is_err())
+        .collect();
+    let written = fs::create_dir_all(folder)
+        .map_err(|error| Failure::data(format_args!("{}: cannot create: {error}", Foreign::of(folder))))
+        .and_then(|()| write_into(folder, files, guard));
+    if written.is_err() {
+        // Those in which something is stay.
+        made.iter().take_while(|path| fs::remove_dir(path).is_ok()).count();
+    }
+    written
+}
+
+/// Writes files into a folder that is there.
+fn write_into<W>(folder: &str, files: &[(String, W)], guard: &Guard) -> Result<(), Failure>
+where
+    W: Fn(&mut Output) -> Result<(), Stop>,
+{
     let path = |(name, _): &(String, _)| Path::new(folder).join(name).to_string_lossy().into_owned();
     let paths: Vec<String> = files.iter().map(path).collect();
     if let Some(path) = paths.iter().find(|path| Path::new(path).is_dir()) {
@@ -293,4 +310,24 @@ fn resolved(file: &Path) -> PathBuf {
         target = target.parent().map_or_else(|| next.clone(), |folder| folder.join(&next));
     }
     target
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folders_that_were_made_for_nothing_are_taken_away() {
+        let directory = tempfile::tempdir().unwrap();
+        let folder = directory.path().join("a/b");
+        let guard = Guard::new([], false);
+        let fails = |_: &mut Output| Err(Stop::Failed(Failure::data("no room")));
+        let files = vec![("c.txt".to_owned(), fails)];
+        assert!(write_all(folder.to_str().unwrap(), &files, &guard).is_err());
+        assert!(!directory.path().join("a").exists() && directory.path().exists());
+        // What was there before stays, and so does what something is in.
+        fs::create_dir_all(&folder).unwrap();
+        assert!(write_all(folder.to_str().unwrap(), &files, &guard).is_err());
+        assert!(folder.exists());
+    }
 }

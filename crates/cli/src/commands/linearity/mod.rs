@@ -13,6 +13,7 @@ use crate::CommandResult;
 use crate::arguments::{LinearityArguments, TableFormat, refuse_without_picture};
 use crate::exit::{Exit, Failure};
 use crate::input;
+use crate::memory;
 use crate::output;
 use crate::progress::while_working;
 use crate::work::{refuse_long, times};
@@ -35,7 +36,8 @@ pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
     let origin =
         Origin { file: (arguments.data != "-").then_some(Foreign::of(&arguments.data)), reading, is_stored };
     let source = source?;
-    let scan_options = arguments.table.scan_options(&source, Some(&arguments.rows))?;
+    let mut scan_options = arguments.table.scan_options(&source, Some(&arguments.rows))?;
+    scan_options.table.row_cost = memory::OF_A_CALIBRATION;
     let calibration = Calibration::read(source, &arguments.columns(), &scan_options);
     let Calibration { readings, input } = calibration.map_err(Failure::data)?;
     let mut work = Work::default();
@@ -47,6 +49,9 @@ pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
     refuse_long(name, &work, times::LINEARITY, &arguments.table.limits)?;
     let found = while_working("fitting", || Linearity::new(&readings, &options));
     let linearity = found.ok_or_else(|| Failure::data(format_args!("{name}: there are no readings")))?;
+    if format == TableFormat::Csv {
+        input::say_table(name, input.table.as_ref());
+    }
     let style = arguments.output.style();
     let document = || linearity_document(&linearity, &options, &input, &origin, &style);
     let report = match format {

@@ -45,8 +45,8 @@ pub(super) fn written(
     proof.ok_or_else(|| {
         let file = Foreign::of(&arguments.data);
         Failure::Usage(format!(
-            "'--proof' is about the rows of delimited text of which each is a point of its own, and those of {file} are not \
-             (docs/proof.md)"
+            "'--proof' is about the rows of delimited text of which each is a point of its own, with a reading in every column, and \
+             those of {file} are not (docs/proof.md)"
         ))
     })
 }

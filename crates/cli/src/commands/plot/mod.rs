@@ -19,6 +19,8 @@ use crate::commands::fit::SWEEP_OF_FIXED;
 use crate::commands::outliers::refusal;
 use crate::commands::pictures::{EXPECTED, told_by_name};
 use crate::exit::{Exit, Failure};
+use crate::input;
+use crate::memory;
 use crate::output::{self, Guard, Output};
 use crate::progress::while_working;
 use crate::work::{refuse_long_outliers, refuse_long_problem, refuse_long_sweep, times};
@@ -122,7 +124,13 @@ impl Job<'_> {
 
     /// Reads the data with errors in x, fits and draws.
     fn run_with_x_errors(&self, draw: DrawXErrors) -> CommandResult {
-        let problem = self.arguments.data.open().x_error_problem(&self.arguments.x_errors, true)?;
+        let problem = self
+            .arguments
+            .data
+            .open()
+            .holding(memory::OF_AN_X_ERROR)
+            .x_error_problem(&self.arguments.x_errors, true)?;
+        input::say_table(self.arguments.data.file_name(), problem.problem().measurements.table());
         let answer = while_working("fitting", || problem.fit());
         let options = options(self.arguments, problem.problem());
         self.write(while_working("drawing", || draw(&problem, &answer, &options)))?;
@@ -155,8 +163,9 @@ impl Job<'_> {
 
 /// Reads the readings, those that are not fitted too, of which so many figures will be drawn.
 fn problem(arguments: &PlotArguments, figures: u64) -> Result<Problem, Failure> {
-    let problem = arguments.data.open().shown_problem()?;
+    let problem = arguments.data.open().holding(memory::OF_A_FIGURE).shown_problem()?;
     let limits = &arguments.data.table.limits;
+    input::say_table(arguments.data.file_name(), problem.measurements.table());
     refuse_long_problem(arguments.data.file_name(), &problem, figures * times::PLOT, limits)?;
     Ok(problem)
 }
@@ -206,9 +215,12 @@ fn refuse_of_other_figures(arguments: &PlotArguments) -> Result<(), Failure> {
             "'--flip' turns the figures 'data', 'eui', 'pui' and 'corridor', and this is '--figure {name}'"
         )));
     }
-    if arguments.directions.is_some() && figure != Figure::Directions {
+    let asked = [("directions", arguments.directions.is_some()), ("scaled", arguments.scaled)];
+    if let Some((option, _)) =
+        asked.into_iter().find(|(_, is_asked)| *is_asked && figure != Figure::Directions)
+    {
         return Err(Failure::Usage(format!(
-            "'--directions' is about '--figure directions', and this is '--figure {name}'"
+            "'--{option}' is about '--figure directions', and this is '--figure {name}'"
         )));
     }
     Ok(())
@@ -242,6 +254,7 @@ fn plain_options(arguments: &PlotArguments, [x_unit, y_unit]: [Option<Foreign>; 
         y_unit,
         flip: arguments.flip,
         directions: arguments.directions.map_or(PlotOptions::default().directions, usize::from),
+        are_directions_scaled: arguments.scaled,
         ..arguments.look.options(arguments.labels.title.clone())
     }
 }

@@ -14,6 +14,8 @@ use crate::CommandResult;
 use crate::arguments::{DataArguments, Figures, PlotArguments};
 use crate::commands::fleet;
 use crate::exit::{Exit, Failure};
+use crate::input;
+use crate::memory;
 use crate::progress::while_working;
 use crate::work::{refuse_long_problem, times};
 
@@ -97,9 +99,13 @@ fn status(all: &[Named]) -> Exit {
 
 fn run_compared(job: &Job, what: Compared) -> CommandResult {
     let mut all = Vec::new();
+    let mut said = BTreeSet::new();
     for (name, data) in parts(job.arguments) {
-        let problem = data.open().whole_problem()?;
+        let problem = data.open().holding(memory::OF_A_FIGURE).whole_problem()?;
         refuse_long_problem(data.file_name(), &problem, times::PLOT, &data.table.limits)?;
+        if said.insert(data.path().to_owned()) {
+            input::say_table(data.file_name(), problem.measurements.table());
+        }
         let fit = while_working("fitting", || problem.fit());
         all.push(Named { name, problem, fit });
     }
@@ -157,7 +163,7 @@ fn run_groups(job: &Job, what: Compared) -> CommandResult {
     let drawn = fleet.len().min(MOST_PANELS);
     let mut all = Vec::with_capacity(drawn);
     for group in 0..drawn {
-        let problem = asked.problem(fleet.measurements(group));
+        let problem = asked.problem(fleet.each(group));
         refuse_long_problem(
             job.arguments.data.file_name(),
             &problem,

@@ -17,6 +17,7 @@ use super::proof_file;
 use crate::CommandResult;
 use crate::arguments::{PredictArguments, TableFormat};
 use crate::exit::{Exit, Failure};
+use crate::input;
 use crate::output::{self, Output, Stop};
 use crate::progress::while_working;
 use crate::work::{refuse_long, times};
@@ -48,6 +49,9 @@ pub(crate) fn run(arguments: &PredictArguments) -> CommandResult {
     let is_hash_shown = format == TableFormat::Json || has_proof;
     let problem = data.scanned_problem(false, is_hash_shown, has_proof, false)?;
     refuse_long_values(arguments, &problem, [&at, &from])?;
+    if format == TableFormat::Csv {
+        input::say_table(arguments.data.file_name(), problem.measurements.table());
+    }
     let fit = while_working("fitting", || fit(&problem));
     let error = match &given {
         None => FurtherError::of(&problem.measurements),

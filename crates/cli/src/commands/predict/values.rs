@@ -9,6 +9,9 @@ use crate::arguments::{DataArguments, number_problem};
 use crate::exit::Failure;
 use crate::input;
 
+/// The most values of a grid: JSON has 2 kB about each, and nobody types them one by one.
+const MOST_STEPS: usize = 100_000;
+
 /// Values of one option.
 #[derive(Default)]
 pub(super) struct Values {
@@ -113,6 +116,11 @@ impl Values {
         };
         let (from, to) = (number(from)?, number(to)?);
         let steps: usize = count.trim().parse().map_err(|_| bad())?;
+        if steps >= MOST_STEPS && most > MOST_STEPS {
+            let problem =
+                format!("refused: more than {MOST_STEPS} values (expected fewer, or --at FILE:COL)");
+            return Err(refuse(problem));
+        }
         if steps >= most {
             let flag = Limit::Rows.flag();
             return Err(refuse(format!("refused: more than {most} values (the limit; {flag} raises it)")));
@@ -197,6 +205,7 @@ fn read(path: &str, columns: &[ColumnSelector], data: &DataArguments) -> Result<
         },
     );
     held.check(name.raw()).map_err(Failure::data)?;
-    scanned.map_err(Failure::data)?;
+    let scanned = scanned.map_err(Failure::data)?;
+    input::say_table(name.borrowed(), scanned.table.as_ref());
     Ok(batches)
 }
