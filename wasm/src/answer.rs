@@ -13,12 +13,13 @@ use boundfit::report::{InverseLine, Origin, fit_document, fit_json, proof_json};
 use boundfit::{Problem, Reading};
 
 use crate::options::{Format, Options};
+use crate::refusal::Refusal;
 
 /// How many times the work that is estimated of the numbers a fit may take.
 const LOOKS: u64 = 4;
 
 /// The answer of `boundfit fit`, or what is wrong.
-pub(crate) fn fit(table: Vec<u8>, options: &str) -> Result<String, String> {
+pub(crate) fn fit(table: Vec<u8>, options: &str) -> Result<String, Refusal> {
     let options = Options::parse(options)?;
     options.refuse_words_of_page()?;
     let (format, style) = (options.format()?, options.style()?);
@@ -31,12 +32,14 @@ pub(crate) fn fit(table: Vec<u8>, options: &str) -> Result<String, String> {
     };
     let problem = match options.numbering()? {
         Some(_) if format == Format::Proof => {
-            return Err("row_numbers: a proof is about the rows of a table as they stand there".to_owned());
+            return Err("row_numbers: a proof is about the rows of a table as they stand there"
+                .to_owned()
+                .into());
         }
         Some(_) => question.of_measurements(readings(source, &question, &options, &scan.table, false)?),
         None => {
             let keep = Keep { eui: !options.no_eui, ..Keep::default() };
-            question.problem(source, &scan, keep).map_err(|error| error.to_string())?
+            question.problem(source, &scan, keep)?
         }
     };
     refuse_long(&problem)?;
@@ -47,20 +50,20 @@ pub(crate) fn fit(table: Vec<u8>, options: &str) -> Result<String, String> {
         Format::Text => Ok(fit_document(&problem, &fit, &origin, InverseLine::default(), &style).to_text()),
         Format::Latex => Ok(fit_document(&problem, &fit, &origin, InverseLine::default(), &style).to_latex()),
         Format::Proof => proof_json(&problem, &fit, reading).ok_or_else(|| {
-            "a proof is about the rows of plain delimited text, and the table is none".to_owned()
+            "a proof is about the rows of plain delimited text, and the table is none".to_owned().into()
         }),
     }
 }
 
 /// What the page of `boundfit lesson` shows, or what is wrong.
-pub(crate) fn lesson(table: Vec<u8>, options: &str) -> Result<String, String> {
+pub(crate) fn lesson(table: Vec<u8>, options: &str) -> Result<String, Refusal> {
     let options = Options::parse(options)?;
     options.refuse_words_of_report()?;
     let Asked { source, reading, question } = Asked::new(table, &options)?;
-    let table = TableOptions { keep_others: true, ..options.table(reading)? };
+    let table = TableOptions { keep_others: true, keep_cells: true, ..options.table(reading)? };
     let measurements = readings(source, &question, &options, &table, true)?;
     if measurements.is_of_reductions() {
-        return Err(InputError::of_file(options.file(), ReductionError::NotHere).to_string());
+        return Err(InputError::of_file(options.file(), ReductionError::NotHere).into());
     }
     let problem = question.of_measurements(measurements);
     refuse_long(&problem)?;
@@ -68,7 +71,7 @@ pub(crate) fn lesson(table: Vec<u8>, options: &str) -> Result<String, String> {
     check_work(&problem, SizeLimits::default().work).map_err(long)?;
     let page = options.lesson(&problem.measurements)?;
     lesson_json(&problem, &problem.fit(), reading, &page)
-        .map_err(|error| format!("{}: {error}", options.file()))
+        .map_err(|error| Refusal::of_lesson(options.file(), &error))
 }
 
 /// A table, and what is asked of it.
@@ -79,7 +82,7 @@ struct Asked {
 }
 
 impl Asked {
-    fn new(table: Vec<u8>, options: &Options) -> Result<Self, String> {
+    fn new(table: Vec<u8>, options: &Options) -> Result<Self, Refusal> {
         let source = Source::new(options.file(), Cursor::new(table));
         let reading = if source.is_stored() { Reading::Binary64 } else { options.reading()? };
         let question = options.question(reading)?;
@@ -87,7 +90,8 @@ impl Asked {
         {
             return Err("eps: a multiple of the least bound moves the bounds, and the table is a reduction under bounds \
                         that are fixed: fit the table that it was made from"
-                .to_owned());
+                .to_owned()
+                .into());
         }
         Ok(Asked { source, reading, question })
     }
@@ -100,23 +104,23 @@ fn readings(
     options: &Options,
     table: &TableOptions,
     may_be_none: bool,
-) -> Result<Measurements, String> {
+) -> Result<Measurements, Refusal> {
     let measurements = match Measurements::read(source, &question.columns, table) {
         Err(error) if may_be_none && matches!(error.kind, InputErrorKind::NoRows) => {
             return Ok(question.columns.without_rows());
         }
-        read => read.map_err(|error| error.to_string())?,
+        read => read?,
     };
     let Some(numbering) = options.numbering()? else { return Ok(measurements) };
     let (numbers, rows) = (&numbering.numbers, measurements.rows_total());
     let asked = Selection::of(&TableOptions { rows: options.row_set()?, ..table.clone() });
     measurements
         .numbered(numbers, asked)
-        .ok_or_else(|| format!("row_numbers: {} numbers for a table of {rows} rows", numbers.len()))
+        .ok_or_else(|| format!("row_numbers: {} numbers for a table of {rows} rows", numbers.len()).into())
 }
 
 /// Refuses numbers that are too long for a fit.
-fn refuse_long(problem: &Problem) -> Result<(), String> {
+fn refuse_long(problem: &Problem) -> Result<(), Refusal> {
     let work = problem.work(&[]).check(LOOKS, SizeLimits::default().work);
-    work.map_err(|error| error.to_string())
+    work.map_err(|error| error.to_string().into())
 }

@@ -6,32 +6,57 @@ mod answer;
 mod columns;
 mod options;
 mod polytope;
+mod refusal;
 
 use wasm_bindgen::prelude::*;
 
-/// Fits readings, and answers as `boundfit fit` does: with the JSON document of schema `boundfit/fit/1`, with the report for people, or
+use crate::refusal::Refusal;
+
+#[wasm_bindgen]
+extern "C" {
+    /// An `Error` of JavaScript.
+    #[wasm_bindgen(js_name = Error)]
+    pub type Refused;
+
+    #[wasm_bindgen(constructor, js_class = "Error")]
+    fn new(message: &str) -> Refused;
+
+    #[wasm_bindgen(method, setter)]
+    fn set_refusal(this: &Refused, refusal: &str);
+}
+
+impl Refused {
+    fn of(refusal: &Refusal) -> Self {
+        let error = Refused::new(&refusal.message);
+        error.set_refusal(&refusal.json());
+        error
+    }
+}
+
+/// Fits readings, and answers as `boundfit fit` does: with the JSON document of schema `boundfit/fit/2`, with the report for people, or
 /// with the proof.
 ///
 /// `table` has the bytes of a table of any kind that the program reads from text, and `options` is a JSON object whose keys are the
 /// program's options, with `_` in the place of `-`.
 ///
 /// # Errors
-/// Throws an `Error` that says what is wrong with the options or the table, and where.
+/// Throws an `Error` that says what is wrong with the options or the table, and where; its `refusal` has the same as JSON.
 #[wasm_bindgen]
-pub fn run(table: Vec<u8>, options: &str) -> Result<String, JsError> {
-    answer::fit(table, options).map_err(|problem| JsError::new(&problem))
+pub fn run(table: Vec<u8>, options: &str) -> Result<String, Refused> {
+    answer::fit(table, options).map_err(|refusal| Refused::of(&refusal))
 }
 
-/// The columns of a table of which nothing is known yet, as JSON: `{"columns": ["x", "y"], "header": true}`.
+/// The columns of a table of which nothing is known yet, as JSON: `{"columns": ["x", "y"], "header": true,
+/// "numeric": [true, true], "table": {…}}`.
 ///
-/// `options` may have the keys that say how the table is written: `file`, `delimiter`, `decimal`, `thousands`, `comment`, `skip_lines`
-/// and `units_row`.
+/// `options` may have the keys that say how the table is written: `file`, `encoding`, `header`, `delimiter`, `decimal`, `thousands`,
+/// `comment`, `skip_lines` and `units_row`.
 ///
 /// # Errors
-/// Throws an `Error` that says what is wrong with the options or the table, and where.
+/// Throws an `Error` that says what is wrong with the options or the table, and where; its `refusal` has the same as JSON.
 #[wasm_bindgen]
-pub fn columns(table: Vec<u8>, options: &str) -> Result<String, JsError> {
-    columns::columns(table, options).map_err(|problem| JsError::new(&problem))
+pub fn columns(table: Vec<u8>, options: &str) -> Result<String, Refused> {
+    columns::columns(table, options).map_err(|refusal| Refused::of(&refusal))
 }
 
 /// What the page of `boundfit lesson` shows of readings: the document of schema `boundfit/lesson/2`. Of linear programs it has what the
@@ -40,10 +65,10 @@ pub fn columns(table: Vec<u8>, options: &str) -> Result<String, JsError> {
 /// `table` and `options` are as in [`run`](fn@run).
 ///
 /// # Errors
-/// Throws an `Error` that says what is wrong with the options or the table, and where.
+/// Throws an `Error` that says what is wrong with the options or the table, and where; its `refusal` has the same as JSON.
 #[wasm_bindgen]
-pub fn lesson(table: Vec<u8>, options: &str) -> Result<String, JsError> {
-    answer::lesson(table, options).map_err(|problem| JsError::new(&problem))
+pub fn lesson(table: Vec<u8>, options: &str) -> Result<String, Refused> {
+    answer::lesson(table, options).map_err(|refusal| Refused::of(&refusal))
 }
 
 /// What there is to say about half-planes: the document of schema `boundfit/polytope/1`.

@@ -1,15 +1,18 @@
 //! What is asked, as JSON says it.
 
+use boundfit::engine::estimation::TextProblem;
 use boundfit::engine::exact::{DecimalMark, Foreign, Thousands};
-use boundfit::engine::formats::{CommentMark, DELIMITERS, RowNumbers};
+use boundfit::engine::formats::{CommentMark, DELIMITERS, Encoding, RowNumbers};
 use boundfit::files::{
-    AskedDialect, ColumnSelector, EpsilonColumn, Header, Measurements, Missing, Question, RowCondition,
-    RowRange, RowSet, TableOptions,
+    AskedBlock, AskedDialect, ColumnSelector, EpsilonColumn, Header, Measurements, Missing, MissingWords,
+    Question, RowCondition, RowRange, RowSet, TableOptions,
 };
 use boundfit::lesson::{LessonOptions, MOST_ROWS, MOST_ROWS_EVER};
 use boundfit::report::{EndRounding, Style};
 use boundfit::{Condition, Reading};
 use serde::Deserialize;
+
+use crate::refusal::{Refusal, of_bound, of_condition};
 
 /// What a table without a name is called in messages.
 const NO_FILE: &str = "standard input";
@@ -39,6 +42,7 @@ pub(crate) struct Options {
     where_row: Vec<String>,
     reading: Option<String>,
     header: Option<String>,
+    encoding: Option<String>,
     delimiter: Option<String>,
     decimal: Option<String>,
     thousands: Option<String>,
@@ -48,6 +52,9 @@ pub(crate) struct Options {
     #[serde(default)]
     units_row: bool,
     missing: Option<String>,
+    #[serde(default)]
+    missing_as: Vec<String>,
+    block: Option<String>,
     #[serde(default)]
     row_numbers: Vec<Rows>,
     #[serde(default)]
@@ -68,6 +75,8 @@ pub(crate) struct Options {
 #[serde(deny_unknown_fields)]
 pub(crate) struct TableWords {
     file: Option<String>,
+    encoding: Option<String>,
+    header: Option<String>,
     delimiter: Option<String>,
     decimal: Option<String>,
     thousands: Option<String>,
@@ -92,9 +101,14 @@ impl TableWords {
         self.file.as_deref().unwrap_or(NO_FILE)
     }
 
+    /// Whether the first row names the columns, as far as that is said.
+    pub(crate) fn header(&self) -> Result<Header, String> {
+        header(self.header.as_deref())
+    }
+
     /// How the table is written, as far as that is said.
     pub(crate) fn dialect(&self) -> Result<AskedDialect, String> {
-        let marks = [&self.delimiter, &self.decimal, &self.thousands, &self.comment];
+        let marks = [&self.encoding, &self.delimiter, &self.decimal, &self.thousands, &self.comment];
         dialect(marks, self.skip_lines, self.units_row)
     }
 }
@@ -222,7 +236,7 @@ impl Options {
     }
 
     /// What is asked of a table whose numbers are read like that.
-    pub(crate) fn question(&self, reading: Reading) -> Result<Question, String> {
+    pub(crate) fn question(&self, reading: Reading) -> Result<Question, Refusal> {
         let limits = TableOptions::default().limits;
         let response = self.y.as_deref().map(|own| column("y", own)).transpose()?;
         let question = match &self.x {
@@ -233,13 +247,17 @@ impl Options {
         };
         let mut question = self.bounded(question, reading)?;
         if question.columns.second.is_some() && (self.through_origin || self.x_origin.is_some()) {
-            return Err(
-                "through_origin and x_origin are about a line: two regressors have no offset".to_owned()
-            );
+            return Err("through_origin and x_origin are about a line: two regressors have no offset"
+                .to_owned()
+                .into());
         }
         for text in &self.conditions {
             let condition = Condition::parse(text, reading, &limits);
-            question.conditions.push(condition.map_err(|error| refused("where", text, error))?);
+            question.conditions.push(condition.map_err(|error| {
+                let (named, place, words) =
+                    (of_condition(&error.kind), error.position + 1, error.kind.to_string());
+                Refusal::of_text("where", text, named, Some(place), error, words)
+            })?);
         }
         question.columns.form.through_origin = self.through_origin;
         if let Some(text) = &self.x_origin {
@@ -250,21 +268,26 @@ impl Options {
     }
 
     /// The question with the bounds on the errors, of which there are to be those of one kind.
-    fn bounded(&self, question: Question, reading: Reading) -> Result<Question, String> {
+    fn bounded(&self, question: Question, reading: Reading) -> Result<Question, Refusal> {
         let bound = |key: &str, own: &Option<String>| own.as_deref().map(|own| column(key, own)).transpose();
         let [lower, upper] = [bound("lower", &self.lower)?, bound("upper", &self.upper)?];
         let is_interval = lower.is_some() || upper.is_some();
         if self.y.is_none() && !is_interval {
-            return Err("y is missing: only beside lower or upper it may be left out".to_owned());
+            return Err("y is missing: only beside lower or upper it may be left out".to_owned().into());
         }
         match (&self.eps, bound("eps_column", &self.eps_column)?, is_interval) {
             (Some(eps), None, false) => {
-                let question = question.within(eps, reading).map_err(|error| refused("eps", eps, error))?;
+                let question = question.within(eps, reading).map_err(|error| {
+                    let (named, words) = (of_bound(&error.kind), error.kind.to_string());
+                    let place = error.kind.has_place().then_some(error.position + 1);
+                    Refusal::of_text("eps", eps, named, place, error, words)
+                })?;
                 match &question.columns.epsilon {
                     EpsilonColumn::Law(law) if question.columns.second.is_some() && law.needs_x() => {
                         let problem =
                             "two regressors have no |x| (expected a law of |y|, range(y) and written)";
-                        Err(refused("eps", eps, problem))
+                        let named = ("bound-x", None);
+                        Err(Refusal::of_text("eps", eps, named, None, problem, problem.to_owned()))
                     }
                     _ => Ok(question),
                 }
@@ -272,9 +295,9 @@ impl Options {
             (None, Some(column), false) => Ok(question.within_columns(EpsilonColumn::Column(column))),
             (None, None, true) => Ok(question.within_columns(EpsilonColumn::Interval { lower, upper })),
             (None, None, false) => {
-                Err("the bound on the errors is missing: eps, eps_column, lower or upper".to_owned())
+                Err("the bound on the errors is missing: eps, eps_column, lower or upper".to_owned().into())
             }
-            _ => Err("the errors have one bound: eps, or eps_column, or lower and upper".to_owned()),
+            _ => Err("the errors have one bound: eps, or eps_column, or lower and upper".to_owned().into()),
         }
     }
 
@@ -285,15 +308,21 @@ impl Options {
             let condition = RowCondition::parse(text, reading, &table.limits);
             condition.map_err(|error| refused("where_row", text, error))
         });
-        let headers = Header::ALL.map(|header| (header.name(), header));
         let missing = Missing::ALL.map(|missing| (missing.name(), missing));
-        let marks = [&self.delimiter, &self.decimal, &self.thousands, &self.comment];
+        let marks = [&self.encoding, &self.delimiter, &self.decimal, &self.thousands, &self.comment];
         let rows = match self.numbering()? {
             Some(numbering) => numbering.positions(&self.row_set()?),
             None => Some(self.row_set()?),
         };
+        let block = self.block.as_deref().map(|text| {
+            AskedBlock::parse(text).ok_or_else(|| {
+                refused("block", text, "expected a number from 1, a comment before a block, or all")
+            })
+        });
         Ok(TableOptions {
-            header: named("header", self.header.as_deref(), &headers)?.unwrap_or_default(),
+            block: block.transpose()?,
+            missing_as: MissingWords::new(self.missing_as.iter().cloned()),
+            header: header(self.header.as_deref())?,
             dialect: dialect(marks, self.skip_lines, self.units_row)?,
             missing: named("missing", self.missing.as_deref(), &missing)?.unwrap_or_default(),
             rows: rows.ok_or("rows: none of them is left")?,
@@ -330,9 +359,14 @@ impl Options {
     }
 }
 
-/// How a text is written: the marks that separate columns, come before decimals, group digits and start comments, as far as they are said.
-fn dialect(marks: [&Option<String>; 4], skip_lines: u64, units_row: bool) -> Result<AskedDialect, String> {
-    let [delimiter, decimal, thousands, comment] = marks;
+fn header(asked: Option<&str>) -> Result<Header, String> {
+    let headers = Header::ALL.map(|header| (header.name(), header));
+    Ok(named("header", asked, &headers)?.unwrap_or_default())
+}
+
+/// How a text is written: its encoding, the marks that separate columns, come before decimals, group digits and start comments, as far as they are said.
+fn dialect(marks: [&Option<String>; 5], skip_lines: u64, units_row: bool) -> Result<AskedDialect, String> {
+    let [encoding, delimiter, decimal, thousands, comment] = marks;
     let decimals = DecimalMark::ALL.map(|mark| (mark.name(), mark));
     let groups = Thousands::ALL.map(|mark| (mark.mark(), mark));
     // Of both what is left to the table has a name on the command line.
@@ -351,7 +385,12 @@ fn dialect(marks: [&Option<String>; 4], skip_lines: u64, units_row: bool) -> Res
         CommentMark::parse(text)
             .ok_or_else(|| refused("comment", text, "expected auto, none or one character such as #"))
     });
+    let encoding = asked(encoding).map(|name| {
+        let expected = || refused("encoding", &name, &format!("expected one of {}", Encoding::names()));
+        Encoding::named(&name).ok_or_else(expected)
+    });
     Ok(AskedDialect {
+        encoding: encoding.transpose()?,
         delimiter: named("delimiter", asked(delimiter).as_deref(), &DELIMITERS)?,
         decimal,
         thousands,

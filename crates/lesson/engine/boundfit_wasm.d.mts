@@ -4,13 +4,14 @@
 export function __wbg_reset_state(): void;
 
 /**
- * The columns of a table of which nothing is known yet, as JSON: `{"columns": ["x", "y"], "header": true}`.
+ * The columns of a table of which nothing is known yet, as JSON: `{"columns": ["x", "y"], "header": true,
+ * "numeric": [true, true], "table": {…}}`.
  *
- * `options` may have the keys that say how the table is written: `file`, `delimiter`, `decimal`, `thousands`, `comment`, `skip_lines`
- * and `units_row`.
+ * `options` may have the keys that say how the table is written: `file`, `encoding`, `header`, `delimiter`, `decimal`, `thousands`,
+ * `comment`, `skip_lines` and `units_row`.
  *
  * # Errors
- * Throws an `Error` that says what is wrong with the options or the table, and where.
+ * Throws an `Error` that says what is wrong with the options or the table, and where; its `refusal` has the same as JSON.
  */
 export function columns(table: Uint8Array | number[], options: string): string;
 
@@ -21,7 +22,7 @@ export function columns(table: Uint8Array | number[], options: string): string;
  * `table` and `options` are as in [`run`](fn@run).
  *
  * # Errors
- * Throws an `Error` that says what is wrong with the options or the table, and where.
+ * Throws an `Error` that says what is wrong with the options or the table, and where; its `refusal` has the same as JSON.
  */
 export function lesson(table: Uint8Array | number[], options: string): string;
 
@@ -38,14 +39,14 @@ export function lesson(table: Uint8Array | number[], options: string): string;
 export function polytope(text: Uint8Array | number[], options: string): string;
 
 /**
- * Fits readings, and answers as `boundfit fit` does: with the JSON document of schema `boundfit/fit/1`, with the report for people, or
+ * Fits readings, and answers as `boundfit fit` does: with the JSON document of schema `boundfit/fit/2`, with the report for people, or
  * with the proof.
  *
  * `table` has the bytes of a table of any kind that the program reads from text, and `options` is a JSON object whose keys are the
  * program's options, with `_` in the place of `-`.
  *
  * # Errors
- * Throws an `Error` that says what is wrong with the options or the table, and where.
+ * Throws an `Error` that says what is wrong with the options or the table, and where; its `refusal` has the same as JSON.
  */
 export function run(table: Uint8Array | number[], options: string): string;
 

@@ -12,13 +12,14 @@ export function __wbg_reset_state () {
 }
 
 /**
- * The columns of a table of which nothing is known yet, as JSON: `{"columns": ["x", "y"], "header": true}`.
+ * The columns of a table of which nothing is known yet, as JSON: `{"columns": ["x", "y"], "header": true,
+ * "numeric": [true, true], "table": {…}}`.
  *
- * `options` may have the keys that say how the table is written: `file`, `delimiter`, `decimal`, `thousands`, `comment`, `skip_lines`
- * and `units_row`.
+ * `options` may have the keys that say how the table is written: `file`, `encoding`, `header`, `delimiter`, `decimal`, `thousands`,
+ * `comment`, `skip_lines` and `units_row`.
  *
  * # Errors
- * Throws an `Error` that says what is wrong with the options or the table, and where.
+ * Throws an `Error` that says what is wrong with the options or the table, and where; its `refusal` has the same as JSON.
  * @param {Uint8Array | number[]} table
  * @param {string} options
  * @returns {string}
@@ -63,7 +64,7 @@ export function columns(table, options) {
  * `table` and `options` are as in [`run`](fn@run).
  *
  * # Errors
- * Throws an `Error` that says what is wrong with the options or the table, and where.
+ * Throws an `Error` that says what is wrong with the options or the table, and where; its `refusal` has the same as JSON.
  * @param {Uint8Array | number[]} table
  * @param {string} options
  * @returns {string}
@@ -148,14 +149,14 @@ export function polytope(text, options) {
 }
 
 /**
- * Fits readings, and answers as `boundfit fit` does: with the JSON document of schema `boundfit/fit/1`, with the report for people, or
+ * Fits readings, and answers as `boundfit fit` does: with the JSON document of schema `boundfit/fit/2`, with the report for people, or
  * with the proof.
  *
  * `table` has the bytes of a table of any kind that the program reads from text, and `options` is a JSON object whose keys are the
  * program's options, with `_` in the place of `-`.
  *
  * # Errors
- * Throws an `Error` that says what is wrong with the options or the table, and where.
+ * Throws an `Error` that says what is wrong with the options or the table, and where; its `refusal` has the same as JSON.
  * @param {Uint8Array | number[]} table
  * @param {string} options
  * @returns {string}
@@ -201,6 +202,13 @@ function __wbg_get_imports() {
         },
         __wbg___wbindgen_throw_4c88d8bf264fd984: function(arg0, arg1) {
             throw new Error(getStringFromWasm0(arg0, arg1));
+        },
+        __wbg_new_7336a6fdc912da59: function(arg0, arg1) {
+            const ret = new Error(getStringFromWasm0(arg0, arg1));
+            return ret;
+        },
+        __wbg_set_refusal_83168a878e5c82cd: function(arg0, arg1, arg2) {
+            arg0.refusal = getStringFromWasm0(arg1, arg2);
         },
         __wbindgen_init_externref_table: function() {
             const table = wasm.__wbindgen_externrefs;

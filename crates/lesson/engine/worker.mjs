@@ -37,7 +37,8 @@ self.onmessage = ({ data }) => {
       self.postMessage({ answer: await answer(data) });
     } catch (error) {
       const trapped = error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
-      self.postMessage({ error: error instanceof Error ? error.message : String(error), trapped });
+      const refusal = error instanceof Error && "refusal" in error ? error.refusal : undefined;
+      self.postMessage({ error: error instanceof Error ? error.message : String(error), refusal, trapped });
     }
   });
 };

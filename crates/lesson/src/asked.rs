@@ -1,10 +1,11 @@
 //! What was asked, in the words of the engine in the page: with it, the readings of a page make that page again.
 //!
 //! The table is the one that the page writes (`page/js/model/table.js`): regressors, the response where there is one, then the columns
-//! of bounds where there are any; each reading with x as it was before it was counted from an origin.
+//! of bounds where there are any; each reading with x as it was before it was counted from an origin, and the cells as they were
+//! written where that is known.
 
 use boundfit_estimation::{ErrorBound, Law, Measurement, Measurements, Model, MultipleOfLeast, Problem};
-use boundfit_exact::{Foreign, Reading};
+use boundfit_exact::{DecimalMark, Foreign, Reading};
 use serde::Serialize;
 
 use crate::{LessonOptions, MOST_ROWS};
@@ -97,6 +98,9 @@ pub(crate) fn asked(
             BoundsJson { lower: lower.map(|_| next()), upper: upper.map(|_| next()), ..BoundsJson::default() }
         }
     };
+    let shown = measurements.kept().iter().chain(others.iter().copied());
+    let mut cells = shown.flat_map(|row| measurements.cells(row.row).unwrap_or_default());
+    let has_comma = cells.any(|cell| cell.contains(','));
     let form = measurements.line_form();
     let own = |text: &Option<Foreign>| text.as_ref().map(|text| text.raw().to_owned());
     let rows = || measurements.kept().iter().map(|row| row.row);
@@ -116,8 +120,8 @@ pub(crate) fn asked(
         reading: reading.name(),
         max_readings: (options.most_rows != MOST_ROWS).then_some(options.most_rows),
         header: "yes",
-        delimiter: "comma",
-        decimal: "point",
+        delimiter: if has_comma { "semicolon" } else { "comma" },
+        decimal: if has_comma { DecimalMark::Comma } else { DecimalMark::Point }.name(),
         comment: "none",
         row_numbers: ranges(all.into_iter()),
         rows: ranges(rows()),
@@ -126,12 +130,13 @@ pub(crate) fn asked(
 }
 
 fn bounds(measurements: &Measurements) -> Bounds {
+    let has_cells = measurements.kept().iter().all(|row| measurements.cells(row.row).is_some());
     if let Some(MultipleOfLeast { factor, .. }) = measurements.multiple_of_least() {
         return Bounds::Words(format!("{factor}*min"));
     }
     match (measurements.error_bound(), measurements.law()) {
-        // The page has numbers, not how they were written.
-        (_, Some(law)) if law.needs_written() => own_bounds(law),
+        // Half a unit of the last digit is that of the cells as they were written.
+        (_, Some(law)) if law.needs_written() && !has_cells => own_bounds(law),
         (_, Some(law)) => Bounds::Words(law.text().raw().to_owned()),
         (ErrorBound::PerRow(column), None) => Bounds::Column(column.clone()),
         (ErrorBound::Interval { lower, upper }, None) => {

@@ -4,7 +4,8 @@
 use std::time::Duration;
 
 use boundfit_check::{
-    Approximation, Directions, EXACT_SIMPLEX, ProgramRows, answer_of, directions, source_names,
+    Approximation, AskedDirections, Directions, EXACT_SIMPLEX, ProgramRows, answer_of, directions,
+    source_names,
 };
 use boundfit_estimation::Problem;
 use boundfit_exact::{Rational, Reading, Rounding};
@@ -18,7 +19,7 @@ use crate::points::Points;
 use crate::texts::{Message, Value, text};
 
 /// How many directions the set is looked at from.
-const DIRECTIONS: usize = 16;
+const DIRECTIONS: AskedDirections = AskedDirections { count: 16, is_scaled: false };
 
 /// The longest that a solver may work on one program.
 const TIME_LIMIT: Duration = Duration::from_secs(10);

@@ -48,6 +48,9 @@ pub(crate) struct ReadingJson {
     lower: Option<Number>,
     #[serde(skip_serializing_if = "Option::is_none")]
     upper: Option<Number>,
+    /// The cells of the table as they are written, as far as they are known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cells: Option<Vec<String>>,
 }
 
 #[derive(Debug, Serialize)]
@@ -79,12 +82,18 @@ pub(crate) fn epsilon(bound: &ErrorBound) -> EpsilonJson {
 
 /// The readings that are fitted.
 pub(crate) fn fitted(measurements: &Measurements) -> Vec<ReadingJson> {
-    measurements.kept().iter().map(with_bounds).collect()
+    let reading = |row: &Measurement| ReadingJson { cells: cells_of(measurements, row), ..with_bounds(row) };
+    measurements.kept().iter().map(reading).collect()
 }
 
 /// Other readings of the file.
 pub(crate) fn others(measurements: &Measurements) -> Vec<ReadingJson> {
-    shown_others(measurements).into_iter().map(reading).collect()
+    let other = |row: &Measurement| ReadingJson { cells: cells_of(measurements, row), ..reading(row) };
+    shown_others(measurements).into_iter().map(other).collect()
+}
+
+fn cells_of(measurements: &Measurements, row: &Measurement) -> Option<Vec<String>> {
+    measurements.cells(row.row).map(<[String]>::to_vec)
 }
 
 /// Those of the other readings that are shown.
@@ -125,5 +134,6 @@ fn reading(row: &Measurement) -> ReadingJson {
         middle: None,
         lower: None,
         upper: None,
+        cells: None,
     }
 }

@@ -41,7 +41,7 @@ function startEngine(packed, script) {
     fresh.onmessage = ({ data }) => {
       if (fresh !== worker) return;
       if (data.trapped) failed(t("engine.stopped", { problem: data.error }));
-      else if (data.error !== undefined) waiting.shift()?.reject(new Error(data.error));
+      else if (data.error !== undefined) waiting.shift()?.reject(Object.assign(new Error(data.error), { refusal: JSON.parse(data.refusal ?? "null") }));
       else waiting.shift()?.resolve(data.answer);
     };
     fresh.onerror = (event) => {

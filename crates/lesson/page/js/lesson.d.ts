@@ -78,8 +78,10 @@ interface RangeData {
   upper: NumberData | null;
 }
 
+/** An end with what proves it; where nothing bounds, its forms are null. */
 interface ProvedEndData {
-  value: NumberData | null;
+  exact: string | null;
+  decimal: string | null;
   active: MultiplierData[];
 }
 
@@ -87,9 +89,23 @@ interface EstimateData {
   theta: NumberData[];
 }
 
+/** What a text or a sheet was taken for: `input.table` of docs/output.md. */
+interface TableData {
+  header: { line: number | null; comment: boolean; open: boolean };
+  delimiter: string | null;
+  decimal: DecimalMark;
+  thousands: string | null;
+  encoding: string | null;
+  comment: string | null;
+  blocks: { total: number; read: number | null; name: string | null } | null;
+  skipped: { lines: number; comments: number; short_rows: number; long_rows: number };
+}
+
 /** The parts of `boundfit fit --format json` that the page uses. */
 interface FitData {
   input: {
+    /** What the table was taken for; null of what is neither text nor a sheet. */
+    table: TableData | null;
     /** There if the error bounds are a multiple of the least ones that leave any parameters. */
     epsilon_from_least?: { factor: NumberData; epsilon_min: NumberData };
   };
@@ -111,6 +127,8 @@ interface ReadingData {
   row: number;
   phi: NumberData[];
   y: NumberData;
+  /** The cells of the table as they are written, where that is known: regressors, y, and bounds where they are columns. */
+  cells?: string[];
 }
 
 /** A reading with bounds about their middle (y, if that is left out) that grow with the factor, or with fixed ones. */
@@ -236,8 +254,8 @@ interface AskedData {
   reading: "decimal" | "binary64";
   max_readings?: number;
   header: "yes";
-  delimiter: "comma";
-  decimal: "point";
+  delimiter: "comma" | "semicolon";
+  decimal: DecimalMark;
   comment: "none";
   /** First and last of the numbers of all rows of the table that follow each other without a gap. */
   row_numbers: number[][];

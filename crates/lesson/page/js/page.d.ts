@@ -368,8 +368,29 @@ interface Problem {
   row: number | null;
   column: number | null;
   key: string | null;
-  message: string;
+  refusal: Refusal;
 }
+
+/** What the engine refused, as data: `wasm/src/refusal.rs` makes it. */
+interface Refusal {
+  /** The name of the problem; the page has words for those that it knows. */
+  kind: string;
+  /** What is wrong, in English, without what could be done elsewhere. */
+  words: string;
+  /** A part of the question. */
+  key?: string;
+  line?: number;
+  column?: number;
+  /** The name of the column. */
+  name?: string;
+  /** What stands there. */
+  text?: string;
+  /** The character in it, from 1. */
+  position?: number;
+  values?: TextValues;
+}
+
+type DecimalMark = "point" | "comma";
 
 /** One reader's work on a sheet. */
 interface Session {
@@ -406,11 +427,15 @@ interface Import {
   columns: string[];
   /** Whether the table has these names, and they were not made. */
   hasHeader: boolean;
+  /** What the table was taken for, as far as that is known. */
+  notes: TableData | null;
   /** The numbers of the columns, by what they are for. */
   choice: Record<string, string>;
+  /** How it is written, as far as the reader has said it, with the keys of docs/wasm.md. */
+  how: Record<string, any>;
   /** Whether rows with missing values are left out. */
   skip: boolean;
-  problem: string | null;
+  problem: Refusal | null;
 }
 
 /** What the parts of the editor share. */
@@ -431,6 +456,8 @@ interface Workbench {
   typing: { place: string, text: string } | null;
   pending: Import | null;
   notice: string;
+  /** What the table that was taken in last was taken for. */
+  taken: string;
   /** The address with the readings; null for readings that are too many for one. */
   link: string | null;
   /** The number of a reading that is to have the focus when it is there. */

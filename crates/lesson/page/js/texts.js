@@ -70,13 +70,23 @@ export function said(message) {
   return saidValue(message).map(plainText).join("");
 }
 
+/** Whether numbers have a decimal comma in the language of the page. */
+export const hasDecimalComma = () => COMMA.has(currentLanguage());
+
 /**
  * A number with the minus sign and the decimal mark of the language; fractions have no mark.
  * @param {string} text
  */
 export function numberText(text) {
-  return text.replace(/-/g, "\u2212").replace(".", COMMA.has(currentLanguage()) ? "," : ".");
+  return text.replace(/-/g, "\u2212").replace(".", hasDecimalComma() ? "," : ".");
 }
+
+/**
+ * A formula such as `theta1 <= 5.5`, with the decimal mark of the language unless another one is asked for.
+ * @param {string} text
+ * @param {boolean} [comma]
+ */
+export const formulaText = (text, comma = hasDecimalComma()) => (comma ? text.replace(/\.(?=\d)/g, ",") : text);
 
 /**
  * A reason that the engine's reports have in English, in the language of the page where the table knows it.
@@ -86,6 +96,12 @@ export function reasonText(english) {
   const key = Object.keys(texts()).find((name) => name.startsWith("reason.") && texts()[name].en === english);
   return key === undefined ? english : t(key);
 }
+
+/**
+ * Whether the table has a text.
+ * @param {string} key
+ */
+export const isText = (key) => Object.hasOwn(texts(), key);
 
 /** @param {string} key */
 function wordsOf(key) {

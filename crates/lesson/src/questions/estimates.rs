@@ -1,9 +1,9 @@
 //! The least-squares and the central estimate.
 
-use boundfit_estimation::BoundName;
-use boundfit_exact::{Rational, Rounding};
+use boundfit_estimation::{BoundName, Central, Fit};
+use boundfit_exact::{PlusMinus, Rational, Rounding};
 
-use super::wording::{bound, bounds, every_bound, sentences, size, value};
+use super::wording::{bound, bounds, decimal, every_bound, sentences, value};
 use super::{Facts, Question, Show};
 use crate::number::DIGITS;
 use crate::texts::{Message, text};
@@ -96,7 +96,7 @@ pub(super) fn central(facts: &Facts<'_>) -> Option<Question> {
         // No estimate at all: with a single least-squares estimate the readings alone bound the set.
         (None, _) => text!("q.central.neither", why: no_least_squares(facts)),
         (Some(_), None) => return None,
-        (Some(central), Some(least_squares)) => compared(&central.guaranteed_error, &least_squares),
+        (Some(central), Some(errors)) => compared(central, facts.fit, &errors),
     };
     Some(Question {
         id: "central-or-least-squares",
@@ -106,19 +106,30 @@ pub(super) fn central(facts: &Facts<'_>) -> Option<Question> {
     })
 }
 
-fn compared(central: &[Rational; 2], least_squares: &[Rational; 2]) -> Message {
-    let pair = |errors: &[Rational; 2]| {
-        let [first, second] = errors.each_ref().map(|error| size(error, Rounding::Up));
-        text!("q.central.errors", first: first, second: second)
+fn compared(central: &Central, fit: &Fit, least_squares: &[Rational; 2]) -> Message {
+    let bounded = |theta: &[Rational; 2], errors: &[Rational; 2]| {
+        let [first, second] = [0, 1].map(|axis| PlusMinus::enclosing(&theta[axis], &errors[axis], DIGITS));
+        text!(
+            "q.central.errors",
+            theta1: decimal(&first.centre),
+            first: decimal(&first.error),
+            theta2: decimal(&second.centre),
+            second: decimal(&second.error)
+        )
     };
-    let of_central =
-        if central.iter().all(Rational::is_zero) { text!("q.central.no-error") } else { pair(central) };
-    let verdict = match [0, 1].map(|axis| central[axis] < least_squares[axis]) {
+    let Central { theta, guaranteed_error } = central;
+    let of_central = match guaranteed_error.iter().all(Rational::is_zero) {
+        true => text!("q.central.no-error"),
+        false => bounded(theta, guaranteed_error),
+    };
+    let verdict = match [0, 1].map(|axis| guaranteed_error[axis] < least_squares[axis]) {
         [false, false] => return text!("q.central.same", errors: of_central),
         [true, true] => "q.central.both",
         [true, false] => "q.central.first",
         [false, true] => "q.central.second",
     };
-    let errors = text!("q.central.guarantees", central: of_central, squares: pair(least_squares));
+    // Where least squares has errors, it is an estimate.
+    let squares = fit.least_squares.as_ref().map_or(theta, |own| &own.theta);
+    let errors = text!("q.central.guarantees", central: of_central, squares: bounded(squares, least_squares));
     sentences([text!(verdict), errors])
 }

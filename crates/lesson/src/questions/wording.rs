@@ -1,7 +1,7 @@
 //! Words for half-planes, sets and numbers.
 
 use boundfit_estimation::{BoundName, Condition, Problem};
-use boundfit_exact::{Rational, Rounding};
+use boundfit_exact::{PlacedDecimal, Rational, Rounding};
 use boundfit_geometry::Region;
 
 use crate::number::{DIGITS, with_minus};
@@ -32,6 +32,11 @@ pub(crate) fn value(value: &Rational, digits: usize, rounding: Rounding) -> Valu
 /// A size, rounded.
 pub(super) fn size(size: &Rational, rounding: Rounding) -> Value {
     Value::number(with_minus(&size.to_decimal(DIGITS, rounding)))
+}
+
+/// An estimate or its error bound.
+pub(super) fn decimal(decimal: &PlacedDecimal) -> Value {
+    Value::number(with_minus(&decimal.to_string()))
 }
 
 /// A number of a proof: exact where that can be read.

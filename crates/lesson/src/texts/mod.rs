@@ -33,6 +33,7 @@ const PARTS: &[(&str, &str)] = &[
     part!("polytope"),
     part!("questions"),
     part!("start"),
+    part!("table"),
     part!("teacher"),
     part!("worst-line"),
 ];

@@ -4,10 +4,13 @@
 import { byId } from "../dom.js";
 import { measuredAt } from "./drag.js";
 import { columnsOf, guessed, imported } from "./importing.js";
+import { typedIn } from "./marks.js";
 import { movedSheet, newCells } from "./moving.js";
+import { refusalOf, sentenceOfTable } from "./refusals.js";
+import { notesOf } from "./table-notes.js";
 import { isSameSheet, usedRows, withCell, withFitted, withQuestion, withoutRowAt } from "./sheet.js";
-import { cellText } from "../model/table.js";
-import { numberText, t, wordsOfError } from "../texts.js";
+import { cellText, withMark } from "../model/table.js";
+import { hasDecimalComma, numberText, t } from "../texts.js";
 
 /** In megabytes. */
 const LARGEST_FILE = 16;
@@ -66,7 +69,7 @@ export function readingEdits({ session, store }) {
  */
 export function press(bench, what) {
   const { session } = bench;
-  bench.notice = "";
+  [bench.notice, bench.taken] = ["", ""];
   bench.typing = null;
   if (what === "undo") session.undo(t("edit.did.undo"));
   else if (what === "redo") session.redo(t("edit.did.redo"));
@@ -101,7 +104,9 @@ export function addRow({ session }) {
 
 /** @param {Workbench} bench */
 export function takeExample({ session, own }) {
-  const rows = EXAMPLE_CELLS.map((cells) => ({ cells, isFitted: true }));
+  /** @type {DecimalMark} */
+  const mark = hasDecimalComma() ? "comma" : "point";
+  const rows = EXAMPLE_CELLS.map((cells) => ({ cells: cells.map((cell) => withMark(cell, mark)), isFitted: true }));
   session.edit(withQuestion({ ...own, rows }, { eps: EXAMPLE_BOUND }), t("edit.did.example"));
 }
 
@@ -112,10 +117,11 @@ export function takeExample({ session, own }) {
  */
 export function commitCell(bench, input) {
   const [at, k] = (input.dataset.cell ?? "").split(" ").map(Number);
-  const sheet = bench.session.sheet();
-  const value = input.value.trim();
+  const before = bench.session.sheet();
+  const typed = input.value.trim();
   bench.typing = null;
-  if (sheet.rows[at]?.cells[k] === value) return bench.draw();
+  if (before.rows[at]?.cells[k] === typed) return bench.draw();
+  const { sheet, text: value } = typedIn(before, typed);
   const next = withCell(sheet, at, k, value);
   bench.session.edit(next, t("edit.did.cell", { column: sheet.columns[k].name, row: numberAt(next, at), value }));
 }
@@ -154,16 +160,47 @@ function numberAt(sheet, at) {
  * @param {string} file
  */
 export async function startImport(bench, table, file) {
-  bench.notice = "";
+  [bench.notice, bench.taken] = ["", ""];
   try {
-    const { columns, header } = await columnsOf(bench.engine, table, file);
-    const { choice, isSure } = guessed(columns, bench.session.sheet());
-    bench.pending = { table, file, columns, hasHeader: header, choice, skip: false, problem: null };
-    if (isSure) return applyImport(bench);
+    const { columns, header, numeric, table: notes } = await columnsOf(bench.engine, table, file, {});
+    const { choice, isSure } = guessed(columns, numeric, bench.session.sheet());
+    bench.pending = { table, file, columns, hasHeader: header, notes, choice, how: {}, skip: false, problem: null };
+    if (isSure) return await applyImport(bench);
   } catch (error) {
-    bench.notice = wordsOfError(error);
+    bench.notice = t("problem-at.file", { file, problem: sentenceOfTable(refusalOf(error)) });
   }
   bench.draw();
+  showImport();
+}
+
+/**
+ * Looks at the table once more, since the reader has said how it is written.
+ * @param {Workbench} bench
+ * @param {Record<string, any>} how
+ */
+export async function readAgain(bench, how) {
+  const from = bench.pending;
+  if (from === null) return;
+  bench.pending = { ...from, how };
+  const asked = bench.pending;
+  try {
+    const { columns, header, numeric, table: notes } = await columnsOf(bench.engine, from.table, from.file, how);
+    const isSame = `${columns}` === `${from.columns}`;
+    const choice = isSame ? asked.choice : guessed(columns, numeric, bench.session.sheet()).choice;
+    if (bench.pending === asked) bench.pending = { ...asked, columns, hasHeader: header, notes, choice, problem: null };
+  } catch (error) {
+    if (bench.pending === asked) bench.pending = { ...asked, problem: refusalOf(error) };
+  }
+  bench.draw();
+}
+
+/** Brings the form, or why there is none, into sight: it stands above what it was asked for with. */
+function showImport() {
+  const form = document.getElementById("import");
+  (document.getElementById("import-problem") ?? form ?? byId("edit-notice")).scrollIntoView({ block: "nearest" });
+  if (form === null || form.contains(document.activeElement)) return;
+  form.scrollIntoView({ block: "nearest" });
+  form.querySelector("select")?.focus({ preventScroll: true });
 }
 
 /**
@@ -174,14 +211,16 @@ export async function applyImport(bench) {
   const from = bench.pending;
   if (from === null) return;
   try {
-    const sheet = await imported(bench.engine, from, bench.session.sheet());
+    const { sheet, notes } = await imported(bench.engine, from, bench.session.sheet());
     if (bench.pending !== from) return;
     bench.pending = null;
+    bench.taken = notes === null ? "" : notesOf(notes);
     bench.session.edit(sheet, t("edit.did.import", { file: from.file }));
   } catch (error) {
-    if (bench.pending === from) bench.pending = { ...from, problem: wordsOfError(error) };
+    if (bench.pending === from) bench.pending = { ...from, problem: refusalOf(error) };
   }
   bench.draw();
+  if (bench.pending !== null) showImport();
 }
 
 /**

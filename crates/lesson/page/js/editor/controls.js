@@ -2,12 +2,15 @@
 // The editor's controls: buttons, cells, keys, the clipboard, files that are dropped.
 
 import { byId, closest, targetOf } from "../dom.js";
-import { addRow, applyImport, commitCell, deleteAt, fitAt, press, readFile, startImport, takeExample } from "./actions.js";
+import { addRow, applyImport, commitCell, deleteAt, fitAt, press, readAgain, readFile, startImport, takeExample } from "./actions.js";
 import { isElsewhere } from "./address.js";
 import { takeAway } from "./export.js";
+import { withWay } from "./importing.js";
+import { typedIn } from "./marks.js";
 import { askedBy } from "./question-form.js";
+import { refusalOf, sentenceOf } from "./refusals.js";
 import { usedRows, withBlock } from "./sheet.js";
-import { t, wordsOfError } from "../texts.js";
+import { t } from "../texts.js";
 
 /**
  * Connects the controls.
@@ -51,6 +54,7 @@ function onButton(bench, { id, dataset }) {
   if (dataset.delete !== undefined) return deleteAt(bench, Number(dataset.delete));
   if (dataset.export !== undefined) return exported(bench, dataset.export);
   bench.notice = "";
+  if (id !== "edit-toggle") bench.taken = "";
   if (id === "edit-toggle") bench.isOpen = !bench.isOpen;
   else if (id === "edit-back") bench.session.edit(bench.own, t("edit.did.back"));
   else if (id === "edit-example") takeExample(bench);
@@ -67,7 +71,7 @@ function onButton(bench, { id, dataset }) {
 async function exported(bench, kind) {
   bench.notice = "";
   await takeAway(bench.engine, bench.session.right(), kind).catch((error) => {
-    bench.notice = wordsOfError(error);
+    bench.notice = sentenceOf(refusalOf(error));
   });
   bench.draw();
 }
@@ -82,6 +86,7 @@ function onInput(bench, input) {
   if (dataset.cell !== undefined) return commitCell(bench, input);
   if (dataset.fitted !== undefined) return fitAt(bench, Number(dataset.fitted), checked);
   if (dataset.purpose !== undefined && pending !== null) bench.pending = { ...pending, choice: { ...pending.choice, [dataset.purpose]: value } };
+  if (dataset.way !== undefined && pending !== null) readAgain(bench, withWay(pending.how, dataset.way, input.type === "checkbox" ? checked : value));
   if (id === "import-skip" && pending !== null) bench.pending = { ...pending, skip: checked };
   const file = id === "open-file" ? input.files?.[0] : undefined;
   if (file !== undefined) {
@@ -143,9 +148,18 @@ function onPaste(bench, event) {
   bench.typing = null;
   const [at, k] = place.split(" ").map(Number);
   const hasHeader = block.length > 1 && block[0].every((cell) => /\p{L}/u.test(cell) && !/\d/.test(cell));
-  const isOtherText = block.every((line) => line.length === 1) && /[;,|]|\S\s+\S/.test(block[0][0]) && session.sheet().columns.length > 1;
-  if (hasHeader || isOtherText) startImport(bench, text, t("edit.pasted"));
-  else session.edit(withBlock(session.sheet(), at, k, block), t("edit.did.block"));
+  const width = session.sheet().columns.length;
+  const isOtherText = block.every((line) => line.length === 1) && /[;,|]|\S\s+\S/.test(block[0][0]) && width > 1;
+  // What finds no column is asked about.
+  const isTooWide = block.some((line) => line.slice(width - k).some((cell) => cell !== ""));
+  if (hasHeader || isOtherText || isTooWide) return void startImport(bench, text, t("edit.pasted"));
+  let sheet = session.sheet();
+  const cells = block.map((line) => line.map((cell) => {
+    const typed = typedIn(sheet, cell);
+    sheet = typed.sheet;
+    return typed.text;
+  }));
+  session.edit(withBlock(sheet, at, k, cells), t("edit.did.block"));
 }
 
 /**

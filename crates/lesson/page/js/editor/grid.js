@@ -3,6 +3,7 @@
 
 import { element } from "../dom.js";
 import { t } from "../texts.js";
+import { sentenceOf } from "./refusals.js";
 import { usedRows } from "./sheet.js";
 
 /** @typedef {Workbench["typing"]} Typing */
@@ -93,6 +94,6 @@ function cellOf({ name }, text, { at, k, row, problem, typing }) {
 }
 
 /** @param {Problem} problem */
-export function problemNote({ message }) {
-  return element("span", { id: "sheet-problem", class: "problem", role: "alert" }, message);
+export function problemNote({ refusal }) {
+  return element("span", { id: "sheet-problem", class: "problem", role: "alert" }, sentenceOf(refusal));
 }

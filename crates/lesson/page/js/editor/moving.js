@@ -1,7 +1,7 @@
 // @ts-check
 // A reading at another place, as cells.
 
-import { cellText } from "../model/table.js";
+import { cellIn } from "./marks.js";
 import { boundAt, readingOfRow } from "../model/lesson.js";
 import { HALF, ONE, Rational, ZERO } from "../model/rational.js";
 
@@ -36,11 +36,11 @@ export function movedSheet(sheet, at, x, y, lesson, number) {
   };
   const cells = sheet.columns.map(({ role }, k) => {
     const cell = sheet.rows[at].cells[k];
-    if (role === "x") return x === null ? cell : cellText(x.plus(origin));
-    if (role === "y") return cellText(y);
+    if (role === "x") return x === null ? cell : cellIn(sheet, x.plus(origin), cell);
+    if (role === "y") return cellIn(sheet, y, cell);
     if (role === "eps") return cell;
     const end = bound(role);
-    return end === null ? "" : cellText(end);
+    return end === null ? "" : cellIn(sheet, end, cell);
   });
   return { ...sheet, rows: sheet.rows.map((own, k) => (k === at ? { ...own, cells } : own)) };
 }

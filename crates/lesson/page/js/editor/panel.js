@@ -41,7 +41,7 @@ export function connectEditor(engine, store, current) {
   const own = isBlank ? withRoom(sheetOf(data)) : sheetOf(data);
   const bench = /** @type {Workbench} */ ({
     engine, store, current, own, isBlank,
-    isOpen: isBlank, isSlow: false, typing: null, pending: null, notice: "", link: location.href, focusOn: null,
+    isOpen: isBlank, isSlow: false, typing: null, pending: null, notice: "", taken: "", link: location.href, focusOn: null,
   });
   bench.draw = () => drawEditor(bench);
   bench.session = createSession(engine, own, data, {
@@ -144,6 +144,7 @@ function drawEditor(bench) {
     ),
     element("p", { id: "edit-notice", class: "problem", role: "alert", hidden: bench.notice === "" }, bench.notice),
     element("p", { id: "edit-problem", hidden: !isApart }, isApart && problem !== null ? problemNote(problem) : ""),
+    element("p", { id: "edit-taken", hidden: bench.taken === "" }, element("small", {}, bench.taken)),
     element("div", { id: "edit-import" }, pending === null ? null : importForm(pending)),
     element("div", { id: "edit-open", hidden: !isOpen }, isOpen ? openParts(bench) : []),
     exportParts(bench),

@@ -3,16 +3,18 @@
 
 import { element } from "../dom.js";
 import { problemNote } from "./grid.js";
+import { cellIn, showsComma, typedFormula } from "./marks.js";
 import { withBounds, withQuestion } from "./sheet.js";
-import { cellText } from "../model/table.js";
 import { boundAt } from "../model/lesson.js";
 import { ONE } from "../model/rational.js";
-import { t } from "../texts.js";
+import { formulaText, t } from "../texts.js";
 
 /** @type {("eps" | "column" | "interval")[]} */
 const KINDS_OF_BOUNDS = ["eps", "column", "interval"];
 
-const EXAMPLE = "theta1 >= 0";
+/** What the hints show. */
+const NUMBER_IN_HINT = "0.5e-3";
+const CONDITION_IN_HINT = "theta1 >= 0.5";
 
 /** @param {Sheet} sheet */
 function kindOfBounds({ columns }) {
@@ -28,6 +30,8 @@ function kindOfBounds({ columns }) {
 export function questionForm(sheet, problem, typing) {
   const kind = kindOfBounds(sheet);
   const { eps, where, through_origin } = sheet.question;
+  const comma = showsComma(sheet);
+  const [number, condition] = [NUMBER_IN_HINT, CONDITION_IN_HINT].map((text) => formulaText(text, comma));
   /** @param {string} id @param {string} text @param {string} width */
   const field = (id, text, width) => {
     const isWrong = problem?.key === id;
@@ -42,11 +46,11 @@ export function questionForm(sheet, problem, typing) {
         size: width,
         autocomplete: "off",
         spellcheck: "false",
-        value: typing?.place === id ? typing.text : text,
+        value: typing?.place === id ? typing.text : formulaText(text, comma),
         "aria-invalid": isWrong ? "true" : null,
         "aria-describedby": `${id}-hint`,
       }),
-      element("small", { id: `${id}-hint` }, isWrong && problem !== null ? problemNote(problem) : t(`edit.${id}-hint`, { example: EXAMPLE })),
+      element("small", { id: `${id}-hint` }, isWrong && problem !== null ? problemNote(problem) : t(`edit.${id}-hint`, { number, condition })),
     );
   };
   return element(
@@ -75,20 +79,21 @@ export function questionForm(sheet, problem, typing) {
  */
 export function askedBy(input, sheet, lesson) {
   const { id, value, checked } = input;
-  if (id === "eps") return value.trim() === sheet.question.eps ? null : withQuestion(sheet, { eps: value.trim() });
+  const words = typedFormula(value.trim(), showsComma(sheet));
+  if (id === "eps") return words === sheet.question.eps ? null : withQuestion(sheet, { eps: words });
   if (id === "where") {
-    const conditions = value.split(";").map((own) => own.trim()).filter((own) => own !== "");
+    const conditions = words.split(";").map((own) => own.trim()).filter((own) => own !== "");
     return withQuestion(sheet, { where: conditions.length === 0 ? undefined : conditions });
   }
   if (id === "through-origin") return withQuestion(sheet, { through_origin: checked ? true : undefined });
   if (id !== "bounds-kind") return null;
   const kind = KINDS_OF_BOUNDS.find((own) => own === value) ?? "eps";
   /** @param {Rational | null} end */
-  const text = (end) => (end === null ? "" : cellText(end));
+  const text = (end) => (end === null ? "" : cellIn(sheet, end));
   const known = lesson.readings.map((reading) => {
     const [lower, upper] = [boundAt(reading, "lower", ONE), boundAt(reading, "upper", ONE)];
     // A bound on one side has no width.
-    const width = lower === null || upper === null ? "" : cellText(reading.epsilon);
+    const width = lower === null || upper === null ? "" : cellIn(sheet, reading.epsilon);
     return /** @type {const} */ ([reading.row, { width, lower: text(lower), upper: text(upper) }]);
   });
   return withBounds(sheet, kind, new Map(known));

@@ -2,6 +2,7 @@
 // One reader's work on a sheet: what was done and can be undone, and the questions to the engine. Of these one is under way at most,
 // and one waits: while readings are dragged, what is overtaken is never asked.
 
+import { refusalOf } from "./refusals.js";
 import { csvOf, optionsOf, problemOf } from "./sheet.js";
 
 // So many steps can be undone.
@@ -47,7 +48,7 @@ export function createSession(engine, first, firstData, { onLesson, onChange }) 
       right = asked;
       if (asked === sheet) problem = null;
       onLesson(answer, asked, about);
-    } else if (asked === sheet) problem = problemOf(answer.message, asked);
+    } else if (asked === sheet) problem = problemOf(refusalOf(answer), asked);
     if (isWaiting) {
       isWaiting = false;
       ask();

@@ -2,12 +2,13 @@
 // The readings as text that can be changed, and what is asked of them. A sheet is never changed: every edit is another one, and the
 // engine makes a lesson of each.
 
+import { markOf, withDecimalMark } from "./marks.js";
 import { cellsOf, rowRanges, tableText } from "../model/table.js";
 
 /** Keys of the question that name columns or rows: the sheet has these in another form. */
 const ABOUT_COLUMNS = ["x", "y", "eps_column", "lower", "upper", "rows", "row_numbers", "without", "where_row"];
 /** What describes a file that the sheet is no longer, or a report. */
-const ABOUT_FILES = ["header", "delimiter", "decimal", "thousands", "comment", "skip_lines", "units_row", "missing", "format", "digits", "rounding", "exact", "no_eui"];
+const ABOUT_FILES = ["header", "delimiter", "thousands", "comment", "skip_lines", "units_row", "missing", "format", "digits", "rounding", "exact", "no_eui"];
 
 /**
  * The sheet from which the engine makes this lesson again.
@@ -26,9 +27,9 @@ export function sheetOf(data) {
   const bounds = roles.map((role) => !["x", "y"].includes(role));
   /** @param {FittedReadingData} reading @param {boolean} isFitted */
   const row = (reading, isFitted) => {
-    const cells = cellsOf(asked, reading);
-    // The bounds of a reading that is not fitted are not in the document.
-    return { number: reading.row, cells: isFitted ? cells : cells.map((cell, k) => (bounds[k] ? "" : cell)), isFitted };
+    // The bounds of a reading that is not fitted are in the document only if their cells are.
+    const cells = cellsOf(asked, reading).map((cell, k) => (isFitted || !bounds[k] ? cell : (reading.cells?.[k] ?? "")));
+    return { number: reading.row, cells, isFitted };
   };
   const rows = [...data.readings.map((own) => row(own, true)), ...data.others.map((own) => row(own, false))];
   return {
@@ -39,12 +40,13 @@ export function sheetOf(data) {
 }
 
 /**
- * What of a question is not about columns, rows or the form of a file.
+ * What of a question is not about columns, rows or the form of a file. That the cells have decimal commas is kept: so 1,234 is no
+ * thousands.
  * @param {Record<string, any>} asked
  */
 export function questionOf(asked) {
-  const kept = Object.entries(asked).filter(([key]) => ![...ABOUT_COLUMNS, ...ABOUT_FILES].includes(key));
-  return Object.fromEntries(kept);
+  const isKept = (/** @type {string} */ key) => (key === "decimal" ? asked.decimal === "comma" : ![...ABOUT_COLUMNS, ...ABOUT_FILES].includes(key));
+  return Object.fromEntries(Object.entries(asked).filter(([key]) => isKept(key)));
 }
 
 /**
@@ -82,24 +84,16 @@ export function usedRows({ columns, rows }) {
  * @param {Sheet} sheet
  */
 export function csvOf(sheet) {
-  const used = usedRows(sheet).map((k) => sheet.rows[k]);
-  const hasComma = used.some(({ cells }) => cells.some((cell) => /^\s*[-+\u2212]?(\d*,\d{1,2}|0\d*,\d*|\d{4,},\d*|\d*,\d{4,})(e.*)?\s*$/i.test(cell)));
-  const rows = used.map(({ cells }) => cells.map((cell) => withPoint(cell, hasComma)));
-  return tableText(sheet.columns.map(({ name }) => name), rows);
+  const mark = markOf(sheet);
+  const rows = usedRows(sheet).map((k) => sheet.rows[k].cells.map((cell) => withDecimalMark(cell, mark, sheet)));
+  return tableText(sheet.columns.map(({ name }) => name), rows, mark);
 }
 
 /**
- * A number with a decimal comma as the same number with a point. In a table without other decimal commas, 1,234 may have meant
- * thousands: it is left as it is, for the engine to refuse.
- * @param {string} cell
- * @param {boolean} hasComma
+ * How a column is asked for by its name: in quotes where the name is digits, which may be the number of another column.
+ * @param {string} name
  */
-export function withPoint(cell, hasComma) {
-  const text = cell.trim();
-  if (!/^[-+\u2212]?\d*,\d*(e[-+]?\d+)?$/i.test(text)) return cell;
-  const mayBeThousands = /^[-+\u2212]?[1-9]\d{0,2},\d{3}$/.test(text);
-  return mayBeThousands && !hasComma ? cell : text.replace(",", ".");
-}
+export const byName = (name) => (/^\d+$/.test(name) ? `"${name}"` : name);
 
 /**
  * What is asked of the text, as docs/wasm.md has it.
@@ -108,11 +102,12 @@ export function withPoint(cell, hasComma) {
  */
 export function optionsOf(sheet) {
   const { columns, rows, question: asked } = sheet;
-  const named = (/** @type {SheetColumn["role"]} */ role) => columns.filter((column) => column.role === role).map(({ name }) => name);
+  const named = (/** @type {SheetColumn["role"]} */ role) => columns.filter((column) => column.role === role).map(({ name }) => byName(name));
   const x = named("x");
   const without = usedRows(sheet).flatMap((at, k) => (rows[at].isFitted ? [] : [k + 1]));
+  const text = markOf(sheet) === "comma" ? { delimiter: "semicolon", decimal: "comma" } : { delimiter: "comma", decimal: "point" };
   /** @type {Record<string, any>} */
-  const options = { ...asked, x: x.length === 1 ? x[0] : x, header: "yes", delimiter: "comma", decimal: "point", comment: "none" };
+  const options = { ...asked, x: x.length === 1 ? x[0] : x, header: "yes", ...text, comment: "none" };
   const [y, eps, lower, upper] = [named("y"), named("eps"), named("lower"), named("upper")].map(([name]) => name);
   Object.assign(options, y === undefined ? {} : { y }, lower === undefined ? {} : { lower }, upper === undefined ? {} : { upper });
   if (eps !== undefined) options.eps_column = eps;
@@ -135,6 +130,7 @@ export function commandOf(sheet, file) {
   // What the command line would take for two columns, or for another option, is a column by its number.
   const column = (/** @type {string | undefined} */ name) =>
     name !== undefined && /^-|,/.test(name) ? `${sheet.columns.findIndex((own) => own.name === name) + 1}` : name;
+  if (options.decimal === "comma") words.push("--delimiter", options.delimiter, "--decimal", options.decimal);
   const regressors = [options.x].flat().map(column).join(",");
   const [y, eps_column, lower, upper] = [options.y, options.eps_column, options.lower, options.upper].map(column);
   const names = { x: regressors, y, eps: options.eps, "eps-column": eps_column, lower, upper };
@@ -209,21 +205,16 @@ export function withQuestion(sheet, changes) {
 }
 
 /**
- * Where a message of the engine says that something is wrong: a cell, or a part of the question.
- * @param {string} message
+ * Where something is wrong by what the engine refused: a cell, or a part of the question.
+ * @param {Refusal} refusal
  * @param {Sheet} sheet
  * @returns {Problem}
  */
-export function problemOf(message, sheet) {
-  const inTable = message.match(/^[^\n]*?: line (\d+)(?:, column (\d+))?[^:]*: ([^]*)$/);
-  if (inTable !== null) {
-    const [, line, column, words] = inTable;
-    const row = usedRows(sheet)[Number(line) - 2];
-    if (row !== undefined) return { row, column: column === undefined ? null : Number(column) - 1, key: null, message: words };
-  }
-  const inQuestion = message.match(/^(eps|where|x_origin|reading): ([^]*)$/);
-  if (inQuestion !== null) return { row: null, column: null, key: inQuestion[1], message: inQuestion[2] };
-  return { row: null, column: null, key: null, message };
+export function problemOf(refusal, sheet) {
+  const { line, column, key } = refusal;
+  const row = line === undefined ? undefined : usedRows(sheet)[line - 2];
+  if (row !== undefined) return { row, column: column === undefined ? null : column - 1, key: null, refusal };
+  return { row: null, column: null, key: ["eps", "where"].includes(key ?? "") ? (key ?? null) : null, refusal };
 }
 
 /**
@@ -246,7 +237,7 @@ export function withBounds(sheet, kind, known) {
   const columns = distinct([...kept.map((k) => sheet.columns[k]), ...added]);
   // A multiple of the least bound is right for any readings.
   const eps = kind === "eps" ? (sheet.question.eps ?? [...known.values()][0]?.width ?? "2*min") : undefined;
-  return withQuestion({ ...sheet, columns, rows }, { eps: eps === "" ? "2*min" : eps });
+  return withQuestion({ ...sheet, columns, rows }, { eps: eps === "" ? "2*min" : eps?.replace(",", ".") });
 }
 
 /**

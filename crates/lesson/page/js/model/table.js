@@ -27,7 +27,7 @@ export function cellText(value) {
 }
 
 /** @param {string} text */
-const quotedCell = (text) => (/^[^\x22,\r\n]*$/.test(text) ? text : `\x22${text.replaceAll("\x22", "\x22\x22")}\x22`);
+const quoted = (text) => `\x22${text.replaceAll("\x22", "\x22\x22")}\x22`;
 
 /**
  * First and last of the numbers that follow each other without a gap.
@@ -45,13 +45,13 @@ export function rowRanges(rows) {
 }
 
 /**
- * The cells of a reading, in the order of the columns: x as it was before it was counted from an origin. Of a reading that is not
- * fitted the bounds do not matter.
+ * The cells of a reading, in the order of the columns: as they were written where that is known, else made of its numbers, with x as it
+ * was before it was counted from an origin. Of a reading that is not fitted the bounds do not matter.
  * @param {AskedData} asked
  * @param {FittedReadingData} reading
  * @returns {string[]}
  */
-export function cellsOf(asked, { phi, y, epsilon, middle, lower, upper }) {
+export function cellsOf(asked, { cells: written, phi, y, epsilon, middle, lower, upper }) {
   /** @param {{ exact: string } | undefined} number */
   const parsed = (number) => (number === undefined ? null : Rational.parse(number.exact));
   const origin = Rational.parse(asked.x_origin ?? "0");
@@ -67,15 +67,31 @@ export function cellsOf(asked, { phi, y, epsilon, middle, lower, upper }) {
   const grows = !isFitted || epsilon !== undefined;
   if (asked.lower !== undefined) cells.push(grows ? center.minus(width) : parsed(lower));
   if (asked.upper !== undefined) cells.push(grows ? center.plus(width) : parsed(upper));
-  return cells.map((cell) => (cell === null ? "" : cellText(cell)));
+  return cells.map((cell, k) => written?.[k] ?? (cell === null ? "" : withMark(cellText(cell), asked.decimal)));
 }
 
 /**
- * A table with a header.
+ * A decimal with a point as one with this mark.
+ * @param {string} text
+ * @param {DecimalMark} mark
+ */
+export const withMark = (text, mark) => (mark === "comma" ? text.replace(".", ",") : text);
+
+/**
+ * A table with a header: semicolons separate its columns where its numbers have decimal commas.
  * @param {string[]} columns
  * @param {string[][]} rows the cells
+ * @param {DecimalMark} mark
  */
-export const tableText = (columns, rows) => [columns, ...rows].map((cells) => `${cells.map(quotedCell).join(",")}\n`).join("");
+export function tableText(columns, rows, mark) {
+  const delimiter = mark === "comma" ? ";" : ",";
+  /** @param {string} cell */
+  const isPlain = (cell) => !cell.includes(delimiter) && !/[\x22\r\n]/.test(cell);
+  // In names a reader may take either mark for what separates columns.
+  const head = columns.map((name) => (isPlain(name) && !/[,;]/.test(name) ? name : quoted(name)));
+  const lines = [head, ...rows.map((cells) => cells.map((cell) => (isPlain(cell) ? cell : quoted(cell))))];
+  return lines.map((cells) => `${cells.join(delimiter)}\n`).join("");
+}
 
 /**
  * The readings of a page, fitted or not, as the table that `asked` is about.
@@ -84,5 +100,5 @@ export const tableText = (columns, rows) => [columns, ...rows].map((cells) => `$
 export function tableOf({ asked, columns, readings, others }) {
   /** @type {FittedReadingData[]} */
   const all = [...readings, ...others].sort((one, other) => one.row - other.row);
-  return tableText(columns, all.map((reading) => cellsOf(asked, reading)));
+  return tableText(columns, all.map((reading) => cellsOf(asked, reading)), asked.decimal);
 }

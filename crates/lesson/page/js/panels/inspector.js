@@ -6,7 +6,7 @@ import { activeAt, boundAt, conflict, demands, hopeless, readingOfRow, violation
 import { boundText, conditionNumber, decimal, digitsFor, enumeration, plain, shortFraction, shortList, theBound, thetaName, vertexName } from "../model/format.js";
 import { numberWithFraction } from "./summary.js";
 import { ONE, dot } from "../model/rational.js";
-import { t } from "../texts.js";
+import { formulaText, t } from "../texts.js";
 
 const MOST_ROWS = 12;
 // A chosen point has a short decimal: it is shown in full.
@@ -47,7 +47,7 @@ function form(lesson, reading) {
  */
 export function inequality(lesson, halfPlane, s) {
   if (halfPlane.reading === null)
-    return lesson.data.conditions[conditionNumber(halfPlane.name) - 1].text;
+    return formulaText(lesson.data.conditions[conditionNumber(halfPlane.name) - 1].text);
   const { reading } = halfPlane;
   const upper = halfPlane.name.bound === "upper";
   const end = boundAt(reading, upper ? "upper" : "lower", s) ?? halfPlane.b;

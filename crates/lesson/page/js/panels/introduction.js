@@ -4,7 +4,7 @@
 import { all, byId, element, patch } from "../dom.js";
 import { kindText, plain, shortList } from "../model/format.js";
 import { Rational } from "../model/rational.js";
-import { fillTexts, rich, t } from "../texts.js";
+import { fillTexts, formulaText, rich, t } from "../texts.js";
 import { teacherValues } from "./teacher.js";
 
 const LONGEST_IN_FORMULA = 14;
@@ -26,7 +26,7 @@ export function fillIntroduction(lesson) {
     phi: rich(lesson.isLine ? "introduction.phi-line" : "introduction.phi-two", names),
     epsilon: statedBound(lesson),
     conditions:
-      data.conditions.length === 0 ? "" : t("conditions.within", { list: { list: data.conditions.map(({ text }) => text) } }),
+      data.conditions.length === 0 ? "" : t("conditions.within", { list: { list: data.conditions.map(({ text }) => formulaText(text)) } }),
     minimax: minimaxSentence(lesson),
     ...teacherValues(lesson),
   });
@@ -78,7 +78,9 @@ function provenance(lesson) {
       ? t("provenance.uniform", { epsilon: uniformBound(lesson) })
       : column === null
         ? t("provenance.own")
-        : t("provenance.column", { column });
+        : data.asked.eps === undefined
+          ? t("provenance.column", { column })
+          : t("provenance.rule", { rule: formulaText(data.asked.eps) });
   const readings =
     data.others.length === 0
       ? t("count.readings", { count: length })

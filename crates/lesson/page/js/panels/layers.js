@@ -19,10 +19,9 @@ function boxCorners(ends) {
   if (ends === null) return null;
   const values = ends
     .flatMap((end) => [end.lower, end.upper])
-    .map((end) => (end !== null && "value" in end ? end.value : end))
-    .filter((value) => value !== null);
+    .flatMap((end) => end?.exact ?? []);
   if (values.length < 4) return null;
-  const [left, right, bottom, top] = values.map((value) => Rational.parse(value.exact));
+  const [left, right, bottom, top] = values.map((value) => Rational.parse(value));
   return [
     [left, bottom],
     [right, bottom],

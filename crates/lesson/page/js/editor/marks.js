@@ -1,0 +1,93 @@
+// @ts-check
+// Which decimal mark the cells of a sheet have, and the error bound and the conditions that are typed beside them.
+
+import { hasDecimalComma } from "../texts.js";
+import { cellText, withMark } from "../model/table.js";
+
+const SIGN = "[-+\\u2212]?";
+const NUMBER = new RegExp(`^${SIGN}(\\d+[.,]?\\d*|[.,]\\d+)(e${SIGN}\\d+)?$`, "i");
+// What may be a number in the thousands.
+const THOUSANDS = new RegExp(`^${SIGN}[1-9]\\d{0,2}[.,]\\d{3}$`);
+
+/**
+ * The mark in a cell: "." or ","; nothing in a whole number and in what is no decimal.
+ * @param {string} cell
+ */
+function markIn(cell) {
+  const text = cell.trim();
+  return NUMBER.test(text) ? (/[.,]/.exec(text)?.[0] ?? "") : "";
+}
+
+/** @param {Sheet} sheet */
+const cellsIn = ({ rows }) => rows.flatMap(({ cells }) => cells);
+
+/** @param {Sheet} sheet */
+const hasPlainComma = (sheet) => cellsIn(sheet).some((cell) => markIn(cell) === "," && !THOUSANDS.test(cell.trim()));
+
+/**
+ * The mark that the cells have: where nobody has said it, the one that all decimals have.
+ * @param {Sheet} sheet
+ * @returns {DecimalMark}
+ */
+export function markOf(sheet) {
+  if (sheet.question.decimal === "comma") return "comma";
+  return hasPlainComma(sheet) && !cellsIn(sheet).some((cell) => markIn(cell) === ".") ? "comma" : "point";
+}
+
+/**
+ * A cell with the mark of its sheet. In a sheet without other decimals of its mark, 1,234 may mean thousands: it is left as it is, for
+ * the engine to refuse.
+ * @param {string} cell
+ * @param {DecimalMark} mark
+ * @param {Sheet} sheet
+ */
+export function withDecimalMark(cell, mark, sheet) {
+  const other = mark === "comma" ? "." : ",";
+  if (markIn(cell) !== other) return cell;
+  const text = cell.trim();
+  const isOpen = THOUSANDS.test(text) && !(mark === "point" && hasPlainComma(sheet));
+  return isOpen ? cell : text.replace(other, mark === "comma" ? "," : ".");
+}
+
+/**
+ * The sheet, and the text of a cell, once it is typed or pasted where the page shows decimal commas: 1,234 is no thousands there.
+ * @param {Sheet} sheet
+ * @param {string} text
+ * @returns {{ sheet: Sheet, text: string }}
+ */
+export function typedIn(sheet, text) {
+  if (markIn(text) !== "," || !hasDecimalComma()) return { sheet, text };
+  const hasPoint = cellsIn(sheet).some((cell) => markIn(cell) === ".");
+  if (!hasPoint) return { sheet: { ...sheet, question: { ...sheet.question, decimal: "comma" } }, text };
+  return { sheet, text: markOf(sheet) === "point" && THOUSANDS.test(text.trim()) ? text.replace(",", ".") : text };
+}
+
+/**
+ * A number as a cell of the sheet, with no fewer decimals than the cell before: they say how exact a reading is.
+ * @param {Sheet} sheet
+ * @param {Rational} value
+ * @param {string} [before]
+ */
+export function cellIn(sheet, value, before = "") {
+  const text = cellText(value);
+  /** @param {string} number */
+  const decimals = (number) => /^[^.,e/]*[.,](\d*)$/i.exec(number.trim())?.[1].length ?? 0;
+  const more = decimals(before) - decimals(text);
+  const isDecimal = !/[e/]/.test(text);
+  const padded = isDecimal && more > 0 ? `${text}${text.includes(".") ? "" : "."}${"0".repeat(more)}` : text;
+  return withMark(padded, markOf(sheet));
+}
+
+/**
+ * Whether error bounds and conditions have decimal commas: in languages that do, and beside cells that do.
+ * @param {Sheet} sheet
+ */
+export const showsComma = (sheet) => hasDecimalComma() || markOf(sheet) === "comma";
+
+/**
+ * A formula that is typed, such as `theta1 <= 5,5`, as the engine reads it: 1,5 is a number, 1,2,3 is none.
+ * @param {string} text
+ * @param {boolean} comma
+ */
+export const typedFormula = (text, comma) =>
+  comma ? text.replace(/[\d.,]+/g, (number) => (/^\d*,\d+$/.test(number) ? number.replace(",", ".") : number)) : text;
