@@ -42,6 +42,7 @@ from ._questions import outliers, predict, status, windows
 # Not among the names of a star: there it would take the place of the builtin.
 from ._questions import range as range
 from ._reduce import reduce, reduce_file
+from ._boundfit import __version__
 from ._x_errors import Factor, Side, XErrorFit
 
 __all__ = [
@@ -78,6 +79,7 @@ __all__ = [
     "Widened",
     "WindowFit",
     "XErrorFit",
+    "__version__",
     "check",
     "fit",
     "fit_file",

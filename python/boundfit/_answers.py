@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from ._bounds import Interval, Intervals, LowerBound, Point, ProvedInterval, Term, UpperBound
+from ._columns import Reading
 from ._html import of_text
 
 #: What gives an answer in a format, with so many digits.
@@ -17,10 +18,11 @@ Ask = Callable[[str, "int | None"], str]
 class Answer:
     """An answer to a question about readings. Every number is exact."""
 
-    __slots__ = ("_ask", "_document", "_json")
+    __slots__ = ("_ask", "_document", "_json", "_reading")
 
-    def __init__(self, ask: Ask) -> None:
+    def __init__(self, ask: Ask, reading: Reading = "decimal") -> None:
         self._ask = ask
+        self._reading: Reading = reading
         self._json = ask("json", None)
         self._document: dict[str, Any] = json.loads(self._json)
 
@@ -82,9 +84,9 @@ def upper(own: Any) -> UpperBound | None:
     return None if own is None else UpperBound(own["exact"])
 
 
-def interval(own: Any) -> Interval:
-    """An interval without proofs."""
-    return Interval(lower(own["lower"]), upper(own["upper"]))
+def interval(own: Any, reading: Reading) -> Interval:
+    """An interval without proofs; what a float means that is looked for in it."""
+    return Interval(lower(own["lower"]), upper(own["upper"]), reading=reading)
 
 
 def terms(own: Iterable[Any] | None) -> tuple[Term, ...]:
@@ -92,7 +94,7 @@ def terms(own: Iterable[Any] | None) -> tuple[Term, ...]:
     return tuple(Term(term["row"], term["bound"], value(term["multiplier"])) for term in own or ())
 
 
-def intervals(own: Any) -> Intervals | None:
+def intervals(own: Any, reading: Reading) -> Intervals | None:
     """The intervals of both parameters, with their proofs where the document has them."""
     if own is None:
         return None
@@ -100,9 +102,9 @@ def intervals(own: Any) -> Intervals | None:
     def of(one: Any) -> Interval:
         ends = [one["lower"], one["upper"]]
         if all(end is None or "active" not in end for end in ends):
-            return interval(one)
-        least, most = (None if end is None else end["value"] for end in ends)
+            return interval(one, reading)
+        least, most = (None if end is None or end["exact"] is None else end for end in ends)
         proofs = (() if end is None else terms(end["active"]) for end in ends)
-        return ProvedInterval(lower(least), upper(most), *proofs)
+        return ProvedInterval(lower(least), upper(most), *proofs, reading=reading)
 
     return Intervals(of(own[0]), of(own[1]))

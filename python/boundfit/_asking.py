@@ -32,6 +32,7 @@ class Table(TypedDict, total=False):
     without: Rows
     where_row: str | Sequence[str]
     header: bool | None
+    encoding: str | None
     delimiter: str | None
     decimal: Literal["point", "comma"] | None
     thousands: str | None
@@ -39,6 +40,8 @@ class Table(TypedDict, total=False):
     sheet: str | int | None
     skip_lines: int
     units_row: bool
+    missing_as: str | Sequence[str]
+    block: str | int | None
     limits: Mapping[str, int] | None
 
 

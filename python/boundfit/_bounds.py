@@ -5,10 +5,13 @@ from __future__ import annotations
 import math
 import re
 import sys
-from dataclasses import dataclass
-from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from decimal import MAX_EMAX, MAX_PREC, MIN_EMIN, ROUND_CEILING, ROUND_FLOOR, Context, Decimal, localcontext
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any, ClassVar, Literal, NamedTuple
+
+from ._columns import Number, fraction
 
 #: Both parameters.
 Point = tuple[Fraction, Fraction]
@@ -28,15 +31,73 @@ def _nearest(value: Fraction) -> float:
         return math.inf if value > 0 else -math.inf
 
 
-class LowerBound(Fraction):
-    """A lower end: a ``Fraction`` whose ``float()`` is the largest double that is not above it.
+class _Bound(Fraction):
+    """An end of an interval, which is written outward."""
+
+    __slots__ = ()
+
+    _rounding: ClassVar[str]
+
+    def __format__(self, spec: str) -> str:
+        """As a float is formatted (``.3f``, ``.4g``, ``.2e``, ``.1%``, with sign, width and commas), but rounded outward. Without
+        digits and type it is the fraction."""
+        found = _SPEC.fullmatch(spec)
+        if found is None:
+            raise ValueError(f"format {spec!r} of a bound: expected one of a float, such as .3f, .4g or 10.2e")
+        if found["digits"] is None and found["kind"] is None:
+            return format(str(self), spec)
+        kind, digits = found["kind"] or "g", 6 if found["digits"] is None else int(found["digits"])
+        if kind in "fF%":
+            rounded = self._to_places(digits + (2 if kind == "%" else 0))
+        else:
+            digits = digits + 1 if kind in "eE" else max(digits, 1)
+            context = Context(prec=digits, rounding=self._rounding, Emax=MAX_EMAX, Emin=MIN_EMIN)
+            rounded = context.divide(Decimal(self.numerator), Decimal(self.denominator))
+        precision = f".{found['digits'] or 6}"
+        if kind in "gG":
+            # As of a float zeros at the end are not written, but where no exponent is.
+            rounded, precision = rounded.normalize(Context(prec=digits)), ""
+            if 0 < rounded.adjusted() < digits and rounded == rounded.to_integral_value():
+                rounded = rounded.quantize(Decimal(1))
+        with localcontext(Context(prec=MAX_PREC, rounding=self._rounding, Emax=MAX_EMAX, Emin=MIN_EMIN)):
+            return format(rounded, f"{found['before']}{precision}{kind}")
+
+    def _to_places(self, places: int) -> Decimal:
+        """The nearest decimal with so many digits behind the point on the outer side."""
+        scaled = self.numerator * 10**places
+        count = scaled // self.denominator if self._rounding == ROUND_FLOOR else -(-scaled // self.denominator)
+        return Decimal(count).scaleb(-places, Context(prec=MAX_PREC, Emax=MAX_EMAX, Emin=MIN_EMIN))
+
+    def __round__(self, ndigits: int | None = None) -> Any:
+        """The nearest integer on the outer side, or the bound with so many digits behind the point."""
+        power = Fraction(10) ** (ndigits or 0)
+        scaled = Fraction(self) * power
+        count = math.floor(scaled) if self._rounding == ROUND_FLOOR else math.ceil(scaled)
+        if ndigits is None:
+            return count
+        end = count / power
+        return type(self)(end.numerator, end.denominator)
+
+
+#: What a format of a float may be, but for the letter n, which asks for words of a place.
+_SPEC = re.compile(
+    r"(?P<before>(?:.?[<>=^])?[-+ ]?z?#?0?\d*[,_]?)(?:\.(?P<digits>\d{1,4}))?(?P<kind>[eEfFgG%])?", re.DOTALL
+)
+
+
+class LowerBound(_Bound):
+    """A lower end: a ``Fraction`` that is rounded down wherever it is rounded: by ``float()``, ``round()`` and formats.
 
     >>> end = LowerBound(1, 3)
     >>> Fraction(float(end)) <= end
     True
+    >>> f"{end:.3f}", round(end, 2)
+    ('0.333', LowerBound(33, 100))
     """
 
     __slots__ = ()
+
+    _rounding = ROUND_FLOOR
 
     def __float__(self) -> float:
         double = _nearest(self)
@@ -45,15 +106,19 @@ class LowerBound(Fraction):
         return math.nextafter(double, -math.inf) if Fraction(double) > self else double
 
 
-class UpperBound(Fraction):
-    """An upper end: a ``Fraction`` whose ``float()`` is the smallest double that is not below it.
+class UpperBound(_Bound):
+    """An upper end: a ``Fraction`` that is rounded up wherever it is rounded: by ``float()``, ``round()`` and formats.
 
     >>> end = UpperBound(1, 3)
     >>> Fraction(float(end)) >= end
     True
+    >>> f"{end:.3f}", round(end, 2)
+    ('0.334', UpperBound(17, 50))
     """
 
     __slots__ = ()
+
+    _rounding = ROUND_CEILING
 
     def __float__(self) -> float:
         double = _nearest(self)
@@ -80,13 +145,20 @@ class Interval:
 
     lower: LowerBound | None
     upper: UpperBound | None
+    reading: Literal["decimal", "binary64"] = field(default="decimal", kw_only=True, repr=False, compare=False)
+    """What a float means that is looked for: its shortest text, or what is stored."""
+
+    def __iter__(self) -> Iterator[LowerBound | UpperBound | None]:
+        """Both ends: ``lower, upper = interval``."""
+        return iter((self.lower, self.upper))
 
     @property
     def width(self) -> Fraction | None:
         """The distance of the ends; ``None`` where one is missing."""
         return None if self.lower is None or self.upper is None else self.upper - self.lower
 
-    def __contains__(self, value: Fraction | float) -> bool:
+    def __contains__(self, value: Number) -> bool:
+        value = fraction(value, "value", self.reading)
         return (self.lower is None or self.lower <= value) and (self.upper is None or value <= self.upper)
 
     def __array__(self, dtype: object = None, copy: bool | None = None) -> object:
@@ -142,7 +214,15 @@ class ProvedInterval(Interval):
 
 
 class Intervals(NamedTuple):
-    """The intervals of both parameters."""
+    """The intervals of both parameters.
+
+    >>> Intervals(Interval(LowerBound(1, 3), UpperBound(2, 3)), Interval(None, UpperBound(1)))
+    <boundfit.Intervals: about theta1 in [0.333333, 0.666667], theta2 in [-inf, 1]>
+    """
 
     theta1: Interval
     theta2: Interval
+
+    def __repr__(self) -> str:
+        ends = (f"{name} in {interval:.6}" for name, interval in zip(self._fields, self, strict=True))
+        return f"<boundfit.Intervals: about {', '.join(ends)}>"

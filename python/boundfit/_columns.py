@@ -32,11 +32,12 @@ def text(value: Any) -> str:
     return str(value)
 
 
-def fraction(value: Any, name: str) -> Fraction:
-    """A number as its shortest text says it."""
+def fraction(value: Any, name: str, reading: str) -> Fraction:
+    """A number exactly; of a float what its shortest text says, or what is stored."""
+    is_float = isinstance(value, float) or getattr(getattr(value, "dtype", None), "kind", None) == "f"
     try:
-        return Fraction(text(value).strip())
-    except ValueError:
+        return Fraction(float(value) if is_float and reading == "binary64" else text(value).strip())
+    except (ValueError, OverflowError, ZeroDivisionError):
         raise ValueError(f"{name}: {value!r} is not a number") from None
 
 
@@ -104,7 +105,7 @@ def asked(
     x_eps_column: bool = False,
     strong: bool = False,
 ) -> dict[str, Any]:
-    """What the compiled part is asked. ``eps`` is a text, or a column of its own, and so is ``x_eps``."""
+    """What the compiled part is asked. ``eps`` is a number or a text, or a column of its own, and so is ``x_eps``."""
     if not eps_column and eps is None and not lower and not upper:
         raise ValueError("nothing bounds the errors: expected eps, or lower and upper")
     if (eps is not None or eps_column) and (lower or upper):
@@ -118,16 +119,16 @@ def asked(
     return {
         "regressors": regressors,
         "response": response,
-        "eps": None if eps is None else text(eps),
+        "eps": eps,
         "eps_column": eps_column,
         "lower": lower,
         "upper": upper,
         "conditions": [where] if isinstance(where, str) else list(where),
         "through_origin": through_origin,
-        "x_origin": None if x_origin is None else text(x_origin),
+        "x_origin": x_origin,
         "reading": reading,
         "missing": missing,
-        "x_eps": None if x_eps is None else text(x_eps),
+        "x_eps": x_eps,
         "x_eps_column": x_eps_column,
         "strong": strong,
     }
@@ -200,6 +201,7 @@ def table(
     without: Rows = None,
     where_row: str | Sequence[str] = (),
     header: bool | None = None,
+    encoding: str | None = None,
     delimiter: str | None = None,
     decimal: str | None = None,
     thousands: str | None = None,
@@ -207,6 +209,8 @@ def table(
     sheet: str | int | None = None,
     skip_lines: int = 0,
     units_row: bool = False,
+    missing_as: str | Sequence[str] = (),
+    block: str | int | None = None,
     limits: Mapping[str, int] | None = None,
 ) -> dict[str, Any]:
     """How a file is read."""
@@ -219,6 +223,7 @@ def table(
         "without": row_ranges(without, "without"),
         "where_row": [where_row] if isinstance(where_row, str) else list(where_row),
         "header": header,
+        "encoding": encoding,
         "delimiter": None if delimiter is None else ord(delimiter),
         "sheet": None if sheet is None else str(sheet),
         "decimal": decimal,
@@ -226,5 +231,7 @@ def table(
         "comment": comment,
         "skip_lines": skip_lines,
         "units_row": units_row,
+        "missing_as": [missing_as] if isinstance(missing_as, str) else [str(word) for word in missing_as],
+        "block": None if block is None else str(block),
         "limits": list((limits or {}).items()),
     }

@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 import os
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from . import _boundfit
 from ._answers import value
 from ._bounds import Interval, Intervals, Point, ProvedInterval, Term, lower_bound, upper_bound
-from ._columns import Number, text
+from ._columns import Number, Reading, text
 from ._plane import PlaneSet
 from ._questions import Asked
 
@@ -56,14 +56,27 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
     :attr:`contradiction` says why it is.
 
     The readings stay at hand for further questions: :meth:`status`, :meth:`predict`, :meth:`outliers`, :meth:`range` and
-    :meth:`windows`. Columns in memory are kept for that as they were, in the copy from which they were fitted.
+    :meth:`windows`. Columns in memory are kept for that as they were, in the copy from which they were fitted. A fit can be pickled:
+    its readings are, or the path of their file, and it is fitted again where it is read.
     """
 
-    __slots__ = ("_core",)
+    __slots__ = ("_core", "_how")
 
-    def __init__(self, readings: _boundfit.Readings, eui: bool = True, confidence: str | None = None) -> None:
+    def __init__(self, readings: _boundfit.Readings, eui: bool = True, confidence: Number | None = None) -> None:
         super().__init__(readings)
         self._core = readings.fit(eui, confidence)
+        self._how = eui, confidence
+
+    def __reduce__(self) -> Any:
+        # Readings are less than what follows from them; those of a file are its path.
+        return Fit, (self._readings, *self._how)
+
+    def __copy__(self) -> Self:
+        # Nothing changes a fit.
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Self:
+        return self
 
     @property
     def rows(self) -> int:
@@ -76,8 +89,8 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         return self._core.rows_total
 
     @property
-    def reading(self) -> str:
-        """How numbers were read: ``"decimal"`` or ``"binary64"``."""
+    def reading(self) -> Reading:
+        """What floats mean: their shortest text, ``"decimal"``, or what is stored, ``"binary64"``."""
         return self._core.reading
 
     @property
@@ -95,7 +108,8 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         for (lower, lower_terms), (upper, upper_terms) in both:
             lower_proof = tuple(Term(row, bound, times) for (row, bound), times in lower_terms)
             upper_proof = tuple(Term(row, bound, times) for (row, bound), times in upper_terms)
-            intervals.append(ProvedInterval(lower_bound(lower), upper_bound(upper), lower_proof, upper_proof))
+            ends = lower_bound(lower), upper_bound(upper)
+            intervals.append(ProvedInterval(*ends, lower_proof, upper_proof, reading=self.reading))
         return Intervals(*intervals)
 
     @property
@@ -104,7 +118,7 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         both = self._core.eui()
         if both is None:
             return None
-        return Intervals(*(Interval(lower_bound(lower), upper_bound(upper)) for lower, upper in both))
+        return Intervals(*(Interval(lower_bound(lower), upper_bound(upper), reading=self.reading) for lower, upper in both))
 
     @property
     def central(self) -> Central | None:
@@ -157,14 +171,14 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
     def response(self, x: Number, x2: Number | None = None) -> Interval | None:
         """The values of the true line at x, or of the model at two regressors: a guaranteed interval; ``None`` of an empty set.
 
-        A float is the dyadic number that it is; write ``"0.1"`` for 1/10. Where x was counted from an origin, so is this x.
+        A float means what it means in the readings. Where x was counted from an origin, so is this x.
 
         >>> from boundfit import fit
         >>> fit([0, 1, 2], [0, 1.5, 2], "1/2").response(3)
         Interval(lower=LowerBound(2, 1), upper=UpperBound(4, 1))
         """
         both = self._core.range(x, 1 if x2 is None else x2)
-        return None if both is None else Interval(lower_bound(both[0]), upper_bound(both[1]))
+        return None if both is None else Interval(lower_bound(both[0]), upper_bound(both[1]), reading=self.reading)
 
     def verify(self) -> None:
         """Recomputes every proof of the answer from the readings.
@@ -194,12 +208,12 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         return exact
 
     def to_dict(self) -> dict[str, Any]:
-        """The report as ``boundfit fit --format json`` writes it, schema boundfit/fit/1."""
+        """The report as ``boundfit fit --format json`` writes it, schema boundfit/fit/2."""
         document: dict[str, Any] = json.loads(self._core.json())
         return document
 
     def to_json(self) -> str:
-        """The report as JSON text, schema boundfit/fit/1."""
+        """The report as JSON text, schema boundfit/fit/2."""
         return self._core.json()
 
     def report(self, format: str = "text", *, brief: bool = False, digits: int | None = None) -> str:
@@ -230,7 +244,7 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
 
         >>> from boundfit import fit, verify
         >>> through = fit([0, 1, 2], [0.1, 1.5, 2], "1/2")
-        >>> verify(through.proof(), through.to_csv()) is None
+        >>> verify(through.proof(), through.to_csv())
         True
 
         :raises ValueError: where the readings come from a file that is not plain delimited text.
@@ -262,13 +276,15 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
         real_text: bool = False,
         flip: bool = False,
         directions: int = 16,
+        scaled: bool = False,
     ) -> bytes:
         """A figure as the bytes of a file: ``"svg"``, ``"png"``, ``"pdf"``, ``"tikz"`` (a picture for ``\\input`` in LaTeX) or
         ``"tex"`` (a document with that picture). Figures are ``"data"``, ``"eui"``, ``"pui"``, ``"fps"``, ``"corridor"``,
         ``"directions"``, ``"status"``, ``"outliers"`` and ``"range"``.
 
         ``width`` is in millimetres, ``font_size`` in points, ``dpi`` of a PNG alone; ``real_text`` keeps the texts of an SVG. An
-        empty title, or label of an axis, leaves it out.
+        empty title, or label of an axis, leaves it out. ``directions`` is about the figure of that name; with ``scaled`` they are spread
+        evenly where the box of both intervals is a square.
 
         :raises ValueError: where a value is none that the program takes.
         """
@@ -277,7 +293,7 @@ class Fit(Asked, PlaneSet["_boundfit.Fitted"]):
             "x_range": None if x_range is None else [text(end) for end in x_range],
             "y_range": None if y_range is None else [text(end) for end in y_range],
             "width": width, "font_size": font_size, "dpi": dpi, "greyscale": greyscale, "real_text": real_text,
-            "flip": flip, "directions": directions,
+            "flip": flip, "directions": directions, "scaled": scaled,
         }  # fmt: skip
         return _boundfit.figure(self._core, figure, format, labels)
 

@@ -9,17 +9,17 @@ from typing import Unpack, overload
 
 from . import _boundfit
 from ._asking import How, Name, Table, readings, readings_of_file
-from ._columns import Column, Missing, Number, Reading, text
+from ._columns import Column, Missing, Number, Reading
 from ._fit import Fit
 from ._x_errors import XErrorFit
 
 
 def _fitted(asked: _boundfit.Readings, has_x_errors: bool, eui: bool, confidence: Number | None) -> Fit | XErrorFit:
     if not has_x_errors:
-        return Fit(asked, eui, None if confidence is None else text(confidence))
+        return Fit(asked, eui, confidence)
     if confidence is not None:
         raise ValueError("confidence is about the band of a single set, and with x_eps there may be two")
-    return XErrorFit(partial(_boundfit.x_errors, asked))
+    return XErrorFit(partial(_boundfit.x_errors, asked), asked.reading)
 
 
 @overload
@@ -68,8 +68,9 @@ def fit(
     """Fits a line, y = theta1*x + theta2 + e, or with two regressors in ``x``, y = theta1*phi1 + theta2*phi2 + e.
 
     Columns are numpy arrays, pandas or polars Series, pyarrow arrays, or lists of int, float, ``Decimal``, ``Fraction`` and str.
-    Texts, decimals and fractions are exact. A float stands, under ``reading="decimal"``, for its shortest text, so that a frame
-    gives the answer of the CSV that it came from (0.1 is 1/10); under ``"binary64"`` for the number that is stored.
+    Integers, texts, decimals and fractions are exact. A float stands, under ``reading="decimal"``, for its shortest text, so that a
+    frame gives the answer of the CSV that it came from (0.1 is 1/10); under ``"binary64"`` for the number that is stored. It means
+    the same in every argument, and in whatever the fit is asked later.
 
     ``eps`` bounds every error: a number, a column of one per reading, a law such as ``"0.05%*|y| + 2e-3"``, or a multiple of the
     least bound, ``"1.2*min"``. In its place ``lower`` and ``upper`` may bound the line itself at each reading; a NaN or ``None``
@@ -201,11 +202,15 @@ def fit_file(
 
     - ``rows="14..36"``, ``without="23,31"``: rows by number from 1, without the header; ``where_row="temperature >= 20"``
     - ``header=True`` or ``False``: whether the first row names the columns; ``units_row=True``: the next one has units
+    - ``encoding="windows-1252"``, also ``"utf-8"``, ``"iso-8859-1"``, ``"iso-8859-15"``, ``"utf-16le"``, ``"utf-16be"``: found out
+      otherwise
     - ``delimiter``: ``"comma"``, ``"semicolon"``, ``"tab"``, ``"space"``, ``"pipe"`` or the character
     - ``decimal="comma"``; ``thousands="."``: what stands between groups of three digits
     - ``comment="#"``: lines that start with it are passed over; ``"none"``: no line is; ``skip_lines=3``: the first three are
     - ``sheet``: of a workbook, by name or number
-    - ``limits={"digits": 20_000}``: what is refused unless it is raised, such as ``"rows"`` in memory or ``"work"``
+    - ``block``: of a file with several blocks of rows, its number or the comment before it; ``"all"``: the rows of all of them
+    - ``missing_as="OVLD"``, or several such texts: these cells, or those with the same number, count as missing ones
+    - ``limits={"digits": 20_000}``: what is refused unless it is raised, such as ``"rows"`` or bytes (``"memory"``) held, or ``"work"``
     """
     asked = readings_of_file(
         path,

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from ._answers import Answer, counted, interval, intervals, number, point, terms, value
 from ._bounds import Interval, Intervals, Point, Term
+from ._columns import Reading
 
 
 class RowStatus(NamedTuple):
@@ -137,14 +138,14 @@ class Prediction(Answer):
 
         def one(own: Any) -> PredictedValue:
             x: Fraction | Point = point(own["x"]) if isinstance(own["x"], list) else value(own["x"])
-            return PredictedValue(x, interval(own["line"]), None if own["reading"] is None else interval(own["reading"]))
+            return PredictedValue(x, interval(own["line"], self._reading), None if own["reading"] is None else interval(own["reading"], self._reading))
 
         return [one(own) for own in self._document["at"]]
 
     @property
     def from_(self) -> list[PossibleX]:
         """The readings asked about, in their order."""
-        return [PossibleX(value(own["y"]), [interval(one) for one in own["x"]]) for own in self._document["from"]]
+        return [PossibleX(value(own["y"]), [interval(one, self._reading) for one in own["x"]]) for own in self._document["from"]]
 
 
 class Outliers(Answer):
@@ -183,13 +184,13 @@ class Outliers(Answer):
     @property
     def pui(self) -> Intervals | None:
         """The intervals of both parameters over all that is left."""
-        return intervals(self._document["pui"])
+        return intervals(self._document["pui"], self._reading)
 
     @property
     def growth(self) -> list[Growth]:
         """How the set grows when up to so many readings may be missed."""
         return [
-            Growth(own["most"], own["pieces"], own["holes"], intervals(own["pui"]), number(own["area"]))
+            Growth(own["most"], own["pieces"], own["holes"], intervals(own["pui"], self._reading), number(own["area"]))
             for own in self._document["growth"]
         ]
 
@@ -262,7 +263,7 @@ class LinearRange(Answer):
     def pui(self) -> Intervals | None:
         """The intervals of both parameters of the longest run."""
         own = self._document["longest_fit"]
-        return None if own is None else intervals(own["pui"])
+        return None if own is None else intervals(own["pui"], self._reading)
 
 
 class WindowFit(NamedTuple):
@@ -281,7 +282,7 @@ class WindowFit(NamedTuple):
     """The line that the program writes, schema boundfit/window/1."""
 
 
-def window(line: str) -> WindowFit:
+def window(line: str, reading: Reading) -> WindowFit:
     own = json.loads(line)
     certificate, central = own["fps"]["certificate"], own["central"]
     return WindowFit(
@@ -289,7 +290,7 @@ def window(line: str) -> WindowFit:
         own["last_row"],
         own["rows"],
         own["fps"]["kind"],
-        intervals(own["pui"]),
+        intervals(own["pui"], reading),
         None if central is None else point(central["theta"]),
         number(own["epsilon_min"]),
         None if certificate is None else terms(certificate["farkas"]),

@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 import array
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
-from . import _boundfit
-from ._columns import Missing, Number, Reading, in_memory
+from ._cells import cells
+from ._columns import Missing, NamedColumns, Number, Reading
+from ._reduction import NO_NUMBERS, Names, Readings, columns_of_groups, fitted_groups, in_halves, in_words, lacks_all, readings, unique
 
 Frame = TypeVar("Frame")
 
 
 def fit_groups(
     frame: Frame,
-    by: str,
-    x: str | Sequence[str],
+    by: Names,
+    x: Names,
     y: str | None = None,
     eps: Number | None = None,
     *,
+    id: str | None = None,
     eps_column: str | None = None,
     lower: str | None = None,
     upper: str | None = None,
@@ -28,92 +30,200 @@ def fit_groups(
     reading: Reading = "decimal",
     missing: Missing = "refuse",
 ) -> Frame:
-    """Fits the rows of each group on their own, in one call. Columns are named as those of the frame, and the answer is a frame of
+    """Fits the rows of each key on their own, in one call. Columns are named as those of the frame, and the answer is a frame of
     the library that it came from: pandas, polars or pyarrow; of a dictionary of columns it is one.
 
-    There is a row per group, in the order in which the groups first occur: its key in ``group``, how many ``rows`` it has, which
-    ``kind`` of set there is; ends, central and least-squares estimates as doubles, ends and errors rounded outward; and behind
-    each its exact text in the column ``…_exact``. What there is not is NaN and null.
+    There is a row per key, in the order in which the keys first occur. It has the columns of the key, with their names, types and
+    values as they are, how many ``rows`` the key has and which ``kind`` of set there is. Ends, central and least-squares estimates
+    follow as doubles, ends and errors rounded outward, and behind each its exact text in the column ``…_exact``. A number that does
+    not exist is NaN in pandas and in a dictionary, null elsewhere. ``problem`` says why nothing is said of a group, with the row of
+    the frame, or its cell of the column ``id``.
+
+    :raises ValueError: when the question makes no sense; what is wrong with readings is said in the row of their group.
 
     >>> table = {"cell": ["a", "b", "a", "b"], "x": [0, 0, 1, 1], "y": [0.0, 0.5, 1.0, 2.5]}
     >>> groups = fit_groups(table, by="cell", x="x", y="y", eps="0.1")
-    >>> groups["group"], groups["theta1_lower_exact"]
+    >>> groups["cell"], groups["theta1_lower_exact"]
     (['a', 'b'], ['4/5', '9/5'])
     """
-
-    def column(name: str) -> Any:
-        try:
-            return frame[name]  # type: ignore[index]
-        except KeyError:
-            raise ValueError(f"the frame has no column {name!r}") from None
-
-    def optional(name: str | None) -> Any:
-        return None if name is None else column(name)
-
-    if eps is not None and eps_column is not None:
-        raise ValueError("eps and eps_column both bound the errors: expected one of them")
-    regressors = [x] if isinstance(x, str) else list(x)
-    phi = [column(name) for name in regressors]
-    columns, question = in_memory(
-        phi[0] if len(phi) == 1 else tuple(phi),
-        optional(y),
-        eps if eps_column is None else column(eps_column),
-        lower=optional(lower),
-        upper=optional(upper),
+    own = readings(
+        x,
+        y,
+        eps,
+        by=by,
+        id=id,
+        eps_column=eps_column,
+        lower=lower,
+        upper=upper,
         where=where,
         through_origin=through_origin,
         x_origin=x_origin,
         reading=reading,
         missing=missing,
     )
-    taken = {name for name, _ in columns}
-    key = "group"
-    while key in taken:
-        key += "'"
-    answer = _boundfit.fit_groups(columns, (key, _keys(column(by))), question)
-    framed: Frame = _framed(frame, answer)
+    names = columns_of_groups(own)
+    given = {name: _column(frame, name) for name in own.columns}
+    keys = [_listed(given[name]) for name in own.by]
+    columns = [(name, cells(given[role], role, reading)) for name, role in zip(unique(own.roles), own.roles, strict=True)]
+    ids = None if id is None else _listed(given[id])
+    for name, values in [*zip(own.by, keys, strict=True), *columns]:
+        if len(values) != len(keys[0]):
+            raise ValueError(f"the column {name!r} has {len(values)} rows, but {own.by[0]!r} has {len(keys[0])}")
+    groups = _Groups(columns, _codes(keys, own.by, _module(frame) == "pandas"), ids, own)
+    answer = groups.answer(names)
+    framed: Frame = _framed(frame, {name: given[name] for name in own.by}, groups.first, answer)
     return framed
 
 
-def _keys(values: Any) -> list[str]:
-    values = values.to_pylist() if hasattr(values, "to_pylist") else values
-    values = values.tolist() if hasattr(values, "tolist") else list(values)
-    # What is missing is a key too: an empty one, as in a CSV of the frame.
-    return [value if isinstance(value, str) else "" if _is_missing(value) else str(value) for value in values]
-
-
-def _is_missing(value: Any) -> bool:
-    # The missing value of pandas refuses to be compared.
-    return value is None or type(value).__name__ == "NAType" or value != value
-
-
-def _framed(frame: Any, answer: dict[str, Any]) -> Any:
-    module = type(frame).__module__.partition(".")[0]
-    columns = {name: _doubles(value) if isinstance(value, bytes) else value for name, value in answer.items()}
-    if module == "pandas":
-        import pandas
-
-        return pandas.DataFrame(columns)
-    if module == "polars":
-        import polars
-
-        schema = {name: polars.String for name in columns if name.endswith("_exact")}
-        return polars.DataFrame(columns, schema_overrides=schema)
-    if module == "pyarrow":
-        import pyarrow
-
-        texts = [name for name in columns if name.endswith("_exact")]
-        return pyarrow.table(
-            {name: pyarrow.array(own, pyarrow.string()) if name in texts else pyarrow.array(own) for name, own in columns.items()}
-        )
-    return {name: value if isinstance(value, list) else value.tolist() for name, value in columns.items()}
-
-
-def _doubles(value: bytes) -> Any:
+def _column(frame: Any, name: str) -> Any:
     try:
-        import numpy
-    except ImportError:
-        doubles = array.array("d")
-        doubles.frombytes(value)
-        return doubles
-    return numpy.frombuffer(value, dtype=float).copy()
+        return frame[name]
+    except Exception as problem:
+        # Every library has an exception of its own for it.
+        if name not in getattr(frame, "column_names", getattr(frame, "columns", frame)):
+            raise ValueError(f"the frame has no column {name!r}") from None
+        raise ValueError(f"the column {name!r}: {problem}") from problem
+
+
+def _listed(values: Any) -> list[Any]:
+    for method in ("to_pylist", "to_list", "tolist"):
+        if hasattr(values, method):
+            listed: list[Any] = getattr(values, method)()
+            return listed
+    return list(values)
+
+
+_NAN = object()
+
+
+def _codes(keys: list[list[Any]], by: tuple[str, ...], nan_is_missing: bool) -> tuple[Any, list[int]]:
+    """Of each row the number of its group, in the order in which they first occur, and of each group its first row. Keys are equal
+    where the frame's library says so: a missing key is one, and a NaN is itself, which pandas takes for missing."""
+
+    def hashable(value: Any) -> Any:
+        if value is None or type(value).__name__ in ("NAType", "NaTType"):
+            return None
+        return value if value == value else None if nan_is_missing else _NAN
+
+    own = [values if set(map(type, values)) <= {str, int} else [hashable(value) for value in values] for values in keys]
+    numbers: dict[Any, int] = {}
+    try:
+        codes = array.array("q", [numbers.setdefault(key, len(numbers)) for key in (own[0] if len(own) == 1 else zip(*own, strict=True))])
+    except TypeError as problem:
+        raise ValueError(f"by: a cell of {', '.join(map(repr, by))} is no key: {problem}") from None
+    first = [0] * len(numbers)
+    for row in range(len(codes) - 1, -1, -1):
+        first[codes[row]] = row
+    return codes, first
+
+
+class _Groups:
+    """Rows by their keys."""
+
+    def __init__(self, columns: NamedColumns, codes: tuple[Any, list[int]], ids: list[Any] | None, own: Readings) -> None:
+        self.columns, self.ids, self.own = columns, ids, own
+        self.codes, self.first = codes
+        self._rows: list[list[int]] = []
+
+    def rows(self, start: int, end: int) -> list[int]:
+        """The rows of consecutive groups, from 0."""
+        if not self._rows:
+            self._rows = [[] for _ in self.first]
+            for row, code in enumerate(self.codes):
+                self._rows[code].append(row)
+        return [row for code in range(start, end) for row in self._rows[code]]
+
+    def fitted(self, start: int, end: int) -> dict[str, Any]:
+        """What is said of consecutive groups, by number."""
+        if end - start == len(self.first):
+            return fitted_groups(self.columns, self.own, self.codes)
+        rows = self.rows(start, end)
+        return fitted_groups(_taken(self.columns, rows), self.own, _cells_at(self.codes, rows))
+
+    def problem(self, group: int, problem: ValueError) -> tuple[int, str]:
+        """How many rows a group has of which nothing is said, and why."""
+        rows = self.rows(group, group + 1)
+        if lacks_all(_taken(self.columns, rows), self.own):
+            return 0, NO_NUMBERS
+
+        def named(index: int) -> str:
+            row = rows[min(index, len(rows) - 1)]
+            return f"row {row + 1}" if self.ids is None else f"{self.own.identity} {self.ids[row]}"
+
+        return len(rows), in_words(problem, named)
+
+    def answer(self, names: list[str]) -> dict[str, Any]:
+        """The columns of the answer with these names: of each group what is said of it, or why nothing is."""
+        count = len(self.first)
+        parts = list(in_halves(self.fitted, 0, count)) if count else []
+        _, whole = parts[0] if len(parts) == 1 else (0, None)
+        if isinstance(whole, dict) and len(whole["rows"]) == count:
+            return {name: _numbers(whole[name]) if name in whole else [None] * count for name in names}
+        answer: dict[str, list[Any]] = {name: [None] * count for name in names}
+        answer["rows"] = [0] * count
+        answer["problem"] = [NO_NUMBERS] * count
+        for start, found in parts:
+            if isinstance(found, ValueError):
+                answer["rows"][start], answer["problem"][start] = self.problem(start, found)
+                continue
+            groups = list(map(int, found["group"]))
+            for name in names:
+                own, values = answer[name], _numbers(found[name]) if name in found else [None] * len(groups)
+                for group, value in zip(groups, values, strict=True):
+                    own[group] = value
+        return answer
+
+
+def _taken(columns: NamedColumns, rows: list[int]) -> NamedColumns:
+    return [(name, _cells_at(values, rows)) for name, values in columns]
+
+
+def _cells_at(values: Any, rows: list[int]) -> Any:
+    """Some cells of a list, or of a buffer of numbers, which stays one of the same numbers."""
+    if isinstance(values, list):
+        return [values[row] for row in rows]
+    view = memoryview(values)
+    return array.array(view.format, [view[row] for row in rows])
+
+
+def _numbers(value: Any) -> Any:
+    """A column as it comes from the compiled part: doubles are its bytes."""
+    if not isinstance(value, bytes):
+        return value
+    doubles = array.array("d")
+    doubles.frombytes(value)
+    return doubles
+
+
+def _module(frame: Any) -> str:
+    return type(frame).__module__.partition(".")[0]
+
+
+def _framed(frame: Any, keys: dict[str, Any], first: list[int], answer: dict[str, Any]) -> Any:
+    """The keys as they are in the frame, and the columns of the answer, as a frame of the same library."""
+    is_text: Callable[[str], bool] = lambda name: name in ("kind", "problem") or name.endswith("_exact")  # noqa: E731
+    match _module(frame):
+        case "pandas":
+            import pandas
+
+            text = pandas.Series(["text"]).dtype
+            types = {name: text if is_text(name) else "int64" if name == "rows" else "float64" for name in answer}
+            taken = {name: values.take(first).reset_index(drop=True) for name, values in keys.items()}
+            return pandas.DataFrame(taken | {name: pandas.Series(values, dtype=types[name]) for name, values in answer.items()})
+        case "polars":
+            import polars
+
+            kinds = {name: polars.String if is_text(name) else polars.Int64 if name == "rows" else polars.Float64 for name in answer}
+            columns = [polars.Series(name, list(values), kinds[name]) for name, values in answer.items()]
+            columns = [own.fill_nan(None) if own.dtype == polars.Float64 else own for own in columns]
+            return polars.DataFrame([values.gather(first) for values in keys.values()] + columns)
+        case "pyarrow":
+            import pyarrow
+
+            stored = {name: pyarrow.string() if is_text(name) else pyarrow.int64() if name == "rows" else pyarrow.float64() for name in answer}
+            rows = pyarrow.array(first, pyarrow.int64())
+            said = {name: pyarrow.array(values, stored[name], from_pandas=True) for name, values in answer.items()}
+            return pyarrow.table({name: values.take(rows) for name, values in keys.items()} | said)
+    listed = {name: _listed(values) for name, values in keys.items()}
+    found = {name: [float("nan") if value is None and not is_text(name) else value for value in values] for name, values in answer.items()}
+    return {name: [values[row] for row in first] for name, values in listed.items()} | found

@@ -12,7 +12,7 @@ from ._answers import Answer, number, point, value
 from ._bounds import Point, decimal
 from ._asking import Name, Table
 from ._cells import cells
-from ._columns import Column, Missing, Number, Reading, asked, named, table, text
+from ._columns import Column, Missing, Number, Reading, asked, named, table
 
 
 class LinearityLine(NamedTuple):
@@ -208,5 +208,4 @@ def _how(reading: Reading, missing: Missing) -> dict[str, Any]:
 def _answer(calibrated: _boundfit.Calibrated, full_scale: Number | None, through: tuple[Number, Number]) -> Linearity:
     if len(through) != 2:
         raise ValueError(f"through={through!r}: expected a point, such as (0, 0)")
-    at = (text(through[0]), text(through[1]))
-    return Linearity(partial(_boundfit.linearity, calibrated, None if full_scale is None else text(full_scale), at))
+    return Linearity(partial(_boundfit.linearity, calibrated, full_scale, tuple(through)))

@@ -7,7 +7,6 @@ No answer depends on how the rows are dealt out: to which parts, in which batche
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Hashable, Iterable, Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -17,11 +16,25 @@ from zlib import crc32
 import numpy
 import pyarrow
 
-from . import _boundfit
 from ._bounds import nearest, upper_bound
 from ._cells import cells
 from ._fit import Fit
-from ._reduction import Part, Readings, Reduction, merge_parts, merged, of_part, reduce_columns
+from ._reduction import (
+    NO_NUMBERS,
+    Part,
+    Readings,
+    Reduction,
+    columns_of_groups,
+    fitted_groups,
+    in_halves,
+    in_words,
+    lacks_all,
+    merge_parts,
+    merged,
+    of_part,
+    reduce_columns,
+    unique,
+)
 
 #: How many rows are reduced at a time, and how many of groups are held before the largest groups are reduced.
 ROWS_AT_A_TIME = 1 << 20
@@ -72,16 +85,8 @@ def merge_partition(batches: Batches, own: Readings, fan_in: int) -> Iterator[py
 
 def schema_of_groups(by: list[pyarrow.Field], own: Readings) -> pyarrow.Schema:
     """The columns of the answer: those of the key as they are, what is said of the group, and why nothing is."""
-    said = {"rows": pyarrow.int64(), "kind": pyarrow.string()}
-    # One reading of ones, which every question can be asked of.
-    one = [(name, ["1"]) for name in dict.fromkeys(own.roles)]
-    for name in _fitted(one, own, ["0"]):
-        if name not in ("group", "rows", "kind"):
-            said[name] = pyarrow.string() if name.endswith("_exact") else pyarrow.float64()
-    said["problem"] = pyarrow.string()
-    for name in own.by:
-        if name in said:
-            raise ValueError(f"by: a column {name!r} is part of the answer: name that of the table differently")
+    said = {name: pyarrow.string() if name.endswith("_exact") else pyarrow.float64() for name in columns_of_groups(own)}
+    said |= {"rows": pyarrow.int64(), "kind": pyarrow.string(), "problem": pyarrow.string()}
     return pyarrow.schema([*(field.with_nullable(True) for field in by), *said.items()])
 
 
@@ -211,6 +216,7 @@ class _Groups:
         self.codes, self.first = _codes(table, own.by)
         self.keys = table.select(list(own.by)).take(self.first)
         self._order = numpy.argsort(self.codes, kind="stable")
+        self.said = numpy.zeros(len(self.first), dtype=bool)
         self._starts = numpy.concatenate([[0], numpy.cumsum(numpy.bincount(self.codes, minlength=len(self.first)))])
 
     def rows(self, start: int, end: int) -> pyarrow.Table:
@@ -218,28 +224,31 @@ class _Groups:
         return self.table.take(self._order[self._starts[start] : self._starts[end]])
 
     def fits(self, start: int, end: int) -> Iterator[pyarrow.RecordBatch]:
-        """What is said of consecutive groups: in one call, and where something is wrong with one of them in halves, down to it."""
+        """What is said of consecutive groups."""
+        for first, found in in_halves(self.fitted, start, end):
+            if isinstance(found, ValueError):
+                yield _batch(self.keys.slice(first, 1), self.problem(first, found), self.schema)
+                continue
+            groups = numpy.array(found["group"], dtype=numpy.int64)
+            yield _batch(self.keys.take(groups), found, self.schema)
+            self.said[groups] = True
+        for code in numpy.flatnonzero(~self.said[start:end]) + start:
+            yield _batch(self.keys.slice(code, 1), _nothing(0, NO_NUMBERS), self.schema)
+
+    def fitted(self, start: int, end: int) -> dict[str, Any]:
+        """What is said of consecutive groups, by number."""
         is_all = end - start == len(self.first)
         rows = self.table if is_all else self.rows(start, end)
         codes = self.codes if is_all else self.codes[self._order[self._starts[start] : self._starts[end]]]
-        try:
-            answer = _fitted(_columns(rows, self.own.roles, self.own), self.own, codes)
-        except ValueError as problem:
-            if end - start == 1:
-                why = _nothing(0, _NO_NUMBERS) if _lacks_all(rows, self.own) else _nothing(len(rows), _in_words(problem, rows, self.own))
-                yield _batch(self.keys.slice(start, 1), why, self.schema)
-                return
-            middle = (start + end) // 2
-            yield from self.fits(start, middle)
-            yield from self.fits(middle, end)
-            return
-        found = numpy.array(answer["group"], dtype=numpy.int64)
-        yield _batch(self.keys.take(found), answer, self.schema)
-        for code in numpy.setdiff1d(numpy.arange(start, end), found):
-            yield _batch(self.keys.slice(code, 1), _nothing(0, _NO_NUMBERS), self.schema)
+        return fitted_groups(_columns(rows, self.own.roles, self.own), self.own, codes)
 
-
-_NO_NUMBERS = "every row of the group lacks a number"
+    def problem(self, group: int, problem: ValueError) -> dict[str, Any]:
+        """Why nothing is said of a group."""
+        self.said[group] = True
+        rows = self.rows(group, group + 1)
+        if lacks_all(_columns(rows, list(dict.fromkeys(self.own.roles)), self.own), self.own):
+            return _nothing(0, NO_NUMBERS)
+        return _nothing(len(rows), _in_words(problem, rows, self.own))
 
 
 def _gathered(batches: Batches, columns: list[str] | None, rows: int) -> Iterator[pyarrow.Table]:
@@ -257,19 +266,14 @@ def _gathered(batches: Batches, columns: list[str] | None, rows: int) -> Iterato
 def _columns(table: pyarrow.Table, names: list[str], own: Readings) -> list[tuple[str, Any]]:
     """Columns as the compiled part takes them; one with two roles is there twice, under two names."""
     columns: list[tuple[str, Any]] = []
-    taken: set[str] = set()
-    for name in names:
-        unique = name
-        while unique in taken:
-            unique += "'"
-        taken.add(unique)
+    for own_name, name in zip(unique(names), names, strict=True):
         column = table.column(name).combine_chunks()
         if pyarrow.types.is_dictionary(column.type):
             column = column.dictionary_decode()
         if pyarrow.types.is_decimal(column.type) or (name not in own.roles and not pyarrow.types.is_integer(column.type)):
             # Exactly what is stored, without an object for each; identities may be anything that has a text.
             column = column.cast(pyarrow.string())
-        columns.append((unique, cells(column, name, own.reading)))
+        columns.append((own_name, cells(column, name, own.reading)))
     return columns
 
 
@@ -298,20 +302,13 @@ def _hashables(keys: pyarrow.Table) -> list[Hashable]:
     return list(zip(*columns, strict=True))
 
 
-def _fitted(columns: list[tuple[str, Any]], own: Readings, codes: Any) -> dict[str, Any]:
-    name = "group"
-    while name in (column for column, _ in columns):
-        name += "'"
-    return _boundfit.fit_groups(columns, (name, codes), own.asked())
-
-
 def _fit_in_parts(rows: pyarrow.Table, reductions: list[bytes], own: Readings) -> dict[str, Any]:
     """What is said of one group that came in reductions and rows: what is said of its rows together."""
     count = sum(Reduction(text, own).rows for text in reductions)
     try:
         reduction = Reduction(merged([*reductions, reduce_columns(_columns(rows, own.reduced_columns, own), own)], own), own)
         if reduction.rows == 0:
-            return _nothing(0, _NO_NUMBERS)
+            return _nothing(0, NO_NUMBERS)
         fit = reduction.fit()
     except ValueError as problem:
         return _nothing(count + len(rows), _in_words(problem, rows, own))
@@ -340,27 +337,19 @@ def numbers_of(fit: Fit) -> dict[str, Fraction | float | None]:
     return numbers
 
 
-def _lacks_all(rows: pyarrow.Table, own: Readings) -> bool:
-    try:
-        return own.missing == "skip" and Reduction(reduce_columns(_columns(rows, own.reduced_columns, own), own), own).rows == 0
-    except ValueError:
-        return False
-
-
 def _nothing(rows: int, problem: str) -> dict[str, Any]:
     return {"rows": [rows], "problem": [problem]}
 
 
 def _in_words(problem: ValueError, rows: pyarrow.Table, own: Readings) -> str:
-    """What is wrong with a group, without the number that a row has among those at hand, which says nothing elsewhere."""
+    """What is wrong with a group. The number that a row has among those at hand says nothing elsewhere."""
 
-    def named(found: re.Match[str]) -> str:
-        index = int(found[1]) - 1
+    def named(index: int) -> str:
         if own.identity is None or index >= len(rows):
             return ""
-        return f"{own.identity} {rows.column(own.identity)[index].as_py()}{found[2]}"
+        return f"{own.identity} {rows.column(own.identity)[index].as_py()}"
 
-    return re.sub(r"\brow (\d+)(, |: )?", named, str(problem).removeprefix("readings: "), count=1)
+    return in_words(problem, named)
 
 
 def _batch(keys: pyarrow.Table, answer: dict[str, Any], schema: pyarrow.Schema) -> pyarrow.RecordBatch:

@@ -37,7 +37,7 @@ class Polygon(PlaneSet["_boundfit.Plane"]):
         return self._core.redundant()
 
     def to_dict(self) -> dict[str, Any]:
-        """The report as ``boundfit polygon --format json`` writes it, schema boundfit/polygon/1."""
+        """The report as ``boundfit polygon --format json`` writes it, schema boundfit/polygon/2."""
         document: dict[str, Any] = json.loads(self._core.json())
         return document
 
@@ -58,7 +58,8 @@ class Polygon(PlaneSet["_boundfit.Plane"]):
 
 def _exact(value: Any, reading: str) -> Fraction:
     if hasattr(value, "item"):
-        value = value.item()
+        # The shortest text of a short float is not that of the double which it is.
+        value = str(value) if reading == "decimal" and value.dtype.kind == "f" else value.item()
     if isinstance(value, float):
         return Fraction(value) if reading == "binary64" else Fraction(repr(value))
     return Fraction(value)
@@ -75,13 +76,13 @@ def _pairs(rows: Iterable[Iterable[Any]], name: str, reading: str) -> list[tuple
     return pairs
 
 
-def _of_rows(kind: str, rows: list[list[Fraction]], linear: Sequence[int] = ()) -> Polygon:
+def _of_rows(kind: str, rows: list[list[Fraction]], reading: Reading, linear: Sequence[int] = ()) -> Polygon:
     lines = [kind]
     if linear:
         lines.append(" ".join(["linearity", str(len(linear)), *map(str, linear)]))
     lines += ["begin", f"{len(rows)} 3 rational"]
     lines += [" ".join(text(value) for value in row) for row in rows]
-    return Polygon(_boundfit.polygon_of_text("\n".join([*lines, "end", ""])))
+    return Polygon(_boundfit.polygon_of_text("\n".join([*lines, "end", ""]), reading))
 
 
 def polygon(A: Iterable[Iterable[Any]], b: Iterable[Any], *, reading: Reading = "decimal") -> Polygon:
@@ -95,7 +96,7 @@ def polygon(A: Iterable[Iterable[Any]], b: Iterable[Any], *, reading: Reading = 
     ends = [_exact(value, reading) for value in b]
     if len(rows) != len(ends):
         raise ValueError(f"A has {len(rows)} rows, but b has {len(ends)}")
-    return _of_rows("H-representation", [[end, -a1, -a2] for (a1, a2), end in zip(rows, ends, strict=True)])
+    return _of_rows("H-representation", [[end, -a1, -a2] for (a1, a2), end in zip(rows, ends, strict=True)], reading)
 
 
 def generators(
@@ -115,7 +116,7 @@ def generators(
     rows += [[zero, *ray] for ray in _pairs(R, "R", reading)]
     both = [[zero, *line] for line in _pairs(lines, "lines", reading)]
     linear = range(len(rows) + 1, len(rows) + len(both) + 1)
-    return _of_rows("V-representation", rows + both, list(linear))
+    return _of_rows("V-representation", rows + both, reading, list(linear))
 
 
 def polygon_file(path: str | os.PathLike[str], *, reading: Reading = "decimal") -> Polygon:

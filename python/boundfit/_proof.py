@@ -3,20 +3,26 @@
 from __future__ import annotations
 
 import os
+from typing import Literal
 
 from . import _boundfit
 
 
-def verify(proof: str | os.PathLike[str], data: str | os.PathLike[str] | bytes) -> str | None:
+def verify(proof: str | os.PathLike[str], data: str | os.PathLike[str] | bytes) -> Literal[True]:
     """Checks every statement of a proof against the file that it is about, by a checker that shares nothing with the engine but its
-    numbers. ``None`` where all of them are true, else what is false. The proof is its JSON text or the path of its file.
+    numbers. The proof is its JSON text or the path of its file; the data are bytes, or the path of a file.
 
-    :raises ValueError: where it is no proof.
+    :raises ValueError: with the first statement that is false, or where it is no proof.
     """
     if not isinstance(proof, str) or not proof.lstrip().startswith("{"):
         with open(proof, encoding="utf-8") as file:
             proof = file.read()
     if not isinstance(data, bytes):
+        if isinstance(data, str) and "\n" in data:
+            raise ValueError("data is the text of a table: expected its bytes, as text.encode() or fit.to_csv(), or the path of its file")
         with open(data, "rb") as table:
             data = table.read()
-    return _boundfit.verify(proof, data)
+    false = _boundfit.verify(proof, data)
+    if false is not None:
+        raise ValueError(f"the proof is not true of the data: {false}")
+    return True

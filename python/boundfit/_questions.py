@@ -10,7 +10,7 @@ from typing import Any, Literal, Unpack
 from . import _boundfit, _found
 from ._asking import How, readings
 from ._cells import cells
-from ._columns import Column, Number, fraction, is_number, regressors, text
+from ._columns import Column, Number, fraction, is_number, regressors
 from ._found import LinearRange, Outliers, Prediction, Statuses, WindowFit
 
 
@@ -30,7 +30,7 @@ class Asked:
         columns), or of a file the path of another one.
         """
         further = new if new is None or isinstance(new, str) else _further(new, self._readings.reading)
-        return Statuses(partial(_boundfit.status, self._readings, repair, further))
+        return Statuses(partial(_boundfit.status, self._readings, repair, further), self._readings.reading)
 
     def predict(
         self,
@@ -53,16 +53,16 @@ class Asked:
             raise ValueError("from_ and grid are about a line: with two regressors there is no single x (ask at pairs)")
         columns = [] if at is None else _values(at, "at", count, self._readings.reading)
         if grid is not None:
-            columns = [("at", _of_grid(grid) + [own for _, column in columns for own in list(column)])]
+            columns = [("at", _of_grid(grid, self._readings.reading) + [own for _, column in columns for own in list(column)])]
         if not columns and from_ is None:
             raise ValueError("nothing is to be predicted: expected at, grid or from_")
         asked = {
             "at": columns,
             "from_": None if from_ is None else _values(from_, "from_", 1, self._readings.reading)[0],
-            "new_eps": None if new_eps is None else text(new_eps),
+            "new_eps": new_eps,
             "proofs": proofs,
         }
-        return Prediction(partial(_boundfit.predict, self._readings, asked))
+        return Prediction(partial(_boundfit.predict, self._readings, asked), self._readings.reading)
 
     def outliers(self, *, most: int | None = None, max_sets: int | None = None, max_steps: int | None = None) -> Outliers:
         """The fewest readings to leave out so that something agrees with all others, every such choice, and what is left then. With
@@ -71,19 +71,20 @@ class Asked:
 
         :raises ValueError: where that is too much.
         """
-        return Outliers(partial(_boundfit.outliers, self._readings, most, max_sets, max_steps))
+        return Outliers(partial(_boundfit.outliers, self._readings, most, max_sets, max_steps), self._readings.reading)
 
     def range(self, *, by: Literal["x", "row"] | None = None) -> LinearRange:
         """Every run of readings, in order of x or of rows, that some parameters agree with: where a sensor is linear."""
-        return LinearRange(partial(_boundfit.range, self._readings, by))
+        return LinearRange(partial(_boundfit.range, self._readings, by), self._readings.reading)
 
     def windows(self, window: int | None = None, *, window_x: Number | None = None, step: int = 1) -> list[WindowFit]:
         """The fits of the last ``window`` readings in order of rows, or of those whose x is at most ``window_x`` less than the
         newest's in order of x, again and again as the window moves on by ``step`` readings."""
         if window is not None and window_x is not None:
             raise ValueError("window and window_x both say how far a window reaches back: expected one of them")
-        asked = {"readings": window, "x": None if window_x is None else text(window_x), "step": step}
-        return [_found.window(line) for line in _boundfit.windows(self._readings, asked, "json", None).splitlines()]
+        asked = {"readings": window, "x": window_x, "step": step}
+        reading = self._readings.reading
+        return [_found.window(line, reading) for line in _boundfit.windows(self._readings, asked, "json", None).splitlines()]
 
 
 def _further(columns: Any, reading: str) -> list[Any]:
@@ -113,8 +114,8 @@ def _values(asked: Any, name: str, regressors_of_each: int, reading: str) -> lis
     return [(name, column) for column in columns]
 
 
-def _of_grid(grid: tuple[Number, Number, int]) -> list[Fraction]:
-    first, last = fraction(grid[0], "grid"), fraction(grid[1], "grid")
+def _of_grid(grid: tuple[Number, Number, int], reading: str) -> list[Fraction]:
+    first, last = fraction(grid[0], "grid", reading), fraction(grid[1], "grid", reading)
     steps = int(grid[2])
     if not first < last or not 1 <= steps < 10_000_000:
         raise ValueError(f"grid={grid!r}: expected (from, to, steps) with from < to and at least one step, such as (0, 10, 100)")

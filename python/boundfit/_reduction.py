@@ -8,13 +8,15 @@ import io
 import json
 import os
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from decimal import Decimal
+from fractions import Fraction
 from typing import Any
 
 from . import _boundfit
 from ._bounds import Interval, Intervals, ProvedInterval, Term
-from ._columns import Missing, NamedColumns, Number, Reading, asked, text
+from ._columns import Missing, NamedColumns, Number, Reading, asked
 from ._fit import Fit
 
 #: How many reductions are put together at a time.
@@ -29,13 +31,13 @@ class Readings:
 
     x: tuple[str, ...]
     y: str | None = None
-    eps: str | None = None
+    eps: Number | None = None
     eps_column: str | None = None
     lower: str | None = None
     upper: str | None = None
     where: tuple[str, ...] = ()
     through_origin: bool = False
-    x_origin: str | None = None
+    x_origin: Number | None = None
     reading: Reading = "decimal"
     missing: Missing = "refuse"
     #: The columns that say to which group a row belongs.
@@ -111,13 +113,13 @@ def readings(
     own = Readings(
         x=regressors,
         y=y,
-        eps=None if eps is None else text(eps),
+        eps=eps,
         eps_column=eps_column,
         lower=lower,
         upper=upper,
         where=_tuple(where),
         through_origin=through_origin,
-        x_origin=None if x_origin is None else text(x_origin),
+        x_origin=x_origin,
         reading=reading,
         missing=missing,
         by=_tuple(by),
@@ -145,6 +147,83 @@ def _tuple(names: Names) -> tuple[str, ...]:
     return (names,) if isinstance(names, str) else tuple(names)
 
 
+def unique(names: Sequence[str]) -> list[str]:
+    """Names of columns, of which one with two roles has two."""
+    taken: list[str] = []
+    for name in names:
+        while name in taken:
+            name += "'"
+        taken.append(name)
+    return taken
+
+
+def fitted_groups(columns: NamedColumns, own: Readings, codes: Any) -> dict[str, Any]:
+    """What is said of the groups that have readings, whose numbers are ``codes``: by name, numbers as the bytes of doubles and as
+    exact texts, and in ``group`` which group it is, as text.
+
+    :raises ValueError: when something is wrong with any of them.
+    """
+    name = "group"
+    while name in (column for column, _ in columns):
+        name += "'"
+    return _boundfit.fit_groups(columns, (name, codes), own.asked())
+
+
+def columns_of_groups(own: Readings) -> list[str]:
+    """The columns of an answer about groups behind those of the key. Asking for them finds what is wrong with the question.
+
+    :raises ValueError: when it makes no sense, whatever the readings are.
+    """
+    if not own.by or len(set(own.by)) < len(own.by):
+        raise ValueError(f"by={list(own.by)!r}: expected the name of a column, or several different ones")
+    # One reading of ones, which every question can be asked of.
+    one = [(name, ["1"]) for name in unique(own.roles)]
+    names = [*(name for name in fitted_groups(one, own, [0]) if name != "group"), "problem"]
+    for name in own.by:
+        if name in names:
+            raise ValueError(f"by: a column {name!r} is part of the answer: name that of the table differently")
+    return names
+
+
+def in_halves(fitted: Callable[[int, int], dict[str, Any]], start: int, end: int) -> Iterator[tuple[int, dict[str, Any] | ValueError]]:
+    """What is said of consecutive groups from the first of them on: in one call, and where something is wrong with one of them in
+    halves, down to it and what is wrong."""
+    try:
+        found = fitted(start, end)
+    except ValueError as problem:
+        if end - start == 1:
+            yield start, problem
+            return
+        middle = (start + end) // 2
+        yield from in_halves(fitted, start, middle)
+        yield from in_halves(fitted, middle, end)
+        return
+    yield start, found
+
+
+#: What is said of a group without any reading.
+NO_NUMBERS = "every row of the group lacks a number"
+
+
+def lacks_all(columns: NamedColumns, own: Readings) -> bool:
+    """Whether no row of a group has all numbers, where such rows are left out."""
+    alone = dataclasses.replace(own, identity=None)
+    try:
+        return own.missing == "skip" and Reduction(reduce_columns(columns, alone), alone).rows == 0
+    except ValueError:
+        return False
+
+
+def in_words(problem: ValueError, named: Callable[[int], str]) -> str:
+    """What is wrong with a group. ``named`` says what a row is called, from 0, which has another number among those at hand."""
+
+    def renamed(found: re.Match[str]) -> str:
+        name = named(int(found[1]) - 1)
+        return f"{name}{found[2] or ''}" if name else ""
+
+    return re.sub(r"\brow (\d+)(, |: | of )?", renamed, str(problem).removeprefix("readings: "), count=1)
+
+
 def reduce_columns(columns: NamedColumns, own: Readings) -> bytes:
     """The reduction of some rows, which may be none."""
     return _boundfit.reduce_part(columns, own.roles, own.identity, own.asked())
@@ -153,10 +232,44 @@ def reduce_columns(columns: NamedColumns, own: Readings) -> bytes:
 def merged(texts: Iterable[bytes], own: Readings) -> bytes:
     """One reduction of what all these are reductions of. A tree of such calls gives what one of them gives."""
     level = list(texts) or [own.nothing()]
+    if own.reading == "binary64" and len({_record(text)["reading"] for text in level}) > 1:
+        level = [_as_decimals(text, own) for text in level]
     while len(level) > 1:
         groups = [level[start : start + FAN_IN] for start in range(0, len(level), FAN_IN)]
         level = [_boundfit.merge_reductions(b"".join(group), own.roles, own.identity, own.asked()) for group in groups]
     return level[0]
+
+
+def _as_decimals(text: bytes, own: Readings) -> bytes:
+    """A reduction whose numbers are read as they are written. Numbers are stored doubles where all of a part are such, and parts go
+    together if they are read in one way."""
+    if _record(text)["reading"] == "decimal":
+        return text
+    stated, header, rows = text.decode().split("\n", 2)
+    names = next(csv.reader([header]))
+    written = io.StringIO(newline="")
+    lines = csv.writer(written, lineterminator="\n")
+    has_counts = text.startswith(_WITH_COUNTS)
+    for row in csv.reader(io.StringIO(rows, newline="")):
+        count, blank, first = row[0].partition(" ") if has_counts else ("", "", row[0])
+        cells = [exactly(cell) if name in own.roles else cell for name, cell in zip(names, [first, *row[1:]], strict=True)]
+        written.write(count + blank)
+        lines.writerow(cells)
+    return "\n".join([stated.replace('"reading":"binary64"', '"reading":"decimal"', 1), header, written.getvalue()]).encode()
+
+
+def exactly(cell: str) -> str:
+    """A cell that is exactly the double that it is read as: itself, if it is, else all digits of that. What is no number stays."""
+    try:
+        number = Fraction(cell.strip())
+    except ValueError:
+        return cell
+    double = float(number)
+    return cell if Fraction(double) == number else format(Decimal(double), "f")
+
+
+#: How reductions begin whose lines say for how many readings they stand.
+_WITH_COUNTS = (b"# boundfit/reduced/3 ", b"# boundfit/reduced/4 ")
 
 
 @dataclass(frozen=True)
@@ -239,7 +352,7 @@ class Reduction:
 
     def _rows(self) -> list[list[str]]:
         lines = self.text.decode().split("\n")[2:]
-        if self.text.startswith((b"# boundfit/reduced/3 ", b"# boundfit/reduced/4 ")):
+        if self.text.startswith(_WITH_COUNTS):
             lines = [re.sub(r"^\d+ ", "", line) for line in lines]
         return list(csv.reader(io.StringIO("\n".join(lines), newline="")))
 
@@ -259,13 +372,13 @@ class Reduction:
         own = self.readings
         changes: dict[str, Any] = {}
         if eps is not None:
-            changes["eps"] = text(eps)
+            changes["eps"] = eps
         if where is not None:
             changes["where"] = _tuple(where)
         if through_origin is not None:
             changes["through_origin"] = through_origin
         if x_origin is not None:
-            changes["x_origin"] = text(x_origin)
+            changes["x_origin"] = x_origin
         own = dataclasses.replace(own, **changes)
         if self.rows == 0:
             raise ValueError("the table has no readings: expected at least one")
@@ -290,6 +403,9 @@ class ReducedFit(Fit):
         super().__init__(readings, eui=False)
         #: The identities of the readings that are kept, in the order in which reports count them.
         self.ids = ids
+
+    def __reduce__(self) -> Any:
+        return ReducedFit, (self._readings, self.ids)
 
     @property
     def rows(self) -> int:

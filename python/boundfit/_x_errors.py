@@ -60,7 +60,7 @@ class XErrorFit(Answer):
         def one(own: Any) -> Side:
             fps = own["fps"]
             vertices = [point(vertex["theta"]) for vertex in fps["vertices"]]
-            return Side(own["side"], fps["kind"], vertices, intervals(own["pui"]), number(fps["area"]))
+            return Side(own["side"], fps["kind"], vertices, intervals(own["pui"], self._reading), number(fps["area"]))
 
         return [one(own) for own in self._document["sides"]]
 
@@ -73,7 +73,7 @@ class XErrorFit(Answer):
     @property
     def pui(self) -> Intervals | None:
         """The interval of each parameter over all sets, with proofs; ``None`` where they are empty."""
-        return intervals(self._document["pui"])
+        return intervals(self._document["pui"], self._reading)
 
     @property
     def central(self) -> Point | None:
@@ -104,7 +104,7 @@ class XErrorFit(Answer):
     def eui(self) -> Intervals | None:
         """How far errors of y within their bounds can move the least-squares estimate."""
         own = self._document["eui"]
-        return None if own is None else Intervals(interval(own[0]), interval(own[1]))
+        return None if own is None else Intervals(interval(own[0], self._reading), interval(own[1], self._reading))
 
     def __repr__(self) -> str:
         return f"<boundfit.XErrorFit: {', '.join(f'{own.side} {own.kind}' for own in self.sides)}>"

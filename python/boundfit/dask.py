@@ -1,5 +1,5 @@
 # pyright: reportMissingImports=false
-"""Fleets, reductions and fits of data frames of Dask: ``pip install 'boundfit[dask]'``.
+"""Fleets, reductions and fits of data frames of Dask: ``pip install '.[dask]'`` where the scheduler and the workers run.
 
 One call is made per partition. The functions are those of :mod:`boundfit.spark`, which says what they do.
 """
@@ -35,7 +35,7 @@ def fit_groups(
     """Fits the rows of each key on their own: see :func:`boundfit.spark.fit_groups`."""
     own = readings(x, y, eps, by=by, **question)
     key = _table(ddf._meta[list(own.by)]).schema
-    answer = _partitions.schema_of_groups(list(key), own).empty_table().to_pandas()
+    answer = _frame(_partitions.schema_of_groups(list(key), own).empty_table(), ddf._meta, own)
     ddf = ddf[own.columns]
     if combine is not None and own.decide_alone():
         moved = ddf._meta.assign(**{_partitions.REDUCTION: pandas.Series([], dtype=object)})
@@ -70,24 +70,32 @@ def _reduced(number: int, frame: pandas.DataFrame, own: Readings) -> Part:
 
 
 def _combined(frame: pandas.DataFrame, own: Readings, most_rows: int) -> Any:
-    batches = list(_partitions.combine_partition(_table(frame).to_batches(), own, most_rows))
+    batches = list(_partitions.combine_partition(_table(frame, own.by).to_batches(), own, most_rows))
     if not batches:
         return frame.assign(**{_partitions.REDUCTION: pandas.Series([], dtype=object)})
-    return pyarrow.Table.from_batches(batches).to_pandas()
+    return _frame(pyarrow.Table.from_batches(batches), frame, own)
 
 
 def _fitted(frame: pandas.DataFrame, own: Readings, key: pyarrow.Schema) -> Any:
     schema = _partitions.schema_of_groups(list(key), own)
-    batches = list(_partitions.fit_partition(_table(frame).to_batches(), own))
-    return pyarrow.concat_tables([schema.empty_table(), *(pyarrow.table(batch).cast(schema) for batch in batches)]).to_pandas()
+    batches = list(_partitions.fit_partition(_table(frame, own.by).to_batches(), own))
+    return _frame(pyarrow.concat_tables([schema.empty_table(), *(pyarrow.table(batch).cast(schema) for batch in batches)]), frame, own)
 
 
-def _table(frame: pandas.DataFrame) -> pyarrow.Table:
+def _frame(table: pyarrow.Table, given: pandas.DataFrame, own: Readings) -> Any:
+    """A table as pandas has it. Keys have the types that they have in the frame that they come from."""
+    # Beside a null pandas would make doubles of integers.
+    return table.to_pandas(integer_object_nulls=True).astype({name: given.dtypes[name] for name in own.by})
+
+
+def _table(frame: pandas.DataFrame, by: tuple[str, ...] = ()) -> pyarrow.Table:
     """A frame as Arrow has it; a column of objects of several kinds as their texts, which are as exact."""
     columns = {}
     for name in frame.columns:
         try:
             columns[name] = pyarrow.array(frame[name], from_pandas=True)
         except (pyarrow.ArrowInvalid, pyarrow.ArrowTypeError):
+            if name in by:
+                raise ValueError(f"by: the column {name!r} holds values of several types: give them one type, such as that of text") from None
             columns[name] = pyarrow.array([None if pandas.isna(value) else text(value) for value in frame[name]], pyarrow.string())
     return pyarrow.table(columns)

@@ -1,5 +1,5 @@
 # pyright: reportMissingImports=false
-"""Fleets, reductions and fits of datasets of Ray: ``pip install 'boundfit[ray]'``.
+"""Fleets, reductions and fits of datasets of Ray: ``pip install '.[ray]'`` where the driver and the workers run.
 
 One task is run per block. The functions are those of :mod:`boundfit.spark`, which says what they do.
 """

@@ -1,5 +1,6 @@
 # pyright: reportMissingImports=false
-"""Fleets, reductions and fits of data frames of Apache Spark: ``pip install 'boundfit[spark]'`` where the driver and the executors run.
+"""Fleets, reductions and fits of data frames of Apache Spark, also through Spark Connect. The package has to be installed where
+the driver and the executors run, with its extra ``spark``: docs/past-one-machine.md says how.
 
 One call is made per partition, never per sensor or per row. What is returned does not depend on how many partitions there are,
 which rows they have, and which of their tasks run twice.
@@ -25,6 +26,9 @@ if TYPE_CHECKING:
     from pyspark.sql import Column, DataFrame
 
 __all__ = ["fit", "fit_groups", "reduce"]
+
+#: How many tasks put reductions together; those of empty partitions end at once.
+MERGERS = 16
 
 
 def fit_groups(
@@ -61,8 +65,8 @@ def fit_groups(
 
 
 def reduce(df: DataFrame, x: Names, y: str | None = None, eps: Number | None = 0, *, fan_in: int = FAN_IN, **question: Any) -> Reduction:
-    """The readings of a data frame that decide, with the sums over all: each partition is reduced where it is, and what is left of
-    them is put together, ``fan_in`` at a time. No row is moved between machines.
+    """The readings of a data frame that decide, with the sums over all: each partition is reduced where it is, what is left is put
+    together where there is room, ``fan_in`` partitions at a time, and the rest on the driver. No row is moved between machines.
 
     ``id`` names the column by which proofs call the readings, such as the key of the table; all else in ``question`` is as in
     :func:`boundfit.reduce`.
@@ -72,11 +76,10 @@ def reduce(df: DataFrame, x: Names, y: str | None = None, eps: Number | None = 0
     own = to_reduce(x, y, eps, fan_in, **question)
     df = _columns(df, own.columns)
     parts = _map(df, partial(_reduced, own=own), _partitions.PARTS)
-    count = df.rdd.getNumPartitions()
-    while count > fan_in:
-        count = -(-count // fan_in)
-        number = functions.floor(functions.col("number") / fan_in)
-        parts = _map(parts.repartition(count, number), partial(_partitions.merge_partition, own=own, fan_in=fan_in), _partitions.PARTS)
+    # How many partitions there are is not known before they are computed, and Connect does not tell: one level serves
+    # fan_in² of them, and the driver takes what more there is.
+    number = functions.floor(functions.col("number") / fan_in)
+    parts = _map(parts.repartition(MERGERS, number), partial(_partitions.merge_partition, own=own, fan_in=fan_in), _partitions.PARTS)
     merged = merge_parts(_partitions.parts_of(parts.toArrow().to_batches()), own)
     if merged.reduction is None:
         raise ValueError(merged.problem)
@@ -107,6 +110,11 @@ def _map(df: DataFrame, function: Any, schema: pyarrow.Schema) -> DataFrame:
 
 
 def _columns(df: DataFrame, names: list[str]) -> DataFrame:
+    if df.isStreaming:
+        raise ValueError(
+            "the frame is a stream, of which Spark hands over one small batch after the other, and each would be fitted on its own: "
+            "fit the table that the stream is written to, or call reduce in foreachBatch"
+        )
     for name in names:
         if name not in df.columns:
             raise ValueError(f"the frame has no column {name!r} (it has {', '.join(map(repr, df.columns))})")

@@ -2,14 +2,15 @@
 
 use boundfit::engine::exact::{DecimalMark, Limit, Thousands};
 use boundfit::files::{
-    AskedDialect, ColumnSelector, CommentMark, EpsilonColumn, Header, InputError, Limits, Missing, Question,
-    RowCondition, RowRange, RowSet, ScanOptions, SizeLimits, TableOptions,
+    AskedBlock, AskedDialect, ColumnSelector, CommentMark, Encoding, EpsilonColumn, Header, InputError,
+    Limits, Missing, MissingWords, Question, RowCondition, RowRange, RowSet, ScanOptions, SizeLimits,
+    TableOptions,
 };
 use boundfit::questions::Agreement;
 use boundfit::{Condition, Rational, Reading};
 use pyo3::prelude::*;
 
-use crate::numbers::refuse;
+use crate::numbers::{Given, refuse};
 
 /// The arguments that all calls about readings have in common.
 #[derive(FromPyObject)]
@@ -20,7 +21,7 @@ pub(crate) struct Asked {
     /// Whether the next one is y.
     response: bool,
     /// The bound on all errors in words; otherwise columns follow.
-    eps: Option<String>,
+    eps: Option<Given>,
     /// Whether a column of bounds on the errors follows.
     eps_column: bool,
     /// Whether a column of lower bounds follows.
@@ -29,11 +30,11 @@ pub(crate) struct Asked {
     upper: bool,
     conditions: Vec<String>,
     through_origin: bool,
-    x_origin: Option<String>,
+    x_origin: Option<Given>,
     reading: String,
     missing: String,
     /// The bound on the errors of x, the same for all readings.
-    x_eps: Option<String>,
+    x_eps: Option<Given>,
     /// Whether a column of bounds on the errors of x follows.
     x_eps_column: bool,
     /// Whether a line has to agree for every x that they allow.
@@ -62,6 +63,7 @@ pub(crate) struct AskedTable {
     without: Vec<(usize, Option<usize>)>,
     where_row: Vec<String>,
     header: Option<bool>,
+    encoding: Option<String>,
     delimiter: Option<u8>,
     sheet: Option<String>,
     skip_lines: u64,
@@ -69,11 +71,13 @@ pub(crate) struct AskedTable {
     decimal: Option<String>,
     thousands: Option<String>,
     comment: Option<String>,
+    missing_as: Vec<String>,
+    block: Option<String>,
     limits: Vec<(String, u64)>,
 }
 
 impl Asked {
-    /// How numbers are read.
+    /// What floats mean: how numbers are read, where nothing else is stored.
     pub(crate) fn reading(&self) -> PyResult<Reading> {
         match self.reading.as_str() {
             "decimal" => Ok(Reading::Decimal),
@@ -82,12 +86,13 @@ impl Asked {
         }
     }
 
-    /// The question about columns with these names, in the order of their roles, and what is said of errors in x.
+    /// The question about columns with these names, in the order of their roles, and what is said of errors in x. In its numbers
+    /// a float means what `reading` says, a text what `texts` says, and everything else is exact.
     pub(crate) fn question(
         &self,
         names: &[String],
         selector: impl Fn(&str) -> ColumnSelector,
-        reading: Reading,
+        [reading, texts]: [Reading; 2],
         limits: &Limits,
     ) -> PyResult<(Question, Option<XErrors>)> {
         let mut names = names.iter();
@@ -109,7 +114,9 @@ impl Asked {
         let mut question = match &self.eps {
             None => question.within_columns(epsilon),
             Some(eps) => {
-                question.within(eps, reading).map_err(|error| refuse(format_args!("eps={eps:?}: {error}")))?
+                let text = eps.text(reading);
+                let question = question.within(&text, eps.read_by(texts));
+                question.map_err(|error| refuse(format_args!("eps={:?}: {error}", eps.shown)))?
             }
         };
         if let EpsilonColumn::Law(law) = &question.columns.epsilon
@@ -126,18 +133,16 @@ impl Asked {
             ));
         }
         for text in &self.conditions {
-            let condition = Condition::parse(text, reading, limits);
+            let condition = Condition::parse(text, texts, limits);
             question
                 .conditions
                 .push(condition.map_err(|error| refuse(format_args!("where={text:?}: {error}")))?);
         }
         question.columns.form.through_origin = self.through_origin;
         if let Some(origin) = &self.x_origin {
-            let origin =
-                reading.read(origin, limits).map_err(|error| refuse(format_args!("x_origin: {error}")));
-            question.columns.form.x_origin = origin?;
+            question.columns.form.x_origin = origin.number_by(reading, texts, "x_origin")?;
         }
-        let x_errors = self.x_errors(x_column, reading, limits)?;
+        let x_errors = self.x_errors(x_column, [reading, texts])?;
         if x_errors.is_some() && !is_line {
             return Err(refuse(
                 "x_eps is about a line: of two regressors it is not known how their errors go together",
@@ -147,7 +152,7 @@ impl Asked {
             return Err(refuse(format_args!(
                 "eps={:?} is found as if every x were exact: beside x_eps it is a number, and factor tells how far all bounds may \
                  shrink or have to grow",
-                self.eps.as_deref().unwrap_or_default()
+                self.eps.as_ref().map_or("", |eps| &eps.shown)
             )));
         }
         Ok((question, x_errors))
@@ -156,8 +161,7 @@ impl Asked {
     fn x_errors(
         &self,
         column: Option<ColumnSelector>,
-        reading: Reading,
-        limits: &Limits,
+        [reading, texts]: [Reading; 2],
     ) -> PyResult<Option<XErrors>> {
         let bounds = match (&self.x_eps, column) {
             (None, None) if self.strong => {
@@ -165,12 +169,12 @@ impl Asked {
             }
             (None, None) => return Ok(None),
             (_, Some(column)) => AskedXBounds::Column(column.non_negative()),
-            (Some(text), None) => {
-                let number = reading.read(text, limits);
-                let number = number.map_err(|error| refuse(format_args!("x_eps={text:?}: {error}")))?;
+            (Some(bound), None) => {
+                let number = bound.number_by(reading, texts, "x_eps")?;
                 if number.is_negative() {
                     return Err(refuse(format_args!(
-                        "x_eps={text:?}: negative (expected a number that is at least 0)"
+                        "x_eps={:?}: negative (expected a number that is at least 0)",
+                        bound.shown
                     )));
                 }
                 AskedXBounds::Uniform(number)
@@ -180,20 +184,20 @@ impl Asked {
         Ok(Some(XErrors { bounds, agreement }))
     }
 
-    /// How a table in memory is read.
-    pub(crate) fn options(&self) -> PyResult<ScanOptions> {
+    /// How a table in memory is read, whose numbers are read like that.
+    pub(crate) fn options(&self, reading: Reading) -> PyResult<ScanOptions> {
         let missing = match self.missing.as_str() {
             "refuse" => Missing::Refuse,
             "skip" => Missing::Skip,
             other => return Err(refuse(format_args!("missing={other:?}: expected \"refuse\" or \"skip\""))),
         };
-        let table = TableOptions { reading: self.reading()?, missing, ..TableOptions::default() };
+        let table = TableOptions { reading, missing, ..TableOptions::default() };
         Ok(ScanOptions { table, hash: false, list_rows: false, ..ScanOptions::default() })
     }
 
     /// How a file is read; with its hash and the rows that are fitted, which proofs are about.
     pub(crate) fn file_options(&self, asked: &AskedTable, reading: Reading) -> PyResult<ScanOptions> {
-        let ScanOptions { table, .. } = self.options()?;
+        let ScanOptions { table, .. } = self.options(reading)?;
         let table = TableOptions { limits: asked.number_limits(), sizes: asked.size_limits()?, ..table };
         let conditions = asked.where_row.iter().map(|text| {
             let condition = RowCondition::parse(text, reading, &table.limits);
@@ -204,14 +208,22 @@ impl Asked {
             Some(true) => Header::Present,
             Some(false) => Header::Absent,
         };
+        let block = asked.block.as_deref().map(|text| {
+            AskedBlock::parse(text).ok_or_else(|| {
+                refuse(format_args!(
+                    "block={text:?}: expected a number from 1, a comment before a block, or \"all\""
+                ))
+            })
+        });
         let rows = RowSet::new(&ranges(&asked.rows)?, &ranges(&asked.without)?);
         let table = TableOptions {
             header,
             sheet: asked.sheet.clone(),
+            block: block.transpose()?,
+            missing_as: MissingWords::new(asked.missing_as.iter().cloned()),
             dialect: asked.dialect()?,
             rows: rows.ok_or_else(|| refuse("without: no row is left"))?,
             conditions: conditions.collect::<PyResult<_>>()?,
-            reading,
             ..table
         };
         Ok(ScanOptions { table, ..ScanOptions::default() })
@@ -254,8 +266,21 @@ impl AskedTable {
                 }
             },
         };
+        let encoding = self.encoding.as_deref().map(|name| {
+            Encoding::named(name).ok_or_else(|| {
+                refuse(format_args!("encoding={name:?}: expected one of {}", Encoding::names()))
+            })
+        });
         let (skip_lines, units_row) = (self.skip_lines, self.units_row);
-        Ok(AskedDialect { delimiter: self.delimiter, decimal, thousands, comment, skip_lines, units_row })
+        Ok(AskedDialect {
+            encoding: encoding.transpose()?,
+            delimiter: self.delimiter,
+            decimal,
+            thousands,
+            comment,
+            skip_lines,
+            units_row,
+        })
     }
 
     /// What one number may ask for.
@@ -285,10 +310,11 @@ impl AskedTable {
                 "ratio" => own.ratio = *most,
                 "workbook" => own.workbook = *most,
                 "work" => own.work = *most,
+                "memory" => own.memory = *most,
                 other => {
                     return Err(refuse(format_args!(
-                        "limits: {other:?}: expected digits, exponent, line, columns, rows, elements, unpacked, ratio, workbook or \
-                         work"
+                        "limits: {other:?}: expected digits, exponent, line, columns, rows, elements, unpacked, ratio, workbook, work \
+                         or memory"
                     )));
                 }
             }
@@ -303,7 +329,7 @@ fn size(asked: u64) -> usize {
 }
 
 /// Limits that the program has options for.
-const LIMITS: [(Limit, &str); 10] = [
+const LIMITS: [(Limit, &str); 11] = [
     (Limit::Digits, "digits"),
     (Limit::Exponent, "exponent"),
     (Limit::Line, "line"),
@@ -314,6 +340,7 @@ const LIMITS: [(Limit, &str); 10] = [
     (Limit::Ratio, "ratio"),
     (Limit::Workbook, "workbook"),
     (Limit::Work, "work"),
+    (Limit::Memory, "memory"),
 ];
 
 /// What is wrong with a table, in the words of this package.
@@ -323,7 +350,7 @@ pub(crate) fn in_words(error: &InputError) -> String {
     // Columns in memory have this name, and no header.
     text =
         text.replace("readings: the file has a header but no data rows", "readings: the columns are empty");
-    if text.contains("--max-") {
+    if text.contains("--max-") || text.contains("--limit ") {
         for (limit, name) in LIMITS {
             text = text.replace(limit.flag(), &format!("limits={{\"{name}\": ...}}"));
         }

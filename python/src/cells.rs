@@ -1,25 +1,79 @@
 //! Columns on their way from Python: buffers of numbers are copied once, all else is read as its text.
 
-use boundfit::files::{MemoryNumbers, MemoryTable};
+use boundfit::engine::exact::Foreign;
+use boundfit::files::{Limits, MemoryNumbers, MemoryTable};
+use boundfit::{Rational, Reading};
 use pyo3::buffer::{Element, PyBuffer};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyFloat, PyInt, PyList, PyString};
+use pyo3::types::{PyBool, PyBytes, PyFloat, PyInt, PyList, PyString};
+
+use crate::numbers::{shortest_text, stored_text};
 
 /// A column with its name.
 pub(crate) type NamedColumn<'py> = (String, Bound<'py, PyAny>);
 
-/// A table of columns.
-pub(crate) fn table(columns: &[NamedColumn<'_>]) -> PyResult<MemoryTable> {
-    let mut table = MemoryTable::default();
+/// A table of columns, and how its numbers are read. In the columns with these names floats are what `reading` says, and everything
+/// else is exact: where an exact number is no double, all stored doubles become the decimals that they are, which the decimal
+/// reading reads.
+pub(crate) fn table(
+    columns: &[NamedColumn<'_>],
+    names: &[String],
+    reading: Reading,
+) -> PyResult<(MemoryTable, Reading)> {
+    let mut taken = Vec::new();
     for (name, values) in columns {
-        table.push(name.as_str(), numbers(name, values)?);
+        let is_number = names.contains(name);
+        let own = if is_number { reading } else { Reading::Decimal };
+        taken.push((name, numbers(name, values, own)?, is_number));
     }
-    Ok(table)
+    let are_numbers = || taken.iter().filter(|(_, _, is_number)| *is_number);
+    let are_doubles =
+        reading == Reading::Decimal || are_numbers().all(|(_, numbers, _)| are_doubles(numbers));
+    if !are_doubles {
+        taken
+            .iter_mut()
+            .filter(|(_, _, is_number)| *is_number)
+            .for_each(|(_, numbers, _)| make_exact(numbers));
+    }
+    let mut table = MemoryTable::default();
+    for (name, numbers, _) in taken {
+        table.push(name.as_str(), numbers);
+    }
+    Ok((table, if are_doubles { reading } else { Reading::Decimal }))
+}
+
+/// Whether every number is a double: then the binary64 reading leaves it as it is.
+fn are_doubles(numbers: &MemoryNumbers) -> bool {
+    match numbers {
+        MemoryNumbers::Doubles(_) | MemoryNumbers::Floats(_) => true,
+        MemoryNumbers::Integers(integers) => {
+            integers.iter().all(|&integer| (integer as f64) as i128 == i128::from(integer))
+        }
+        MemoryNumbers::Exact(numbers) => numbers.iter().all(is_double),
+        // What is no number is missing, or refused under either reading.
+        MemoryNumbers::Texts(texts) => texts.iter().all(|text| {
+            Reading::Decimal.read(text, &Limits::default()).map_or(true, |number| is_double(&number))
+        }),
+    }
+}
+
+fn is_double(number: &Rational) -> bool {
+    Rational::from_f64(number.to_f64()).is_some_and(|double| double == *number)
+}
+
+/// Stored floats as the decimals that they are; NaN is a number that is missing in either.
+fn make_exact(numbers: &mut MemoryNumbers) {
+    let texts = match numbers {
+        MemoryNumbers::Doubles(doubles) => doubles.iter().map(|&double| stored_text(double)).collect(),
+        MemoryNumbers::Floats(floats) => floats.iter().map(|&float| stored_text(float.into())).collect(),
+        _ => return,
+    };
+    *numbers = MemoryNumbers::Texts(texts);
 }
 
 /// The cells of a column: of a buffer of one dimension, or of a list.
-pub(crate) fn numbers(name: &str, values: &Bound<'_, PyAny>) -> PyResult<MemoryNumbers> {
+pub(crate) fn numbers(name: &str, values: &Bound<'_, PyAny>, reading: Reading) -> PyResult<MemoryNumbers> {
     let Ok(list) = values.cast::<PyList>() else { return of_buffer(name, values) };
     let floats: Option<Vec<f64>> =
         list.iter().map(|value| value.cast::<PyFloat>().ok().map(|float| float.value())).collect();
@@ -27,7 +81,7 @@ pub(crate) fn numbers(name: &str, values: &Bound<'_, PyAny>) -> PyResult<MemoryN
         return Ok(MemoryNumbers::Doubles(floats));
     }
     let texts = (1..).zip(list.iter()).map(|(row, value)| {
-        text(&value).map_err(|problem| {
+        text(&value, reading).map_err(|problem| {
             let problem = problem.value(values.py());
             PyValueError::new_err(format!("row {row} of {name}: {problem}"))
         })
@@ -35,13 +89,16 @@ pub(crate) fn numbers(name: &str, values: &Bound<'_, PyAny>) -> PyResult<MemoryN
     Ok(MemoryNumbers::Texts(texts.collect::<PyResult<_>>()?))
 }
 
-/// A number as its shortest text; nothing where there is none.
-fn text(value: &Bound<'_, PyAny>) -> PyResult<String> {
+/// A number as a text that is exactly it, of a float what `reading` says; nothing where there is none.
+fn text(value: &Bound<'_, PyAny>, reading: Reading) -> PyResult<String> {
     if let Ok(text) = value.cast::<PyString>() {
         return Ok(text.to_str()?.to_owned());
     }
     if let Ok(float) = value.cast::<PyFloat>() {
-        return Ok(format!("{:?}", float.value()));
+        return Ok(match reading {
+            Reading::Decimal => shortest_text(float.value()),
+            Reading::Binary64 => stored_text(float.value()),
+        });
     }
     if value.cast::<PyBool>().is_ok() {
         return Err(PyValueError::new_err(format!("{value} is a truth value, not a number")));
@@ -108,4 +165,27 @@ fn copied<T: Element>(name: &str, values: &Bound<'_, PyAny>) -> PyResult<Option<
         )));
     }
     buffer.to_vec(values.py()).map(Some)
+}
+
+/// Columns as [`table`] takes them.
+pub(crate) fn columns_of<'py>(py: Python<'py>, table: &MemoryTable) -> PyResult<Vec<NamedColumn<'py>>> {
+    let array = py.import("array")?.getattr("array")?;
+    let packed = |kind: &str, bytes: Vec<u8>| array.call1((kind, PyBytes::new(py, &bytes)));
+    let column = |(name, numbers): (&Foreign, &MemoryNumbers)| {
+        let values = match numbers {
+            MemoryNumbers::Doubles(own) => {
+                packed("d", own.iter().flat_map(|own| own.to_ne_bytes()).collect())?
+            }
+            MemoryNumbers::Floats(own) => {
+                packed("f", own.iter().flat_map(|own| own.to_ne_bytes()).collect())?
+            }
+            MemoryNumbers::Integers(own) => {
+                packed("q", own.iter().flat_map(|own| own.to_ne_bytes()).collect())?
+            }
+            MemoryNumbers::Exact(own) => PyList::new(py, own.iter().map(ToString::to_string))?.into_any(),
+            MemoryNumbers::Texts(own) => PyList::new(py, own)?.into_any(),
+        };
+        Ok((name.raw().to_owned(), values))
+    };
+    table.columns().map(column).collect()
 }

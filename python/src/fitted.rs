@@ -10,7 +10,7 @@ use boundfit::report::{
 use boundfit::{BoundName, Endpoint, Fit, Interval, Number as _, ParameterBound, Problem, Rational, Reading};
 use pyo3::prelude::*;
 
-use crate::numbers::{Number, exact, outward, pair, refuse};
+use crate::numbers::{Given, Number, outward, pair, refuse};
 
 /// A problem with its answer.
 #[pyclass(frozen, module = "boundfit._boundfit")]
@@ -19,6 +19,8 @@ pub(crate) struct Fitted {
     pub(crate) fit: Fit,
     pub(crate) guarantee: Option<Guarantee>,
     pub(crate) reading: Reading,
+    /// What a float means.
+    pub(crate) floats: Reading,
     pub(crate) file: Option<String>,
     pub(crate) is_stored: bool,
 }
@@ -99,7 +101,7 @@ impl Fitted {
 
     #[getter]
     fn reading(&self) -> &'static str {
-        self.reading.name()
+        self.floats.name()
     }
 
     /// The names of the regressors, and of y.
@@ -180,19 +182,14 @@ impl Fitted {
     }
 
     /// Whether a point belongs to the set.
-    fn contains(&self, theta1: &Bound<'_, PyAny>, theta2: &Bound<'_, PyAny>) -> PyResult<bool> {
-        let theta = [exact(theta1)?, exact(theta2)?];
+    fn contains(&self, theta1: Given, theta2: Given) -> PyResult<bool> {
+        let theta = [theta1.number(self.floats, "theta1")?, theta2.number(self.floats, "theta2")?];
         Ok(!self.fit.is_empty() && self.fit.fps.polyhedron().membership(&theta).is_inside())
     }
 
     /// The smallest and the largest φ·θ over the set; `None` for one that is not bounded, or both of an empty set.
-    fn range<'py>(
-        &self,
-        py: Python<'py>,
-        phi1: &Bound<'py, PyAny>,
-        phi2: &Bound<'py, PyAny>,
-    ) -> PyResult<Option<GivenEnds<'py>>> {
-        let form = [exact(phi1)?, exact(phi2)?];
+    fn range<'py>(&self, py: Python<'py>, phi1: Given, phi2: Given) -> PyResult<Option<GivenEnds<'py>>> {
+        let form = [phi1.number(self.floats, "x")?, phi2.number(self.floats, "x2")?];
         Ok(match self.range_of(&form) {
             None => None,
             Some([lower, upper]) => {
@@ -222,7 +219,7 @@ impl Fitted {
         py.detach(|| self.fit.verify(&self.problem)).map_err(refuse)
     }
 
-    /// The report of schema boundfit/fit/1.
+    /// The report of schema boundfit/fit/2.
     fn json(&self, py: Python<'_>) -> String {
         py.detach(|| {
             let guarantee = self.guarantee.as_ref();

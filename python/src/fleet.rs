@@ -1,7 +1,7 @@
 //! Fleets and reductions of columns in memory.
 
-use boundfit::Rational;
 use boundfit::files::{ColumnSelector, Fleet, GroupFit, Limits, MemoryTable, Question, ScanOptions, Source};
+use boundfit::{Rational, Reading};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
@@ -118,10 +118,12 @@ pub(crate) fn fit_groups<'py>(
     asked: Asked,
 ) -> PyResult<Bound<'py, PyDict>> {
     let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
-    let (question, _) = asked.question(&names, ColumnSelector::name, asked.reading()?, &Limits::default())?;
-    let options = asked.options()?;
+    let floats = asked.reading()?;
+    let (question, _) =
+        asked.question(&names, ColumnSelector::name, [floats, Reading::Decimal], &Limits::default())?;
     let by = ColumnSelector::name(&key.0);
-    let table = table(&columns.into_iter().chain([key]).collect::<Vec<_>>())?;
+    let (table, reading) = table(&columns.into_iter().chain([key]).collect::<Vec<_>>(), &names, floats)?;
+    let options = asked.options(reading)?;
     let (lines, per_row) = py.detach(|| lines(&question, table, &by, options)).map_err(refuse)?;
     let dict = PyDict::new(py);
     dict.set_item("group", lines.keys)?;

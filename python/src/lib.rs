@@ -23,6 +23,14 @@ use pyo3::prelude::*;
 /// Built by maturin as `boundfit._boundfit`.
 #[pymodule]
 mod _boundfit {
+    use pyo3::prelude::*;
+
+    /// The version of the compiled part, which is the package's.
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+
     #[pymodule_export]
     use crate::claims::check;
     #[pymodule_export]

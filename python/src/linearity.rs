@@ -18,7 +18,7 @@ use crate::asked::{Asked, AskedTable, in_words};
 use crate::cells::{NamedColumn, table};
 use crate::data::Data;
 use crate::forms::{Form, Written, asked};
-use crate::numbers::{decimal, refuse};
+use crate::numbers::{Given, refuse};
 use crate::readings::check_work;
 
 /// A calibration, and what is asked of it.
@@ -29,6 +29,8 @@ pub(crate) struct Calibrated {
     columns: CalibrationColumns,
     options: ScanOptions,
     reading: Reading,
+    /// What a float means.
+    floats: Reading,
     is_stored: bool,
 }
 
@@ -65,12 +67,15 @@ pub(crate) fn calibration_of_columns(
 ) -> PyResult<Calibrated> {
     let names: Vec<String> = given.iter().map(|(name, _)| name.clone()).collect();
     let columns = columns(&names, response, ColumnSelector::name)?;
-    let (options, reading) = (how.options()?, how.reading()?);
+    let floats = how.reading()?;
+    let (table, reading) = table(&given, &names, floats)?;
+    let options = how.options(reading)?;
     Ok(Calibrated {
-        data: Data::Columns(Arc::new(table(&given)?)),
+        data: Data::Columns(Arc::new(table)),
         columns,
         options,
         reading,
+        floats,
         is_stored: false,
     })
 }
@@ -88,7 +93,7 @@ pub(crate) fn calibration_of_file(
     let (reading, is_stored) = data.reading(how.reading()?).map_err(|error| refuse(in_words(&error)))?;
     let columns = columns(&names, response, ColumnSelector::name_or_number)?;
     let options = how.file_options(&table, reading)?;
-    Ok(Calibrated { data, columns, options, reading, is_stored })
+    Ok(Calibrated { data, columns, options, reading, floats: reading, is_stored })
 }
 
 /// Independent, terminal, zero-based and least-squares linearity, with hysteresis and repeatability.
@@ -97,17 +102,18 @@ pub(crate) fn calibration_of_file(
 pub(crate) fn linearity(
     py: Python<'_>,
     calibrated: &Calibrated,
-    full_scale: Option<&str>,
-    through: Option<(String, String)>,
+    full_scale: Option<Given>,
+    through: Option<(Given, Given)>,
     form: &str,
     digits: Option<usize>,
 ) -> PyResult<String> {
-    let full_scale = full_scale.map(|text| decimal(text, "full_scale")).transpose()?;
+    let floats = calibrated.floats;
+    let full_scale = full_scale.map(|given| given.number(floats, "full_scale")).transpose()?;
     if full_scale.as_ref().is_some_and(|number| !number.is_positive()) {
         return Err(refuse("full_scale: expected a number above 0, such as 4"));
     }
     let through = match through {
-        Some((x, y)) => [decimal(&x, "through")?, decimal(&y, "through")?],
+        Some((x, y)) => [x.number(floats, "through")?, y.number(floats, "through")?],
         None => <[Rational; 2]>::default(),
     };
     let options = LinearityOptions { full_scale, through };
@@ -120,7 +126,7 @@ fn of(
     form: Form,
     style: &Style,
 ) -> Result<String, String> {
-    let Calibrated { data, columns, options: how, reading, is_stored } = calibrated;
+    let Calibrated { data, columns, options: how, reading, is_stored, .. } = calibrated;
     let source = data.source().map_err(|error| in_words(&error))?;
     let Calibration { readings, input } =
         Calibration::read(source, columns, how).map_err(|error| match error {

@@ -1,12 +1,14 @@
 //! Exact numbers on their way to and from Python.
 
+use boundfit::engine::exact::Shortest;
 use boundfit::files::Limits;
 use boundfit::num_rational::BigRational;
 use boundfit::{Number as _, Rational, Reading};
+use pyo3::Borrowed;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::{PyFloat, PyType};
+use pyo3::types::{PyFloat, PyString, PyType};
 
 /// `fractions.Fraction`.
 pub(crate) fn fraction_type(py: Python<'_>) -> PyResult<&Bound<'_, PyType>> {
@@ -51,6 +53,80 @@ pub(crate) fn exact(object: &Bound<'_, PyAny>) -> PyResult<Rational> {
         Ok(float) => float.value().exact().map_err(refuse),
         Err(_) => object.str()?.to_str()?.exact().map_err(refuse),
     }
+}
+
+/// A number that an argument gives, or words such as those of a law. A float means what floats mean in the readings: its shortest
+/// text, or what is stored. Everything else is exactly what it prints.
+pub(crate) struct Given {
+    /// The shortest text of a float, the text of everything else.
+    pub(crate) shown: String,
+    stored: Option<f64>,
+    is_text: bool,
+}
+
+impl<'py> FromPyObject<'_, 'py> for Given {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        if let Ok(float) = object.cast::<PyFloat>() {
+            let value = float.value();
+            return Ok(Given { shown: shortest_text(value), stored: Some(value), is_text: false });
+        }
+        // A scalar of pyarrow is what it holds.
+        if object.hasattr("as_py")? {
+            return object.call_method0("as_py")?.extract();
+        }
+        // Short floats are no `float`.
+        let is_float = match object.getattr_opt("dtype")? {
+            Some(kind) => kind.getattr("kind")?.extract::<String>()? == "f",
+            None => false,
+        };
+        let stored = if is_float { Some(object.call_method0("__float__")?.extract()?) } else { None };
+        let is_text = object.is_instance_of::<PyString>();
+        Ok(Given { shown: object.str()?.to_str()?.to_owned(), stored, is_text })
+    }
+}
+
+impl Given {
+    /// What is to be read as a decimal: of a float under the binary64 reading all digits of what is stored.
+    pub(crate) fn text(&self, reading: Reading) -> String {
+        match (self.stored, reading) {
+            (Some(double), Reading::Binary64) => stored_text(double),
+            _ => self.shown.clone(),
+        }
+    }
+
+    /// How [`Given::text`] is read, where `texts` says how texts are: exactly, or beside a file as its cells.
+    pub(crate) fn read_by(&self, texts: Reading) -> Reading {
+        if self.is_text { texts } else { Reading::Decimal }
+    }
+
+    /// The number, if it is one.
+    pub(crate) fn number(&self, reading: Reading, name: &str) -> PyResult<Rational> {
+        self.number_by(reading, Reading::Decimal, name)
+    }
+
+    /// The number, if it is one, where `texts` says how texts are read.
+    pub(crate) fn number_by(&self, reading: Reading, texts: Reading, name: &str) -> PyResult<Rational> {
+        let number = self.read_by(texts).read(&self.text(reading), &Limits::default());
+        number.map_err(|error| refuse(format_args!("{name}={:?}: {error}", self.shown)))
+    }
+}
+
+/// A double as its shortest text, as Python prints it.
+pub(crate) fn shortest_text(double: f64) -> String {
+    double.in_shortest_digits(format!("{double:?}"))
+}
+
+/// A double as a text that is exactly it: its shortest text, if that is, else all of its digits, at most 1,074 behind the point.
+pub(crate) fn stored_text(double: f64) -> String {
+    const MOST_PLACES: usize = 1074;
+    let shortest = double.shortest().map(|(mantissa, exponent)| Rational::scientific(mantissa, exponent));
+    if shortest.is_none_or(|shortest| Rational::from_f64(double) == Some(shortest)) {
+        return shortest_text(double);
+    }
+    let text = format!("{double:.MOST_PLACES$}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// A number exactly as it is written.

@@ -1,5 +1,8 @@
 //! Parts of a table that no machine has whole: their reductions, and fits of these.
 
+use std::sync::Arc;
+
+use boundfit::Reading;
 use boundfit::files::{ColumnSelector, Limits, Question, ReducedTable, ScanOptions, Source};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -8,7 +11,7 @@ use crate::asked::{Asked, in_words};
 use crate::cells::{NamedColumn, table};
 use crate::data::Data;
 use crate::numbers::refuse;
-use crate::readings::Readings;
+use crate::readings::{Made, Readings};
 
 /// What reductions are called in messages.
 const NAME: &str = "reductions";
@@ -24,12 +27,12 @@ pub(crate) fn reduce_part<'py>(
     asked: Asked,
 ) -> PyResult<Bound<'py, PyBytes>> {
     let question = reducible(&asked, &names)?;
+    let (table, reading) = table(&columns, &names, asked.reading()?)?;
     let options = ScanOptions {
         identity: identity.map(|name| ColumnSelector::name(&name)),
         allow_nothing: true,
-        ..asked.options()?
+        ..asked.options(reading)?
     };
-    let table = table(&columns)?;
     let text = py.detach(|| written(question.reduce(Source::of_table("readings", table), &options)));
     Ok(PyBytes::new(py, &text.map_err(refuse)?))
 }
@@ -44,23 +47,43 @@ pub(crate) fn merge_reductions<'py>(
     asked: Asked,
 ) -> PyResult<Bound<'py, PyBytes>> {
     let question = reducible(&asked, &names)?;
-    let options =
-        ScanOptions { identity: identity.map(|name| ColumnSelector::name(&name)), ..of_reductions(&asked)? };
+    let identity = identity.map(|name| ColumnSelector::name(&name));
+    let options = ScanOptions { identity, ..of_reductions(&asked, reading_of(&text))? };
     let text = py.detach(|| written(question.reduce(source(text), &options)));
     Ok(PyBytes::new(py, &text.map_err(refuse)?))
 }
 
 /// Reductions, one after the other in a text, to be fitted.
 #[pyfunction]
-pub(crate) fn readings_of_reductions(text: Vec<u8>, names: Vec<String>, asked: Asked) -> PyResult<Readings> {
-    let (question, options, reading) = (reducible(&asked, &names)?, of_reductions(&asked)?, asked.reading()?);
+pub(crate) fn readings_of_reductions(
+    text: Vec<u8>,
+    names: Vec<String>,
+    asked: Bound<'_, PyAny>,
+) -> PyResult<Readings> {
+    let made = Arc::new(Made { asked: asked.clone().unbind(), table: None });
+    let asked: Asked = asked.extract()?;
+    let (reading, floats) = (reading_of(&text), asked.reading()?);
+    let (question, options) = (reducible(&asked, &names)?, of_reductions(&asked, reading)?);
     let data = Data::Text(NAME, text.into());
-    Ok(Readings { data, names, question, options, x_errors: None, reading, is_stored: false })
+    Ok(Readings { data, names, question, options, x_errors: None, reading, floats, is_stored: false, made })
+}
+
+/// How a reduction says that its numbers are read: not as was asked, where that was binary64 and some numbers are no doubles.
+fn reading_of(text: &[u8]) -> Reading {
+    let line = text.split(|byte| *byte == b'\n').next().unwrap_or_default();
+    let stored = br#""reading":"binary64""#;
+    let is_stored = line.windows(stored.len()).any(|part| part == stored);
+    if is_stored { Reading::Binary64 } else { Reading::Decimal }
 }
 
 /// The question, if a reduction can answer it.
 fn reducible(asked: &Asked, names: &[String]) -> PyResult<Question> {
-    let (question, _) = asked.question(names, ColumnSelector::name, asked.reading()?, &Limits::default())?;
+    let (question, _) = asked.question(
+        names,
+        ColumnSelector::name,
+        [asked.reading()?, Reading::Decimal],
+        &Limits::default(),
+    )?;
     if question.multiple_of_least.is_some() && question.columns.second.is_some() {
         return Err(refuse(
             "eps: which readings decide under a multiple of the least bound is not known before all of them are, unless the model \
@@ -75,8 +98,8 @@ fn source(text: Vec<u8>) -> Source {
 }
 
 /// Reductions of columns in memory have commas between their cells, whatever is in these.
-fn of_reductions(asked: &Asked) -> PyResult<ScanOptions> {
-    let mut options = asked.options()?;
+fn of_reductions(asked: &Asked, reading: Reading) -> PyResult<ScanOptions> {
+    let mut options = asked.options(reading)?;
     options.table.dialect.delimiter = Some(b',');
     Ok(options)
 }

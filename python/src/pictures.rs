@@ -29,6 +29,7 @@ pub(crate) struct Labels {
     real_text: bool,
     flip: bool,
     directions: usize,
+    scaled: bool,
 }
 
 impl Labels {
@@ -47,6 +48,7 @@ impl Labels {
             greyscale: self.greyscale,
             flip: self.flip,
             directions: self.directions,
+            are_directions_scaled: self.scaled,
         };
         if !(3..=1000).contains(&options.directions) {
             return Err(refuse("directions: expected 3 to 1000 of them"));

@@ -11,7 +11,7 @@ use boundfit::{Polyhedron, Rational, Reading};
 use pyo3::prelude::*;
 
 use crate::asked::in_words;
-use crate::numbers::{Number, exact, pair, refuse};
+use crate::numbers::{Given, Number, pair, refuse};
 
 /// Half-planes with the set that they leave.
 #[pyclass(frozen, module = "boundfit._boundfit")]
@@ -20,24 +20,30 @@ pub(crate) struct Plane {
     polyhedron: Polyhedron,
     name: Option<String>,
     reading: Reading,
+    /// What a float means.
+    floats: Reading,
 }
 
-/// The set of an H- or V-representation.
+/// The set of an H- or V-representation, whose numbers are exactly as written; what a float means in questions about it.
 #[pyfunction]
-pub(crate) fn polygon_of_text(py: Python<'_>, text: String) -> PyResult<Plane> {
+pub(crate) fn polygon_of_text(py: Python<'_>, text: String, floats: &str) -> PyResult<Plane> {
     let plane = py.detach(|| Plane::read(Source::new("polygon", Cursor::new(text)), None, Reading::Decimal));
-    plane.map_err(refuse)
+    Ok(Plane { floats: named(floats), ..plane.map_err(refuse)? })
 }
 
 /// The set of a file of half-planes or generators.
 #[pyfunction]
 pub(crate) fn polygon_of_file(py: Python<'_>, path: String, reading: &str) -> PyResult<Plane> {
-    let reading = if reading == "binary64" { Reading::Binary64 } else { Reading::Decimal };
+    let reading = named(reading);
     let plane = py.detach(|| {
         let source = Source::open(&path).map_err(|error| in_words(&error))?;
         Plane::read(source, Some(path), reading)
     });
     plane.map_err(refuse)
+}
+
+fn named(reading: &str) -> Reading {
+    if reading == "binary64" { Reading::Binary64 } else { Reading::Decimal }
 }
 
 impl Plane {
@@ -46,7 +52,7 @@ impl Plane {
         let file = read_half_planes(source, &options).map_err(|error| in_words(&error))?;
         file.system.work().check(2, SizeLimits::default().work).map_err(|error| error.to_string())?;
         let polyhedron = Polyhedron::intersect(file.system.clone());
-        Ok(Plane { file, polyhedron, name, reading })
+        Ok(Plane { file, polyhedron, name, reading, floats: reading })
     }
 }
 
@@ -88,8 +94,8 @@ impl Plane {
         (0..self.file.system.len()).filter(|index| needed.binary_search(index).is_err()).collect()
     }
 
-    fn contains(&self, theta1: &Bound<'_, PyAny>, theta2: &Bound<'_, PyAny>) -> PyResult<bool> {
-        let theta = [exact(theta1)?, exact(theta2)?];
+    fn contains(&self, theta1: Given, theta2: Given) -> PyResult<bool> {
+        let theta = [theta1.number(self.floats, "theta1")?, theta2.number(self.floats, "theta2")?];
         Ok(!self.polyhedron.region().is_empty() && self.polyhedron.membership(&theta).is_inside())
     }
 

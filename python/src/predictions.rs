@@ -20,7 +20,7 @@ use pyo3::prelude::*;
 use crate::asked::in_words;
 use crate::cells::{NamedColumn, numbers};
 use crate::forms::{Form, NO_TEXT, asked};
-use crate::numbers::refuse;
+use crate::numbers::{Given, refuse};
 use crate::readings::Readings;
 
 /// Values, and readings that decide, that a proof may be about.
@@ -35,7 +35,7 @@ const MOST_LISTED: usize = 40;
 pub(crate) struct AskedPrediction<'py> {
     at: Vec<NamedColumn<'py>>,
     from_: Option<NamedColumn<'py>>,
-    new_eps: Option<String>,
+    new_eps: Option<Given>,
     proofs: bool,
 }
 
@@ -50,15 +50,16 @@ pub(crate) fn predict(
     digits: Option<usize>,
 ) -> PyResult<String> {
     let is_line = readings.question.columns.second.is_none();
-    let law = prediction.new_eps.as_deref().map(|text| further_law(text, is_line)).transpose()?;
-    let columns = prediction.at.iter().map(|own| values(own, readings.reading));
+    let law = prediction.new_eps.as_ref().map(|given| further_law(given, readings.floats, is_line));
+    let law = law.transpose()?;
+    let columns = prediction.at.iter().map(|own| values(own, readings.floats));
     let mut columns = columns.collect::<PyResult<Vec<Vec<Rational>>>>()?.into_iter();
     let first = columns.next().unwrap_or_default();
     let at: Vec<[Rational; 2]> = match columns.next() {
         Some(second) => first.into_iter().zip(second).map(<[Rational; 2]>::from).collect(),
         None => first.into_iter().map(|x| [x, Rational::one()]).collect(),
     };
-    let from = prediction.from_.as_ref().map(|own| values(own, readings.reading)).transpose()?;
+    let from = prediction.from_.as_ref().map(|own| values(own, readings.floats)).transpose()?;
     let from: Vec<[Rational; 2]> =
         from.unwrap_or_default().into_iter().map(|y| [y, Rational::zero()]).collect();
     let question = Predicted { law, at, from, proofs: prediction.proofs };
@@ -138,10 +139,11 @@ impl Predicted {
 }
 
 /// What is stated of the error of a further reading.
-fn further_law(text: &str, is_line: bool) -> PyResult<Law> {
+fn further_law(given: &Given, floats: Reading, is_line: bool) -> PyResult<Law> {
     let limits = Limits::default();
-    let law = Law::parse(text, Reading::Decimal, &limits);
-    let law = law.map_err(|error| match AskedBound::parse(text, Reading::Decimal, &limits) {
+    let (number, text) = (given.text(floats), &given.shown);
+    let law = Law::parse(&number, Reading::Decimal, &limits);
+    let law = law.map_err(|error| match AskedBound::parse(&number, Reading::Decimal, &limits) {
         Ok(AskedBound::TimesLeast(_)) => refuse(format_args!(
             "new_eps={text:?}: a multiple of the least bound says nothing of a further reading (expected a number such as 0.5, or \
              a law)"
@@ -154,11 +156,11 @@ fn further_law(text: &str, is_line: bool) -> PyResult<Law> {
     Ok(law)
 }
 
-/// The numbers of a column: doubles as the readings are read, all else exactly as it is written.
-fn values((name, column): &NamedColumn<'_>, reading: Reading) -> PyResult<Vec<Rational>> {
-    let cells = numbers(name, column)?;
+/// The numbers of a column: floats mean what they mean in the readings, all else is exactly as it is written.
+fn values((name, column): &NamedColumn<'_>, floats: Reading) -> PyResult<Vec<Rational>> {
+    let cells = numbers(name, column, floats)?;
     let reading = match cells {
-        MemoryNumbers::Doubles(_) | MemoryNumbers::Floats(_) => reading,
+        MemoryNumbers::Doubles(_) | MemoryNumbers::Floats(_) => floats,
         _ => Reading::Decimal,
     };
     let mut table = MemoryTable::default();
@@ -191,8 +193,9 @@ pub(crate) fn status(
         None => None,
         Some(Further::File(path)) => Some(New::File(path)),
         Some(Further::Columns(columns)) if columns.len() == readings.names.len() => {
-            let columns = readings.names.iter().cloned().zip(columns);
-            Some(New::Columns(crate::cells::table(&columns.collect::<Vec<_>>())?.into()))
+            let columns: Vec<NamedColumn<'_>> = readings.names.iter().cloned().zip(columns).collect();
+            let (table, reading) = crate::cells::table(&columns, &readings.names, readings.floats)?;
+            Some(New::Columns(table.into(), reading))
         }
         Some(Further::Columns(columns)) => {
             return Err(refuse(format_args!(
@@ -210,14 +213,15 @@ pub(crate) fn status(
 /// Further readings, to be read.
 enum New {
     File(String),
-    Columns(std::sync::Arc<MemoryTable>),
+    /// Columns in memory, and how their numbers are read.
+    Columns(std::sync::Arc<MemoryTable>, Reading),
 }
 
 impl New {
     fn file(&self) -> Option<Foreign<&str>> {
         match self {
             New::File(path) => Some(Foreign::of(path.as_str())),
-            New::Columns(_) => None,
+            New::Columns(..) => None,
         }
     }
 
@@ -225,7 +229,7 @@ impl New {
     fn read(&self, readings: &Readings, problem: &Problem) -> Result<Vec<Measurement>, String> {
         let source = match self {
             New::File(path) => Source::open(path).map_err(|error| in_words(&error))?,
-            New::Columns(table) => Source::of_table("new", std::sync::Arc::clone(table)),
+            New::Columns(table, _) => Source::of_table("new", std::sync::Arc::clone(table)),
         };
         let columns = match problem.measurements.error_bound().uniform() {
             Some(epsilon) => Columns {
@@ -244,6 +248,9 @@ impl New {
         }
         let mut options = ScanOptions { hash: false, list_rows: false, ..readings.options.clone() };
         (options.table.rows, options.table.conditions) = Default::default();
+        if let New::Columns(_, reading) = self {
+            options.table.reading = *reading;
+        }
         let mut all = Vec::new();
         let see = |readings: &mut dyn Iterator<Item = Measurement>| readings.collect::<Vec<_>>();
         let keep = Keep { eui: false, ..Keep::default() };

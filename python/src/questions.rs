@@ -16,7 +16,7 @@ use pyo3::prelude::*;
 
 use crate::asked::{AskedXBounds, in_words};
 use crate::forms::{Form, NO_TEXT, asked};
-use crate::numbers::{decimal, refuse};
+use crate::numbers::{Given, refuse};
 use crate::readings::{Readings, checked};
 
 /// Runs that a proof may be about, each of which it fits.
@@ -154,7 +154,7 @@ fn range_of(readings: &Readings, order: Option<Order>, form: Form, style: &Style
 #[pyo3(from_item_all)]
 pub(crate) struct AskedWindow {
     readings: Option<usize>,
-    x: Option<String>,
+    x: Option<Given>,
     step: usize,
 }
 
@@ -176,11 +176,12 @@ pub(crate) fn windows(
                 "window_x is about a line: two regressors have no x to look back along; window counts readings",
             ));
         }
-        (None, Some(text)) => {
-            let span = decimal(text, "window_x")?;
+        (None, Some(given)) => {
+            let span = given.number(readings.floats, "window_x")?;
             if !span.is_positive() {
                 return Err(refuse(format_args!(
-                    "window_x={text:?}: expected a number above 0, such as 60 or 0.5"
+                    "window_x={:?}: expected a number above 0, such as 60 or 0.5",
+                    given.shown
                 )));
             }
             Extent::X(span)

@@ -8,13 +8,13 @@ use boundfit::questions::{Guarantee, times};
 use boundfit::report::{Origin, proof_json};
 use boundfit::{ErrorBound, Problem, Reading};
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
+use pyo3::types::{PyBytes, PyTuple};
 
 use crate::asked::{Asked, AskedTable, XErrors, in_words};
-use crate::cells::{NamedColumn, table};
+use crate::cells::{NamedColumn, columns_of, table};
 use crate::data::Data;
 use crate::fitted::Fitted;
-use crate::numbers::{decimal, refuse};
+use crate::numbers::{Given, refuse};
 
 /// Readings, and what is asked of them.
 #[pyclass(frozen, module = "boundfit._boundfit")]
@@ -25,19 +25,37 @@ pub(crate) struct Readings {
     pub(crate) question: Question,
     pub(crate) options: ScanOptions,
     pub(crate) x_errors: Option<XErrors>,
+    /// How numbers are read.
     pub(crate) reading: Reading,
+    /// What a float means in whatever is asked of them.
+    pub(crate) floats: Reading,
     pub(crate) is_stored: bool,
+    /// The arguments that they were made with, for those who make them again.
+    pub(crate) made: Arc<Made>,
+}
+
+/// How readings were asked for, as Python said it.
+pub(crate) struct Made {
+    pub(crate) asked: Py<PyAny>,
+    pub(crate) table: Option<Py<PyAny>>,
 }
 
 /// Columns in memory, each copied once.
 #[pyfunction]
-pub(crate) fn readings_of_columns(columns: Vec<NamedColumn<'_>>, asked: Asked) -> PyResult<Readings> {
+pub(crate) fn readings_of_columns(
+    columns: Vec<NamedColumn<'_>>,
+    asked: Bound<'_, PyAny>,
+) -> PyResult<Readings> {
+    let made = Arc::new(Made { asked: asked.clone().unbind(), table: None });
+    let asked: Asked = asked.extract()?;
     let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
-    let reading = asked.reading()?;
-    let (question, x_errors) = asked.question(&names, ColumnSelector::name, reading, &Limits::default())?;
-    let options = asked.options()?;
-    let data = Data::Columns(Arc::new(table(&columns)?));
-    Ok(Readings { data, names, question, options, x_errors, reading, is_stored: false })
+    let floats = asked.reading()?;
+    let (question, x_errors) =
+        asked.question(&names, ColumnSelector::name, [floats, Reading::Decimal], &Limits::default())?;
+    let (table, reading) = table(&columns, &names, floats)?;
+    let options = asked.options(reading)?;
+    let data = Data::Columns(Arc::new(table));
+    Ok(Readings { data, names, question, options, x_errors, reading, floats, is_stored: false, made })
 }
 
 /// Columns of a file of any format.
@@ -45,23 +63,25 @@ pub(crate) fn readings_of_columns(columns: Vec<NamedColumn<'_>>, asked: Asked) -
 pub(crate) fn readings_of_file(
     path: String,
     names: Vec<String>,
-    asked: Asked,
-    table: AskedTable,
+    asked: Bound<'_, PyAny>,
+    table: Bound<'_, PyAny>,
 ) -> PyResult<Readings> {
+    let made = Arc::new(Made { asked: asked.clone().unbind(), table: Some(table.clone().unbind()) });
+    let (asked, table): (Asked, AskedTable) = (asked.extract()?, table.extract()?);
     let data = Data::File(path);
     let (reading, is_stored) = data.reading(asked.reading()?).map_err(|error| refuse(in_words(&error)))?;
     let (question, x_errors) =
-        asked.question(&names, ColumnSelector::name_or_number, reading, &table.number_limits())?;
+        asked.question(&names, ColumnSelector::name_or_number, [reading; 2], &table.number_limits())?;
     let options = asked.file_options(&table, reading)?;
-    Ok(Readings { data, names, question, options, x_errors, reading, is_stored })
+    Ok(Readings { data, names, question, options, x_errors, reading, floats: reading, is_stored, made })
 }
 
 #[pymethods]
 impl Readings {
     /// Fits them. The interpreter is free meanwhile.
     #[pyo3(signature = (eui, confidence))]
-    fn fit(&self, py: Python<'_>, eui: bool, confidence: Option<&str>) -> PyResult<Fitted> {
-        let confidence = confidence.map(|text| decimal(text, "confidence")).transpose()?;
+    fn fit(&self, py: Python<'_>, eui: bool, confidence: Option<Given>) -> PyResult<Fitted> {
+        let confidence = confidence.map(|given| given.number(self.floats, "confidence")).transpose()?;
         py.detach(|| {
             let problem = self.problem(Keep { eui, ..Keep::default() })?;
             let guarantee = match &confidence {
@@ -82,6 +102,7 @@ impl Readings {
                 fit,
                 guarantee,
                 reading: self.reading,
+                floats: self.floats,
                 file: self.data.path().map(str::to_owned),
                 is_stored: self.is_stored,
             })
@@ -95,10 +116,30 @@ impl Readings {
         if self.question.columns.second.is_some() { 2 } else { 1 }
     }
 
-    /// How numbers are read.
+    /// What floats mean.
     #[getter]
     fn reading(&self) -> &'static str {
-        self.reading.name()
+        self.floats.name()
+    }
+
+    /// What makes them again, with its arguments: the columns themselves, and of a file its path.
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let module = py.import("boundfit._boundfit")?;
+        let made = |name: &str, arguments: Bound<'py, PyTuple>| Ok((module.getattr(name)?, arguments));
+        let Made { asked, table } = &*self.made;
+        match &self.data {
+            Data::Columns(columns) => {
+                let columns = columns_of(py, columns)?;
+                made("readings_of_columns", (columns, asked).into_pyobject(py)?)
+            }
+            Data::Text(_, text) => {
+                let arguments = (PyBytes::new(py, text), &self.names, asked);
+                made("readings_of_reductions", arguments.into_pyobject(py)?)
+            }
+            Data::File(path) => {
+                made("readings_of_file", (path, &self.names, asked, table).into_pyobject(py)?)
+            }
+        }
     }
 
     #[getter]
@@ -145,7 +186,9 @@ impl Readings {
             options,
             x_errors: self.x_errors.clone(),
             reading: self.reading,
+            floats: self.floats,
             is_stored: self.is_stored,
+            made: Arc::clone(&self.made),
         }
     }
 

@@ -45,7 +45,7 @@ def test_groups_are_those_of_the_program(kind: str, bound: dict[str, Any], progr
     answer = boundfit.fit_groups(FRAMES[kind], by="cell", x="x", y="y", **bound)
     assert type(answer) is type(FRAMES[kind])
     columns = answer.to_pydict() if kind == "pyarrow" else {name: list(answer[name]) for name in (answer if kind == "dict" else answer.columns)}
-    assert columns["group"] == [row["group"] for row in expected]
+    assert columns["cell"] == [row["group"] for row in expected]
     assert columns["rows"] == [int(row["rows"]) for row in expected]
     assert columns["kind"] == [row["kind"] for row in expected]
     for name in expected[0]:
@@ -55,7 +55,10 @@ def test_groups_are_those_of_the_program(kind: str, bound: dict[str, Any], progr
             double, text = columns[name][index], columns[f"{name}_exact"][index]
             if row[name] in ("", "-inf", "inf"):
                 assert text is None or text != text
-                assert math.isnan(double) if row[name] == "" else double == float(row[name])
+                if row[name]:
+                    assert double == float(row[name])
+                else:
+                    assert double is None if kind in ("polars", "pyarrow") else math.isnan(double)
                 continue
             exact = Fraction(text)
             printed = Fraction(row[name])
@@ -71,7 +74,7 @@ def test_a_group_is_its_own_fit() -> None:
     frame = FRAMES["polars"]
     groups = boundfit.fit_groups(frame, by="cell", x="x", y="y", eps="3", reading="binary64")
     for row in groups.iter_rows(named=True):
-        own = frame.filter(polars.col("cell") == row["group"])
+        own = frame.filter(polars.col("cell") == row["cell"])
         fit = boundfit.fit(own["x"], own["y"], "3", reading="binary64")
         ends = [None, None] if fit.pui is None else [fit.pui.theta1.lower, fit.pui.theta2.upper]
         assert [row["theta1_lower_exact"], row["theta2_upper_exact"]] == [None if end is None else str(end) for end in ends]
@@ -88,14 +91,108 @@ def test_fleets_of_the_fixtures(program: Program) -> None:
             continue
         answer = boundfit.fit_groups(frame, by=by, x=x, y=y, eps="0.5")
         rows = list(csv.DictReader(io.StringIO(expected)))
-        assert list(answer["group"]) == [row["group"] for row in rows]
+        assert list(answer[by].fillna("")) == [row["group"] for row in rows]
         assert list(answer["kind"]) == [row["kind"] for row in rows]
+
+
+def listed(answer: Any) -> dict[str, list[Any]]:
+    """The columns of a frame, with nothing where a number is missing."""
+    if isinstance(answer, pyarrow.Table):
+        return answer.to_pydict()
+    columns = {name: list(answer[name]) for name in (answer if isinstance(answer, dict) else answer.columns)}
+    return {name: [None if value is None or value is pandas.NA or value != value else value for value in own] for name, own in columns.items()}
+
+
+BLANKS = {
+    "k": ["a", "a", " a", " a", "a\t", "a\t", "\u00a0a", "\u00a0a", None, None, "", "", "NA", "NA"],
+    "x": [0, 1] * 7,
+    "y": [0.0, 1.0, 0.0, 2.0, 0.0, 3.0, 0.0, 4.0, 0.0, 5.0, 0.0, 6.0, 0.0, 7.0],
+}
+
+
+@pytest.mark.parametrize("kind", [dict, pandas.DataFrame, polars.DataFrame, pyarrow.table])
+def test_keys_that_differ_in_blanks_or_are_missing_are_different_keys(kind: Any) -> None:
+    answer = listed(boundfit.fit_groups(kind(BLANKS), "k", "x", "y", "1/10"))
+    assert answer["k"] == ["a", " a", "a\t", "\u00a0a", None, "", "NA"]
+    assert answer["kind"] == ["polygon"] * 7 and answer["rows"] == [2] * 7
+    assert answer["theta1_central_exact"] == ["1", "2", "3", "4", "5", "6", "7"]
+
+
+def test_keys_keep_names_and_types() -> None:
+    frame = pandas.DataFrame(
+        {
+            "plant": pandas.Categorical(["n", "s", "n", "s", "n", "n"]),
+            "sensor": pandas.array([1, 1, 1, 1, None, None], dtype="Int64"),
+            "day": pandas.to_datetime(["2026-01-01", "2026-01-02", "2026-01-01", "2026-01-02", None, None]),
+            "x": [0, 0, 1, 1, 0, 1],
+            "y": [0.0, 0.0, 1.0, 2.0, 0.0, 3.0],
+        }
+    )
+    by = ["plant", "sensor", "day"]
+    answer = boundfit.fit_groups(frame, by, "x", "y", 0)
+    assert list(answer.columns[:5]) == [*by, "rows", "kind"] and list(answer.columns)[-1] == "problem"
+    assert [str(answer[name].dtype) for name in by] == [str(frame[name].dtype) for name in by]
+    assert answer["theta1_lower_exact"].tolist() == ["1", "2", "3"]
+    assert frame.merge(answer, on=by)["rows"].tolist() == [2] * 6
+    assert str(answer["rows"].dtype) == "int64"
+    ints = pandas.DataFrame({"k": [7, 8, 7, 8], "x": [0, 0, 1, 1], "y": [0, 0, 1, 2]})
+    merged = ints.merge(boundfit.fit_groups(ints, "k", "x", "y", 0), on="k")
+    assert merged["theta1_lower"].tolist() == [1, 2, 1, 2] and str(merged["k"].dtype) == "int64"
+    table = pyarrow.table({"k": pyarrow.array([1.5, None, float("nan"), 1.5, None]), "x": [0, 0, 0, 1, 1], "y": [0, 0, 0, 1, 2]})
+    of_arrow = boundfit.fit_groups(table, "k", "x", "y", 0)
+    assert of_arrow.schema.field("k").type == pyarrow.float64()
+    assert [repr(key) for key in of_arrow["k"].to_pylist()] == ["1.5", "None", "nan"]
+    of_polars = boundfit.fit_groups(polars.from_arrow(table), "k", "x", "y", 0)
+    assert of_polars["k"].dtype == polars.Float64 and of_polars["rows"].to_list() == [2, 2, 1]
+    assert of_polars.schema["problem"] == polars.String and of_polars.schema["theta1_lower"] == polars.Float64
+
+
+@pytest.mark.parametrize("kind", [dict, pandas.DataFrame, polars.DataFrame, pyarrow.table])
+def test_a_bad_group_is_a_row_with_its_problem(kind: Any) -> None:
+    table = {"k": [2, 1, 3, 1, 2, 3], "id": [10, 20, 30, 40, 50, 60], "x": [0, 0, 0, 1, 1, 1], "y": [0.0, 0.0, 0.0, math.inf, 1.0, 2.0]}
+    answer = boundfit.fit_groups(kind(table), "k", "x", "y", 0)
+    columns = listed(answer)
+    assert columns["k"] == [2, 1, 3] and columns["rows"] == [2, 2, 2]
+    assert columns["kind"] == ["point", None, "point"] and columns["theta1_lower"] == [1.0, None, 2.0]
+    assert columns["problem"][::2] == [None, None]
+    assert columns["problem"][1].startswith('row 4, column 2 (y): "inf": not a number')
+    assert listed(boundfit.fit_groups(kind(table), "k", "x", "y", 0, id="id"))["problem"][1].startswith('id 40, column 2 (y): "inf"')
+    plain = boundfit.fit_groups(kind(table | {"y": [0.0] * 6}), "k", "x", "y", 0)
+    names = list(answer if kind is dict else answer.columns if kind is not pyarrow.table else answer.column_names)
+    assert names == list(plain if kind is dict else plain.columns if kind is not pyarrow.table else plain.column_names)
+    if kind is pandas.DataFrame:
+        assert list(answer.dtypes) == list(plain.dtypes)
+    if kind in (polars.DataFrame, pyarrow.table):
+        assert answer.schema == plain.schema
+
+
+def test_groups_without_numbers_and_tables_without_rows() -> None:
+    table = {"k": ["a", "b", "a", "b"], "x": [0, 0, 1, 1], "y": [None, 0, None, 1]}
+    answer = boundfit.fit_groups(table, "k", "x", "y", 0, missing="skip")
+    assert answer["rows"] == [0, 2] and answer["kind"] == [None, "point"]
+    assert answer["problem"] == ["every row of the group lacks a number", None]
+    nothing = boundfit.fit_groups(pandas.DataFrame(table).iloc[:0], "k", "x", "y", 0)
+    assert len(nothing) == 0 and list(nothing.columns)[:2] == ["k", "rows"]
+    # Values of Python that are no numbers spoil their group alone.
+    found = boundfit.fit_groups({"k": [1, 2], "x": [0, 0], "y": [True, 3]}, "k", "x", "y", 1)["problem"]
+    assert found == ["row 1 of y: True is a truth value, not a number", None]
 
 
 def test_what_is_wrong_is_told() -> None:
     with pytest.raises(ValueError, match="the frame has no column 'z'"):
         boundfit.fit_groups(FRAMES["pandas"], by="cell", x="z", y="y", eps=1)
-    with pytest.raises(ValueError, match=r"row 2, column 2 \(y\)"):
-        boundfit.fit_groups({"k": [1, 2], "x": [0, 1], "y": [0, math.nan]}, by="k", x="x", y="y", eps=1)
+    for kind in FRAMES:
+        with pytest.raises(ValueError, match="the frame has no column 'z'"):
+            boundfit.fit_groups(FRAMES[kind], by="z", x="x", y="y", eps=1)
     with pytest.raises(ValueError, match="eps and eps_column"):
         boundfit.fit_groups(FRAMES["dict"], by="cell", x="x", y="y", eps=1, eps_column="e")
+    with pytest.raises(ValueError, match='eps="-1": negative'):
+        boundfit.fit_groups(FRAMES["dict"], by="cell", x="x", y="y", eps=-1)
+    with pytest.raises(ValueError, match="by=\\[\\]: expected the name of a column"):
+        boundfit.fit_groups(FRAMES["dict"], by=[], x="x", y="y", eps=1)
+    with pytest.raises(ValueError, match="a column 'kind' is part of the answer"):
+        boundfit.fit_groups({"kind": [1], "x": [0], "y": [0]}, by="kind", x="x", y="y", eps=1)
+    with pytest.raises(ValueError, match="the column 'y' has 1 rows, but 'k' has 2"):
+        boundfit.fit_groups({"k": [1, 2], "x": [0, 1], "y": [0]}, by="k", x="x", y="y", eps=1)
+    with pytest.raises(ValueError, match="a cell of 'k' is no key"):
+        boundfit.fit_groups({"k": [[1], [2]], "x": [0, 1], "y": [0, 1]}, by="k", x="x", y="y", eps=1)

@@ -81,7 +81,7 @@ def of_program(group: dict[str, Any]) -> Any:
     return (
         group["fps"]["kind"],
         group["fps"]["vertex_count"],
-        None if pui is None else [(exact(own["lower"]["value"]), exact(own["upper"]["value"])) for own in pui],
+        None if pui is None else [(exact(own["lower"]), exact(own["upper"])) for own in pui],
         both(group["eui"]),
         None if group["least_squares"] is None else [exact(own) for own in group["least_squares"]["theta"]],
         None if group["central"] is None else [exact(own) for own in group["central"]["theta"]],
@@ -109,17 +109,23 @@ def test_every_type_of_column_gives_the_answers_of_the_program(reading: Any, pro
     cases = problems(5000)
     lines = [f"{index},{x},{y}" for index, (xs, ys) in enumerate(cases) for x, y in zip(xs, ys, strict=True)]
     (tmp_path / "all.csv").write_text("\n".join(["case,x,y", *lines, ""]))
-    options = ["--by", "case", "--x", "x", "--y", "y", "--eps", "0.5", "--reading", reading, "--format", "json"]
-    answers = [of_program(json.loads(line)) for line in program("fit", tmp_path / "all.csv", *options).splitlines()]
-    assert len(answers) == len(cases)
+    options = ["--by", "case", "--x", "x", "--y", "y", "--eps", "0.5", "--format", "json"]
+
+    def answers(reading: str) -> list[Any]:
+        lines = program("fit", tmp_path / "all.csv", *options, "--reading", reading).splitlines()
+        assert len(lines) == len(cases)
+        return [of_program(json.loads(line)) for line in lines]
+
+    # What is exact is so under either reading.
+    of_exact, of_doubles = answers("decimal"), answers(reading)
     ways = list({**EXACT, **DOUBLES}.items())
-    for index, ((xs, ys), expected) in enumerate(zip(cases, answers, strict=True)):
+    for index, (xs, ys) in enumerate(cases):
         # Types whose columns take long to make see a part of the problems; plain ones see all.
         for number, (name, column) in enumerate(ways):
             if name not in ("list of str", "list of float", "numpy", "pandas", "pyarrow") and (index + number) % 5:
                 continue
             fit = boundfit.fit(column(xs), column(ys), "0.5", reading=reading)
-            assert of_fit(fit) == expected, (name, xs, ys)
+            assert of_fit(fit) == (of_exact if name in EXACT else of_doubles)[index], (name, xs, ys)
 
 
 def test_integers_are_exact() -> None:
@@ -134,7 +140,7 @@ def test_integers_are_exact() -> None:
         pyarrow.array([0, large]),
     ):
         assert boundfit.fit([0, 1], column, 0).vertices == [(large, 0)]
-        assert boundfit.fit([0, 1], column, 0, reading="binary64").vertices == [(large - 1, 0)]
+        assert boundfit.fit([0, 1], column, 0, reading="binary64").vertices == [(large, 0)]
     for kind in ("int8", "int16", "int32", "uint8", "uint16", "uint32"):
         assert boundfit.fit(numpy.array([0, 1], dtype=kind), [0, 7], 0).vertices == [(7, 0)]
     assert boundfit.fit([0, 1], [0, 10**40], 0).vertices == [(10**40, 0)]

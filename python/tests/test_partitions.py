@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import itertools
 import random
+import re
 from collections.abc import Iterator
 from decimal import Decimal
 from pathlib import Path
@@ -39,12 +40,14 @@ QUESTIONS = {
     "no identity": readings("x", "y", "0.5"),
     "doubles as stored": readings("x", "y", "0.5", id="id", reading="binary64"),
     "decimals": readings("x", "d", "1/3", id="id"),
+    "decimals beside doubles as stored": readings("x", "d", "1/3", id="id", reading="binary64"),
+    "texts beside doubles as stored": readings("x", "t", 0.1, id="id", reading="binary64"),
     "texts": readings("t", "d", "2", id="id"),
     "integers": readings("n", "y", "2", id="id", through_origin=True),
     "gaps": readings("x", "gaps", "2", id="id", missing="skip"),
     "least": readings("x", "y", "1.5*min", id="id", where="theta1 >= 0"),
     "column": readings("x", "y", eps_column="e", id="id"),
-    "one column twice": readings("x", "x", "0.1", id="x"),
+    "numbers that are names": readings("x", "y", "0.1", id="x"),
     "law": readings("x", "y", "5%*|y| + 0.4", id="id"),
     "intervals": readings("x", lower="lo", upper="up", id="id"),
     "regressors": readings(["x", "t"], "y", "3", id="id"),
@@ -275,36 +278,27 @@ def rows_of(batches: Any, own: Readings) -> dict[Any, dict[str, Any]]:
 
 
 def expected_of(own: Readings) -> dict[Any, dict[str, Any]]:
-    """Each group by the function for frames in memory, one at a time."""
-    expected = {}
-    for key in KEYS:
-        rows = FLEET.filter([tuple(row[name] for name in own.by) == key for row in FLEET.to_pylist()])
-        frame = {name: rows[name].to_pylist() for name in rows.column_names} | {"k": ["only"] * len(rows)}
-        try:
-            answer = boundfit.fit_groups(
-                frame, "k", own.x, own.y, own.eps, eps_column=own.eps_column, where=own.where,
-                through_origin=own.through_origin, reading=own.reading, missing=own.missing,
-            )  # fmt: skip
-        except ValueError:
-            expected[key] = None
-            continue
-        row = {name: values[0] for name, values in answer.items() if name != "group"}
-        expected[key] = {name: None if value != value else value for name, value in row.items()}
-    return expected  # type: ignore[return-value]
+    """Each group by the function for frames in memory."""
+    answer = boundfit.fit_groups(
+        FLEET, own.by, own.x, own.y, own.eps, id=own.identity, eps_column=own.eps_column, where=own.where,
+        through_origin=own.through_origin, reading=own.reading, missing=own.missing,
+    )  # fmt: skip
+    rows: list[dict[str, Any]] = answer.to_pylist()
+    for row in rows:
+        if own.identity is None and row["problem"] is not None:
+            # Nothing but a name tells rows apart that were dealt out.
+            row["problem"] = re.sub(r"\brow \d+, ", "", row["problem"], count=1)
+    return {tuple(row[name] for name in own.by): row for row in rows}
 
 
 def check_fleet(found: dict[Any, dict[str, Any]], own: Readings) -> None:
     expected = expected_of(own)
-    assert set(found) == set(KEYS)
-    for key, answer in expected.items():
-        row = {name: value for name, value in found[key].items() if name not in own.by}
-        problem = row.pop("problem")
-        if answer is None:
-            assert problem is not None and row.pop("rows") is not None
-            assert set(row.values()) == {None}, row
-        else:
-            assert problem is None
-            assert row == answer, key
+    assert list(expected) == KEYS
+    assert {key: list(row) for key, row in found.items()} == {key: list(row) for key, row in expected.items()}
+    for row in (found["s", 4], expected["s", 4]):
+        # Both readings are wrong, and the first one of those at hand is named.
+        row["problem"] = row["problem"] and row["problem"].replace("id 111", "id 110")
+    assert found == expected
 
 
 @pytest.mark.parametrize("name", FLEETS)

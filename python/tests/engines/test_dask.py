@@ -51,3 +51,17 @@ def test_what_is_wrong_is_said() -> None:
         boundfit.dask.fit(frame, "x", "y", "0.1")
     nothing = boundfit.dask.reduce(frame[frame["x"] < 0], "x", "y")
     assert (nothing.rows, nothing.kept) == (0, 0)
+
+
+def test_keys_keep_their_types() -> None:
+    keys = pandas.array([2**60 + 1, None, 2**60 + 1, None, 5, 5], dtype="Int64")
+    frame = pandas.DataFrame({"k": keys, "j": pandas.Categorical(["a", "b", "a", "b", " a", " a"]), "x": [0, 0, 1, 1, 0, 1], "y": [0.0, 0, 1, 2, 0, 3]})
+    for how in ({}, {"combine": 1}):
+        answer = boundfit.dask.fit_groups(dask.dataframe.from_pandas(frame, npartitions=2), ["k", "j"], "x", "y", 0, **how)
+        found = answer.compute().sort_values("theta1_lower").reset_index(drop=True)
+        expected = boundfit.fit_groups(frame, ["k", "j"], "x", "y", 0)
+        assert [str(found[name].dtype) for name in ("k", "j")] == ["Int64", "category"]
+        for name in expected.columns:
+            assert [None if value is pandas.NA or value != value else value for value in found[name]] == [
+                None if value is pandas.NA or value != value else value for value in expected[name]
+            ], name

@@ -73,6 +73,22 @@ def test_every_number_of_partitions(df: DataFrame, table: pyarrow.Table) -> None
                 assert (float(line[0].split()[-1]), float(line[1])) == (xs[int(id)], ys[int(id)])
 
 
+def test_no_rdd_is_asked_for(df: DataFrame, table: pyarrow.Table, monkeypatch: pytest.MonkeyPatch) -> None:
+    # Serverless and shared clusters have none.
+    def refused(_: DataFrame) -> None:
+        raise AssertionError("rdd is asked for")
+
+    monkeypatch.setattr(type(df), "rdd", property(refused))
+    assert said(boundfit.spark.fit(df, **LINES["doubles"], fan_in=2)) == said(of_table(table, LINES["doubles"]))
+    check_groups([row.asDict() for row in boundfit.spark.fit_groups(df, "sensor", **FLEETS["doubles"]).collect()], table, FLEETS["doubles"])
+
+
+def test_a_stream_is_refused(spark: SparkSession, df: DataFrame, tmp_path: Path) -> None:
+    stream = spark.readStream.schema(df.schema).parquet(str(tmp_path))
+    with pytest.raises(ValueError, match="the frame is a stream"):
+        boundfit.spark.fit_groups(stream, "sensor", "x", "y", "0.1")
+
+
 def test_a_table_without_rows(spark: SparkSession, df: DataFrame) -> None:
     nothing = boundfit.spark.reduce(df.limit(0), "x", "y")
     assert (nothing.rows, nothing.kept) == (0, 0)
