@@ -47,7 +47,8 @@ def is_statement(value):
 def is_object(needed, optional):
     return lambda value: needed.keys() <= value.keys() <= (needed | optional).keys() and all(
         (needed | optional)[field](own) for field, own in value.items())
-SECOND, NEW = ABOUT | {"statements": is_list(is_statement)}, {"x_error": SOURCE, "response": is_list(SOURCE)}
+def states(value): return is_list(is_statement)(value) and value != []
+SECOND, NEW = ABOUT | {"statements": states}, {"x_error": SOURCE, "response": is_list(SOURCE)}
 def index(text):
     must(re.fullmatch("0|[1-9][0-9]{0,19}", text, re.ASCII) and int(text) < 1 << 64, f"{text} is no index", NotAProof)
     return int(text)
@@ -67,7 +68,10 @@ def read_proof(data):
     return proof
 # Section 2: the data and their half-planes.
 SPACES = " \t\n\f\r\u00a0\u2007\u2009\u202f"
-MISSING = "na n/a #n/a nan null none - -- . ?".split() + [""]
+MISSING = "na n/a #n/a nan null none - -- . ? #nv #n/d #n/b #getting_data".split() + [""]
+def is_missing(text):
+    error = re.fullmatch(r"#[^ ]+[!?]|err:[0-9]+", text, re.ASCII | re.IGNORECASE)
+    return error or text.lower() in MISSING
 def plain(text): return re.sub("[dD]", "e", text.replace("\u2212", "-").strip(SPACES))
 def cell_number(text):
     start = re.match(r"[+-]?([0-9]*)(?:/([0-9]*)|\.?([0-9]*)(?:[eE][+-]?([0-9]+))?)", plain(text), re.ASCII)
@@ -120,7 +124,7 @@ def numbers_of(proof, rows):  # row -> (x1, x2, lower, upper, how far x1 may be 
         value = cell_number(cell(row, column))
         return value if proof["reading"] == "decimal" else Fraction(float(value))
     def side(row, column):  # a bound, or None where there is none
-        if column is None or column and cell(row, column).strip(SPACES).lower() in MISSING: return None
+        if column is None or column and is_missing(cell(row, column).strip(SPACES)): return None
         return read(row, column)
     def quantity(row, kind, column):
         if kind == "abs": return abs(read(row, column))
@@ -229,8 +233,9 @@ def verify_set(proof, planes):
     for end, e in zip(bounds, ((-1, 0), (1, 0), (0, -1), (0, 1))): check_end(planes, [a for a, _ in sides], end, e)
 # Section 9: statements, each about the half-planes of its scope.
 def verify_statements(proof, numbers):
-    scopes = {}
+    scopes, shown = {}, {scope_of(own) for own in proof["statements"] if own["kind"] in ("point", "set")}
     for own in proof["statements"]:
+        if own["kind"] == "left out": check_sets(own, shown, numbers)
         scope = {field: own[field] for field in SCOPE if field in own and field != "without"}
         key = json.dumps(scope)
         if key not in scopes: scopes[key] = half_planes(proof, numbers, scope)
@@ -261,6 +266,19 @@ def check_least(own, planes, numbers):
 def check_set(own, planes, numbers):
     check_point(own, planes, numbers)
     touching(planes, walk(planes, [pair(theta) for theta in own["vertices"]], own["sides"])[1])
+def scope_of(own, more=()):
+    rows, where = [tuple(own[field]) if field in own else None for field in ("rows", "where")]
+    sizes = [Fraction(own[field]) if field in own else None for field in ("factor", "epsilon")]
+    return rows, where and frozenset(where), *sizes, own.get("side"), frozenset(own.get("without", [])).union(more)
+def check_sets(own, shown, numbers):  # rows of the scope, as many as "least", and something is left without them
+    must(own["least"] > 0 or "sets" in own, "least: 0 says nothing without sets")
+    chosen = ranges(own["rows"]) if "rows" in own else [(1, 1 << 64)]
+    def is_in(row): return row in numbers and row not in own.get("without", []) and any(a <= row <= b for a, b in chosen)
+    listed = [tuple(sorted(rows)) for rows in own.get("sets", [])]
+    must(len(set(listed)) == len(listed), "sets: one is there twice")
+    for rows in listed:
+        must(len(set(rows)) == len(rows) == own["least"] and all(map(is_in, rows)), f"sets: {rows[:6]}: are not such rows")
+        must(scope_of(own, rows) in shown, f"sets: no statement shows that anything is left without {rows[:6]}")
 def check_left_out(own, planes, numbers):
     known = {frozenset(rows): terms for rows, terms in own["contradictions"]}
     sets, tried, seen = {frozenset(rows) for rows in own.get("sets", [])}, [frozenset()], set()

@@ -75,7 +75,7 @@ test("a wrong number is marked with the engine's words, and the last right set s
   const before = await vertices(page);
   await typed(page, 1, 1, "2..5");
   const problem = page.locator("#sheet-problem");
-  assert.match(await problem.textContent(), /^"2\.\.5": not a number/);
+  assert.match(await problem.textContent(), /^“2\.\.5”: not a number/);
   assert.equal(await cell(page, 1, 1).getAttribute("aria-invalid"), "true");
   assert.equal(await cell(page, 1, 1).getAttribute("aria-describedby"), "sheet-problem");
   assert.deepEqual(await vertices(page), before);
@@ -93,7 +93,7 @@ test("a wrong number is marked with the engine's words, and the last right set s
 test("thousands or a decimal comma: what cannot be told is asked back", async () => {
   const { page, close } = await opened(LINE);
   await typed(page, 0, 1, "1,000");
-  assert.match(await page.locator("#sheet-problem").textContent(), /"1,000"/);
+  assert.match(await page.locator("#sheet-problem").textContent(), /“1,000”/);
   await close();
 });
 
@@ -107,7 +107,7 @@ test("error bounds, conditions, the origin: any words of the program, and its ow
   await page.locator("#eps").fill("a lot");
   await page.locator("#eps").press("Enter");
   await settled(page);
-  assert.match(await page.locator("#eps-hint").textContent(), /^"a lot": /);
+  assert.match(await page.locator("#eps-hint").textContent(), /^“a lot”: /);
   await page.locator("#eps").fill("0.5e-3");
   await page.locator("#where").fill("theta1 >= 0.0018; theta2 <= 0.0228");
   await page.locator("#where").press("Enter");
@@ -431,12 +431,12 @@ test("a file is opened or dropped; where the header does not say it, the reader 
   await page.locator("#import-y").selectOption({ label: "4: note" });
   await page.locator("#import-apply").click();
   await page.locator("#import-problem").waitFor();
-  assert.match(await page.locator("#import-problem").textContent(), /line 3/);
+  assert.match(await page.locator("#import-problem").textContent(), /^Line 3, column note: /);
   await page.locator("#import-y").selectOption({ label: "3: I" });
   await page.locator("#import-apply").click();
   await page.locator("#import").waitFor({ state: "detached" });
   await assertAsTheProgram(page);
-  assert.deepEqual((await cells(page)).slice(0, 4), ["1", "2.1", "2", "3.9"]);
+  assert.deepEqual((await cells(page)).slice(0, 4), ["1,0", "2,1", "2,0", "3,9"]);
   await page.evaluate((text) => {
     const data = new DataTransfer();
     data.items.add(new File([text], "dropped.csv"));
@@ -469,7 +469,7 @@ test("a file that is dropped on the half-planes does not take the place of the p
   await close();
 });
 
-test("what is dropped and is no table is refused in the engine's words", async () => {
+test("what is dropped and is no table is refused, with its name", async () => {
   const { page, close } = await opened(LINE);
   const before = await vertices(page);
   await page.evaluate(() => {
@@ -699,7 +699,7 @@ test("a table with a column of bounds is taken with it, and the origin of x stay
   await settled(page);
   await page.locator("#paste-use").click();
   await page.locator("#import-eps_column").waitFor();
-  assert.deepEqual(await page.locator("#import select").evaluateAll((lists) => lists.map(({ value }) => value)), ["1", "", "2", "4", "", ""]);
+  assert.deepEqual(await page.locator("#import [data-purpose]").evaluateAll((lists) => lists.map(({ value }) => value)), ["1", "", "2", "4", "", ""]);
   await close();
   const years = await opened([...LINE, "--x-origin", "2"]);
   await years.page.evaluate(() => document.querySelector("#paste").toggleAttribute("open", true));

@@ -45,7 +45,7 @@ const pui = async () => {
 const exactPui = (report) => {
   const ends = {};
   report.pui.forEach((interval, axis) => {
-    for (const end of ["lower", "upper"]) ends[`theta${axis + 1}-${end}`] = interval[end].value?.exact ?? "";
+    for (const end of ["lower", "upper"]) ends[`theta${axis + 1}-${end}`] = interval[end].exact ?? "";
   });
   return ends;
 };

@@ -95,7 +95,7 @@ test("the exact lines are withheld until asked for, and are those of the program
   const { pui, fps } = fitReport(DATA.transducer);
   const exact = await page.locator("#worst-lines-table [data-exact]").evaluateAll((rows) =>
     rows.map((row) => [...row.querySelectorAll("td.number")].map((cell) => cell.title)));
-  assert.deepEqual(exact.map(([slope]) => slope), [pui[0].upper.value.exact, pui[0].lower.value.exact]);
+  assert.deepEqual(exact.map(([slope]) => slope), [pui[0].upper.exact, pui[0].lower.exact]);
   const vertices = fps.vertices.map(({ theta }) => theta.map(({ exact: value }) => value).join());
   for (const line of exact) assert.ok(vertices.includes(line.join()), `${line}`);
   assert.equal(await page.locator("[data-exact-line]").count(), 2);
@@ -121,7 +121,7 @@ test("one line through all bars is the steepest and the shallowest one", async (
   await page.locator("#worst-exact").click();
   const slopes = await page.locator("#worst-lines-table [data-exact] td.number").evaluateAll((cells) => cells.map(({ title }) => title));
   assert.equal(slopes[0], slopes[2]);
-  assert.equal(slopes[0], fitReport([...CURRENT, "--eps", "263/80"]).pui[0].lower.value.exact);
+  assert.equal(slopes[0], fitReport([...CURRENT, "--eps", "263/80"]).pui[0].lower.exact);
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -176,4 +176,20 @@ test("two regressors and readings at one place have no such lines, and say so", 
     assert.deepEqual(complaints, []);
     await close();
   }
+});
+
+test("what worst lines withhold in the pictures of the readings is there among the half-planes, and withheld still afterwards", async () => {
+  const { page, complaints, close } = await openLesson(browser, DATA.transducer);
+  await page.locator("#tab-worst-line").click();
+  const shown = (selector) => page.locator(selector).first().evaluate((part) => getComputedStyle(part).display !== "none");
+  assert.equal(await shown("#parameter-plane .region"), false);
+  await page.locator('[data-view-choice="half-planes"]').click();
+  await page.locator("#half-plane-picture .region").first().waitFor({ state: "attached" });
+  assert.equal(await shown("#half-plane-picture .region"), true);
+  await page.locator('[data-view-choice="readings"]').click();
+  assert.equal(await shown("#parameter-plane .region"), false);
+  await page.locator("#tab-explore").click();
+  assert.equal(await shown("#parameter-plane .region"), true);
+  assert.deepEqual(complaints, []);
+  await close();
 });

@@ -101,13 +101,24 @@ impl Readings {
         order
     }
 
+    /// Whether two rows stand at one place when runs are taken by x.
+    pub fn are_one_place(&self, one: usize, other: usize) -> bool {
+        self.rows[one].phi[0] == self.rows[other].phi[0]
+    }
+
     /// The maximal runs, first and last position from 0 of rows in some order: of all runs that have a set of their own those
-    /// that no other one contains.
-    pub fn maximal_runs(&self, order: &[usize]) -> Vec<[usize; 2]> {
+    /// that no other one contains. By x, a run has all rows at one x or none.
+    pub fn maximal_runs(&self, order: &[usize], by_x: bool) -> Vec<[usize; 2]> {
         let count = order.len();
+        let cuts_a_place = |position: usize| {
+            by_x && (1..count).contains(&position) && self.are_one_place(order[position - 1], order[position])
+        };
         let mut fitting: Vec<[usize; 2]> = Vec::new();
         for first in 0..count {
             for last in first..count {
+                if cuts_a_place(first) || cuts_a_place(last + 1) {
+                    continue;
+                }
                 if self.answer(order[first..=last].iter().copied()).kind != "empty" {
                     fitting.push([first, last]);
                 }

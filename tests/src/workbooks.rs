@@ -59,6 +59,15 @@ fn xlsx_parts(names: &[&str]) -> Vec<(String, String)> {
 
 /// A workbook of Excel with these sheets, each the XML of its rows.
 pub fn xlsx(sheets: &[(&str, &str)]) -> Vec<u8> {
+    xlsx_of(sheets, None)
+}
+
+/// A workbook of Excel with these sheets, and this in place of a part.
+pub fn xlsx_with(sheets: &[(&str, &str)], part: &str, text: &str) -> Vec<u8> {
+    xlsx_of(sheets, Some((part, text)))
+}
+
+fn xlsx_of(sheets: &[(&str, &str)], other: Option<(&str, &str)>) -> Vec<u8> {
     let names: Vec<&str> = sheets.iter().map(|(name, _)| *name).collect();
     let mut parts = xlsx_parts(&names);
     for (k, (_, rows)) in (1..).zip(sheets) {
@@ -66,6 +75,10 @@ pub fn xlsx(sheets: &[(&str, &str)]) -> Vec<u8> {
             "<worksheet xmlns=\"http://schemas.openxmlformats.org/spreadsheetml/2006/main\"><sheetData>{rows}</sheetData></worksheet>"
         );
         parts.push((format!("xl/worksheets/sheet{k}.xml"), text));
+    }
+    if let Some((part, text)) = other {
+        parts.retain(|(name, _)| name != part);
+        parts.push((part.to_owned(), text.to_owned()));
     }
     let parts: Vec<(&str, &[u8])> =
         parts.iter().map(|(name, text)| (name.as_str(), text.as_bytes())).collect();

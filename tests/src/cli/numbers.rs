@@ -35,7 +35,8 @@ pub fn pair(numbers: &Value) -> [Rational; 2] {
 
 /// The exact form of a number that may be null.
 pub fn exact_or_null(number: &Value) -> Option<Rational> {
-    (!number.is_null()).then(|| exact(number))
+    // An end where nothing bounds has an exact form that is null.
+    (!number.is_null() && !number["exact"].is_null()).then(|| exact(number))
 }
 
 /// Checks every number of a report whose decimals have so many digits: lower ends of intervals are rounded down,
@@ -46,30 +47,93 @@ pub fn check_numbers(report: &Value, digits: usize) -> usize {
 
 fn check_below(value: &Value, path: &mut Vec<String>, digits: usize) -> usize {
     match value {
-        Value::Object(fields) if fields.contains_key("exact") => {
-            assert_eq!(fields.len(), 3, "{path:?}: {value}");
-            let (number, decimal) = (value["exact"].as_str().unwrap(), value["decimal"].as_str().unwrap());
-            assert_eq!(rational(number).to_string(), number, "{path:?}: not in lowest terms");
-            assert_eq!(value["value"], nearest_double(number), "{path:?}: {value}");
-            let mut directions = directions(path).iter();
-            assert!(
-                directions.any(|direction| is_rounded(number, decimal, digits, *direction)),
-                "{path:?}: {value}"
-            );
-            1
-        }
+        Value::Object(fields) if fields.contains_key("exact") => check_number(value, path, digits),
         Value::Object(fields) => {
             let mut count = 0;
+            let is_bounded = fields.get("guaranteed_error").is_some_and(|errors| !errors.is_null());
             for (name, value) in fields {
+                if is_bounded && ["theta", "guaranteed_error"].contains(&name.as_str()) {
+                    continue;
+                }
                 path.push(name.clone());
                 count += check_below(value, path, digits);
                 path.pop();
+            }
+            if is_bounded {
+                check_estimate(value, digits);
+                count += 4;
             }
             count
         }
         Value::Array(items) => items.iter().map(|item| check_below(item, path, digits)).sum(),
         _ => 0,
     }
+}
+
+/// Checks a number, and what proves it where it is an end; one where nothing bounds has nulls alone.
+fn check_number(value: &Value, path: &mut Vec<String>, digits: usize) -> usize {
+    let fields = value.as_object().unwrap();
+    let forms = ["exact", "decimal", "value", "outward"];
+    assert!(fields.keys().all(|key| forms.contains(&key.as_str()) || key == "active"), "{path:?}: {value}");
+    let mut count = 0;
+    if let Some(active) = fields.get("active") {
+        path.push("active".to_owned());
+        count += check_below(active, path, digits);
+        path.pop();
+        if value["exact"].is_null() {
+            assert!(forms.iter().all(|form| value[form].is_null()) && count == 0, "{path:?}: {value}");
+            return 0;
+        }
+    }
+    let (number, decimal) = (value["exact"].as_str().unwrap(), value["decimal"].as_str().unwrap());
+    assert_eq!(rational(number).to_string(), number, "{path:?}: not in lowest terms");
+    assert_eq!(value["value"], nearest_double(number), "{path:?}: {value}");
+    let directions = directions(path);
+    check_outward(value, directions, path);
+    let mut directions = directions.iter();
+    assert!(directions.any(|direction| is_rounded(number, decimal, digits, *direction)), "{path:?}: {value}");
+    count + 1
+}
+
+/// Checks the double that is not inside: all that is rounded outward has one, next to the number.
+fn check_outward(value: &Value, directions: &[Direction], path: &[String]) {
+    let exact = exact(value);
+    let is_end = directions.iter().any(|direction| *direction != Direction::Nearest);
+    assert_eq!(value.get("outward").is_some(), is_end, "{path:?}: {value}");
+    let Some(outward) = value.get("outward").and_then(Value::as_f64) else { return };
+    let [own, below, above] =
+        [outward, outward.next_down(), outward.next_up()].map(|double| Rational::from_f64(double).unwrap());
+    let is_tight = match directions.contains(&Direction::Down) {
+        true => own <= exact && above > exact,
+        false => own >= exact && below < exact,
+    };
+    assert!(is_tight, "{path:?}: {value}");
+}
+
+/// Checks an estimate with its guaranteed error: decimals and doubles enclose what the exact numbers enclose, and are hardly wider.
+fn check_estimate(estimate: &Value, digits: usize) {
+    for axis in [0, 1] {
+        let (theta, error) = (&estimate["theta"][axis], &estimate["guaranteed_error"][axis]);
+        let (exact_theta, exact_error) = (exact(theta), exact(error));
+        let decimals = [theta, error].map(|number| rational(number["decimal"].as_str().unwrap()));
+        check_enclosed(&decimals, &exact_theta, &exact_error);
+        let (mantissa, last) = parts(error["decimal"].as_str().unwrap());
+        assert!(decimals[1] < &exact_error + &last + &last || decimals[1] == exact_error, "{estimate}");
+        let written = mantissa.replace('.', "").trim_start_matches('0').trim_end_matches('0').len();
+        assert!(written <= digits, "{estimate}");
+        let doubles = [&theta["value"], &error["outward"]].map(Value::as_f64);
+        if let [Some(theta), Some(error)] = doubles {
+            let doubles = [theta, error].map(|double| Rational::from_f64(double).unwrap());
+            check_enclosed(&doubles, &exact_theta, &exact_error);
+        }
+    }
+}
+
+/// Checks that an estimate and its error bound as they are shown enclose what the exact ones enclose.
+pub fn check_enclosed([theta, error]: &[Rational; 2], exact_theta: &Rational, exact_error: &Rational) {
+    let [lower, upper] = [theta - error, theta + error];
+    let said = format!("{theta} +- {error} of {exact_theta} +- {exact_error}");
+    assert!(lower <= exact_theta - exact_error && upper >= exact_theta + exact_error, "{said}");
 }
 
 /// The double nearest to an exact number as JSON has it, from the digits of a long decimal; null beyond the largest one.
@@ -91,8 +155,8 @@ fn directions(path: &[String]) -> &'static [Direction] {
     let names: Vec<&str> = path.iter().map(String::as_str).collect();
     match names.as_slice() {
         ["input", "epsilon"] => &[Direction::Nearest, Direction::Up],
-        [.., "lower"] | [.., "lower", "value"] => &[Direction::Down],
-        [.., "upper"] | [.., "upper", "value"] => &[Direction::Up],
+        [.., "lower"] => &[Direction::Down],
+        [.., "upper"] => &[Direction::Up],
         [.., "guaranteed_error" | "epsilon_min" | "epsilon" | "epsilon_factor" | "distance"] => {
             &[Direction::Up]
         }

@@ -98,7 +98,7 @@ impl System {
                 let end = if bounds.is_null() { &Value::Null } else { &bounds[axis][end] };
                 let mut form = [whole(0), whole(0)];
                 form[axis] = whole(sign);
-                match exact_or_null(&end["value"]) {
+                match exact_or_null(end) {
                     None => {
                         assert!(bounds.is_null() || end["active"].as_array().unwrap().is_empty(), "{end}");
                         assert!(grows(region, axis, sign), "{region} bounds axis {axis} towards {sign}");

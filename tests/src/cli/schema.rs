@@ -6,6 +6,7 @@ use serde_json::Value;
 /// may be null, one in brackets may be absent, a list of one stands for any number of such items, a list of two for exactly two.
 pub const FIT: &str = r#"{
   "schema": "text",
+  "program": {"name": "text", "version": "text"},
   "input": {"file?": "text", "rows": "count", "rows_total": "count", "reading": "text", "sha256": "text"},
   "least_squares?": {"theta": ["number", "number"], "in_fps": "flag"},
   "eui?": [{"lower": "number", "upper": "number"}, {"lower": "number", "upper": "number"}],
@@ -19,10 +20,10 @@ pub const FIT: &str = r#"{
     "certificate?": {"farkas": [{"row?": "count", "bound": "text", "multiplier": "number"}]}
   },
   "pui?": [
-    {"lower": {"value?": "number", "active": [{"row?": "count", "bound": "text", "multiplier": "number"}]},
-     "upper": {"value?": "number", "active": [{"row?": "count", "bound": "text", "multiplier": "number"}]}},
-    {"lower": {"value?": "number", "active": [{"row?": "count", "bound": "text", "multiplier": "number"}]},
-     "upper": {"value?": "number", "active": [{"row?": "count", "bound": "text", "multiplier": "number"}]}}
+    {"lower": {"exact?": "text", "decimal?": "text", "active": [{"row?": "count", "bound": "text", "multiplier": "number"}]},
+     "upper": {"exact?": "text", "decimal?": "text", "active": [{"row?": "count", "bound": "text", "multiplier": "number"}]}},
+    {"lower": {"exact?": "text", "decimal?": "text", "active": [{"row?": "count", "bound": "text", "multiplier": "number"}]},
+     "upper": {"exact?": "text", "decimal?": "text", "active": [{"row?": "count", "bound": "text", "multiplier": "number"}]}}
   ],
   "central?": {"theta": ["number", "number"], "guaranteed_error": ["number", "number"]},
   "slopes?": {
@@ -58,10 +59,10 @@ pub const POLYGON: &str = r#"{
   },
   "redundant": ["count"],
   "bounds?": [
-    {"lower": {"value?": "number", "active": [{"row": "count", "bound": "text", "multiplier": "number"}]},
-     "upper": {"value?": "number", "active": [{"row": "count", "bound": "text", "multiplier": "number"}]}},
-    {"lower": {"value?": "number", "active": [{"row": "count", "bound": "text", "multiplier": "number"}]},
-     "upper": {"value?": "number", "active": [{"row": "count", "bound": "text", "multiplier": "number"}]}}
+    {"lower": {"exact?": "text", "decimal?": "text", "active": [{"row": "count", "bound": "text", "multiplier": "number"}]},
+     "upper": {"exact?": "text", "decimal?": "text", "active": [{"row": "count", "bound": "text", "multiplier": "number"}]}},
+    {"lower": {"exact?": "text", "decimal?": "text", "active": [{"row": "count", "bound": "text", "multiplier": "number"}]},
+     "upper": {"exact?": "text", "decimal?": "text", "active": [{"row": "count", "bound": "text", "multiplier": "number"}]}}
   ]
 }"#;
 

@@ -6,6 +6,7 @@ mod claims;
 mod half_planes;
 mod models;
 mod number;
+mod packed;
 mod proofs;
 mod slow;
 mod table;
@@ -14,6 +15,7 @@ pub use claims::claim_files;
 pub use half_planes::{ine_parser, polygon_against_oracle};
 pub use models::model_files;
 pub use number::number_parser;
+pub use packed::{packed_reader, workbook_reader};
 pub use proofs::proof_files;
 pub use slow::slow_units;
 pub use table::{csv_reader, mat_reader};
@@ -30,7 +32,7 @@ pub struct Target {
 }
 
 /// All targets.
-pub const TARGETS: [Target; 9] = [
+pub const TARGETS: [Target; 11] = [
     Target { name: "csv_reader", body: csv_reader, fixtures: &["bad-input", "steam-generator"] },
     Target { name: "number_parser", body: number_parser, fixtures: &[] },
     Target { name: "ine_parser", body: ine_parser, fixtures: &["polygon", "bad-input"] },
@@ -40,4 +42,6 @@ pub const TARGETS: [Target; 9] = [
     Target { name: "proof_files", body: proof_files, fixtures: &[] },
     Target { name: "model_files", body: model_files, fixtures: &["tiny-lp"] },
     Target { name: "slow_units", body: slow_units, fixtures: &[] },
+    Target { name: "workbook_reader", body: workbook_reader, fixtures: &["workbooks"] },
+    Target { name: "packed_reader", body: packed_reader, fixtures: &[] },
 ];

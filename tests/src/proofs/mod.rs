@@ -125,7 +125,12 @@ impl Question {
     /// When the data cannot be read.
     pub fn proof(&self) -> String {
         let problem = self.problem().unwrap_or_else(|error| panic!("{}: {error}", self.name));
-        proof_json(&problem, &fit(&problem), self.options.reading).expect("delimited text")
+        self.proof_of(&problem).expect("delimited text")
+    }
+
+    /// The proof of the fit of these readings; none where the table is not plain.
+    pub fn proof_of(&self, problem: &Problem) -> Option<String> {
+        proof_json(problem, &fit(problem), self.options.reading)
     }
 }
 

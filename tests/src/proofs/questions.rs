@@ -171,7 +171,7 @@ fn texts() -> Vec<Question> {
     let tall: String = (0..30).fold("x,y\n".to_owned(), |text, x| text + &format!("{x},{}\n", 2 * x % 7));
     vec![
         line("quotes", "\"x\",\"say \"\"y\"\"\",\"a,b\"\n\"1\",\"2\",\"p\nq\"\n2,\"3\",\"\"\n", ["x", "2"]),
-        line("semicolons", "x;y\n1;2\n2;3,5\n\n3;4\n", ["x", "1"]),
+        line("semicolons", "x;y;z\n1;2;1\n2;3,5;2\n\n3;4;3\n", ["x", "3"]),
         line("tabs without a header", "1\t2\n2\t3\n3\t4", ["1", "2"]),
         line(
             "CRLF, blank lines and a byte order mark",

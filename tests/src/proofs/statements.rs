@@ -166,16 +166,19 @@ fn stated(problem: &Problem, scope: Scope, x_error: &Rational, rng: &mut ChaCha8
     all
 }
 
-/// The least number of rows to leave out, up to 3, with all sets of so many.
-fn left_out(problem: &Problem, scope: &Scope, x_error: &Rational) -> Option<Statement> {
+/// The least number of rows to leave out, up to 3, with all sets of so many, and what is left without each.
+fn left_out(problem: &Problem, scope: &Scope, x_error: &Rational) -> Vec<Statement> {
     let mut contradictions: BTreeMap<BTreeSet<usize>, Vec<Multiple>> = BTreeMap::new();
     let mut level: BTreeSet<BTreeSet<usize>> = [BTreeSet::new()].into();
     for least in 0..=3 {
-        let mut sets = Vec::new();
+        let (mut sets, mut left): (Vec<Vec<usize>>, Vec<Statement>) = Default::default();
         let mut next = BTreeSet::new();
         for rows in &level {
             let (names, polyhedron) = system(problem, scope, x_error, rows);
             let Some(certificate) = polyhedron.region().certificate() else {
+                let without = scope.without.iter().copied().chain(rows.iter().copied()).collect();
+                let scope = Scope { without, ..scope.clone() };
+                left.push(Statement::set(scope, &polyhedron, &|index: usize| names[index]));
                 sets.push(rows.iter().copied().collect());
                 continue;
             };
@@ -193,9 +196,9 @@ fn left_out(problem: &Problem, scope: &Scope, x_error: &Rational) -> Option<Stat
             let contradictions =
                 contradictions.into_iter().map(|(rows, own)| (rows.into_iter().collect(), own)).collect();
             let claim = Claim::LeftOut { least, sets: Some(sets), contradictions };
-            return Some(Statement { scope: scope.clone(), claim });
+            return [Statement { scope: scope.clone(), claim }].into_iter().chain(left).collect();
         }
         level = next;
     }
-    None
+    Vec::new()
 }

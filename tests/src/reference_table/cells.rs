@@ -21,8 +21,7 @@ impl Reader<'_> {
         let texts = columns.places.iter().map(|&place| std::str::from_utf8(cell_at(place)));
         let is_text = |text: Result<&str, _>| match text {
             Ok(text) => {
-                let marks = mark.map_or(DecimalMark::ALL.to_vec(), |mark| vec![mark]);
-                !is_missing(text) && marks.into_iter().all(|mark| self.number(text, mark).is_err())
+                !is_missing(text) && DecimalMark::ALL.into_iter().all(|mark| self.number(text, mark).is_err())
             }
             Err(_) => true,
         };
@@ -78,7 +77,7 @@ impl Reader<'_> {
         }
     }
 
-    fn number(&self, text: &str, decimal: DecimalMark) -> Result<Rational, ParseNumberError> {
+    pub(super) fn number(&self, text: &str, decimal: DecimalMark) -> Result<Rational, ParseNumberError> {
         let notation = Notation { decimal, thousands: self.options.dialect.thousands };
         self.options.reading.read_written(text, notation, &self.options.limits)
     }

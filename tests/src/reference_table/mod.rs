@@ -20,7 +20,7 @@ use cells::{CellError, not_utf8, wrong, wrong_cell};
 use names::find;
 use records::Records;
 use text::without_blank_lines;
-pub use text::{detect, in_utf8, may_be_binary};
+pub use text::{detect, in_utf8, may_be_binary, may_be_records};
 
 /// What messages call the table.
 pub const NAME: &str = "data.csv";
@@ -89,7 +89,8 @@ impl Reader<'_> {
         if bytes.starts_with(REDUCTION_MARK.as_bytes()) {
             return Err(wrong(None, InputErrorKind::Reduction(ReductionError::NotHere)));
         }
-        let text = &without_blank_lines(text, self.options.dialect.delimiter);
+        let text = without_blank_lines(text, self.options.dialect.delimiter);
+        let text = &self.without_preamble(text);
         let delimiter = self.options.dialect.delimiter.unwrap_or_else(|| detect(text).unwrap_or(b','));
         let mut records = Records::new(text, failure.is_some(), delimiter, limit);
         let found = self.table(&mut records, sha256).map_err(|error| match error {
@@ -128,7 +129,9 @@ impl Reader<'_> {
         let filled = record.iter().filter(|cell| !is_blank(cell)).count();
         let last_filled = record.iter().rposition(|cell| !is_blank(cell)).map_or(1, |last| last + 1);
         let mut shape = [if filled == 0 { 1 } else { last_filled }, record.len()];
-        let mut header = self.header(&record, records.line)?;
+        let below = self.below(records, record.len());
+        let mut header = self.header(&record, records.line, &below)?;
+        let prefers_names = header.is_some() && self.prefers_names(&record);
         let header_line = records.line;
         let header_text = String::from_utf8_lossy(record.get(0).unwrap_or_default()).into_owned();
         let mut more = Ok(true);
@@ -144,7 +147,7 @@ impl Reader<'_> {
             }
         }
         let names = header.clone().unwrap_or_default();
-        let find = |column| find(column, &names, header.is_some(), shape[1], header_line);
+        let find = |column| find(column, &names, [header.is_some(), prefers_names], shape[1], header_line);
         let is_undivided =
             shape[1] == 1 && self.options.dialect.delimiter.is_none() && detect(records.text).is_none();
         let first = header_text.clone();
@@ -157,6 +160,7 @@ impl Reader<'_> {
         };
         let places = self.columns.iter().map(|column| find(column).map_err(&undivided));
         let places = places.collect::<Result<Vec<usize>, _>>()?;
+        self.refuse_same(&places, &names, header_line)?;
         let looked_at = self.options.conditions.iter();
         let looked_at = looked_at.map(|condition| find(condition.column()).map_err(&undivided));
         let looked_at = looked_at.collect::<Result<Vec<usize>, _>>()?;
@@ -225,8 +229,22 @@ impl Reader<'_> {
         while more {
             let (line, [least, width]) = (records.line, columns.shape);
             let is_blank = |cell: &[u8]| cell.trim_ascii().is_empty();
-            if record.len() < least || !record.iter().skip(width).all(is_blank) {
-                let kind = InputErrorKind::RaggedRow { found: record.len(), expected: width };
+            let needed = columns.places.iter().chain(&columns.looked_at).max().copied().unwrap_or(1);
+            let is_short = record.len() < least && record.len() >= needed;
+            if !is_short && (record.len() < least || !record.iter().skip(width).all(is_blank)) {
+                let (found, expected) = (record.len(), width);
+                let is_half = |cell: &[u8]| {
+                    let text = String::from_utf8_lossy(cell);
+                    let text = text.trim_matches(|blank: char| blank.is_ascii_whitespace());
+                    let digits = text.strip_prefix('-').unwrap_or(text);
+                    !digits.is_empty() && digits.chars().all(|digit| digit.is_ascii_digit())
+                };
+                let is_split =
+                    records.delimiter == b',' && found == 2 * expected && record.iter().all(is_half);
+                let kind = match is_split {
+                    true => InputErrorKind::CommasTwice { found, expected },
+                    false => InputErrorKind::RaggedRow { found, expected },
+                };
                 return Err(Some(wrong(Some(line), kind)));
             }
             found.rows_total += 1;

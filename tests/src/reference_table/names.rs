@@ -1,15 +1,75 @@
 //! Which columns are meant.
 
-use boundfit_exact::Foreign;
+use std::collections::BTreeSet;
+
+use boundfit_exact::{DecimalMark, Foreign, is_missing};
 use boundfit_formats::{ColumnSelector, Header, InputError, InputErrorKind};
-use csv::ByteRecord;
+use csv::{ByteRecord, ReaderBuilder};
 
 use super::Reader;
 use super::cells::{not_utf8, wrong, wrong_cell};
+use super::records::Records;
+use super::text::{detect, line_ends};
 
 impl Reader<'_> {
+    /// A text whose lines before the first one with all the names that are asked for are empty, if these are several and do not stand
+    /// in its first line.
+    pub(super) fn without_preamble(&self, mut text: Vec<u8>) -> Vec<u8> {
+        let texts: BTreeSet<&str> = self.columns.iter().map(|column| column.text().raw()).collect();
+        let by_name = self.columns.iter().all(|column| column.number().is_none());
+        if self.options.header == Header::Absent || !by_name || texts.len() < 2 {
+            return text;
+        }
+        let is_line_end = |byte: &u8| matches!(byte, b'\r' | b'\n');
+        let start = text.iter().position(|byte| !is_line_end(byte)).unwrap_or(text.len());
+        let mut at = start;
+        for number in 0..1000 {
+            let end = at + text[at..].iter().position(is_line_end).unwrap_or(text.len() - at);
+            if end == text.len() && at == end {
+                return text;
+            }
+            if self.has_all(&texts, &text[at..end]) {
+                let ends = if number > 0 { line_ends(&text, start, at) as usize } else { 0 };
+                let empty = std::iter::repeat_n(b'\n', ends);
+                let behind = if number > 0 { at } else { start };
+                text.splice(start..behind, empty);
+                return text;
+            }
+            at = (end + if text[end..].starts_with(b"\r\n") { 2 } else { 1 }).min(text.len());
+            if at > start + (1 << 16) {
+                return text;
+            }
+        }
+        text
+    }
+
+    /// Whether a line has a cell for each of these names.
+    fn has_all(&self, names: &BTreeSet<&str>, line: &[u8]) -> bool {
+        let delimiter = self.options.dialect.delimiter.or_else(|| detect(line)).unwrap_or(b' ');
+        let mut reader = ReaderBuilder::new();
+        // The library passes over a byte order mark at the very start.
+        let line = [b"\n", line].concat();
+        let reader = reader.has_headers(false).flexible(true).delimiter(delimiter).from_reader(&line[..]);
+        let record = reader.into_byte_records().next().and_then(Result::ok).unwrap_or_default();
+        let cells: Vec<String> =
+            record.iter().map(|cell| String::from_utf8_lossy(cell).trim().to_owned()).collect();
+        names.iter().all(|name| {
+            let bare = unmarked(name);
+            cells.iter().any(|cell| cell == name)
+                || !bare.is_empty()
+                    && cells
+                        .iter()
+                        .any(|cell| [&**cell, before_unit(cell), before_unit(unmarked(cell))].contains(&bare))
+        })
+    }
+
     /// The names in the first record, if it is a header.
-    pub(super) fn header(&self, record: &ByteRecord, line: u64) -> Result<Option<Vec<String>>, InputError> {
+    pub(super) fn header(
+        &self,
+        record: &ByteRecord,
+        line: u64,
+        below: &[bool],
+    ) -> Result<Option<Vec<String>>, InputError> {
         let is_header = match self.options.header {
             Header::Present => true,
             Header::Absent => false,
@@ -20,6 +80,10 @@ impl Reader<'_> {
                 let cells: Vec<&[u8]> = cells.collect();
                 numbers.clone().chain(conditions).any(|number| number.is_none())
                     || (!cells.is_empty() && cells.into_iter().all(is_name))
+                    || self.has_numbers_as_names(record)
+                    || record.iter().zip(below).any(|(cell, &has_numbers)| {
+                        has_numbers && (is_name(cell) || cell.trim_ascii().is_empty())
+                    })
             }
         };
         if !is_header {
@@ -32,6 +96,74 @@ impl Reader<'_> {
         };
         record.iter().enumerate().map(name).collect::<Result<_, _>>().map(Some)
     }
+
+    /// For each column whether one of its first two cells below the first record that are not missing is a number.
+    pub(super) fn below(&self, records: &Records, width: usize) -> Vec<bool> {
+        let mut ahead = Records::new(records.text, records.fails, records.delimiter, self.options.sizes.line);
+        let mut record = ByteRecord::new();
+        let mut columns = vec![Vec::new(); width];
+        let mut shift = None;
+        let _ = ahead.next(&mut record);
+        for _ in 0..16 {
+            if !matches!(ahead.next(&mut record), Ok(true)) || record.len() > self.options.sizes.columns {
+                break;
+            }
+            let shift = *shift.get_or_insert(usize::from(record.len() == width + 1));
+            for (told, cell) in columns.iter_mut().zip(record.iter().skip(shift)) {
+                let text = std::str::from_utf8(cell);
+                if !text.is_ok_and(is_missing) {
+                    let is_number = |mark| text.is_ok_and(|text| self.number(text, mark).is_ok());
+                    told.push(DecimalMark::ALL.into_iter().any(is_number));
+                }
+            }
+        }
+        columns.into_iter().map(|told| told.into_iter().take(2).any(|is_number| is_number)).collect()
+    }
+
+    fn asked(&self) -> impl Iterator<Item = &ColumnSelector> {
+        self.columns.iter().chain(self.options.conditions.iter().map(|condition| condition.column()))
+    }
+
+    /// Whether a number is asked for that no column has, but one of these cells.
+    fn has_numbers_as_names(&self, record: &ByteRecord) -> bool {
+        self.asked().any(|column| {
+            column.number().is_some_and(|number| number == 0 || number > record.len())
+                && record.iter().any(|cell| says(cell, column))
+        })
+    }
+
+    /// Whether moreover all numbers that are asked for are among them.
+    pub(super) fn prefers_names(&self, record: &ByteRecord) -> bool {
+        let mut numbers = self.asked().filter(|column| column.number().is_some());
+        self.has_numbers_as_names(record)
+            && numbers.all(|column| record.iter().any(|cell| says(cell, column)))
+    }
+
+    /// Refuses two numbers of one column, unless one is a bound on errors.
+    pub(super) fn refuse_same(
+        &self,
+        places: &[usize],
+        names: &[String],
+        line: u64,
+    ) -> Result<(), InputError> {
+        let is_number = |&column: &usize| !self.columns[column].is_non_negative();
+        for second in (0..places.len()).filter(is_number) {
+            let place = places[second];
+            if let Some(first) = (0..second).filter(is_number).find(|&first| places[first] == place) {
+                let texts = [first, second].map(|index| self.columns[index].text().to_owned());
+                let [first, second] = texts;
+                let mut error = wrong(Some(line), InputErrorKind::SameColumn { first, second });
+                error.place.column = Some((place, names.get(place - 1).map(Foreign::from)));
+                return Err(error);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether a cell says what is asked for.
+fn says(cell: &[u8], column: &ColumnSelector) -> bool {
+    std::str::from_utf8(cell).is_ok_and(|cell| cell.trim() == column.text().raw())
 }
 
 /// Whether a cell may be a name. A comment mark before a blank is none of it.
@@ -41,8 +173,9 @@ fn is_name(cell: &[u8]) -> bool {
         Some(("#" | "%", _)) => unmarked(&text),
         _ => &text,
     };
-    let missing = ["nan", "inf", "infinity", "na", "n/a", "null", "none"];
-    name.starts_with(|first: char| first.is_alphabetic() || first == '_') && !missing.contains(&name)
+    name.starts_with(|first: char| first.is_alphabetic() || first == '_')
+        && !is_missing(name)
+        && !["inf", "infinity"].contains(&name)
 }
 
 /// A name without comment marks, and the blanks behind them, in front of it.
@@ -70,7 +203,7 @@ fn before_unit(name: &str) -> &str {
 pub(super) fn find(
     column: &ColumnSelector,
     names: &[String],
-    has_header: bool,
+    [has_header, prefers_names]: [bool; 2],
     width: usize,
     line: u64,
 ) -> Result<usize, InputError> {
@@ -85,6 +218,9 @@ pub(super) fn find(
             named(&|name| name == bare || before_unit(name) == bare || before_unit(unmarked(name)) == bare);
     }
     match (places.as_slice(), column.number()) {
+        ([place], Some(number)) if number != *place && (1..=width).contains(&number) && !prefers_names => {
+            Err(wrong(Some(line), InputErrorKind::NameOrNumber { wanted, named: *place }))
+        }
         ([place], _) => Ok(*place),
         ([], Some(number)) if (1..=width).contains(&number) => Ok(number),
         ([], _) => {

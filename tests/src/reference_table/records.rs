@@ -20,6 +20,8 @@ pub(super) struct Records<'a> {
     /// The line of the last record, if the text ends within its quotes.
     pub(super) open_quotes: Option<u64>,
     pub(super) delimiter: u8,
+    /// Whether reading fails at the end of the text.
+    pub(super) fails: bool,
 }
 
 impl<'a> Records<'a> {
@@ -35,6 +37,7 @@ impl<'a> Records<'a> {
             line: 1,
             open_quotes: None,
             delimiter,
+            fails,
         }
     }
 

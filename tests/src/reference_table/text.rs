@@ -5,9 +5,12 @@ use std::{io, iter};
 
 use super::BYTE_ORDER_MARK;
 
+/// What the bytes 0x80 to 0x9f are in Windows-1252.
+const WINDOWS_1252: &str = "€\u{81}‚ƒ„…†‡ˆ‰Š‹Œ\u{8d}Ž\u{8f}\u{90}‘’“”•–—˜™š›œ\u{9d}žŸ";
+
 /// Whether bytes may be those of a binary table, which is refused in words of its own.
 pub fn may_be_binary(bytes: &[u8]) -> bool {
-    let starts: [&[u8]; 13] = [
+    let starts: [&[u8]; 14] = [
         b"PAR1",
         b"ARROW1",
         b"\xff\xff\xff\xff",
@@ -21,24 +24,64 @@ pub fn may_be_binary(bytes: &[u8]) -> bool {
         b"<stata_dta>",
         b"RDX",
         b"{\\rtf",
+        b"Octave-1-",
     ];
-    let bytes = &*in_utf8(bytes);
-    let start = &bytes[..bytes.len().min(128)];
-    starts.iter().any(|format| bytes.starts_with(format)) || start.contains(&0)
+    let in_utf8 = &*in_utf8(bytes);
+    let is_binary = |bytes: &[u8]| {
+        let start = &bytes[..bytes.len().min(128)];
+        let is_control = |byte: &u8| *byte < b' ' && !byte.is_ascii_whitespace();
+        starts.iter().any(|format| bytes.starts_with(format)) || start.iter().any(is_control)
+    };
+    // JSON, documents of other programs, and what has comments before what tells.
+    let first = in_utf8.strip_prefix(BYTE_ORDER_MARK).unwrap_or(in_utf8).trim_ascii_start().first();
+    is_binary(bytes) || is_binary(in_utf8) || first.is_some_and(|first| b"{[<!@%#tT".contains(first))
 }
 
-/// The bytes of UTF-16 with its byte order mark as UTF-8, and other bytes as they are.
+/// Whether bytes may be those of another text with a table: JSON, Octave's.
+pub fn may_be_records(bytes: &[u8]) -> bool {
+    let start = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes).trim_ascii_start();
+    start.first().is_some_and(|first| b"{[".contains(first))
+        || start.starts_with(b"# ")
+        || start.starts_with(b"% ")
+}
+
+/// The bytes of UTF-16 and of Windows-1252 as UTF-8, and other bytes as they are.
 pub fn in_utf8(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let start = &bytes[..bytes.len().min(128)];
+    let zeros = |at: usize| start.chunks_exact(2).filter(|pair| pair[at] == 0).count();
+    let is_utf16 = |at: usize| {
+        let first =
+            start.get(1 - at).is_some_and(|&first| first.is_ascii_graphic() || first.is_ascii_whitespace());
+        start.len() > 1 && first && start[at] == 0 && zeros(1 - at) == 0 && 2 * zeros(at) > start.len() / 2
+    };
     let unit: fn([u8; 2]) -> u16 = match bytes {
         [0xff, 0xfe, ..] => u16::from_le_bytes,
         [0xfe, 0xff, ..] => u16::from_be_bytes,
-        _ => return Cow::Borrowed(bytes),
+        _ if is_utf16(1) => u16::from_le_bytes,
+        _ if is_utf16(0) => u16::from_be_bytes,
+        _ => {
+            // The first character that is not ASCII tells.
+            let is_other = |error: std::str::Utf8Error| bytes[..error.valid_up_to()].is_ascii();
+            return match std::str::from_utf8(bytes).is_err_and(is_other) {
+                true => Cow::Owned(
+                    bytes.iter().map(|&byte| by_windows_1252(byte)).collect::<String>().into_bytes(),
+                ),
+                false => Cow::Borrowed(bytes),
+            };
+        }
     };
     let pairs = bytes.chunks_exact(2);
     // Half a unit at the end is no character either.
     let half = (!pairs.remainder().is_empty()).then_some(char::REPLACEMENT_CHARACTER);
     let units: Vec<u16> = pairs.map(|pair| unit([pair[0], pair[1]])).collect();
     Cow::Owned(String::from_utf16_lossy(&units).chars().chain(half).collect::<String>().into_bytes())
+}
+
+fn by_windows_1252(byte: u8) -> char {
+    match byte {
+        0x80..0xa0 => WINDOWS_1252.chars().nth(usize::from(byte) - 0x80).unwrap_or_default(),
+        byte => char::from(byte),
+    }
 }
 
 /// A table whose first lines are empty where they were blank; tabs that are known to separate cells are not.

@@ -222,21 +222,20 @@ fn numbers_beyond_binary64() {
 
 #[test]
 fn text_in_other_encodings() {
-    let utf8 = "(expected text in UTF-8: save it as \"CSV UTF-8\", or convert it with iconv -f WINDOWS-1252 -t UTF-8)";
+    let way_out =
+        "(expected text in UTF-8, as the characters before it are; --encoding windows-1252 reads any byte)";
     refuses_files(
         "fit",
         "--x x --y y --eps 1",
         &[
             (
                 "latin1.csv",
-                &format!(
-                    ": line 3, column 2 (y): \"\u{fffd}3\": invalid UTF-8 at character 1 of the cell {utf8}"
-                ),
+                ": line 3, column 2 (y): \"±3\": not a number: unexpected character '±' at character 1 (expected a decimal such as 1.30e-2 or a fraction such as 7/19)",
             ),
             (
-                "latin1-header.csv",
+                "mixed-encodings.csv",
                 &format!(
-                    ": line 1, column 3: \"\u{fffd}C\": invalid UTF-8 at character 1 of the cell {utf8}"
+                    ": line 3, column 2 (y): \"\u{fffd}3\": invalid UTF-8 at character 1 of the cell {way_out}"
                 ),
             ),
             (
@@ -245,8 +244,28 @@ fn text_in_other_encodings() {
             ),
         ],
     );
-    // Where the cell is not asked for, its encoding does not matter.
     printed(&root(), "fit fixtures/bad-input/latin1.csv --x x --y y --eps 1 --rows 1..1");
+    // Where the cell is not asked for, its encoding does not matter.
+    printed(&root(), "fit fixtures/bad-input/mixed-encodings.csv --x x --y y --eps 1 --rows 1..1");
+}
+
+#[test]
+fn what_a_text_is_encoded_as_is_told_or_asked_for() {
+    let directory = directory_with(&[("latin1.csv", b"x,y,\xb0C\n1,2,3\n2,3,4\n")]);
+    let fit = |options: &str| format!("fit latin1.csv --x 1 --y 2 --eps 1 --no-lp {options}");
+    let table = |options: &str| {
+        let report = printed(directory.path(), &fit(options));
+        report.lines().find_map(|line| line.trim().strip_prefix("table")).map(|words| words.trim().to_owned())
+    };
+    assert_eq!(table(""), Some("Windows-1252".to_owned()));
+    assert_eq!(table("--encoding Latin-1"), Some("ISO-8859-1".to_owned()));
+    let message = "latin1.csv: line 1, column 3: \"\u{fffd}C\": invalid UTF-8 at character 1 of the cell (expected text in UTF-8, as the characters before it are; --encoding windows-1252 reads any byte)";
+    refuses(directory.path(), &fit("--encoding utf-8"), 1, message);
+    let proof = boundfit(directory.path(), &fit("--proof proof.json"));
+    assert!(proof.status != 0 && proof.stderr.contains("is not plain delimited text"), "{}", proof.stderr);
+    let unknown = boundfit(directory.path(), &fit("--encoding utf-7"));
+    let expected = "expected auto or one of utf-8, windows-1252, iso-8859-1, iso-8859-15, utf-16le, utf-16be";
+    assert!(unknown.status == 2 && unknown.stderr.contains(expected), "{}", unknown.stderr);
 }
 
 #[test]
@@ -368,7 +387,7 @@ fn too_few_readings_are_no_error() {
 fn lines_are_counted_as_editors_count_them() {
     for (table, line) in [
         ("x,y\r\n1,2\r\n2,abc\r\n", 3),
-        ("x,y\n1,2\n\n\n2,abc\n", 5),
+        ("x,y\n\n\n1,2\n\n2,abc\n", 6),
         ("\r\n\r\nx,y\r\n1,2\r\n\r\n2,abc\r\n", 6),
         ("x,y\r1,2\r2,abc\r", 3),
         ("\u{feff}x,y\n\"1\",2\n  \n2,abc\n", 4),

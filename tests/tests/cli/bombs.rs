@@ -6,7 +6,7 @@
 use std::io::Write;
 use std::time::Duration;
 
-use boundfit_tests::cli::{directory_with, words};
+use boundfit_tests::cli::{boundfit, directory_with, words};
 use boundfit_tests::hostile::{Cost, LIMITS, gzip, matlab_zeros, repeated_by_zstandard, run_limited};
 use boundfit_tests::workbooks::{ods, xlsx};
 
@@ -152,15 +152,10 @@ fn a_line_without_an_end_is_refused_by_every_command() {
         let message = "16777216 bytes (the limit); --max-line raises it\n";
         assert!(ended.status == Some(1) && ended.messages.ends_with(message), "{line}: {ended:?}");
     }
-    for (line, option) in [
-        ("verify /dev/zero few.csv", "--max-proof-size"),
-        ("check few.csv --x x --y y --eps 1 --claim /dev/zero", "--max-claim-size"),
-    ] {
-        // A buffer of the limit, 256 MB, grows to it by copies.
-        let limits = Cost { data: 1 << 30, ..TWO_SECONDS };
-        let ended = run_limited(directory.path(), &words(line), limits);
-        let message = format!("{option} raises it)\n");
-        assert!(ended.status == Some(1) && ended.messages.ends_with(&message), "{line}: {ended:?}");
+    for line in ["verify /dev/zero few.csv", "check few.csv --x x --y y --eps 1 --claim /dev/zero"] {
+        let ended = run_limited(directory.path(), &words(line), LIMITS);
+        let message = "/dev/zero: this is no text in UTF-8\n";
+        assert!(ended.status == Some(1) && ended.messages.ends_with(message), "{line}: {ended:?}");
     }
 }
 
@@ -171,14 +166,109 @@ fn rows_without_an_end_are_refused_where_they_are_held() {
     (0..200_000).for_each(|row| writeln!(rows, "{row},{}", row % 7).unwrap());
     let too_many = "bomb: there are more than 100000 rows (the limit); --max-rows raises it\n";
     for command in [
-        "plot FILE --x x --y y --eps 9 -o a.svg --figure data --eps-column x",
-        "lesson FILE --x x --y y --eps 9 -o a.html",
+        "plot FILE --x x --y y --eps 9 -o a.svg --figure data",
+        "outliers FILE --x x --y y --eps 9",
+        "fit FILE --x x --y y --eps 9 --x-eps 1",
+        "fit FILE --x x --y y --eps 9 --by y",
+        "linearity FILE --x x --y y",
     ] {
-        let line = command.replace(" --eps-column x", "");
-        refused(&rows, &format!("{line} --max-rows 100000"), too_many, TWO_SECONDS);
+        refused(&rows, &format!("{command} --max-rows 100000"), too_many, TWO_SECONDS);
     }
+    let readings = "bomb: more than 300 readings are too many for a lesson; choose some with --rows FIRST..LAST, or raise it with \
+                    --max-readings\n";
+    refused(&rows, "lesson FILE --x x --y y --eps 9 -o a.html", readings, TWO_SECONDS);
     let too_large = "bomb: refused: the file has more than 1000000 bytes (the limit); --max-text raises it\n";
     for command in ["polygon FILE", "judge FILE"] {
         refused(&rows, &format!("{command} --max-text 1000000"), too_large, TWO_SECONDS);
     }
+}
+
+/// A line of commas has no more cells than there may be columns, whether it is a header, a row or packed.
+#[test]
+fn lines_of_commas_are_refused_before_their_cells_are_kept() {
+    let commas = [b",".repeat(8_000_000), b"\n".to_vec()].concat();
+    let blanks = [b"1 ".repeat(4_000_000), b"\n".to_vec()].concat();
+    for (name, text, line) in [
+        ("header.csv", commas.clone(), 1),
+        ("row.csv", [b"x,y\n1,1\n".to_vec(), commas].concat(), 3),
+        ("blanks.txt", blanks, 1),
+    ] {
+        let directory = directory_with(&[(name, &text)]);
+        let message = format!(
+            "error: {name}: line {line}: there are more than 100000 columns (the limit); --max-columns raises it\n"
+        );
+        let run = boundfit(directory.path(), &format!("fit {name} --x 1 --y 2 --eps 1"));
+        assert_eq!((run.status, run.stderr), (1, message));
+    }
+}
+
+/// What never ends, and is no text, is not read on.
+#[test]
+fn devices_are_no_claims_and_no_proofs() {
+    let directory = directory_with(&[("a.csv", b"x,y\n1,1\n2,2\n")]);
+    for command in ["verify /dev/zero a.csv", "check a.csv --x x --y y --eps 1 --claim /dev/zero"] {
+        let run = boundfit(directory.path(), command);
+        let message = "error: /dev/zero: this is no text in UTF-8\n";
+        assert_eq!((run.status, run.stderr.as_str()), (1, message), "{command}");
+    }
+}
+
+/// A sensor with few different readings may be as long as it likes: a row takes about a byte.
+#[test]
+fn equal_readings_are_counted_by_every_command() {
+    let mut rows = b"g,x,y,d\n".to_vec();
+    (0..300_000_u32).for_each(|k| {
+        let mixed = k.wrapping_mul(2_654_435_761) >> 16;
+        writeln!(rows, "1,{},{},{}", mixed % 2, mixed / 2 % 3, ["up", "down"][mixed as usize / 6 % 2])
+            .unwrap();
+    });
+    let directory = directory_with(&[("ties.csv", &rows)]);
+    for line in [
+        "outliers ties.csv --x x --y y --eps 3",
+        "outliers ties.csv --x x --y y --eps 1/2",
+        "fit ties.csv --x x --y y --eps 3 --x-eps 1",
+        "linearity ties.csv --x x --y y",
+        "linearity ties.csv --x x --y y --direction d",
+        "fit ties.csv --x x --y y --eps 3 --by g",
+        "fit ties.csv --x x --y y --eps 3 --by d --format json",
+    ] {
+        let cost = Cost { cpu: Duration::from_secs(20), data: 64 << 20 };
+        let ended = run_limited(directory.path(), &words(line), cost);
+        assert_eq!(ended.status, Some(0), "{line}: {ended:?}");
+    }
+}
+
+/// What holds readings says what they take before it takes it.
+#[test]
+fn readings_take_no_more_memory_than_they_may() {
+    let mut rows = b"x,y\n".to_vec();
+    (0..60_000).for_each(|row| writeln!(rows, "{row},{}", row % 1009).unwrap());
+    let way_out = "of memory, more than 16 MiB (the limit); --limit memory=SIZE raises it\n";
+    for command in [
+        "plot FILE --x x --y y --eps 9 -o a.svg --figure data",
+        "outliers FILE --x x --y y --eps 9",
+        "fit FILE --x x --y y --eps 9 --x-eps 1",
+        "linearity FILE --x x --y y",
+        "range FILE --x x --y y --eps 9",
+    ] {
+        refused(&rows, &format!("{command} --limit memory=16MiB"), way_out, TWO_SECONDS);
+    }
+    let way_out = "of memory, more than 1 MiB (the limit); --limit memory=SIZE raises it\n";
+    refused(&rows, "fit FILE --x x --y y --eps 9 --by y --limit memory=1MiB", way_out, TWO_SECONDS);
+    let directory = directory_with(&[("few.csv", b"x,y\n1,2\n2,3\n")]);
+    for (value, message) in [
+        (
+            "rows=5",
+            "there is no limit of the name \"rows\" (expected memory=SIZE, such as memory=512MiB or memory=4GiB)",
+        ),
+        ("memory", "expected memory=SIZE, such as memory=512MiB or memory=4GiB"),
+        ("memory=0", "expected a size in bytes above 0"),
+        ("memory=1TB", "expected a size in bytes above 0"),
+    ] {
+        let line = format!("fit few.csv --x x --y y --eps 1 --limit {value}");
+        let ended = run_limited(directory.path(), &words(&line), LIMITS);
+        assert!(ended.status == Some(2) && ended.messages.contains(message), "{line}: {ended:?}");
+    }
+    let line = "fit few.csv --x x --y y --eps 1 --limit memory=1k --limit memory=1.5GiB";
+    assert!(run_limited(directory.path(), &words(line), LIMITS).is_well());
 }

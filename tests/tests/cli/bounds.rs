@@ -1,7 +1,7 @@
 //! Intervals, rows with one bound and laws, through the program.
 
-use boundfit_tests::cli::{boundfit, directory_with, printed, report};
-use boundfit_tests::program::Run;
+use boundfit_tests::cli::{boundfit, directory_with, printed, report, unbroken};
+use boundfit_tests::program::{Run, root};
 use serde_json::Value;
 
 const TABLE: &str = "t,y,lo,up,by,v\n0,1,0.5,1.5,a,1\n1,2,,3,b,0\n2,3,1.5,4,a,1\n3,4,3,,b,2\n4,4.5,3.9,5.2,a,1\n0,1,NA,1.4,b,3\n";
@@ -168,4 +168,21 @@ fn bounds_of_one_row_that_cross_are_the_proof_of_an_empty_set() {
         .map(|term| (term["row"].as_u64().unwrap(), term["bound"].as_str().unwrap()))
         .collect();
     assert_eq!(named, [(1, "upper"), (1, "lower")]);
+}
+
+#[test]
+fn bounds_that_were_swapped_are_counted() {
+    for (columns, rows) in [("--lower hi --upper lo", 1), ("--lower lo --upper hi", 2)] {
+        let line = format!("fit fixtures/guesses/reversed-bounds.csv --x x {columns} --no-lp");
+        let run = boundfit(&root(), &line);
+        assert_eq!((run.status, run.stderr.as_str()), (3, ""), "{line}");
+        let said = format!("  In {rows} of 3 rows the lower bound is above the upper one: swapped?\n");
+        assert!(run.stdout.contains(&said), "{line}: {}", run.stdout);
+    }
+    let directory = directory_with(&[("data.csv", TABLE.as_bytes())]);
+    let all =
+        unbroken(&boundfit(directory.path(), "fit data.csv --x t --lower up --upper lo --no-lp").stdout);
+    assert!(all.contains("In 3 of 6 rows the lower bound is above the upper one: swapped?"), "{all}");
+    let right = boundfit(directory.path(), "fit data.csv --x t --lower lo --upper up --no-lp").stdout;
+    assert!(!right.contains("swapped?"), "{right}");
 }

@@ -17,10 +17,10 @@ fn the_brief_report_has_ten_lines() {
   data     fixtures/transducer/transducer.csv, rows 14..36: 23 of 46
   reading  decimal: numbers exactly as written
   set      polygon with 6 vertices
-  theta1   in [0.0017908, 0.0018484]; central 0.0018196 +-2.8744e-5
-  theta2   in [0.022595, 0.022808]; central 0.022702 +-0.00010578
+  theta1   in [0.0017908, 0.0018484]; central 0.001819636 +-0.000028745
+  theta2   in [0.022595, 0.022808]; central 0.02270164 +-0.00010578
   eps_min  0.00039444, fixed by 14 upper, 24 lower, 34 upper
-           least squares 0.0018194 and 0.022791, not feasible
+           least squares 0.001819424 and 0.02279063, not feasible
 ";
     assert_eq!(text, expected);
     let markdown = printed(&root(), &format!("{FIT_TRANSDUCER} --brief --format markdown"));
@@ -67,7 +67,7 @@ fn the_table_of_a_fit_has_its_intervals_and_estimates() {
     };
     for (axis, parameter) in ["theta1", "theta2"].into_iter().enumerate() {
         let pui = row("pui", parameter);
-        let [lower, upper] = ["lower", "upper"].map(|end| &json["pui"][axis][end]["value"]["exact"]);
+        let [lower, upper] = ["lower", "upper"].map(|end| &json["pui"][axis][end]["exact"]);
         assert_eq!([pui[5], pui[6]], [lower.as_str().unwrap(), upper.as_str().unwrap()]);
         let central = row("central", parameter);
         assert_eq!(central[7], json["central"]["theta"][axis]["exact"]);
@@ -75,16 +75,25 @@ fn the_table_of_a_fit_has_its_intervals_and_estimates() {
         assert_eq!(row("guaranteed_error", parameter)[7], json["central"]["guaranteed_error"][axis]["exact"]);
         assert_eq!(row("minimax", parameter)[7], json["minimax"]["theta"][axis]["exact"]);
     }
-    assert_eq!(row("pui", "gain")[5], json["inverse"]["gain"]["exact_range"][0]["lower"]["exact"]);
+    assert_eq!(row("set", "kind")[2..], ["", "", "", "", "", "polygon"]);
+    for parameter in ["gain", "offset"] {
+        for (quantity, range) in [("pui", "box_range"), ("fps", "exact_range"), ("eui", "eui_range")] {
+            let range = &json["inverse"][parameter][range][0];
+            assert_eq!(row(quantity, parameter)[5], range["lower"]["exact"], "{quantity} {parameter}");
+            assert_eq!(row(quantity, parameter)[6], range["upper"]["exact"], "{quantity} {parameter}");
+        }
+    }
     assert_eq!(row("least_error_bound", "")[7], json["epsilon_min"]["exact"]);
     for row in &rows {
         let double = |cell: &str| Rational::from_f64(cell.parse().unwrap()).unwrap();
-        if row[4].is_empty() {
+        if !row[2].is_empty() {
             assert!(double(row[2]) <= rational(row[5]) && rational(row[6]) <= double(row[3]), "{row:?}");
         }
     }
     let strip = printed(&root(), "fit fixtures/claims/strip.csv --x x --y y --eps 0.2 --format csv");
     assert!(strip.contains("\npui,theta1,-inf,inf,,,,\n"), "{strip}");
+    let empty = boundfit(&root(), "fit fixtures/norris/norris.csv --x x --y y --eps 1 --format csv").stdout;
+    assert!(empty.contains("\nset,kind,,,,,,empty\n") && !empty.contains("\npui,"), "{empty}");
 }
 
 #[test]

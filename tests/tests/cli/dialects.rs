@@ -35,7 +35,7 @@ fn what_is_found_out_is_said() {
     let json = printed(directory.path(), "fit missing.csv --x x --y y --eps 1 --missing skip --format json");
     assert!(json.contains("\"rows_missing\": 2,"), "{json}");
     let json = printed(directory.path(), "fit de.csv --x 1 --y 2 --eps 10 --format json");
-    assert!(json.contains("\"text\": \"decimal comma, separated by semicolons\","), "{json}");
+    assert!(json.contains("\"delimiter\": \"semicolon\",\n      \"decimal\": \"comma\","), "{json}");
     let picture = printed(directory.path(), "plot units.csv --x U --y I --eps 1 --units-row");
     assert!(picture.contains("<svg"), "{picture}");
 }
@@ -43,7 +43,7 @@ fn what_is_found_out_is_said() {
 #[test]
 fn what_cannot_be_found_out_is_refused_with_the_option_that_tells() {
     let directory = directory_with(&[
-        ("missing.csv", b"x,y,z\n1,NA,1\n2,3,1\n,4,1\n5,6,?\n"),
+        ("missing.csv", b"x,y,z,w\n1,NA,1,1\n2,3,1,2\n,4,1,3\n5,6,?,4\n"),
         ("all.csv", b"x,y\n1,NA\nnan,2\n"),
         ("units.csv", b"U,I\nmV,mA\n1,2\n"),
         ("mixed.csv", b"1;2\n2;3\n3,5;4\n4.5;5\n"),
@@ -61,7 +61,7 @@ fn what_cannot_be_found_out_is_refused_with_the_option_that_tells() {
              every row; --missing skip leaves such rows out)",
         ),
         (
-            "fit missing.csv --x z --y z --eps 1",
+            "fit missing.csv --x w --y z --eps 1",
             "missing.csv: line 5, column 3 (z): \"?\": the value is missing, in this row only (expected a number in every \
              row; --missing skip leaves such rows out)",
         ),
@@ -96,9 +96,10 @@ fn what_cannot_be_found_out_is_refused_with_the_option_that_tells() {
              character 4 (expected a decimal such as 1.30e-2 or a fraction such as 7/19)",
         ),
         (
-            "fit undivided.csv --x x --y y --eps 1",
+            "fit undivided.csv --x x --y z --eps 1",
             "undivided.csv: line 1: there is no column \"x\", and nothing was found that separates columns in \"Device: X\" \
-             (expected --delimiter comma, semicolon, tab, space or pipe, or a column's number)",
+             (expected --delimiter comma, semicolon, tab, space or pipe, or a column's number; --skip-lines N if N lines come \
+             before the table)",
         ),
     ] {
         refuses(directory.path(), line, 1, message);
@@ -122,14 +123,15 @@ fn what_cannot_be_found_out_is_refused_with_the_option_that_tells() {
 }
 
 #[test]
-fn what_stands_before_the_table_is_passed_over_on_request() {
+fn what_stands_before_the_table_is_passed_over() {
     let directory = directory_with(&[
         ("preamble.csv", b"Device: X\nmade, in haste\n\nx;y\n1;2\n2;3\n4;5\n"),
         ("bang.csv", b"! a note\nx,y\n1,2\n! another, one\n2,3\n4,5\n"),
     ]);
     for line in [
         "fit preamble.csv --x x --y y --eps 1 --skip-lines 3",
-        "fit bang.csv --x x --y y --eps 1 --comment !",
+        "fit preamble.csv --x x --y y --eps 1",
+        "fit bang.csv --x x --y y --eps 1 --comment ! --block all",
     ] {
         let report = printed(directory.path(), line);
         assert!(report.contains(", 3 rows\n"), "{line}\n{report}");

@@ -72,11 +72,15 @@ fn expected(key: &str, rows: &[(usize, String)], alone: Value) -> Value {
     let alone = renumbered(alone, rows);
     let least_squares = match &alone["least_squares"] {
         Value::Null => Value::Null,
-        estimate => json!({"theta": estimate["theta"], "in_fps": estimate["in_fps"]}),
+        estimate => json!({
+            "theta": estimate["theta"],
+            "in_fps": estimate["in_fps"],
+            "guaranteed_error": estimate["guaranteed_error"],
+        }),
     };
     let fps = &alone["fps"];
     json!({
-        "schema": "boundfit/fleet/1",
+        "schema": "boundfit/fleet/2",
         "group": key,
         "rows": alone["input"]["rows"],
         "first_row": rows[0].0,
@@ -247,8 +251,8 @@ fn the_same_bytes_for_any_number_of_threads() {
 
 #[test]
 fn tables_without_a_header_and_other_delimiters() {
-    let directory = directory_with(&[("t.txt", b"1|x\t1,5\t2\n2\t1,5\t3\n1|x\t1,5\t2.5\n")]);
-    let line = "fit t.txt --delimiter tab --header no --by 2 --x 3 --y 3 --eps 1 --format csv";
+    let directory = directory_with(&[("t.txt", b"1|x\t1,5\t2\t2\n2\t1,5\t3\t3\n1|x\t1,5\t2.5\t2.5\n")]);
+    let line = "fit t.txt --delimiter tab --header no --by 2 --x 3 --y 4 --eps 1 --format csv";
     let run = boundfit(directory.path(), line);
     assert_eq!(run.stdout.lines().nth(1).map(|row| &row[..17]), Some("\"1,5\",3,1,polygon"));
     let run = boundfit(directory.path(), &line.replace("--by 2", "--by 1"));
@@ -317,7 +321,7 @@ fn bad_data_is_one_message_and_nothing_else() {
         ("word.csv", b"key,x,y\na,1,2\nb,2,x\na,3,4\n"),
         ("bound.csv", b"key,x,y,e\na,1,2,1\nb,2,3,-1\n"),
         ("ragged.csv", b"key,x,y\na,1,2\nb,2\n"),
-        ("latin1.csv", b"key,x,y\na,1,2\n\xe4,2,3\n"),
+        ("mixed.csv", b"key,x,y\n\xc3\xa4,1,2\n\xe4,2,3\n"),
         ("nothing.csv", b"key,x,y\n"),
     ]);
     let fleet = |file: &str| format!("fit {file} --by key --x x --y y --eps 1");
@@ -336,9 +340,9 @@ fn bad_data_is_one_message_and_nothing_else() {
     ] {
         refuses(directory.path(), &line, 1, &message);
     }
-    let run = boundfit(directory.path(), &fleet("latin1.csv"));
+    let run = boundfit(directory.path(), &fleet("mixed.csv"));
     assert_eq!((run.status, run.stdout.as_str()), (1, ""));
-    assert!(run.stderr.starts_with("error: latin1.csv: line 3, column 1 (key): "), "{}", run.stderr);
+    assert!(run.stderr.starts_with("error: mixed.csv: line 3, column 1 (key): "), "{}", run.stderr);
 }
 
 #[test]
@@ -375,4 +379,12 @@ fn the_help_says_what_a_fleet_is_and_which_status_it_ends_with() {
     ] {
         assert!(help.contains(part), "{part}: {help}");
     }
+}
+
+#[test]
+fn group_names_run_nothing_on_a_terminal() {
+    let table = "g,x,y\na\u{1b}[2J,1,2\na\u{1b}[2J,2,3\n";
+    let directory = directory_with(&[("a.csv", table.as_bytes())]);
+    let csv = boundfit(directory.path(), "fit a.csv --x x --y y --eps 1 --by g --format csv").stdout;
+    assert!(csv.lines().nth(1).unwrap().starts_with("a\\u{1b}[2J,2,1,"), "{csv}");
 }

@@ -53,17 +53,18 @@ fn what_is_no_limit_stands_under_options() {
     for command in COMMANDS {
         let help = printed(&root(), &format!("{command} --help"));
         let limits = options(&section(&help, "Limits:"));
-        assert!(limits.iter().all(|option| option.starts_with("--max-")), "{command}: {limits:?}");
+        let is_limit = |option: &str| option.starts_with("--max-") || option == "--limit";
+        assert!(limits.iter().all(|option| is_limit(option)), "{command}: {limits:?}");
         let main = options(&section(&help, "Options:"));
         assert!(main.contains(&"--help") && main.contains(&"--output"), "{command}: {main:?}");
-        assert!(!main.iter().any(|option| option.starts_with("--max-")), "{command}: {main:?}");
+        assert!(!main.iter().any(|option| is_limit(option)), "{command}: {main:?}");
     }
     let help = printed(&root(), "fit --help");
     let main = options(&section(&help, "Options:"));
     for option in ["--x", "--sweep", "--by", "--proof", "--format", "--digits", "--exact"] {
         assert!(main.contains(&option), "{option}: {main:?}");
     }
-    assert_eq!(options(&section(&help, "Limits:")).len(), 13, "{help}");
+    assert_eq!(options(&section(&help, "Limits:")).len(), 14, "{help}");
 }
 
 #[test]

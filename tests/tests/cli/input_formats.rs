@@ -40,6 +40,8 @@ fn split_hash(report: &str) -> (Value, String) {
     let input = parsed["input"].as_object_mut().unwrap();
     let hash = input.remove("sha256").unwrap().as_str().unwrap().to_owned();
     input.remove("file");
+    // What a table was taken for is another matter than its answer.
+    input.remove("table");
     (parsed, hash)
 }
 
@@ -157,7 +159,7 @@ fn line_ends_blank_lines_and_marks() {
             0 | 1 | 20 => format!("{z},{voltage}\n{blank}{blank}"),
             _ => format!("{z},{voltage}\n"),
         });
-        same_answer("blank lines in the middle", &middle, "--x Vz --y z");
+        same_answer("blank lines in the middle", &middle, "--x Vz --y z --block all");
         same_answer("blank lines at the end", &format!("{original}{blank}{blank}"), "--x Vz --y z");
     }
     let rows = table(|_, z, voltage| format!("\"{z}\"; {voltage} \r\n\r\n"));

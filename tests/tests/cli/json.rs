@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use boundfit_exact::Rational;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use boundfit_tests::cli::fits::{Case, Measurement, all, published_polygons};
 use boundfit_tests::cli::numbers::{
@@ -11,7 +11,8 @@ use boundfit_tests::cli::numbers::{
 };
 use boundfit_tests::cli::regions::check_region;
 use boundfit_tests::cli::schema::{FIT, check_schema};
-use boundfit_tests::cli::{FIT_TRANSDUCER, report};
+use boundfit_tests::cli::{FIT_TRANSDUCER, directory_with, report};
+use boundfit_tests::program::root;
 
 /// Runs every fit and hands its report to a check.
 fn for_each_fit(check: impl Fn(&Case, &Value)) {
@@ -22,10 +23,26 @@ fn for_each_fit(check: impl Fn(&Case, &Value)) {
 }
 
 #[test]
+fn units_follow_from_the_names_of_columns() {
+    let directory = directory_with(&[("data.csv", b"U (mV),s [mm],t\n0,0,1\n1,2,2\n2,4,1\n")]);
+    for (columns, units) in [
+        ("--x 1 --y 2", json!({"x": ["mV"], "y": "mm", "theta1": "mm/mV", "theta2": "mm"})),
+        ("--x 3 --y 2", json!({"x": [null], "y": "mm", "theta1": null, "theta2": "mm"})),
+        ("--x 1,3 --y 2", json!({"x": ["mV", null], "y": "mm", "theta1": "mm/mV", "theta2": null})),
+    ] {
+        let found = report(directory.path(), &format!("fit data.csv {columns} --eps 9"), b"");
+        assert_eq!(found["input"]["units"], units, "{columns}");
+    }
+    let found = report(&root(), FIT_TRANSDUCER, b"");
+    assert!(found["input"].get("units").is_none());
+    assert_eq!(found["program"], json!({"name": "boundfit", "version": env!("CARGO_PKG_VERSION")}));
+}
+
+#[test]
 fn every_promised_key_is_there_with_its_type() {
     for_each_fit(|case, report| {
         check_schema(report, FIT);
-        assert_eq!(report["schema"], "boundfit/fit/1");
+        assert_eq!(report["schema"], "boundfit/fit/2");
         assert_eq!(report["fps"]["kind"], case.kind);
         let input = &report["input"];
         assert_eq!(input["rows"], case.measurements().len());
@@ -111,7 +128,7 @@ fn every_end_of_the_pui_is_the_sum_of_its_proof() {
 #[test]
 fn the_central_estimate_is_the_middle_of_the_pui() {
     for_each_fit(|_, report| {
-        let end = |axis: usize, end: &str| exact_or_null(&report["pui"][axis][end]["value"]);
+        let end = |axis: usize, end: &str| exact_or_null(&report["pui"][axis][end]);
         let middle = |axis: usize| {
             let (lower, upper) = (end(axis, "lower")?, end(axis, "upper")?);
             Some([(&lower + &upper).half(), (upper - lower).half()])
@@ -235,7 +252,7 @@ fn the_inverse_line_ranges_over_the_corners() {
         let report = case.report();
         let vertices = report["fps"]["vertices"].as_array().unwrap().iter();
         let corners: Vec<[Rational; 2]> = vertices.map(|vertex| pair(&vertex["theta"])).collect();
-        let pui = |axis: usize| ["lower", "upper"].map(|end| exact(&report["pui"][axis][end]["value"]));
+        let pui = |axis: usize| ["lower", "upper"].map(|end| exact(&report["pui"][axis][end]));
         let box_corners = pui(0).into_iter().flat_map(|theta1| pui(1).map(|theta2| [theta1.clone(), theta2]));
         let box_corners: Vec<[Rational; 2]> = box_corners.collect();
         for (name, of) in INVERSE {

@@ -208,7 +208,7 @@ fn a_table_has_as_many_columns_as_it_may() {
 #[test]
 fn a_lesson_of_more_readings_is_written_when_asked_for() {
     let rows: String = (0..5).map(|x| format!("{x},{}\n", 2 * x)).collect();
-    let message = "data.csv: 5 readings are too many for a lesson (the limit is 4); choose some with --rows FIRST..LAST, or \
+    let message = "data.csv: more than 4 readings are too many for a lesson; choose some with --rows FIRST..LAST, or \
                    raise it with --max-readings";
     let line = "lesson data.csv --x x --y y --eps 1";
     let directory = directory_with(&[("data.csv", format!("x,y\n{rows}").as_bytes())]);

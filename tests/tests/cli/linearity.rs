@@ -293,3 +293,16 @@ fn proofs_of_linearity_are_true_of_the_data() {
     let same = boundfit(directory.path(), "linearity plain.csv --x x --y y --proof p.json -o p.json");
     assert!(same.stderr.starts_with("error: '--proof' needs a file of its own"), "{}", same.stderr);
 }
+
+/// A point with one of its two readings has a mean in the report, and none that a proof could state.
+#[test]
+fn a_proof_needs_both_readings_of_a_point() {
+    let directory = directory_with(&[("a.csv", b"x,u,d\n0,0,0.1\n1,1,1.1\n2,2.2,\n3,3,3.1\n")]);
+    let line = "linearity a.csv --x x --up u --down d";
+    assert_eq!(boundfit(directory.path(), line).status, 0);
+    for options in ["", "--missing skip"] {
+        let run = boundfit(directory.path(), &format!("{line} {options} --proof p.json"));
+        let message = "error: '--proof' is about the rows of delimited text of which each is a point of its own, with a reading in every column";
+        assert!(run.status == 2 && run.stderr.starts_with(message), "{run:?}");
+    }
+}

@@ -56,9 +56,7 @@ fn digits_and_fractions_of_long_sums_are_those_of_naive_ones() {
     let doubled: Rational = triangles(&corners).map(|(doubled, _)| doubled).sum();
     let area = doubled.half();
     assert_eq!(number(&report["fps"]["area"]), area);
-    let width = |axis: usize| {
-        number(&report["pui"][axis]["upper"]["value"]) - number(&report["pui"][axis]["lower"]["value"])
-    };
+    let width = |axis: usize| number(&report["pui"][axis]["upper"]) - number(&report["pui"][axis]["lower"]);
     let tightness = area.checked_div(&(width(0) * width(1))).unwrap();
     assert_eq!(number(&report["tightness"]), tightness);
     let centroid = [0, 1].map(|axis| {

@@ -56,7 +56,7 @@ fn the_name_of_the_file_tells_the_format() {
     assert!(
         fs::read(directory.path().join("groups.jsonl"))
             .unwrap()
-            .starts_with(b"{\"schema\":\"boundfit/fleet/1\"")
+            .starts_with(b"{\"schema\":\"boundfit/fleet/2\"")
     );
     for format in ["mps", "lp"] {
         let file = format!("r.{format}");

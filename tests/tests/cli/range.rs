@@ -40,13 +40,24 @@ fn the_rows_that_the_laboratory_took_lie_in_the_longest_run() {
 }
 
 #[test]
-fn readings_at_one_x_are_taken_in_the_order_of_rows() {
-    // In order of x the rows are 2, 4, 3, 1; the two at x = 1 contradict each other.
+fn readings_at_one_x_are_one_place() {
+    // In order of x the rows are 2, 4, 3 and 5, 1; the two at x = 1 contradict each other, so that no run has either.
     let table = "x,y\n2,2\n0,0\n1,9\n1,1\n";
     let table = table.replace("1,9\n1,1\n", "1,9\n0.5,0.5\n1,1\n");
     let (status, found) = range_of(&table, "--x x --y y --eps 0.1");
     assert_eq!((status, &found["order"]), (0, &json!([2, 4, 3, 5, 1])));
-    assert_eq!(found["runs"], json!([[1, 2], [2, 3], [4, 5]]));
+    assert_eq!(found["runs"], json!([[1, 2], [5, 5]]));
+    let alone: Vec<&Value> = found["alone"].as_array().unwrap().iter().map(|own| &own["row"]).collect();
+    assert_eq!(alone, [&json!(3), &json!(5)]);
+    // Two readings at x = 2 agree with each other, but only the first one with those before: none of them joins.
+    let (_, found) = range_of("x,y\n0,0\n1,0.6\n2,2\n2,2.4\n3,3.2\n", "--x x --y y --eps 0.2");
+    assert_eq!(found["runs"], json!([[1, 2], [2, 4], [3, 5]]));
+    let text = boundfit_with_input(
+        &root(),
+        "range - --x x --y y --eps 0.2",
+        b"x,y\n0,0\n1,0.6\n2,2\n2,2.4\n3,3.2\n",
+    );
+    assert!(text.stdout.contains("  longest  x from 1 to 2: 3 readings, rows 2..4\n"), "{}", text.stdout);
     let (_, by_row) = range_of(&table, "--x x --y y --eps 0.1 --by-row");
     assert_eq!((&by_row["by"], &by_row["order"]), (&json!("row"), &json!([1, 2, 3, 4, 5])));
     let (_, two) = range_of("u,v,y\n1,0,1\n1,0,1\n1,0,5\n", "--x u,v --y y --eps 0.1");
@@ -143,8 +154,8 @@ fn a_window_is_a_fit_of_its_rows() {
                 assert_eq!(line[part], fit[part], "{rows} {part}");
             }
             for (own, other) in [0, 1].map(|axis| (&line["pui"][axis], &fit["pui"][axis])) {
-                assert_eq!(own["lower"]["value"], other["lower"]["value"], "{rows}");
-                assert_eq!(own["upper"]["value"], other["upper"]["value"], "{rows}");
+                assert_eq!(own["lower"]["exact"], other["lower"]["exact"], "{rows}");
+                assert_eq!(own["upper"]["exact"], other["upper"]["exact"], "{rows}");
             }
         }
     }
@@ -156,7 +167,7 @@ fn windows_along_x_do_not_depend_on_the_order_of_rows() {
         let (_, lines) = windows_of(table, "--x x --y y --eps 1 --window-x 2");
         lines
             .iter()
-            .map(|line| (line["x"].clone(), line["pui"][0]["lower"]["value"].clone()))
+            .map(|line| (line["x"].clone(), line["pui"][0]["lower"]["exact"].clone()))
             .collect::<Vec<_>>()
     };
     let sorted = lines("x,y\n0,0\n1,1\n2,3\n3,3\n5,5\n");

@@ -35,9 +35,8 @@ fn of_fit(fit: &Value) -> Set {
     let vertices = fps["vertices"].as_array().unwrap();
     let vertices = vertices.iter().map(|vertex| (pair(&vertex["theta"]), vertex["active"].clone())).collect();
     let ends = fit["pui"].as_array().into_iter().flatten();
-    let ends = ends
-        .flat_map(|interval| ["lower", "upper"].map(|end| exact_or_null(&interval[end]["value"])))
-        .collect();
+    let ends =
+        ends.flat_map(|interval| ["lower", "upper"].map(|end| exact_or_null(&interval[end]))).collect();
     (fps["kind"].clone(), vertices, ends, exact_or_null(&fps["area"]))
 }
 

@@ -5,7 +5,7 @@ use boundfit_tests::program::Run;
 use serde_json::Value;
 
 const CURRENT: &str = "U,I\n4.5,109.5\n6,115.3\n7,129.2\n8,134.8\n9,142.1\n10,144.6\n";
-const WITH_BOUNDS: &str = "x,y,d,3\n0,0,1,1\n1,0,1/2,0\n-1,1/2,1,0\n";
+const WITH_BOUNDS: &str = "x,y,d,e\n0,0,1,1\n1,0,1/2,0\n-1,1/2,1,0\n";
 
 fn run(table: &str, options: &str) -> Run {
     let directory = directory_with(&[("data.csv", table.as_bytes())]);
@@ -59,7 +59,7 @@ fn steepest_and_shallowest_line_are_told_with_their_corners() {
     }
     let found = json(CURRENT, "--x U --y I --eps 2 --x-eps 1/5", 0);
     assert_eq!(found["slopes"]["largest"]["theta"][0]["exact"], "97/13");
-    assert_eq!(found["pui"][0]["lower"]["value"]["exact"], "99/14");
+    assert_eq!(found["pui"][0]["lower"]["exact"], "99/14");
     let both = run(CURRENT, "--x U --y I --eps 30 --x-eps 0.5").stdout;
     assert!(both.contains("two pieces joined at theta1 = 0") && both.contains("rises most"), "{both}");
 }
@@ -272,5 +272,20 @@ fn pictures_that_there_are_not_with_errors_in_x_are_refused() {
         let run = plot(CURRENT, options);
         assert_eq!((run.status, run.stdout.as_str()), (2, ""), "{options}");
         assert!(run.stderr.starts_with(&format!("error: {message}")), "{options}: {}", run.stderr);
+    }
+}
+
+/// Where nothing is bounded there are no intervals, as in the report of a fit.
+#[test]
+fn intervals_without_ends_are_null() {
+    let directory = directory_with(&[("a.csv", b"x,up\n1,2\n")]);
+    for agreement in ["", "--strong"] {
+        let line = format!("fit a.csv --x x --upper up --x-eps 1/2 {agreement} --format json");
+        let run = boundfit(directory.path(), &line);
+        let json: Value = serde_json::from_str(&run.stdout).unwrap();
+        assert_eq!((&json["pui"], &json["reasons"]["pui"]), (&Value::Null, &"no end is bounded".into()));
+        let bounded = json["sides"].as_array().unwrap().iter().filter(|side| !side["pui"].is_null());
+        // One side of the slopes has an end at 0 each.
+        assert_eq!(bounded.count(), if agreement.is_empty() { 2 } else { 0 });
     }
 }

@@ -53,7 +53,7 @@ impl Answer {
         Answer {
             kind: report["fps"]["kind"].as_str().unwrap().to_owned(),
             vertices: vertices.iter().map(|vertex| pair(&vertex["theta"])).collect(),
-            pui: intervals(&report["pui"], |end| exact_or_null(&end["value"])),
+            pui: intervals(&report["pui"], exact_or_null),
             eui: intervals(&report["eui"], |end| Some(exact(end))),
             central: theta(&report["central"]),
             least_squares: theta(&report["least_squares"]),

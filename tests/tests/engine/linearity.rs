@@ -42,6 +42,7 @@ fn calibration(readings: &[Reading]) -> Vec<CalibrationReading> {
         x: Rational::from(*x),
         y: Rational::from(*y),
         pass: up.map(|up| if up { Pass::Up } else { Pass::Down }),
+        equal: None,
     };
     (1..).zip(readings).map(reading).collect()
 }
@@ -196,6 +197,7 @@ fn the_sensor_of_the_course_to_every_digit() {
                 x: number(x),
                 y: number(y),
                 pass: Some(pass),
+                equal: None,
             })
         })
         .collect();

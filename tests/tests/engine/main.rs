@@ -2,6 +2,7 @@
 
 mod clipping_steps;
 mod corridor;
+mod counted;
 mod edited;
 mod estimation;
 mod family;

@@ -130,7 +130,7 @@ fn both_readers_see_the_same_table() {
     let pieces =
         ["1", "2", "-3", "\"4\"", "\"5", "6\"", "\"\"", " ", ",", ",", ",", "\n", "\r\n", "\r", "\t"];
     let mut rng = seeded(61);
-    let mut accepted = 0;
+    let (mut accepted, mut short) = (0, 0);
     for _ in 0..60_000 {
         let count = rng.random_range(3..=14);
         let text: String = (0..count).map(|_| pieces[rng.random_range(0..pieces.len())]).collect();
@@ -139,13 +139,20 @@ fn both_readers_see_the_same_table() {
         let dialect = AskedDialect { delimiter: Some(b','), ..AskedDialect::default() };
         question.options = TableOptions { header: Header::Absent, dialect, ..TableOptions::default() };
         if let Ok(problem) = question.problem() {
+            if question.proof_of(&problem).is_none() {
+                // Rows without their last cells are read, and are not plain.
+                let notes = problem.measurements.table().unwrap();
+                assert!(notes.skipped.short_rows > 0, "{text:?}");
+                short += 1;
+                continue;
+            }
             accepts(&question);
             accepted += 1;
             question.options.rows = RowRange::new(1, problem.measurements.rows_total()).into();
             accepts(&question);
         }
     }
-    assert!(accepted > 500, "{accepted}");
+    assert!(accepted > 500 && short > 0, "{accepted}, {short}");
 }
 
 #[test]

@@ -31,7 +31,7 @@ fn runs_are_those_of_all_runs_that_no_other_one_contains() {
                 if order == Order::X { readings.by_x() } else { (0..readings.rows.len()).collect() };
             assert_eq!(range.order, expected, "case {case}");
             let runs: Vec<[usize; 2]> = range.runs.iter().map(|run| [run.first, run.last]).collect();
-            let brute = readings.maximal_runs(&expected);
+            let brute = readings.maximal_runs(&expected, order == Order::X);
             assert_eq!(runs, brute, "case {case}, {order:?}: {readings:?}");
             let longest = brute.iter().map(|[first, last]| last - first + 1).max();
             let first = brute.iter().find(|[first, last]| Some(last - first + 1) == longest);
@@ -50,20 +50,31 @@ fn runs_are_those_of_all_runs_that_no_other_one_contains() {
                 let row = |&position: &usize| problem.measurements.kept()[position].clone();
                 with_rows(&problem, range.order[first..=last].iter().map(row).collect())
             };
+            // The first and the last position of the place of one.
+            let place = |position: usize| {
+                let is_same = |&other: &usize| {
+                    let [one, other] = [expected[position], expected[other]];
+                    one == other || order == Order::X && readings.are_one_place(one, other)
+                };
+                let mut all = (0..expected.len()).filter(is_same);
+                let first = all.next().unwrap();
+                [first, all.next_back().unwrap_or(first)]
+            };
             for run in &range.runs {
                 assert_eq!(
                     (run.before.is_none(), run.after.is_none()),
                     (run.first == 0, run.last + 1 == expected.len())
                 );
                 if let Some(before) = &run.before {
-                    verify(before, &some(run.first - 1, run.last));
+                    verify(before, &some(place(run.first - 1)[0], run.last));
                 }
                 if let Some(after) = &run.after {
-                    verify(after, &some(run.first, run.last + 1));
+                    verify(after, &some(run.first, place(run.last + 1)[1]));
                 }
             }
             for (position, contradiction) in &range.alone {
-                verify(contradiction, &some(*position, *position));
+                let [first, last] = place(*position);
+                verify(contradiction, &some(first, last));
                 alone += 1;
             }
             several += usize::from(runs.len() > 1);

@@ -73,6 +73,16 @@ const PIECES: &[&str] = &[
     "# ",
     " (mV)",
     "NA",
+    "#DIV/0!",
+    "<f>A1</f>",
+    " t=\"s\"",
+    " r=\"XFD1048576\"",
+    " uniqueCount=\"4294967295\"",
+    " table:number-columns-repeated=\"16384\"",
+    " table:number-rows-repeated=\"1048576\"",
+    "<text:s text:c=\"99999\"/>",
+    "&#0;",
+    "</c>",
 ];
 
 fn mutation() -> impl Strategy<Value = Mutation> {
@@ -208,4 +218,14 @@ fn models() {
 #[test]
 fn slow_units() {
     smoke(TARGETS[8]);
+}
+
+#[test]
+fn workbooks() {
+    smoke(TARGETS[9]);
+}
+
+#[test]
+fn packed_tables() {
+    smoke(TARGETS[10]);
 }

@@ -2,6 +2,8 @@
 
 #[cfg(feature = "arrow")]
 mod arrow;
+mod foreign;
 mod fuzz_smoke;
+mod guesses;
 mod mat;
 mod scan;

@@ -79,7 +79,7 @@ fn the_program_says_the_same_about_a_file_without_the_row() {
         let report = report(directory.path(), line, b"");
         for axis in 0..2 {
             for end in ["lower", "upper"] {
-                let fresh = &report["pui"][axis][end]["value"];
+                let fresh = &report["pui"][axis][end];
                 assert_eq!(exact(&without["pui"][axis][end]), exact(fresh), "without {row}");
             }
         }

@@ -1,5 +1,6 @@
 //! The lesson page: every number in its data against the engine, and the page as the program writes it.
 
+mod cells;
 mod corridor;
 mod decimals;
 mod document;

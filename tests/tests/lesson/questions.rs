@@ -97,7 +97,7 @@ fn the_transducer_s_answers_are_the_published_facts() {
         ("smallest-error-bound", "ε = 0.00039444 (exactly 791/2005400). Readings 14, 24 and 34 fix it"),
         (
             "central-or-least-squares",
-            "The central estimate guarantees ±2.8744e−5 for θ₁ and ±0.00010578 for θ₂, least squares ±2.8956e−5 for θ₁ and ±0.00019476 for θ₂.",
+            "The central estimate guarantees θ₁ = 0.001819636 ± 0.000028745 and θ₂ = 0.02270164 ± 0.00010578, least squares θ₁ = 0.001819424 ± 0.000028957 and θ₂ = 0.02279063 ± 0.00019476.",
         ),
         ("box-full", "53.301 % of its area; the rest are parameter pairs that some reading rules out"),
         ("inner-or-outer", "An inner one."),

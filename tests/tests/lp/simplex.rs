@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use boundfit_check::{ProgramRows, directions};
+use boundfit_check::{AskedDirections, ProgramRows, directions};
 use boundfit_exact::Rational;
 use boundfit_geometry::{Polyhedron, Support};
 use boundfit_lp::{
@@ -359,7 +359,8 @@ fn the_set_lies_between_its_approximations() {
         let rows = ProgramRows::new(&problem);
         let polyhedron = Polyhedron::intersect(system_of(&rows.plain()));
         let count = [3, 4, 7, 16][rng.random_range(0..4)];
-        let found = directions(&problem, &rows, count);
+        let asked = AskedDirections { count, is_scaled: case % 2 == 0 };
+        let found = directions(&problem, &rows, asked);
         assert_eq!(found.count, count);
         assert_eq!(found.exact.area, polyhedron.region().area());
         if polyhedron.region().is_empty() {

@@ -12,7 +12,7 @@ fn keys(value: &Value) -> Vec<&str> {
 
 /// `{"exact": "p/q", "decimal": "..."}`.
 fn is_number(value: &Value) -> bool {
-    keys(value) == ["exact", "decimal", "value"]
+    (keys(value) == ["exact", "decimal", "value"] || keys(value) == ["exact", "decimal", "value", "outward"])
         && value["exact"].is_string()
         && value["decimal"].is_string()
         && or_null(&value["value"], Value::is_number)
@@ -209,7 +209,7 @@ fn the_set_seen_from_many_directions() {
     check_schema(&found);
     assert!(found["claims"].as_array().unwrap().is_empty() && found["worst"].is_null());
     let seen = &found["directions"];
-    assert_eq!(keys(seen), ["count", "unbounded", "inner", "exact", "outer"]);
+    assert_eq!(keys(seen), ["count", "scaled", "unbounded", "inner", "exact", "outer"]);
     assert_eq!((&seen["count"], &seen["unbounded"]), (&16.into(), &0.into()));
     let area = |name: &str| {
         assert_eq!(keys(&seen[name]), ["vertices", "area"]);
@@ -222,6 +222,9 @@ fn the_set_seen_from_many_directions() {
     assert_eq!(area("exact"), number("1/300000000"));
     let vertices = |name: &str| seen[name]["vertices"].as_array().unwrap().clone();
     assert!(vertices("inner").iter().all(|vertex| vertices("exact").contains(vertex)));
+    let scaled = report(&format!("{NEAR_PARALLEL} --directions 16 --scaled"), 0);
+    assert_eq!([&seen["scaled"], &scaled["directions"]["scaled"]], [false, true]);
+    assert_ne!(scaled["directions"]["outer"], seen["outer"]);
     // Sixteen is the default.
     assert_eq!(report(&format!("{NEAR_PARALLEL} --directions"), 0), found);
 
@@ -231,6 +234,7 @@ fn the_set_seen_from_many_directions() {
         "inner: hull of the optimisers",
         "the set itself                 4         3.3333e-9\n",
         "outer: supporting half-planes",
+        "The directions are spread evenly in the plane of theta1 and theta2.\n",
     ] {
         assert!(text.contains(part), "{part}: {text}");
     }

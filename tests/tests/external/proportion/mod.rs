@@ -130,7 +130,7 @@ impl Known {
         let line = format!("fit {} --x x --y y --eps {epsilon} --format json", csv.display());
         let (_, fit) = json(&line, &[0]);
         let end = |axis: usize, side: &str| {
-            number(fit["pui"][axis][side]["value"]["exact"].as_str().expect("the set is bounded"))
+            number(fit["pui"][axis][side]["exact"].as_str().expect("the set is bounded"))
         };
         let ends = [0, 1].map(|axis| [end(axis, "lower"), end(axis, "upper")]);
         Known { readings, epsilon: number(epsilon), ends }

@@ -51,7 +51,7 @@ fn commands() -> Vec<(String, String)> {
 /// The exact ends of the parameter uncertainty intervals, and their doubles.
 fn ends(report: &Value) -> Vec<(String, f64)> {
     let end = |index: usize| {
-        let value = &report["pui"][index / 2][["lower", "upper"][index % 2]]["value"];
+        let value = &report["pui"][index / 2][["lower", "upper"][index % 2]];
         let text =
             |key: &str| value[key].as_str().unwrap_or_else(|| panic!("no end {index}: {report}")).to_owned();
         (text("exact"), text("decimal").parse().unwrap())

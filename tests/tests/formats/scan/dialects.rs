@@ -2,7 +2,7 @@
 
 use boundfit_exact::{DecimalMark, Thousands};
 use boundfit_formats::{
-    AskedDialect, BLANKS, ColumnSelector, CommentMark, Missing, ScanOptions, TableOptions,
+    AskedBlock, AskedDialect, BLANKS, ColumnSelector, CommentMark, Missing, ScanOptions, TableOptions,
 };
 use boundfit_tests::generate::seeded;
 use rand::RngExt;
@@ -188,7 +188,13 @@ fn a_table_has_the_same_rows_in_every_dialect() {
     let mut rng = seeded(0xd1a1);
     let columns = ["a", "b"].map(ColumnSelector::name_or_number);
     let options = |dialect: AskedDialect| ScanOptions {
-        table: TableOptions { dialect, missing: Missing::Skip, ..TableOptions::default() },
+        // Comments between rows are notes here, and begin no blocks.
+        table: TableOptions {
+            dialect,
+            missing: Missing::Skip,
+            block: Some(AskedBlock::All),
+            ..TableOptions::default()
+        },
         ..ScanOptions::default()
     };
     for number in 0..5000 {

@@ -62,11 +62,14 @@ fn a_key_is_text() {
     let columns = by_name(&["x"]);
     let options = ScanOptions { key: by_name(&["s"]).pop(), ..ScanOptions::default() };
     let bytes = b"s,x\na,1\n\xff,2\n".to_vec();
+    let (_, found) = batches(Source::new("data.csv", Cursor::new(bytes)), &columns, &options).unwrap();
+    assert_eq!(found[0].keys.as_ref().unwrap().get(1), "ÿ");
+    let bytes = "s,x\nµ,1\n".as_bytes().iter().chain(b"\xff,2\n").copied().collect::<Vec<u8>>();
     let refused = batches(Source::new("data.csv", Cursor::new(bytes)), &columns, &options);
     assert_eq!(
         refused.unwrap_err(),
-        "data.csv: line 3, column 1 (s): \"\u{fffd}\": invalid UTF-8 at character 1 of the cell (expected text in UTF-8: \
-         save it as \"CSV UTF-8\", or convert it with iconv -f WINDOWS-1252 -t UTF-8)"
+        "data.csv: line 3, column 1 (s): \"\u{fffd}\": invalid UTF-8 at character 1 of the cell (expected text in UTF-8, \
+         as the characters before it are; --encoding windows-1252 reads any byte)"
     );
     let unknown = batches(source("t,x\na,1\n"), &columns, &options);
     assert_eq!(

@@ -1,7 +1,7 @@
 //! A scan gives the rows and the errors of a naive reader, whatever the chunks, the threads and the way the bytes come.
 
 mod agreement;
-mod both;
+pub mod both;
 mod bytes;
 mod dialects;
 mod handing_out;

@@ -2,7 +2,8 @@
 
 use boundfit_exact::{DecimalMark, Limits, Reading};
 use boundfit_formats::{
-    AskedDialect, ColumnSelector, Header, Missing, RowCondition, RowRange, RowSet, ScanOptions, TableOptions,
+    AskedBlock, AskedDialect, ColumnSelector, Header, Missing, RowCondition, RowRange, RowSet, ScanOptions,
+    TableOptions,
 };
 use boundfit_tests::reference_table::detect;
 use rand::RngExt;
@@ -162,8 +163,15 @@ pub fn case(rng: &mut ChaCha8Rng) -> Case {
 fn columns_of(rng: &mut ChaCha8Rng, width: usize, text_column: Option<usize>) -> Vec<ColumnSelector> {
     let numbers: Vec<usize> = (1..=width).filter(|column| Some(*column) != text_column).collect();
     let count = rng.random_range(1..=3);
-    let chosen = (0..count).filter_map(|_| numbers.choose(rng));
-    chosen.map(|number| ColumnSelector::name_or_number(&number.to_string())).collect()
+    // Nothing is asked for twice, but for a few.
+    let chosen: Vec<usize> = match rng.random_bool(0.05) {
+        true => (0..count).filter_map(|_| numbers.choose(rng).copied()).collect(),
+        false => numbers.sample(rng, count).copied().collect(),
+    };
+    if chosen.is_empty() {
+        return any_columns(rng);
+    }
+    chosen.into_iter().map(|number| ColumnSelector::name_or_number(&number.to_string())).collect()
 }
 
 /// Columns by number or name, which there may not be.
@@ -214,6 +222,8 @@ fn options(rng: &mut ChaCha8Rng, plain: bool) -> ScanOptions {
             decimal: DecimalMark::ALL.choose(rng).copied().filter(|_| unusual),
             ..AskedDialect::default()
         },
+        // The reference knows of no blocks.
+        block: Some(AskedBlock::All),
         missing: if rng.random_bool(0.3) { Missing::Skip } else { Missing::Refuse },
         rows,
         conditions,

@@ -278,7 +278,7 @@ fn directions_are_spread_where_the_box_is_a_square() {
         "tables/cars.csv --x speed --y dist --eps 45",
         "tables/trees.csv --x Girth,Height --y Volume --eps 30",
     ] {
-        let text = svg(&format!("fixtures/{fit} --figure directions"), 0);
+        let text = svg(&format!("fixtures/{fit} --figure directions --scaled"), 0);
         let areas = text.split("Inner area: ").nth(1).and_then(|rest| rest.split(" %").next()).unwrap();
         let part: f64 = areas.replace("×10⁻", "e-").parse().unwrap();
         assert!(part > 50.0, "{fit}: {part} %");

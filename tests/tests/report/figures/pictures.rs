@@ -222,3 +222,42 @@ fn a_document_has_the_picture_for_tikz_in_it() {
         assert!(colour[..2] == colour[2..4] && colour[..2] == colour[4..6], "{colour}");
     }
 }
+
+/// The description of a picture has its notes.
+fn description(text: &str) -> &str {
+    text.split_once("<desc").and_then(|(_, rest)| rest.split_once("</desc>")).map_or("", |(own, _)| own)
+}
+
+#[test]
+fn readings_on_the_border_are_drawn_and_those_outside_counted() {
+    let data = |options: &str| {
+        let line =
+            format!("fixtures/transducer/transducer.csv --x Vz --y z --rows 14..36 --eps 0.5e-3 {options}");
+        svg(&line, 0)
+    };
+    // The readings of rows 14 and 36 are at 0.013 and 0.035, those of rows 1 and 46 at 0 and 0.045.
+    let close = data("--figure data --y-range 0.0129..0.0351");
+    let on_border = data("--figure data --y-range 0.013..0.035");
+    let wide = data("--figure data --y-range 0.0127..0.0353");
+    for text in [&close, &on_border, &wide] {
+        assert!(description(text).contains("Outside this view: 23 of 46 readings."), "{}", description(text));
+    }
+    let all = data("--figure data --y-range 0..0.045");
+    assert!(!description(&all).contains("this view"), "{}", description(&all));
+    let none = data("--figure data --y-range 1..2");
+    assert!(description(&none).contains("No reading is in this view."), "{}", description(&none));
+}
+
+#[test]
+fn why_there_is_no_eui_is_the_true_reason() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("one-sided.csv");
+    fs::write(&data, "x,low,high\n0,1,\n1,,3\n2,2,\n3,,6\n").unwrap();
+    for figure in ["eui", "fps"] {
+        let line = format!("{} --x x --lower low --upper high --figure {figure}", data.display());
+        let text = svg(&line, 0);
+        let words = description(&text);
+        assert!(words.contains("a reading with one bound only has no middle"), "{words}");
+        assert!(!text.contains("dependent") && !text.contains("proportional"), "{words}");
+    }
+}

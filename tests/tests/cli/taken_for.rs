@@ -1,0 +1,91 @@
+//! What a table was taken for is said by every command: in its document, or else in a note on standard error.
+
+use boundfit_tests::cli::{boundfit, boundfit_with_input, directory_with, unbroken};
+use boundfit_tests::program::root;
+
+const TABLE: &str = "fixtures/guesses/pandas-nonames.csv";
+const WORDS: &str = "header in line 1 (else --header no)";
+
+/// Commands whose answers have no place for what a table was taken for; `{}` is the table.
+const WITHOUT_PLACE: [&str; 15] = [
+    "fit {} --x 2 --y 3 --eps 1 --by 3",
+    "fit {} --x 2 --y 3 --eps 1 --by 3 --format json",
+    "fit {} --x 2 --y 3 --eps 1 --window 4",
+    "fit {} --x 2 --y 3 --eps 1 --format csv",
+    "fit {} --x 2 --y 3 --eps 1 --x-eps 0.1 --format csv",
+    "check {} --x 2 --y 3 --eps 1 --format json",
+    "plot {} --x 2 --y 3 --eps 1",
+    "plot {} --x 2 --y 3 --eps 1 --eps 2",
+    "plot {} --x 2 --y 3 --eps 1 --by 3 --figure fps",
+    "plot {} --x 2 --y 3 --eps 1 --x-eps 0.1 --figure fps",
+    "reduce {} --x 2 --y 3",
+    "convert {} --x 2 --y 3 --eps 1 --to lp --objective theta1-min",
+    "status {} --x 2 --y 3 --eps 1 --format csv",
+    "range {} --x 2 --y 3 --eps 1 --format csv",
+    "linearity {} --x 2 --y 3 --format csv",
+];
+
+#[test]
+fn an_answer_without_a_place_for_it_has_a_note() {
+    for line in WITHOUT_PLACE {
+        let run = boundfit(&root(), &line.replace("{}", TABLE));
+        let notes: Vec<&str> = run.stderr.lines().filter(|line| line.starts_with("note: ")).collect();
+        assert_eq!(notes, [format!("note: {TABLE}: {WORDS}")], "{line}: {}", run.stderr);
+        assert!(!run.stdout.contains(WORDS), "{line}");
+    }
+}
+
+#[test]
+fn a_document_with_a_place_for_it_has_no_note() {
+    for line in [
+        "fit {} --x 2 --y 3 --eps 1",
+        "fit {} --x 2 --y 3 --eps 1 --brief",
+        "status {} --x 2 --y 3 --eps 1",
+        "range {} --x 2 --y 3 --eps 1",
+        "outliers {} --x 2 --y 3 --eps 1",
+        "predict {} --x 2 --y 3 --eps 1 --at 3",
+        "linearity {} --x 2 --y 3",
+    ] {
+        let run = boundfit(&root(), &line.replace("{}", TABLE));
+        assert!(unbroken(&run.stdout).contains(WORDS), "{line}: {}", run.stdout);
+        assert_eq!(run.stderr, "", "{line}");
+    }
+}
+
+#[test]
+fn nothing_is_said_of_a_plain_table() {
+    let directory = directory_with(&[("plain.csv", b"g,x,y\n7,0,1\n7,1,2\n8,2,3\n8,3,4\n")]);
+    for line in WITHOUT_PLACE {
+        let run = boundfit(directory.path(), &line.replace("{}", "plain.csv"));
+        assert!(!run.stderr.contains("note: "), "{line}: {}", run.stderr);
+    }
+}
+
+#[test]
+fn what_was_said_by_an_option_is_no_guess() {
+    for header in ["yes", "no"] {
+        let run = boundfit(&root(), &format!("reduce {TABLE} --x 2 --y 3 --header {header}"));
+        assert!(!run.stderr.contains("else --header"), "{}", run.stderr);
+    }
+}
+
+#[test]
+fn further_tables_are_spoken_of_by_their_own_names() {
+    let directory = directory_with(&[
+        ("data.csv", b"x,y\n0,1\n1,2\n2,3\n".as_slice()),
+        ("bare.csv", b"3,4\n4,9\n".as_slice()),
+        ("half.csv", b"1,0,2\n0,1,2\n-1,-1,1\n".as_slice()),
+    ]);
+    let note =
+        |file: &str| format!("note: {file}: no header, the first line is a reading (else --header yes)\n");
+    for (line, file) in [
+        ("predict data.csv --x 1 --y 2 --eps 1 --at bare.csv:1", "bare.csv"),
+        ("status data.csv --x 1 --y 2 --eps 1 --new bare.csv", "bare.csv"),
+    ] {
+        assert_eq!(boundfit(directory.path(), line).stderr, note(file), "{line}");
+    }
+    // Without names half-planes are a1, a2 and b in this order: nothing is guessed.
+    assert_eq!(boundfit(directory.path(), "polygon half.csv").stderr, "");
+    let run = boundfit_with_input(directory.path(), "reduce - --x 1 --y 2", b"3,4\n4,9\n");
+    assert_eq!(run.stderr, note("standard input"));
+}

@@ -1,0 +1,345 @@
+//! What a table is taken for: header, names, blocks. No guess goes unsaid.
+
+use boundfit_formats::{
+    AskedBlock, ColumnSelector, Header, Missing, MissingWords, ScanOptions, Source, TableNotes, TableOptions,
+};
+use boundfit_tests::generate::seeded;
+use boundfit_tests::program::root;
+use rand::RngExt;
+use rand::seq::IndexedRandom;
+use rand_chacha::ChaCha8Rng;
+
+use crate::scan::both::{POOLS, batches, found};
+
+/// The columns asked for, their numbers row by row, and what is said of the table; or the message.
+type Read = Result<(Vec<String>, Vec<Vec<String>>, Option<String>), String>;
+
+fn read(bytes: &[u8], columns: &[&str], table: TableOptions, chunk_bytes: usize) -> Read {
+    let columns: Vec<ColumnSelector> =
+        columns.iter().map(|column| ColumnSelector::name_or_number(column)).collect();
+    let options = ScanOptions { table, chunk_bytes, ..ScanOptions::default() };
+    let source = Source::new("data", std::io::Cursor::new(bytes.to_vec()));
+    let (scanned, batches) = batches(source, &columns, &options)?;
+    let words = scanned.table.as_ref().and_then(TableNotes::words);
+    let found = found(scanned, &batches);
+    let numbers = |(_, row): (usize, Vec<_>)| row.iter().map(ToString::to_string).collect();
+    Ok((found.names, found.rows.into_iter().map(numbers).collect(), words))
+}
+
+fn fixture(file: &str) -> Vec<u8> {
+    std::fs::read(root().join("fixtures/guesses").join(file)).unwrap()
+}
+
+/// Names, first row, number of rows and words of a fixture, or the message, whatever the chunks.
+fn said(file: &str, columns: &[&str], table: &TableOptions) -> String {
+    let shown = |chunk_bytes| {
+        let read = read(&fixture(file), columns, table.clone(), chunk_bytes);
+        read.map_or_else(
+            |message| message,
+            |(names, rows, words)| {
+                let words = words.map(|words| format!("; {words}")).unwrap_or_default();
+                format!("{}: {} and {} more{words}", names.join(" "), rows[0].join(" "), rows.len() - 1)
+            },
+        )
+    };
+    let expected = shown(1 << 18);
+    for chunk_bytes in [1, 7, 64] {
+        assert_eq!(POOLS[1].install(|| shown(chunk_bytes)), expected, "{file} in chunks of {chunk_bytes}");
+    }
+    expected
+}
+
+fn with(change: impl FnOnce(&mut TableOptions)) -> TableOptions {
+    let mut options = TableOptions::default();
+    change(&mut options);
+    options
+}
+
+fn auto() -> TableOptions {
+    TableOptions::default()
+}
+
+#[test]
+fn line_1_is_a_header_where_a_cell_of_it_is_no_number_above_numbers() {
+    let nonames = "0 1: 10 12501/500 and 9 more; header in line 1 (else --header no)";
+    assert_eq!(said("pandas-nonames.csv", &["2", "3"], &auto()), nonames);
+    assert_eq!(said("pandas-nonames.csv", &["0", "1"], &auto()), nonames);
+    let reading = with(|options| options.header = Header::Absent);
+    assert_eq!(said("pandas-nonames.csv", &["2", "3"], &reading), "col2 col3: 0 1 and 10 more");
+    let years = "1960 1970: 241/50 727/250 and 7 more; header in line 1 (else --header no)";
+    assert_eq!(said("years-as-names.csv", &["4", "5"], &auto()), years);
+    let by_name = "1960 1970: 241/50 727/250 and 7 more; header in line 1";
+    assert!(said("years-as-names.csv", &["1960", "1970"], &auto()).starts_with(by_name));
+    assert_eq!(
+        said("counts-in-line-1.csv", &["1", "2"], &auto()),
+        "150 4: 51/10 7/2 and 8 more; header in line 1"
+    );
+    assert_eq!(said("yearheads.csv", &["2", "3"], &auto()), "2010 2011: 2 3 and 2 more; header in line 1");
+}
+
+#[test]
+fn a_name_that_is_the_number_of_another_column_is_refused() {
+    let message = "data: line 1: \"1\" is the name of column 2 and the number of another one (expected '\"1\"', with \
+                   the quotes, for the name; for the number the name of that column, or --header no if the first row is a \
+                   reading)";
+    assert_eq!(said("scope.csv", &["x-axis", "1"], &auto()), message);
+    let units = with(|options| options.dialect.units_row = true);
+    assert_eq!(
+        said("scope.csv", &["x-axis", "\"1\""], &units),
+        "x-axis 1: -1/200 51/500 and 3 more; header in line 1"
+    );
+    for (columns, message) in [
+        (
+            ["temp", "temp"],
+            "data: line 1, column 1 (temp): the same column is asked for as \"temp\" and as \"temp\" (expected two columns)",
+        ),
+        (
+            ["1", "temp"],
+            "data: line 1, column 1 (temp): the same column is asked for as \"1\" and as \"temp\" (expected two columns)",
+        ),
+    ] {
+        assert_eq!(said("yearheads.csv", &columns, &auto()), message);
+    }
+}
+
+#[test]
+fn a_remark_names_no_columns() {
+    assert_eq!(
+        said("run1.txt", &["1", "2"], &auto()),
+        "col1 col2: 1 2 and 3 more; no header, the first line is a reading (else --header yes), separated by blanks"
+    );
+    assert_eq!(
+        said("taken-out.dat", &["T", "U"], &auto()),
+        "T U: 1 2 and 2 more; names in the comment of line 1, 1 comment line between rows, separated by blanks"
+    );
+    assert_eq!(
+        said("integers-in-r.csv", &["x", "y"], &auto()),
+        "x y: 2 5 and 2 more; names of rows in column 1"
+    );
+}
+
+#[test]
+fn blocks_are_told_apart() {
+    let list = "1 (run 1), lines 2 to 4, 3 rows; 2 (run 2), lines 8 to 10, 3 rows";
+    let expected =
+        "(expected --block with a number or a name; --block all takes the rows of all of them together)";
+    assert_eq!(
+        said("gnuplot.dat", &["1", "2"], &auto()),
+        format!("data: the file has 2 blocks of rows: {list} {expected}")
+    );
+    let block = |text: &str| with(|options| options.block = AskedBlock::parse(text));
+    let open = "no header, the first line is a reading (else --header yes)";
+    for (asked, rows, said_of) in [
+        ("2", "1 7 and 2 more", "block 2 of 2 (run 2)"),
+        ("run 2", "1 7 and 2 more", "block 2 of 2 (run 2)"),
+        ("1", "1 2 and 2 more", "block 1 of 2 (run 1)"),
+        ("run 1", "1 2 and 2 more", "block 1 of 2 (run 1)"),
+        ("all", "1 2 and 5 more", "all 2 blocks"),
+    ] {
+        assert_eq!(
+            said("gnuplot.dat", &["1", "2"], &block(asked)),
+            format!("col1 col2: {rows}; {open}, {said_of}, separated by blanks")
+        );
+    }
+    for asked in ["3", "run"] {
+        let wanted = AskedBlock::parse(asked).unwrap();
+        assert_eq!(
+            said("gnuplot.dat", &["1", "2"], &block(asked)),
+            format!("data: there is no block {wanted}; the file has 2: {list} {expected}")
+        );
+    }
+}
+
+#[test]
+fn blocks_are_found_wherever_chunks_end() {
+    let rows = |start: usize| (start..start + 9).map(|k| format!("{k},{}.5\n", k * 3)).collect::<String>();
+    for (between, is_break) in
+        [("\n", false), ("\n\n", true), ("\r\n \n", true), ("# b\n", true), ("#b\n\n\n", true)]
+    {
+        let text = format!("x,y\n{}{between}{}", rows(1), rows(10));
+        for chunk_bytes in 1..=text.len() {
+            let read = POOLS[1].install(|| read(text.as_bytes(), &["x", "y"], auto(), chunk_bytes));
+            let message = read.as_ref().err().cloned().unwrap_or_default();
+            assert_eq!(
+                message.contains("the file has 2 blocks of rows: 1, lines 1 to 10, 9 rows; 2"),
+                is_break,
+                "{between:?} in chunks of {chunk_bytes}: {message}"
+            );
+            assert_eq!(read.is_ok_and(|(_, rows, _)| rows.len() == 18), !is_break, "{between:?}");
+        }
+    }
+}
+
+#[test]
+fn lines_before_the_table_and_short_rows_are_passed_over_and_counted() {
+    assert_eq!(
+        said("labview.lvm", &["X_Value", "Voltage"], &auto()),
+        "X_Value Voltage: 0 1021/1000 and 3 more; header in line 22, 3 rows shorter than the first"
+    );
+    assert_eq!(
+        said("logger.csv", &["Time", "Temperature"], &auto()),
+        "Time (s) Temperature (C): 0 201/10 and 3 more; header in line 4, 2 rows shorter than the first"
+    );
+    assert_eq!(
+        said("scope-preamble.csv", &["TIME", "CH1"], &auto()),
+        "TIME CH1: -1/1000 51/500 and 3 more; header in line 5"
+    );
+}
+
+#[test]
+fn marks_of_spreadsheets_are_understood_or_explained() {
+    assert_eq!(
+        said("sep-line.csv", &["U", "I"], &auto()),
+        "U I: 3/2 9/4 and 2 more; decimal comma, separated by semicolons"
+    );
+    let comma = with(|options| options.dialect.decimal = Some(boundfit_exact::DecimalMark::Comma));
+    assert_eq!(
+        said("quoted-commas.csv", &["x", "y"], &comma),
+        "x y: 3/2 2 and 2 more; decimal comma, separated by commas"
+    );
+    for (file, message) in [
+        (
+            "quoted-commas.csv",
+            "line 2, column 1 (x): \"1,5\": not a number: unexpected ',' (the decimal mark is a point) at character 2 (expected 1.5; with --decimal comma 1,5 is read, with --thousands ',' 60,323 as 60323)",
+        ),
+        (
+            "commas-twice.csv",
+            "line 2: the row has 4 cells where the first row has 2: decimal commas and commas between columns? (expected semicolons or tabs between the columns, or quotes around numbers with commas and --decimal comma)",
+        ),
+    ] {
+        assert_eq!(said(file, &["x", "y"], &auto()), format!("data: {message}"));
+    }
+    assert_eq!(
+        said("dates.csv", &["t", "U"], &auto()),
+        "data: line 2, column 1 (t): \"2024-01-01 00:00:10\": a date or a time, not a number (expected a number: give the \
+         cells the format of one, or add a column of seconds or days)"
+    );
+}
+
+#[test]
+fn words_and_numbers_for_missing_values_are_told() {
+    let words = || MissingWords::new(["OVLD", "-999"].map(str::to_owned));
+    let skipped = with(|options| (options.missing, options.missing_as) = (Missing::Skip, words()));
+    assert_eq!(said("overload.csv", &["x", "y"], &skipped), "x y: 1 2 and 1 more");
+    let refused = with(|options| options.missing_as = words());
+    assert_eq!(
+        said("overload.csv", &["x", "y"], &refused),
+        "data: line 3, column 2 (y): \"OVLD\": the value is missing, and in 1 row more (expected a number in every row; \
+         --missing skip leaves such rows out)"
+    );
+}
+
+/// A plain table: its lines, without line ends.
+fn plain(rng: &mut ChaCha8Rng) -> (Vec<String>, String) {
+    let delimiter = [",", ";", "\t", " "].choose(rng).unwrap().to_string();
+    let width = rng.random_range(2..=4);
+    let number = |rng: &mut ChaCha8Rng| match rng.random_range(0..3) {
+        0 => rng.random_range(-50..50).to_string(),
+        _ => format!("{}.{}", rng.random_range(-50..50), rng.random_range(0..100)),
+    };
+    let names = ["x", "y", "t", "n"][..width].join(&delimiter);
+    let rows = (0..rng.random_range(3..9))
+        .map(|_| (0..width).map(|_| number(rng)).collect::<Vec<_>>().join(&delimiter));
+    let lines = [names].into_iter().chain(rows).collect();
+    (lines, delimiter)
+}
+
+/// One change that leaves the readings what they are, to whom looks at the table; or tells that they are something else.
+fn edit(lines: &mut Vec<String>, delimiter: &str, rng: &mut ChaCha8Rng) {
+    let at = rng.random_range(0..=lines.len());
+    let row = rng.random_range(1..lines.len().max(2)).min(lines.len() - 1);
+    match rng.random_range(0..15) {
+        0 => {
+            lines[0] = lines[0]
+                .split(delimiter)
+                .enumerate()
+                .map(|(k, _)| (1960 + k).to_string())
+                .collect::<Vec<_>>()
+                .join(delimiter)
+        }
+        1 => lines.insert(
+            0,
+            lines[0]
+                .split(delimiter)
+                .enumerate()
+                .map(|(k, _)| k.to_string())
+                .collect::<Vec<_>>()
+                .join(delimiter),
+        ),
+        2 => _ = lines.remove(0),
+        3 => lines.insert(at, String::new()),
+        4 => (0..2).for_each(|_| lines.insert(at, String::new())),
+        5 => {
+            lines.insert(at, ["# run 2", "% a note", "#", "# 1 2", "# 3,4"].choose(rng).unwrap().to_string())
+        }
+        6 => {
+            lines[row] =
+                lines[row].rsplit_once(delimiter).map_or_else(String::new, |(start, _)| start.to_owned())
+        }
+        7 => lines[row] += &format!("{delimiter}late"),
+        8 => lines[row] += delimiter,
+        9 => lines
+            .splice(0..0, ["Device: X 7".to_owned(), "made, in haste; 3".to_owned(), String::new()])
+            .for_each(drop),
+        10 => lines.insert(at, lines[0].clone()),
+        11 => {
+            lines.iter_mut().enumerate().skip(1).for_each(|(k, line)| *line = format!("{k}{delimiter}{line}"))
+        }
+        12 => {
+            lines[0] = format!("{delimiter}{}", lines[0].split_once(delimiter).map_or("", |(_, rest)| rest))
+        }
+        13 => lines.insert(0, format!("sep={delimiter}")),
+        _ => lines.iter_mut().for_each(|line| {
+            *line =
+                line.split(delimiter).map(|cell| format!("\"{cell}\"")).collect::<Vec<_>>().join(delimiter)
+        }),
+    }
+}
+
+/// Of 5,000 tables with one to three changes none is read with other numbers than those of the plain one, unless a report says
+/// what it was taken for.
+#[test]
+fn no_edit_gives_another_answer_without_a_word() {
+    let mut rng = seeded(0x6e55);
+    let (mut same, mut said, mut refused) = (0, 0, 0);
+    for number in 0..5000 {
+        let (lines, delimiter) = plain(&mut rng);
+        let columns = *[["x", "y"], ["1", "2"], ["x", "2"]].choose(&mut rng).unwrap();
+        let text = |lines: &[String]| lines.join("\n") + "\n";
+        let expected = read(text(&lines).as_bytes(), &columns, auto(), 1 << 18).unwrap().1;
+        let mut edited = lines.clone();
+        for _ in 0..rng.random_range(1..=3) {
+            if !edited.is_empty() {
+                edit(&mut edited, &delimiter, &mut rng);
+            }
+        }
+        let text = text(&edited);
+        let bytes: Vec<u8> = match rng.random_range(0..10) {
+            0 => "\u{feff}"
+                .chars()
+                .chain(text.chars())
+                .collect::<String>()
+                .encode_utf16()
+                .flat_map(u16::to_le_bytes)
+                .collect(),
+            1 => text.replace('x', "x\u{e4}").chars().map(|letter| letter as u8).collect(),
+            2 => text.replace('\n', "\r\n").into_bytes(),
+            _ => text.clone().into_bytes(),
+        };
+        let chunk_bytes = *[1, 16, 1 << 18].choose(&mut rng).unwrap();
+        match read(&bytes, &columns, auto(), chunk_bytes) {
+            Err(_) => refused += 1,
+            Ok((_, rows, words)) if rows == expected => {
+                same += 1;
+                drop(words);
+            }
+            // Blanks between columns are said of every such table.
+            Ok((_, rows, words)) => {
+                let words = words.map(|words| words.replace("separated by blanks", "")).unwrap_or_default();
+                assert!(!words.is_empty(), "case {number}, {columns:?}: {rows:?}, not {expected:?}\n{text}");
+                said += 1;
+            }
+        }
+    }
+    assert!(same > 500 && said > 150 && refused > 500, "{same} the same, {said} said, {refused} refused");
+}
