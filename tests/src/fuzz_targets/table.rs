@@ -44,10 +44,21 @@ pub fn csv_reader(data: &[u8]) {
             let expected = reference_table::read(data, None, columns, &options.table);
             let found = by_scan(source(), columns, options);
             let is_binary = found.as_ref().is_err_and(|message| message.starts_with("data.csv: this is a"));
-            let may_differ = is_binary && may_be_binary(data) || may_be_records(data);
+            let is_time = is_refused_as_time(&found, &expected);
+            let may_differ = is_binary && may_be_binary(data) || may_be_records(data) || is_time;
             assert!(found == expected || may_differ, "{found:?}, not {expected:?}");
         });
     });
+}
+
+/// Whether a text that is no number is refused as a date or a time. Which texts are, the reference does not know.
+fn is_refused_as_time<T>(found: &Result<T, String>, expected: &Result<T, String>) -> bool {
+    let (Err(found), Err(expected)) = (found, expected) else { return false };
+    let is_time = |what: &str| {
+        let place = found.split_once(what).map(|(place, _)| place);
+        place.is_some_and(|place| expected.starts_with(&format!("{place}: not a number")))
+    };
+    is_time(": not a number: this looks like a date") || is_time(": a date or a time, not a number")
 }
 
 /// Bytes that start like a MAT-file of version 5, as they stand or after such a start, are read or refused, and some of
