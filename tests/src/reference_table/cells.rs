@@ -14,7 +14,7 @@ impl Reader<'_> {
         columns: &Columns,
         line: u64,
         row: usize,
-        (mark, is_open): (&mut Option<DecimalMark>, bool),
+        (mark, tells): (&mut Option<DecimalMark>, (bool, bool)),
     ) -> Result<Result<Vec<Rational>, InputError>, InputError> {
         let (mut numbers, mut lacks) = (Vec::new(), None);
         let cell_at = |place: usize| record.get(place - 1).unwrap_or_default();
@@ -32,7 +32,7 @@ impl Reader<'_> {
             let text = std::str::from_utf8(cell)
                 .map_err(|error| wrong_cell(line, place, name, cell, not_utf8(cell, &error)))?;
             let wrong = |kind: CellError| wrong_cell(line, place, name, cell, kind);
-            let read = self.marked(text, mark, is_open);
+            let read = self.marked(text, mark, tells);
             match read {
                 Ok(number) if column.is_non_negative() && number.is_negative() => {
                     return Err(wrong(InputErrorKind::NegativeErrorBound.into()));
@@ -50,16 +50,19 @@ impl Reader<'_> {
         Ok(lacks.map_or(Ok(numbers), Err))
     }
 
-    /// The number of a text, under the decimal mark that is known, or that it tells.
+    /// The number of a text, under the decimal mark that is known, or that it tells. Two things are told of the table: whether cells
+    /// tell it, and whether a comma may group digits unless one before was a decimal mark.
     pub(super) fn marked(
         &self,
         text: &str,
         mark: &mut Option<DecimalMark>,
-        is_open: bool,
+        (is_open, may_group): (bool, bool),
     ) -> Result<Rational, CellError> {
         match *mark {
             Some(own) => self.number(text, own).map_err(|error| {
-                let is_other = is_open && self.number(text, own.other()).is_ok();
+                let is_other = is_open
+                    && self.number(text, own.other()).is_ok()
+                    && !(may_group && own == DecimalMark::Point && is_grouped(text));
                 let another = InputErrorKind::AnotherDecimalMark { before: own };
                 if is_other { another.into() } else { CellError::from(error) }
             }),
@@ -68,7 +71,7 @@ impl Reader<'_> {
                     *mark = text.contains('.').then_some(DecimalMark::Point);
                     Ok(number)
                 }
-                [_, Ok(number)] => {
+                [Err(_), Ok(number)] if !(may_group && is_grouped(text)) => {
                     *mark = Some(DecimalMark::Comma);
                     Ok(number)
                 }
@@ -81,6 +84,17 @@ impl Reader<'_> {
         let notation = Notation { decimal, thousands: self.options.dialect.thousands };
         self.options.reading.read_written(text, notation, &self.options.limits)
     }
+}
+
+/// Whether commas may stand between groups of three digits.
+fn is_grouped(text: &str) -> bool {
+    let text = boundfit_exact::trim_number(text);
+    let text = text.strip_prefix(['+', '-', '\u{2212}']).unwrap_or(text);
+    let whole = text.split(['.', 'e', 'E', 'd', 'D']).next().unwrap_or_default();
+    let groups: Vec<&str> = whole.split(',').collect();
+    !whole.starts_with('0')
+        && (1..=3).contains(&groups[0].len())
+        && groups[1..].iter().all(|group| group.len() == 3)
 }
 
 /// What is wrong, and on which line.

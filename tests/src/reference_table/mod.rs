@@ -219,7 +219,8 @@ impl Reader<'_> {
         lacking: &mut Lacking,
     ) -> Result<Found, Option<InputError>> {
         let mut mark = self.options.dialect.decimal;
-        let is_open = matches!(records.delimiter, b';' | b'\t' | b'|') && mark.is_none();
+        let is_open = matches!(records.delimiter, b',' | b';' | b'\t' | b'|') && mark.is_none();
+        let tells = (is_open, records.delimiter == b',');
         if !is_open {
             mark = mark.or(Some(DecimalMark::Point));
         }
@@ -268,7 +269,7 @@ impl Reader<'_> {
                         let wrong = |kind: CellError| wrong_cell(line, place, name, cell, kind);
                         let text = std::str::from_utf8(cell)
                             .map_err(|error| Some(wrong(not_utf8(cell, &error).into())))?;
-                        match self.marked(text, &mut mark, is_open) {
+                        match self.marked(text, &mut mark, tells) {
                             Ok(number) => holds &= condition.holds(&number),
                             Err(error) if is_missing(text) => lacks = lacks.or(Some(wrong(error))),
                             Err(error) => return Err(Some(wrong(error))),
@@ -279,7 +280,7 @@ impl Reader<'_> {
                     lacks.into_iter().filter(|_| holds).for_each(|place| lacking.add(place));
                 }
                 if !is_lacking && (is_wanted || self.options.keep_others) {
-                    match self.numbers(&record, columns, line, row, (&mut mark, is_open)) {
+                    match self.numbers(&record, columns, line, row, (&mut mark, tells)) {
                         Ok(Ok(numbers)) if is_wanted => found.rows.push((row, numbers)),
                         Ok(Ok(numbers)) => found.others.push((row, numbers)),
                         Ok(Err(place)) if is_wanted => lacking.add(place),

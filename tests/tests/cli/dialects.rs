@@ -13,8 +13,12 @@ fn what_is_found_out_is_said() {
         ("missing.csv", b"x,y\n1,NA\n2,3\n,4\n5,6\n7,8\n"),
         ("units.csv", b"U\tI\nmV\tmA\n1\t2\n2\t3,5\n"),
         ("thousands.csv", b"x,y\n\"60,323\",1\n83000,2\n"),
+        ("quoted.csv", b"x,y\n\"0,5\",\"-1,5\"\n\"1,234\",\"1,300\"\n\"9,5\",\"10,5\"\n"),
     ]);
     for (line, facts) in [
+        ("fit quoted.csv --x x --y y --eps 2", "decimal comma, separated by commas"),
+        // The second look, without the readings that decide, begins with what may be grouped digits.
+        ("status quoted.csv --x x --y y --eps 2", "decimal comma, separated by commas"),
         ("fit de.csv --x Umfang --y Höhe --eps 10", "decimal comma, separated by semicolons"),
         ("fit savetxt.txt --x speed --y dist --eps 10", "separated by blanks"),
         ("fit R.txt --x speed --y dist --eps 10", "separated by blanks"),
@@ -34,6 +38,8 @@ fn what_is_found_out_is_said() {
     }
     let json = printed(directory.path(), "fit missing.csv --x x --y y --eps 1 --missing skip --format json");
     assert!(json.contains("\"rows_missing\": 2,"), "{json}");
+    let json = printed(directory.path(), "fit quoted.csv --x 1 --y 2 --eps 10 --format json");
+    assert!(json.contains("\"delimiter\": \"comma\",\n      \"decimal\": \"comma\","), "{json}");
     let json = printed(directory.path(), "fit de.csv --x 1 --y 2 --eps 10 --format json");
     assert!(json.contains("\"delimiter\": \"semicolon\",\n      \"decimal\": \"comma\","), "{json}");
     let picture = printed(directory.path(), "plot units.csv --x U --y I --eps 1 --units-row");

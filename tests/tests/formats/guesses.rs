@@ -197,23 +197,67 @@ fn marks_of_spreadsheets_are_understood_or_explained() {
         said("quoted-commas.csv", &["x", "y"], &comma),
         "x y: 3/2 2 and 2 more; decimal comma, separated by commas"
     );
-    for (file, message) in [
-        (
-            "quoted-commas.csv",
-            "line 2, column 1 (x): \"1,5\": not a number: unexpected ',' (the decimal mark is a point) at character 2 (expected 1.5; with --decimal comma 1,5 is read, with --thousands ',' 60,323 as 60323)",
-        ),
-        (
-            "commas-twice.csv",
-            "line 2: the row has 4 cells where the first row has 2: decimal commas and commas between columns? (expected semicolons or tabs between the columns, or quotes around numbers with commas and --decimal comma)",
-        ),
-    ] {
-        assert_eq!(said(file, &["x", "y"], &auto()), format!("data: {message}"));
-    }
+    assert_eq!(
+        said("quoted-commas.csv", &["x", "y"], &auto()),
+        said("quoted-commas.csv", &["x", "y"], &comma)
+    );
+    assert_eq!(
+        said("commas-twice.csv", &["x", "y"], &auto()),
+        "data: line 2: the row has 4 cells where the first row has 2: decimal commas and commas between columns? (expected semicolons or tabs between the columns, or quotes around numbers with commas and --decimal comma)"
+    );
     assert_eq!(
         said("dates.csv", &["t", "U"], &auto()),
         "data: line 2, column 1 (t): \"2024-01-01 00:00:10\": a date or a time, not a number (expected a number: give the \
          cells the format of one, or add a column of seconds or days)"
     );
+}
+
+/// Quoted commas in a table that commas divide, between rows of integers: the first one that cannot group digits tells what they
+/// are, wherever chunks end, and whatever stands in columns that are not asked for.
+#[test]
+fn quoted_decimal_commas_are_told_from_grouped_digits() {
+    let text = |head: &str, cells: &str| {
+        let integers: String = (1..6).map(|k| format!("0:00.{k},{k},{}\n", 2 * k)).collect();
+        format!("t,x,y\n{head}{integers}{cells}{integers}\"no. 7\",8,9\n")
+    };
+    let grouped = |line: u32| {
+        format!(
+            "data: line {line}, column 2 (x): \"1,234\": not a number: unexpected ',' (the decimal mark is a point) at \
+             character 2 (expected 1.5; with --decimal comma 1,5 is read, with --thousands ',' 60,323 as 60323)"
+        )
+    };
+    let another = |line: u32, cell: &str, marks: [&str; 2]| {
+        format!(
+            "data: line {line}, column 2 (x): \"{cell}\": a number with a decimal {}, where those before have a decimal {} \
+             (expected one decimal mark; --decimal comma or --decimal point says which, --thousands what groups digits)",
+            marks[0], marks[1]
+        )
+    };
+    let comma = Some("decimal comma, separated by commas".to_owned());
+    let number = |text: &str| Ok::<_, String>((text.to_owned(), comma.clone()));
+    for (head, cells, expected) in [
+        ("", "n,\"3,5\",1\n", number("7/2")),
+        ("", "n,\"0,125\",1\n", number("1/8")),
+        ("", "n,\"1234,5\",1\n", number("2469/2")),
+        ("n,\"3,5\",1\n", "n,\"1,234\",1\n", number("617/500")),
+        ("", "n,2,\"-,5\"\nn,\"1,234\",1\n", number("2")),
+        ("", "n,\"1,234\",1\nn,\"3,5\",1\n", Err(grouped(7))),
+        ("n,1.5,1\n", "n,\"1,234\",1\n", Err(grouped(8))),
+        ("n,1.5,1\n", "n,\"3,5\",1\n", Err(another(8, "3,5", ["comma", "point"]))),
+        ("n,1,5.\n", "n,\"3,5\",1\n", Err(another(8, "3,5", ["comma", "point"]))),
+        ("n,\"3,5\",1\n", "n,1.5,1\n", Err(another(8, "1.5", ["point", "comma"]))),
+    ] {
+        let text = text(head, cells);
+        let line = text.lines().position(|line| line == cells.lines().next().unwrap()).unwrap() - 1;
+        for chunk_bytes in (1..=text.len() + 1).chain([1 << 18]) {
+            let read = POOLS[1].install(|| read(text.as_bytes(), &["x", "y"], auto(), chunk_bytes));
+            let read = read.map(|(_, rows, words)| (rows[line][0].clone(), words));
+            assert_eq!(read, expected, "{text} in chunks of {chunk_bytes}");
+        }
+    }
+    let asked = with(|options| options.dialect.thousands = Some(boundfit_exact::Thousands::Comma));
+    let read = read(text("", "n,\"1,234\",1\n").as_bytes(), &["x", "y"], asked, 1);
+    assert_eq!(read.unwrap().1[5], ["1234", "1"]);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! `boundfit status`.
 
 use boundfit_estimation::{Columns, EpsilonColumn, Fit, Keep, Measurement, Measurements, Problem, fit};
-use boundfit_exact::Foreign;
+use boundfit_exact::{DecimalMark, Foreign};
 use boundfit_formats::{InputError, InputErrorKind, RowRange, RowSet, ScanOptions, Source};
 use boundfit_questions::{Deciding, NoRepair, Ranking, Repair, RowStatus, Standing, Statuses};
 use boundfit_report::{
@@ -178,8 +178,13 @@ impl Question<'_> {
         let holes = without.iter().filter_map(|&row| RowRange::new(row, row));
         let holes: Vec<RowRange> = options.table.rows.without().iter().copied().chain(holes).collect();
         options.table.rows = RowSet::new(options.table.rows.named(), &holes).ok_or_else(changed)?;
-        let seen = self.scan(source, self.columns, &options, see, seen).map_err(Failure::data)?;
         let first = &self.problem.measurements;
+        // The row that tells it may be among those that are left out.
+        let notation = first.table().map(|notes| notes.dialect.notation);
+        if notation.is_some_and(|notation| notation.decimal == DecimalMark::Comma) {
+            options.table.dialect.decimal = Some(DecimalMark::Comma);
+        }
+        let seen = self.scan(source, self.columns, &options, see, seen).map_err(Failure::data)?;
         let is_same = seen.sha256() == first.sha256() && seen.fitted() + without.len() == first.fitted();
         if is_same { Ok(seen) } else { Err(changed()) }
     }

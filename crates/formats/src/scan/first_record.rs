@@ -258,7 +258,7 @@ impl Start<'_> {
         if table.header != Header::Auto || asked.tell(&cells) {
             return Vec::new();
         }
-        let numbers = Numbers::new(table);
+        let numbers = Numbers::new(table, self.syntax.delimiter);
         // How many cells of each column told something, and whether one of them is a number.
         let mut below = vec![(0, false); cells.len()];
         let mut cursor = behind;
@@ -292,7 +292,7 @@ impl Start<'_> {
             return None;
         }
         let cells = preamble.commented_cells().filter(|cells| cells.len() == first.cells.len())?;
-        let numbers = Numbers::new(&self.options.table);
+        let numbers = Numbers::new(&self.options.table, self.syntax.delimiter);
         let is_number = |cell: &Vec<u8>| numbers.is_number(cell, Mark::Open);
         if !first.cells.iter().any(is_number) {
             return None;

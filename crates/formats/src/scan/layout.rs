@@ -139,7 +139,7 @@ impl<'a> Layout<'a> {
             title: None,
             first_line: 1,
             mark: Mark::of(dialect, syntax.delimiter),
-            numbers: Numbers::new(&options.table),
+            numbers: Numbers::new(&options.table, syntax.delimiter),
             meter: WorkMeter::default(),
             places,
             key,
@@ -219,6 +219,11 @@ impl<'a> Layout<'a> {
     #[inline]
     pub(super) fn is_wanted(&self, row: usize) -> bool {
         self.options.table.rows.contains(row)
+    }
+
+    /// Whether the first mark is still to be found, and commas separate cells.
+    pub(super) fn waits_for_mark(&self) -> bool {
+        self.mark == Mark::Open && self.numbers.has_comma_cells
     }
 
     /// Whether the number in a cell satisfies a condition, and the decimal mark that it tells if none was known.

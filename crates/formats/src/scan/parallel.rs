@@ -1,5 +1,7 @@
 //! Chunks side by side, in groups that keep all threads at work.
 
+use boundfit_exact::DecimalMark;
+
 use crate::chunks::{Chunk, ChunkReader};
 use crate::error::InputError;
 use crate::threads;
@@ -11,6 +13,7 @@ use super::layout::Layout;
 use super::notes::Notes;
 use super::plain::{self, Route};
 use super::rows::{self, Parsed};
+use super::values::Mark;
 
 /// Chunks of a group for each thread: enough that a slow one does not leave the other threads idle for long.
 const CHUNKS_PER_THREAD: usize = 4;
@@ -100,6 +103,32 @@ impl<T: Send, W: Fn(Batch) -> T + Sync, K: FnMut(T)> Run<'_, W, K> {
     }
 }
 
+/// The rows of chunks, each with how many come before it. Behind the first one that tells the decimal mark, chunks are read once more
+/// for which that mark matters: those that tell another one or have an error, whose words it may change, and all where commas that may
+/// group digits have become decimal ones.
+fn with_first_mark(
+    group: &[Chunk],
+    layout: &Layout,
+    mut parsed: Vec<(Parsed, usize)>,
+) -> Vec<(Parsed, usize)> {
+    let first = |(index, (parsed, _)): (usize, &(Parsed, usize))| Some((index, parsed.mark()?));
+    let Some((telling, mark)) = parsed.iter().enumerate().find_map(first) else { return parsed };
+    let matters_to_all = mark == DecimalMark::Comma && layout.numbers.has_comma_cells;
+    let again = |(chunk, (parsed, rows_before)): (&Chunk, (Parsed, usize))| {
+        let tells_another = parsed.mark().is_some_and(|own| own != mark);
+        let is_wrong = matches!(parsed, Parsed::Wrong(..));
+        let parsed = match matters_to_all || tells_another || is_wrong {
+            true => rows::parse(chunk, layout, Mark::Found(mark), rows_before),
+            false => parsed,
+        };
+        (parsed, rows_before)
+    };
+    let behind: Vec<(Parsed, usize)> = parsed.drain(telling + 1..).collect();
+    let behind = group.iter().skip(telling + 1).zip(behind).collect();
+    parsed.extend(threads::map(behind, again));
+    parsed
+}
+
 /// Reads the rows of a group that starts at a position, and works on them.
 fn read_group<T: Send>(
     group: &[Chunk],
@@ -125,8 +154,10 @@ fn read_group<T: Send>(
     }
     let parsed = threads::map(group.iter().zip(rows_before).collect(), |(chunk, rows_before)| {
         let rows = route.and_then(|route| plain::parse(chunk, layout, route, rows_before));
-        (rows.map_or_else(|| rows::parse(chunk, layout, rows_before), Parsed::Rows), rows_before)
+        let in_full = || rows::parse(chunk, layout, layout.mark, rows_before);
+        (rows.map_or_else(in_full, Parsed::Rows), rows_before)
     });
+    let parsed = if layout.mark == Mark::Open { with_first_mark(group, layout, parsed) } else { parsed };
     let mut position = position;
     let mut open = None;
     let mut batches = Vec::with_capacity(group.len());

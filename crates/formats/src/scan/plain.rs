@@ -7,13 +7,14 @@ use boundfit_exact::{
     DecimalMark, LONG_DIGITS, PlainPrefix, Reading, exponent_prefix, long_prefix, nearest_double,
     plain_prefix,
 };
-use memchr::{memchr, memchr_iter, memchr2, memchr3};
+use memchr::{memchr, memchr_iter, memchr2, memchr3, memrchr};
 
 use super::builder::BatchBuilder;
 use super::layout::Layout;
 use super::notes::Notes;
-use super::rows::Rows;
+use super::rows::{self, Rows};
 use super::straight::Straight;
+use super::values::Mark;
 use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
 use crate::roles::Role;
@@ -127,12 +128,19 @@ pub(super) fn parse(chunk: &[u8], layout: &Layout, route: &Route, rows_before: u
     let (mut straight, mut stops) = (route.straight.as_ref(), 0);
     // Blank lines before the first row, and since the last one.
     let (mut before, mut since) = (0, 0);
+    // The first decimal point of a cell that is read, which the rules in full note as well.
+    let mut is_looking = layout.waits_for_mark() && memchr(b'.', chunk).is_some();
+    let mut mark = None;
     while at < chunk.len() {
         if let Some(way) = straight {
             let (rows, next) = way.read(&mut lane, at).unwrap_or_else(|| {
                 straight = None;
                 (0, at)
             });
+            if is_looking {
+                mark = lane.first_point(at..next, lines, rows_before + total);
+                is_looking = mark.is_none();
+            }
             at = next;
             if rows > 0 {
                 since = blanks_ended(since, total, &mut before)?;
@@ -156,7 +164,14 @@ pub(super) fn parse(chunk: &[u8], layout: &Layout, route: &Route, rows_before: u
         since = blanks_ended(since, total, &mut before)?;
         total += 1;
         let start = at;
-        if layout.is_wanted(rows_before + total) && lane.satisfies_conditions(start)? {
+        let is_wanted = layout.is_wanted(rows_before + total);
+        let is_satisfied = is_wanted && lane.satisfies_conditions(start)?;
+        if is_looking && is_wanted {
+            let end = lane.next_line(start);
+            mark = lane.told(start..end, is_satisfied, lines, rows_before + total - 1);
+            is_looking = mark.is_none();
+        }
+        if is_satisfied {
             at = lane.row(start)?;
             let text = layout.options.keep_text.then(|| chunk.get(start..at).map_or(chunk, without_line_end));
             lane.batch.end_row(rows_before + total, text);
@@ -169,7 +184,8 @@ pub(super) fn parse(chunk: &[u8], layout: &Layout, route: &Route, rows_before: u
         }
     }
     let first = InputError::of_line(layout.file, before + 1, InputErrorKind::NextBlock);
-    let notes = Notes::of_rows(total, used, [before, since], first);
+    let mut notes = Notes::of_rows(total, used, [before, since], first);
+    notes.mark = mark;
     Some(Rows { batch: lane.batch, notes, total, lines, line_feeds: lines })
 }
 
@@ -184,7 +200,7 @@ fn blanks_ended(since: u64, total: usize, before: &mut u64) -> Option<u64> {
 }
 
 /// The chunk in which decimals have points: a copy where they have commas. `None` where it may hold both, or where the first
-/// mark is still to be found.
+/// mark is still to be found, unless commas separate cells: a comma within one ends the fast lane anyway.
 fn with_points<'c>(chunk: &'c [u8], layout: &Layout) -> Option<Cow<'c, [u8]>> {
     match layout.mark.known() {
         Some(DecimalMark::Point) => Some(Cow::Borrowed(chunk)),
@@ -192,6 +208,7 @@ fn with_points<'c>(chunk: &'c [u8], layout: &Layout) -> Option<Cow<'c, [u8]>> {
         Some(DecimalMark::Comma) => {
             Some(chunk.iter().map(|&byte| if byte == b',' { b'.' } else { byte }).collect())
         }
+        None if layout.syntax.delimiter == b',' => Some(Cow::Borrowed(chunk)),
         None => memchr2(b'.', b',', chunk).is_none().then_some(Cow::Borrowed(chunk)),
     }
 }
@@ -330,6 +347,7 @@ impl Lane<'_> {
     fn condition(&mut self, at: usize, index: usize) -> Option<usize> {
         let (contents, end) = self.cell(at)?;
         let (_, condition) = self.layout.conditions.get(index)?;
+        self.has_one_meaning(&contents)?;
         let (holds, _) = self.layout.holds(condition, self.chunk.get(contents)?, self.layout.mark).ok()?;
         self.is_satisfied &= holds;
         Some(end)
@@ -423,6 +441,7 @@ impl Lane<'_> {
         {
             return Some(end);
         }
+        self.has_one_meaning(&contents)?;
         let (layout, cell) = (self.layout, self.chunk.get(contents)?);
         let (value, _) = layout.numbers.value(cell, selector, layout.mark).ok()?;
         value.check(selector).ok()?;
@@ -432,6 +451,78 @@ impl Lane<'_> {
         value.push_to(self.batch.columns.get_mut(column)?);
         self.batch.fractions.get_mut(column)?.count(cell);
         Some(end)
+    }
+
+    /// Nothing where a cell may tell the decimal mark by a comma, or not be a number until it is told: that takes the rules in full.
+    fn has_one_meaning(&self, contents: &Range<usize>) -> Option<()> {
+        let has_comma = || self.chunk.get(contents.clone()).is_some_and(|cell| memchr(b',', cell).is_some());
+        (self.layout.mark != Mark::Open || !has_comma()).then_some(())
+    }
+
+    /// The decimal mark that the first of these lines tells which tells one. They are rows that are wanted, behind so many lines
+    /// and rows.
+    fn first_point(
+        &self,
+        range: Range<usize>,
+        lines: u64,
+        rows_before: usize,
+    ) -> Option<(DecimalMark, InputError)> {
+        let mut start = range.start;
+        for index in 0.. {
+            if start >= range.end {
+                return None;
+            }
+            let end = self.next_line(start);
+            let told = self.told(start..end, true, lines + index as u64 + 1, rows_before + index);
+            if told.is_some() {
+                return told;
+            }
+            start = end;
+        }
+        None
+    }
+
+    /// The decimal mark that a line tells, which is a row behind so many: by the conditions on rows, and by what is read of rows that
+    /// satisfy them.
+    fn told(
+        &self,
+        line: Range<usize>,
+        is_satisfied: bool,
+        number: u64,
+        rows_before: usize,
+    ) -> Option<(DecimalMark, InputError)> {
+        let text = self.chunk.get(line.clone())?;
+        let before = text.get(..memrchr(b'.', text)?)?;
+        let steps: &[Step] = if is_satisfied { &self.route.steps } else { &[] };
+        // Times in front of what is read may have points in every line.
+        let first = |steps: &[Step]| steps.first().and_then(|step| step.separators).unwrap_or_default();
+        let [first_condition, first_cell] = [&self.route.conditions, steps].map(first);
+        let least =
+            if self.route.conditions.is_empty() { first_cell } else { first_condition.min(first_cell) };
+        if memchr_iter(self.layout.syntax.delimiter, before).count() < least {
+            return None;
+        }
+        let is_telling = self.has_point(line.start, &self.route.conditions).unwrap_or(true)
+            || self.has_point(line.start, steps).unwrap_or(true);
+        if is_telling { rows::told(text, self.layout, number, rows_before) } else { None }
+    }
+
+    /// Whether one of these cells of the row that starts here has a point, and is not missing; `None` when one is not as it should
+    /// be.
+    fn has_point(&self, start: usize, steps: &[Step]) -> Option<bool> {
+        let mut at = start;
+        for step in steps {
+            for _ in 0..step.separators.unwrap_or_default() {
+                at = self.after_separator(at)?;
+            }
+            let (contents, _) = self.cell(at)?;
+            let cell = self.chunk.get(contents)?;
+            let is_read = !matches!(step.what, What::Key);
+            if is_read && memchr(b'.', cell).is_some() && !self.layout.numbers.is_missing(cell) {
+                return Some(true);
+            }
+        }
+        Some(false)
     }
 
     /// Whether the number of a cell of this length goes into a column as it is, however many digits it has.

@@ -1,5 +1,6 @@
 //! Rows one after the other, by the rules of CSV in full: of the chunks that are not plain.
 
+use boundfit_exact::DecimalMark;
 use memchr::memchr_iter;
 
 use crate::blocks::Gap;
@@ -19,6 +20,18 @@ pub(super) enum Parsed {
     Open,
     /// Something wrong, with lines counted from the start of the chunk, and what was noticed before.
     Wrong(InputError, Notes),
+}
+
+impl Parsed {
+    /// The decimal mark that the rows tell.
+    pub(super) fn mark(&self) -> Option<DecimalMark> {
+        let notes = match self {
+            Parsed::Rows(rows) => &rows.notes,
+            Parsed::Wrong(_, notes) => notes,
+            Parsed::Open => return None,
+        };
+        notes.mark.as_ref().map(|(mark, _)| *mark)
+    }
 }
 
 /// The rows of a chunk.
@@ -163,9 +176,9 @@ impl<'a> RowReader<'a> {
     }
 }
 
-/// Reads the rows of a chunk that comes after so many rows.
-pub(super) fn parse(chunk: &[u8], layout: &Layout, rows_before: usize) -> Parsed {
-    let mut reader = RowReader::new(layout, layout.mark, 1, rows_before);
+/// Reads the rows of a chunk that comes after so many rows, with this known of their decimal marks.
+pub(super) fn parse(chunk: &[u8], layout: &Layout, mark: Mark, rows_before: usize) -> Parsed {
+    let mut reader = RowReader::new(layout, mark, 1, rows_before);
     let mut batch = layout.batch();
     let mut read = reader.read(chunk, &mut batch);
     // Nothing follows a chunk whose last line has no end.
@@ -183,6 +196,19 @@ pub(super) fn parse(chunk: &[u8], layout: &Layout, rows_before: usize) -> Parsed
             line_feeds: memchr_iter(b'\n', chunk).count() as u64,
         }),
     }
+}
+
+/// The decimal mark that a line tells, which is a row behind so many, with its error if another mark came before.
+pub(super) fn told(
+    line: &[u8],
+    layout: &Layout,
+    number: u64,
+    rows_before: usize,
+) -> Option<(DecimalMark, InputError)> {
+    let mut reader = RowReader::new(layout, Mark::Open, number, rows_before);
+    let mut batch = layout.batch();
+    let read = reader.read(line, &mut batch).and_then(|()| reader.finish(&mut batch));
+    read.ok().and_then(|()| reader.take_notes().mark)
 }
 
 /// How many rows a chunk has, if it does not end within quotes.

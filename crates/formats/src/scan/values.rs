@@ -82,7 +82,7 @@ impl Mark {
             (Some(mark), _) => Mark::Given(mark),
             (None, Some(Thousands::Comma)) => Mark::Given(DecimalMark::Point),
             (None, Some(Thousands::Point)) => Mark::Given(DecimalMark::Comma),
-            (None, _) if matches!(delimiter, b';' | b'\t' | b'|' | BLANKS) => Mark::Open,
+            (None, _) if matches!(delimiter, b',' | b';' | b'\t' | b'|' | BLANKS) => Mark::Open,
             (None, _) => Mark::Given(DecimalMark::Point),
         }
     }
@@ -102,12 +102,15 @@ pub(super) struct Numbers<'a> {
     pub(super) options: &'a TableOptions,
     /// Whether every text that `plain_decimal` reads keeps to the limits.
     pub(super) plain: bool,
+    /// Whether commas separate cells. Then a comma within quotes may as well group digits, as in `"1,234"`.
+    pub(super) has_comma_cells: bool,
 }
 
 impl<'a> Numbers<'a> {
-    pub(super) fn new(options: &'a TableOptions) -> Self {
+    pub(super) fn new(options: &'a TableOptions, delimiter: u8) -> Self {
         let limits = &options.limits;
-        Numbers { options, plain: limits.digits >= PLAIN_DIGITS && limits.exponent >= PLAIN_EXPONENT }
+        let plain = limits.digits >= PLAIN_DIGITS && limits.exponent >= PLAIN_EXPONENT;
+        Numbers { options, plain, has_comma_cells: delimiter == b',' }
     }
 
     /// Whether a cell says that its value is missing.
@@ -147,7 +150,7 @@ impl<'a> Numbers<'a> {
         let (value, told) = match mark {
             Mark::Given(mark) => (self.read_marked(cell, mark)?, None),
             Mark::Found(mark) => match self.read_marked(cell, mark) {
-                Err(_) if self.read_marked(cell, mark.other()).is_ok() => {
+                Err(_) if self.tells(cell, mark.other()) => {
                     return Err(InputErrorKind::AnotherDecimalMark { before: mark });
                 }
                 value => (value?, None),
@@ -155,12 +158,24 @@ impl<'a> Numbers<'a> {
             Mark::Open => match self.read_marked(cell, DecimalMark::Point) {
                 Ok(value) => (value, cell.contains(&b'.').then_some(DecimalMark::Point)),
                 Err(problem) => match self.read_marked(cell, DecimalMark::Comma) {
-                    Ok(value) => (value, Some(DecimalMark::Comma)),
-                    Err(_) => return Err(problem),
+                    Ok(value) if !self.may_be_grouped(cell) => (value, Some(DecimalMark::Comma)),
+                    _ => return Err(problem),
                 },
             },
         };
         Ok((value, told))
+    }
+
+    /// Whether a cell is a number with this decimal mark, and nothing else.
+    fn tells(&self, cell: &[u8], mark: DecimalMark) -> bool {
+        self.read_marked(cell, mark).is_ok() && !(mark == DecimalMark::Comma && self.may_be_grouped(cell))
+    }
+
+    /// Whether the commas of a cell may group its digits: `1,234`, but neither `12,5` nor `0,125`.
+    fn may_be_grouped(&self, cell: &[u8]) -> bool {
+        let grouped = Notation { decimal: DecimalMark::Point, thousands: Some(Thousands::Comma) };
+        let is_number = |cell| Reading::Decimal.read_written(cell, grouped, &self.options.limits).is_ok();
+        self.has_comma_cells && decode(cell).is_ok_and(is_number)
     }
 
     fn read_marked(&self, cell: &[u8], decimal: DecimalMark) -> Result<Value, InputErrorKind> {

@@ -83,6 +83,9 @@ const BAD: &[&str] = &[
     "1\"2",
     "\u{feff}1",
 ];
+/// Cells with commas, which need quotes where commas separate cells: decimals, and what may as well be grouped digits.
+const COMMAS: &[&str] =
+    &["1,5", "-2,25", "0,125", "1234,5", "+3,5e1", "1,234", "-12,345 ", "1,234e2", "1,234,567", ",5", "7,"];
 /// Text of a column that is not read, or is the key.
 const TEXT: &[&str] =
     &["s1", "s2", " s 3 ", "Ä", "", "\"q\"", "\"a\"\"b\"", "\"a,b;c\td\"", "\"a\nb\"", "\"\r\n\"", "o\"o"];
@@ -97,6 +100,7 @@ pub fn case(rng: &mut ChaCha8Rng) -> Case {
     let chance = |rng: &mut ChaCha8Rng, share: f64| if rng.random_bool(share) { 0.15 } else { 0.0 };
     let [bad, blank, ragged, quoted, mixed_ends] = [0.15, 0.3, 0.1, 0.2, 0.1].map(|share| chance(rng, share));
     let plain = rng.random_bool(0.4);
+    let commas = if rng.random_bool(0.15) { *[0.1, 0.6].choose(rng).unwrap() } else { 0.0 };
     let header = rng.random_bool(0.6);
     let mut text = String::new();
     // The second of two byte order marks is the library's.
@@ -117,6 +121,10 @@ pub fn case(rng: &mut ChaCha8Rng) -> Case {
                     return ["a", "b", "\"c\"", " d ", "b"]
                         [if rng.random_bool(0.05) { 4 } else { column - 1 }]
                     .into();
+                }
+                if text_column != Some(column) && rng.random_bool(commas) {
+                    let cell = COMMAS.choose(rng).unwrap();
+                    return if delimiter == "," { format!("\"{cell}\"") } else { (*cell).into() };
                 }
                 let cell = if rng.random_bool(bad) {
                     BAD.choose(rng).unwrap()
