@@ -40,7 +40,9 @@ pub fn may_be_binary(bytes: &[u8]) -> bool {
 /// Whether bytes may be those of another text with a table: JSON, Octave's.
 pub fn may_be_records(bytes: &[u8]) -> bool {
     let start = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes).trim_ascii_start();
-    start.first().is_some_and(|first| b"{[".contains(first))
+    // In UTF-16 other bytes stand before and between.
+    let mut shown = start.iter().filter(|byte| !byte.is_ascii_whitespace() && !matches!(byte, 0 | 0xfe..));
+    shown.next().is_some_and(|first| b"{[".contains(first))
         || start.starts_with(b"# ")
         || start.starts_with(b"% ")
 }
