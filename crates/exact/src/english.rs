@@ -1,7 +1,7 @@
 //! Counts and lists in English, for the texts of every crate: all stand on this one.
 
-/// How many items a list names before it only counts the rest.
-const MOST: usize = 8;
+/// How many items a [`list`] names before it only counts the rest.
+pub const MOST: usize = 8;
 
 /// `1 vertex`, `2 vertices`.
 pub fn counted(count: usize, one: &str, several: &str) -> String {

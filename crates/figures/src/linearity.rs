@@ -248,7 +248,8 @@ impl Sheet<'_> {
             LegendEntry::new(Swatch::area(BAND, BAND_EDGE), "± independent linearity"),
         ];
         let points = average.proof.iter().filter_map(|proof| average.points.get(proof.position));
-        let mut rows: Vec<usize> = points.flat_map(|point| point.rows.iter().copied()).collect();
+        let mut rows: Vec<usize> =
+            points.flat_map(|point| point.rows.rows()).map(|row| row as usize).collect();
         rows.sort_unstable();
         rows.dedup();
         let rows: Vec<String> = rows.iter().map(ToString::to_string).collect();

@@ -1,5 +1,8 @@
 //! How many readings one of them stands for, and the first of their numbers.
 
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
 /// Readings that are told as one: how many they are, and the smallest of their numbers. Exact.
 ///
 /// One reading takes no memory beside its number.
@@ -168,6 +171,27 @@ impl Tally {
         Tally::of_rows(count, &rows)
     }
 
+    /// All numbers that are listed, each once; `None` without any. Cost: O(n log k) in the numbers of k tallies, in memory for what they
+    /// come to.
+    pub fn union<'a>(tallies: impl Iterator<Item = &'a Self>) -> Option<Self> {
+        let mut numbers: Vec<_> = tallies.map(Tally::rows).collect();
+        let first = numbers.iter_mut().enumerate().filter_map(|(of, rows)| Some(Reverse((rows.next()?, of))));
+        let mut next: BinaryHeap<Reverse<(u64, usize)>> = first.collect();
+        let mut all: Option<(Self, u64)> = None;
+        while let Some(Reverse((row, of))) = next.pop() {
+            next.extend(numbers[of].next().map(|row| Reverse((row, of))));
+            match &mut all {
+                None => all = Some((Tally::one(row), row)),
+                Some((_, last)) if *last == row => {}
+                Some((own, last)) => {
+                    own.push(|| row, usize::MAX);
+                    *last = row;
+                }
+            }
+        }
+        all.map(|(own, _)| own)
+    }
+
     /// So many readings, with these numbers as far as they are listed, ascending; at least one.
     fn of_rows(count: u64, rows: &[u64]) -> Self {
         let (first, rows) = (rows[0], &rows[1..]);
@@ -222,6 +246,13 @@ mod tests {
             assert_eq!(pushed.rows().collect::<Vec<_>>(), rows);
             let merged = Tally::merged(rows.iter().rev().map(|&row| Tally::one(row)), usize::MAX);
             assert_eq!(merged, pushed);
+            let parts = [0, 1, 2].map(|part| {
+                let own = rows.iter().enumerate().filter(|(k, _)| k % 3 == part || k % 5 == 0);
+                own.map(|(_, &row)| Tally::one(row)).collect::<Vec<Tally>>()
+            });
+            let parts = parts.into_iter().filter(|part| !part.is_empty());
+            let parts: Vec<Tally> = parts.map(|part| Tally::merged(part.into_iter(), usize::MAX)).collect();
+            assert_eq!(Tally::union(parts.iter()), Some(pushed));
             for most in [1, 3, usize::MAX] {
                 let (front, back) = rows.split_at(rows.len() / 2);
                 let [Some(mut all), Some(back)] = [front, back].map(|rows| {

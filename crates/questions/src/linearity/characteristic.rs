@@ -4,6 +4,7 @@ use boundfit_estimation::{
     BoundName, Condition, ErrorBound, LeastSquares, Measurement, Measurements, Minimax, Model,
 };
 use boundfit_exact::{Endpoint, Interval, Rational};
+use boundfit_geometry::Tally;
 use thiserror::Error;
 
 use super::LinearityOptions;
@@ -71,13 +72,16 @@ impl LinearityLine {
         &point.y - (&self.theta[0] * &point.x + &self.theta[1])
     }
 
+    /// The data rows where the largest deviation is reached; `None` without any.
+    pub fn tally(&self, characteristic: &Characteristic) -> Option<Tally> {
+        let points = self.at.iter().filter_map(|&position| characteristic.points.get(position));
+        Tally::union(points.map(CalibrationPoint::all_rows))
+    }
+
     /// The data rows where the largest deviation is reached, ascending.
     pub fn rows(&self, characteristic: &Characteristic) -> Vec<usize> {
-        let points = self.at.iter().filter_map(|&position| characteristic.points.get(position));
-        let mut rows: Vec<usize> = points.flat_map(CalibrationPoint::all_rows).collect();
-        rows.sort_unstable();
-        rows.dedup();
-        rows
+        let rows = self.tally(characteristic);
+        rows.iter().flat_map(Tally::rows).map(|row| row as usize).collect()
     }
 }
 

@@ -14,6 +14,8 @@ mod directions;
 mod input;
 mod points;
 
+use std::borrow::Cow;
+
 use boundfit_exact::Rational;
 use boundfit_geometry::Tally;
 
@@ -55,16 +57,10 @@ impl CalibrationReading {
         self.equal.as_ref().map_or(1, Tally::count)
     }
 
-    /// The rows of all that it stands for, ascending.
-    fn rows(&self) -> impl Iterator<Item = usize> + '_ {
-        all_rows(self.row, self.equal.as_ref())
+    /// The rows of all that it stands for.
+    fn tally(&self) -> Cow<'_, Tally> {
+        self.equal.as_ref().map_or_else(|| Cow::Owned(Tally::one(self.row as u64)), Cow::Borrowed)
     }
-}
-
-/// A row, or all that it stands for.
-fn all_rows(row: usize, equal: Option<&Tally>) -> impl Iterator<Item = usize> + '_ {
-    let others = equal.into_iter().flat_map(Tally::rows).map(|row| row as usize);
-    [row].into_iter().chain(others.skip(1))
 }
 
 /// What linearity is asked about.

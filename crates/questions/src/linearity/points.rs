@@ -1,5 +1,7 @@
 //! From readings to the points of a characteristic.
 
+use std::borrow::Cow;
+
 use boundfit_exact::Rational;
 use boundfit_geometry::Tally;
 
@@ -12,8 +14,8 @@ pub struct CalibrationPoint {
     pub x: Rational,
     /// What the sensor gave, on average.
     pub y: Rational,
-    /// The data rows that it comes from, ascending.
-    pub rows: Vec<usize>,
+    /// The data rows that it comes from, of which each is listed: very many readings may be at one x.
+    pub rows: Tally,
     /// Where each reading is a point of its own and equal ones are told once: all of them, of which this is the first.
     pub equal: Option<Tally>,
 }
@@ -24,10 +26,9 @@ impl CalibrationPoint {
         self.equal.as_ref().map_or(1, Tally::count)
     }
 
-    /// The data rows of all that it stands for, ascending.
-    pub(super) fn all_rows(&self) -> impl Iterator<Item = usize> + '_ {
-        let others = self.equal.iter().flat_map(Tally::rows).map(|row| row as usize).skip(1);
-        self.rows.iter().copied().chain(others)
+    /// The data rows of all that it stands for.
+    pub(super) fn all_rows(&self) -> &Tally {
+        self.equal.as_ref().unwrap_or(&self.rows)
     }
 }
 
@@ -63,7 +64,7 @@ impl<'a> Passes<'a> {
     pub(super) fn hysteresis(&self) -> Option<Difference> {
         largest(self.places.iter().filter_map(|place| {
             let [up, down] = [place.average(Some(Pass::Up))?, place.average(Some(Pass::Down))?];
-            Some(((up.y - down.y).abs(), place.x, place.rows(|_| true)))
+            Some(((up.y - down.y).abs(), place.x, place.rows(|_| true)?))
         }))
     }
 
@@ -74,8 +75,9 @@ impl<'a> Passes<'a> {
                 let own = || place.readings.iter().filter(move |reading| reading.pass == pass);
                 let [least, most] =
                     [own().map(|reading| &reading.y).min()?, own().map(|reading| &reading.y).max()?];
-                (own().map(|reading| reading.count()).sum::<u64>() > 1)
-                    .then(|| (most - least, place.x, place.rows(|reading| reading.pass == pass)))
+                let is_spread = own().map(|reading| reading.count()).sum::<u64>() > 1;
+                let rows = if is_spread { place.rows(|reading| reading.pass == pass) } else { None };
+                Some((most - least, place.x, rows?))
             })
         });
         largest(each)
@@ -90,16 +92,14 @@ impl Passing<'_> {
         let count: u64 = own.clone().map(|reading| reading.count()).sum();
         let sum: Rational = own.map(|reading| &reading.y * Rational::from(reading.count())).sum();
         let y = sum.checked_div(&Rational::from(count))?;
-        Some(CalibrationPoint { x: self.x.clone(), y, rows: self.rows(is_own), equal: None })
+        Some(CalibrationPoint { x: self.x.clone(), y, rows: self.rows(is_own)?, equal: None })
     }
 
-    /// The data rows of some of the readings.
-    fn rows(&self, is_meant: impl Fn(&CalibrationReading) -> bool) -> Vec<usize> {
+    /// The data rows of some of the readings; `None` without any.
+    fn rows(&self, is_meant: impl Fn(&CalibrationReading) -> bool) -> Option<Tally> {
         let meant = self.readings.iter().filter(|reading| is_meant(reading));
-        let mut rows: Vec<usize> = meant.flat_map(|reading| reading.rows()).collect();
-        rows.sort_unstable();
-        rows.dedup();
-        rows
+        let rows: Vec<Cow<'_, Tally>> = meant.map(|reading| reading.tally()).collect();
+        Tally::union(rows.iter().map(Cow::as_ref))
     }
 }
 
@@ -110,7 +110,7 @@ pub(super) fn points_of_passes(passes: &Passes) -> Vec<CalibrationPoint> {
         let averages: Vec<Rational> = averages.into_iter().flatten().map(|point| point.y).collect();
         let count = averages.len();
         let y = averages.into_iter().sum::<Rational>().checked_div(&Rational::from(count))?;
-        Some(CalibrationPoint { x: place.x.clone(), y, rows: place.rows(|_| true), equal: None })
+        Some(CalibrationPoint { x: place.x.clone(), y, rows: place.rows(|_| true)?, equal: None })
     };
     passes.places.iter().filter_map(point).collect()
 }
@@ -119,15 +119,13 @@ pub(super) fn points_of_passes(passes: &Passes) -> Vec<CalibrationPoint> {
 pub(super) fn points_of_readings(sorted: &[&CalibrationReading]) -> Vec<CalibrationPoint> {
     let point = |reading: &&CalibrationReading| {
         let CalibrationReading { row, x, y, equal, .. } = reading;
-        CalibrationPoint { x: x.clone(), y: y.clone(), rows: vec![*row], equal: equal.clone() }
+        CalibrationPoint { x: x.clone(), y: y.clone(), rows: Tally::one(*row as u64), equal: equal.clone() }
     };
     sorted.iter().map(point).collect()
 }
 
 /// The largest of some differences, with each x where it is reached.
-fn largest<'a>(
-    differences: impl Iterator<Item = (Rational, &'a Rational, Vec<usize>)>,
-) -> Option<Difference> {
+fn largest<'a>(differences: impl Iterator<Item = (Rational, &'a Rational, Tally)>) -> Option<Difference> {
     let mut found: Option<Difference> = None;
     for (value, x, rows) in differences {
         let point = CalibrationPoint { x: x.clone(), y: value.clone(), rows, equal: None };

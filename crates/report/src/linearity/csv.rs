@@ -50,7 +50,7 @@ pub fn linearity_csv(linearity: &Linearity) -> String {
         let Some(difference) = difference else { continue };
         let percent = (&difference.value * Rational::from(100)).checked_div(&linearity.average.full_scale);
         let mut rows: Vec<usize> =
-            difference.at.iter().flat_map(|point| point.rows.iter().copied()).collect();
+            difference.at.iter().flat_map(|point| point.rows.rows()).map(|row| row as usize).collect();
         rows.sort_unstable();
         rows.dedup();
         row(cells("", method, [Some(&difference.value), percent.as_ref(), None, None], &rows));

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use boundfit_exact::{Foreign, Rational};
+use boundfit_geometry::Tally;
 use boundfit_questions::{
     AlternatingPoint, Characteristic, Difference, Linearity, LinearityInput, LinearityLine, LinearityOptions,
     ResponseColumns,
@@ -116,7 +117,7 @@ pub fn linearity_json(
     let value = |difference: Option<&Difference>| Some(style.upper_number(&difference?.value));
     let at = |difference: Option<&Difference>| {
         let places = difference.into_iter().flat_map(|difference| &difference.at);
-        places.map(|point| PlaceJson { x: style.number(&point.x), rows: point.rows.clone() }).collect()
+        places.map(|point| PlaceJson { x: style.number(&point.x), rows: rows_of(&point.rows) }).collect()
     };
     let [hysteresis, repeatability] = [linearity.hysteresis.as_ref(), linearity.repeatability.as_ref()];
     to_text(&LinearityJson {
@@ -135,6 +136,11 @@ pub fn linearity_json(
         down: linearity.down.as_ref().map(|down| characteristic(down, style)),
         reasons: reasons(linearity, input),
     })
+}
+
+/// The data rows of a point.
+fn rows_of(rows: &Tally) -> Vec<usize> {
+    rows.rows().map(|row| row as usize).collect()
 }
 
 fn characteristic(characteristic: &Characteristic, style: &Style) -> CharacteristicJson {
@@ -160,7 +166,7 @@ fn proof(average: &Characteristic, point: &AlternatingPoint, style: &Style) -> O
     Some(ProofJson {
         x: style.number(&place.x),
         y: style.number(&place.y),
-        rows: place.rows.clone(),
+        rows: rows_of(&place.rows),
         residual: style.number(&point.deviation),
         weight: style.number(&point.weight),
     })

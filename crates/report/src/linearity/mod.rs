@@ -5,8 +5,9 @@ mod json;
 #[cfg(feature = "files")]
 mod proof;
 
-use boundfit_exact::english::{counted, list};
+use boundfit_exact::english::{MOST, counted, list, list_of};
 use boundfit_exact::{Foreign, Rational, Reading};
+use boundfit_geometry::Tally;
 use boundfit_questions::{
     Characteristic, Difference, Linearity, LinearityInput, LinearityLine, LinearityOptions, NoLine,
     ResponseColumns,
@@ -169,7 +170,7 @@ impl Report<'_> {
                         .percent
                         .as_ref()
                         .map_or("-".into(), |percent| Text::new().number(style.upper(percent)));
-                    let at = list(line.rows(characteristic).iter().map(ToString::to_string));
+                    let at = line.tally(characteristic).map_or_else(String::new, |rows| list_of_rows(&rows));
                     let deviation = Text::new().number(style.upper(&line.deviation));
                     rows.push(vec![(*name).into(), deviation, percent, slope, intercept, at.into()]);
                 }
@@ -224,7 +225,7 @@ impl Report<'_> {
             let Some(place) = characteristic.points.get(point.position) else { continue };
             rows.push(vec![
                 Text::new().number(self.style.nearest(&place.x)),
-                list(place.rows.iter().map(ToString::to_string)).into(),
+                list_of_rows(&place.rows).into(),
                 self.signed(&point.deviation),
                 self.style.proof(&point.weight),
             ]);
@@ -277,8 +278,8 @@ impl Report<'_> {
             text = text.words(" (").number(self.style.upper(&percent)).words(" % of full scale)");
         }
         let Some(first) = at.first() else { return text };
-        let rows = list(first.rows.iter().map(ToString::to_string));
-        let noun = if first.rows.len() == 1 { "row" } else { "rows" };
+        let rows = list_of_rows(&first.rows);
+        let noun = if first.rows.count() == 1 { "row" } else { "rows" };
         let more = match at.len() - 1 {
             0 => String::new(),
             more => format!(", and at {} more", counted(more, "x", "x")),
@@ -286,4 +287,11 @@ impl Report<'_> {
         let place = Text::from(" at x").operator(Operator::Equals).number(self.style.nearest(&first.x));
         text.then(place).words(format!(", {noun} {rows}{more}"))
     }
+}
+
+/// Row numbers, of which only the first are read: there may be very many.
+fn list_of_rows(rows: &Tally) -> String {
+    let first: Vec<String> = rows.rows().take(MOST).map(|row| row.to_string()).collect();
+    let more = rows.listed() - first.len();
+    list_of(first.into_iter(), more)
 }

@@ -65,11 +65,11 @@ pub fn linearity_question(
 /// least error bound of these readings. `None` where a point of the characteristic is not one row.
 pub fn linearity_proof(linearity: &Linearity, question: &ProofQuestion) -> Option<String> {
     let average = &linearity.average;
-    if average.points.iter().any(|point| point.rows.len() != 1) {
+    if average.points.iter().any(|point| point.rows.count() != 1) {
         return None;
     }
     let multiples = average.proof.iter().map(|point| {
-        let row = *average.points.get(point.position)?.rows.first()?;
+        let row = average.points.get(point.position)?.rows.first() as usize;
         // A reading below the line keeps it from being lower only by its upper bound.
         let name = if point.deviation.is_negative() { BoundName::Upper(row) } else { BoundName::Lower(row) };
         Some(Multiple { name: HalfPlaneName::Bound(name), times: point.weight.clone() })
