@@ -1,5 +1,7 @@
 //! Whether what a reduction says of all its readings can be true beside the rows that it keeps.
 
+use std::collections::HashMap;
+
 use boundfit_exact::{Column, Rational};
 use boundfit_formats::{Batch, ReductionError, Reductions};
 
@@ -14,8 +16,9 @@ use crate::summary::Sums;
 pub(super) struct KeptRows {
     count: usize,
     sums: Result<Sums, NoLeastSquares>,
-    /// The rows that stand for others.
-    counted: Vec<Counted>,
+    /// The rows that stand for others, equal ones once, with how many readings beside themselves: a file may have any number of
+    /// equal rows.
+    counted: HashMap<Numbers, u64>,
     have_widths: bool,
     /// Whether the second regressor is 1.
     is_line: bool,
@@ -23,21 +26,19 @@ pub(super) struct KeptRows {
     range: Option<[[Rational; 2]; 2]>,
 }
 
-/// A row that stands for others.
-#[derive(Debug)]
-struct Counted {
-    /// How many readings beside itself.
-    others: u64,
+/// The numbers of a row.
+#[derive(Debug, PartialEq, Eq, Hash)]
+struct Numbers {
     regressor: [Rational; 2],
     y: Rational,
 }
 
-impl Counted {
-    /// What as many readings as the others are, all equal to this row, come to.
-    fn sums(&self) -> Sums {
-        let Counted { others, regressor: [u, v], y } = self;
-        let times = |left: &Rational, right: &Rational| left * right * Rational::from(*others);
-        let count = usize::try_from(*others).unwrap_or(usize::MAX);
+impl Numbers {
+    /// What so many readings, all equal to this row, come to.
+    fn sums(&self, readings: u64) -> Sums {
+        let Numbers { regressor: [u, v], y } = self;
+        let times = |left: &Rational, right: &Rational| left * right * Rational::from(readings);
+        let count = usize::try_from(readings).unwrap_or(usize::MAX);
         Sums { count, uu: times(u, u), uv: times(u, v), vv: times(v, v), uy: times(u, y), vy: times(v, y) }
     }
 }
@@ -47,7 +48,7 @@ impl Default for KeptRows {
         KeptRows {
             count: 0,
             sums: Ok(Sums::default()),
-            counted: Vec::new(),
+            counted: HashMap::new(),
             have_widths: false,
             is_line: false,
             range: None,
@@ -75,17 +76,28 @@ impl KeptRows {
                 true => columns.get(meaning.regressors())?.get(position),
                 false => reading.value()?.into_owned(),
             };
-            Some(Counted { others, regressor: reading.regressor, y })
+            Some((Numbers { regressor: reading.regressor, y }, others))
         };
         let rows = (0..count).map(|position| batch.rows.get(position));
-        let counted = reductions.beside_themselves(rows).into_iter().filter_map(counted).collect();
-        KeptRows { count, sums, counted, have_widths, is_line: meaning.regressors() == 1, range }
+        let each = reductions.beside_themselves(rows).into_iter().filter_map(counted);
+        let is_line = meaning.regressors() == 1;
+        let mut own = KeptRows { count, sums, counted: HashMap::new(), have_widths, is_line, range };
+        own.count_others(each);
+        own
+    }
+
+    /// Counts readings beside rows with these numbers.
+    fn count_others(&mut self, others: impl Iterator<Item = (Numbers, u64)>) {
+        for (row, others) in others {
+            let all = self.counted.entry(row).or_default();
+            *all = all.saturating_add(others);
+        }
     }
 
     /// These rows and others.
     pub(super) fn add(&mut self, other: KeptRows) {
         self.count += other.count;
-        self.counted.extend(other.counted);
+        self.count_others(other.counted.into_iter());
         self.have_widths |= other.have_widths;
         self.is_line |= other.is_line;
         let own = std::mem::replace(&mut self.sums, Err(NoLeastSquares::NoResponse));
@@ -120,11 +132,12 @@ impl KeptRows {
         if self.is_line && all.vv != Rational::from(stated.count) {
             return refuse("one of its sums is the number of readings, and another number");
         }
-        let equal =
-            |own: &&Counted| outline.is_none_or(|outline| outline.has_corner(&own.regressor[0], &own.y));
+        let equal = |(row, _): &(&Numbers, &u64)| {
+            outline.is_none_or(|outline| outline.has_corner(&row.regressor[0], &row.y))
+        };
         let (equal, on_edges): (Vec<_>, Vec<_>) = self.counted.iter().partition(equal);
-        let known = equal.into_iter().fold(kept.clone(), |sum, own| sum.merged(&own.sums()));
-        let on_edges = on_edges.into_iter().fold(0_u64, |sum, own| sum.saturating_add(own.others));
+        let known = equal.into_iter().fold(kept.clone(), |sum, (row, others)| sum.merged(&row.sums(*others)));
+        let on_edges = on_edges.into_iter().fold(0_u64, |sum, (_, others)| sum.saturating_add(*others));
         // No row of any part stands for more readings than there were.
         let rest = Rest { count: stated.count.saturating_sub(known.count), sums: without(all, &known) };
         if rest.count == 0 {
