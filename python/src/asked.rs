@@ -3,7 +3,7 @@
 use boundfit::engine::exact::{DecimalMark, Limit, Thousands};
 use boundfit::files::{
     AskedBlock, AskedDialect, ColumnSelector, CommentMark, Encoding, EpsilonColumn, Header, InputError,
-    Limits, Missing, MissingWords, Question, RowCondition, RowRange, RowSet, ScanOptions, SizeLimits,
+    Limits, MemoryBudget, Missing, MissingWords, Question, RowCondition, RowRange, RowSet, ScanOptions, SizeLimits,
     TableOptions,
 };
 use boundfit::questions::Agreement;
@@ -310,7 +310,7 @@ impl AskedTable {
                 "ratio" => own.ratio = *most,
                 "workbook" => own.workbook = *most,
                 "work" => own.work = *most,
-                "memory" => own.memory = *most,
+                "memory" => own.memory = MemoryBudget::new(*most),
                 other => {
                     return Err(refuse(format_args!(
                         "limits: {other:?}: expected digits, exponent, line, columns, rows, elements, unpacked, ratio, workbook, work \

@@ -6,6 +6,7 @@ use std::ops::Deref;
 use memchr::{memchr, memchr_iter, memchr2, memrchr};
 
 use crate::binary::refuse_binary;
+use crate::budget::{HeldMemory, MemoryUse};
 use crate::decoding::TextReader;
 use crate::dialect::Encoding;
 use crate::error::{InputError, InputErrorKind};
@@ -132,9 +133,16 @@ impl ChunkReader {
     }
 
     /// All bytes that were not handed out, at once, but no more than this.
-    pub(crate) fn read_to_end(&mut self, file: &str, limit: u64) -> Result<Vec<u8>, InputError> {
+    pub(crate) fn read_to_end(
+        &mut self,
+        file: &str,
+        limit: u64,
+        memory: &HeldMemory,
+    ) -> Result<Vec<u8>, InputError> {
         let mut content = Vec::new();
         while let Some(chunk) = self.next_chunk() {
+            let asked = memory.ask(chunk.len() as u64, MemoryUse::Text);
+            asked.map_err(|problem| InputError::of_file(file, problem))?;
             content.extend_from_slice(&chunk);
             if content.len() as u64 > limit {
                 return Err(InputError::of_file(file, InputErrorKind::TextTooLarge { limit }));

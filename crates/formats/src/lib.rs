@@ -15,6 +15,7 @@ mod arrow;
 mod binary;
 mod blanks;
 mod blocks;
+mod budget;
 mod cdd;
 mod cells;
 mod chunks;
@@ -51,6 +52,7 @@ mod whole;
 mod workbook;
 
 pub use blocks::{AskedBlock, Block};
+pub use budget::{MemoryBudget, MemoryUse};
 pub use columns::{ColumnSelector, Header};
 pub use dialect::{AskedDialect, BLANKS, CommentMark, DELIMITERS, Dialect, Encoding, Missing, MissingWords};
 pub use error::{InputError, InputErrorKind, Place};

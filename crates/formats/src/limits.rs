@@ -2,11 +2,12 @@
 
 use boundfit_exact::MOST_WORK;
 
+use crate::budget::MemoryBudget;
 use crate::error::InputErrorKind;
 
 /// The most that one file may ask for, beside what one of its numbers may ([`boundfit_exact::Limits`]). What passes a limit
 /// is refused before memory is taken for it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SizeLimits {
     /// Bytes of one line, and of one row where quotes make it go over several lines.
     pub line: usize,
@@ -19,7 +20,8 @@ pub struct SizeLimits {
     /// Bytes that a compressed file may unpack to.
     pub unpacked: u64,
     /// How many times its size a packed file may unpack to, beyond 67,108,864 bytes: a compressed one, a variable of a
-    /// `.mat` file, a workbook, and the numbers of 8 bytes that columns of a Parquet or Arrow file stand for.
+    /// `.mat` file, a workbook, and the numbers of 8 bytes that columns of a Parquet or Arrow file stand for. Beyond 8,388,608 bytes
+    /// no more than that is held of what a Zstandard file unpacks to so that later bytes can repeat it.
     pub ratio: u64,
     /// Bytes that a workbook may have, unpack to, and have as the text of one sheet.
     pub workbook: u64,
@@ -29,8 +31,9 @@ pub struct SizeLimits {
     pub text: u64,
     /// How deep arrays and objects of a JSON file may be nested.
     pub nesting: usize,
-    /// Bytes of memory that rows which are held may take, with what is made of each ([`HeldRows`](crate::HeldRows)).
-    pub memory: u64,
+    /// Bytes of memory that may be held: by readers, of what they cannot hand out at once, and of rows, with what is made of each
+    /// ([`HeldRows`](crate::HeldRows)). Clones of these limits share one budget.
+    pub memory: MemoryBudget,
 }
 
 impl Default for SizeLimits {
@@ -48,7 +51,7 @@ impl Default for SizeLimits {
             work: MOST_WORK,
             text: 1 << 30,
             nesting: 64,
-            memory: 1 << 30,
+            memory: MemoryBudget::new(1 << 30),
         }
     }
 }
@@ -71,6 +74,10 @@ pub(crate) fn most_unpacked(packed: u64, ratio: u64) -> u64 {
 
 /// How many bytes any file may unpack to, however small it is.
 pub(crate) const ANY_FILE: u64 = 1 << 26;
+
+/// How many bytes that were unpacked may be held to be repeated, however small a packed file is: as many as those who write Zstandard
+/// can rely on (RFC 8878, 3.1.1.1.2), and as its usual levels take.
+pub(crate) const ANY_WINDOW: u64 = 1 << 23;
 
 /// The longest line that is read unless more is asked for, in bytes. Without a bound, a file without line ends would be
 /// held in memory whole.

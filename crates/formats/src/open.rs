@@ -7,6 +7,7 @@ use boundfit_exact::Foreign;
 
 #[cfg(feature = "arrow")]
 use crate::arrow::{scan_arrow, scan_batches};
+use crate::budget::{HeldMemory, MemoryUse};
 use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
 use crate::fractions::Fractions;
@@ -55,7 +56,7 @@ pub fn scan<T: Send>(
 ) -> Result<Scanned, InputError> {
     let (name, content, packed) = source.into_parts();
     if let Some(packed) = &packed {
-        packed.set_limits(options.table.sizes.unpacked, options.table.sizes.ratio);
+        packed.set_limits(&options.table.sizes);
     }
     let hash = options.hash && packed.is_none();
     let inner = ScanOptions { hash, ..options.clone() };
@@ -143,15 +144,20 @@ impl Wanted {
 /// them.
 pub struct HeldRows {
     limit: usize,
-    memory: u64,
+    memory: HeldMemory,
+    /// The most bytes that were held of the budget when it did not suffice.
+    beyond: AtomicU64,
     row_cost: u64,
     /// How many rows have been met, and how many of them are held.
     met: AtomicUsize,
     rows: AtomicUsize,
-    bytes: AtomicU64,
     is_stopped: AtomicBool,
     progress: Option<Arc<dyn Progress>>,
 }
+
+/// About how many bytes a batch stands for where few rows are taken: a batch of usual size has thousands with the texts of their cells,
+/// and some batches are read at a time.
+const CHUNK_OF_FEW_ROWS: usize = 1 << 13;
 
 /// Bytes that a row takes at least: its number, and two of its own.
 const LEAST_ROW_COST: usize = 200;
@@ -162,11 +168,11 @@ impl HeldRows {
         let TableOptions { sizes, row_cost, .. } = &options.table;
         let held = Arc::new(HeldRows {
             limit: sizes.rows,
-            memory: sizes.memory,
+            memory: sizes.memory.nothing(),
+            beyond: AtomicU64::new(0),
             row_cost: LEAST_ROW_COST.max(*row_cost) as u64,
             met: AtomicUsize::new(0),
             rows: AtomicUsize::new(0),
-            bytes: AtomicU64::new(0),
             is_stopped: AtomicBool::new(false),
             progress: options.progress.take(),
         });
@@ -188,7 +194,11 @@ impl HeldRows {
     pub fn add_bytes(&self, met: usize, held: usize, bytes: u64) {
         self.met.fetch_add(met, Ordering::Relaxed);
         self.rows.fetch_add(held, Ordering::Relaxed);
-        self.bytes.fetch_add(bytes, Ordering::Relaxed);
+        let held = self.memory.add(bytes);
+        if held > self.memory.budget().limit() {
+            // By the time that this is told, others may have given back what they held.
+            self.beyond.fetch_max(held, Ordering::Relaxed);
+        }
     }
 
     /// Stops the scan.
@@ -201,12 +211,14 @@ impl HeldRows {
     /// # Errors
     /// [`InputErrorKind::TooManyRows`] or [`InputErrorKind::TooMuchMemory`] about this file.
     pub fn check(&self, file: &str) -> Result<(), InputError> {
-        let (rows, needed) = (self.rows.load(Ordering::Relaxed), self.bytes.load(Ordering::Relaxed));
-        let (limit, memory) = (self.limit, self.memory);
-        let met = self.met.load(Ordering::Relaxed);
-        let problem = match (rows > limit, needed > memory) {
+        let (rows, needed) = (self.rows.load(Ordering::Relaxed), self.beyond.load(Ordering::Relaxed));
+        let limit = self.limit;
+        let what = MemoryUse::Rows(self.met.load(Ordering::Relaxed));
+        let problem = match (rows > limit, needed > 0) {
             (true, _) => InputErrorKind::TooManyRows { limit },
-            (false, true) => InputErrorKind::TooMuchMemory { rows: met, needed, limit: memory },
+            (false, true) => {
+                InputErrorKind::TooMuchMemory { what, needed, limit: self.memory.budget().limit() }
+            }
             (false, false) => return Ok(()),
         };
         Err(InputError::of_file(file, problem))
@@ -214,7 +226,7 @@ impl HeldRows {
 
     fn is_full(&self) -> bool {
         self.rows.load(Ordering::Relaxed) > self.limit
-            || self.bytes.load(Ordering::Relaxed) > self.memory
+            || self.beyond.load(Ordering::Relaxed) > 0
             || self.is_stopped.load(Ordering::Relaxed)
     }
 }
@@ -258,9 +270,15 @@ pub fn read_table(
     let file = source.name().to_owned();
     let mut options = ScanOptions { table: options.clone(), ..ScanOptions::default() };
     let held = HeldRows::limiting(&mut options);
+    if options.table.most_wanted.is_some() {
+        options.chunk_bytes = CHUNK_OF_FEW_ROWS;
+    }
     let (mut rows, mut others) = (Vec::new(), Vec::new());
-    let rows_of = |batch: Batch| (batch.table_rows().collect::<Vec<TableRow>>(), batch.others);
     let most_wanted = options.table.most_wanted.unwrap_or(usize::MAX);
+    // One more tells that they are too many.
+    let most_of_batch = most_wanted.saturating_add(1);
+    let rows_of =
+        |batch: Batch| (batch.table_rows().take(most_of_batch).collect::<Vec<TableRow>>(), batch.others);
     let mut is_full = false;
     let scanned = scan(source, columns, &options, rows_of, |(wanted, unwanted)| {
         held.add(wanted.len() + unwanted.len());

@@ -13,10 +13,11 @@ use boundfit_exact::Foreign;
 use crate::binary::{self, BinaryFormat};
 use crate::error::{InputError, InputErrorKind, STANDARD_INPUT};
 use crate::json::is_json;
+use crate::limits::SizeLimits;
 use crate::mat::octave::is_octave;
 use crate::memory::MemoryTable;
 use crate::reduction::record::REDUCTION_MARK;
-use crate::unpack::Packed;
+use crate::unpack::{Packed, Unpacked};
 
 /// An input that has been opened.
 pub struct Source {
@@ -126,9 +127,10 @@ impl Source {
         let (start, bytes) = peeked(Box::new(bytes));
         let (packed, start, bytes) = match Packed::unpacked(&start, bytes) {
             Err(bytes) => (None, start, bytes),
-            Ok((packed, unpacked)) => {
-                let (start, unpacked) = peeked(unpacked);
-                (Some(packed), start, unpacked)
+            Ok(Unpacked { packed, start: Some(start), bytes }) => (Some(packed), start, bytes),
+            Ok(Unpacked { packed, start: None, bytes }) => {
+                let (start, bytes) = peeked(bytes);
+                (Some(packed), start, bytes)
             }
         };
         let is_reduction = start.starts_with(REDUCTION_MARK.as_bytes());
@@ -167,13 +169,15 @@ impl Source {
         Source { name: name.into(), content, packed: None, length: None, is_file: false, is_reduction: false }
     }
 
-    /// This source with something done to its bytes if they are text.
+    /// This source with something done to its bytes, within these limits, if they are text.
     pub(crate) fn with_text<T: Default>(
         self,
+        sizes: &SizeLimits,
         change: impl FnOnce(&str, Box<dyn Read>) -> Result<(Box<dyn Read>, T), InputError>,
     ) -> Result<(Self, T), InputError> {
         match self.content {
             Content::Bytes(bytes) => {
+                self.packed.iter().for_each(|packed| packed.set_limits(sizes));
                 let (bytes, found) = change(self.name.raw(), bytes)?;
                 Ok((Source { content: Content::Bytes(bytes), ..self }, found))
             }

@@ -1,17 +1,21 @@
 //! Compressed inputs as streams: gzip and Zstandard, told by their first bytes. The hash stays that of the file as it is.
 
 use std::cell::RefCell;
-use std::io::{self, BufRead, BufReader, Read};
+use std::io::{self, BufRead, BufReader, Cursor, Read};
 use std::rc::Rc;
 
+use boundfit_exact::english::size_text;
 use flate2::bufread::MultiGzDecoder;
 use ruzstd::decoding::errors::{FrameDecoderError, ReadFrameHeaderError};
 use ruzstd::decoding::{BlockDecodingStrategy, FrameDecoder};
 use sha2::{Digest, Sha256};
 use thiserror::Error;
 
+use crate::binary;
+use crate::budget::{HeldMemory, MemoryUse};
+use crate::error::InputErrorKind;
 use crate::hash::hexadecimal;
-use crate::limits::most_unpacked;
+use crate::limits::{ANY_WINDOW, SizeLimits, most_unpacked};
 
 /// How an input is compressed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,6 +59,20 @@ pub(crate) enum UnpackError {
         /// How many times its size it may unpack to.
         ratio: u64,
     },
+    /// It holds more of what it unpacked than it may for its size.
+    #[error("it holds more than {ratio} times its size")]
+    HoldsTooMuch {
+        /// How many times its size it may hold.
+        ratio: u64,
+    },
+    /// Unpacking takes more memory than may be held.
+    #[error("it takes too much memory")]
+    TooMuchMemory {
+        /// How many bytes all that is held takes at least.
+        needed: u64,
+        /// How many may be held.
+        limit: u64,
+    },
     /// It cannot be unpacked.
     #[error("{reason}")]
     Damaged {
@@ -63,6 +81,15 @@ pub(crate) enum UnpackError {
         /// The library's words.
         reason: String,
     },
+}
+
+/// A compressed input.
+pub(crate) struct Unpacked {
+    pub(crate) packed: Packed,
+    /// The first bytes that it unpacks to, where they are known without reading.
+    pub(crate) start: Option<Vec<u8>>,
+    /// All of them.
+    pub(crate) bytes: Box<dyn Read>,
 }
 
 /// What is known of a compressed input while it is read.
@@ -80,32 +107,58 @@ struct State {
     ratio: u64,
     /// How many bytes of the file were read.
     bytes: u64,
+    /// What unpacking takes, once there is a limit.
+    memory: Option<HeldMemory>,
 }
 
 impl Packed {
-    /// The bytes that a compressed input unpacks to, if it starts like one.
-    pub(crate) fn unpacked(
-        start: &[u8],
-        bytes: Box<dyn Read>,
-    ) -> Result<(Self, Box<dyn Read>), Box<dyn Read>> {
+    /// What a compressed input unpacks to, if it starts like one.
+    pub(crate) fn unpacked(start: &[u8], bytes: Box<dyn Read>) -> Result<Unpacked, Box<dyn Read>> {
         let Some(packing) = Packing::of(start) else { return Err(bytes) };
-        let state =
-            State { hash: Sha256::new(), has_failed: false, limit: u64::MAX, ratio: u64::MAX, bytes: 0 };
+        let state = State {
+            hash: Sha256::new(),
+            has_failed: false,
+            limit: u64::MAX,
+            ratio: u64::MAX,
+            bytes: 0,
+            memory: None,
+        };
         let packed = Packed(Rc::new(RefCell::new(state)));
         let tap = BufReader::new(Tap { bytes, packed: packed.clone() });
-        let decoder: Box<dyn Read> = match packing {
-            Packing::Gzip => Box::new(MultiGzDecoder::new(tap)),
+        let (start, decoder): (_, Box<dyn Read>) = match packing {
+            Packing::Gzip => (None, Box::new(MultiGzDecoder::new(tap))),
             Packing::Zstandard => {
-                Box::new(Frames { bytes: tap, decoder: FrameDecoder::new(), is_within: false })
+                let (start, tap) = start_of_frames(tap);
+                let (decoder, packed) = (FrameDecoder::new(), packed.clone());
+                (Some(start), Box::new(Frames { bytes: tap, decoder, is_within: false, window: 0, packed }))
             }
         };
-        Ok((packed.clone(), Box::new(Unpacker { decoder, packed, packing, total: 0 })))
+        let bytes = Box::new(Unpacker { decoder, packed: packed.clone(), packing, total: 0 });
+        Ok(Unpacked { packed, start, bytes })
     }
 
-    /// Sets how many bytes there may be unpacked, and how many for each byte of the file.
-    pub(crate) fn set_limits(&self, limit: u64, ratio: u64) {
+    /// Sets how many bytes there may be unpacked, how many for each byte of the file, and how many may be held.
+    pub(crate) fn set_limits(&self, sizes: &SizeLimits) {
         let mut state = self.0.borrow_mut();
-        (state.limit, state.ratio) = (limit, ratio);
+        (state.limit, state.ratio) = (sizes.unpacked, sizes.ratio);
+        state.memory = Some(sizes.memory.nothing());
+    }
+
+    /// Asks for memory for the last bytes that were unpacked, so many in all.
+    fn hold(&self, bytes: u64) -> io::Result<()> {
+        let state = self.0.borrow();
+        if bytes > ANY_WINDOW.max(state.bytes.saturating_mul(state.ratio)) {
+            return Err(io::Error::other(UnpackError::HoldsTooMuch { ratio: state.ratio }));
+        }
+        // What the library takes beside them.
+        let bytes = bytes + 2 * BLOCK;
+        let asked = state.memory.as_ref().map_or(Ok(()), |own| own.ask_for_all(bytes, MemoryUse::Unpacking));
+        match asked {
+            Err(InputErrorKind::TooMuchMemory { needed, limit, .. }) => {
+                Err(io::Error::other(UnpackError::TooMuchMemory { needed, limit }))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// SHA-256 of the bytes of the file that were read, in hexadecimal.
@@ -148,7 +201,8 @@ struct Unpacker {
 impl Read for Unpacker {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let count = self.decoder.read(buffer).map_err(|error| {
-            if self.packed.0.borrow().has_failed || error.kind() == io::ErrorKind::Interrupted {
+            let is_own = error.get_ref().is_some_and(|error| error.is::<UnpackError>());
+            if is_own || self.packed.0.borrow().has_failed || error.kind() == io::ErrorKind::Interrupted {
                 return error;
             }
             let reason = match error.kind() {
@@ -169,11 +223,103 @@ impl Read for Unpacker {
     }
 }
 
-/// Frames of Zstandard one after the other. Memory: the window of a frame, at most 100 MB.
+/// The most bytes that a block unpacks to (RFC 8878, 3.1.1.2.4).
+const BLOCK: u64 = 1 << 17;
+
+/// Frames of Zstandard one after the other. Memory: as much of the window of a frame as was unpacked, at most 128 MiB. Until the window is
+/// full, or the frame ends, the library hands out nothing.
 struct Frames<R> {
     bytes: R,
     decoder: FrameDecoder,
     is_within: bool,
+    /// Bytes of the largest window so far.
+    window: u64,
+    packed: Packed,
+}
+
+/// Hands out bytes and notes them.
+struct Noting<'a, R> {
+    bytes: &'a mut R,
+    noted: Vec<u8>,
+}
+
+impl<R: Read> Read for Noting<'_, R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let count = self.bytes.read(buffer)?;
+        self.noted.extend_from_slice(buffer.get(..count).unwrap_or_default());
+        Ok(count)
+    }
+}
+
+/// The most blocks that are unpacked to tell what is in a file.
+const BLOCKS_OF_START: usize = 8;
+
+/// The first bytes that frames unpack to, as far as the first of them tells, and all bytes of the frames: before there are limits no
+/// window is filled.
+fn start_of_frames(mut bytes: BufReader<Tap>) -> (Vec<u8>, impl BufRead) {
+    let mut noting = Noting { bytes: &mut bytes, noted: Vec::new() };
+    // What is damaged is said by who reads it.
+    let start = start_of_frame(&mut noting).unwrap_or_default();
+    let noted = noting.noted;
+    (start, Cursor::new(noted).chain(bytes))
+}
+
+/// The first bytes of the first frame that is not to be passed over. The decoder is shown the frame with the smallest window: nothing
+/// is taken out of it before the last of these blocks, so that they can repeat whatever they unpacked to.
+fn start_of_frame(bytes: &mut Noting<'_, impl Read>) -> Option<Vec<u8>> {
+    let mut decoder = FrameDecoder::new();
+    let header = header_of_frame(bytes)?;
+    decoder.reset(header.as_slice()).ok()?;
+    while decoder.can_collect() < binary::START as usize
+        && !decoder.is_finished()
+        && decoder.blocks_decoded() < BLOCKS_OF_START
+    {
+        decoder.decode_blocks(&mut *bytes, BlockDecodingStrategy::UptoBlocks(1)).ok()?;
+    }
+    let mut start = vec![0; binary::START as usize];
+    let count = decoder.read(&mut start).ok()?;
+    start.truncate(count);
+    Some(start)
+}
+
+/// Reads the header of the first frame that is not to be passed over; gives one that says the same but for the window and the length.
+fn header_of_frame(bytes: &mut impl Read) -> Option<Vec<u8>> {
+    loop {
+        let mut magic = [0; 4];
+        bytes.read_exact(&mut magic).ok()?;
+        if magic != [0x28, 0xb5, 0x2f, 0xfd] {
+            let mut length = [0; 4];
+            bytes.read_exact(&mut length).ok()?;
+            let length = u64::from(u32::from_le_bytes(length));
+            // Who writes more than that in front of a table is no friend.
+            if length > BLOCK {
+                return None;
+            }
+            io::copy(&mut bytes.by_ref().take(length), &mut io::sink()).ok()?;
+            continue;
+        }
+        let mut descriptor = [0];
+        bytes.read_exact(&mut descriptor).ok()?;
+        let [descriptor] = descriptor;
+        let is_single = descriptor & 0x20 != 0;
+        let identity = [0_u64, 1, 2, 4].into_iter().nth(usize::from(descriptor & 3))?;
+        let length = [u64::from(is_single), 2, 4, 8].into_iter().nth(usize::from(descriptor >> 6))?;
+        io::copy(&mut bytes.by_ref().take(u64::from(!is_single)), &mut io::sink()).ok()?;
+        let mut header = magic.to_vec();
+        // No length, the checksum and the dictionary as they are, and a window of one kibibyte.
+        header.extend([descriptor & 0x1f, 0]);
+        bytes.by_ref().take(identity).read_to_end(&mut header).ok()?;
+        io::copy(&mut bytes.by_ref().take(length), &mut io::sink()).ok()?;
+        return Some(header);
+    }
+}
+
+/// How many bytes before the current one a frame may repeat, by its header (RFC 8878, 3.1.1.1.2); nothing where it is all of them.
+fn window_of(header: &[u8]) -> Option<u64> {
+    let (descriptor, window) = (header.get(4)?, header.get(5)?);
+    let is_single = descriptor & 0x20 != 0;
+    let base = 1_u64 << (10 + (window >> 3));
+    (!is_single).then(|| base + base / 8 * u64::from(window & 7))
 }
 
 impl<R: BufRead> Frames<R> {
@@ -183,13 +329,29 @@ impl<R: BufRead> Frames<R> {
             if self.bytes.fill_buf()?.is_empty() {
                 return Ok(false);
             }
-            match self.decoder.reset(&mut self.bytes) {
-                Ok(()) => return Ok(true),
+            let mut bytes = Noting { bytes: &mut self.bytes, noted: Vec::new() };
+            match self.decoder.reset(&mut bytes) {
+                Ok(()) => {
+                    let window = window_of(&bytes.noted).unwrap_or_else(|| self.decoder.content_size());
+                    self.window = self.window.max(window);
+                    return Ok(true);
+                }
                 Err(FrameDecoderError::ReadFrameHeaderError(ReadFrameHeaderError::SkipFrame {
                     length,
                     ..
                 })) => {
                     io::copy(&mut self.bytes.by_ref().take(length.into()), &mut io::sink())?;
+                }
+                Err(FrameDecoderError::WindowSizeTooBig { requested, max }) => {
+                    let reason = format!(
+                        "it takes the last {} that were unpacked, and {} may be taken; pack it anew without --long",
+                        size_text(requested),
+                        size_text(max)
+                    );
+                    return Err(io::Error::other(UnpackError::Damaged {
+                        format: "a Zstandard file",
+                        reason,
+                    }));
                 }
                 Err(error) => return Err(io::Error::new(io::ErrorKind::InvalidData, error.to_string())),
             }
@@ -217,6 +379,9 @@ impl<R: BufRead> Read for Frames<R> {
                 }
                 self.is_within = true;
             }
+            // With one more block.
+            let unpacked = (self.decoder.blocks_decoded() as u64 + 1).saturating_mul(BLOCK);
+            self.packed.hold(self.window.min(unpacked))?;
             if self.decoder.can_collect() == 0 && !self.decoder.is_finished() {
                 let decoded =
                     self.decoder.decode_blocks(&mut self.bytes, BlockDecodingStrategy::UptoBlocks(1));

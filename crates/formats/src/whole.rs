@@ -29,10 +29,10 @@ impl WholeFile {
     pub fn read(source: Source, sizes: &SizeLimits) -> Result<Self, InputError> {
         let (name, bytes, packed) = source.into_bytes();
         if let Some(packed) = &packed {
-            packed.set_limits(sizes.unpacked, sizes.ratio);
+            packed.set_limits(sizes);
         }
         let mut reader = ChunkReader::new(bytes, CHUNK_BYTES, sizes.line, true);
-        let content = reader.read_to_end(name.raw(), sizes.text)?;
+        let content = reader.read_to_end(name.raw(), sizes.text, &sizes.memory.nothing())?;
         let of_text = || reader.sha256().unwrap_or_default();
         let sha256 = packed.as_ref().map_or_else(of_text, Packed::sha256);
         Ok(WholeFile { name, content, sha256 })

@@ -6,7 +6,7 @@ use boundfit_formats::{ColumnSelector, Missing, Source, TableOptions, read_table
 use flate2::Compression;
 use flate2::write::GzEncoder;
 
-use super::table::{LIMITS, POOL, SIZES};
+use super::table::{LIMITS, POOL, sizes};
 use crate::workbooks::{archive, xlsx, xlsx_with};
 
 /// The bytes as a workbook, and as each part of one that is whole otherwise: what is there to unpack changes nothing.
@@ -45,7 +45,7 @@ pub fn packed_reader(data: &[u8]) {
 fn read(data: &[u8]) -> Result<(usize, usize), String> {
     let mut found = Err(String::new());
     for missing in [Missing::Refuse, Missing::Skip] {
-        let options = TableOptions { missing, limits: LIMITS, sizes: SIZES, ..TableOptions::default() };
+        let options = TableOptions { missing, limits: LIMITS, sizes: sizes(), ..TableOptions::default() };
         for columns in [["x", "y"], ["1", "2"]] {
             let columns = columns.map(ColumnSelector::name_or_number);
             let table = POOL.install(|| {

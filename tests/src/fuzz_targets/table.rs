@@ -6,8 +6,9 @@ use std::sync::LazyLock;
 
 use boundfit_exact::{Foreign, Limits, MOST_WORK, Reading};
 use boundfit_formats::{
-    AskedBlock, AskedDialect, Batch, ColumnSelector, CommentMark, Header, Missing, MissingWords,
-    RowCondition, RowRange, RowSet, ScanOptions, SizeLimits, Source, TableOptions, TableRow, scan,
+    AskedBlock, AskedDialect, Batch, ColumnSelector, CommentMark, Header, MemoryBudget, Missing,
+    MissingWords, RowCondition, RowRange, RowSet, ScanOptions, SizeLimits, Source, TableOptions, TableRow,
+    scan,
 };
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use tempfile::NamedTempFile;
@@ -18,19 +19,21 @@ use crate::reference_table::{self, Found, NAME, may_be_binary, may_be_records};
 pub(super) const LIMITS: Limits = Limits { digits: 60, exponent: 400 };
 
 /// What a small machine would set.
-pub(super) const SIZES: SizeLimits = SizeLimits {
-    rows: 1_000,
-    elements: 10_000,
-    nesting: 16,
-    line: 1 << 16,
-    columns: 1_000,
-    unpacked: 1 << 20,
-    ratio: 1_000,
-    workbook: 1 << 20,
-    work: MOST_WORK,
-    text: 1 << 20,
-    memory: 1 << 24,
-};
+pub(super) fn sizes() -> SizeLimits {
+    SizeLimits {
+        rows: 1_000,
+        elements: 10_000,
+        nesting: 16,
+        line: 1 << 16,
+        columns: 1_000,
+        unpacked: 1 << 20,
+        ratio: 1_000,
+        workbook: 1 << 20,
+        work: MOST_WORK,
+        text: 1 << 20,
+        memory: MemoryBudget::new(1 << 24),
+    }
+}
 
 /// One thread for everything: handing work from one to another would take most of the time.
 pub(super) static POOL: LazyLock<ThreadPool> =
@@ -121,7 +124,7 @@ fn all_options(data: &[u8], check: &(dyn Fn(&[ColumnSelector], &ScanOptions) + S
                 keep_cells: choice % 3 == 0,
                 reading,
                 limits: LIMITS,
-                sizes: SIZES,
+                sizes: sizes(),
                 ..TableOptions::default()
             };
             for chunk_bytes in [chunk_bytes, 1 << 18] {

@@ -115,7 +115,17 @@ pub(super) fn bomb(rng: &mut ChaCha8Rng) -> (String, Vec<u8>) {
 
 /// A frame of so many blocks that each repeat one byte 131,072 times.
 pub fn repeated_by_zstandard(byte: u8, blocks: usize) -> Vec<u8> {
-    let mut frame = vec![0x28, 0xb5, 0x2f, 0xfd, 0x00, 0x58];
+    repeated_behind(b"", byte, blocks, 21)
+}
+
+/// A frame of these bytes, unless there are none, and so many blocks that each repeat one byte 131,072 times, with a window of two to
+/// this power of bytes.
+pub fn repeated_behind(start: &[u8], byte: u8, blocks: usize, window: u8) -> Vec<u8> {
+    let mut frame = vec![0x28, 0xb5, 0x2f, 0xfd, 0x00, (window - 10) << 3];
+    if !start.is_empty() {
+        frame.extend(&((start.len() as u32) << 3).to_le_bytes()[..3]);
+        frame.extend(start);
+    }
     for block in 0..blocks {
         let header = u32::from(block + 1 == blocks) | 1 << 1 | (1 << 17) << 3;
         frame.extend(&header.to_le_bytes()[..3]);

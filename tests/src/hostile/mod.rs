@@ -12,7 +12,7 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::generate::seeded;
 
-pub use files::{gzip, matlab_zeros, repeated_by_zstandard};
+pub use files::{gzip, matlab_zeros, repeated_behind, repeated_by_zstandard};
 pub use limited::{Cost, Ended, LIMITS, run_limited};
 
 /// The most bytes that the files of a case have together.

@@ -4,11 +4,14 @@
 #![cfg(target_os = "linux")]
 
 use std::io::Write;
+use std::process::{Command, Stdio};
 use std::time::Duration;
 
 use boundfit_tests::cli::{boundfit, directory_with, words};
-use boundfit_tests::hostile::{Cost, LIMITS, gzip, matlab_zeros, repeated_by_zstandard, run_limited};
-use boundfit_tests::workbooks::{ods, xlsx};
+use boundfit_tests::hostile::{
+    Cost, LIMITS, gzip, matlab_zeros, repeated_behind, repeated_by_zstandard, run_limited,
+};
+use boundfit_tests::workbooks::{ods, xlsx, xlsx_rows, xlsx_with};
 
 const FIT: &str = "fit FILE --x x --y y --eps 1 --no-lp";
 const TOO_FAR: &str = "refused: it unpacks to more than 67108864 bytes and 100 times its size (the limit); --max-ratio raises it\n";
@@ -114,6 +117,17 @@ mod columns {
         let [parquet, _] = files(&zeros);
         assert!(parquet.len() < 200_000);
         refused(&parquet, FIT, TOO_FAR, TWO_SECONDS);
+    }
+
+    #[test]
+    fn record_batches_are_counted() {
+        let numbers: ArrayRef = Arc::new(Int32Array::from((0..200_000).collect::<Vec<i32>>()));
+        let [_, arrow] = files(&numbers);
+        let directory = directory_with(&[("bomb", &arrow)]);
+        let line = "fit bomb --x 1 --y 2 --eps 1 --no-lp --limit memory=1MiB";
+        let ended = run_limited(directory.path(), &words(line), LIMITS);
+        let what = "error: bomb: the record batches that are read together take ";
+        assert!(ended.status == Some(1) && ended.messages.starts_with(what), "{ended:?}");
     }
 
     /// Every row names one text of nine thousand digits.
@@ -271,4 +285,119 @@ fn readings_take_no_more_memory_than_they_may() {
     }
     let line = "fit few.csv --x x --y y --eps 1 --limit memory=1k --limit memory=1.5GiB";
     assert!(run_limited(directory.path(), &words(line), LIMITS).is_well());
+}
+
+/// Text that never ends, without a byte that is none of text.
+#[test]
+fn proofs_and_claims_without_an_end_are_refused() {
+    let directory = directory_with(&[("a.csv", b"x,y\n1,1\n2,2\n")]);
+    let pipe = directory.path().join("pipe");
+    assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    for (line, option) in [
+        ("verify pipe a.csv", "--max-proof-size"),
+        ("check a.csv --x x --y y --eps 1 --claim pipe", "--max-claim-size"),
+    ] {
+        // A buffer of the limit, 256 MB, grows to it by copies.
+        let usual = Cost { data: 1 << 30, ..TWO_SECONDS };
+        for (set, size, cost) in
+            [(String::new(), 268_435_456, usual), (format!(" {option} 1000000"), 1_000_000, LIMITS)]
+        {
+            let yes =
+                Command::new("sh").args(["-c", "exec yes > \"$0\""]).arg(&pipe).stderr(Stdio::null()).spawn();
+            let ended = run_limited(directory.path(), &words(&format!("{line}{set}")), cost);
+            // It ends when nobody reads on.
+            yes.unwrap().wait().unwrap();
+            let message = format!("pipe: larger than {size} bytes (the limit; {option} raises it)\n");
+            assert!(ended.status == Some(1) && ended.messages.ends_with(&message), "{line}: {ended:?}");
+        }
+    }
+}
+
+/// What readers cannot hand out at once is asked for from the one budget.
+#[test]
+fn readers_ask_for_memory_before_they_take_it() {
+    let rows: String = (0..20_000).map(|row| format!("{row},{}\n", row % 1009)).collect();
+    let table = format!("x,y\n{rows}");
+    let sheet = xlsx(&[("S", &xlsx_rows(&table, b'A', 1))]);
+    let texts = "<si><t>some text or other</t></si>".repeat(40_000);
+    let texts = xlsx_with(
+        &[("S", &xlsx_rows("x,y\n1,2\n2,3\n", b'A', 1))],
+        "xl/sharedStrings.xml",
+        &format!("<sst xmlns=\"http://schemas.openxmlformats.org/spreadsheetml/2006/main\">{texts}</sst>"),
+    );
+    let octave =
+        format!("# name: x\n# type: matrix\n# rows: 20000\n# columns: 1\n{}\n", "1\n".repeat(20_000));
+    let empty = format!("[[\"x\",\"y\"],[{}\"\"]]", "\"\",".repeat(50_000));
+    let ine = format!("H-representation\nbegin\n20000 3 integer\n{}end\n", "1 1 1\n".repeat(20_000));
+    let window = repeated_behind(b"x,y\n1,1\n2,2\n3,4\n", b'\n', 60, 27);
+    for (name, content, command, limit, what) in [
+        ("sheet", sheet, FIT, "300KiB", "the cells of the sheet take "),
+        ("shared texts", texts, FIT, "300KiB", "the cells of the sheet take "),
+        ("a workbook", [b'P', b'K', 3, 4].repeat(100_000), FIT, "300KiB", "the workbook takes "),
+        ("variables", matlab_zeros(100_000), FIT, "1MiB", "the variables that are asked for take "),
+        ("numbers as text", octave.into_bytes(), FIT, "1MiB", "the variables that are asked for take "),
+        ("records", empty.into_bytes(), FIT, "1MiB", "the records that are read together take "),
+        ("half-planes", ine.into_bytes(), "polygon FILE", "5MiB", "rows take "),
+        ("a window", window, FIT, "4MiB", "unpacking takes "),
+    ] {
+        let directory = directory_with(&[("bomb", &content)]);
+        let line = format!("{command} --limit memory={limit}").replace("FILE", "bomb");
+        let ended = run_limited(directory.path(), &words(&line), LIMITS);
+        let is_refused = ended.messages.contains(what)
+            && ended.messages.ends_with("(the limit); --limit memory=SIZE raises it\n");
+        assert!(ended.status == Some(1) && is_refused, "{name}: {ended:?}");
+    }
+}
+
+/// A frame may say that it repeats what stands 128 MiB before, which has to be held until then.
+#[test]
+fn windows_are_as_large_as_the_file_gives_reason_to() {
+    let start = b"x,y\n1,1\n2,2\n3,4\n";
+    let small = repeated_behind(start, b'\n', 30, 27);
+    let directory = directory_with(&[("small.zst", &small)]);
+    assert!(run_limited(directory.path(), &words(&FIT.replace("FILE", "small.zst")), TWO_SECONDS).is_well());
+    let large = repeated_behind(start, b'\n', 400, 27);
+    assert!(large.len() < 2_000);
+    let message = "refused: unpacking it takes more than 8388608 bytes of memory and 100 times its size (the limit); \
+                   --max-ratio raises it\n";
+    let few = Cost { data: 48 << 20, ..LIMITS };
+    for command in [
+        FIT,
+        "fit FILE --x x --y y --eps 1 --by x",
+        "reduce FILE --x x --y y",
+        "lesson FILE --x x --y y --eps 1 -o a.html",
+        "polygon FILE",
+        "judge FILE",
+    ] {
+        refused(&large, command, message, few);
+    }
+    let too_large = repeated_behind(start, b'\n', 4, 30);
+    let message = "cannot read a Zstandard file: it takes the last 1 GiB that were unpacked, and 128 MiB may be taken; pack it anew \
+                   without --long\n";
+    refused(&too_large, FIT, message, few);
+}
+
+/// Neither rows of a reduction that stand for others nor readings that a lesson has no room for are kept.
+#[test]
+fn equal_rows_are_kept_once_or_not_at_all() {
+    let rows = 400_000;
+    let mut reduction = format!(
+        "# boundfit/reduced/3 {{\"rows\":{all},\"kept\":{rows},\"header\":true,\"reading\":\"decimal\",\"x\":\"x\",\"y\":\"y\",\
+         \"epsilon\":null,\"sums\":[\"{all}\",\"{all}\",\"{all}\",\"{all}\"]}}\nx,y\n",
+        all = 2 * rows
+    );
+    reduction += &"2 1,1\n".repeat(rows);
+    let directory = directory_with(&[("reduced", &gzip(reduction.as_bytes()))]);
+    let cost = Cost { cpu: Duration::from_secs(20), data: 64 << 20 };
+    let ended = run_limited(directory.path(), &words("fit reduced --x x --y y --eps 1 --no-lp"), cost);
+    assert_eq!(ended.status, Some(0), "{ended:?}");
+    let readings = "bomb: more than 300 readings are too many for a lesson; choose some with --rows FIRST..LAST, or raise it with \
+                    --max-readings\n";
+    let ties = format!("x,y\n{}", "1,1\n1,2\n".repeat(300_000));
+    refused(
+        ties.as_bytes(),
+        "lesson FILE --x x --y y --eps 9 -o a.html",
+        readings,
+        Cost { data: 24 << 20, ..LIMITS },
+    );
 }

@@ -31,7 +31,7 @@ pub use boundfit_estimation::{
 pub use boundfit_exact::{Limits, Reading};
 pub use boundfit_formats::{
     AskedBlock, AskedDialect, ColumnSelector, CommentMark, Encoding, HalfPlaneFile, Header, InputError,
-    InputErrorKind, MemoryNumbers, MemoryTable, Missing, MissingWords, Pieces, RowCondition, RowRange,
-    RowSet, ScanOptions, SizeLimits, Source, TableOptions, read_half_planes,
+    InputErrorKind, MemoryBudget, MemoryNumbers, MemoryTable, Missing, MissingWords, Pieces, RowCondition,
+    RowRange, RowSet, ScanOptions, SizeLimits, Source, TableOptions, read_half_planes,
 };
 pub use question::Question;

@@ -7,8 +7,8 @@ use boundfit_estimation::{
 use boundfit_exact::english::counted;
 use boundfit_exact::{Foreign, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading, Work};
 use boundfit_formats::{
-    AskedDialect, Header, InputError, InputErrorKind, MissingWords, ScanOptions, SizeLimits, Source,
-    TableOptions,
+    AskedDialect, Header, InputError, InputErrorKind, MemoryBudget, MissingWords, ScanOptions, SizeLimits,
+    Source, TableOptions,
 };
 use boundfit_questions::{Extent, Moving};
 use boundfit_report::{Origin, Style};
@@ -636,9 +636,9 @@ impl LimitArguments {
         Limits { digits: size(self.max_digits), exponent: self.max_exponent }
     }
 
-    /// Bytes of memory; of several the last.
-    fn memory(&self) -> u64 {
-        let asked = self.limit.iter().map(|AskedLimit::Memory(bytes)| *bytes).next_back();
+    /// Bytes of memory, one budget for all that the command reads; of several the last.
+    fn memory(&self) -> MemoryBudget {
+        let asked = self.limit.iter().map(|AskedLimit::Memory(budget)| budget.clone()).next_back();
         asked.unwrap_or_else(|| SizeLimits::default().memory)
     }
 

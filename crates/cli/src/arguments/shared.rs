@@ -230,8 +230,10 @@ pub(crate) struct LimitArguments {
           help_heading = LIMITS, hide_short_help = true)]
     pub(super) max_text: u64,
     /// The most that the whole command may take of something; 'memory=SIZE', such as 512MiB or 4GiB (1 GiB when left out):
-    /// what readings that are held take, with all that is made of them. Repeatable
-    #[arg(long, value_name = "NAME=N", value_parser = parse_limit, help_heading = LIMITS, hide_short_help = true)]
+    /// what readings that are held take, with all that is made of them, and what reading a file takes. Repeatable
+    // The default is a value like others, so that one budget is made for all that the command reads.
+    #[arg(long, value_name = "NAME=N", value_parser = parse_limit, default_value = "memory=1GiB", hide_default_value = true,
+          help_heading = LIMITS, hide_short_help = true)]
     pub(super) limit: Vec<AskedLimit>,
     /// Depth of arrays and objects in a JSON file
     #[arg(long, value_name = "N", default_value_t = 64, value_parser = value_parser!(u8).range(1..=120),

@@ -5,7 +5,7 @@ use std::iter;
 use boundfit_exact::{
     DecimalMark, Limit, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading, Thousands,
 };
-use boundfit_formats::{AskedBlock, ColumnSelector, CommentMark, DELIMITERS, Encoding};
+use boundfit_formats::{AskedBlock, ColumnSelector, CommentMark, DELIMITERS, Encoding, MemoryBudget};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::exit::Failure;
@@ -90,10 +90,10 @@ pub(super) fn explained<T: Clone + Send + Sync + 'static>(
 }
 
 /// A limit by its name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum AskedLimit {
-    /// Bytes of memory.
-    Memory(u64),
+    /// Bytes of memory, of which all that a command reads takes its own.
+    Memory(MemoryBudget),
 }
 
 /// Reads `memory=512MiB`.
@@ -101,9 +101,12 @@ pub(super) fn parse_limit(text: &str) -> Result<AskedLimit, String> {
     const EXPECTED: &str = "expected memory=SIZE, such as memory=512MiB or memory=4GiB";
     let (name, number) = text.split_once('=').ok_or(EXPECTED)?;
     match name.trim() {
-        "memory" => parse_size(number.trim()).map(AskedLimit::Memory).ok_or_else(|| {
-            "expected a size in bytes above 0, with k, M, G (1000) or KiB, MiB, GiB (1024) behind it, such as 512MiB".to_owned()
-        }),
+        "memory" => {
+            let budget = parse_size(number.trim()).map(MemoryBudget::new);
+            budget.map(AskedLimit::Memory).ok_or_else(|| {
+                "expected a size in bytes above 0, with k, M, G (1000) or KiB, MiB, GiB (1024) behind it, such as 512MiB".to_owned()
+            })
+        }
         other => Err(format!("there is no limit of the name {other:?} ({EXPECTED})")),
     }
 }

@@ -2,7 +2,7 @@
 
 use boundfit_exact::Foreign;
 use boundfit_figures::{PictureFormat, draw_region};
-use boundfit_formats::read_half_planes;
+use boundfit_formats::{TableOptions, read_half_planes};
 use boundfit_geometry::Polyhedron;
 use boundfit_report::{
     h_representation, polygon_document, polygon_json, region_script, region_wkt, v_representation,
@@ -15,6 +15,7 @@ use crate::CommandResult;
 use crate::arguments::{PictureArguments, PolygonArguments, ReportFormat};
 use crate::exit::{Exit, Failure};
 use crate::input;
+use crate::memory;
 use crate::output;
 use crate::work::{refuse_long, times};
 
@@ -31,6 +32,7 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     guard.check(arguments.plot.as_deref())?;
     let reading = arguments.table.reading();
     let options = arguments.table.options(reading, None)?;
+    let options = TableOptions { row_cost: memory::OF_A_HALF_PLANE, ..options };
     let source = input::open(&arguments.file).map_err(Failure::data)?;
     let name = source.name().to_owned();
     let file = read_half_planes(source, &options).map_err(Failure::data)?;

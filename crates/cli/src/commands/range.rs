@@ -10,6 +10,7 @@ use crate::CommandResult;
 use crate::arguments::{RangeArguments, RangeFormat};
 use crate::exit::{Exit, Failure};
 use crate::input;
+use crate::memory;
 use crate::progress::while_working;
 use crate::work::{refuse_long_problem, times};
 
@@ -23,7 +24,7 @@ pub(crate) fn run(arguments: &RangeArguments) -> CommandResult {
     guard.check(output)?;
     guard.check(arguments.proof.as_deref())?;
     proof_file::check(arguments.proof.as_deref(), output)?;
-    let data = arguments.data.open();
+    let data = arguments.data.open().holding(memory::OF_A_RANGE);
     let origin = data.origin();
     let shows_data = format == RangeFormat::Json || arguments.proof.is_some();
     let problem = data.every_reading(shows_data, shows_data)?;

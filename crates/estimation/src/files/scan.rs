@@ -99,7 +99,7 @@ impl Measurements {
         let name = source.name().to_owned();
         let path = source.path().map(str::to_owned);
         let usual = if path.is_some() { MOST_BYTES_OF_FILE } else { MOST_BYTES_OF_STREAM };
-        let memory = usize::try_from(options.table.sizes.memory / 2).unwrap_or(usize::MAX);
+        let memory = usize::try_from(options.table.sizes.memory.limit() / 2).unwrap_or(usize::MAX);
         let usual = usual.min(memory);
         let mut all = Collected::new(keep.most_bytes.unwrap_or(usual));
         let unnamed = columns.meaning(&[]);

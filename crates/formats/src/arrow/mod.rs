@@ -14,6 +14,7 @@ use boundfit_exact::{Column, Foreign};
 use sha2::{Digest, Sha256};
 
 use crate::binary::BinaryFormat;
+use crate::budget::MemoryUse;
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::hash::hexadecimal;
@@ -129,11 +130,16 @@ impl Rows<'_> {
         let fail = |problem: InputErrorKind| InputError::of_file(self.wanted.file, problem);
         let (mut rows_total, mut more) = (0, true);
         let (mut used, mut lacking) = (0, Lacking::default());
+        let memory = options.table.sizes.memory.nothing();
         while more {
             let mut group = Vec::new();
+            memory.give_back();
             while more && group.len() < threads::count() {
                 more = match next().map_err(fail)? {
                     Some(batch) => {
+                        // The library tells how large a record batch is when it has it.
+                        let bytes = batch.get_array_memory_size() as u64;
+                        memory.ask(bytes, MemoryUse::Batches).map_err(fail)?;
                         group.extend(self.parts(rows_total + 1, &batch));
                         rows_total += batch.num_rows();
                         true

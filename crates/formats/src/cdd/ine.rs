@@ -9,8 +9,10 @@
 use boundfit_exact::{Rational, WorkMeter};
 use boundfit_geometry::{Inequality, System};
 
+use crate::budget::{HeldMemory, MemoryUse};
 use crate::columns::readable;
 use crate::error::{InputError, InputErrorKind, Place};
+use crate::half_planes::OF_A_HALF_PLANE;
 use crate::half_planes::file::{HalfPlaneFile, RowOrigin};
 use crate::table::TableOptions;
 
@@ -34,6 +36,8 @@ struct Parser<'a> {
     file: &'a str,
     lines: Vec<(u64, &'a str)>,
     options: &'a TableOptions,
+    /// What the lines take, and the rows.
+    memory: HeldMemory,
 }
 
 /// Parses an H- or V-representation in the plane.
@@ -58,8 +62,12 @@ pub(crate) fn parse_cdd(
     if text.trim().is_empty() {
         return Err(InputError::of_file(file, InputErrorKind::Empty));
     }
+    let memory = options.sizes.memory.nothing();
+    let lines = text.lines().count() as u64;
+    let asked = memory.ask(lines.saturating_mul(size_of::<(u64, &str)>() as u64), MemoryUse::Text);
+    asked.map_err(|problem| InputError::of_file(file, problem))?;
     let lines = (1..).zip(text.lines()).collect();
-    Parser { file, lines, options }.parse(sha256)
+    Parser { file, lines, options, memory }.parse(sha256)
 }
 
 impl<'a> Parser<'a> {
@@ -140,6 +148,7 @@ impl<'a> Parser<'a> {
         announced: Option<usize>,
     ) -> Result<(Vec<MatrixRow<'a>>, u64), InputError> {
         let limit = self.options.sizes.rows;
+        let row_cost = self.options.row_cost.max(OF_A_HALF_PLANE);
         let mut rows: Vec<MatrixRow<'a>> = Vec::new();
         let mut pending: Vec<(Token<'a>, Rational)> = Vec::with_capacity(3);
         let meter = WorkMeter::default();
@@ -168,6 +177,8 @@ impl<'a> Parser<'a> {
             if rows.len() >= limit {
                 return Err(self.error(token, InputErrorKind::TooManyRows { limit }));
             }
+            let asked = self.memory.ask(row_cost as u64, MemoryUse::Rows(rows.len() + 1));
+            asked.map_err(|problem| self.error(token, problem))?;
             let start = pending.first().map_or(token, |(start, _)| *start);
             let mut numbers = pending.drain(..).map(|(_, number)| number);
             let numbers = [0; 3].map(|_| numbers.next().unwrap_or_default());

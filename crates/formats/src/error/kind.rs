@@ -7,7 +7,8 @@ use boundfit_exact::{DecimalMark, Foreign, Limit, ParseNumberError, ParseNumberE
 use thiserror::Error;
 
 use crate::blocks::{AskedBlock, Block, listed};
-use crate::limits::ANY_FILE;
+use crate::budget::MemoryUse;
+use crate::limits::{ANY_FILE, ANY_WINDOW};
 use crate::reduction::error::ReductionError;
 use crate::selection::RowRange;
 use crate::unpack::UnpackError;
@@ -109,6 +110,14 @@ pub enum InputErrorKind {
     #[error("refused: it unpacks to more than {ANY_FILE} bytes and {ratio} times its size (the limit)")]
     UnpacksTooFar {
         /// How many times its size it may unpack to.
+        ratio: u64,
+    },
+    /// A packed file of which more has to be held to unpack it than the limit for its size.
+    #[error(
+        "refused: unpacking it takes more than {ANY_WINDOW} bytes of memory and {ratio} times its size (the limit)"
+    )]
+    HoldsTooMuch {
+        /// How many times its size may be held.
         ratio: u64,
     },
     /// A text that would be held in memory, beyond the limit.
@@ -394,14 +403,14 @@ pub enum InputErrorKind {
         /// The most rows that are read.
         limit: usize,
     },
-    /// Rows that are held take more memory than they may.
-    #[error("the first {rows} rows take {needed} of memory, more than {limit} (the limit)", needed = size_text(*.needed), limit = size_text(*.limit))]
+    /// What is held takes more memory than the budget has ([`MemoryBudget`](crate::MemoryBudget)).
+    #[error("{what} {needed} of memory, more than {limit} (the limit)", needed = size_text(*.needed), limit = size_text(*.limit))]
     TooMuchMemory {
-        /// How many rows have been counted.
-        rows: usize,
-        /// How many bytes they take at least, with what is made of them.
+        /// What memory was asked for last.
+        what: MemoryUse,
+        /// How many bytes all that is held takes at least.
         needed: u64,
-        /// How many they may take.
+        /// How many may be held.
         limit: u64,
     },
     /// More wanted rows than the caller takes.
@@ -441,6 +450,10 @@ impl From<io::Error> for InputErrorKind {
             Err(error) => match error.downcast::<UnpackError>() {
                 Ok(UnpackError::TooLong { limit }) => InputErrorKind::TooMuchUnpacked { limit },
                 Ok(UnpackError::TooFar { ratio }) => InputErrorKind::UnpacksTooFar { ratio },
+                Ok(UnpackError::HoldsTooMuch { ratio }) => InputErrorKind::HoldsTooMuch { ratio },
+                Ok(UnpackError::TooMuchMemory { needed, limit }) => {
+                    InputErrorKind::TooMuchMemory { what: MemoryUse::Unpacking, needed, limit }
+                }
                 Ok(UnpackError::Damaged { format, reason }) => {
                     InputErrorKind::Unreadable { format, reason: reason.into() }
                 }
@@ -465,7 +478,7 @@ impl InputErrorKind {
             InputErrorKind::TooMuchMemory { .. } => Some(Limit::Memory),
             InputErrorKind::TooManyElements { .. } => Some(Limit::Elements),
             InputErrorKind::TooMuchUnpacked { .. } => Some(Limit::Unpacked),
-            InputErrorKind::UnpacksTooFar { .. } => Some(Limit::Ratio),
+            InputErrorKind::UnpacksTooFar { .. } | InputErrorKind::HoldsTooMuch { .. } => Some(Limit::Ratio),
             InputErrorKind::TextTooLarge { .. } => Some(Limit::Text),
             InputErrorKind::WorkbookTooLarge { .. } => Some(Limit::Workbook),
             InputErrorKind::TooMuchWork(_) => Some(Limit::Work),

@@ -6,6 +6,7 @@ use std::io::Cursor;
 
 use boundfit_geometry::Inequality;
 
+use crate::budget::MemoryUse;
 use crate::cdd::parse_cdd;
 use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
@@ -38,6 +39,10 @@ impl HalfPlaneFormat {
     }
 }
 
+/// Bytes that a half-plane or a generator takes at least with what is made of it: measured as the largest memory of a process that read
+/// 10⁶ points. What callers make of half-planes, [`TableOptions::row_cost`] says.
+pub(crate) const OF_A_HALF_PLANE: usize = 800;
+
 /// Reads half-planes `a1·θ1 + a2·θ2 ≤ b`. The format follows from the file's name, else from its contents: a line `begin`
 /// makes it a representation of cdd and lrs. That is an H-representation unless a line `V-representation` comes before.
 ///
@@ -48,12 +53,16 @@ pub fn read_half_planes(source: Source, options: &TableOptions) -> Result<HalfPl
     let WholeFile { name, content, sha256 } = WholeFile::read(source, &options.sizes)?;
     let has_begin =
         || content.split(|&byte| byte == b'\n').any(|line| line.trim_ascii().starts_with(b"begin"));
+    let memory = options.sizes.memory.nothing();
+    let asked = memory.ask(content.len() as u64, MemoryUse::Text);
+    asked.map_err(|problem| InputError::of_file(&name, problem))?;
     let is_ine = format.map_or_else(has_begin, |format| format == HalfPlaneFormat::Ine);
     if is_ine {
         return parse_cdd(name.raw(), &content, sha256, options);
     }
     let columns = [("a1", 1), ("a2", 2), ("b", 3)].map(|(name, at)| ColumnSelector::name_at(name, at));
-    let table = read_table(Source::new(name.clone(), Cursor::new(content)), &columns, options)?;
+    let options = TableOptions { row_cost: options.row_cost.max(OF_A_HALF_PLANE), ..options.clone() };
+    let table = read_table(Source::new(name.clone(), Cursor::new(content)), &columns, &options)?;
     if let Some(column) = table.header.iter().find(|column| is_coefficient_beyond_the_plane(column.raw())) {
         let column = column.clone();
         return Err(InputError::of_file(&name, InputErrorKind::MoreThanThePlane { column }));

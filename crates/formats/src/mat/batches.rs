@@ -53,7 +53,8 @@ pub(crate) fn scan_mat<T: Send>(
     let progress = options.progress.as_deref();
     refuse_twice(name, columns)?;
     let found = MatColumns::read(file, &selectors, &options.table.sizes, options.hash, progress);
-    let MatColumns { columns: found, rows, sha256, bytes } = found.map_err(fail)?;
+    // What is asked for is given back behind the last batch.
+    let MatColumns { columns: found, rows, sha256, bytes, memory: _memory } = found.map_err(fail)?;
     check_rows(name, rows, options)?;
     let (numbers, others) = found.split_at_checked(columns.len()).unwrap_or_default();
     let (key, looked_at) = others.split_at_checked(options.key.iter().len()).unwrap_or_default();

@@ -13,6 +13,7 @@ use super::numbers::Numbers;
 use super::octave::{self, is_octave};
 use super::v4;
 use super::variable::{Content, Variable, fields};
+use crate::budget::HeldMemory;
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::InputErrorKind;
 use crate::limits::SizeLimits;
@@ -37,6 +38,8 @@ pub(super) struct MatColumns {
     pub(super) sha256: Option<String>,
     /// How many bytes the file has.
     pub(super) bytes: u64,
+    /// What the numbers take.
+    pub(super) memory: HeldMemory,
 }
 
 /// A column: numbers of a variable, from one of them on.
@@ -146,7 +149,7 @@ impl MatColumns {
             }
         }
         let (columns, rows) = search.columns()?;
-        Ok(MatColumns { columns, rows, sha256: file.sha256(), bytes: file.position() })
+        Ok(MatColumns { columns, rows, sha256: file.sha256(), bytes: file.position(), memory: search.memory })
     }
 }
 
@@ -195,11 +198,14 @@ pub(super) struct Search<'a> {
     /// How many bytes of variables there were in the file so far, and how many of numbers are held of those.
     packed: u64,
     held: u64,
+    /// What these numbers take.
+    memory: HeldMemory,
 }
 
 impl<'a> Search<'a> {
     pub(super) fn new(wanted: &'a [Wanted<'a>], sizes: &'a SizeLimits) -> Self {
-        Search { wanted, sizes, all: Vec::new(), before: 0, packed: 0, held: 0 }
+        let memory = sizes.memory.nothing();
+        Search { wanted, sizes, all: Vec::new(), before: 0, packed: 0, held: 0, memory }
     }
 
     /// The columns that are looked for, and how many rows they have.
@@ -216,7 +222,7 @@ impl<'a> Search<'a> {
         &mut self,
         variable: Variable,
         bytes: u64,
-        read: impl FnOnce(u64) -> Result<Numbers, Damage>,
+        read: impl FnOnce(u64, &HeldMemory) -> Result<Numbers, Damage>,
     ) -> Result<bool, Damage> {
         self.packed = self.packed.saturating_add(bytes);
         let mut found = Found { variable, numbers: None, before: self.before, fields: Vec::new() };
@@ -230,7 +236,7 @@ impl<'a> Search<'a> {
     fn admit(
         &mut self,
         found: &mut Found,
-        read: impl FnOnce(u64) -> Result<Numbers, Damage>,
+        read: impl FnOnce(u64, &HeldMemory) -> Result<Numbers, Damage>,
     ) -> Result<bool, Damage> {
         let Content::Numbers { rows, columns } = found.variable.content else { return Ok(false) };
         if !self.wanted.iter().any(|wanted| wanted.is_in(found)) {
@@ -249,7 +255,7 @@ impl<'a> Search<'a> {
         }
         self.held = self.held.saturating_add(count.saturating_mul(BYTES_PER_NUMBER));
         self.sizes.check_ratio(self.packed, self.held).map_err(Damage::Refused)?;
-        found.numbers = Some(Arc::new(read(count)?));
+        found.numbers = Some(Arc::new(read(count, &self.memory)?));
         Ok(true)
     }
 
@@ -308,7 +314,7 @@ impl<'a> Search<'a> {
                 return Ok(false);
             }
         }
-        let is_wanted = self.admit(&mut found, |count| Numbers::read(elements, count))?;
+        let is_wanted = self.admit(&mut found, |count, memory| Numbers::read(elements, count, memory))?;
         // What is left of the variable is inflated for its checksum, and is at most padding.
         if is_wanted && elements.tag()?.is_some() {
             return Err(Damage::format(format!("{:?} goes on behind its numbers", found.variable.name)));

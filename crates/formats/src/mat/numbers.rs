@@ -7,6 +7,7 @@ use boundfit_exact::{Column, Reading, Shortest, Unit};
 
 use super::elements::{Damage, Elements};
 use super::kind::ByteOrder;
+use crate::budget::{HeldMemory, MemoryUse};
 use crate::cells::CellReader;
 use crate::error::InputErrorKind;
 use crate::memory::{BadNumber, MemoryNumbers};
@@ -24,8 +25,12 @@ pub(super) enum Numbers {
 }
 
 impl Numbers {
-    /// Reads the element with so many numbers. Memory is taken for what is there, not for what is announced.
-    pub(super) fn read<R: Read>(elements: &mut Elements<R>, count: u64) -> Result<Self, Damage> {
+    /// Reads the element with so many numbers, for which memory is asked. It is taken for what is there, not for what is announced.
+    pub(super) fn read<R: Read>(
+        elements: &mut Elements<R>,
+        count: u64,
+        memory: &HeldMemory,
+    ) -> Result<Self, Damage> {
         let tag = elements.some_tag()?;
         let size: u64 = match tag.kind {
             1 | 2 => 1,
@@ -40,10 +45,11 @@ impl Numbers {
             return Err(Damage::format(reason));
         }
         let order = elements.order();
-        let mut numbers = match tag.kind {
-            12 | 13 => Numbers::Integers(Vec::new()),
-            _ => Numbers::Doubles(Vec::new()),
+        let (mut numbers, in_memory) = match tag.kind {
+            12 | 13 => (Numbers::Integers(Vec::new()), size_of::<i128>()),
+            _ => (Numbers::Doubles(Vec::new()), size_of::<f64>()),
         };
+        ask_for(count, in_memory, memory)?;
         elements.each_part(tag, |part| match &mut numbers {
             Numbers::Integers(integers) if tag.kind == 12 => {
                 integers.extend(words(part, order).map(|word| i128::from(i64::from_le_bytes(word))));
@@ -144,6 +150,11 @@ impl Numbers {
     }
 }
 
+/// Asks for memory for so many numbers of so many bytes each.
+pub(super) fn ask_for(count: u64, bytes: usize, memory: &HeldMemory) -> Result<(), Damage> {
+    memory.ask(count.saturating_mul(bytes as u64), MemoryUse::Variables).map_err(Damage::Refused)
+}
+
 /// The words of a part with their bytes in little-endian order.
 fn words<const N: usize>(part: &[u8], order: ByteOrder) -> impl Iterator<Item = [u8; N]> {
     part.as_chunks().0.iter().map(move |word: &[u8; N]| {
@@ -189,6 +200,7 @@ pub(crate) fn double_text(double: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::budget::MemoryBudget;
 
     fn read(kind: u8, bytes: &[u8], order: ByteOrder, count: u64) -> Result<Numbers, Damage> {
         let mut element = vec![kind, 0, 0, 0, bytes.len() as u8, 0, 0, 0];
@@ -197,7 +209,8 @@ mod tests {
             element[4..].reverse();
         }
         element.extend(bytes);
-        Numbers::read(&mut Elements::new(element.as_slice(), order), count)
+        let budget = MemoryBudget::new(1000);
+        Numbers::read(&mut Elements::new(element.as_slice(), order), count, &budget.nothing())
     }
 
     #[test]

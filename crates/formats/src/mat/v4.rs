@@ -7,7 +7,7 @@ use std::io::{self, Read};
 use super::columns::Search;
 use super::elements::Damage;
 use super::kind::ByteOrder;
-use super::numbers::{Numbers, extend};
+use super::numbers::{Numbers, ask_for, extend};
 use super::variable::{Content, LONGEST_NAME, Variable};
 
 /// The words in front of the name: the type, rows, columns, whether complex, the length of the name.
@@ -64,7 +64,8 @@ pub(super) fn next(search: &mut Search, file: &mut dyn Read) -> Result<bool, Dam
     let bytes = count.saturating_mul(size << complex.min(1));
     let mut body = file.take(bytes);
     let variable = Variable { name, content };
-    search.add(variable, head.len() as u64 + length + bytes, |_| {
+    search.add(variable, head.len() as u64 + length + bytes, |count, memory| {
+        ask_for(count, size_of::<f64>(), memory)?;
         let mut doubles = Vec::new();
         let mut buffer = vec![0; 1 << 16];
         loop {

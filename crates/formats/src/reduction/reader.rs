@@ -88,7 +88,7 @@ pub fn open_reduction(
     source: Source,
     sizes: &SizeLimits,
 ) -> Result<(Source, Option<Reductions>), InputError> {
-    source.with_text(|name, mut bytes| {
+    source.with_text(sizes, |name, mut bytes| {
         let fail = |error: io::Error| InputError::of_file(name, error);
         let mut start = Vec::new();
         let mark = REDUCTION_MARK.len() as u64;

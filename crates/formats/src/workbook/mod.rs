@@ -16,6 +16,7 @@ use std::io::{Cursor, Read};
 use boundfit_exact::Foreign;
 use sha2::{Digest, Sha256};
 
+use crate::budget::{HeldMemory, MemoryUse};
 use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
 use crate::hash::hexadecimal;
@@ -46,12 +47,14 @@ enum Kind {
 struct Sheet {
     name: String,
     text: Vec<u8>,
+    /// What the text takes.
+    memory: HeldMemory,
 }
 
 /// Reads a sheet of a workbook as [`scan`](crate::scan) says, by default the first one.
 ///
-/// Exact. Cost: one pass; memory for what the file unpacks to, at most [`SizeLimits::workbook`](crate::SizeLimits) bytes of
-/// each of the file, its parts and the text of the sheet.
+/// Exact. Cost: one pass; memory for the file, the texts that cells have by number and the text of the sheet, at most
+/// [`SizeLimits::workbook`](crate::SizeLimits) bytes of each, asked for from [`SizeLimits::memory`](crate::SizeLimits).
 ///
 /// # Errors
 /// The first thing wrong, with sheet and cell.
@@ -69,23 +72,20 @@ pub(crate) fn scan_workbook<T: Send>(
         return Err(fail(InputErrorKind::NoDigits { format: FORMAT }));
     }
     let limit = options.table.sizes.workbook;
-    let mut content = Vec::new();
-    bytes.take(limit.saturating_add(1)).read_to_end(&mut content).map_err(|error| fail(error.into()))?;
-    if content.len() as u64 > limit {
-        return Err(fail(InputErrorKind::WorkbookTooLarge { limit }));
-    }
+    let memory = options.table.sizes.memory.nothing();
+    let content = whole(bytes, limit, &memory).map_err(fail)?;
     let sha256 = options.hash.then(|| hexadecimal(&Sha256::new_with_prefix(&content)));
     let total = content.len() as u64;
     let wanted = options.table.sheet.as_deref();
     let sizes = &options.table.sizes;
     let most = limit.min(most_unpacked(total, sizes.ratio));
-    let sheet = sheet_text(content, wanted, most).map_err(|problem| match problem {
+    let sheet = sheet_text(content, wanted, most, memory).map_err(|problem| match problem {
         InputErrorKind::WorkbookTooLarge { .. } if most < limit => {
             InputErrorKind::UnpacksTooFar { ratio: sizes.ratio }
         }
         problem => problem,
     });
-    let Sheet { name, text } = sheet.map_err(fail)?;
+    let Sheet { name, text, memory: _memory } = sheet.map_err(fail)?;
     let mut inner = ScanOptions { hash: false, progress: None, ..options.clone() };
     inner.table.dialect.delimiter = Some(text::DELIMITER);
     let scanned = scan_text(file, Box::new(Cursor::new(text)), columns, &inner, work, take);
@@ -97,16 +97,42 @@ pub(crate) fn scan_workbook<T: Send>(
     Ok(Scanned { layout: None, table, bytes: total, sha256, ..scanned })
 }
 
-/// The sheet that is wanted, by its name or its number from 1, or the first one, as text of at most so many bytes.
-fn sheet_text(content: Vec<u8>, wanted: Option<&str>, limit: u64) -> Result<Sheet, InputErrorKind> {
-    let mut archive = Archive::open(content, limit)?;
-    let mut lines = Lines::new(limit);
+/// How many bytes of a workbook are read at a time.
+const PIECE: u64 = 1 << 16;
+
+/// The bytes of a workbook, of which there may be so many.
+fn whole(mut bytes: Box<dyn Read>, limit: u64, memory: &HeldMemory) -> Result<Vec<u8>, InputErrorKind> {
+    let mut content = Vec::new();
+    loop {
+        memory.ask_for_all(content.len() as u64 + PIECE, MemoryUse::Workbook)?;
+        let most = (limit.saturating_add(1)).saturating_sub(content.len() as u64).min(PIECE);
+        let count = bytes.by_ref().take(most).read_to_end(&mut content)?;
+        if content.len() as u64 > limit {
+            return Err(InputErrorKind::WorkbookTooLarge { limit });
+        }
+        if count == 0 {
+            return Ok(content);
+        }
+    }
+}
+
+/// The sheet that is wanted, by its name or its number from 1, or the first one, as text of at most so many bytes. The memory is that
+/// of the content.
+fn sheet_text(
+    content: Vec<u8>,
+    wanted: Option<&str>,
+    limit: u64,
+    memory: HeldMemory,
+) -> Result<Sheet, InputErrorKind> {
+    let mut lines = Lines::new(limit, memory.budget().nothing());
+    let mut archive = Archive::open(content, limit, memory)?;
     let name = match archive.kind()? {
         Kind::Xlsx => xlsx::read_sheet(&mut archive, wanted, &mut lines)?,
         Kind::Ods => ods::read_sheet(&mut archive, wanted, &mut lines)?,
     };
     drop(archive);
-    Ok(Sheet { name, text: lines.finish()? })
+    let (text, memory) = lines.finish()?;
+    Ok(Sheet { name, text, memory })
 }
 
 /// Which of these sheets is wanted, from 0.

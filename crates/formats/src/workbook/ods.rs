@@ -5,8 +5,9 @@ use std::borrow::Cow;
 use quick_xml::events::{BytesStart, Event};
 
 use super::archive::{Archive, Part, attribute_named, check_text, own_text};
-use super::text::Lines;
+use super::text::{Lines, MOST_COLUMNS};
 use super::{MOST_SHEETS, chosen, finite, unreadable};
+use crate::budget::MemoryUse;
 use crate::error::InputErrorKind;
 use crate::mat::double_text;
 
@@ -60,6 +61,7 @@ fn refuse_password(archive: &mut Archive) -> Result<(), InputErrorKind> {
 
 /// The names of all sheets, once it is known that the document does not stop too soon.
 fn names(archive: &mut Archive) -> Result<Vec<String>, InputErrorKind> {
+    let memory = archive.more_memory();
     let mut part = content(archive)?;
     let mut names = Vec::new();
     loop {
@@ -69,6 +71,7 @@ fn names(archive: &mut Archive) -> Result<Vec<String>, InputErrorKind> {
             _ => None,
         };
         if let Some(name) = name {
+            memory.ask(name.len() as u64, MemoryUse::Workbook)?;
             names.push(name);
             part.skip()?;
         }
@@ -100,7 +103,8 @@ impl Row {
     fn push(&mut self, repeats: u64, text: String) -> Result<(), InputErrorKind> {
         self.bytes += text.len();
         check_text(self.bytes)?;
-        if !text.is_empty() {
+        // More are refused when the row is written.
+        if !text.is_empty() && self.cells.len() <= MOST_COLUMNS as usize {
             self.cells.push((self.width, repeats, text));
         }
         self.width = self.width.saturating_add(repeats);

@@ -1,6 +1,7 @@
 //! Cells as lines of text.
 
 use super::unreadable;
+use crate::budget::{HeldMemory, MemoryUse};
 use crate::error::InputErrorKind;
 
 /// What separates the cells of a line.
@@ -8,7 +9,7 @@ pub(super) const DELIMITER: u8 = b'\t';
 
 /// As many rows and columns as a sheet can have.
 const MOST_ROWS: u32 = 1 << 20;
-const MOST_COLUMNS: u32 = 1 << 14;
+pub(super) const MOST_COLUMNS: u32 = 1 << 14;
 
 /// The lines of a sheet, filled cell after cell, row after row.
 pub(super) struct Lines {
@@ -18,12 +19,18 @@ pub(super) struct Lines {
     /// How many cells the row has that is being filled.
     width: u32,
     limit: u64,
+    memory: HeldMemory,
 }
 
 impl Lines {
-    /// No lines, with room for at most so many bytes.
-    pub(super) fn new(limit: u64) -> Self {
-        Lines { text: Vec::new(), rows: Vec::new(), width: 0, limit }
+    /// No lines, with room for at most so many bytes, for which this memory is asked.
+    pub(super) fn new(limit: u64, memory: HeldMemory) -> Self {
+        Lines { text: Vec::new(), rows: Vec::new(), width: 0, limit, memory }
+    }
+
+    /// What takes the memory: the text, and the rows.
+    fn bytes(&self) -> u64 {
+        (self.text.len() + size_of_val(self.rows.as_slice())) as u64
     }
 
     /// Adds the text of a cell; rows and columns are counted from 0 and ascend.
@@ -36,6 +43,9 @@ impl Lines {
         if is_earlier {
             return Err(unreadable(format!("the cells of row {} are not in their order", row + 1)));
         }
+        // Before the rows and the tabs that lie between this cell and the one before it.
+        let between = size_of::<(usize, u32)>() * (row as usize + 1 - self.rows.len()) + column as usize;
+        self.ask(self.bytes() + (between + text.len()) as u64)?;
         while self.rows.len() < row as usize {
             self.end_row();
         }
@@ -66,13 +76,20 @@ impl Lines {
         self.text.push(b'"');
     }
 
+    /// Asks for so many bytes in all, some at a time.
+    fn ask(&self, bytes: u64) -> Result<(), InputErrorKind> {
+        const PIECE: u64 = 1 << 16;
+        self.memory.ask_for_all(bytes.next_multiple_of(PIECE), MemoryUse::Cells)
+    }
+
     fn check(&self) -> Result<(), InputErrorKind> {
         let bytes = self.text.len() as u64;
         if bytes > self.limit { Err(InputErrorKind::WorkbookTooLarge { limit: self.limit }) } else { Ok(()) }
     }
 
     /// The text: every row with as many cells as the longest one has, an empty row as an empty line.
-    pub(super) fn finish(mut self) -> Result<Vec<u8>, InputErrorKind> {
+    /// The memory is what it takes.
+    pub(super) fn finish(mut self) -> Result<(Vec<u8>, HeldMemory), InputErrorKind> {
         if self.width > 0 {
             self.end_row();
         }
@@ -82,7 +99,9 @@ impl Lines {
         if self.text.len() as u64 + padding > self.limit {
             return Err(InputErrorKind::WorkbookTooLarge { limit: self.limit });
         }
-        let mut text = Vec::with_capacity(self.text.len() + padding as usize + self.rows.len());
+        let length = self.text.len() + padding as usize + self.rows.len();
+        self.ask(self.bytes() + length as u64)?;
+        let mut text = Vec::with_capacity(length);
         let mut start = 0;
         for (end, width) in self.rows {
             text.extend_from_slice(self.text.get(start..end).unwrap_or_default());
@@ -92,20 +111,24 @@ impl Lines {
             text.push(b'\n');
             start = end;
         }
-        Ok(text)
+        drop(self.text);
+        self.memory.give_back();
+        self.memory.ask(length as u64, MemoryUse::Cells)?;
+        Ok((text, self.memory))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::budget::MemoryBudget;
 
     fn lines(cells: &[(u32, u32, &str)], limit: u64) -> Result<String, String> {
-        let mut lines = Lines::new(limit);
+        let mut lines = Lines::new(limit, MemoryBudget::new(1 << 30).nothing());
         for (row, column, text) in cells {
             lines.push(*row, *column, text).map_err(|error| error.to_string())?;
         }
-        lines.finish().map(|text| String::from_utf8(text).unwrap()).map_err(|error| error.to_string())
+        lines.finish().map(|(text, _)| String::from_utf8(text).unwrap()).map_err(|error| error.to_string())
     }
 
     #[test]

@@ -10,6 +10,7 @@ use super::formats::Shows;
 use super::text::Lines;
 use super::xlsx_cells::read_cells;
 use super::{MOST_SHEETS, chosen, unreadable};
+use crate::budget::{HeldMemory, MemoryUse};
 use crate::error::InputErrorKind;
 
 /// Hands the cells of the sheet that is wanted over; gives its name.
@@ -164,16 +165,20 @@ impl Book {
     }
 
     fn read_texts(&mut self, archive: &mut Archive, path: &str) -> Result<(), InputErrorKind> {
-        let limit = archive.limit();
+        let (limit, memory) = (archive.limit(), archive.more_memory());
         let Some(mut part) = archive.part(path)? else { return Ok(()) };
         loop {
             let is_text = match part.next()? {
                 Event::Start(element) => element.local_name().as_ref() == "si",
-                Event::Eof => return Ok(()),
+                Event::Eof => {
+                    self.texts.memory = Some(memory);
+                    return Ok(());
+                }
                 _ => false,
             };
             if is_text {
                 let text = rich_text(&mut part)?;
+                memory.ask((text.len() + size_of::<u32>()) as u64, MemoryUse::Cells)?;
                 self.texts.push(&text).ok_or(InputErrorKind::WorkbookTooLarge { limit })?;
             }
         }
@@ -253,6 +258,8 @@ pub(super) fn unescaped(text: String) -> String {
 pub(super) struct Texts {
     all: String,
     ends: Vec<u32>,
+    /// What they take.
+    memory: Option<HeldMemory>,
 }
 
 impl Texts {
