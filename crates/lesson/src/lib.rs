@@ -53,6 +53,7 @@ mod texts;
 mod unscripted;
 
 use boundfit_estimation::{Fit, Problem};
+use boundfit_exact::english::counted;
 use boundfit_exact::{Foreign, Reading, TooMuchWork};
 use boundfit_questions::times::looks;
 use serde_json::Value;
@@ -107,9 +108,12 @@ impl Default for LessonOptions {
 #[non_exhaustive]
 pub enum LessonError {
     /// More readings than a page can show.
-    #[error("{rows} readings are too many for a lesson (the limit is {limit})")]
+    #[error(
+        "more than {} for a lesson",
+        counted(*.limit, "reading is too many", "readings are too many")
+    )]
     TooManyRows {
-        /// How many there are.
+        /// How many there are, as far as they were read.
         rows: usize,
         /// How many there may be.
         limit: usize,

@@ -4,12 +4,12 @@ use boundfit_estimation::{
     AskedBound, Columns, Condition, EpsilonColumn, Keep, LineForm, Measurements, ParseBoundErrorKind,
     ParseConditionError, ParseConditionErrorKind, ParseTextError, Problem, TextProblem,
 };
-use boundfit_exact::english::counted;
 use boundfit_exact::{Foreign, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading, Work};
 use boundfit_formats::{
     AskedDialect, Header, InputError, InputErrorKind, MemoryBudget, MissingWords, ScanOptions, SizeLimits,
     Source, TableOptions,
 };
+use boundfit_lesson::LessonError;
 use boundfit_questions::{Extent, Moving};
 use boundfit_report::{Origin, Style};
 use clap::ValueEnum;
@@ -250,9 +250,9 @@ impl<'a> Data<'a> {
 fn refused_reading(error: InputError) -> Failure {
     match error.kind {
         InputErrorKind::TooManyWanted { limit } => Failure::data(format_args!(
-            "{}: more than {} for a lesson; choose some with --rows FIRST..LAST, or raise it with --max-readings",
+            "{}: {}; choose some with --rows FIRST..LAST, or raise it with --max-readings",
             error.file,
-            counted(limit, "reading is too many", "readings are too many")
+            LessonError::TooManyRows { rows: limit.saturating_add(1), limit }
         )),
         _ => Failure::data(error),
     }
