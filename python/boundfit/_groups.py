@@ -35,9 +35,9 @@ def fit_groups(
 
     There is a row per key, in the order in which the keys first occur. It has the columns of the key, with their names, types and
     values as they are, how many ``rows`` the key has and which ``kind`` of set there is. Ends, central and least-squares estimates
-    follow as doubles, ends and errors rounded outward, and behind each its exact text in the column ``…_exact``. A number that does
-    not exist is NaN in pandas and in a dictionary, null elsewhere. ``problem`` says why nothing is said of a group, with the row of
-    the frame, or its cell of the column ``id``.
+    follow as doubles, ends and errors rounded outward: an error covers the rounding of its centre too. Behind each is its exact text
+    in the column ``…_exact``. A number that does not exist is NaN in pandas and in a dictionary, null elsewhere. ``problem`` says why
+    nothing is said of a group, with the row of the frame, or its cell of the column ``id``.
 
     :raises ValueError: when the question makes no sense; what is wrong with readings is said in the row of their group.
 

@@ -16,7 +16,7 @@ from zlib import crc32
 import numpy
 import pyarrow
 
-from ._bounds import nearest, upper_bound
+from ._bounds import UpperBound, nearest, upper_bound
 from ._cells import cells
 from ._fit import Fit
 from ._reduction import (
@@ -313,9 +313,12 @@ def _fit_in_parts(rows: pyarrow.Table, reductions: list[bytes], own: Readings) -
     except ValueError as problem:
         return _nothing(count + len(rows), _in_words(problem, rows, own))
     answer: dict[str, Any] = {"rows": [reduction.rows], "kind": [fit.kind]}
-    for name, value in numbers_of(fit).items():
+    numbers = numbers_of(fit)
+    for name, value in numbers.items():
         answer[name] = [value if value is None or isinstance(value, float) else nearest(Fraction(value) if isinstance(value, int) else value)]
         answer[f"{name}_exact"] = [None if value is None or isinstance(value, float) else str(Fraction(value))]
+    for theta in ("theta1", "theta2"):
+        answer[f"{theta}_error"] = [_error_around(numbers[f"{theta}_central"], numbers[f"{theta}_error"])]
     if own.eps_column is not None:
         for end in ("", "_exact"):
             answer["epsilon_factor" + end] = answer.pop("epsilon_min" + end)
@@ -335,6 +338,16 @@ def numbers_of(fit: Fit) -> dict[str, Fraction | float | None]:
         numbers[f"{theta}_least_squares"] = None if squares is None else squares[index]
     numbers["epsilon_min"] = upper_bound(least)
     return numbers
+
+
+def _error_around(centre: Fraction | float | None, error: Fraction | float | None) -> float | None:
+    """The double of an error that holds around the nearest double of a centre too: rounded up."""
+    if centre is None or error is None:
+        return None
+    double = nearest(Fraction(centre))
+    if math.isinf(double):
+        return math.inf
+    return float(UpperBound(Fraction(error) + abs(Fraction(double) - Fraction(centre))))
 
 
 def _nothing(rows: int, problem: str) -> dict[str, Any]:

@@ -17,9 +17,9 @@ const NUMBERS: [(&str, Rounded); 11] = [
     ("theta2_lower", Rounded::Down),
     ("theta2_upper", Rounded::Up),
     ("theta1_central", Rounded::Nearest),
-    ("theta1_error", Rounded::Up),
+    ("theta1_error", Rounded::Around),
     ("theta2_central", Rounded::Nearest),
-    ("theta2_error", Rounded::Up),
+    ("theta2_error", Rounded::Around),
     ("theta1_least_squares", Rounded::Nearest),
     ("theta2_least_squares", Rounded::Nearest),
     ("epsilon_min", Rounded::Up),
@@ -30,6 +30,8 @@ enum Rounded {
     Down,
     Nearest,
     Up,
+    /// Up, after what the nearest double of the number before is off is added: both doubles together say what the two numbers do.
+    Around,
 }
 
 impl Rounded {
@@ -37,9 +39,15 @@ impl Rounded {
         match self {
             Rounded::Down => outward(value, false),
             Rounded::Nearest => value.to_f64(),
-            Rounded::Up => outward(value, true),
+            Rounded::Up | Rounded::Around => outward(value, true),
         }
     }
+}
+
+/// An error that holds around the nearest double of a centre too: rounded up. Infinite where the centre is beyond the largest double.
+fn error_around(centre: &Rational, error: &Rational) -> f64 {
+    let Some(double) = Rational::from_f64(centre.to_f64()) else { return f64::INFINITY };
+    outward(&(error + &(&double - centre).abs()), true)
 }
 
 /// A column of numbers on its way to a frame: doubles, NaN where there is none, and exact texts.
@@ -50,8 +58,18 @@ struct Numbers {
 }
 
 impl Numbers {
-    fn push(&mut self, value: Option<&Rational>, unbounded: Option<f64>, rounded: Rounded) {
-        let double = value.map_or(unbounded.unwrap_or(f64::NAN), |value| rounded.double(value));
+    fn push(
+        &mut self,
+        value: Option<&Rational>,
+        before: Option<&Rational>,
+        unbounded: Option<f64>,
+        rounded: Rounded,
+    ) {
+        let double = match (value, before, rounded) {
+            (Some(error), Some(centre), Rounded::Around) => error_around(centre, error),
+            (Some(value), ..) => rounded.double(value),
+            (None, ..) => unbounded.unwrap_or(f64::NAN),
+        };
         self.doubles.extend_from_slice(&double.to_ne_bytes());
         self.texts.push(value.map(ToString::to_string));
     }
@@ -93,8 +111,10 @@ impl Lines {
             (index < 4 && group.pui.is_some()).then_some(infinity)
         };
         let columns = self.numbers.iter_mut().zip(&NUMBERS).zip(values);
+        let mut before = None;
         for (index, ((own, (_, rounded)), value)) in columns.enumerate() {
-            own.push(value, unbounded(index), *rounded);
+            own.push(value, before, unbounded(index), *rounded);
+            before = value;
         }
     }
 

@@ -67,7 +67,38 @@ def test_groups_are_those_of_the_program(kind: str, bound: dict[str, Any], progr
             elif name.endswith(("upper", "error")) or name.startswith("epsilon"):
                 assert printed >= exact and Fraction(double) >= exact
             assert abs(printed - exact) <= abs(exact) / 1000 + Fraction(1, 100)
+            if name.endswith("error"):
+                # It covers the rounding of the centre too.
+                centre = columns[name.replace("error", "central")][index]
+                assert Fraction(double) - exact <= Fraction(math.ulp(centre)) + Fraction(math.ulp(double))
+                continue
             assert double == pytest.approx(float(exact), rel=1e-15)
+
+
+def encloses(row: dict[str, Any]) -> bool:
+    """Whether centre and half-width of a row, as doubles, enclose the exact intervals of both parameters."""
+    for theta in ("theta1", "theta2"):
+        if row[f"{theta}_lower_exact"] is None or row[f"{theta}_upper_exact"] is None:
+            continue
+        centre, error = (Fraction(row[f"{theta}_{name}"]) for name in ("central", "error"))
+        if centre - error > Fraction(row[f"{theta}_lower_exact"]) or centre + error < Fraction(row[f"{theta}_upper_exact"]):
+            return False
+    return True
+
+
+def test_centre_and_error_as_doubles_enclose_the_intervals() -> None:
+    # Far from zero a centre is rounded by more than the last place of the error.
+    rows = 2000
+    random = numpy.random.default_rng(5)
+    cells = [f"c{number}" for number in random.integers(0, 200, rows)]
+    x = [Fraction(int(number), 7) for number in random.integers(-30, 30, rows)]
+    y = [Fraction(1, 3) * own + 10**6 + Fraction(int(number), 10**14) for own, number in zip(x, random.integers(-9, 9, rows), strict=True)]
+    table = {"cell": cells, "x": x, "y": y}
+    groups = pyarrow.table(boundfit.fit_groups(table, by="cell", x="x", y="y", eps=Fraction(9, 10**14)))
+    bounded = [row for row in groups.to_pylist() if row["theta2_error"] is not None and math.isfinite(row["theta2_error"])]
+    assert len(bounded) > 150
+    assert all(encloses(row) for row in bounded)
+    assert any(Fraction(row["theta2_error"]) > 2 * Fraction(row["theta2_error_exact"]) for row in bounded)
 
 
 def test_a_group_is_its_own_fit() -> None:

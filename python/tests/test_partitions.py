@@ -4,10 +4,12 @@ is that of the whole."""
 from __future__ import annotations
 
 import itertools
+import math
 import random
 import re
 from collections.abc import Iterator
 from decimal import Decimal
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -375,3 +377,12 @@ def test_many_bad_groups_are_rows_too() -> None:
     assert len(found) == count
     assert {key for (key,), row in found.items() if row["problem"] is not None} == {f"s{k}" for k in range(0, count, 7)}
     assert {row["theta1_upper_exact"] for row in found.values() if row["problem"] is None} == {"3/2"}
+
+
+@pytest.mark.parametrize(("centre", "error"), [(Fraction(1, 3) + 10**6, Fraction(9, 10**14)), (Fraction(-1, 7), Fraction(0)), (Fraction(3), Fraction(1, 3))], ids=str)
+def test_the_error_of_a_group_in_parts_covers_the_rounding_of_its_centre(centre: Fraction, error: Fraction) -> None:
+    double = partitions._error_around(centre, error)
+    assert double is not None
+    middle = Fraction(float(centre))
+    assert middle - Fraction(double) <= centre - error and centre + error <= middle + Fraction(double)
+    assert Fraction(double) - error <= Fraction(math.ulp(float(centre))) + Fraction(math.ulp(double))
