@@ -8,7 +8,7 @@ use boundfit::questions::{
     times,
 };
 use boundfit::report::{
-    FleetTable, NoOutliersProof, OutliersReport, RangeReport, Style, WindowReport, WindowSummary,
+    FleetTable, NoOutliersProof, OutliersReport, RangeReport, Style, TableJson, WindowReport, WindowSummary,
     outliers_csv, outliers_document, outliers_json, outliers_proof, range_csv, range_document, range_json,
     range_proof, write_window_json, x_error_csv, x_error_document, x_error_json, x_error_proof,
 };
@@ -206,10 +206,11 @@ fn windows_of(readings: &Readings, moving: &Moving, form: Form, style: &Style) -
     if form == Form::Csv {
         text.push_str(WindowReport::CSV_HEADER);
     }
+    let taken_for = TableJson::of_measurements(&problem.measurements);
     let mut take = |turn: Turn<'_>| {
         let Some(window) = WindowReport::new(&turn, &problem) else { return Ok(()) };
         match form {
-            Form::Json => write_window_json(&mut lines, &window, style),
+            Form::Json => write_window_json(&mut lines, &window, taken_for.as_ref(), style),
             Form::Csv => text.push_str(&window.csv(style)),
             Form::Text => {
                 summary.add(&window);

@@ -13,6 +13,8 @@ pub struct TableNotes {
     pub dialect: Dialect,
     /// Whether the table is a sheet of a workbook, whose rows are then the lines.
     pub is_sheet: bool,
+    /// Whether the table is records of JSON, whose keys are the names; then the delimiter means nothing.
+    pub is_records: bool,
     /// Of a file with several blocks, the one that was read.
     pub block: Option<BlockNote>,
     /// What was passed over, or was not as the first row is.
@@ -142,7 +144,7 @@ impl TableNotes {
         if let Some(thousands) = notation.thousands {
             words.push(format!("digits grouped by {:?}", thousands.mark()));
         }
-        if !(self.is_sheet || words.is_empty() && is_usual) {
+        if !(self.is_sheet || self.is_records || words.is_empty() && is_usual) {
             words.push(format!("separated by {separator}"));
         }
         if encoding != Encoding::Utf8 {

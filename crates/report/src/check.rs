@@ -1,6 +1,7 @@
 //! The report of a check.
 
 use boundfit_check::{Approximation, AskedReadings, Check, Directions, JudgedAnswer, ProgramRows};
+use boundfit_estimation::Measurements;
 use boundfit_exact::english::counted;
 use boundfit_exact::{Endpoint, Foreign, Interval, Rational, Reading, Rounding};
 use boundfit_lp::{End, Judgement, Multiplier, PuiEnd, Refutation, RoundedTo, ToleranceUnit, Verdict};
@@ -9,9 +10,16 @@ use crate::document::{Block, Document, Inline, Table, Text};
 use crate::feasible::feasible_point;
 use crate::formula::{absurdity, pair, products};
 use crate::style::{Shown, Style};
+use crate::table_json::table_words;
 
-/// The report of a check about the data of this file. `reading` is that of the data.
-pub fn check_document(check: &Check, file: Foreign<&str>, reading: Reading, style: &Style) -> Document {
+/// The report of a check about the readings of this file. `reading` is that of the data.
+pub fn check_document(
+    check: &Check,
+    measurements: &Measurements,
+    file: Foreign<&str>,
+    reading: Reading,
+    style: &Style,
+) -> Document {
     let styles = resolving(check, reading, style);
     // What is feasible for the doubles that a solver receives need not be so for the data.
     let received = (reading != Reading::Binary64).then(|| check.rows.in_binary64()).flatten();
@@ -39,6 +47,7 @@ pub fn check_document(check: &Check, file: Foreign<&str>, reading: Reading, styl
     rows.extend(exact_row(check, reading, &styles));
     let title = Text::from("LP answers about ").given(file).words(", judged exactly");
     let mut blocks = vec![Block::Lead(title)];
+    blocks.extend(table_words(measurements).map(|words| Block::Paragraph(Text::from("Table: ").then(words))));
     let AskedReadings { asked, fitted } = check.readings;
     if asked < fitted {
         let about = format!(

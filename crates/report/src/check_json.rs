@@ -1,6 +1,7 @@
 //! The JSON report of a check, schema `boundfit/check/2`.
 
 use boundfit_check::{Approximation, Check, Directions, JudgedAnswer, ProgramRows};
+use boundfit_estimation::Measurements;
 use boundfit_exact::{Foreign, Rational, Reading};
 use boundfit_lp::{Judgement, Multiplier, PuiEnd, Refutation, RoundedTo, Verdict};
 use serde::Serialize;
@@ -8,6 +9,7 @@ use serde::Serialize;
 use crate::json::{TermJson, to_text};
 use crate::number::Number;
 use crate::style::Style;
+use crate::table_json::TableJson;
 
 #[derive(Serialize)]
 struct CheckJson<'a> {
@@ -33,6 +35,7 @@ struct ReadingsJson {
 #[derive(Serialize)]
 struct InputJson<'a> {
     file: Option<Foreign<&'a str>>,
+    table: Option<TableJson>,
 }
 
 /// The worst verdict against one reading of the data.
@@ -105,12 +108,18 @@ struct ApproximationJson {
     area: Option<Number>,
 }
 
-/// The report as JSON, with a line end, about the data of this file; `None` for standard input. `reading` is that of the data;
+/// The report as JSON, with a line end, about the readings of this file; `None` for standard input. `reading` is that of the data;
 /// `worst` is against it.
-pub fn check_json(check: &Check, file: Option<Foreign<&str>>, reading: Reading, style: &Style) -> String {
+pub fn check_json(
+    check: &Check,
+    measurements: &Measurements,
+    file: Option<Foreign<&str>>,
+    reading: Reading,
+    style: &Style,
+) -> String {
     let report = CheckJson {
         schema: "boundfit/check/2",
-        input: InputJson { file },
+        input: InputJson { file, table: TableJson::of_measurements(measurements) },
         tolerance: style.given_number(&check.tolerance),
         digits_as_printed: check.as_printed,
         readings: ReadingsJson { asked: check.readings.asked, fitted: check.readings.fitted },

@@ -10,10 +10,12 @@ use crate::fleet_summary::GroupReport;
 use crate::json::{CertificateJson, IntervalJson, RangeJson, TermJson};
 use crate::number::Number;
 use crate::style::Style;
+use crate::table_json::{LineInputJson, TableJson};
 
 #[derive(Serialize)]
 struct GroupJson<'a> {
     schema: &'static str,
+    input: LineInputJson<'a>,
     group: Foreign<&'a str>,
     rows: usize,
     first_row: Option<usize>,
@@ -40,14 +42,20 @@ struct FpsJson {
     certificate: Option<CertificateJson>,
 }
 
-/// Appends the line of a group, with its line end.
-pub fn write_group_json(text: &mut Vec<u8>, group: &GroupReport<'_>, style: &Style) {
+/// Appends the line of a group of a table that was taken for this, with its line end.
+pub fn write_group_json(
+    text: &mut Vec<u8>,
+    group: &GroupReport<'_>,
+    table: Option<&TableJson>,
+    style: &Style,
+) {
     let GroupReport { key, problem, fit, line } = *group;
     let region = fit.fps.polyhedron().region();
     let least_squares = fit.least_squares.as_ref().ok();
     let contradiction = fit.contradiction(problem.measurements.error_bound());
     let written = GroupJson {
         schema: "boundfit/fleet/2",
+        input: LineInputJson { table },
         group: key,
         rows: line.rows,
         first_row: line.first_row,

@@ -133,6 +133,8 @@ pub use style::{EndRounding, LONGEST_FRACTION, Reader, Style};
 pub use sweep::sweep_document;
 pub use sweep_json::SweepJson;
 pub use table_json::TableJson;
+#[cfg(feature = "files")]
+pub use table_json::table_line;
 pub use verify::{Verdict, condition as condition_text, rows as rows_text, verify_text};
 pub use verify_json::verify_json;
 pub use vertices_csv::{active_names, vertices_csv};

@@ -13,7 +13,7 @@ use crate::document::Text;
 #[derive(Debug, Serialize)]
 pub struct TableJson {
     header: HeaderJson,
-    /// `comma`, `semicolon`, `tab`, `space`, `pipe` or the character; null of a sheet.
+    /// `comma`, `semicolon`, `tab`, `space`, `pipe` or the character; null of a sheet and of records.
     delimiter: Option<String>,
     decimal: &'static str,
     thousands: Option<&'static str>,
@@ -55,7 +55,7 @@ struct SkippedJson {
 impl TableJson {
     /// Of these notes.
     pub fn new(notes: &TableNotes) -> Self {
-        let TableNotes { header, dialect, is_sheet, block, skipped } = notes;
+        let TableNotes { header, dialect, is_sheet, is_records, block, skipped } = notes;
         let Dialect { delimiter, notation, comment, encoding, .. } = dialect;
         let named = DELIMITERS.iter().find(|(_, byte)| byte == delimiter);
         let delimiter =
@@ -71,7 +71,7 @@ impl TableJson {
                 open: header.is_open,
                 row_names: header.has_row_names,
             },
-            delimiter: (!is_sheet).then_some(delimiter),
+            delimiter: (!is_sheet && !is_records).then_some(delimiter),
             decimal: notation.decimal.name(),
             thousands: notation.thousands.map(|mark| mark.mark()),
             encoding: (!is_sheet).then(|| encoding.name()),
@@ -91,7 +91,7 @@ impl TableJson {
     }
 
     /// What the table of these readings was taken for.
-    pub(crate) fn of_measurements(measurements: &Measurements) -> Option<Self> {
+    pub fn of_measurements(measurements: &Measurements) -> Option<Self> {
         measurements.table().map(TableJson::new)
     }
 
@@ -104,13 +104,26 @@ impl TableJson {
 /// Without files there are no tables of text.
 #[cfg(not(feature = "files"))]
 impl TableJson {
-    pub(crate) fn of_measurements(_: &Measurements) -> Option<Self> {
+    /// Nothing.
+    pub fn of_measurements(_: &Measurements) -> Option<Self> {
         None
     }
 
     pub(crate) fn of_input(_: &LinearityInput) -> Option<Self> {
         None
     }
+}
+
+/// The part `input` of a line of a report that has many: what is the same for all of them.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(crate) struct LineInputJson<'a> {
+    pub(crate) table: Option<&'a TableJson>,
+}
+
+/// What is not plain about a table as a line of text, with its line end; nothing where all is.
+#[cfg(feature = "files")]
+pub fn table_line(table: Option<&TableNotes>) -> String {
+    table.and_then(TableNotes::words).map_or_else(String::new, |words| format!("Table: {words}\n"))
 }
 
 /// What is not plain about the table of these readings, in words.

@@ -106,7 +106,8 @@ fn json_names_the_file() {
         serde_json::from_str(&boundfit_with_input(directory.path(), line, table).stdout).unwrap()
     };
     assert_eq!(input("fit - --x x --y y --eps 1 --format json", table)["input"]["file"], Value::Null);
-    assert_eq!(input("check - --x x --y y --eps 1 --format json", table)["input"], json!({"file": null}));
+    let checked = &input("check - --x x --y y --eps 1 --format json", table)["input"];
+    assert_eq!(checked, &json!({"file": null, "table": own["input"]["table"]}));
     assert_eq!(input("polygon - --format json", b"a1,a2,b\n1,0,1\n")["input"]["file"], Value::Null);
     let house = report(&root(), "polygon fixtures/polygon/house.csv", b"");
     assert_eq!(house["input"]["file"], "fixtures/polygon/house.csv");

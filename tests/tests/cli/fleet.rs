@@ -81,6 +81,7 @@ fn expected(key: &str, rows: &[(usize, String)], alone: Value) -> Value {
     let fps = &alone["fps"];
     json!({
         "schema": "boundfit/fleet/2",
+        "input": {"table": alone["input"]["table"]},
         "group": key,
         "rows": alone["input"]["rows"],
         "first_row": rows[0].0,

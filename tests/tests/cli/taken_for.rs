@@ -2,18 +2,17 @@
 
 use boundfit_tests::cli::{boundfit, boundfit_with_input, directory_with, unbroken};
 use boundfit_tests::program::root;
+use serde_json::Value;
 
 const TABLE: &str = "fixtures/guesses/pandas-nonames.csv";
 const WORDS: &str = "header in line 1 (else --header no)";
 
 /// Commands whose answers have no place for what a table was taken for; `{}` is the table.
-const WITHOUT_PLACE: [&str; 15] = [
-    "fit {} --x 2 --y 3 --eps 1 --by 3",
-    "fit {} --x 2 --y 3 --eps 1 --by 3 --format json",
-    "fit {} --x 2 --y 3 --eps 1 --window 4",
+const WITHOUT_PLACE: [&str; 13] = [
+    "fit {} --x 2 --y 3 --eps 1 --by 3 --format csv",
+    "fit {} --x 2 --y 3 --eps 1 --window 4 --format csv",
     "fit {} --x 2 --y 3 --eps 1 --format csv",
     "fit {} --x 2 --y 3 --eps 1 --x-eps 0.1 --format csv",
-    "check {} --x 2 --y 3 --eps 1 --format json",
     "plot {} --x 2 --y 3 --eps 1",
     "plot {} --x 2 --y 3 --eps 1 --eps 2",
     "plot {} --x 2 --y 3 --eps 1 --by 3 --figure fps",
@@ -45,10 +44,61 @@ fn a_document_with_a_place_for_it_has_no_note() {
         "outliers {} --x 2 --y 3 --eps 1",
         "predict {} --x 2 --y 3 --eps 1 --at 3",
         "linearity {} --x 2 --y 3",
+        "fit {} --x 2 --y 3 --eps 1 --by 3",
+        "fit {} --x 2 --y 3 --eps 1 --window 4",
+        "check {} --x 2 --y 3 --eps 1 --solver exact-simplex",
     ] {
         let run = boundfit(&root(), &line.replace("{}", TABLE));
         assert!(unbroken(&run.stdout).contains(WORDS), "{line}: {}", run.stdout);
         assert_eq!(run.stderr, "", "{line}");
+    }
+}
+
+/// Every line of JSON of a command that writes many has the part `input.table` of `fit`.
+#[test]
+fn documents_of_groups_windows_and_checks_have_what_that_of_a_fit_has() {
+    let json = |line: &str| -> Vec<Value> {
+        let run =
+            boundfit(&root(), &format!("{} --x 2 --y 3 --eps 1 --format json", line.replace("{}", TABLE)));
+        assert!(!run.stderr.contains("note: "), "{line}: {}", run.stderr);
+        let documents = serde_json::Deserializer::from_str(&run.stdout).into_iter();
+        documents.map(|document| document.unwrap()).collect()
+    };
+    let expected = json("fit {}")[0]["input"]["table"].clone();
+    assert_eq!(expected["header"]["open"], true);
+    for line in ["fit {} --by 3", "fit {} --window 4", "check {} --solver exact-simplex"] {
+        let found = json(line);
+        assert!(!found.is_empty(), "{line}");
+        assert!(found.iter().all(|document| document["input"]["table"] == expected), "{line}: {found:?}");
+    }
+}
+
+/// Records have no delimiter and no header, but they are text.
+#[test]
+fn records_say_how_they_are_encoded() {
+    let records = b"[{\"x\":1,\"y\":2,\"Gr\xf6\xdfe\":3},{\"x\":2,\"y\":3},{\"x\":3,\"y\":5}]";
+    let lines = records[1..records.len() - 1].split(|&byte| byte == b'{').skip(1);
+    let lines = lines.map(|rest| [b"{", rest.strip_suffix(b",").unwrap_or(rest), b"\n"].concat());
+    let directory = directory_with(&[
+        ("array.json", records.as_slice()),
+        ("lines.jsonl", &lines.collect::<Vec<_>>().concat()),
+        ("utf-8.json", b"[{\"x\":1,\"y\":2},{\"x\":2,\"y\":3}]".as_slice()),
+    ]);
+    for (file, encoding) in
+        [("array.json", "Windows-1252"), ("lines.jsonl", "Windows-1252"), ("utf-8.json", "UTF-8")]
+    {
+        let line = format!("fit {file} --x x --y y --eps 1");
+        let run = boundfit(directory.path(), &format!("{line} --format json"));
+        let document: Value = serde_json::from_str(&run.stdout).unwrap();
+        let table = &document["input"]["table"];
+        assert_eq!(
+            [&table["encoding"], &table["delimiter"]],
+            [&Value::from(encoding), &Value::Null],
+            "{file}"
+        );
+        let report = boundfit(directory.path(), &line).stdout;
+        assert_eq!(report.contains("  table    Windows-1252\n"), encoding != "UTF-8", "{report}");
+        assert_eq!(report.contains("  table "), encoding != "UTF-8", "{report}");
     }
 }
 

@@ -15,7 +15,7 @@ use boundfit_report::{check_document, check_json};
 use crate::CommandResult;
 use crate::arguments::{CheckArguments, Format, Switch};
 use crate::exit::{Exit, Failure};
-use crate::input::{read_text, say_table};
+use crate::input::read_text;
 use crate::output;
 use crate::progress::while_working;
 use crate::work::{refuse_long_problem, refuse_long_text, times};
@@ -34,13 +34,14 @@ pub(crate) fn run(arguments: &CheckArguments) -> CommandResult {
     let problem = if options.all_rows { data.problem()? } else { data.supporting_problem()? };
     let limits = &arguments.data.table.limits;
     refuse_long_problem(arguments.data.file_name(), &problem, times::CHECK, limits)?;
-    say_table(arguments.data.file_name(), problem.measurements.table());
     let check = while_working("solving", || check(&problem, reading, &options));
     let check = check.map_err(|error| Failure::Usage(error.to_string()))?;
-    let style = arguments.output.style();
+    let (style, measurements) = (arguments.output.style(), &problem.measurements);
     let report = match format {
-        Format::Json => check_json(&check, file, reading, &style),
-        Format::Text => check_document(&check, arguments.data.file_name(), reading, &style).to_text(),
+        Format::Json => check_json(&check, measurements, file, reading, &style),
+        Format::Text => {
+            check_document(&check, measurements, arguments.data.file_name(), reading, &style).to_text()
+        }
     };
     output::write(&report, output, &guard)?;
     Ok(if check.worst(reading).is_some_and(Verdict::is_refutation) { Exit::Refuted } else { Exit::Answer })

@@ -6,7 +6,10 @@ use std::ops::Range;
 use boundfit_estimation::{Fleet, GroupFit};
 use boundfit_exact::{Foreign, Work};
 use boundfit_formats::{ColumnSelector, ScanOptions};
-use boundfit_report::{FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, Style, write_group_json};
+use boundfit_report::{
+    FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, Style, TableJson, table_line,
+    write_group_json,
+};
 
 use crate::CommandResult;
 use crate::arguments::{Asked, DataArguments, FitArguments, ReportFormat};
@@ -30,6 +33,9 @@ pub(crate) fn run(
         _ => return Err(Failure::Usage("'--by' writes text, json or csv".to_owned())),
     };
     let (asked, fleet) = read(&arguments.data, by)?;
+    if format == ReportFormat::Csv {
+        input::say_table(arguments.data.file_name(), fleet.table());
+    }
     let job = Job { fleet: &fleet, asked: &asked, style: arguments.output.style() };
     let mut output = Output::open(arguments.output.file.output.as_deref(), guard)?;
     let mut summary = FleetSummary::default();
@@ -59,7 +65,6 @@ pub(super) fn read(arguments: &DataArguments, by: &ColumnSelector) -> Result<(As
     let options = ScanOptions { hash: false, list_rows: false, ..options };
     let fleet = Fleet::read(source, &asked.columns, by, options).map_err(Failure::data)?;
     refuse_long_groups(arguments, &asked, &fleet)?;
-    input::say_table(arguments.file_name(), fleet.table());
     Ok((asked, fleet))
 }
 
@@ -84,9 +89,12 @@ struct Job<'a> {
 
 impl Job<'_> {
     fn write_json(&self, output: &mut Output, whole: &mut FleetSummary) -> Result<(), Stop> {
+        let table = self.fleet.table().map(TableJson::new);
+        let table = table.as_ref();
         let lines = |groups| {
             let mut lines = Vec::new();
-            let summary = self.each_whole(groups, |group| write_group_json(&mut lines, &group, &self.style));
+            let summary =
+                self.each_whole(groups, |group| write_group_json(&mut lines, &group, table, &self.style));
             (lines, summary)
         };
         self.fleet.in_order(lines, |(lines, summary)| {
@@ -127,7 +135,7 @@ impl Job<'_> {
         })?;
         let mut text = String::new();
         table.finish(&mut text);
-        let summary = format!("{}{}", whole.to_text(), self.asked.assumption());
+        let summary = whole.to_text() + &table_line(self.fleet.table()) + &self.asked.assumption();
         output.write(format!("{text}\n{summary}").as_bytes())
     }
 

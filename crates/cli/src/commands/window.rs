@@ -4,7 +4,9 @@ use std::io::{self, Write};
 
 use boundfit_estimation::Problem;
 use boundfit_questions::{Moved, Moving, Turn};
-use boundfit_report::{FleetTable, Style, WindowReport, WindowSummary, write_window_json};
+use boundfit_report::{
+    FleetTable, Style, TableJson, WindowReport, WindowSummary, table_line, write_window_json,
+};
 
 use super::refuse_reductions;
 use crate::CommandResult;
@@ -28,10 +30,14 @@ pub(crate) fn run(
     let problem = data.whole_problem()?;
     refuse_reductions(&problem, arguments.data.file_name(), "windows are")?;
     refuse_long_problem(arguments.data.file_name(), &problem, times::RANGE, &arguments.data.table.limits)?;
-    input::say_table(arguments.data.file_name(), problem.measurements.table());
+    if format == ReportFormat::Csv {
+        input::say_table(arguments.data.file_name(), problem.measurements.table());
+    }
+    let table = TableJson::of_measurements(&problem.measurements);
     let mut output = Output::open(arguments.output.file.output.as_deref(), guard)?;
     let mut job = Job {
         problem: &problem,
+        taken_for: table.as_ref(),
         format,
         style: arguments.output.style(),
         summary: WindowSummary::default(),
@@ -56,6 +62,8 @@ pub(crate) fn run(
 /// What is shown of which readings.
 struct Job<'a> {
     problem: &'a Problem,
+    /// What the table was taken for.
+    taken_for: Option<&'a TableJson>,
     format: ReportFormat,
     style: Style,
     summary: WindowSummary,
@@ -84,7 +92,7 @@ impl Job<'_> {
             ReportFormat::Csv => self.output.write(window.csv(&self.style).as_bytes()),
             ReportFormat::Json => {
                 let mut line = Vec::new();
-                write_window_json(&mut line, &window, &self.style);
+                write_window_json(&mut line, &window, self.taken_for, &self.style);
                 self.output.write(&line)
             }
             _ => {
@@ -100,7 +108,8 @@ impl Job<'_> {
         if self.format == ReportFormat::Text {
             let mut text = String::new();
             self.table.finish(&mut text);
-            self.output.write(format!("{text}\n{to_text}").as_bytes())?;
+            let table = table_line(self.problem.measurements.table());
+            self.output.write(format!("{text}\n{to_text}{table}").as_bytes())?;
         }
         Ok(Summary { to_text, has_empty: self.summary.has_empty() })
     }

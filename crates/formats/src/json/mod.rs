@@ -9,13 +9,15 @@ mod tokens;
 
 use std::io::Read;
 
-use boundfit_exact::Foreign;
+use boundfit_exact::{Foreign, Notation};
 
 use crate::columns::ColumnSelector;
 use crate::decoding::TextReader;
+use crate::dialect::{Dialect, Encoding, Missing};
 use crate::error::{InputError, InputErrorKind};
 use crate::lacking::Lacking;
 use crate::memory::{MemoryNumbers, MemoryTable, Part};
+use crate::notes::{HeaderNote, Skipped, TableNotes};
 use crate::scan::{Batch, ScanOptions, Scanned};
 use crate::table::check_rows;
 use crate::wanted::WantedColumns;
@@ -86,8 +88,30 @@ pub(crate) fn scan_json<T: Send>(
     let (rows_total, rows_missing) = lacking.settle(read, used, options)?;
     check_rows(name, rows_total, options)?;
     let text = reader.tokens.input();
+    let table = notes(text.encoding(), options.table.missing);
     let (bytes, sha256) = (text.total(), text.sha256());
-    Ok(Scanned { header: names, bytes, sha256, ..wanted.scanned(rows_total, rows_missing) })
+    let scanned = wanted.scanned(rows_total, rows_missing);
+    Ok(Scanned { header: names, bytes, sha256, table: Some(table), ..scanned })
+}
+
+/// What there is to say of records in this encoding.
+fn notes(encoding: Encoding, missing: Missing) -> TableNotes {
+    TableNotes {
+        header: HeaderNote::default(),
+        dialect: Dialect {
+            delimiter: b',',
+            notation: Notation::default(),
+            comment: None,
+            skip_lines: 0,
+            records_before: 0,
+            encoding,
+            missing,
+        },
+        is_sheet: false,
+        is_records: true,
+        block: None,
+        skipped: Skipped::default(),
+    }
 }
 
 /// Hands out records that come after so many others; gives how many there are, and how many of them are used.

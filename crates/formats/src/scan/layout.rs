@@ -164,6 +164,7 @@ impl<'a> Layout<'a> {
             header: HeaderNote { has_numbers, ..self.names_in },
             dialect: self.dialect(),
             is_sheet: false,
+            is_records: false,
             block: self.block.clone(),
             skipped: self.skipped,
         }

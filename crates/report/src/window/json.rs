@@ -9,11 +9,13 @@ use crate::fit_json::{CentralJson, central_of};
 use crate::json::{BoundJson, CertificateJson, IntervalJson, TermJson};
 use crate::number::Number;
 use crate::style::Style;
+use crate::table_json::{LineInputJson, TableJson};
 use crate::window::WindowReport;
 
 #[derive(Serialize)]
-struct WindowJson {
+struct WindowJson<'a> {
     schema: &'static str,
+    input: LineInputJson<'a>,
     first_row: usize,
     last_row: usize,
     rows: usize,
@@ -30,8 +32,13 @@ struct FpsJson {
     certificate: Option<CertificateJson>,
 }
 
-/// Appends the line of a window, with its line end.
-pub fn write_window_json(text: &mut Vec<u8>, window: &WindowReport, style: &Style) {
+/// Appends the line of a window of a table that was taken for this, with its line end.
+pub fn write_window_json(
+    text: &mut Vec<u8>,
+    window: &WindowReport,
+    table: Option<&TableJson>,
+    style: &Style,
+) {
     let WindowReport { rows: [first_row, last_row], readings, x, fit } = window;
     let name = |index: usize| fit.names[index];
     let bound = |bound: &ParameterBound, number: &dyn Fn(&Rational) -> Number| match bound {
@@ -54,6 +61,7 @@ pub fn write_window_json(text: &mut Vec<u8>, window: &WindowReport, style: &Styl
     });
     let written = WindowJson {
         schema: "boundfit/window/1",
+        input: LineInputJson { table },
         first_row: *first_row,
         last_row: *last_row,
         rows: *readings,

@@ -160,6 +160,7 @@ fn names(files: &[&str]) -> Vec<String> {
 fn run_groups(job: &Job, what: Compared) -> CommandResult {
     let Some(by) = &job.arguments.by else { return Ok(Exit::Answer) };
     let (asked, fleet) = fleet::read(&job.arguments.data, by)?;
+    input::say_table(job.arguments.data.file_name(), fleet.table());
     let drawn = fleet.len().min(MOST_PANELS);
     let mut all = Vec::with_capacity(drawn);
     for group in 0..drawn {
