@@ -337,7 +337,7 @@ fn readers_ask_for_memory_before_they_take_it() {
         ("variables", matlab_zeros(100_000), FIT, "1MiB", "the variables that are asked for take "),
         ("numbers as text", octave.into_bytes(), FIT, "1MiB", "the variables that are asked for take "),
         ("records", empty.into_bytes(), FIT, "1MiB", "the records that are read together take "),
-        ("half-planes", ine.into_bytes(), "polygon FILE", "5MiB", "rows take "),
+        ("half-planes", ine.into_bytes(), "polygon FILE", "5MiB", "error: bomb: the first "),
         ("a window", window, FIT, "4MiB", "unpacking takes "),
     ] {
         let directory = directory_with(&[("bomb", &content)]);

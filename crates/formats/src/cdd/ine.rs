@@ -178,7 +178,7 @@ impl<'a> Parser<'a> {
                 return Err(self.error(token, InputErrorKind::TooManyRows { limit }));
             }
             let asked = self.memory.ask(row_cost as u64, MemoryUse::Rows(rows.len() + 1));
-            asked.map_err(|problem| self.error(token, problem))?;
+            asked.map_err(|problem| InputError::of_file(self.file, problem))?;
             let start = pending.first().map_or(token, |(start, _)| *start);
             let mut numbers = pending.drain(..).map(|(_, number)| number);
             let numbers = [0; 3].map(|_| numbers.next().unwrap_or_default());
