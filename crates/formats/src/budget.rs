@@ -172,7 +172,7 @@ mod tests {
     #[test]
     fn memory_is_asked_for_and_given_back() {
         let budget = MemoryBudget::new(100);
-        let (first, second) = (budget.nothing(), budget.clone().nothing());
+        let (first, second) = (budget.nothing(), budget.nothing());
         assert!(first.ask(60, MemoryUse::Text).is_ok() && second.ask(40, MemoryUse::Cells).is_ok());
         let refused = second.ask(5, MemoryUse::Cells).unwrap_err();
         let message = "the cells of the sheet take 105 bytes of memory, more than 100 bytes (the limit)";
