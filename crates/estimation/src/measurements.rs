@@ -28,7 +28,7 @@ pub enum Readings {
         /// Ascending by row: of a line under a uniform error bound the readings on the lower or the upper hull of (x, y), which
         /// decide for every bound, of those at one corner or strictly within one edge the first; otherwise those with a bound
         /// that touches an envelope, of those that say the same the first, and the one that the least-squares estimate misses
-        /// most.
+        /// most. Of two regressors under a uniform error bound, one may stand for all that go through one vertex of an envelope.
         rows: Vec<Measurement>,
         /// How many others each of these stands for.
         ties: Ties,

@@ -43,6 +43,14 @@ impl Ties {
         }
     }
 
+    /// Tells a reading apart from the one that stands for it.
+    #[cfg(feature = "files")]
+    pub(crate) fn set_apart(&mut self, row: usize, speaker: usize) {
+        if let Some(rows) = self.0.remove(&speaker) {
+            self.insert(speaker, rows.without(row as u64));
+        }
+    }
+
     /// Of readings from reductions those that all stand for, where the number of each row says how many it stands for.
     #[cfg(feature = "files")]
     pub(crate) fn weighted(&self, rows: &[Measurement], counts: &[u64]) -> Self {
@@ -116,6 +124,12 @@ impl TiedReading {
     #[cfg(feature = "files")]
     pub(crate) fn alone(reading: Measurement) -> Self {
         TiedReading { rows: Tally::one(reading.row as u64), reading }
+    }
+
+    /// A point of a plane of regressors, with a number.
+    #[cfg(feature = "files")]
+    pub(crate) fn of_normal(number: usize, [u, v]: [Rational; 2]) -> Self {
+        TiedReading::of_line(Tally::one(number as u64), u, v)
     }
 
     /// A reading of a line with an error bound of 0.

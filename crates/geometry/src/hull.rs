@@ -71,6 +71,23 @@ impl Hull {
         self.links.iter().flat_map(|link| self.repetitions(sorted, link.position))
     }
 
+    /// [`Hull::support`], and of what is strictly within an edge the corners at its ends.
+    pub(crate) fn support_by_edge<P: Site>(
+        &self,
+        sorted: &[P],
+    ) -> impl Iterator<Item = (usize, Option<[usize; 2]>)> {
+        let mut before = 0;
+        // The last link is a corner, and so is that of each run.
+        self.links.chunk_by(|one, _| !one.is_corner).flat_map(move |run| {
+            let after = run.last().map_or(before, |corner| corner.position);
+            let ends = [std::mem::replace(&mut before, after), after];
+            run.iter().flat_map(move |link| {
+                let edge = (!link.is_corner).then_some(ends);
+                self.repetitions(sorted, link.position).map(move |position| (position, edge))
+            })
+        })
+    }
+
     /// Positions of the corners, each alone, and of the points strictly within each edge; of those that coincide only the first
     /// on the way.
     pub(crate) fn corners_and_edges(&self) -> impl Iterator<Item = impl Iterator<Item = usize> + Clone> {

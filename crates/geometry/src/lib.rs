@@ -66,4 +66,4 @@ pub use region::{
 pub use system::System;
 pub use tally::Tally;
 pub use ties::{Tied, touching_as_one, touching_each};
-pub use touching::touching_an_envelope;
+pub use touching::{Touch, touches_of_envelopes, touching_an_envelope};

@@ -192,6 +192,13 @@ impl Tally {
         all.map(|(own, _)| own)
     }
 
+    /// These readings, at least two, but for one that is not the first.
+    #[must_use]
+    pub fn without(&self, row: u64) -> Self {
+        let rows: Vec<u64> = self.rows().filter(|&own| own != row).collect();
+        Tally::of_rows(self.count() - 1, &rows)
+    }
+
     /// So many readings, with these numbers as far as they are listed, ascending; at least one.
     fn of_rows(count: u64, rows: &[u64]) -> Self {
         let (first, rows) = (rows[0], &rows[1..]);

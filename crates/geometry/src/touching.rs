@@ -13,33 +13,53 @@ use crate::hull::{Hull, HullSide, Site};
 use crate::point::Point;
 use crate::predicates::{by_theta1, by_tightness, lexicographic, orientation};
 
+/// An inequality whose boundary touches the intersection of its own kind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Touch {
+    /// Where it stands among the inequalities.
+    pub position: usize,
+    /// Of one that meets its envelope in a vertex alone: the two whose boundaries meet there, with slopes on either side of its
+    /// own. Whatever else is known, all of one vertex touch the whole or none does, but for these two.
+    pub vertex: Option<[usize; 2]>,
+}
+
 /// Of inequalities, the positions of those whose boundaries touch the intersection of their own kind (above, below, right or
 /// left), repeated ones included, and of the first that holds nowhere; ascending. The others are strictly redundant.
 ///
 /// Exact. It depends on the inequalities alone, so that parts can be reduced first, in any order: what touches in all touches
 /// in its part. Cost: O(n log n).
 pub fn touching_an_envelope(constraints: &[Constraint]) -> Vec<usize> {
+    touches_of_envelopes(constraints).iter().map(|touch| touch.position).collect()
+}
+
+/// [`touching_an_envelope`], and where each of them touches.
+pub fn touches_of_envelopes(constraints: &[Constraint]) -> Vec<Touch> {
     let half_planes = || {
         constraints.iter().enumerate().filter_map(|(position, constraint)| match constraint {
             Constraint::HalfPlane(half_plane) => Some((position, half_plane)),
             Constraint::Always | Constraint::Never => None,
         })
     };
-    let mut touching: Vec<usize> =
-        constraints.iter().position(|constraint| *constraint == Constraint::Never).into_iter().collect();
+    let alone = |position: usize| Touch { position, vertex: None };
+    let never = constraints.iter().position(|constraint| *constraint == Constraint::Never);
+    let mut touching: Vec<Touch> = never.into_iter().map(alone).collect();
     for side in [HullSide::Lower, HullSide::Upper] {
         let family = Family::new(side, half_planes());
         let hull = family.hull();
-        touching.extend(hull.support(&family.sorted).map(|place| family.sorted[place].position));
+        let position = |place: usize| family.sorted[place].position;
+        touching.extend(hull.support_by_edge(&family.sorted).map(|(own, edge)| Touch {
+            position: position(own),
+            vertex: edge.map(|ends| ends.map(position)),
+        }));
     }
     for faces_right in [true, false] {
         let vertical = || half_planes().filter(|(_, own)| is_vertical(own, faces_right));
         if let Some((_, tightest)) = vertical().min_by(|(_, f), (_, g)| by_tightness(f, g)) {
             let ties = vertical().filter(|(_, own)| *own == tightest);
-            touching.extend(ties.map(|(position, _)| position));
+            touching.extend(ties.map(|(position, _)| alone(position)));
         }
     }
-    touching.sort_unstable();
+    touching.sort_unstable_by_key(|touch| touch.position);
     touching
 }
 

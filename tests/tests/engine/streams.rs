@@ -126,6 +126,43 @@ impl Case {
         Case { text, columns, reading, conditions, is_through_origin }
     }
 
+    /// Integers of two regressors, of which many go through one point exactly: what many rows say at once, in any order.
+    fn of_ties(rng: &mut ChaCha8Rng, rows: RangeInclusive<usize>) -> Self {
+        let size = [1, 3, 30, 1000][rng.random_range(0..4)];
+        let noise = [0, 1, 1, 3][rng.random_range(0..4)];
+        let is_positive = rng.random_bool(0.5);
+        let centres = [0; 2].map(|_| [0; 2].map(|_| rng.random_range(-3..=3)));
+        let parted = [0.0, 0.0, 0.02, 0.5][rng.random_range(0..4)];
+        let mut readings: Vec<[i64; 3]> = (0..rng.random_range(rows))
+            .map(|_| {
+                let least = if is_positive { 0 } else { -size };
+                let [a, b] = [0; 2].map(|_| rng.random_range(least..=size));
+                let [p, q] = centres[usize::from(rng.random_bool(parted))];
+                [a, b, p * a + q * b + rng.random_range(-noise..=noise)]
+            })
+            .collect();
+        match rng.random_range(0..4) {
+            0 => readings.sort_unstable(),
+            1 => readings.sort_by_key(|[a, b, _]| 5000 * a / b.abs().max(1)),
+            _ => {}
+        }
+        let unit = ["", ".0", "e-2"][rng.random_range(0..3)];
+        let row = |(id, [a, b, y]): (usize, &[i64; 3])| format!("{a},{b},{y}{unit},{}\n", id + 1);
+        let rows: String = readings.iter().enumerate().map(row).collect();
+        let epsilon = Rational::ratio(2 * noise + [-1, 0, 0, 0, 1, 2][rng.random_range(0..6)], 2).abs();
+        let epsilon = if unit == "e-2" { epsilon * Rational::ratio(1, 100) } else { epsilon };
+        let columns = Columns {
+            first: column("a"),
+            second: Some(column("b")),
+            response: Some(column("y")),
+            epsilon: EpsilonColumn::Uniform(epsilon),
+            form: LineForm::default(),
+        };
+        let condition = rng.random_bool(0.2).then(|| parse_condition("theta1 + theta2 <= 1"));
+        let (text, conditions) = ("a,b,y,id\n".to_owned() + &rows, condition.into_iter().collect());
+        Case { text, columns, reading: Reading::Decimal, conditions, is_through_origin: false }
+    }
+
     /// Whether half units of last digits are asked for.
     pub(crate) fn needs_written(&self) -> bool {
         matches!(&self.columns.epsilon, EpsilonColumn::Law(law) if law.needs_written())
@@ -285,13 +322,22 @@ fn compare(
     styles: Range<u32>,
     chunks: [usize; 3],
 ) -> Vec<RegionKind> {
+    compare_cases(rounds, seed, chunks, |rng| Case::written(rng, rows.clone(), styles.clone()))
+}
+
+fn compare_cases(
+    rounds: usize,
+    seed: u64,
+    chunks: [usize; 3],
+    case: impl Fn(&mut ChaCha8Rng) -> Case,
+) -> Vec<RegionKind> {
     let (mut rng, mut order) = (seeded(seed), seeded(seed + 1000));
     let pools = pools();
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("table.csv");
     let mut kinds = Vec::new();
     for round in 0..rounds {
-        let case = Case::written(&mut rng, rows.clone(), styles.clone());
+        let case = case(&mut rng);
         fs::write(&path, &case.text).unwrap();
         let whole = case.whole();
         kinds.push(whole.1.fps.polyhedron().region().kind());
@@ -334,4 +380,53 @@ fn long_tables_stream_through_sieves() {
 fn long_and_far_numbers_stream_as_short_ones_do() {
     compare(300, 63, 1..=30, FAR, [1, 7, 4096]);
     compare(12, 64, 1_000..=2_000, LONG, [50_000, 20_000, 4096]);
+}
+
+/// Where one reading stands for all that go through a vertex, the answer and its proofs are those of all.
+#[test]
+fn readings_through_one_vertex_stream_as_each_by_itself() {
+    let mut kinds = compare_cases(300, 65, [1, 60, 4096], |rng| Case::of_ties(rng, 1..=40));
+    kinds.extend(compare_cases(12, 66, [4000, 1000, 1 << 18], |rng| Case::of_ties(rng, 500..=1500)));
+    for kind in [RegionKind::Empty, RegionKind::Point, RegionKind::Segment, RegionKind::Polygon] {
+        assert!(kinds.iter().filter(|own| **own == kind).count() >= 5, "{kind:?}");
+    }
+}
+
+/// Memory is for the rows that decide: not for the thousands through the one point that is left, nor at the least bound.
+#[test]
+fn of_readings_through_one_vertex_few_are_kept() {
+    let mut rng = seeded(67);
+    let mut text = "a,b,y\n".to_owned();
+    for _ in 0..20_000 {
+        let [a, b] = [0; 2].map(|_| rng.random_range(0..1000));
+        text += &format!("{a},{b},{}\n", a + 2 * b + rng.random_range(-3..=3));
+    }
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("table.csv");
+    fs::write(&path, &text).unwrap();
+    for (epsilon, kind) in [(3, RegionKind::Point), (4, RegionKind::Polygon)] {
+        let case = Case {
+            text: text.clone(),
+            columns: Columns {
+                first: column("a"),
+                second: Some(column("b")),
+                response: Some(column("y")),
+                epsilon: EpsilonColumn::Uniform(Rational::from(epsilon)),
+                form: LineForm::default(),
+            },
+            reading: Reading::Decimal,
+            conditions: Vec::new(),
+            is_through_origin: false,
+        };
+        let (problem, fit) = case.scanned(&path, 10_000, None);
+        let region = fit.fps.polyhedron().region();
+        assert_eq!(region.kind(), kind);
+        let measurements = &problem.measurements;
+        let kept = measurements.kept().len() + measurements.deciding_minimax().unwrap().len();
+        assert!(kept < 500, "{epsilon}: {kept}");
+        if kind == RegionKind::Point {
+            let active = fit.fps.active(region.vertices()[0].active(), 10);
+            assert!(active.names.len() + active.more > 5_000);
+        }
+    }
 }

@@ -174,9 +174,12 @@ impl KeptColumns {
         }
     }
 
-    /// Every part; `None` unless all were kept.
+    /// Every part; `None` unless all were kept, and where none was.
     pub(super) fn parts(&self) -> Option<&[KeptPart]> {
-        if let Kept::Parts(parts) = &self.kept { Some(parts) } else { None }
+        match &self.kept {
+            Kept::Parts(parts) if !parts.is_empty() => Some(parts),
+            _ => None,
+        }
     }
 
     /// What of the first columns lies above each threshold; `None` unless enough was kept.

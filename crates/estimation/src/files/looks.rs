@@ -4,17 +4,20 @@ use boundfit_exact::{Column, Rational};
 use boundfit_formats::{
     Batch, ColumnSelector, InputError, InputErrorKind, RowNumbers, ScanOptions, Source, scan, threads,
 };
+use boundfit_geometry::{Region, System, envelope};
 
 use super::kept_columns::{KeptColumns, KeptPart};
 use crate::condition::Condition;
+use crate::fps::{conditions_by_name, half_planes};
 use crate::least_squares::LeastSquares;
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
 use crate::minimax::Minimax;
 use crate::summary::{
-    FixedBounds, FixedSupport, NoEui, Reach, Scale, SignedSums, Sums, Weights, column_totals,
+    AtVertices, FixedBounds, FixedSupport, NoEui, Reach, Scale, SignedSums, Sums, Weights, column_totals,
     merged_or_reason,
 };
+use crate::ties::Ties;
 
 /// Where readings can be seen again.
 pub(super) struct Looks<'a> {
@@ -100,6 +103,41 @@ impl Looks<'_> {
         Ok((total.map(|total| weights.reach(meaning, total)), tightest.map(|(_, reading)| reading)))
     }
 
+    /// The readings that touch an envelope under some bounds. One look.
+    pub(super) fn touching(&self, bounds: &FixedBounds) -> Result<(Vec<Measurement>, Ties), InputError> {
+        let mut support = FixedSupport::default();
+        let work = |columns: &[Column], rows: &RowNumbers| {
+            (rows.len(), bounds.of_columns(columns, &|k| rows.get(k)))
+        };
+        self.look(work, |(rows, part)| support.merge(part, rows, bounds))?;
+        Ok(support.into_rows(bounds))
+    }
+
+    /// Bounds with which the readings that prove the set are found, where one that is a point or empty takes some for which others
+    /// stood so far: the first with a bound through the point is one of its proof, and so are those that face it.
+    pub(super) fn proving_bounds<'a>(
+        &self,
+        bounds: &FixedBounds<'a>,
+        conditions: &[Condition],
+        (rows, ties): &(Vec<Measurement>, Ties),
+    ) -> Option<FixedBounds<'a>> {
+        if ties.is_empty() || !self.are_possible() {
+            return None;
+        }
+        let readings = rows.iter().flat_map(half_planes);
+        let system: System = readings.chain(conditions_by_name(conditions)).map(|(_, own)| own).collect();
+        let region = envelope::intersect(&system);
+        let keep = match (&region, region.vertices()) {
+            (Region::Empty(_), _) => AtVertices::Each,
+            (Region::Point(_), [point]) => {
+                let first = *point.active().first()?;
+                AtVertices::Opposite(system.inequalities()[first].a.clone())
+            }
+            _ => return None,
+        };
+        Some(bounds.again(keep)?.knowing(rows))
+    }
+
     /// The readings that decide the least factor on the error bounds, from some that may not: those that touch at the least
     /// factor of these are all of them as soon as something is left of all readings at that factor. A look for each attempt,
     /// of which two or three suffice in practice.
@@ -112,13 +150,8 @@ impl Looks<'_> {
         let mut known = some.to_vec();
         loop {
             let Some(scale) = Minimax::least_scale(&known, meaning, conditions) else { return Ok(known) };
-            let bounds = FixedBounds::new(meaning, &scale, 1).knowing(&known);
-            let mut support = FixedSupport::default();
-            let work = |columns: &[Column], rows: &RowNumbers| {
-                (rows.len(), bounds.of_columns(columns, &|k| rows.get(k)))
-            };
-            self.look(work, |(rows, part)| support.merge(part, rows, &bounds))?;
-            let (touching, _) = support.into_rows(&bounds);
+            let bounds = FixedBounds::new(meaning, &scale, 1).telling_vertices_as_one().knowing(&known);
+            let (touching, _) = self.touching(&bounds)?;
             if Minimax::is_enough(&touching, &scale, conditions) {
                 return Ok(touching);
             }

@@ -118,8 +118,11 @@ impl Measurements {
         // A proof names every row that touches; of a reduction the rows are few, and stand for others by their numbers.
         let most_listed =
             if options.list_rows || reductions.is_some() { usize::MAX } else { Ties::MOST_LISTED };
-        let (sieve, bounds) =
-            (SharedSieve::listing(most_listed), FixedBounds::new(&unnamed, &scale, most_listed));
+        let sieve = SharedSieve::listing(most_listed);
+        let bounds = FixedBounds::new(&unnamed, &scale, most_listed);
+        // Rows that stand for others are looked for again where a proof takes them.
+        let can_look = reductions.is_none() && (keep.eui || path.is_some());
+        let bounds = if can_look { bounds.telling_vertices_as_one() } else { bounds };
         // Of a reduction what was kept was kept for a reason.
         let keeps_all = reductions.is_some() || !summarises;
         let most_rows = if keeps_all { usize::MAX } else { keep.most_rows };
@@ -241,7 +244,13 @@ impl Measurements {
             }
             _ => {
                 let FixedSummary { support, sums, has_widths } = fixed;
-                let (mut rows, ties) = support.into_rows(&bounds);
+                let kept = support.into_rows(&bounds);
+                let proving = looks.proving_bounds(&bounds, conditions, &kept);
+                let (mut rows, mut ties) = match &proving {
+                    Some(proving) => looks.touching(proving)?,
+                    None => kept,
+                };
+                let bounds = proving.unwrap_or(bounds);
                 let (reach, minimax) = if !keep.eui {
                     (Err(NoEui::NotAsked), DecidingMinimax::Unknown(NoMinimax::NotAsked))
                 } else if !looks.are_possible() {
@@ -255,6 +264,9 @@ impl Measurements {
                     if let Some(tightest) = tightest
                         && let Err(place) = rows.binary_search_by_key(&tightest.row, |reading| reading.row)
                     {
+                        if let Some(speaker) = bounds.speaker(&rows, &tightest) {
+                            ties.set_apart(tightest.row, speaker);
+                        }
                         rows.insert(place, tightest);
                     }
                     (reach, DecidingMinimax::Own(own))

@@ -1,17 +1,18 @@
 //! The readings that decide a fit under bounds that are fixed, found part by part.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::hash::BuildHasher;
 use std::sync::{Arc, RwLock};
 
 use boundfit_exact::{Column, Rational};
-use boundfit_geometry::grid::{EnvelopeSieve, in_range};
-use boundfit_geometry::{Constraint, HalfPlane, Inequality, Tally, touching_an_envelope};
+use boundfit_geometry::grid::{EnvelopeSieve, RoundedStrip, RoundedStrips, in_range};
+use boundfit_geometry::{Constraint, HalfPlane, Inequality, Tally, Touch, touches_of_envelopes};
 use hashbrown::{DefaultHashBuilder, HashTable};
 
 use super::rounded::{may_be_tightest, rounded_strips};
 use super::scale::Scale;
 use super::sums::Sums;
+use super::vertices::{AtVertices, Vertex, counts_at, told_at_vertices, with_others};
 use crate::least_squares::NoLeastSquares;
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
@@ -25,24 +26,23 @@ const LEAST_TO_SIEVE: usize = 128;
 /// Of readings, those with a bound that touches an envelope, by row, and of several that say the same only the first: they decide
 /// the feasible set, whatever other readings and conditions there are. They depend on the readings alone, not on how these
 /// are split. At most so many numbers are listed of those that say the same. Exact. Cost: O(n log n).
-pub(crate) fn touching(readings: Vec<TiedReading>, scale: &Scale, most: usize) -> Vec<TiedReading> {
-    let mut readings = told_once(readings, most);
+fn touching(readings: Vec<TiedReading>, scale: &Scale, most: usize, keep: &AtVertices) -> Vec<TiedReading> {
+    let readings = told_once(readings, most);
     let (of, constraints) = scale.constraints(readings.iter().map(|own| &own.reading));
-    let mut touches = vec![false; readings.len()];
-    touching_an_envelope(&constraints).into_iter().for_each(|index| touches[of[index]] = true);
+    let touches = touches_of_envelopes(&constraints).into_iter();
+    let mut touches: Vec<(usize, Touch)> = touches.map(|touch| (of[touch.position], touch)).collect();
     if *scale != Scale::AsStated {
         // Without regressors a reading asks for a factor all the same.
         let is_tight = |own: Inequality| own.b.is_zero() && own.a.iter().all(Rational::is_zero);
-        let without = readings
-            .iter()
-            .zip(&mut touches)
-            .map(|(own, touches)| (&own.reading, touches))
-            .filter(|(own, _)| own.regressor.iter().all(Rational::is_zero));
-        without.for_each(|(own, touches)| *touches |= scale.half_planes(own).any(is_tight));
+        let without = readings.iter().enumerate().filter(|(_, own)| is_without_regressors(&own.reading));
+        let tight = without.filter(|(_, own)| scale.half_planes(&own.reading).any(is_tight));
+        touches.extend(tight.map(|(own, _)| (own, Touch { position: 0, vertex: None })));
     }
-    let mut touches = touches.into_iter();
-    readings.retain(|_| touches.next().unwrap_or(false));
-    readings
+    told_at_vertices(readings, &touches, keep, most)
+}
+
+fn is_without_regressors(reading: &Measurement) -> bool {
+    reading.regressor.iter().all(Rational::is_zero)
 }
 
 /// The readings by row, of several that say the same the first with the numbers of all. Exact. Cost: O(n log n).
@@ -61,7 +61,7 @@ fn told_once(mut readings: Vec<TiedReading>, most: usize) -> Vec<TiedReading> {
         };
         match of.find(own, says_the_same).copied() {
             // Without regressors none is ever active: of those only the first counts, whatever else was in its part.
-            Some(_) if reading.regressor.iter().all(Rational::is_zero) => {}
+            Some(_) if is_without_regressors(&reading) => {}
             Some(first) => others.entry(first).or_default().push(rows),
             None => {
                 of.insert_unique(own, once.len(), |&place| hash(&once[place].reading));
@@ -69,19 +69,23 @@ fn told_once(mut readings: Vec<TiedReading>, most: usize) -> Vec<TiedReading> {
             }
         }
     }
-    for (position, tallies) in others {
-        let all = [once[position].rows.clone()].into_iter().chain(tallies);
-        once[position].rows = Tally::merged(all, most);
-    }
+    with_others(&mut once, others, most);
     once
+}
+
+/// What is known of all readings.
+struct Known {
+    sieve: EnvelopeSieve,
+    /// Where the readings to come may be told as one.
+    vertices: Vec<Vertex>,
 }
 
 /// What is known of all readings, for those to come; all threads use it.
 #[derive(Default)]
-pub(crate) struct SharedEnvelopeSieve(RwLock<Option<(Arc<EnvelopeSieve>, usize)>>);
+pub(crate) struct SharedEnvelopeSieve(RwLock<Option<(Arc<Known>, usize)>>);
 
 impl SharedEnvelopeSieve {
-    fn get(&self) -> Option<Arc<EnvelopeSieve>> {
+    fn get(&self) -> Option<Arc<Known>> {
         self.0.read().ok()?.as_ref().map(|(sieve, _)| Arc::clone(sieve))
     }
 }
@@ -93,11 +97,35 @@ pub(crate) struct FixedBounds<'a> {
     pub(crate) sieve: SharedEnvelopeSieve,
     /// How many numbers of rows are listed of readings that say the same.
     most_listed: usize,
+    /// Which readings are kept of those that go through one vertex.
+    at_vertices: AtVertices,
 }
 
 impl<'a> FixedBounds<'a> {
     pub(crate) fn new(meaning: &'a Meaning, scale: &'a Scale, most_listed: usize) -> Self {
-        FixedBounds { meaning, scale, sieve: SharedEnvelopeSieve::default(), most_listed }
+        let at_vertices = AtVertices::Each;
+        FixedBounds { meaning, scale, sieve: SharedEnvelopeSieve::default(), most_listed, at_vertices }
+    }
+
+    /// Of readings under a uniform bound that go through one vertex of an envelope, one stands for all. The set, whatever the
+    /// conditions, is the same; of a set that is a point or empty the proof may take readings that are not kept.
+    pub(crate) fn telling_vertices_as_one(self) -> Self {
+        let at_vertices = match self.scale {
+            Scale::AsStated => AtVertices::First,
+            Scale::Within(_) | Scale::Times(_) => AtVertices::Extreme,
+        };
+        if self.meaning.error_bound.is_uniform() { self.keeping(at_vertices) } else { self }
+    }
+
+    /// Keeping these of the readings that go through one vertex.
+    pub(crate) fn keeping(self, at_vertices: AtVertices) -> Self {
+        FixedBounds { at_vertices, ..self }
+    }
+
+    /// These bounds with other readings kept of those that go through one vertex; `None` where each is kept.
+    pub(crate) fn again(&self, at_vertices: AtVertices) -> Option<Self> {
+        let again = FixedBounds::new(self.meaning, self.scale, self.most_listed).keeping(at_vertices);
+        (self.at_vertices != AtVertices::Each).then_some(again)
     }
 
     /// Lets the sieve start with what some of the readings say at this scale.
@@ -109,8 +137,8 @@ impl<'a> FixedBounds<'a> {
         const ENOUGH: usize = 1024;
         let distance = some.len().div_ceil(ENOUGH).max(1);
         let some = some.iter().step_by(distance).cloned().map(TiedReading::alone).collect();
-        let sieve = Arc::new(self.sieve_of(&touching(some, self.scale, 1)));
-        FixedBounds { sieve: SharedEnvelopeSieve(RwLock::new(Some((sieve, MANY)))), ..self }
+        let known = Arc::new(self.known_by(some));
+        FixedBounds { sieve: SharedEnvelopeSieve(RwLock::new(Some((known, MANY)))), ..self }
     }
 
     /// What is to be kept of readings in columns, as far as the readings before leave it open. Exact.
@@ -127,32 +155,113 @@ impl<'a> FixedBounds<'a> {
         let count = columns.first().map_or(0, Column::len);
         let reading = |row: usize| self.meaning.of_columns(columns, row, number(row));
         let tied = |row: usize| TiedReading::alone(reading(row));
-        let sieve = self.sieve.get();
-        if sieve.is_none() && count < LEAST_TO_SIEVE {
-            return touching((0..count).map(tied).collect(), self.scale, self.most_listed);
+        let known = self.sieve.get();
+        if known.is_none() && count < LEAST_TO_SIEVE {
+            return self.touching((0..count).map(tied).collect());
         }
         let strips = rounded_strips(self.meaning, self.scale, columns, reading);
         let exact = |row: usize| reading(row).regressor;
-        let mut left = sieve.map_or_else(|| (0..count).collect(), |sieve| sieve.survivors(&strips, exact));
+        let mut through = Vec::new();
+        let mut left = match known {
+            Some(known) => {
+                let mut left = known.sieve.survivors(&strips, exact);
+                through.extend(self.through_vertices(&known, columns, &strips, number, &mut left));
+                left
+            }
+            None => (0..count).collect(),
+        };
         // Another round has a better sample.
         while left.len() >= LEAST_TO_SIEVE {
             // About the square root of all rows, at equal distances.
             let some = left.iter().step_by(left.len().isqrt()).map(|&row| tied(row)).collect();
-            let sieve = self.sieve_of(&touching(some, self.scale, 1));
-            let kept: Vec<usize> = match left.len() == count {
-                true => sieve.survivors(&strips, exact),
+            let known = self.known_by(some);
+            let mut kept: Vec<usize> = match left.len() == count {
+                true => known.sieve.survivors(&strips, exact),
                 false => {
-                    let passes = |row: &usize| !sieve.discards(&strips.strip(*row), || exact(*row));
+                    let passes = |row: &usize| !known.sieve.discards(&strips.strip(*row), || exact(*row));
                     left.iter().copied().filter(passes).collect()
                 }
             };
+            through.extend(self.through_vertices(&known, columns, &strips, number, &mut kept));
             let is_enough = 2 * kept.len() > left.len();
             left = kept;
             if is_enough {
                 break;
             }
         }
-        touching(left.into_iter().map(tied).collect(), self.scale, self.most_listed)
+        self.touching(left.into_iter().map(tied).chain(through).collect())
+    }
+
+    fn touching(&self, readings: Vec<TiedReading>) -> Vec<TiedReading> {
+        touching(readings, self.scale, self.most_listed, &self.at_vertices)
+    }
+
+    /// Takes the rows out that go through vertices and touch nothing else: one reading for all of each, and those that must be kept.
+    fn through_vertices(
+        &self,
+        known: &Known,
+        columns: &[Column],
+        strips: &RoundedStrips,
+        number: &dyn Fn(usize) -> usize,
+        rows: &mut Vec<usize>,
+    ) -> Vec<TiedReading> {
+        let epsilon = match self.scale {
+            Scale::Within(epsilon) => Some(epsilon),
+            Scale::AsStated | Scale::Times(_) => self.meaning.error_bound.uniform(),
+        };
+        let (Some(epsilon), [Column::Narrow(u), Column::Narrow(v), Column::Narrow(y)]) = (epsilon, columns)
+        else {
+            return Vec::new();
+        };
+        let in_units = |vertex: &Vertex| vertex.in_units([u.unit(), v.unit(), y.unit()], epsilon);
+        let vertices: Vec<_> = known.vertices.iter().filter_map(in_units).collect();
+        if vertices.is_empty() {
+            return Vec::new();
+        }
+        let reading = |row: usize| self.meaning.of_columns(columns, row, number(row));
+        let mut told: BTreeMap<[Option<usize>; 2], Vec<usize>> = BTreeMap::new();
+        rows.retain(|&row| {
+            let mut at = [None; 2];
+            for (place, vertex) in vertices.iter().enumerate() {
+                if let Some(side) = vertex.side_through(counts_at([u, v, y], row)) {
+                    at[side] = Some(place);
+                }
+            }
+            let strip = strips.strip(row);
+            let others = match at {
+                [None, None] => return true,
+                [Some(_), None] => RoundedStrip { upper: f64::INFINITY, ..strip },
+                [None, Some(_)] => RoundedStrip { lower: f64::NEG_INFINITY, ..strip },
+                [Some(_), Some(_)] => {
+                    RoundedStrip { lower: f64::NEG_INFINITY, upper: f64::INFINITY, ..strip }
+                }
+            };
+            let is_told = known.sieve.discards(&others, || reading(row).regressor);
+            if is_told {
+                told.entry(at).or_default().push(row);
+            }
+            !is_told
+        });
+        let mut readings = Vec::new();
+        for (at, mut told) in told {
+            let sides = [false, true].into_iter().zip(at).filter(|(_, at)| at.is_some());
+            let decisive =
+                sides.map(|(is_lower, _)| self.at_vertices.decisive_in_units([u, v], &told, is_lower));
+            let Some(decisive) = decisive.collect::<Option<Vec<_>>>() else {
+                rows.extend(told);
+                continue;
+            };
+            let decisive: BTreeSet<usize> = decisive.into_iter().flatten().collect();
+            readings.extend(decisive.iter().map(|&row| TiedReading::alone(reading(row))));
+            told.retain(|row| !decisive.contains(row));
+            let mut others = told.into_iter();
+            if let Some(first) = others.next() {
+                let mut first = TiedReading::alone(reading(first));
+                others.for_each(|row| first.rows.push(|| number(row) as u64, self.most_listed));
+                readings.push(first);
+            }
+        }
+        readings
     }
 
     /// Of the readings in columns the first with the least slack at a point, with that slack. Exact. Cost: linear.
@@ -175,14 +284,35 @@ impl<'a> FixedBounds<'a> {
         candidates.reduce(|best, next| if next.0 < best.0 { next } else { best })
     }
 
-    fn sieve_of(&self, readings: &[TiedReading]) -> EnvelopeSieve {
+    /// The row of the reading that stands for another one, if one of those that are kept does.
+    #[cfg(feature = "files")]
+    pub(crate) fn speaker(&self, kept: &[Measurement], other: &Measurement) -> Option<usize> {
+        if self.at_vertices == AtVertices::Each {
+            return None;
+        }
+        let all = kept.iter().chain([other]).cloned().map(TiedReading::alone).collect();
+        let stands_for = |own: &TiedReading| own.rows.rows().skip(1).any(|row| row == other.row as u64);
+        let told = touching(all, self.scale, usize::MAX, &self.at_vertices);
+        told.into_iter().find(stands_for).map(|own| own.reading.row)
+    }
+
+    /// What some readings say.
+    fn known_by(&self, some: Vec<TiedReading>) -> Known {
+        self.known_of(&touching(some, self.scale, 1, &AtVertices::Each))
+    }
+
+    fn known_of(&self, readings: &[TiedReading]) -> Known {
         let half_plane = |constraint: Constraint| match constraint {
             Constraint::HalfPlane(half_plane) => Some(half_plane),
             Constraint::Always | Constraint::Never => None,
         };
         let (_, constraints) = self.scale.constraints(readings.iter().map(|own| &own.reading));
         let half_planes: Vec<HalfPlane> = constraints.into_iter().filter_map(half_plane).collect();
-        EnvelopeSieve::new(&half_planes)
+        let vertices = match self.at_vertices {
+            AtVertices::Each => Vec::new(),
+            _ => Vertex::busiest(readings, self.scale),
+        };
+        Known { sieve: EnvelopeSieve::new(&half_planes), vertices }
     }
 
     /// Learns from all readings so far, whenever these have doubled.
@@ -192,9 +322,9 @@ impl<'a> FixedBounds<'a> {
         });
         if !is_fresh {
             support.settle(self);
-            let sieve = self.sieve_of(&support.merged);
+            let known = self.known_of(&support.merged);
             if let Ok(mut current) = self.sieve.0.write() {
-                *current = Some((Arc::new(sieve), support.rows));
+                *current = Some((Arc::new(known), support.rows));
             }
         }
     }
@@ -269,6 +399,6 @@ impl FixedSupport {
     fn settle(&mut self, bounds: &FixedBounds) {
         let mut all = std::mem::take(&mut self.merged);
         all.append(&mut self.pending);
-        self.merged = touching(all, bounds.scale, bounds.most_listed);
+        self.merged = bounds.touching(all);
     }
 }

@@ -24,6 +24,8 @@ mod sieve;
 mod spread;
 mod sums;
 mod support;
+#[cfg(feature = "files")]
+mod vertices;
 
 use std::collections::BTreeMap;
 
@@ -49,6 +51,8 @@ use sums::RunningSums;
 pub use sums::Sums;
 #[cfg(feature = "files")]
 pub(crate) use sums::column_totals;
+#[cfg(feature = "files")]
+pub(crate) use vertices::AtVertices;
 
 use crate::least_squares::NoLeastSquares;
 use crate::meaning::ErrorBound;
