@@ -1,10 +1,10 @@
 //! What is asked, as Python hands it over.
 
-use boundfit::engine::exact::{DecimalMark, Limit, Thousands};
+use boundfit::engine::exact::{DecimalMark, Thousands};
 use boundfit::files::{
     AskedBlock, AskedDialect, ColumnSelector, CommentMark, Encoding, EpsilonColumn, Header, InputError,
-    Limits, MemoryBudget, Missing, MissingWords, Question, RowCondition, RowRange, RowSet, ScanOptions, SizeLimits,
-    TableOptions,
+    Limits, MemoryBudget, Missing, MissingWords, Question, RowCondition, RowRange, RowSet, ScanOptions, Setting, SizeLimits,
+    TableOptions, Way,
 };
 use boundfit::questions::Agreement;
 use boundfit::{Condition, Rational, Reading};
@@ -328,34 +328,30 @@ fn size(asked: u64) -> usize {
     usize::try_from(asked).unwrap_or(usize::MAX)
 }
 
-/// Limits that the program has options for.
-const LIMITS: [(Limit, &str); 11] = [
-    (Limit::Digits, "digits"),
-    (Limit::Exponent, "exponent"),
-    (Limit::Line, "line"),
-    (Limit::Columns, "columns"),
-    (Limit::Rows, "rows"),
-    (Limit::Elements, "elements"),
-    (Limit::Unpacked, "unpacked"),
-    (Limit::Ratio, "ratio"),
-    (Limit::Workbook, "workbook"),
-    (Limit::Work, "work"),
-    (Limit::Memory, "memory"),
-];
-
 /// What is wrong with a table, in the words of this package.
 pub(crate) fn in_words(error: &InputError) -> String {
-    // What the program calls an option is an argument here.
-    let mut text = error.to_string().replace("--missing skip", "missing=\"skip\"");
     // Columns in memory have this name, and no header.
-    text =
-        text.replace("readings: the file has a header but no data rows", "readings: the columns are empty");
-    if text.contains("--max-") || text.contains("--limit ") {
-        for (limit, name) in LIMITS {
-            text = text.replace(limit.flag(), &format!("limits={{\"{name}\": ...}}"));
+    let text = error
+        .to_string()
+        .replace("readings: the file has a header but no data rows", "readings: the columns are empty");
+    let ways: Vec<String> = error.kind.ways().iter().map(as_argument).collect();
+    if ways.is_empty() { text } else { format!("{text}; {}", ways.join(", ")) }
+}
+
+/// A way out as this package has it: `decimal="comma" reads 1,5`.
+fn as_argument(way: &Way) -> String {
+    let Way { setting, value, effect } = way;
+    match setting {
+        Setting::Limit(limit) => format!("limits={{\"{}\": ...}} {effect}", limit.name()),
+        setting => {
+            let value = match *value {
+                "" => "True".to_owned(),
+                number @ "N" => number.to_owned(),
+                text => format!("\"{}\"", text.trim_matches('\'')),
+            };
+            format!("{}={value} {effect}", setting.name().replace(' ', "_"))
         }
     }
-    text
 }
 
 fn ranges(asked: &[(usize, Option<usize>)]) -> PyResult<Vec<RowRange>> {

@@ -17,7 +17,7 @@ after(() => browser?.close());
 const lines = readFileSync(new URL("../../fixtures/tables/fits.txt", import.meta.url), "utf8").trimEnd().split("\n");
 /** The fits: options of the program. Every fourth one on a phone as well. */
 const FITS = lines.filter((line) => !line.startsWith("#")).map((line) => line.split(" ").slice(1))
-  .map(([file, ...options]) => [`fixtures/${file}`, ...options, "--max-readings", "400"]);
+  .map(([file, ...options]) => [`fixtures/${file}`, ...options, "--limit", "readings=400"]);
 
 /** The boxes of some labels on the screen, with their texts. */
 function boxes(page, selector) {

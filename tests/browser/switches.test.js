@@ -25,7 +25,7 @@ test("sets with each reading off are those of the engine, for every fit", () => 
   const kinds = new Set();
   let compared = 0;
   for (const [file, ...options] of FITS) {
-    const page = boundfit("lesson", `fixtures/${file}`, ...options, "--max-readings", "400");
+    const page = boundfit("lesson", `fixtures/${file}`, ...options, "--limit", "readings=400");
     const data = JSON.parse(page.split('id="lesson-data">')[1].split("</script>")[0]);
     const sides = data.half_planes.map(({ a, b, name }, index) => ({ index, a: a.map(exact), b: exact(b), row: name.row }));
     const entries = data.leave_one_out.length > 40 ? data.leave_one_out.filter((_, k) => k % 9 === 0) : data.leave_one_out;

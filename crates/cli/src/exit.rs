@@ -2,7 +2,12 @@
 
 use std::fmt::Display;
 
-use boundfit_exact::Foreign;
+use boundfit_check::ClaimFileError;
+use boundfit_exact::{Foreign, Limit};
+use boundfit_formats::{InputError, Setting, Way};
+use boundfit_judge::SolutionError;
+use boundfit_lp::ModelError;
+use boundfit_questions::CalibrationError;
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -23,6 +28,60 @@ impl From<Exit> for ExitCode {
     }
 }
 
+/// What is refused: what can be set so that it is not.
+pub(crate) trait Refused: Display {
+    fn ways(&self) -> Vec<Way>;
+}
+
+impl Refused for InputError {
+    fn ways(&self) -> Vec<Way> {
+        self.kind.ways()
+    }
+}
+
+impl Refused for ModelError {
+    fn ways(&self) -> Vec<Way> {
+        raised(self.limit())
+    }
+}
+
+impl Refused for SolutionError {
+    fn ways(&self) -> Vec<Way> {
+        raised(self.limit())
+    }
+}
+
+impl Refused for ClaimFileError {
+    fn ways(&self) -> Vec<Way> {
+        raised(self.problem.limit())
+    }
+}
+
+impl Refused for CalibrationError {
+    fn ways(&self) -> Vec<Way> {
+        match self {
+            CalibrationError::Input(error) => error.ways(),
+            CalibrationError::Row { .. } => Vec::new(),
+        }
+    }
+}
+
+fn raised(limit: Option<Limit>) -> Vec<Way> {
+    limit.map(Way::raises).into_iter().collect()
+}
+
+/// A way out as this program has it: `--decimal comma reads 1,5`.
+pub(crate) fn words(way: &Way) -> String {
+    let Way { setting, value, effect } = way;
+    match setting {
+        Setting::Limit(limit) => format!("--limit {}={value} {effect}", limit.name()),
+        setting => {
+            let value = if value.is_empty() { String::new() } else { format!(" {value}") };
+            format!("--{}{value} {effect}", setting.name().replace(' ', "-"))
+        }
+    }
+}
+
 /// Why there is no answer.
 #[derive(Debug)]
 pub(crate) enum Failure {
@@ -36,6 +95,21 @@ impl Failure {
     /// Bad data or input/output.
     pub(crate) fn data(problem: impl Display) -> Self {
         Failure::Data(problem.to_string())
+    }
+
+    /// What is refused, with what this program does about it.
+    pub(crate) fn refused(problem: impl Refused) -> Self {
+        let ways: Vec<String> = problem.ways().iter().map(words).collect();
+        let ways = if ways.is_empty() { String::new() } else { format!("; {}", ways.join(", ")) };
+        Failure::Data(format!("{problem}{ways}"))
+    }
+
+    /// What is refused of a file.
+    pub(crate) fn refused_of(file: Foreign<&str>, problem: impl Refused) -> Self {
+        match Failure::refused(problem) {
+            Failure::Data(message) => Failure::Data(format!("{file}: {message}")),
+            usage => usage,
+        }
     }
 
     /// A bad value of an option. A long value is cut.

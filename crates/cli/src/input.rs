@@ -3,9 +3,10 @@
 use std::fs::File;
 use std::io::{self, Read, Write};
 
-use boundfit_exact::Foreign;
+use boundfit_exact::{Foreign, Limit};
 use boundfit_formats::{InputError, Source, TableNotes};
 
+use crate::arguments::raises;
 use crate::exit::Failure;
 use crate::output;
 
@@ -30,11 +31,11 @@ pub(crate) fn say_table(file: Foreign<&str>, table: Option<&TableNotes>) {
 }
 
 /// The text of a file, or of standard input for `-`, that has at most as many bytes as this option allows.
-pub(crate) fn read_text(file: &str, largest: u64, option: &str) -> Result<String, Failure> {
+pub(crate) fn read_text(file: &str, largest: u64) -> Result<String, Failure> {
     let bytes = read_at_most(file, largest.saturating_add(1))?;
     let fail = |problem: String| Failure::data(format_args!("{}: {problem}", Foreign::of(named(file))));
     if bytes.len() as u64 > largest {
-        return Err(fail(format!("larger than {largest} bytes (the limit; {option} raises it)")));
+        return Err(fail(format!("larger than {largest} bytes (the limit; {})", raises(Limit::Text))));
     }
     let text = String::from_utf8(bytes).ok().filter(|text| !text.contains('\0'));
     text.ok_or_else(|| fail("this is no text in UTF-8".to_owned()))

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use boundfit_exact::Foreign;
+use boundfit_exact::{Foreign, Limit};
 use clap::Parser;
 use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
@@ -47,6 +47,14 @@ fn visible(mut error: clap::Error) -> clap::Error {
     error
 }
 
+/// The limit that an option was named after before all had one.
+fn limit_of(name: &str) -> &str {
+    match name {
+        "proof-size" | "claim-size" | "solution-size" => Limit::Text.name(),
+        name => name,
+    }
+}
+
 /// An error with tips that lead on, in place of those that do not.
 fn with_tips(mut error: clap::Error) -> clap::Error {
     let asked = |kind: ContextKind| match error.get(kind) {
@@ -60,6 +68,13 @@ fn with_tips(mut error: clap::Error) -> clap::Error {
                 // Nobody wants such a value.
                 error.remove(ContextKind::Suggested);
                 error.insert(ContextKind::SuggestedArg, ContextValue::String((*meant).to_owned()));
+            }
+            if let Some(name) =
+                asked.strip_prefix("--max-").map(|name| name.split('=').next().unwrap_or(name))
+            {
+                error.remove(ContextKind::SuggestedArg);
+                let tip = format!("limits have one option: '--limit {}=N'", Foreign::of(limit_of(name)));
+                error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![StyledStr::from(tip)]));
             }
             if asked.starts_with("--predict") {
                 error.remove(ContextKind::SuggestedArg);

@@ -5,7 +5,7 @@ use boundfit_exact::{Foreign, Limit, Rational, TooMuchWork, Work};
 use boundfit_lesson::check_work;
 use boundfit_questions::times::{check_outliers, looks};
 
-use crate::arguments::LimitArguments;
+use crate::arguments::{LimitArguments, raises};
 use crate::exit::Failure;
 
 /// How often a command does what a fit does, as far as long numbers are concerned: what it takes for readings of thousands of
@@ -86,8 +86,7 @@ pub(crate) fn refuse_long(
 }
 
 fn refused(file: Foreign<&str>, checked: Result<(), TooMuchWork>) -> Result<(), Failure> {
-    checked
-        .map_err(|problem| Failure::data(format_args!("{file}: {problem}; {} raises it", Limit::Work.flag())))
+    checked.map_err(|problem| Failure::data(format_args!("{file}: {problem}; {}", raises(Limit::Work))))
 }
 
 /// Refuses a text that has more, or longer, numbers with exponents than can be computed with.

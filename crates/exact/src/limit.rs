@@ -1,4 +1,4 @@
-//! What an input may pass, and who raises it.
+//! What an input may pass. Each surface says in its own words how a limit is raised.
 
 use crate::ParseNumberErrorKind;
 
@@ -29,13 +29,40 @@ pub enum Limit {
     Text,
     /// How deep arrays and objects of JSON may be nested.
     Nesting,
-    /// Digits of the fraction of a sum over all vertices that is printed.
-    Fraction,
     /// Bytes of memory that readings, with what a question makes of them, may take.
     Memory,
+    /// Digits of the fraction of a sum over all vertices that is printed.
+    Fraction,
+    /// Sets of outliers that are listed.
+    Sets,
+    /// Crossings of two bounds where outliers are looked for.
+    Steps,
+    /// Readings of a lesson.
+    Readings,
 }
 
 impl Limit {
+    /// Every limit.
+    pub const ALL: [Limit; 17] = [
+        Limit::Digits,
+        Limit::Exponent,
+        Limit::Line,
+        Limit::Columns,
+        Limit::Rows,
+        Limit::Elements,
+        Limit::Unpacked,
+        Limit::Ratio,
+        Limit::Workbook,
+        Limit::Work,
+        Limit::Text,
+        Limit::Nesting,
+        Limit::Memory,
+        Limit::Fraction,
+        Limit::Sets,
+        Limit::Steps,
+        Limit::Readings,
+    ];
+
     /// The limit that a number passes; `None` where something else is wrong with it.
     ///
     /// ```
@@ -43,7 +70,7 @@ impl Limit {
     ///
     /// let refused = Reading::Decimal.read("1e999999999", &Limits::default()).unwrap_err();
     /// assert_eq!(Limit::of_number(&refused.kind), Some(Limit::Exponent));
-    /// assert_eq!(Limit::Exponent.flag(), "--max-exponent");
+    /// assert_eq!(Limit::Exponent.name(), "exponent");
     /// ```
     pub fn of_number(kind: &ParseNumberErrorKind) -> Option<Self> {
         match kind {
@@ -53,23 +80,26 @@ impl Limit {
         }
     }
 
-    /// The program's option that raises it.
-    pub fn flag(self) -> &'static str {
+    /// The name by which every surface knows it: `digits`.
+    pub fn name(self) -> &'static str {
         match self {
-            Limit::Digits => "--max-digits",
-            Limit::Exponent => "--max-exponent",
-            Limit::Line => "--max-line",
-            Limit::Columns => "--max-columns",
-            Limit::Rows => "--max-rows",
-            Limit::Elements => "--max-elements",
-            Limit::Unpacked => "--max-unpacked",
-            Limit::Ratio => "--max-ratio",
-            Limit::Workbook => "--max-workbook",
-            Limit::Work => "--max-work",
-            Limit::Text => "--max-text",
-            Limit::Nesting => "--max-nesting",
-            Limit::Fraction => "--max-fraction",
-            Limit::Memory => "--limit memory=SIZE",
+            Limit::Digits => "digits",
+            Limit::Exponent => "exponent",
+            Limit::Line => "line",
+            Limit::Columns => "columns",
+            Limit::Rows => "rows",
+            Limit::Elements => "elements",
+            Limit::Unpacked => "unpacked",
+            Limit::Ratio => "ratio",
+            Limit::Workbook => "workbook",
+            Limit::Work => "work",
+            Limit::Text => "text",
+            Limit::Nesting => "nesting",
+            Limit::Memory => "memory",
+            Limit::Fraction => "fraction",
+            Limit::Sets => "sets",
+            Limit::Steps => "steps",
+            Limit::Readings => "readings",
         }
     }
 }

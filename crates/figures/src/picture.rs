@@ -171,7 +171,7 @@ impl Picture {
             [self.tree.size().width(), self.tree.size().height()].map(|length| length * scale);
         if width * height > MOST_PIXELS {
             let problem = format!(
-                "{width:.0} by {height:.0} pixels are too many; a lower --dpi or a smaller --size is drawn"
+                "{width:.0} by {height:.0} pixels are too many; a smaller picture, or one of fewer dots per inch, is drawn"
             );
             return Err(FigureError(problem));
         }

@@ -179,8 +179,7 @@ pub(crate) fn refuse_document(file: &str, start: &[u8]) -> Result<(), InputError
 /// How many bytes tell a document.
 pub(crate) const DOCUMENT_START: usize = 4096;
 /// What reads the rows of a text that begins otherwise.
-const PASS_OVER_LINES: &str =
-    "--skip-lines N --header no reads the numbers behind its first N lines, with columns by number";
+const PASS_OVER_LINES: &str = "its numbers are read without its first lines and without a header (skip lines, header no), with columns by number";
 /// How to save a sheet that is open anyway.
 const AS_SHEET_OR_ODS: &str = "save it as .ods, .xlsx or CSV";
 
@@ -253,7 +252,7 @@ mod tests {
             ("<table><tr><td>x</td></tr>\n", ["an HTML page", "CSV"]),
             ("<?xml version=\"1.0\"?>\n<rows>\n", ["an XML document", "CSV"]),
             ("% x\n\n@RELATION run\n@DATA\n1,2\n", ["an ARFF file", "CSV"]),
-            ("! x\n# GHz S RI R 50\n1 2 3\n", ["a Touchstone file", "--skip-lines N"]),
+            ("! x\n# GHz S RI R 50\n1 2 3\n", ["a Touchstone file", "skip lines"]),
             ("Title: x\nDate: y\nPlotname: z\n", ["a SPICE raw file", "wrdata FILE"]),
         ] {
             let messages = messages(text.as_bytes());

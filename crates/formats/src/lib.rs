@@ -55,7 +55,7 @@ pub use blocks::{AskedBlock, Block};
 pub use budget::{MemoryBudget, MemoryUse};
 pub use columns::{ColumnSelector, Header};
 pub use dialect::{AskedDialect, BLANKS, CommentMark, DELIMITERS, Dialect, Encoding, Missing, MissingWords};
-pub use error::{InputError, InputErrorKind, Place};
+pub use error::{InputError, InputErrorKind, Place, Setting, Way};
 pub use fractions::Fractions;
 pub use half_planes::{GeneratorRows, HalfPlaneFile, HalfPlaneFormat, RowOrigin, read_half_planes};
 pub use limits::{LONGEST_LINE, SizeLimits};

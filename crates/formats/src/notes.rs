@@ -93,10 +93,10 @@ impl TableNotes {
         let HeaderNote { line, is_comment, is_open, has_numbers, .. } = self.header;
         let what = if self.is_sheet { "row" } else { "line" };
         match line {
-            None if is_open => Some(format!("no header, the first {what} is a reading (else --header yes)")),
+            None if is_open => Some(format!("no header, the first {what} is a reading (else header yes)")),
             None => None,
             Some(line) if is_comment => Some(format!("names in the comment of {what} {line}")),
-            Some(line) if is_open => Some(format!("header in {what} {line} (else --header no)")),
+            Some(line) if is_open => Some(format!("header in {what} {line} (else header no)")),
             Some(line) if has_numbers || self.skipped.lines > 0 => Some(format!("header in {what} {line}")),
             Some(_) => None,
         }

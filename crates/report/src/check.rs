@@ -50,9 +50,8 @@ pub fn check_document(
     blocks.extend(table_words(measurements).map(|words| Block::Paragraph(Text::from("Table: ").then(words))));
     let AskedReadings { asked, fitted } = check.readings;
     if asked < fitted {
-        let about = format!(
-            "About the {asked} of {fitted} readings that lie on a hull: no other can bound anything (--all-rows asks about all)"
-        );
+        let about =
+            format!("About the {asked} of {fitted} readings that lie on a hull: no other can bound anything");
         blocks.push(Block::Paragraph(about.into()));
     }
     if !rows.is_empty() {

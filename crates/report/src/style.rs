@@ -289,7 +289,7 @@ impl Style {
     /// Why the fraction of a sum over all vertices is not shown.
     pub(crate) fn too_long(&self) -> String {
         let digits = counted(self.longest_fraction, "digit", "digits");
-        format!("the exact fraction takes more than {digits}; {} raises that", Limit::Fraction.flag())
+        format!("the exact fraction takes more than {digits} (the limit '{}')", Limit::Fraction.name())
     }
 
     /// A lower end.

@@ -28,15 +28,13 @@ pub fn region_wkt(polyhedron: &Polyhedron, style: &Style) -> Result<String, Stri
                 .take_while(|digits| *digits < 2 * MOST_DIGITS)
                 .map(|digits| rounded(region.vertices(), digits))
                 .find(|(_, points)| keeps_shape(points, region.kind()))
-                .ok_or(
-                    "the set is too thin to be said in decimals (--format csv, json and m have it exactly)",
-                )?;
+                .ok_or("the set is too thin to be said in decimals (CSV, JSON and MATLAB have it exactly)")?;
             written(region.kind(), texts)
         }
         _ => {
             let kind = region.kind().name();
             return Err(format!(
-                "the set is unbounded ({kind}), which well-known text cannot say (--format csv, json, m and ext can)"
+                "the set is unbounded ({kind}), which well-known text cannot say (CSV, JSON, MATLAB and cdd's format can)"
             ));
         }
     };

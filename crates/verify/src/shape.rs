@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use boundfit_exact::{Foreign, Limits, Rational, Reading};
+use boundfit_exact::{Foreign, Limit, Limits, Rational, Reading};
 use serde::de::{Deserializer, Error, Visitor};
 use serde::{Deserialize, de};
 
@@ -109,12 +109,20 @@ pub(crate) type EndShape = (MultiplesShape, VectorShape, VectorShape);
 
 /// Why a text is no proof.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{0}")]
-pub struct NotAProof(Foreign);
+#[error("{reason}")]
+pub struct NotAProof {
+    reason: Foreign,
+    limit: Option<Limit>,
+}
 
 impl NotAProof {
     pub(crate) fn new(reason: impl fmt::Display) -> Self {
-        NotAProof(Foreign::from(reason.to_string()))
+        NotAProof { reason: Foreign::from(reason.to_string()), limit: None }
+    }
+
+    /// The limit that was passed, if that is the problem.
+    pub fn limit(&self) -> Option<Limit> {
+        self.limit
     }
 }
 
@@ -126,9 +134,9 @@ impl Shape {
             return Err(NotAProof::new("it does not begin with {"));
         }
         if text.split(|byte| !byte.is_ascii_digit()).any(|run| run.len() > most_digits) {
-            return Err(NotAProof::new(format_args!(
-                "refused: a number with more than {most_digits} digits (10 times the limit; --max-digits raises it)"
-            )));
+            let reason =
+                format!("refused: a number with more than {most_digits} digits (10 times the limit)");
+            return Err(NotAProof { limit: Some(Limit::Digits), ..NotAProof::new(reason) });
         }
         serde_json::from_slice(text).map_err(NotAProof::new)
     }

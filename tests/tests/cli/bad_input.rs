@@ -75,7 +75,7 @@ fn cells_that_are_not_numbers() {
         let options = format!("--x x --y y --eps 1 --rows {row}..{row}");
         let line = row + 1;
         let verdict = if problem.ends_with("(the limit)") {
-            format!("refused: {problem} at character {}; --max-exponent raises it", before + 1)
+            format!("refused: {problem} at character {}; --limit exponent=N raises it", before + 1)
         } else {
             format!("not a number: {problem} at character {} {A_NUMBER}", before + 1)
         };
@@ -179,7 +179,7 @@ fn numbers_without_end() {
     ]);
     let message = |place: &str, before: usize| {
         format!(
-            "{place}: {quoted}: refused: more than 10000 digits (the limit) at character {}; --max-digits raises it",
+            "{place}: {quoted}: refused: more than 10000 digits (the limit) at character {}; --limit digits=N raises it",
             before + 1
         )
     };
@@ -206,7 +206,7 @@ fn a_line_without_end() {
     {
         let options = if command == "fit" { "--x x --y y --eps 1" } else { "" };
         let message = format!(
-            "{file}: line {line}: the line is longer than 16777216 bytes (the limit); --max-line raises it"
+            "{file}: line {line}: the line is longer than 16777216 bytes (the limit); --limit line=N raises it"
         );
         refuses(directory.path(), &format!("{command} {file} {options}"), 1, &message);
     }
@@ -223,7 +223,7 @@ fn numbers_beyond_binary64() {
 #[test]
 fn text_in_other_encodings() {
     let way_out =
-        "(expected text in UTF-8, as the characters before it are; --encoding windows-1252 reads any byte)";
+        "(expected text in UTF-8, as the characters before it are); --encoding windows-1252 reads any byte";
     refuses_files(
         "fit",
         "--x x --y y --eps 1",
@@ -259,7 +259,7 @@ fn what_a_text_is_encoded_as_is_told_or_asked_for() {
     };
     assert_eq!(table(""), Some("Windows-1252".to_owned()));
     assert_eq!(table("--encoding Latin-1"), Some("ISO-8859-1".to_owned()));
-    let message = "latin1.csv: line 1, column 3: \"\u{fffd}C\": invalid UTF-8 at character 1 of the cell (expected text in UTF-8, as the characters before it are; --encoding windows-1252 reads any byte)";
+    let message = "latin1.csv: line 1, column 3: \"\u{fffd}C\": invalid UTF-8 at character 1 of the cell (expected text in UTF-8, as the characters before it are); --encoding windows-1252 reads any byte";
     refuses(directory.path(), &fit("--encoding utf-8"), 1, message);
     let proof = boundfit(directory.path(), &fit("--proof proof.json"));
     assert!(proof.status != 0 && proof.stderr.contains("is not plain delimited text"), "{}", proof.stderr);
@@ -302,7 +302,7 @@ fn h_representations_that_are_not_what_they_announce() {
             ),
             (
                 "rows-beyond-limit.ine",
-                ": line 3, column 1: \"10000001\": there are more than 10000000 rows (the limit); --max-rows raises it",
+                ": line 3, column 1: \"10000001\": there are more than 10000000 rows (the limit); --limit rows=N raises it",
             ),
             (
                 "nonnegative.ine",

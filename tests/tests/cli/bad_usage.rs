@@ -48,7 +48,7 @@ fn options_that_say_nothing_sensible() {
         (
             "--x Vz --y z --eps 1e999999999".to_owned(),
             "invalid value '1e999999999' for '--eps <NUM>': refused: exponent beyond 10000 (the limit) at character 3; \
-             --max-exponent raises it"
+             --limit exponent=N raises it"
                 .to_owned(),
         ),
         (
@@ -84,7 +84,7 @@ fn options_that_say_nothing_sensible() {
         (
             format!("{base} --where-row 'z > 1e99999'"),
             "invalid value 'z > 1e99999' for '--where-row <COMPARISON>': \"1e99999\": refused: exponent beyond 10000 \
-             (the limit) at character 3; --max-exponent raises it"
+             (the limit) at character 3; --limit exponent=N raises it"
                 .to_owned(),
         ),
         (format!("{base} --digits 0"), "invalid value '0' for '--digits <N>': 0 is not in 1..=1000".to_owned()),

@@ -14,7 +14,7 @@ use boundfit_tests::hostile::{
 use boundfit_tests::workbooks::{ods, xlsx, xlsx_rows, xlsx_with};
 
 const FIT: &str = "fit FILE --x x --y y --eps 1 --no-lp";
-const TOO_FAR: &str = "refused: it unpacks to more than 67108864 bytes and 100 times its size (the limit); --max-ratio raises it\n";
+const TOO_FAR: &str = "refused: it unpacks to more than 67108864 bytes and 100 times its size (the limit); --limit ratio=N raises it\n";
 /// What is within two seconds of processor time may take what a laptop has to spare.
 const TWO_SECONDS: Cost = Cost { cpu: Duration::from_secs(2), data: 512 << 20 };
 
@@ -136,7 +136,7 @@ mod columns {
         let long = "7".repeat(9_000);
         let texts = StringArray::from(vec![long.as_str()]);
         let column = DictionaryArray::try_new(Int32Array::from(vec![0; 100_000]), Arc::new(texts)).unwrap();
-        let work = " products of machine words, more than 400000000 (the limit); --max-work raises it\n";
+        let work = " products of machine words, more than 400000000 (the limit); --limit work=N raises it\n";
         for file in files(&(Arc::new(column) as ArrayRef)) {
             refused(&file, FIT, work, TWO_SECONDS);
         }
@@ -163,7 +163,7 @@ fn a_line_without_an_end_is_refused_by_every_command() {
     assert!(run_limited(directory.path(), &proof, LIMITS).is_well());
     for line in COMMANDS {
         let ended = run_limited(directory.path(), &words(&line.replace("FILE", "/dev/zero")), TWO_SECONDS);
-        let message = "16777216 bytes (the limit); --max-line raises it\n";
+        let message = "16777216 bytes (the limit); --limit line=N raises it\n";
         assert!(ended.status == Some(1) && ended.messages.ends_with(message), "{line}: {ended:?}");
     }
     for line in ["verify /dev/zero few.csv", "check few.csv --x x --y y --eps 1 --claim /dev/zero"] {
@@ -178,7 +178,7 @@ fn a_line_without_an_end_is_refused_by_every_command() {
 fn rows_without_an_end_are_refused_where_they_are_held() {
     let mut rows = b"x,y\n".to_vec();
     (0..200_000).for_each(|row| writeln!(rows, "{row},{}", row % 7).unwrap());
-    let too_many = "bomb: there are more than 100000 rows (the limit); --max-rows raises it\n";
+    let too_many = "bomb: there are more than 100000 rows (the limit); --limit rows=N raises it\n";
     for command in [
         "plot FILE --x x --y y --eps 9 -o a.svg --figure data",
         "outliers FILE --x x --y y --eps 9",
@@ -186,14 +186,15 @@ fn rows_without_an_end_are_refused_where_they_are_held() {
         "fit FILE --x x --y y --eps 9 --by y",
         "linearity FILE --x x --y y",
     ] {
-        refused(&rows, &format!("{command} --max-rows 100000"), too_many, TWO_SECONDS);
+        refused(&rows, &format!("{command} --limit rows=100000"), too_many, TWO_SECONDS);
     }
     let readings = "bomb: more than 300 readings are too many for a lesson; choose some with --rows FIRST..LAST, or raise it with \
-                    --max-readings\n";
+                    --limit readings=N\n";
     refused(&rows, "lesson FILE --x x --y y --eps 9 -o a.html", readings, TWO_SECONDS);
-    let too_large = "bomb: refused: the file has more than 1000000 bytes (the limit); --max-text raises it\n";
+    let too_large =
+        "bomb: refused: the file has more than 1000000 bytes (the limit); --limit text=N raises it\n";
     for command in ["polygon FILE", "judge FILE"] {
-        refused(&rows, &format!("{command} --max-text 1000000"), too_large, TWO_SECONDS);
+        refused(&rows, &format!("{command} --limit text=1000000"), too_large, TWO_SECONDS);
     }
 }
 
@@ -209,7 +210,7 @@ fn lines_of_commas_are_refused_before_their_cells_are_kept() {
     ] {
         let directory = directory_with(&[(name, &text)]);
         let message = format!(
-            "error: {name}: line {line}: there are more than 100000 columns (the limit); --max-columns raises it\n"
+            "error: {name}: line {line}: there are more than 100000 columns (the limit); --limit columns=N raises it\n"
         );
         let run = boundfit(directory.path(), &format!("fit {name} --x 1 --y 2 --eps 1"));
         assert_eq!((run.status, run.stderr), (1, message));
@@ -257,7 +258,7 @@ fn equal_readings_are_counted_by_every_command() {
 fn readings_take_no_more_memory_than_they_may() {
     let mut rows = b"x,y\n".to_vec();
     (0..60_000).for_each(|row| writeln!(rows, "{row},{}", row % 1009).unwrap());
-    let way_out = "of memory, more than 16 MiB (the limit); --limit memory=SIZE raises it\n";
+    let way_out = "of memory, more than 16 MiB (the limit); --limit memory=N raises it\n";
     for command in [
         "plot FILE --x x --y y --eps 9 -o a.svg --figure data",
         "outliers FILE --x x --y y --eps 9",
@@ -267,7 +268,7 @@ fn readings_take_no_more_memory_than_they_may() {
     ] {
         refused(&rows, &format!("{command} --limit memory=16MiB"), way_out, TWO_SECONDS);
     }
-    let way_out = "of memory, more than 1 MiB (the limit); --limit memory=SIZE raises it\n";
+    let way_out = "of memory, more than 1 MiB (the limit); --limit memory=N raises it\n";
     refused(&rows, "fit FILE --x x --y y --eps 9 --by y --limit memory=1MiB", way_out, TWO_SECONDS);
     let directory = directory_with(&[("few.csv", b"x,y\n1,2\n2,3\n")]);
     for (value, message) in [

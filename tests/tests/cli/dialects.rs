@@ -64,12 +64,12 @@ fn what_cannot_be_found_out_is_refused_with_the_option_that_tells() {
         (
             "fit missing.csv --x x --y y --eps 1",
             "missing.csv: line 2, column 2 (y): \"NA\": the value is missing, and in 1 row more (expected a number in \
-             every row; --missing skip leaves such rows out)",
+             every row); --missing skip leaves such rows out",
         ),
         (
             "fit missing.csv --x w --y z --eps 1",
             "missing.csv: line 5, column 3 (z): \"?\": the value is missing, in this row only (expected a number in every \
-             row; --missing skip leaves such rows out)",
+             row); --missing skip leaves such rows out",
         ),
         (
             "fit all.csv --x x --y y --eps 1 --missing skip",
@@ -79,22 +79,22 @@ fn what_cannot_be_found_out_is_refused_with_the_option_that_tells() {
         (
             "fit units.csv --x U --y I --eps 1",
             "units.csv: line 2, column 1 (U): \"mV\": not a number, nor is any other cell of this row that is asked for \
-             (expected a row of numbers; --units-row passes over a row of units)",
+             (expected a row of numbers); --units-row passes over a row of units",
         ),
         (
             "fit mixed.csv --x 1 --y 2 --eps 1",
             "mixed.csv: line 4, column 1: \"4.5\": a number with a decimal point, where those before have a decimal comma \
-             (expected one decimal mark; --decimal comma or --decimal point says which, --thousands what groups digits)",
+             (expected one decimal mark); --decimal comma|point says which, --thousands CHARACTER says what groups digits",
         ),
         (
             "fit asked.csv --x x --y y --eps 1 --decimal comma",
             "asked.csv: line 2, column 1 (x): \"1.5\": not a number: unexpected '.' (the decimal mark is a comma) at \
-             character 2 (expected 1,5; with --decimal point 1.5 is read, with --thousands '.' 60.323 as 60323)",
+             character 2 (expected 1,5); --decimal point reads 1.5, --thousands '.' reads 60.323 as 60323",
         ),
         (
             "fit thousands.csv --x x --y y --eps 1",
             "thousands.csv: line 2, column 1 (x): \"60,323\": not a number: unexpected ',' (the decimal mark is a point) at \
-             character 3 (expected 1.5; with --decimal comma 1,5 is read, with --thousands ',' 60,323 as 60323)",
+             character 3 (expected 1.5); --decimal comma reads 1,5, --thousands ',' reads 60,323 as 60323",
         ),
         (
             "fit groups.csv --x x --y y --eps 1 --thousands ,",
@@ -104,8 +104,8 @@ fn what_cannot_be_found_out_is_refused_with_the_option_that_tells() {
         (
             "fit undivided.csv --x x --y z --eps 1",
             "undivided.csv: line 1: there is no column \"x\", and nothing was found that separates columns in \"Device: X\" \
-             (expected --delimiter comma, semicolon, tab, space or pipe, or a column's number; --skip-lines N if N lines come \
-             before the table)",
+             (expected a column's number); --delimiter comma|semicolon|tab|space|pipe says what separates columns, \
+             --skip-lines N passes over lines before the table",
         ),
     ] {
         refuses(directory.path(), line, 1, message);

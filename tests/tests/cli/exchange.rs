@@ -97,7 +97,7 @@ fn wkt_says_bounded_sets_and_refuses_the_others() {
                 assert_eq!(text, format!("{expected}\n"));
             }
             None => {
-                let reason = "which well-known text cannot say (--format csv, json, m and ext can)";
+                let reason = "which well-known text cannot say (CSV, JSON, MATLAB and cdd's format can)";
                 assert_eq!((status, text.as_str()), (1, ""), "{kind}");
                 assert_eq!(error, format!("error: the set is unbounded ({kind}), {reason}\n"));
             }

@@ -58,7 +58,7 @@ fn empty_cells_between_others_are_counted() {
 
 #[test]
 fn errors_of_a_spreadsheet_are_missing_values() {
-    let advice = "(expected a number in every row; --missing skip leaves such rows out)\n";
+    let advice = "(expected a number in every row); --missing skip leaves such rows out\n";
     let first = format!("\"#DIV/0!\": the value is missing, and in 6 rows more {advice}");
     for (file, place) in [
         ("errors-by-libreoffice.ods", "Sheet!B2 (y)"),

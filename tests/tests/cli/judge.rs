@@ -67,12 +67,17 @@ Feasible set: unbounded-polygon with 2 vertices
 
 #[test]
 fn each_limit_names_the_option_that_raises_it() {
-    for (option, count) in [("--max-rows", 3), ("--max-columns", 2), ("--max-elements", 6)] {
+    for (option, count) in [("rows", 3), ("columns", 2), ("elements", 6)] {
         // Of type N too.
-        let run = boundfit_with_input(&root(), &format!("judge - {option} {}", count - 1), DIET.as_bytes());
+        let run =
+            boundfit_with_input(&root(), &format!("judge - --limit {option}={}", count - 1), DIET.as_bytes());
         assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{option}");
-        assert!(run.stderr.contains(&format!("(the limit); {option} raises it")), "{option}\n{}", run.stderr);
-        printed_with_input(&root(), &format!("judge - {option} {count}"), DIET.as_bytes());
+        assert!(
+            run.stderr.contains(&format!("(the limit); --limit {option}=N raises it")),
+            "{option}\n{}",
+            run.stderr
+        );
+        printed_with_input(&root(), &format!("judge - --limit {option}={count}"), DIET.as_bytes());
     }
 }
 

@@ -32,18 +32,18 @@ fn a_digit_too_many_is_accepted_when_the_limit_is_raised() {
     for command in COMMANDS {
         let (at, over) = ("7".repeat(50), "7".repeat(51));
         let directory = directory_with(&[("data.csv", format!("x,y\n1,2\n2,{at}\n").as_bytes())]);
-        let run = boundfit(directory.path(), &format!("{command} --max-digits 50"));
+        let run = boundfit(directory.path(), &format!("{command} --limit digits=50"));
         assert!([0, 4].contains(&run.status), "{command}: {run:?}");
         let quoted = format!("\"{}\"...", "7".repeat(40));
         let message = format!(
             "data.csv: line 3, column 2 (y): {quoted}: refused: more than 50 digits (the limit) at character 51; \
-             --max-digits raises it"
+             --limit digits=N raises it"
         );
-        let line = format!("{command} --max-digits 50");
+        let line = format!("{command} --limit digits=50");
         let table = format!("x,y\n1,2\n2,{over}\n");
         let directory = directory_with(&[("data.csv", table.as_bytes())]);
         check_refusal(&boundfit(directory.path(), &line), &line, 1, &message);
-        let raised = boundfit(directory.path(), &format!("{command} --max-digits 51"));
+        let raised = boundfit(directory.path(), &format!("{command} --limit digits=51"));
         assert!([0, 4].contains(&raised.status), "{command}: {raised:?}");
     }
 }
@@ -55,25 +55,25 @@ fn digits_up_to_the_usual_limit_and_beyond_it() {
     printed(directory.path(), "fit data.csv --x x --y y --eps 1 --no-lp");
     let over = format!("x,y\n1,1/1{}\n2,3\n", "0".repeat(10_000));
     let message = "data.csv: line 2, column 2 (y): \"1/10000000000000000000000000000000000000\"...: refused: more than \
-                   10000 digits (the limit) at character 10003; --max-digits raises it";
-    refused_until("fit data.csv --x x --y y --eps 1 --no-lp", &over, message, "--max-digits 10001");
+                   10000 digits (the limit) at character 10003; --limit digits=N raises it";
+    refused_until("fit data.csv --x x --y y --eps 1 --no-lp", &over, message, "--limit digits=10001");
 }
 
 #[test]
 fn an_exponent_is_accepted_when_the_limit_is_raised() {
     for command in COMMANDS {
         let accepted = directory_with(&[("data.csv", b"x,y\n1,2\n2,1e-6\n")]);
-        let run = boundfit(accepted.path(), &format!("{command} --max-exponent 6"));
+        let run = boundfit(accepted.path(), &format!("{command} --limit exponent=6"));
         assert!([0, 4].contains(&run.status), "{command}: {run:?}");
-        let line = format!("{command} --max-exponent 5");
+        let line = format!("{command} --limit exponent=5");
         let message = "data.csv: line 3, column 2 (y): \"1e-6\": refused: exponent beyond 5 (the limit) at character 4; \
-                       --max-exponent raises it";
+                       --limit exponent=N raises it";
         check_refusal(&boundfit(accepted.path(), &line), &line, 1, message);
     }
     let message = "data.csv: line 2, column 2 (y): \"1e10001\": refused: exponent beyond 10000 (the limit) at character 3; \
-                   --max-exponent raises it";
+                   --limit exponent=N raises it";
     let line = "fit data.csv --x x --y y --eps 1 --no-lp --no-eui";
-    refused_until(line, "x,y\n1,1e10001\n2,3\n", message, "--max-exponent 10001");
+    refused_until(line, "x,y\n1,1e10001\n2,3\n", message, "--limit exponent=10001");
 }
 
 #[test]
@@ -84,40 +84,40 @@ fn numbers_on_the_command_line_have_the_same_limits() {
             "--eps 1e11",
             "1e11",
             "--eps <NUM>",
-            "refused: exponent beyond 10 (the limit) at character 3; --max-exponent",
+            "refused: exponent beyond 10 (the limit) at character 3; --limit exponent=N",
         ),
         (
             "--eps 1 --where 'theta1 <= 1e11'",
             "theta1 <= 1e11",
             "--where <CONDITION>",
-            "refused: exponent beyond 10 (the limit) at character 13; --max-exponent",
+            "refused: exponent beyond 10 (the limit) at character 13; --limit exponent=N",
         ),
         (
             "--eps 1 --sweep 1..1e11",
             "1..1e11",
             "--sweep <FROM..TO>",
-            "\"1e11\": refused: exponent beyond 10 (the limit) at character 3; --max-exponent",
+            "\"1e11\": refused: exponent beyond 10 (the limit) at character 3; --limit exponent=N",
         ),
         (
             "--eps 123456",
             "123456",
             "--eps <NUM>",
-            "refused: more than 5 digits (the limit) at character 6; --max-digits",
+            "refused: more than 5 digits (the limit) at character 6; --limit digits=N",
         ),
         (
             "--eps 1 --sweep 1..1.00001",
             "1..1.00001",
             "--sweep <FROM..TO>",
-            "\"1.00001\": refused: more than 5 digits (the limit) at character 7; --max-digits",
+            "\"1.00001\": refused: more than 5 digits (the limit) at character 7; --limit digits=N",
         ),
     ];
     for (options, value, option, problem) in cases {
-        let line = format!("fit data.csv --x x --y y {options} --max-digits 5 --max-exponent 10");
+        let line = format!("fit data.csv --x x --y y {options} --limit digits=5 --limit exponent=10");
         let message = format!("invalid value '{value}' for '{option}': {problem} raises it");
         check_refusal(&boundfit(directory.path(), &line), &line, 2, &message);
         printed(
             directory.path(),
-            &format!("fit data.csv --x x --y y {options} --max-digits 6 --max-exponent 11"),
+            &format!("fit data.csv --x x --y y {options} --limit digits=6 --limit exponent=11"),
         );
     }
     // What is no number is told so.
@@ -131,28 +131,28 @@ fn numbers_on_the_command_line_have_the_same_limits() {
 fn half_planes_and_cases_for_solvers_have_the_same_limits() {
     let table = b"a1,a2,b\n1,0,1e7\n-1,0,0\n0,1,1\n0,-1,0\n";
     let directory = directory_with(&[("square.csv", table)]);
-    let line = "polygon square.csv --max-exponent 6";
+    let line = "polygon square.csv --limit exponent=6";
     let message = "square.csv: line 2, column 3 (b): \"1e7\": refused: exponent beyond 6 (the limit) at character 3; \
-                   --max-exponent raises it";
+                   --limit exponent=N raises it";
     check_refusal(&boundfit(directory.path(), line), line, 1, message);
-    printed(directory.path(), "polygon square.csv --max-exponent 7");
+    printed(directory.path(), "polygon square.csv --limit exponent=7");
 
     let directory =
         directory_with(&[("case.csv", b"x,y\n1,2\n2,3\n3,1e7\n"), ("case.json", b"{\"eps\": \"1e8\"}")]);
     for (limit, problem) in [
         (
             7,
-            "./case.json: \"eps\": refused: exponent beyond 7 (the limit) at character 3; --max-exponent raises it",
+            "./case.json: \"eps\": refused: exponent beyond 7 (the limit) at character 3; --limit exponent=N raises it",
         ),
         (
             6,
-            "./case.json: \"eps\": refused: exponent beyond 6 (the limit) at character 3; --max-exponent raises it",
+            "./case.json: \"eps\": refused: exponent beyond 6 (the limit) at character 3; --limit exponent=N raises it",
         ),
     ] {
-        let line = format!("bench-solvers . --max-exponent {limit}");
+        let line = format!("bench-solvers . --limit exponent={limit}");
         check_refusal(&boundfit(directory.path(), &line), &line, 1, problem);
     }
-    printed(directory.path(), "bench-solvers . --max-exponent 8");
+    printed(directory.path(), "bench-solvers . --limit exponent=8");
 }
 
 #[test]
@@ -161,17 +161,18 @@ fn a_line_is_as_long_as_it_may_be_and_no_longer() {
     let table = |length: usize| format!("x,y\n1,2\n2,{}3\n", " ".repeat(length - 4));
     for command in COMMANDS {
         let directory = directory_with(&[("data.csv", table(64).as_bytes())]);
-        let run = boundfit(directory.path(), &format!("{command} --max-line 64"));
+        let run = boundfit(directory.path(), &format!("{command} --limit line=64"));
         assert!([0, 4].contains(&run.status), "{command}: {run:?}");
-        let line = format!("{command} --max-line 63");
-        let message = "data.csv: line 3: the line is longer than 63 bytes (the limit); --max-line raises it";
+        let line = format!("{command} --limit line=63");
+        let message =
+            "data.csv: line 3: the line is longer than 63 bytes (the limit); --limit line=N raises it";
         check_refusal(&boundfit(directory.path(), &line), &line, 1, message);
     }
     let directory = directory_with(&[("table.csv", format!("a1,a2,b\n1,0,{}\n", "1".repeat(60)).as_bytes())]);
-    let line = "polygon table.csv --max-line 64";
-    let message = "table.csv: line 2: the line is longer than 64 bytes (the limit); --max-line raises it";
+    let line = "polygon table.csv --limit line=64";
+    let message = "table.csv: line 2: the line is longer than 64 bytes (the limit); --limit line=N raises it";
     check_refusal(&boundfit(directory.path(), line), line, 1, message);
-    printed(directory.path(), "polygon table.csv --max-line 65");
+    printed(directory.path(), "polygon table.csv --limit line=65");
 }
 
 #[test]
@@ -181,12 +182,12 @@ fn a_row_over_several_lines_has_the_limit_of_a_line() {
     let table = format!("x,y,n\n\n\n1,2,\n{row}3,4,\n");
     for command in COMMANDS {
         let directory = directory_with(&[("data.csv", table.as_bytes())]);
-        let run = boundfit(directory.path(), &format!("{command} --max-line {}", row.len()));
+        let run = boundfit(directory.path(), &format!("{command} --limit line={}", row.len()));
         assert!([0, 4].contains(&run.status), "{command}: {run:?}");
         let limit = row.len() - 1;
-        let line = format!("{command} --max-line {limit}");
+        let line = format!("{command} --limit line={limit}");
         let message = format!(
-            "data.csv: line 5: the row is longer than {limit} bytes (the limit); are its quotes closed?; --max-line raises it"
+            "data.csv: line 5: the row is longer than {limit} bytes (the limit); are its quotes closed?; --limit line=N raises it"
         );
         check_refusal(&boundfit(directory.path(), &line), &line, 1, &message);
     }
@@ -196,11 +197,12 @@ fn a_row_over_several_lines_has_the_limit_of_a_line() {
 fn a_table_has_as_many_columns_as_it_may() {
     let table = "x,y,a,b\n1,2,3,4\n2,3,4,5\n";
     for command in COMMANDS {
-        let line = format!("{command} --max-columns 3");
+        let line = format!("{command} --limit columns=3");
         let directory = directory_with(&[("data.csv", table.as_bytes())]);
-        let message = "data.csv: line 1: there are more than 3 columns (the limit); --max-columns raises it";
+        let message =
+            "data.csv: line 1: there are more than 3 columns (the limit); --limit columns=N raises it";
         check_refusal(&boundfit(directory.path(), &line), &line, 1, message);
-        let run = boundfit(directory.path(), &format!("{command} --max-columns 4"));
+        let run = boundfit(directory.path(), &format!("{command} --limit columns=4"));
         assert!([0, 4].contains(&run.status), "{command}: {run:?}");
     }
 }
@@ -209,11 +211,11 @@ fn a_table_has_as_many_columns_as_it_may() {
 fn a_lesson_of_more_readings_is_written_when_asked_for() {
     let rows: String = (0..5).map(|x| format!("{x},{}\n", 2 * x)).collect();
     let message = "data.csv: more than 4 readings are too many for a lesson; choose some with --rows FIRST..LAST, or \
-                   raise it with --max-readings";
+                   raise it with --limit readings=N";
     let line = "lesson data.csv --x x --y y --eps 1";
     let directory = directory_with(&[("data.csv", format!("x,y\n{rows}").as_bytes())]);
-    check_refusal(&boundfit(directory.path(), &format!("{line} --max-readings 4")), line, 1, message);
-    printed(directory.path(), &format!("{line} --max-readings 5"));
+    check_refusal(&boundfit(directory.path(), &format!("{line} --limit readings=4")), line, 1, message);
+    printed(directory.path(), &format!("{line} --limit readings=5"));
 }
 
 #[test]
@@ -228,32 +230,79 @@ fn a_sum_in_a_reduction_may_have_ten_times_the_digits_of_a_reading() {
     };
     let directory = directory_with(&[("data.csv", record(30).as_bytes())]);
     for command in ["fit data.csv --x x --y y --eps 1", "reduce data.csv --x x --y y"] {
-        printed(directory.path(), &format!("{command} --max-digits 3"));
-        let line = format!("{command} --max-digits 2");
+        printed(directory.path(), &format!("{command} --limit digits=3"));
+        let line = format!("{command} --limit digits=2");
         let message = "data.csv: a sum in the line in front of a reduction: more than 20 digits (the limit) at character 21; \
-                       --max-digits raises it";
+                       --limit digits=N raises it";
         check_refusal(&boundfit(directory.path(), &line), &line, 1, message);
     }
 }
 
 #[test]
 fn limits_have_ceilings_of_their_own() {
-    for (option, value, range) in [
-        ("--max-digits <N>", "1000001", "1..=1000000"),
-        ("--max-digits <N>", "0", "1..=1000000"),
-        ("--max-exponent <N>", "1000001", "0..=1000000"),
-        ("--max-line <BYTES>", "0", "1..=4294967296"),
-        ("--max-columns <N>", "4294967297", "1..=4294967296"),
-        ("--max-rows <N>", "4294967297", "1..=4294967296"),
-        ("--max-elements <N>", "4294967297", "1..=4294967296"),
-        ("--max-nesting <N>", "121", "1..=120"),
+    for (name, value, expected) in [
+        ("digits", "1000001", "an integer from 1 to 1000000"),
+        ("digits", "0", "an integer from 1 to 1000000"),
+        ("digits", "many", "an integer from 1 to 1000000"),
+        ("exponent", "1000001", "an integer from 0 to 1000000"),
+        ("columns", "4294967297", "an integer from 1 to 4294967296"),
+        ("rows", "4294967297", "an integer from 1 to 4294967296"),
+        ("elements", "4294967297", "an integer from 1 to 4294967296"),
+        ("nesting", "121", "an integer from 1 to 120"),
+        (
+            "line",
+            "0",
+            "a size in bytes above 0, with k, M, G (1000) or KiB, MiB, GiB (1024) behind it, such as 512MiB, at most \
+             4294967296",
+        ),
     ] {
-        let name = option.split(' ').next().unwrap();
         for command in ["fit data.csv --x x --y y --eps 1", "polygon square.csv", "bench-solvers cases"] {
-            let line = format!("{command} {name} {value}");
-            let message = format!("invalid value '{value}' for '{option}': {value} is not in {range}");
+            let line = format!("{command} --limit {name}={value}");
+            let message = format!(
+                "invalid value '{name}={value}' for '--limit <NAME=N>': {value:?} is no limit of {name} (expected {expected})"
+            );
             check_refusal(&boundfit(Path::new("."), &line), &line, 2, &message);
         }
+    }
+}
+
+#[test]
+fn a_limit_that_a_command_has_not_is_refused_with_its_names() {
+    const NAMES: &str = "digits, exponent, line, columns, rows, elements, unpacked, ratio, workbook, work, text, nesting, \
+                         memory";
+    for (line, option, problem) in [
+        (
+            "reduce data.csv --x x --y y --limit sets=5",
+            "sets=5",
+            format!("there is no limit \"sets\" for this command (expected one of {NAMES})"),
+        ),
+        (
+            "polygon square.csv --limit size=5",
+            "size=5",
+            format!("there is no limit \"size\" (expected one of {NAMES}, fraction)"),
+        ),
+        (
+            "polygon square.csv --limit 5",
+            "5",
+            "expected NAME=N, such as digits=20000 or memory=4GiB; --help lists the names".to_owned(),
+        ),
+    ] {
+        let message = format!("invalid value '{option}' for '--limit <NAME=N>': {problem}");
+        check_refusal(&boundfit(Path::new("."), line), line, 2, &message);
+    }
+}
+
+#[test]
+fn an_option_of_former_versions_is_refused_with_the_one_of_now() {
+    for (line, name) in [
+        ("fit data.csv --x x --y y --eps 1 --max-digits 5", "digits"),
+        ("outliers data.csv --x x --y y --eps 1 --max-sets=5", "sets"),
+        ("verify p.json data.csv --max-proof-size 5", "text"),
+    ] {
+        let run = boundfit(Path::new("."), line);
+        assert_eq!((run.status, run.stdout.as_str()), (2, ""), "{line}");
+        let tip = format!("limits have one option: '--limit {name}=N'");
+        assert!(run.stderr.contains(&tip), "{line}: {}", run.stderr);
     }
 }
 
@@ -339,7 +388,7 @@ fn hostile_numbers_cost_no_memory() {
     }
     for eps in ["1e999999999", "1e-999999999"] {
         let run = within(165_000, &format!("fit - --x x --y y --threads 1 --eps {eps}"), b"x,y\n1,2\n");
-        assert!(run.status == 2 && run.stderr.contains("--max-exponent raises it"), "{run:?}");
+        assert!(run.status == 2 && run.stderr.contains("--limit exponent=N raises it"), "{run:?}");
     }
 }
 

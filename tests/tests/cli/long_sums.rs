@@ -81,7 +81,7 @@ fn fractions_beyond_the_limit_are_left_out_with_the_reason() {
     let report: Value =
         serde_json::from_str(&printed(directory.path(), &format!("{FIT} --format json"))).unwrap();
     assert!(report["fps"]["vertices"].as_array().unwrap().len() > 1000);
-    let reason = "the exact fraction takes more than 10000 digits; --max-fraction raises that";
+    let reason = "the exact fraction takes more than 10000 digits; --limit fraction=N raises that";
     let text = printed(directory.path(), &format!("{FIT} --exact"));
     let decimal = |part: &Value| {
         assert_eq!(part["exact"], Value::Null);
@@ -108,7 +108,7 @@ fn fractions_beyond_the_limit_are_left_out_with_the_reason() {
     let doubled: f64 = corners.iter().zip(next).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum();
     assert!((doubled / 2.0 / area - 1.0).abs() < 1e-9, "{doubled} {area}");
     // Whoever asks for more gets it.
-    let longer = printed(directory.path(), &format!("{FIT} --format json --max-fraction 1000000"));
+    let longer = printed(directory.path(), &format!("{FIT} --format json --limit fraction=1000000"));
     let longer: Value = serde_json::from_str(&longer).unwrap();
     let exact = number(&longer["fps"]["area"]);
     assert_eq!((exact.to_f64().to_bits(), longer["reasons"]["fps.area"].is_null()), (area.to_bits(), true));
@@ -118,26 +118,30 @@ fn fractions_beyond_the_limit_are_left_out_with_the_reason() {
 #[test]
 fn polygons_of_any_half_planes_have_the_limit_too() {
     let directory = directory_with(&[("square.csv", b"a1,a2,b\n3,0,1\n-1,0,0\n0,7,1\n0,-1,0\n" as &[u8])]);
-    let report: Value =
-        serde_json::from_str(&printed(directory.path(), "polygon square.csv --format json --max-fraction 1"))
-            .unwrap();
-    let reason = "the exact fraction takes more than 1 digit; --max-fraction raises that";
+    let report: Value = serde_json::from_str(&printed(
+        directory.path(),
+        "polygon square.csv --format json --limit fraction=1",
+    ))
+    .unwrap();
+    let reason = "the exact fraction takes more than 1 digit; --limit fraction=N raises that";
     assert_eq!(report["region"]["area"]["exact"], Value::Null);
     assert_eq!(report["region"]["area"]["decimal"], "4.7619e-2");
     assert_eq!(report["reasons"]["region.area"], reason);
     assert_eq!(report["reasons"]["area_centroid"], reason);
     assert_eq!(report["area_centroid"][0]["exact"], Value::Null);
-    let text = printed(directory.path(), "polygon square.csv --exact --max-fraction 1");
+    let text = printed(directory.path(), "polygon square.csv --exact --limit fraction=1");
     assert_eq!(said(&text, "area"), format!("about 0.047619 ({reason})"));
-    let longer: Value =
-        serde_json::from_str(&printed(directory.path(), "polygon square.csv --format json --max-fraction 3"))
-            .unwrap();
+    let longer: Value = serde_json::from_str(&printed(
+        directory.path(),
+        "polygon square.csv --format json --limit fraction=3",
+    ))
+    .unwrap();
     assert_eq!(longer["region"]["area"]["exact"], "1/21");
     assert!(longer["reasons"]["region.area"].is_null());
-    let refused = boundfit(directory.path(), "polygon square.csv --max-fraction 0");
+    let refused = boundfit(directory.path(), "polygon square.csv --limit fraction=0");
     assert_eq!(refused.status, 2);
     assert!(
-        refused.stderr.contains("invalid value '0' for '--max-fraction <N>': 0 is not in 1..=1000000"),
+        refused.stderr.contains("\"0\" is no limit of fraction (expected an integer from 1 to 1000000)"),
         "{}",
         refused.stderr
     );

@@ -120,13 +120,13 @@ fn more_sets_than_are_asked_for_are_cut() {
     let rows = "x,y\n0,0\n1,5\n2,1\n3,9\n4,3\n";
     let all = report(&format!("{READ} --eps 0"), rows, 0);
     assert_eq!((all["sets"].as_array().unwrap().len(), &all["complete"]), (10, &json!(true)));
-    let cut = report(&format!("{READ} --eps 0 --max-sets 4"), rows, 0);
+    let cut = report(&format!("{READ} --eps 0 --limit sets=4"), rows, 0);
     assert_eq!((cut["sets"].as_array().unwrap().len(), &cut["complete"]), (4, &json!(false)));
     assert_eq!(cut["growth"][3]["pieces"], 10);
-    let text = printed_with_input(&root(), &format!("{READ} --eps 0 --max-sets 4"), rows.as_bytes());
+    let text = printed_with_input(&root(), &format!("{READ} --eps 0 --limit sets=4"), rows.as_bytes());
     assert!(
         unbroken(&text).contains(
-            "These are 4 of the sets of so few without which something is left; there are more (--max-sets)."
+            "These are 4 of the sets of so few without which something is left; there are more (the limit 'sets')."
         ),
         "{text}"
     );
@@ -151,19 +151,19 @@ fn what_cannot_be_answered_is_refused() {
     let file = "fixtures/norris/norris.csv";
     refuses(
         &root(),
-        &format!("{norris} --max-steps 1"),
+        &format!("{norris} --limit steps=1"),
         1,
         &format!(
             "{file}: at least 1 reading has to be left out; to find the least number takes 144 crossings of bounds, more \
-             than 1; --max-steps raises it"
+             than 1; --limit steps=N raises it"
         ),
     );
     refuses(
         &root(),
-        &format!("{norris}.5 --max-steps 2000 --most 30"),
+        &format!("{norris}.5 --limit steps=2000 --most 30"),
         1,
         &format!(
-            "{file}: to see how the set grows takes 5184 crossings of bounds, more than 2000; --max-steps raises it, a \
+            "{file}: to see how the set grows takes 5184 crossings of bounds, more than 2000; --limit steps=N raises it, a \
              smaller '--most' takes fewer"
         ),
     );

@@ -137,8 +137,9 @@ fn damage_and_bombs_are_refused() {
     }
     for bomb in [gzip(&vec![b'\n'; 1 << 22]), zstd(&vec![b'\n'; 1 << 22])] {
         let directory = directory_with(&[("b", &bomb)]);
-        let run = boundfit(directory.path(), "fit b --x x --y y --eps 1 --max-unpacked 1000000");
-        let words = "refused: it unpacks to more than 1000000 bytes (the limit); --max-unpacked raises it\n";
+        let run = boundfit(directory.path(), "fit b --x x --y y --eps 1 --limit unpacked=1000000");
+        let words =
+            "refused: it unpacks to more than 1000000 bytes (the limit); --limit unpacked=N raises it\n";
         assert!(
             run.status == 1 && run.stderr.starts_with("error: b: ") && run.stderr.ends_with(words),
             "{}",

@@ -415,10 +415,10 @@ fn a_fit_is_written_as_a_representation_of_its_feasible_set() {
 #[test]
 fn the_limit_on_rows_can_be_set() {
     let matrix = b"begin\n3 3 integer\n0 1 0\n0 0 1\n1 -1 -1\nend\n";
-    let run = boundfit_with_input(&root(), "polygon - --max-rows 2", matrix);
-    let message = "error: standard input: line 2, column 1: \"3\": there are more than 2 rows (the limit); --max-rows raises it\n";
+    let run = boundfit_with_input(&root(), "polygon - --limit rows=2", matrix);
+    let message = "error: standard input: line 2, column 1: \"3\": there are more than 2 rows (the limit); --limit rows=N raises it\n";
     assert_eq!((run.status, run.stdout.as_str(), run.stderr.as_str()), (1, "", message));
-    printed_with_input(&root(), "polygon - --max-rows 3", matrix);
+    printed_with_input(&root(), "polygon - --limit rows=3", matrix);
 }
 
 #[test]

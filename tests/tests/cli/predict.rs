@@ -181,7 +181,7 @@ fn a_column_of_values_gives_what_each_gives() {
     assert_eq!((from.status, from.stderr.as_str()), (0, ""));
     assert_eq!(from.stdout.lines().count(), 3_001);
     let text = unbroken(&boundfit(directory.path(), &format!("{plain} --at new.csv:when")).stdout);
-    assert!(text.contains("And 2960 values more, which --format csv and json have."), "{text}");
+    assert!(text.contains("And 2960 values more, which CSV and JSON have."), "{text}");
     let over = boundfit(directory.path(), &format!("{plain} --at new.csv:when --force -o new.csv"));
     assert_eq!(
         (over.status, over.stderr.as_str()),
@@ -228,7 +228,7 @@ fn bad_usage_is_refused() {
             "--at 1e99999999",
             at(
                 "1e99999999",
-                "refused: exponent beyond 10000 (the limit) at character 3; --max-exponent raises it",
+                "refused: exponent beyond 10000 (the limit) at character 3; --limit exponent=N raises it",
             ),
         ),
         ("--grid 0..1", on_grid("0..1", grid)),

@@ -5,7 +5,7 @@ use boundfit_tests::program::root;
 use serde_json::Value;
 
 const TABLE: &str = "fixtures/guesses/pandas-nonames.csv";
-const WORDS: &str = "header in line 1 (else --header no)";
+const WORDS: &str = "header in line 1 (else header no)";
 
 /// Commands whose answers have no place for what a table was taken for; `{}` is the table.
 const WITHOUT_PLACE: [&str; 13] = [
@@ -127,7 +127,7 @@ fn further_tables_are_spoken_of_by_their_own_names() {
         ("half.csv", b"1,0,2\n0,1,2\n-1,-1,1\n".as_slice()),
     ]);
     let note =
-        |file: &str| format!("note: {file}: no header, the first line is a reading (else --header yes)\n");
+        |file: &str| format!("note: {file}: no header, the first line is a reading (else header yes)\n");
     for (line, file) in [
         ("predict data.csv --x 1 --y 2 --eps 1 --at bare.csv:1", "bare.csv"),
         ("status data.csv --x 1 --y 2 --eps 1 --new bare.csv", "bare.csv"),

@@ -252,7 +252,7 @@ fn endless_data_are_refused_in_bounded_time_and_memory() {
     let many = format!("x,y\n1{}\n", ",".repeat(200_000));
     std::fs::write(directory.path().join("many.csv"), many).unwrap();
     for (data, option) in
-        [("/dev/zero", "--max-line"), ("long.csv", "--max-line"), ("many.csv", "--max-columns")]
+        [("/dev/zero", "--limit line=N"), ("long.csv", "--limit line=N"), ("many.csv", "--limit columns=N")]
     {
         let mut command = Command::new("sh");
         command.args(["-c", "ulimit -t 2 && ulimit -v 400000 && exec \"$0\" \"$@\""]).arg(binary());
@@ -261,7 +261,7 @@ fn endless_data_are_refused_in_bounded_time_and_memory() {
         assert_eq!(output.status.code(), Some(1), "{data}: {message}");
         assert!(message.ends_with(&format!("(the limit); {option} raises it\n")), "{data}: {message}");
     }
-    let raised = boundfit(directory.path(), "verify p.json long.csv --max-line 100000000");
+    let raised = boundfit(directory.path(), "verify p.json long.csv --limit line=100000000");
     assert!(raised.status == 4 && raised.stdout.contains("sha256: is not that of the data"), "{raised:?}");
 }
 

@@ -46,7 +46,7 @@ fn powers_of_ten_far_apart_are_refused_where_they_pass_the_limit() {
         let place = "error: data.csv: line ";
         assert!(run.status == 1 && run.stderr.starts_with(place), "{line}: {run:?}");
         let problem = "refused: exact arithmetic on ";
-        let limit = " products of machine words, more than 400000000 (the limit); --max-work raises it\n";
+        let limit = " products of machine words, more than 400000000 (the limit); --limit work=N raises it\n";
         assert!(run.stderr.contains(problem) && run.stderr.ends_with(limit), "{line}: {run:?}");
     }
 }
@@ -58,9 +58,9 @@ fn a_long_bound_counts_in_every_row() {
     let run = boundfit(directory.path(), line);
     let start = "error: data.csv: refused: exact arithmetic on 15 rows of up to ";
     assert!(run.status == 1 && run.stderr.starts_with(start), "{run:?}");
-    assert!(run.stderr.ends_with(" (the limit); --max-work raises it\n"), "{run:?}");
+    assert!(run.stderr.ends_with(" (the limit); --limit work=N raises it\n"), "{run:?}");
     for line in [
-        &format!("{line} --max-work 100000000000"),
+        &format!("{line} --limit work=100000000000"),
         "fit data.csv --x x --y y --eps 1e400 --no-lp --format csv",
     ] {
         let run = boundfit(directory.path(), line);
@@ -77,11 +77,11 @@ fn many_different_denominators_are_refused_and_few_in_many_rows_are_not() {
         run.status == 1 && run.stderr.contains(": refused: exact arithmetic on fractions with "),
         "{run:?}"
     );
-    assert!(run.stderr.ends_with(" (the limit); --max-work raises it\n"), "{run:?}");
+    assert!(run.stderr.ends_with(" (the limit); --limit work=N raises it\n"), "{run:?}");
     let inches = (0..20_000)
         .fold("x,y\n".to_owned(), |table, row| table + &format!("{row},{}/{}\n", row, 1 + row % 64));
     let directory = directory_with(&[("data.csv", inches.as_bytes())]);
-    printed(directory.path(), "fit data.csv --x x --y y --eps 1000000 --no-lp --max-work 0");
+    printed(directory.path(), "fit data.csv --x x --y y --eps 1000000 --no-lp --limit work=0");
 }
 
 #[test]
@@ -90,7 +90,7 @@ fn numbers_of_usual_length_need_no_work() {
         (1..500).map(|row| format!("{row}.{},-{}e-300\n", "7".repeat(200), row * row)).collect();
     let directory = directory_with(&[("data.csv", format!("x,y\n{wide}").as_bytes())]);
     for line in [COMMANDS[0], COMMANDS[1], COMMANDS[5]] {
-        printed(directory.path(), &format!("{line} --max-work 0"));
+        printed(directory.path(), &format!("{line} --limit work=0"));
     }
 }
 
@@ -121,7 +121,7 @@ fn half_planes_models_and_claims_count_too() {
     ] {
         let run = boundfit(directory.path(), line);
         assert!(run.status == 1 && run.stderr.starts_with(&format!("error: {place}")), "{line}: {run:?}");
-        assert!(run.stderr.ends_with(" (the limit); --max-work raises it\n"), "{line}: {run:?}");
+        assert!(run.stderr.ends_with(" (the limit); --limit work=N raises it\n"), "{line}: {run:?}");
     }
 }
 
@@ -140,12 +140,12 @@ fn a_case_for_solvers_counts_as_a_check() {
 #[test]
 fn the_limit_is_a_number() {
     let directory = directory_with(&[("data.csv", b"x,y\n1,2\n")]);
-    let line = "fit data.csv --x x --y y --eps 1 --max-work lots";
+    let line = "fit data.csv --x x --y y --eps 1 --limit work=lots";
     check_refusal(
         &boundfit(directory.path(), line),
         line,
         2,
-        "invalid value 'lots' for '--max-work <N>': invalid digit found in string",
+        "invalid value 'work=lots' for '--limit <NAME=N>': \"lots\" is no limit of work (expected an integer from 0)",
     );
 }
 
@@ -169,12 +169,12 @@ fn what_is_not_refused_is_done_in_time() {
 #[test]
 fn long_numbers_count_in_proofs_and_in_what_they_are_compared_with() {
     let directory = directory_with(&[("data.csv", far_apart(12).as_bytes())]);
-    let all = "--max-work 100000000000";
+    let all = "--limit work=100000000000";
     let fit = "fit data.csv --x x --y y --eps 1e9999 --no-lp --proof p.json";
     assert_eq!(boundfit(directory.path(), &format!("{fit} {all}")).status, 0);
-    let limit = " products of machine words, more than 400000000 (the limit); --max-work raises it\n";
+    let limit = " products of machine words, more than 400000000 (the limit); --limit work=N raises it\n";
     let verify = "verify p.json data.csv";
-    let run = boundfit(directory.path(), &format!("{verify} --max-work 10000000"));
+    let run = boundfit(directory.path(), &format!("{verify} --limit work=10000000"));
     let start = "error: p.json: refused: exact arithmetic on ";
     let small_limit = limit.replace("400000000", "10000000");
     assert!(
@@ -236,7 +236,7 @@ fn words_that_are_free_in_one_fit_count_where_it_is_done_for_each_reading_or_cro
         let run = boundfit(directory.path(), &line);
         let place = "error: data.csv: refused: exact arithmetic on ";
         assert!(run.status == 1 && run.stderr.starts_with(place), "{line}: {run:?}");
-        assert!(run.stderr.ends_with(" (the limit); --max-work raises it\n"), "{line}: {run:?}");
+        assert!(run.stderr.ends_with(" (the limit); --limit work=N raises it\n"), "{line}: {run:?}");
         assert!(!directory.path().join("p.json").exists() && !directory.path().join("a.svg").exists());
     }
     printed(directory.path(), &format!("status {question}"));

@@ -126,7 +126,7 @@ fn sheets_that_are_not_there() {
     refused(
         b"x,y\n1,2\n",
         &format!("{XY} --sheet 1"),
-        ": '--sheet' is about workbooks (.xlsx, .ods), and this is none",
+        ": a sheet is asked for, and this is no workbook (.xlsx, .ods)",
     );
 }
 
@@ -158,7 +158,7 @@ fn other_archives_are_named() {
 fn bombs_are_refused_before_memory_is_taken() {
     let too_large = |limit: u64| {
         format!(
-            ": refused: the workbook has or unpacks to more than {limit} bytes (the limit); --max-workbook raises it"
+            ": refused: the workbook has or unpacks to more than {limit} bytes (the limit); --limit workbook=N raises it"
         )
     };
     // A part that nobody reads counts too.
@@ -166,15 +166,15 @@ fn bombs_are_refused_before_memory_is_taken() {
     let padding = vec![b' '; 1 << 20];
     let zeros = archive(&[("xl/workbook.xml", &padding)]);
     assert!(zeros.len() < 10_000);
-    refused(&zeros, &format!("{XY} --max-workbook 100000"), &too_large(100_000));
+    refused(&zeros, &format!("{XY} --limit workbook=100000"), &too_large(100_000));
     let book = xlsx(&[("S", &xlsx_rows(csv, b'A', 1))]);
-    refused(&book, &format!("{XY} --max-workbook 500"), &too_large(500));
+    refused(&book, &format!("{XY} --limit workbook=500"), &too_large(500));
     // Cells far apart: the text of the sheet has a tab for each that is between.
     let far: String =
         (1..200_000).map(|row| format!("<row r=\"{row}\"><c r=\"A{row}\"><v>1</v></c></row>")).collect();
     let far = far + "<row r=\"200000\"><c r=\"XFD200000\"><v>1</v></c></row>";
-    let too_far = ": refused: it unpacks to more than 67108864 bytes and 100 times its size (the limit); --max-ratio raises it";
-    let any_ratio = format!("{XY} --max-ratio 1000000000");
+    let too_far = ": refused: it unpacks to more than 67108864 bytes and 100 times its size (the limit); --limit ratio=N raises it";
+    let any_ratio = format!("{XY} --limit ratio=1000000000");
     refused(&xlsx(&[("S", &far)]), XY, too_far);
     refused(&xlsx(&[("S", &far)]), &any_ratio, &too_large(1 << 30));
     // Repetitions that a library would write out.

@@ -167,7 +167,7 @@ fn what_errors_in_x_do_not_go_with_is_refused() {
         (
             "--x U --y I --eps 1 --x-eps 1e99999999",
             "invalid value '1e99999999' for '--x-eps <NUM|COL>': refused: exponent beyond 10000 (the limit) at character 3; \
-             --max-exponent raises it",
+             --limit exponent=N raises it",
         ),
     ] {
         assert_eq!(refused(CURRENT, options, 2), message, "{options}");

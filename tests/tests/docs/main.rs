@@ -3,5 +3,6 @@
 mod book;
 mod pages;
 mod readme;
+mod surfaces;
 mod theory;
 mod versions;

@@ -177,8 +177,7 @@ fn what_is_wrong_is_told_with_row_and_column() {
         (
             doubles(&[("x", &[1.0, f64::NAN])]),
             x.clone(),
-            "memory: row 2, column 1 (x): \"NaN\": the value is missing, in this row only (expected a number in every row; --missing skip leaves \
-             such rows out)",
+            "memory: row 2, column 1 (x): \"NaN\": the value is missing, in this row only (expected a number in every row)",
         ),
         (
             doubles(&[("x", &[f64::INFINITY])]),

@@ -215,8 +215,8 @@ fn what_cannot_be_proved_or_verified_is_refused() {
         ("verify - -".to_owned(), 2, "cannot both be standard input"),
         ("verify data.csv data.csv".to_owned(), 1, "not a proof"),
         ("verify other.json data.csv".to_owned(), 1, "boundfit/proof/1"),
-        ("verify deep.json data.csv".to_owned(), 1, "64 levels (the limit; --max-nesting raises it)"),
-        ("verify long.json data.csv".to_owned(), 1, "--max-digits raises it"),
+        ("verify deep.json data.csv".to_owned(), 1, "64 levels (the limit; --limit nesting=N raises it)"),
+        ("verify long.json data.csv".to_owned(), 1, "--limit digits=N raises it"),
         ("verify nowhere.json data.csv".to_owned(), 1, "cannot read"),
     ] {
         let run = boundfit(directory.path(), &line);
@@ -232,13 +232,13 @@ fn numbers_beyond_the_limits_are_refused_without_a_verdict() {
     let digits = format!("x,y\n1,2\n3,{}\n", "7".repeat(10_001));
     let directory =
         directory_with(&[("exponent.csv", b"x,y\n1,2\n3,4e-10001\n"), ("digits.csv", digits.as_bytes())]);
-    for (data, option) in [("exponent.csv", "--max-exponent"), ("digits.csv", "--max-digits")] {
-        let raised = format!("{option} 11000");
+    for (data, name) in [("exponent.csv", "exponent"), ("digits.csv", "digits")] {
+        let raised = format!("--limit {name}=11000");
         let fit = format!("fit {data} --x x --y y --eps 1 --no-lp {raised} --proof proof.json");
         assert_eq!(boundfit(directory.path(), &fit).status, 0);
         let run = boundfit(directory.path(), &format!("verify proof.json {data}"));
         assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{data}");
-        assert!(run.stderr.contains(&format!("{option} raises it")), "{data}: {}", run.stderr);
+        assert!(run.stderr.contains(&format!("--limit {name}=N raises it")), "{data}: {}", run.stderr);
         let run = boundfit(directory.path(), &format!("verify proof.json {data} {raised}"));
         assert_eq!(run.status, 0, "{data}: {}", run.stderr);
     }

@@ -8,7 +8,7 @@ use std::fs;
 use boundfit_exact::{DecimalMark, Limits, Rational, Reading, Thousands};
 use boundfit_formats::{
     AskedBlock, AskedDialect, ColumnSelector, CommentMark, DELIMITERS, Encoding, Header, Missing,
-    MissingWords, Source, TableOptions, read_table,
+    MissingWords, Source, TableOptions, Way, read_table,
 };
 use boundfit_tests::program::root;
 use serde_json::Value;
@@ -66,7 +66,9 @@ fn fault(case: &Value) -> Option<String> {
         (Ok(table), Some(_)) => Some(format!("read as {:?}", table.rows)),
         (Err(error), None) => Some(error.to_string()),
         (Err(error), Some(expected)) => {
-            let message = error.to_string();
+            let way = |way: Way| format!("{} {} {}", way.setting.name(), way.value, way.effect);
+            let ways: Vec<String> = error.kind.ways().into_iter().map(way).collect();
+            let message = format!("{error}; {}", ways.join(", "));
             let lacking: Vec<String> =
                 words(expected).into_iter().filter(|words| !message.contains(words)).collect();
             (!lacking.is_empty()).then(|| format!("{message}, without {lacking:?}"))

@@ -61,12 +61,12 @@ fn auto() -> TableOptions {
 
 #[test]
 fn line_1_is_a_header_where_a_cell_of_it_is_no_number_above_numbers() {
-    let nonames = "0 1: 10 12501/500 and 9 more; header in line 1 (else --header no)";
+    let nonames = "0 1: 10 12501/500 and 9 more; header in line 1 (else header no)";
     assert_eq!(said("pandas-nonames.csv", &["2", "3"], &auto()), nonames);
     assert_eq!(said("pandas-nonames.csv", &["0", "1"], &auto()), nonames);
     let reading = with(|options| options.header = Header::Absent);
     assert_eq!(said("pandas-nonames.csv", &["2", "3"], &reading), "col2 col3: 0 1 and 10 more");
-    let years = "1960 1970: 241/50 727/250 and 7 more; header in line 1 (else --header no)";
+    let years = "1960 1970: 241/50 727/250 and 7 more; header in line 1 (else header no)";
     assert_eq!(said("years-as-names.csv", &["4", "5"], &auto()), years);
     let by_name = "1960 1970: 241/50 727/250 and 7 more; header in line 1";
     assert!(said("years-as-names.csv", &["1960", "1970"], &auto()).starts_with(by_name));
@@ -80,8 +80,7 @@ fn line_1_is_a_header_where_a_cell_of_it_is_no_number_above_numbers() {
 #[test]
 fn a_name_that_is_the_number_of_another_column_is_refused() {
     let message = "data: line 1: \"1\" is the name of column 2 and the number of another one (expected '\"1\"', with \
-                   the quotes, for the name; for the number the name of that column, or --header no if the first row is a \
-                   reading)";
+                   the quotes, for the name; for the number the name of that column)";
     assert_eq!(said("scope.csv", &["x-axis", "1"], &auto()), message);
     let units = with(|options| options.dialect.units_row = true);
     assert_eq!(
@@ -106,7 +105,7 @@ fn a_name_that_is_the_number_of_another_column_is_refused() {
 fn a_remark_names_no_columns() {
     assert_eq!(
         said("run1.txt", &["1", "2"], &auto()),
-        "col1 col2: 1 2 and 3 more; no header, the first line is a reading (else --header yes), separated by blanks"
+        "col1 col2: 1 2 and 3 more; no header, the first line is a reading (else header yes), separated by blanks"
     );
     assert_eq!(
         said("taken-out.dat", &["T", "U"], &auto()),
@@ -121,14 +120,13 @@ fn a_remark_names_no_columns() {
 #[test]
 fn blocks_are_told_apart() {
     let list = "1 (run 1), lines 2 to 4, 3 rows; 2 (run 2), lines 8 to 10, 3 rows";
-    let expected =
-        "(expected --block with a number or a name; --block all takes the rows of all of them together)";
+    let expected = "(expected a block by its number or its name)";
     assert_eq!(
         said("gnuplot.dat", &["1", "2"], &auto()),
         format!("data: the file has 2 blocks of rows: {list} {expected}")
     );
     let block = |text: &str| with(|options| options.block = AskedBlock::parse(text));
-    let open = "no header, the first line is a reading (else --header yes)";
+    let open = "no header, the first line is a reading (else header yes)";
     for (asked, rows, said_of) in [
         ("2", "1 7 and 2 more", "block 2 of 2 (run 2)"),
         ("run 2", "1 7 and 2 more", "block 2 of 2 (run 2)"),
@@ -203,7 +201,7 @@ fn marks_of_spreadsheets_are_understood_or_explained() {
     );
     assert_eq!(
         said("commas-twice.csv", &["x", "y"], &auto()),
-        "data: line 2: the row has 4 cells where the first row has 2: decimal commas and commas between columns? (expected semicolons or tabs between the columns, or quotes around numbers with commas and --decimal comma)"
+        "data: line 2: the row has 4 cells where the first row has 2: decimal commas and commas between columns? (expected semicolons or tabs between the columns, or quotes around numbers with commas)"
     );
     assert_eq!(
         said("dates.csv", &["t", "U"], &auto()),
@@ -268,8 +266,7 @@ fn words_and_numbers_for_missing_values_are_told() {
     let refused = with(|options| options.missing_as = words());
     assert_eq!(
         said("overload.csv", &["x", "y"], &refused),
-        "data: line 3, column 2 (y): \"OVLD\": the value is missing, and in 1 row more (expected a number in every row; \
-         --missing skip leaves such rows out)"
+        "data: line 3, column 2 (y): \"OVLD\": the value is missing, and in 1 row more (expected a number in every row)"
     );
 }
 

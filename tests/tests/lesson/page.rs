@@ -157,7 +157,7 @@ fn too_many_readings_are_refused() {
     assert_eq!(run.status, 1);
     assert_eq!(
         run.stderr,
-        "error: data.csv: more than 300 readings are too many for a lesson; choose some with --rows FIRST..LAST, or raise it with --max-readings\n"
+        "error: data.csv: more than 300 readings are too many for a lesson; choose some with --rows FIRST..LAST, or raise it with --limit readings=N\n"
     );
     assert_eq!(files_in(directory.path()), ["data.csv"]);
     let run = boundfit(directory.path(), &format!("{line} --rows 2..301"));

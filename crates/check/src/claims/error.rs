@@ -1,6 +1,6 @@
 //! What can be wrong with a claim.
 
-use boundfit_exact::{Foreign, ParseNumberError};
+use boundfit_exact::{Foreign, Limit, ParseNumberError};
 use boundfit_judge::SolutionError;
 use boundfit_lp::PuiEnd;
 use thiserror::Error;
@@ -16,9 +16,7 @@ pub enum ClaimError {
     )]
     Json(#[from] serde_json::Error),
     /// JSON with arrays or objects too deep inside each other.
-    #[error(
-        "nested deeper than {limit} levels (the limit; --max-nesting raises it) at line {line} column {column}"
-    )]
+    #[error("nested deeper than {limit} levels (the limit) at line {line} column {column}")]
     Nesting {
         /// The deepest level that is read.
         limit: usize,
@@ -73,6 +71,18 @@ pub enum ClaimError {
         /// The other file.
         other: Foreign,
     },
+}
+
+impl ClaimError {
+    /// The limit that was passed, if that is the problem.
+    pub fn limit(&self) -> Option<Limit> {
+        match self {
+            ClaimError::Nesting { .. } => Some(Limit::Nesting),
+            ClaimError::Number { error, .. } => Limit::of_number(&error.kind),
+            ClaimError::Solution(error) => error.limit(),
+            _ => None,
+        }
+    }
 }
 
 /// A claims file that cannot be used, and why.

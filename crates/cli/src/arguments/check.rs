@@ -3,7 +3,6 @@
 use clap::{Args, ValueEnum, value_parser};
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
-use super::shared::LIMITS;
 use super::tolerance::ToleranceArguments;
 use super::{DataArguments, FileArguments, Format, LimitArguments, OutputArguments};
 
@@ -50,9 +49,6 @@ pub(crate) struct CheckArguments {
     /// programs of 'boundfit convert', which its name tells (theta1-min ...); of a folder, the solutions in it; repeatable
     #[arg(long = "claim", value_name = "FILE|DIR")]
     pub(crate) claims: Vec<String>,
-    /// Bytes that a claims file may have
-    #[arg(long, value_name = "BYTES", default_value_t = 1 << 28, help_heading = LIMITS, hide_short_help = true)]
-    pub(crate) max_claim_size: u64,
     /// Judge these ends of the intervals; inf and -inf claim an unbounded end; repeatable
     #[arg(long = "claim-pui", value_name = "LO1,HI1,LO2,HI2", allow_hyphen_values = true)]
     pub(crate) claimed_pui: Vec<String>,

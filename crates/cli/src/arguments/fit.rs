@@ -1,6 +1,6 @@
 //! The arguments of `boundfit fit`.
 
-use boundfit_exact::Rational;
+use boundfit_exact::{Limit, Rational};
 use boundfit_formats::ColumnSelector;
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, value_parser};
@@ -8,8 +8,7 @@ use clap::{Args, value_parser};
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::values::parse_column;
 use super::{
-    DataArguments, FactorRange, FractionArguments, OutputArguments, ReportFormat, ThreadArguments,
-    XErrorArguments,
+    DataArguments, FactorRange, OutputArguments, ReportFormat, ThreadArguments, XErrorArguments, limits,
 };
 
 pub(super) const NOTES: Notes = Notes {
@@ -73,7 +72,7 @@ pub(super) const NOTES: Notes = Notes {
 /// them, the central estimate, least squares with its uncertainty intervals (EUI), and the smallest error bound that
 /// leaves anything.
 #[derive(Debug, Args)]
-#[command(after_help = NOTES.to_string())]
+#[command(after_help = NOTES.to_string(), mut_arg("limit", limits::with(&[Limit::Fraction])))]
 pub(crate) struct FitArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
@@ -130,8 +129,6 @@ pub(crate) struct FitArguments {
     pub(crate) proof: Option<String>,
     #[command(flatten)]
     pub(crate) threads: ThreadArguments,
-    #[command(flatten)]
-    pub(crate) fraction: FractionArguments,
     #[command(flatten)]
     pub(crate) output: OutputArguments<ReportFormat>,
 }

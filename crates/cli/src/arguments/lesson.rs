@@ -1,12 +1,12 @@
 //! The arguments of `boundfit lesson`.
 
+use boundfit_exact::Limit;
 use boundfit_lesson::Language;
-use clap::{Args, value_parser};
+use clap::Args;
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
-use super::shared::LIMITS;
 use super::values::named;
-use super::{DataArguments, FileArguments, LabelArguments};
+use super::{DataArguments, FileArguments, LabelArguments, limits};
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[(
@@ -30,7 +30,7 @@ pub(super) const NOTES: Notes = Notes {
 /// step by step, the error bound as a slider, what each reading contributes, and questions with answers. All numbers
 /// on it are exact and computed when it is written.
 #[derive(Debug, Args)]
-#[command(after_help = NOTES.to_string())]
+#[command(after_help = NOTES.to_string(), mut_arg("limit", |limit| limits::with(&[Limit::Readings])(limit).hide_short_help(false)))]
 pub(crate) struct LessonArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
@@ -40,13 +40,6 @@ pub(crate) struct LessonArguments {
     #[arg(long, default_value = Language::English.code(),
           value_parser = named(Language::ALL.map(|language| (language.code(), language))))]
     pub(crate) language: Language,
-    /// The most readings that a page is written for: its size and the time for it grow with their square
-    #[arg(long, value_name = "N", default_value_t = MOST_READINGS, value_parser = value_parser!(u16).range(1..=i64::from(boundfit_lesson::MOST_ROWS_EVER)),
-          help_heading = LIMITS)]
-    pub(crate) max_readings: u16,
     #[command(flatten)]
     pub(crate) file: FileArguments,
 }
-
-/// The most readings of a lesson, unless more are asked for.
-const MOST_READINGS: u16 = boundfit_lesson::MOST_ROWS as u16;

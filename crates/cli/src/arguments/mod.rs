@@ -6,6 +6,7 @@ mod endings;
 mod fit;
 mod judge;
 mod lesson;
+mod limits;
 mod linearity;
 mod look;
 mod notes;
@@ -36,6 +37,7 @@ pub(crate) use endings::{ending, told_by_name};
 pub(crate) use fit::FitArguments;
 pub(crate) use judge::{JudgeArguments, JudgeFormat};
 pub(crate) use lesson::LessonArguments;
+pub(crate) use limits::{LimitArguments, raises};
 pub(crate) use linearity::LinearityArguments;
 pub(crate) use look::{PictureArguments, refuse_without_picture};
 pub(crate) use notes::Notes;
@@ -49,8 +51,8 @@ pub(crate) use reading::Asked;
 pub(crate) use reduce::ReduceArguments;
 pub(crate) use rows::RowArguments;
 pub(crate) use shared::{
-    DataArguments, FileArguments, Format, FractionArguments, LabelArguments, LimitArguments, OutputArguments,
-    ReplaceArguments, ReportFormat, TableArguments, TableFormat, ThreadArguments,
+    DataArguments, FileArguments, Format, LabelArguments, OutputArguments, ReplaceArguments, ReportFormat,
+    TableArguments, TableFormat, ThreadArguments,
 };
 pub(crate) use solutions::SolutionArguments;
 pub(crate) use status::StatusArguments;

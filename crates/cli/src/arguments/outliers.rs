@@ -1,12 +1,11 @@
 //! The arguments of `boundfit outliers`.
 
-use boundfit_questions::OutlierLimits;
+use boundfit_exact::Limit;
+use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
-use clap::{Args, value_parser};
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
-use super::shared::LIMITS;
-use super::{DataArguments, FractionArguments, OutputArguments, TableFormat, ThreadArguments};
+use super::{DataArguments, OutputArguments, TableFormat, ThreadArguments, limits};
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -38,7 +37,7 @@ pub(super) const NOTES: Notes = Notes {
 /// what is left: the parameters that miss at most q readings are as many convex polygons, apart from each other, as there are
 /// sets. With --most the ranges, area, pieces and holes of the parameters that miss at most 0, 1, 2 ... readings.
 #[derive(Debug, Args)]
-#[command(after_help = NOTES.to_string())]
+#[command(after_help = NOTES.to_string(), mut_arg("limit", limits::with(&[Limit::Fraction, Limit::Sets, Limit::Steps])))]
 pub(crate) struct OutliersArguments {
     #[command(flatten)]
     pub(crate) data: DataArguments,
@@ -46,14 +45,6 @@ pub(crate) struct OutliersArguments {
     /// from 0 to Q
     #[arg(long, value_name = "Q")]
     pub(crate) most: Option<u32>,
-    /// Sets that are listed
-    #[arg(long, value_name = "N", default_value_t = OutlierLimits::default().sets as u32,
-          value_parser = value_parser!(u32).range(1..=1_000_000), help_heading = LIMITS, hide_short_help = true)]
-    max_sets: u32,
-    /// Crossings of two bounds that may be looked at; a million take about a second
-    #[arg(long, value_name = "N", default_value_t = OutlierLimits::default().steps, help_heading = LIMITS,
-          hide_short_help = true)]
-    max_steps: u64,
     /// Also write a proof of the answer to this file, which 'boundfit verify' checks against the data; - for standard output
     /// when the report goes to a file
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
@@ -61,14 +52,5 @@ pub(crate) struct OutliersArguments {
     #[command(flatten)]
     pub(crate) threads: ThreadArguments,
     #[command(flatten)]
-    pub(crate) fraction: FractionArguments,
-    #[command(flatten)]
     pub(crate) output: OutputArguments<TableFormat>,
-}
-
-impl OutliersArguments {
-    /// What finding outliers may take.
-    pub(crate) fn limits(&self) -> OutlierLimits {
-        OutlierLimits { sets: self.max_sets as usize, steps: self.max_steps }
-    }
 }

@@ -1,11 +1,12 @@
 //! The arguments of `boundfit polygon`.
 
+use boundfit_exact::Limit;
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 
 use super::look::PictureArguments;
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
-use super::{FractionArguments, OutputArguments, ReportFormat, TableArguments};
+use super::{OutputArguments, ReportFormat, TableArguments, limits};
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -38,7 +39,7 @@ pub(super) const NOTES: Notes = Notes {
 /// that only ask for other output (maximize, verbose, ...) are passed over; those that mean another set (nonnegative,
 /// project, hull in an H-representation, ...) are refused.
 #[derive(Debug, Args)]
-#[command(after_help = NOTES.to_string())]
+#[command(after_help = NOTES.to_string(), mut_arg("limit", limits::with(&[Limit::Fraction])))]
 pub(crate) struct PolygonArguments {
     /// FILE.ine or FILE.ext (H- or V-representation of cdd and lrs) or FILE.csv (columns a1,a2,b), or - for standard input
     pub(crate) file: String,
@@ -49,8 +50,6 @@ pub(crate) struct PolygonArguments {
     pub(crate) picture: PictureArguments,
     #[command(flatten)]
     pub(crate) table: TableArguments,
-    #[command(flatten)]
-    pub(crate) fraction: FractionArguments,
     #[command(flatten)]
     pub(crate) output: OutputArguments<ReportFormat>,
 }

@@ -6,8 +6,7 @@ use boundfit_estimation::{
 };
 use boundfit_exact::{Foreign, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading, Work};
 use boundfit_formats::{
-    AskedDialect, Header, InputError, InputErrorKind, MemoryBudget, MissingWords, ScanOptions, SizeLimits,
-    Source, TableOptions,
+    AskedDialect, Header, InputError, InputErrorKind, MissingWords, ScanOptions, Source, TableOptions,
 };
 use boundfit_lesson::LessonError;
 use boundfit_questions::{Extent, Moving};
@@ -15,10 +14,10 @@ use boundfit_report::{Origin, Style};
 use clap::ValueEnum;
 
 use super::shared::{EpsilonArguments, LineArguments};
-use super::values::{AskedLimit, number_problem, parse_confidence, parse_factors};
+use super::values::{number_problem, parse_confidence, parse_factors};
 use super::{
-    DataArguments, FitArguments, FractionArguments, LabelArguments, LimitArguments, OutputArguments,
-    ReduceArguments, RowArguments, TableArguments, ThreadArguments,
+    DataArguments, FitArguments, LabelArguments, OutputArguments, ReduceArguments, RowArguments,
+    TableArguments, ThreadArguments, limits,
 };
 use crate::exit::Failure;
 use crate::input;
@@ -66,7 +65,7 @@ impl DataArguments {
 
     /// Opens the file.
     pub(crate) fn open(&self) -> Data<'_> {
-        let source = input::open(&self.data).map_err(Failure::data);
+        let source = input::open(&self.data).map_err(Failure::refused);
         let is_stored = source.as_ref().is_ok_and(Source::is_stored);
         let reading = if is_stored { Reading::Binary64 } else { self.table.reading() };
         let origin =
@@ -190,7 +189,7 @@ impl<'a> Data<'a> {
         asked.check(&source)?;
         let options = ScanOptions { hash, list_rows, ..options };
         let read = Measurements::read_counted(source, &asked.columns, &[], &options, Keep::MOST_ROWS);
-        asked.short_problem(read.map_err(Failure::data)?.0, arguments)
+        asked.short_problem(read.map_err(Failure::refused)?.0, arguments)
     }
 
     fn scanned(
@@ -205,7 +204,7 @@ impl<'a> Data<'a> {
         let options = with(options);
         let conditions = asked.all_conditions();
         let measurements = Measurements::scan(source, &asked.columns, &conditions, &options, keep);
-        asked.short_problem(measurements.map_err(Failure::data)?, arguments)
+        asked.short_problem(measurements.map_err(Failure::refused)?, arguments)
     }
 
     /// The file, and how it is read in parts.
@@ -250,11 +249,11 @@ impl<'a> Data<'a> {
 fn refused_reading(error: InputError) -> Failure {
     match error.kind {
         InputErrorKind::TooManyWanted { limit } => Failure::data(format_args!(
-            "{}: {}; choose some with --rows FIRST..LAST, or raise it with --max-readings",
+            "{}: {}; choose some with --rows FIRST..LAST, or raise it with --limit readings=N",
             error.file,
             LessonError::TooManyRows { rows: limit.saturating_add(1), limit }
         )),
-        _ => Failure::data(error),
+        _ => Failure::refused(error),
     }
 }
 
@@ -522,7 +521,7 @@ impl FitArguments {
     pub(crate) fn moving(&self) -> Result<Option<Moving>, Failure> {
         const EXPECTED: &str = "expected a number above 0, such as 60 or 0.5";
         let extent = match (self.window, &self.window_x) {
-            (Some(count), _) => Extent::Readings(size(count)),
+            (Some(count), _) => Extent::Readings(limits::size(count)),
             (None, Some(_)) if self.data.has_two_regressors() => {
                 return Err(Failure::Usage(
                     "'--window-x' is about a line: two regressors have no x to look back along; '--window' counts readings"
@@ -546,7 +545,7 @@ impl FitArguments {
             }
             (None, None) => return Ok(None),
         };
-        Ok(Some(Moving { extent, step: self.step.map_or(1, size) }))
+        Ok(Some(Moving { extent, step: self.step.map_or(1, limits::size) }))
     }
 }
 
@@ -630,54 +629,12 @@ impl LabelArguments {
     }
 }
 
-impl LimitArguments {
-    /// Of one number.
-    pub(crate) fn number(&self) -> Limits {
-        Limits { digits: size(self.max_digits), exponent: self.max_exponent }
-    }
-
-    /// Bytes of memory, one budget for all that the command reads; of several the last.
-    fn memory(&self) -> MemoryBudget {
-        let asked = self.limit.iter().map(|AskedLimit::Memory(budget)| budget.clone()).next_back();
-        asked.unwrap_or_else(|| SizeLimits::default().memory)
-    }
-
-    /// Of a file.
-    pub(crate) fn sizes(&self) -> SizeLimits {
-        SizeLimits {
-            line: size(self.max_line),
-            columns: size(self.max_columns),
-            rows: size(self.max_rows),
-            elements: size(self.max_elements),
-            unpacked: self.max_unpacked,
-            ratio: self.max_ratio,
-            workbook: self.max_workbook,
-            work: self.max_work,
-            text: self.max_text,
-            nesting: usize::from(self.max_nesting),
-            memory: self.memory(),
-        }
-    }
-}
-
-/// A size that no memory of this machine holds is as good as the largest one.
-fn size(asked: u64) -> usize {
-    usize::try_from(asked).unwrap_or(usize::MAX)
-}
-
 impl ThreadArguments {
     /// Sets the number of threads for the rest of the program.
     pub(crate) fn set(&self) -> Result<(), Failure> {
         let Some(threads) = self.threads else { return Ok(()) };
         let builder = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
         builder.build_global().map_err(Failure::data)
-    }
-}
-
-impl FractionArguments {
-    /// A style with this limit.
-    pub(crate) fn limited(&self, style: Style) -> Style {
-        Style { longest_fraction: size(self.max_fraction.into()), ..style }
     }
 }
 

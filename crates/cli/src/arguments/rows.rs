@@ -6,6 +6,8 @@ use clap::Args;
 
 use crate::exit::Failure;
 
+use super::raises;
+
 /// Which data rows are used.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct RowArguments {
@@ -65,7 +67,7 @@ fn problem(error: &ParseRowConditionError) -> String {
         _ => None,
     };
     match limit {
-        Some(limit) => format!("{error}; {} raises it", limit.flag()),
+        Some(limit) => format!("{error}; {}", raises(limit)),
         None => format!(
             "{error} (expected a column, one of < <= = != >= >, and a number, such as 'temperature >= 20')"
         ),

@@ -1,20 +1,20 @@
 //! The arguments of several commands.
 
-use boundfit_exact::{DecimalMark, Foreign, MOST_WORK, Reading, Thousands};
+use boundfit_exact::{DecimalMark, Foreign, Reading, Thousands};
 use boundfit_formats::{AskedBlock, ColumnSelector, CommentMark, Encoding, Header, Missing};
-use boundfit_report::{EndRounding, LONGEST_FRACTION};
+use boundfit_report::EndRounding;
 use clap::builder::NonEmptyStringValueParser;
 use clap::{ArgAction, Args, ValueEnum, value_parser};
 
 use crate::exit::Failure;
 use crate::output::Guard;
 
-use super::RowArguments;
 use super::endings::{NamedFormat, told_by_name};
 use super::values::{
-    AskedLimit, DECIMAL_MARKS, IfAsked, Regressors, delimiters, named, named_or_auto, parse_block,
-    parse_column, parse_comment, parse_encoding, parse_limit, parse_regressors, parse_thousands,
+    DECIMAL_MARKS, IfAsked, Regressors, delimiters, named, named_or_auto, parse_block, parse_column,
+    parse_comment, parse_encoding, parse_regressors, parse_thousands,
 };
+use super::{LimitArguments, RowArguments};
 
 /// Where a text goes.
 #[derive(Debug, Args)]
@@ -178,78 +178,6 @@ pub(crate) struct TableArguments {
 
 /// The heading of what tells how a table is written.
 const TEXT: &str = "Tables";
-
-/// The heading of limits in the help, below all other options.
-pub(super) const LIMITS: &str = "Limits";
-
-/// What an input may ask for at most, so that a hostile one costs neither memory nor time. The short help is silent about
-/// it: a message that names a limit also names the option that raises it.
-#[derive(Debug, Clone, Args)]
-pub(crate) struct LimitArguments {
-    /// Digits of one number, of a fraction above and below its bar
-    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = value_parser!(u64).range(1..=1_000_000),
-          help_heading = LIMITS, hide_short_help = true)]
-    pub(super) max_digits: u64,
-    /// Absolute value of a decimal exponent
-    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = value_parser!(u32).range(0..=1_000_000),
-          help_heading = LIMITS, hide_short_help = true)]
-    pub(super) max_exponent: u32,
-    /// Bytes of one line, and of one row that goes over several
-    #[arg(long, value_name = "BYTES", default_value_t = 1 << 24, value_parser = value_parser!(u64).range(1..=1 << 32),
-          help_heading = LIMITS, hide_short_help = true)]
-    pub(super) max_line: u64,
-    /// Columns of a table of text
-    #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = value_parser!(u64).range(1..=1 << 32),
-          help_heading = LIMITS, hide_short_help = true)]
-    pub(super) max_columns: u64,
-    /// Rows that an .ine or .ext file announces, a linear program has, or that are held in memory
-    #[arg(long, value_name = "N", default_value_t = 10_000_000, value_parser = value_parser!(u64).range(1..=1 << 32),
-          help_heading = LIMITS, hide_short_help = true)]
-    pub(super) max_rows: u64,
-    /// Elements of one array in a .mat file, coefficients of a linear program
-    #[arg(long, value_name = "N", default_value_t = 100_000_000, value_parser = value_parser!(u64).range(1..=1 << 32),
-          help_heading = LIMITS, hide_short_help = true)]
-    pub(super) max_elements: u64,
-    /// Bytes that a .gz or .zst file may unpack to
-    #[arg(long, value_name = "BYTES", default_value_t = 1 << 36, value_parser = value_parser!(u64).range(1..),
-          help_heading = LIMITS, hide_short_help = true)]
-    pub(super) max_unpacked: u64,
-    /// How many times its size a packed file of any kind may unpack to, beyond 64 MB
-    #[arg(long, value_name = "N", default_value_t = 100, value_parser = value_parser!(u64).range(1..),
-          help_heading = LIMITS, hide_short_help = true)]
-    pub(super) max_ratio: u64,
-    /// Bytes that an .xlsx or .ods workbook may have, packed or unpacked
-    #[arg(long, value_name = "BYTES", default_value_t = 1 << 30, value_parser = value_parser!(u64).range(1..=1 << 40),
-          help_heading = LIMITS, hide_short_help = true)]
-    pub(super) max_workbook: u64,
-    /// Products of machine words that exact arithmetic on numbers of more than a thousand digits may take
-    #[arg(long, value_name = "N", default_value_t = MOST_WORK, help_heading = LIMITS, hide_short_help = true)]
-    pub(super) max_work: u64,
-    /// Bytes of a file of half-planes or of a linear program
-    #[arg(long, value_name = "BYTES", default_value_t = 1 << 30, value_parser = value_parser!(u64).range(1..),
-          help_heading = LIMITS, hide_short_help = true)]
-    pub(super) max_text: u64,
-    /// The most that the whole command may take of something; 'memory=SIZE', such as 512MiB or 4GiB (1 GiB when left out):
-    /// what readings that are held take, with all that is made of them, and what reading a file takes. Repeatable
-    // The default is a value like others, so that one budget is made for all that the command reads.
-    #[arg(long, value_name = "NAME=N", value_parser = parse_limit, default_value = "memory=1GiB", hide_default_value = true,
-          help_heading = LIMITS, hide_short_help = true)]
-    pub(super) limit: Vec<AskedLimit>,
-    /// Depth of arrays and objects in a JSON file
-    #[arg(long, value_name = "N", default_value_t = 64, value_parser = value_parser!(u8).range(1..=120),
-          help_heading = LIMITS, hide_short_help = true)]
-    pub(super) max_nesting: u8,
-}
-
-/// How much of a long exact number is written.
-#[derive(Debug, Args)]
-pub(crate) struct FractionArguments {
-    /// Digits of the fraction of an area or centroid, which takes as many as all vertices together; beyond, its decimal alone
-    /// is written
-    #[arg(long, value_name = "N", default_value_t = LONGEST_FRACTION as u32, value_parser = value_parser!(u32).range(1..=1_000_000),
-          help_heading = LIMITS, hide_short_help = true)]
-    pub(super) max_fraction: u32,
-}
 
 /// How the answer is written.
 #[derive(Debug, Args)]

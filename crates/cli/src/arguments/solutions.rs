@@ -2,7 +2,6 @@
 
 use clap::Args;
 
-use super::shared::LIMITS;
 use super::tolerance::ToleranceArguments;
 
 /// Solutions of the model, and how far they may be off.
@@ -14,7 +13,4 @@ pub(crate) struct SolutionArguments {
     pub(crate) solutions: Vec<String>,
     #[command(flatten)]
     pub(crate) tolerance: ToleranceArguments,
-    /// Bytes that a solution may have
-    #[arg(long, value_name = "BYTES", default_value_t = 1 << 28, help_heading = LIMITS, hide_short_help = true)]
-    pub(crate) max_solution_size: u64,
 }

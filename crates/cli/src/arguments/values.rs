@@ -10,6 +10,8 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::exit::Failure;
 
+use super::raises;
+
 /// The columns of one or two regressors.
 #[derive(Debug, Clone)]
 pub(crate) struct Regressors {
@@ -89,30 +91,8 @@ pub(super) fn explained<T: Clone + Send + Sync + 'static>(
     })
 }
 
-/// A limit by its name.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum AskedLimit {
-    /// Bytes of memory, of which all that a command reads takes its own.
-    Memory(MemoryBudget),
-}
-
-/// Reads `memory=512MiB`.
-pub(super) fn parse_limit(text: &str) -> Result<AskedLimit, String> {
-    const EXPECTED: &str = "expected memory=SIZE, such as memory=512MiB or memory=4GiB";
-    let (name, number) = text.split_once('=').ok_or(EXPECTED)?;
-    match name.trim() {
-        "memory" => {
-            let budget = parse_size(number.trim()).map(MemoryBudget::new);
-            budget.map(AskedLimit::Memory).ok_or_else(|| {
-                "expected a size in bytes above 0, with k, M, G (1000) or KiB, MiB, GiB (1024) behind it, such as 512MiB".to_owned()
-            })
-        }
-        other => Err(format!("there is no limit of the name {other:?} ({EXPECTED})")),
-    }
-}
-
 /// Bytes: `1500000`, `512MiB`, `2G`, `1.5GiB`.
-fn parse_size(text: &str) -> Option<u64> {
+pub(super) fn parse_size(text: &str) -> Option<u64> {
     const UNITS: [(&str, u64); 9] = [
         ("KiB", 1 << 10),
         ("MiB", 1 << 20),
@@ -176,7 +156,7 @@ fn split_at_commas(text: &str) -> Vec<&str> {
 /// What is wrong with a number: that it is none, with what was expected, or how the limit is raised that it passes.
 pub(crate) fn number_problem(error: &ParseNumberError, expected: &str) -> String {
     match Limit::of_number(&error.kind) {
-        Some(limit) => format!("refused: {error}; {} raises it", limit.flag()),
+        Some(limit) => format!("refused: {error}; {}", raises(limit)),
         None if error.kind == ParseNumberErrorKind::Comma => {
             format!("not a number: {error} (options take a point, whatever the data have: 1.5, not 1,5)")
         }

@@ -6,7 +6,7 @@ use boundfit_exact::Reading;
 use boundfit_formats::{ColumnSelector, Header};
 
 use super::notes::{BAD_USAGE, Notes};
-use super::shared::{EpsilonArguments, LIMITS, LineArguments};
+use super::shared::{EpsilonArguments, LineArguments};
 use super::values::{IfAsked, Regressors, delimiters, named, named_or_auto, parse_column, parse_regressors};
 use super::{FileArguments, Format, LimitArguments, RowArguments};
 
@@ -53,9 +53,6 @@ pub(crate) struct VerifyArguments {
     pub(crate) format: Option<Format>,
     #[command(flatten)]
     pub(crate) limits: LimitArguments,
-    /// Bytes that a proof may have
-    #[arg(long, value_name = "BYTES", default_value_t = 1 << 28, help_heading = LIMITS, hide_short_help = true)]
-    pub(crate) max_proof_size: u64,
     #[command(flatten)]
     pub(crate) file: FileArguments,
     /// Column of x by header name or number from 1; two for the model y = theta1*COL + theta2*COL2 + e

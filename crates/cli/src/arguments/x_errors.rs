@@ -114,7 +114,7 @@ impl Data<'_> {
             let options = ScanOptions { table: options, ..arguments.scan_options(&source)? };
             Measurements::read_counted(source, &asked.columns, &beside, &options, Keep::MOST_ROWS)
         };
-        let read = read.map_err(Failure::data)?;
+        let read = read.map_err(Failure::refused)?;
         let (measurements, mut further) = read;
         let bounds = match bounds {
             AskedXBounds::Uniform(bound) => XBounds::Uniform(bound),

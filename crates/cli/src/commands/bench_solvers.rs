@@ -117,8 +117,8 @@ fn judged_model(folder: &Path, name: &str, limits: &LimitArguments) -> Result<Ve
     let case = json_of(&json)?;
     let mps = folder.join(format!("{name}.mps")).to_string_lossy().into_owned();
     let fail = |error: SolveError| Failure::data(format_args!("{}: {error}", Foreign::of(&mps)));
-    let source = input::open(&mps).map_err(Failure::data)?;
-    let file = WholeFile::read(source, &limits.sizes()).map_err(Failure::data)?;
+    let source = input::open(&mps).map_err(Failure::refused)?;
+    let file = WholeFile::read(source, &limits.sizes()).map_err(Failure::refused)?;
     let model = model_of(&file, limits)?;
     refuse_long(Foreign::of(&mps), &model.work(), times::CHECK, limits)?;
     let plane = Plane::new(&model).map_err(fail)?;
@@ -180,8 +180,8 @@ fn judged_fit(
         form: LineForm::default(),
     };
     let csv = folder.join(format!("{name}.csv")).to_string_lossy().into_owned();
-    let source = input::open(&csv).map_err(Failure::data)?;
-    let measurements = Measurements::read(source, &columns, table).map_err(Failure::data)?;
+    let source = input::open(&csv).map_err(Failure::refused)?;
+    let measurements = Measurements::read(source, &columns, table).map_err(Failure::refused)?;
     let problem = Problem { measurements, conditions: Vec::new() };
     refuse_long_problem(Foreign::of(&csv), &problem, times::CHECK, limits)?;
     let options = CheckOptions {

@@ -52,11 +52,11 @@ fn options(arguments: &CheckArguments, claim_files: Vec<String>) -> Result<Check
     let limits = ClaimLimits { number: limits.number(), nesting: limits.sizes().nesting };
     let mut claims = Vec::new();
     for file in claim_files {
-        let text = read_text(&file, arguments.max_claim_size, "--max-claim-size")?;
+        let text = read_text(&file, arguments.data.table.limits.statement())?;
         refuse_long_text(Foreign::of(&file), &text, &arguments.data.table.limits)?;
         claims.push(ClaimText { file: file.into(), text });
     }
-    let mut answers = read_claims(&claims, &limits).map_err(Failure::data)?;
+    let mut answers = read_claims(&claims, &limits).map_err(Failure::refused)?;
     for text in &arguments.claimed_pui {
         let answer = parse_claim_pui(text);
         answers.push(answer.map_err(|error| Failure::value("--claim-pui <LO1,HI1,LO2,HI2>", text, error))?);

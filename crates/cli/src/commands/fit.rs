@@ -74,7 +74,7 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     });
     let confidence = arguments.confidence.as_ref();
     let guarantee = confidence.and_then(|confidence| Guarantee::new(&problem.measurements, confidence));
-    let style = arguments.fraction.limited(arguments.output.style());
+    let style = arguments.data.table.limits.limited(arguments.output.style());
     let inverse = if arguments.inverse { InverseLine::Always } else { InverseLine::default() };
     let document = |lp_verdict: Option<String>| {
         if arguments.brief {

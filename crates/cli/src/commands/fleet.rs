@@ -63,7 +63,7 @@ pub(super) fn read(arguments: &DataArguments, by: &ColumnSelector) -> Result<(As
     let asked = data.asked()?;
     let (source, options) = data.scan()?;
     let options = ScanOptions { hash: false, list_rows: false, ..options };
-    let fleet = Fleet::read(source, &asked.columns, by, options).map_err(Failure::data)?;
+    let fleet = Fleet::read(source, &asked.columns, by, options).map_err(Failure::refused)?;
     refuse_long_groups(arguments, &asked, &fleet)?;
     Ok((asked, fleet))
 }

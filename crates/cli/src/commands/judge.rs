@@ -162,13 +162,13 @@ fn picture(
 }
 
 fn read(arguments: &JudgeArguments) -> Result<WholeFile, Failure> {
-    let source = input::open(&arguments.model).map_err(Failure::data)?;
-    WholeFile::read(source, &arguments.limits.sizes()).map_err(Failure::data)
+    let source = input::open(&arguments.model).map_err(Failure::refused)?;
+    WholeFile::read(source, &arguments.limits.sizes()).map_err(Failure::refused)
 }
 
 /// The model in a file, in the format that its name or its first word tells.
 pub(super) fn model_of(file: &WholeFile, limits: &LimitArguments) -> Result<Model, Failure> {
-    let fail = |error| Failure::data(format_args!("{}: {error}", file.name));
+    let fail = |error| Failure::refused_of(file.name.borrowed(), error);
     let text = model_text(&file.content).map_err(fail)?;
     refuse_long_text(file.name.borrowed(), text, limits)?;
     let sizes = limits.sizes();

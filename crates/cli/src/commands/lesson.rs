@@ -17,12 +17,15 @@ pub(crate) fn run(arguments: &LessonArguments) -> CommandResult {
     let guard = arguments.file.replace.guard([arguments.data.path()]);
     guard.check(output)?;
     told_by_name(output, &[("html", ()), ("htm", ())], None)?;
-    let most = usize::from(arguments.max_readings);
+    let most = arguments.data.table.limits.readings();
     let data = arguments.data.open().at_most(most);
     let reading = data.origin().reading;
     let problem = data.problem_with_cells()?;
     if problem.measurements.is_of_reductions() {
-        return Err(Failure::data(InputError::of_file(arguments.data.file_name(), ReductionError::NotHere)));
+        return Err(Failure::refused(InputError::of_file(
+            arguments.data.file_name(),
+            ReductionError::NotHere,
+        )));
     }
     refuse_long_lesson(arguments.data.file_name(), &problem, &arguments.data.table.limits)?;
     let fit = fit(&problem);

@@ -30,7 +30,7 @@ pub(crate) fn run(arguments: &OutliersArguments) -> CommandResult {
     let origin = data.origin();
     let shows_data = format == TableFormat::Json || arguments.proof.is_some();
     let problem = data.counted_readings(shows_data, shows_data)?;
-    let (file, limits) = (arguments.data.file_name(), arguments.limits());
+    let (file, limits) = (arguments.data.file_name(), arguments.data.table.limits.outliers());
     refuse_long_outliers(file, &problem, &arguments.data.table.limits)?;
     if format == TableFormat::Csv {
         input::say_table(arguments.data.file_name(), problem.measurements.table());
@@ -58,7 +58,7 @@ pub(crate) fn run(arguments: &OutliersArguments) -> CommandResult {
         growth: &growth,
         shows_growth: arguments.most.is_some() && found.is_ok(),
     };
-    let style = arguments.fraction.limited(arguments.output.style());
+    let style = arguments.data.table.limits.limited(arguments.output.style());
     let document = || outliers_document(&report, &origin, &style);
     let text = match format {
         TableFormat::Text => document().to_text(),
@@ -88,7 +88,7 @@ fn proof(report: &OutliersReport, reading: Reading, file: Foreign<&str>) -> Resu
 pub(crate) fn refusal(file: Foreign<&str>, why: &NoOutliers, steps: Option<u64>) -> Failure {
     let help = |needed: &u64| match steps {
         Some(steps) => {
-            format!("takes {needed} crossings of bounds, more than {steps}; --max-steps raises it")
+            format!("takes {needed} crossings of bounds, more than {steps}; --limit steps=N raises it")
         }
         None => format!("takes {needed} crossings of bounds, too many for a figure (see boundfit outliers)"),
     };

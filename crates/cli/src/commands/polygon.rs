@@ -33,9 +33,9 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
     let reading = arguments.table.reading();
     let options = arguments.table.options(reading, None)?;
     let options = TableOptions { row_cost: memory::OF_A_HALF_PLANE, ..options };
-    let source = input::open(&arguments.file).map_err(Failure::data)?;
+    let source = input::open(&arguments.file).map_err(Failure::refused)?;
     let name = source.name().to_owned();
-    let file = read_half_planes(source, &options).map_err(Failure::data)?;
+    let file = read_half_planes(source, &options).map_err(Failure::refused)?;
     refuse_long(name.borrowed(), &file.system.work(), times::POLYGON, &arguments.table.limits)?;
     input::say_table(name.borrowed(), file.table.as_ref());
     let polyhedron = Polyhedron::intersect(file.system.clone());
@@ -44,7 +44,7 @@ pub(crate) fn run(arguments: &PolygonArguments) -> CommandResult {
         if file.generators.is_some() { format!("facet:{row}") } else { row.to_string() }
     };
     let active = |indices: &[usize]| (indices.iter().map(name_of).collect(), 0);
-    let style = arguments.fraction.limited(arguments.output.style());
+    let style = arguments.table.limits.limited(arguments.output.style());
     let document = || polygon_document(&file, &polyhedron, name.borrowed(), &style);
     let report = match format {
         ReportFormat::Text => document().to_text(),

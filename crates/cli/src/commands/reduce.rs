@@ -17,14 +17,14 @@ pub(crate) fn run(arguments: &ReduceArguments) -> CommandResult {
     let guard = arguments.file.replace.guard([arguments.data.as_str()]);
     guard.check(output)?;
     told_by_name(output, &[("csv", ()), ("tsv", ()), ("txt", ())], None)?;
-    let source = input::open(&arguments.data).map_err(Failure::data);
+    let source = input::open(&arguments.data).map_err(Failure::refused);
     let is_stored = source.as_ref().is_ok_and(Source::is_stored);
     let reading = if is_stored { Reading::Binary64 } else { arguments.table.reading() };
     let columns = arguments.columns(reading)?;
     let source = source?;
     let options = arguments.table.scan_options(&source, Some(&arguments.rows))?;
     let options = ScanOptions { list_rows: false, ..options };
-    let reduced = ReducedTable::scan(source, &columns, &options).map_err(Failure::data)?;
+    let reduced = ReducedTable::scan(source, &columns, &options).map_err(Failure::refused)?;
     input::say_table(Foreign::of(input::named(&arguments.data)), reduced.table());
     let mut text = Vec::new();
     // Writing to memory cannot fail.

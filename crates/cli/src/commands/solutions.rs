@@ -25,8 +25,8 @@ pub(super) fn judged(
     }
     let ground = Ground::new(model, answer);
     let one = |file: &String| {
-        let text = read_text(file, arguments.max_solution_size, "--max-solution-size")?;
-        let fail = |error| Failure::data(format_args!("{}: {error}", Foreign::of(file)));
+        let text = read_text(file, limits.statement())?;
+        let fail = |error| Failure::refused_of(Foreign::of(file), error);
         refuse_long_text(Foreign::of(file), &text, limits)?;
         let solution = Solution::new(&read_solution(&text, &limits.number()).map_err(fail)?, model);
         let solution = solution.map_err(fail)?;

@@ -173,7 +173,7 @@ impl Question<'_> {
     ) -> Result<Measurements, Failure> {
         let data = &self.arguments.data;
         let changed = || Failure::data(InputError::of_file(data.file_name(), InputErrorKind::Changed));
-        let source = input::open(data.path()).map_err(Failure::data)?;
+        let source = input::open(data.path()).map_err(Failure::refused)?;
         let mut options = data.scan_options(&source)?;
         let holes = without.iter().filter_map(|&row| RowRange::new(row, row));
         let holes: Vec<RowRange> = options.table.rows.without().iter().copied().chain(holes).collect();
@@ -184,7 +184,7 @@ impl Question<'_> {
         if notation.is_some_and(|notation| notation.decimal == DecimalMark::Comma) {
             options.table.dialect.decimal = Some(DecimalMark::Comma);
         }
-        let seen = self.scan(source, self.columns, &options, see, seen).map_err(Failure::data)?;
+        let seen = self.scan(source, self.columns, &options, see, seen).map_err(Failure::refused)?;
         let is_same = seen.sha256() == first.sha256() && seen.fitted() + without.len() == first.fitted();
         if is_same { Ok(seen) } else { Err(changed()) }
     }
@@ -209,7 +209,7 @@ impl Question<'_> {
         see: impl Fn(&mut dyn Iterator<Item = Measurement>) -> T + Sync + Send,
         seen: impl FnMut(T),
     ) -> Result<(), Failure> {
-        let source = input::open(file).map_err(Failure::data)?;
+        let source = input::open(file).map_err(Failure::refused)?;
         let problem = match &self.columns.epsilon {
             EpsilonColumn::Law(law) if law.needs_range() => Some(
                 "'--new' is about readings with bounds of their own, and a law with range(y) takes them from all of a table: \
@@ -225,7 +225,7 @@ impl Question<'_> {
         }
         let options = self.arguments.data.table.scan_options(&source, None)?;
         let options = ScanOptions { hash: false, ..options };
-        let new = self.scan(source, self.columns, &options, see, seen).map_err(Failure::data)?;
+        let new = self.scan(source, self.columns, &options, see, seen).map_err(Failure::refused)?;
         input::say_table(Foreign::of(input::named(file)), new.table());
         Ok(())
     }

@@ -4,13 +4,13 @@ use std::fs::{self, File};
 use std::io::{self, Read, Seek, Write};
 
 use boundfit_check::nested_beyond;
-use boundfit_exact::{Foreign, Work};
+use boundfit_exact::{Foreign, Limit, Work};
 use boundfit_formats::SizeLimits;
 use boundfit_report::{Verdict, verify_json, verify_text};
 use boundfit_verify::{DataLimits, Failure as Unverified, Proof};
 
 use crate::CommandResult;
-use crate::arguments::{Format, LimitArguments, VerifyArguments};
+use crate::arguments::{Format, LimitArguments, VerifyArguments, raises};
 use crate::exit::{Exit, Failure};
 use crate::input::{named, read_text};
 use crate::output;
@@ -19,18 +19,18 @@ use crate::work::{refuse_long, times};
 
 /// Reads the proof and the data, checks one against the other and writes the verdict.
 pub(crate) fn run(arguments: &VerifyArguments) -> CommandResult {
-    let VerifyArguments { proof: proof_file, data: data_file, format, limits, max_proof_size, file, .. } =
-        arguments;
+    let VerifyArguments { proof: proof_file, data: data_file, format, limits, file, .. } = arguments;
     let format = file.format(*format)?;
     if proof_file == "-" && data_file == "-" {
         return Err(Failure::Usage("the proof and the data cannot both be standard input".to_owned()));
     }
     let guard = file.replace.guard([proof_file.as_str(), data_file]);
     guard.check(file.output.as_deref())?;
-    let text = read_proof(proof_file, limits, *max_proof_size)?;
+    let text = read_proof(proof_file, limits)?;
     let proof = Proof::read(text.as_bytes(), &limits.number()).map_err(|problem| {
+        let raised = problem.limit().map(|limit| format!("; {}", raises(limit))).unwrap_or_default();
         Failure::data(format_args!(
-            "{}: not a proof: {problem} (expected JSON of schema boundfit/proof/1 or boundfit/proof/2)",
+            "{}: not a proof: {problem} (expected JSON of schema boundfit/proof/1 or boundfit/proof/2){raised}",
             Foreign::of(named(proof_file))
         ))
     })?;
@@ -45,9 +45,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> CommandResult {
         // What is refused says nothing of the proof.
         Err(other) => {
             let raised = match &other {
-                Unverified::Refused(refusal) => {
-                    refusal.limit().map(|limit| format!("; {} raises it", limit.flag()))
-                }
+                Unverified::Refused(refusal) => refusal.limit().map(|limit| format!("; {}", raises(limit))),
                 _ => None,
             };
             let data = Foreign::of(named(data_file));
@@ -118,14 +116,15 @@ impl Read for Copied {
 }
 
 /// The text of a proof that keeps to the limits.
-fn read_proof(file: &str, limits: &LimitArguments, largest: u64) -> Result<String, Failure> {
-    let text = read_text(file, largest, "--max-proof-size")?;
+fn read_proof(file: &str, limits: &LimitArguments) -> Result<String, Failure> {
+    let text = read_text(file, limits.statement())?;
     let nesting = limits.sizes().nesting;
     if let Some((line, column)) = nested_beyond(&text, nesting) {
         return Err(Failure::data(format_args!(
-            "{}: not a proof: refused: nested deeper than {nesting} levels (the limit; --max-nesting raises it) at line \
+            "{}: not a proof: refused: nested deeper than {nesting} levels (the limit; {raises}) at line \
              {line} column {column}",
-            Foreign::of(named(file))
+            Foreign::of(named(file)),
+            raises = raises(Limit::Nesting)
         )));
     }
     refuse_long(Foreign::of(named(file)), &Work::of_digits(&text), times::FIT, limits)?;

@@ -24,7 +24,7 @@ pub(crate) fn run(arguments: &FitArguments, format: ReportFormat, guard: &mut Gu
     }
     let (plain, answer): (_, XErrorFit) =
         while_working("fitting", || (fit(problem.problem()), problem.fit()));
-    let style = arguments.fraction.limited(arguments.output.style());
+    let style = arguments.data.table.limits.limited(arguments.output.style());
     let document = || x_error_document(&problem, &answer, &plain, &origin, &style);
     let report = match format {
         ReportFormat::Json => x_error_json(&problem, &answer, &plain, &origin, &style),

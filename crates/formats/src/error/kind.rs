@@ -14,6 +14,7 @@ use crate::selection::RowRange;
 use crate::unpack::UnpackError;
 
 use super::names::{advice, are_no_names};
+use super::ways::{Setting, Way};
 
 /// As many names as a message lists.
 const MOST_NAMES: usize = 10;
@@ -144,7 +145,7 @@ pub enum InputErrorKind {
         available: Vec<Foreign>,
     },
     /// A sheet of what has none.
-    #[error("'--sheet' is about workbooks (.xlsx, .ods), and this is none")]
+    #[error("a sheet is asked for, and this is no workbook (.xlsx, .ods)")]
     NoSheets,
     /// JSON that is none, or no records.
     #[error("read as JSON, where {expected} belongs here")]
@@ -253,10 +254,10 @@ pub enum InputErrorKind {
     #[error("another block of rows begins here")]
     NextBlock,
     /// Words for missing values where there are no words.
-    #[error("'--missing-as' is about text and workbooks, and this is neither")]
+    #[error("words for missing values are asked for, and this is neither text nor a workbook")]
     NoMissingWords,
     /// A block of what has none.
-    #[error("'--block' is about text and workbooks, and this is neither")]
+    #[error("a block is asked for, and this is neither text nor a workbook")]
     NoBlocks,
     /// A column that is asked for twice.
     #[error("the same column is asked for as {first:?} and as {second:?}")]
@@ -486,19 +487,60 @@ impl InputErrorKind {
         }
     }
 
+    /// What can be set so that the file is read, in the order in which it helps.
+    pub fn ways(&self) -> Vec<Way> {
+        let way = Way::new;
+        match self {
+            InputErrorKind::NotUtf8 { unit: "cell", .. } => {
+                vec![way(Setting::Encoding, "windows-1252", "reads any byte")]
+            }
+            InputErrorKind::AmbiguousBlock { .. } => vec![way(Setting::Block, "N", "chooses it")],
+            InputErrorKind::SeveralBlocks { .. } | InputErrorKind::UnknownBlock { .. } => vec![
+                way(Setting::Block, "N|NAME", "chooses it"),
+                way(Setting::Block, "all", "takes the rows of all of them together"),
+            ],
+            InputErrorKind::NameOrNumber { .. } => {
+                vec![way(Setting::Header, "no", "says that the first row is a reading")]
+            }
+            InputErrorKind::CommasTwice { .. } => {
+                vec![way(Setting::Decimal, "comma", "reads those in quotes")]
+            }
+            InputErrorKind::NotANumber(ParseNumberError { kind: ParseNumberErrorKind::Comma, .. }) => vec![
+                way(Setting::Decimal, "comma", "reads 1,5"),
+                way(Setting::Thousands, "','", "reads 60,323 as 60323"),
+            ],
+            InputErrorKind::NotANumber(ParseNumberError { kind: ParseNumberErrorKind::Point, .. }) => vec![
+                way(Setting::Decimal, "point", "reads 1.5"),
+                way(Setting::Thousands, "'.'", "reads 60.323 as 60323"),
+            ],
+            InputErrorKind::NoDelimiter { .. } => vec![
+                way(Setting::Delimiter, "comma|semicolon|tab|space|pipe", "says what separates columns"),
+                way(Setting::SkipLines, "N", "passes over lines before the table"),
+            ],
+            InputErrorKind::AnotherDecimalMark { .. } => vec![
+                way(Setting::Decimal, "comma|point", "says which"),
+                way(Setting::Thousands, "CHARACTER", "says what groups digits"),
+            ],
+            InputErrorKind::NoNumberInFirstRow => {
+                vec![way(Setting::UnitsRow, "", "passes over a row of units")]
+            }
+            InputErrorKind::Missing { .. } => vec![way(Setting::Missing, "skip", "leaves such rows out")],
+            _ => self.limit().map(Way::raises).into_iter().collect(),
+        }
+    }
+
     /// What would be accepted instead, where that can be said.
     pub(super) fn expected(&self) -> Option<String> {
         Some(match self {
             InputErrorKind::IsDirectory => "a file, or - for standard input".to_owned(),
             InputErrorKind::Empty | InputErrorKind::NoRows => "at least one row of numbers".to_owned(),
             InputErrorKind::NotUtf8 { unit: "cell", .. } => {
-                "text in UTF-8, as the characters before it are; --encoding windows-1252 reads any byte".to_owned()
+                "text in UTF-8, as the characters before it are".to_owned()
             }
             InputErrorKind::Utf16 | InputErrorKind::NotUtf8 { .. } => "text in UTF-8".to_owned(),
             InputErrorKind::UnknownColumn { available, .. } if are_no_names(available) => return None,
             InputErrorKind::UnknownColumn { available, numbers, .. } => {
-                let mut names: Vec<String> =
-                    available.iter().take(MOST_NAMES).map(Foreign::quoted).collect();
+                let mut names: Vec<String> = available.iter().take(MOST_NAMES).map(Foreign::quoted).collect();
                 if available.len() > MOST_NAMES {
                     names.push(format!("{} more", available.len() - MOST_NAMES));
                 }
@@ -517,18 +559,16 @@ impl InputErrorKind {
                 "a number: give the cells the format of one, or add a column of seconds or days".to_owned()
             }
             InputErrorKind::NoValue => "a value: open the workbook in a spreadsheet and save it".to_owned(),
-            InputErrorKind::AmbiguousBlock { .. } => "--block with a number".to_owned(),
+            InputErrorKind::AmbiguousBlock { .. } => "the number of a block".to_owned(),
             InputErrorKind::SeveralBlocks { .. } | InputErrorKind::UnknownBlock { .. } => {
-                "--block with a number or a name; --block all takes the rows of all of them together".to_owned()
+                "a block by its number or its name".to_owned()
             }
             InputErrorKind::SameColumn { .. } => "two columns".to_owned(),
             InputErrorKind::NameOrNumber { wanted, .. } => format!(
-                "'\"{wanted}\"', with the quotes, for the name; for the number the name of that column, or --header no if \
-                 the first row is a reading"
+                "'\"{wanted}\"', with the quotes, for the name; for the number the name of that column"
             ),
             InputErrorKind::CommasTwice { .. } => {
-                "semicolons or tabs between the columns, or quotes around numbers with commas and --decimal comma"
-                    .to_owned()
+                "semicolons or tabs between the columns, or quotes around numbers with commas".to_owned()
             }
             InputErrorKind::AmbiguousColumn { .. } => {
                 "a name that occurs once, or the column's number".to_owned()
@@ -537,7 +577,8 @@ impl InputErrorKind {
                 "JSON with an object for each row, or a table of text such as CSV".to_owned()
             }
             InputErrorKind::NestedJson => {
-                "JSON with an object for each row; in pandas table.to_json('FILE', orient='records')".to_owned()
+                "JSON with an object for each row; in pandas table.to_json('FILE', orient='records')"
+                    .to_owned()
             }
             InputErrorKind::Null => "a value".to_owned(),
             InputErrorKind::NotFinite => "a finite number".to_owned(),
@@ -554,31 +595,23 @@ impl InputErrorKind {
             InputErrorKind::ColumnType { expected, .. } => (*expected).to_owned(),
             InputErrorKind::NotANumber(error) if error.kind.is_limit() => return None,
             InputErrorKind::NotANumber(ParseNumberError { kind: ParseNumberErrorKind::Comma, .. }) => {
-                "1.5; with --decimal comma 1,5 is read, with --thousands ',' 60,323 as 60323".to_owned()
+                "1.5".to_owned()
             }
             InputErrorKind::NotANumber(ParseNumberError { kind: ParseNumberErrorKind::Point, .. }) => {
-                "1,5; with --decimal point 1.5 is read, with --thousands '.' 60.323 as 60323".to_owned()
+                "1,5".to_owned()
             }
             InputErrorKind::Comma => {
-                "1.5, or a column of numbers: write the file with one, or a CSV to be read with --decimal comma".to_owned()
-            }
-            InputErrorKind::NoDelimiter { .. } => {
-                "--delimiter comma, semicolon, tab, space or pipe, or a column's number; --skip-lines N if N lines come before \
-                 the table"
+                "1.5, or a column of numbers: write the file with one, or as CSV with decimal commas"
                     .to_owned()
             }
-            InputErrorKind::AnotherDecimalMark { .. } => {
-                "one decimal mark; --decimal comma or --decimal point says which, --thousands what groups digits"
-                    .to_owned()
-            }
-            InputErrorKind::NoNumberInFirstRow => {
-                "a row of numbers; --units-row passes over a row of units".to_owned()
-            }
-            InputErrorKind::Missing { .. } => {
-                "a number in every row; --missing skip leaves such rows out".to_owned()
-            }
+            InputErrorKind::NoDelimiter { .. } => "a column's number".to_owned(),
+            InputErrorKind::AnotherDecimalMark { .. } => "one decimal mark".to_owned(),
+            InputErrorKind::NoNumberInFirstRow => "a row of numbers".to_owned(),
+            InputErrorKind::Missing { .. } => "a number in every row".to_owned(),
             InputErrorKind::AllMissing { .. } => "a row with all its numbers".to_owned(),
-            InputErrorKind::BlanksTwice => "--thousands without ' ', or another --delimiter".to_owned(),
+            InputErrorKind::BlanksTwice => {
+                "another character between groups of digits, or another delimiter".to_owned()
+            }
             InputErrorKind::NotANumber(_) => {
                 "a decimal such as 1.30e-2 or a fraction such as 7/19".to_owned()
             }

@@ -2,6 +2,7 @@
 
 mod kind;
 mod names;
+mod ways;
 
 use std::fmt;
 
@@ -9,6 +10,7 @@ use boundfit_exact::Foreign;
 use thiserror::Error;
 
 pub use kind::InputErrorKind;
+pub use ways::{Setting, Way};
 
 /// What messages call the input named `-`.
 pub(crate) const STANDARD_INPUT: &str = "standard input";
@@ -30,7 +32,7 @@ pub struct Place {
 
 /// An input file that cannot be used.
 #[derive(Debug, Error)]
-#[error("{file}{place}: {kind}{}{}", Expected(.kind), RaisedBy(.kind))]
+#[error("{file}{place}: {kind}{}", Expected(.kind))]
 pub struct InputError {
     /// The file, as it was named.
     pub file: Foreign,
@@ -92,18 +94,6 @@ impl fmt::Display for Expected<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0.expected() {
             Some(expected) => write!(f, " (expected {expected})"),
-            None => Ok(()),
-        }
-    }
-}
-
-/// The part of a message that says how a limit is raised.
-struct RaisedBy<'a>(&'a InputErrorKind);
-
-impl fmt::Display for RaisedBy<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0.limit() {
-            Some(limit) => write!(f, "; {} raises it", limit.flag()),
             None => Ok(()),
         }
     }

@@ -27,7 +27,7 @@ pub enum SolutionError {
         expected: Cow<'static, str>,
     },
     /// A number that is none, or beyond a limit.
-    #[error("line {line}: {text:?}: {error}{} (expected a number, as {format} writes it)", flag(.error))]
+    #[error("line {line}: {text:?}: {error} (expected a number, as {format} writes it)")]
     NumberAt {
         /// Who writes such files.
         format: &'static str,
@@ -99,9 +99,14 @@ pub enum SolutionError {
     Xml(#[from] roxmltree::Error),
 }
 
-/// The option that raises the limit that a number passes; nothing where something else is wrong with it.
-fn flag(error: &ParseNumberError) -> String {
-    Limit::of_number(&error.kind).map(|limit| format!("; {} raises it", limit.flag())).unwrap_or_default()
+impl SolutionError {
+    /// The limit that a number passes, if that is the problem.
+    pub fn limit(&self) -> Option<Limit> {
+        match self {
+            SolutionError::NumberAt { error, .. } => Limit::of_number(&error.kind),
+            _ => None,
+        }
+    }
 }
 
 /// A text, cut where it is long.

@@ -20,7 +20,7 @@ pub struct ModelPlace {
 
 /// A file that states no linear program, or none that is read.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("{}{kind}{}{}", At(.place.as_deref()), Expected(.kind), RaisedBy(.kind))]
+#[error("{}{kind}{}", At(.place.as_deref()), Expected(.kind))]
 pub struct ModelError {
     /// Where; nowhere if the file as a whole is meant.
     pub place: Option<Box<ModelPlace>>,
@@ -319,18 +319,6 @@ impl fmt::Display for Expected<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0.expected() {
             Some(expected) => write!(f, " (expected {expected})"),
-            None => Ok(()),
-        }
-    }
-}
-
-/// The part of a message that says how a limit is raised.
-struct RaisedBy<'a>(&'a ModelErrorKind);
-
-impl fmt::Display for RaisedBy<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0.limit() {
-            Some(limit) => write!(f, "; {} raises it", limit.flag()),
             None => Ok(()),
         }
     }

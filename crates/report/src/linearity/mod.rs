@@ -256,7 +256,7 @@ impl Report<'_> {
     fn results(&self) -> Vec<(Text, Text)> {
         let is_plain = matches!(self.input.response, ResponseColumns::One(_));
         let no_hysteresis = match is_plain {
-            true => "not known: no direction is told (--up and --down, or --direction)",
+            true => "not known: nothing tells which readings were taken upwards and which downwards",
             false => "not known: no x was read in both directions",
         };
         let repeatability = match is_plain {

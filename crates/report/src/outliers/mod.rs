@@ -105,7 +105,7 @@ fn answer(report: &OutliersReport, outliers: &Outliers, style: &Style) -> Vec<Bl
              has no point in common."
         ),
         (_, false, _) => format!(
-            "These are {count} of the sets of so few without which something is left; there are more (--max-sets)."
+            "These are {count} of the sets of so few without which something is left; there are more (the limit 'sets')."
         ),
     };
     let mut blocks = vec![Block::Title(title.into()), Block::Paragraph(sentence.into())];
@@ -213,7 +213,7 @@ fn further_sets(outliers: &Outliers) -> Vec<Block> {
     let more = count.saturating_sub(MOST_WHOLE + MOST_SETS);
     let more = (more > 0).then(|| {
         Block::Paragraph(
-            format!("and {} (--format json or csv has all)", counted(more, "more set", "more sets")).into(),
+            format!("and {} (JSON and CSV have all)", counted(more, "more set", "more sets")).into(),
         )
     });
     let title = Block::Title("Further sets".into());

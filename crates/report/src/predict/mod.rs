@@ -131,7 +131,7 @@ fn further(prediction: &Prediction, style: &Style) -> Text {
     let bounded = Text::new().mark("|").symbol(Symbol::Error).mark("|").operator(Operator::AtMost);
     let law = prediction.given.as_ref().or_else(|| prediction.problem.measurements.law());
     let what = match (&prediction.error, law) {
-        (Err(reason), _) => return Text::from(format!("not predicted: {reason} (--new-eps says it)")),
+        (Err(reason), _) => return Text::from(format!("not predicted: {reason}")),
         (Ok(error), law) => match (error.uniform(), law) {
             (Some(epsilon), _) => bounded.then(given(epsilon, prediction, style)),
             (None, Some(law)) if law.is_asymmetric() => Text::from("y ").given(law.text()),
@@ -210,7 +210,7 @@ fn sources(prediction: &Prediction, predictor: &Predictor, style: &Style) -> Vec
 fn more(count: usize, one: &str, several: &str) -> Option<Block> {
     let more = count.checked_sub(MOST_LISTED).filter(|more| *more > 0)?;
     let more = counted(more, one, several);
-    Some(Block::Paragraph(format!("And {more} more, which --format csv and json have.").into()))
+    Some(Block::Paragraph(format!("And {more} more, which CSV and JSON have.").into()))
 }
 
 /// An interval of x, with round brackets where an end does not belong to it.

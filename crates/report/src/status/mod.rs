@@ -174,7 +174,7 @@ fn table(ranking: Ranking, is_with: bool, used: &mut Vec<Status>, style: &Style)
             listed.iter().filter(|own| own.status.without.as_ref().map(|own| own.status) == status).count()
         };
         let rest = counts(|status| whole.count_without(status) - listed_with(status));
-        blocks.push(Block::Paragraph(format!("{more} more: {rest}; --all lists every one.").into()));
+        blocks.push(Block::Paragraph(format!("{more} more: {rest} (CSV and JSON list every one).").into()));
     }
     blocks
 }

@@ -64,9 +64,8 @@ pub(super) fn blocks(repair: &Result<Repair, NoRepair>, style: &Style) -> Vec<Bl
             counted(more, "half-plane that holds as it is", "half-planes that hold as they are")
         ),
     };
-    let proof = format!(
-        "No smaller sum is possible: multipliers of {multipliers}{held} prove it (--format json has them)."
-    );
+    let proof =
+        format!("No smaller sum is possible: multipliers of {multipliers}{held} prove it (JSON has them).");
     blocks.push(Block::Paragraph(proof.into()));
     blocks
 }

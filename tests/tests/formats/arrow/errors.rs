@@ -50,8 +50,7 @@ fn a_bad_cell_is_named_by_row_and_column() {
             let table = TableOptions { reading, ..TableOptions::default() };
             let options = ScanOptions { table, ..ScanOptions::default() };
             let message = |name: &str| message(&path, &["good", name], &options);
-            let missing = ": the value is missing, in this row only (expected a number in every row; --missing skip leaves \
-                           such rows out)";
+            let missing = ": the value is missing, in this row only (expected a number in every row)";
             assert_eq!(message("null"), format!(": row 3, column 2 (null){missing}"));
             assert_eq!(message("nan"), format!(": row 3, column 3 (nan): \"NaN\"{missing}"));
             let not_finite = ": not a number: not a finite number at character";
@@ -61,7 +60,7 @@ fn a_bad_cell_is_named_by_row_and_column() {
             );
             // The options that say how text is written have no say here.
             let comma = "not a number: a comma, where the decimal mark of texts in such a file is a point (expected 1.5, or a \
-                         column of numbers: write the file with one, or a CSV to be read with --decimal comma)";
+                         column of numbers: write the file with one, or as CSV with decimal commas)";
             assert_eq!(message("word"), format!(": row 3, column 5 (word): \"1,5\": {comma}"));
             let of_type = "(expected a column of integers, decimals, floats or text)";
             assert_eq!(
@@ -109,8 +108,7 @@ fn missing_numbers_and_fractions_are_those_of_text() {
         let message = message(&path, &["x", "y"], &ScanOptions::default());
         assert_eq!(
             message,
-            ": row 2, column 1 (x): the value is missing, and in 3 rows more (expected a number in every row; --missing skip \
-             leaves such rows out)"
+            ": row 2, column 1 (x): the value is missing, and in 3 rows more (expected a number in every row)"
         );
     }
 }

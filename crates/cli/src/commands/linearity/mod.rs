@@ -30,7 +30,7 @@ pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
     proof::check_usage(arguments)?;
     guard.check(arguments.proof.as_deref())?;
     let options = LinearityOptions { full_scale: arguments.full_scale()?, through: arguments.through()? };
-    let source = input::open(&arguments.data).map_err(Failure::data);
+    let source = input::open(&arguments.data).map_err(Failure::refused);
     let is_stored = source.as_ref().is_ok_and(Source::is_stored);
     let reading = if is_stored { Reading::Binary64 } else { arguments.table.reading() };
     let origin =
@@ -39,7 +39,7 @@ pub(crate) fn run(arguments: &LinearityArguments) -> CommandResult {
     let mut scan_options = arguments.table.scan_options(&source, Some(&arguments.rows))?;
     scan_options.table.row_cost = memory::OF_A_CALIBRATION;
     let calibration = Calibration::read(source, &arguments.columns(), &scan_options);
-    let Calibration { readings, input } = calibration.map_err(Failure::data)?;
+    let Calibration { readings, input } = calibration.map_err(Failure::refused)?;
     let mut work = Work::default();
     let given = [options.full_scale.as_ref(), Some(&options.through[0]), Some(&options.through[1])];
     for reading in &readings {

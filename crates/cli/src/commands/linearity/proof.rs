@@ -40,7 +40,7 @@ pub(super) fn written(
     let options = arguments.table.options(reading, Some(&arguments.rows))?;
     let open = || input::open(&arguments.data);
     let question =
-        linearity_question(&arguments.columns(), &options, reading, open).map_err(Failure::data)?;
+        linearity_question(&arguments.columns(), &options, reading, open).map_err(Failure::refused)?;
     let proof = question.and_then(|question| linearity_proof(linearity, &question));
     proof.ok_or_else(|| {
         let file = Foreign::of(&arguments.data);

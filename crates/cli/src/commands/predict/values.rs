@@ -5,7 +5,7 @@ use std::sync::Arc;
 use boundfit_exact::{Column, Limit, Limits, Rational, Reading, Work};
 use boundfit_formats::{Batch, ColumnSelector, HeldRows, ScanOptions, scan};
 
-use crate::arguments::{DataArguments, number_problem};
+use crate::arguments::{DataArguments, number_problem, raises};
 use crate::exit::Failure;
 use crate::input;
 
@@ -122,8 +122,8 @@ impl Values {
             return Err(refuse(problem));
         }
         if steps >= most {
-            let flag = Limit::Rows.flag();
-            return Err(refuse(format!("refused: more than {most} values (the limit; {flag} raises it)")));
+            let raises = raises(Limit::Rows);
+            return Err(refuse(format!("refused: more than {most} values (the limit; {raises})")));
         }
         let step = (&to - &from).checked_div(&Rational::from(steps)).ok_or_else(bad)?;
         if !step.is_positive() {
@@ -188,7 +188,7 @@ impl Values {
 
 /// The columns of a file.
 fn read(path: &str, columns: &[ColumnSelector], data: &DataArguments) -> Result<Vec<Vec<Column>>, Failure> {
-    let source = input::open(path).map_err(Failure::data)?;
+    let source = input::open(path).map_err(Failure::refused)?;
     let name = source.name().to_owned();
     let options = data.table.scan_options(&source, None)?;
     let mut options = ScanOptions { hash: false, list_rows: false, ..options };
@@ -204,8 +204,8 @@ fn read(path: &str, columns: &[ColumnSelector], data: &DataArguments) -> Result<
             batches.push(columns);
         },
     );
-    held.check(name.raw()).map_err(Failure::data)?;
-    let scanned = scanned.map_err(Failure::data)?;
+    held.check(name.raw()).map_err(Failure::refused)?;
+    let scanned = scanned.map_err(Failure::refused)?;
     input::say_table(name.borrowed(), scanned.table.as_ref());
     Ok(batches)
 }

@@ -1,0 +1,273 @@
+//! What an input may ask for at most, so that a hostile one costs neither memory nor time: one option, which names the limit.
+
+use std::ops::RangeInclusive;
+use std::sync::{Arc, OnceLock};
+
+use boundfit_exact::{Limit, Limits};
+use boundfit_formats::{MemoryBudget, SizeLimits, Way};
+use boundfit_questions::OutlierLimits;
+use boundfit_report::{LONGEST_FRACTION, Style};
+use clap::builder::ValueParser;
+use clap::{Arg, Args};
+
+use crate::exit::words;
+
+use super::values::parse_size;
+
+/// The heading of limits in the help, below all other options.
+const HEADING: &str = "Limits";
+
+/// The limits of whatever is read.
+const OF_FILES: [Limit; 13] = [
+    Limit::Digits,
+    Limit::Exponent,
+    Limit::Line,
+    Limit::Columns,
+    Limit::Rows,
+    Limit::Elements,
+    Limit::Unpacked,
+    Limit::Ratio,
+    Limit::Workbook,
+    Limit::Work,
+    Limit::Text,
+    Limit::Nesting,
+    Limit::Memory,
+];
+
+/// A limit that is asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct AskedLimit {
+    limit: Limit,
+    most: u64,
+}
+
+/// What an input may ask for at most. The short help is silent about it: a message that names a limit also says how it is raised.
+#[derive(Debug, Clone, Args)]
+pub(crate) struct LimitArguments {
+    #[arg(long, value_name = "NAME=N", value_parser = parser(&[]), help = HELP, long_help = long_help(&[]),
+          help_heading = HEADING, hide_short_help = true)]
+    limit: Vec<AskedLimit>,
+    /// One budget for all that the command reads.
+    #[arg(skip)]
+    memory: Arc<OnceLock<MemoryBudget>>,
+}
+
+const HELP: &str = "The most that an input may ask for of something; repeatable";
+
+/// The option of a command that has limits of its own.
+pub(super) fn with(own: &'static [Limit]) -> impl FnOnce(Arg) -> Arg {
+    move |argument| argument.value_parser(parser(own)).long_help(long_help(own))
+}
+
+fn long_help(own: &[Limit]) -> String {
+    let mut help =
+        format!("{HELP}. Sizes may have a unit, as in memory=512MiB. The names, with N when left out:");
+    for limit in OF_FILES.iter().chain(own) {
+        let (most, what) = about(*limit);
+        help += &format!("\n- {} ({most}): {what}", limit.name());
+    }
+    help
+}
+
+/// What a limit is when it is left out, and what it limits.
+fn about(limit: Limit) -> (String, &'static str) {
+    let (numbers, sizes, outliers) = (Limits::default(), SizeLimits::default(), OutlierLimits::default());
+    let (most, what) = match limit {
+        Limit::Digits => {
+            (numbers.digits as u64, "digits of one number, of a fraction above and below its bar")
+        }
+        Limit::Exponent => (numbers.exponent.into(), "absolute value of a decimal exponent"),
+        Limit::Line => (sizes.line as u64, "bytes of one line, and of one row that goes over several"),
+        Limit::Columns => (sizes.columns as u64, "columns of a table of text"),
+        Limit::Rows => (
+            sizes.rows as u64,
+            "rows that an .ine or .ext file announces, a linear program has, or that are held in memory",
+        ),
+        Limit::Elements => {
+            (sizes.elements as u64, "elements of one array in a .mat file, coefficients of a linear program")
+        }
+        Limit::Unpacked => (sizes.unpacked, "bytes that a .gz or .zst file may unpack to"),
+        Limit::Ratio => {
+            (sizes.ratio, "how many times its size a packed file of any kind may unpack to, beyond 64 MB")
+        }
+        Limit::Workbook => {
+            (sizes.workbook, "bytes that an .xlsx or .ods workbook may have, packed or unpacked")
+        }
+        Limit::Work => (
+            sizes.work,
+            "products of machine words that exact arithmetic on numbers of more than a thousand digits may take",
+        ),
+        Limit::Text => (
+            sizes.text,
+            "bytes of a file of half-planes or of a linear program; of a proof, claim or solution, 256MiB",
+        ),
+        Limit::Nesting => (sizes.nesting as u64, "depth of arrays and objects in a JSON file"),
+        Limit::Memory => (
+            sizes.memory.limit(),
+            "bytes that readings which are held take with all that is made of them, and that reading a file takes",
+        ),
+        Limit::Fraction => (
+            LONGEST_FRACTION as u64,
+            "digits of the fraction of an area or centroid, which takes as many as all vertices together; beyond, its \
+             decimal alone is written",
+        ),
+        Limit::Sets => (outliers.sets as u64, "sets of outliers that are listed"),
+        Limit::Steps => {
+            (outliers.steps, "crossings of two bounds that may be looked at; a million take about a second")
+        }
+        Limit::Readings => (
+            boundfit_lesson::MOST_ROWS as u64,
+            "readings that a page is written for: its size and the time for it grow with their square",
+        ),
+    };
+    let with_unit = |bits: u32| (is_size(limit) && most.trailing_zeros() >= bits).then_some(most >> bits);
+    let text = match (with_unit(30), with_unit(20)) {
+        (Some(most), _) => format!("{most}GiB"),
+        (None, Some(most)) => format!("{most}MiB"),
+        (None, None) => most.to_string(),
+    };
+    (text, what)
+}
+
+/// Whether it is counted in bytes.
+fn is_size(limit: Limit) -> bool {
+    matches!(limit, Limit::Line | Limit::Unpacked | Limit::Workbook | Limit::Text | Limit::Memory)
+}
+
+/// What can be asked for.
+fn range(limit: Limit) -> RangeInclusive<u64> {
+    const LONG: u64 = 1_000_000;
+    match limit {
+        Limit::Digits | Limit::Fraction | Limit::Sets => 1..=LONG,
+        Limit::Exponent => 0..=LONG,
+        Limit::Line | Limit::Columns | Limit::Rows | Limit::Elements => 1..=1 << 32,
+        Limit::Workbook => 1..=1 << 40,
+        Limit::Nesting => 1..=120,
+        Limit::Readings => 1..=boundfit_lesson::MOST_ROWS_EVER.into(),
+        Limit::Work | Limit::Steps => 0..=u64::MAX,
+        Limit::Unpacked | Limit::Ratio | Limit::Text | Limit::Memory => 1..=u64::MAX,
+    }
+}
+
+/// Reads `memory=512MiB` and `digits=20000`.
+fn parser(own: &'static [Limit]) -> ValueParser {
+    ValueParser::new(move |text: &str| parse(text, own))
+}
+
+fn parse(text: &str, own: &[Limit]) -> Result<AskedLimit, String> {
+    let (name, number) = text
+        .split_once('=')
+        .ok_or("expected NAME=N, such as digits=20000 or memory=4GiB; --help lists the names")?;
+    let limits = || OF_FILES.iter().chain(own).copied();
+    let limit = limits().find(|limit| limit.name() == name.trim()).ok_or_else(|| {
+        let names: Vec<&str> = limits().map(Limit::name).collect();
+        let is_another = Limit::ALL.iter().any(|limit| limit.name() == name.trim());
+        let of_this = if is_another { " for this command" } else { "" };
+        format!("there is no limit {name:?}{of_this} (expected one of {})", names.join(", "))
+    })?;
+    const SIZE: &str =
+        "a size in bytes above 0, with k, M, G (1000) or KiB, MiB, GiB (1024) behind it, such as 512MiB";
+    let most = if is_size(limit) { parse_size(number.trim()) } else { number.trim().parse().ok() };
+    let range = range(limit);
+    most.filter(|most| range.contains(most)).map(|most| AskedLimit { limit, most }).ok_or_else(|| {
+        let expected = match (is_size(limit), *range.end()) {
+            (true, u64::MAX) => SIZE.to_owned(),
+            (true, end) => format!("{SIZE}, at most {end}"),
+            (false, u64::MAX) => format!("an integer from {}", range.start()),
+            (false, end) => format!("an integer from {} to {end}", range.start()),
+        };
+        format!("{number:?} is no limit of {} (expected {expected})", limit.name())
+    })
+}
+
+/// How this program raises a limit.
+pub(crate) fn raises(limit: Limit) -> String {
+    words(&Way::raises(limit))
+}
+
+impl LimitArguments {
+    /// What is asked for; of several the last.
+    pub(crate) fn asked(&self, limit: Limit) -> Option<u64> {
+        self.limit.iter().rev().find(|asked| asked.limit == limit).map(|asked| asked.most)
+    }
+
+    /// Of one number.
+    pub(crate) fn number(&self) -> Limits {
+        let usual = Limits::default();
+        Limits {
+            digits: self.asked(Limit::Digits).map_or(usual.digits, size),
+            exponent: self
+                .asked(Limit::Exponent)
+                .and_then(|most| u32::try_from(most).ok())
+                .unwrap_or(usual.exponent),
+        }
+    }
+
+    /// Of a file.
+    pub(crate) fn sizes(&self) -> SizeLimits {
+        let usual = SizeLimits::default();
+        let count = |limit, usual| self.asked(limit).map_or(usual, size);
+        let number = |limit, usual| self.asked(limit).unwrap_or(usual);
+        SizeLimits {
+            line: count(Limit::Line, usual.line),
+            columns: count(Limit::Columns, usual.columns),
+            rows: count(Limit::Rows, usual.rows),
+            elements: count(Limit::Elements, usual.elements),
+            unpacked: number(Limit::Unpacked, usual.unpacked),
+            ratio: number(Limit::Ratio, usual.ratio),
+            workbook: number(Limit::Workbook, usual.workbook),
+            work: number(Limit::Work, usual.work),
+            text: number(Limit::Text, usual.text),
+            nesting: count(Limit::Nesting, usual.nesting),
+            memory: self
+                .memory
+                .get_or_init(|| self.asked(Limit::Memory).map_or(usual.memory, MemoryBudget::new))
+                .clone(),
+        }
+    }
+
+    /// Of what is said about an answer: a proof, a claim, a solution.
+    pub(crate) fn statement(&self) -> u64 {
+        const USUAL: u64 = 1 << 28;
+        self.asked(Limit::Text).unwrap_or(USUAL)
+    }
+
+    /// Of a lesson.
+    pub(crate) fn readings(&self) -> usize {
+        self.asked(Limit::Readings).map_or(boundfit_lesson::MOST_ROWS, size)
+    }
+
+    /// Of outliers.
+    pub(crate) fn outliers(&self) -> OutlierLimits {
+        let usual = OutlierLimits::default();
+        OutlierLimits {
+            sets: self.asked(Limit::Sets).map_or(usual.sets, size),
+            steps: self.asked(Limit::Steps).unwrap_or(usual.steps),
+        }
+    }
+
+    /// A style that keeps to them.
+    pub(crate) fn limited(&self, style: Style) -> Style {
+        let longest_fraction = self.asked(Limit::Fraction).map_or(style.longest_fraction, size);
+        Style { longest_fraction, ..style }
+    }
+}
+
+/// A size that no memory of this machine holds is as good as the largest one.
+pub(super) fn size(asked: u64) -> usize {
+    usize::try_from(asked).unwrap_or(usize::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_limit_has_a_default_that_can_be_asked_for() {
+        for limit in Limit::ALL {
+            let (most, _) = about(limit);
+            let asked = parse(&format!("{}={most}", limit.name()), &Limit::ALL).unwrap();
+            assert_eq!(asked.limit, limit);
+        }
+    }
+}
