@@ -272,11 +272,8 @@ fn readings_take_no_more_memory_than_they_may() {
     refused(&rows, "fit FILE --x x --y y --eps 9 --by y --limit memory=1MiB", way_out, TWO_SECONDS);
     let directory = directory_with(&[("few.csv", b"x,y\n1,2\n2,3\n")]);
     for (value, message) in [
-        (
-            "rows=5",
-            "there is no limit of the name \"rows\" (expected memory=SIZE, such as memory=512MiB or memory=4GiB)",
-        ),
-        ("memory", "expected memory=SIZE, such as memory=512MiB or memory=4GiB"),
+        ("size=5", "there is no limit \"size\" (expected one of digits,"),
+        ("memory", "expected NAME=N, such as digits=20000 or memory=4GiB"),
         ("memory=0", "expected a size in bytes above 0"),
         ("memory=1TB", "expected a size in bytes above 0"),
     ] {

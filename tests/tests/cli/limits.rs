@@ -421,8 +421,9 @@ fn every_command_that_reads_data_lists_the_limits() {
     for command in ["fit", "check", "plot", "lesson", "reduce", "polygon", "bench-solvers"] {
         let help = printed(Path::new("."), &format!("{command} --help"));
         assert!(help.contains("\nLimits:\n"), "{command}: {help}");
-        for flag in ["digits", "exponent", "line", "columns", "rows", "elements", "work", "nesting"] {
-            assert!(help.contains(&format!("--max-{flag} <")), "{command}: --max-{flag}\n{help}");
+        for name in ["digits", "exponent", "line", "columns", "rows", "elements", "work", "nesting", "memory"]
+        {
+            assert!(help.contains(&format!("\n          - {name} (")), "{command}: {name}\n{help}");
         }
     }
 }

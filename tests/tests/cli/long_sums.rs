@@ -81,7 +81,7 @@ fn fractions_beyond_the_limit_are_left_out_with_the_reason() {
     let report: Value =
         serde_json::from_str(&printed(directory.path(), &format!("{FIT} --format json"))).unwrap();
     assert!(report["fps"]["vertices"].as_array().unwrap().len() > 1000);
-    let reason = "the exact fraction takes more than 10000 digits; --limit fraction=N raises that";
+    let reason = "the exact fraction takes more than 10000 digits (the limit 'fraction')";
     let text = printed(directory.path(), &format!("{FIT} --exact"));
     let decimal = |part: &Value| {
         assert_eq!(part["exact"], Value::Null);
@@ -123,7 +123,7 @@ fn polygons_of_any_half_planes_have_the_limit_too() {
         "polygon square.csv --format json --limit fraction=1",
     ))
     .unwrap();
-    let reason = "the exact fraction takes more than 1 digit; --limit fraction=N raises that";
+    let reason = "the exact fraction takes more than 1 digit (the limit 'fraction')";
     assert_eq!(report["region"]["area"]["exact"], Value::Null);
     assert_eq!(report["region"]["area"]["decimal"], "4.7619e-2");
     assert_eq!(report["reasons"]["region.area"], reason);

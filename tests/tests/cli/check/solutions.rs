@@ -198,7 +198,7 @@ fn bad_solutions_say_where_and_what_is_expected() {
         (glpk.replace("s bas 1 2 f f 0", "s bas many"), "line 1: \"s bas many\" (expected \"s bas ROWS COLUMNS PRIMAL DUAL OBJECTIVE\", or ipt or mip, as GLPK writes it)"),
         (glpk.replace("j 1 b 1 0", "j 3 b 1 0"), "line 3: \"j 3 b 1 0\" (expected \"j 1 ...\" and \"j 2 ...\" after \"s\", as GLPK writes it)"),
         (glpk.replace("j 1 b 1 0", "j 1 b one 0"), "line 3: \"one\": unexpected character 'o' at character 1 (expected a number, as GLPK writes it)"),
-        (glpk.replace("j 1 b 1 0", "j 1 b 1e10001 0"), "line 3: \"1e10001\": exponent beyond 10000 (the limit) at character 3; --limit exponent=N raises it (expected a number, as GLPK writes it)"),
+        (glpk.replace("j 1 b 1 0", "j 1 b 1e10001 0"), "line 3: \"1e10001\": exponent beyond 10000 (the limit) at character 3 (expected a number, as GLPK writes it); --limit exponent=N raises it"),
         (glpk.replace("i 1 b 0 0", "i 2 b 0 0"), "line 2: \"i 2 b 0 0\" (expected \"i ROW ...\" after \"s\", rows in order, as GLPK writes it)"),
         (glpk.replace("i 1 b 0 0", "x 1"), "line 2: \"x 1\" (expected a line that starts with c, s, i, j or e, as GLPK writes it)"),
         (glpk.replace("j 2 b 1 0\n", ""), "the file stops without a value of theta2, which GLPK writes"),
@@ -244,10 +244,10 @@ fn limits_name_the_option_that_raises_them() {
         assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{run:?}");
         run.stderr.strip_prefix(&format!("error: {path}: ")).unwrap().trim_end().to_owned()
     };
-    let nested = "nested deeper than 64 levels (the limit; --limit nesting=N raises it) at line 1 column 72";
+    let nested = "nested deeper than 64 levels (the limit) at line 1 column 72; --limit nesting=N raises it";
     assert_eq!(refused(&deep(65), ""), nested);
     assert_eq!(refused(&deep(1_000_000), ""), nested);
-    let nested = "nested deeper than 3 levels (the limit; --limit nesting=N raises it) at line 2 column 3";
+    let nested = "nested deeper than 3 levels (the limit) at line 2 column 3; --limit nesting=N raises it";
     assert_eq!(refused("{\"status\": \"[[[[\\\"[[\",\n[[[", "--limit nesting=3"), nested);
     // At the limit it is the form that is wrong.
     assert!(
