@@ -98,7 +98,7 @@ pub use fleet_text::{FleetTable, GroupCells};
 pub use generators::ActiveNames;
 pub use guarantee::guarantee_document;
 pub use json::{ActiveJson, RangeJson};
-pub use judge::{JudgeJson, judge_document, judge_json, lean_theorems};
+pub use judge::{JudgeJson, judge_document, judge_json};
 pub use linearity::{linearity_csv, linearity_document, linearity_json};
 #[cfg(feature = "files")]
 pub use linearity::{linearity_proof, linearity_question};

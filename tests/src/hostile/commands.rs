@@ -141,8 +141,7 @@ pub(super) fn about_half_planes(rng: &mut ChaCha8Rng) -> Case {
 }
 
 fn judge_command(rng: &mut ChaCha8Rng, file: &str) -> Vec<String> {
-    let more =
-        one_of(rng, &["", "", "--plot a.svg", "--lean a.lean", "--solution s.sol", "--solution s.json"]);
+    let more = one_of(rng, &["", "", "--plot a.svg", "--solution s.sol", "--solution s.json"]);
     let format = one_of(rng, &["text", "json"]);
     let judge = words(&format!("judge {file} --format {format} {more}"));
     [judge, style(rng)].concat()

@@ -179,58 +179,13 @@ fn what_cannot_be_answered_is_refused_with_a_reason() {
     let run = boundfit(directory.path(), "judge broken.mps");
     assert_eq!((run.status, run.stdout.as_str()), (1, ""));
     assert!(run.stderr.starts_with("error: broken.mps: "), "{}", run.stderr);
-    for (line, problem) in [
-        (
-            "judge diet.mps --lean -",
-            "'--lean -' and the report would both go to standard output: give one of them a file",
-        ),
-        ("judge diet.mps --lean a -o a", "'--lean' and '--output' name the same file"),
-    ] {
+    for (line, problem) in
+        [("judge diet.mps --plot a.svg -o a.svg", "'--plot' and '--output' name the same file")]
+    {
         let run = boundfit(directory.path(), line);
         assert_eq!((run.status, run.stdout.as_str()), (2, ""), "{line}");
         assert!(run.stderr.starts_with(&format!("error: {problem}\n")), "{}", run.stderr);
     }
-}
-
-#[test]
-fn theorems_go_to_a_file_of_their_own() {
-    let directory = directory_with(&[("diet.mps", DIET.as_bytes())]);
-    let lean = printed(directory.path(), "judge diet.mps --lean - -o report.txt");
-    printed(directory.path(), "judge diet.mps --lean diet.lean");
-    assert_eq!(std::fs::read_to_string(directory.path().join("diet.lean")).unwrap(), lean);
-    let expected = "\
-import Mathlib.Tactic
-
--- Written by boundfit from diet.mps: exact, with every multiplier of the proof.
--- x1: column bread
--- x2: column beans
--- r1: row energy
--- r2: row protein
-
-/-- Where all rows and bounds hold, the objective is not less than 8. -/
-theorem optimum_bound (x1 x2 : ℚ)
-    (r1_lower : (4 : ℚ) ≤ x1 + x2)
-    (r2_lower : (6 : ℚ) ≤ x1 + 3 * x2)
-    (x1_lower : (0 : ℚ) ≤ x1)
-    (x1_upper : x1 ≤ (3 : ℚ))
-    (x2_lower : (0 : ℚ) ≤ x2) :
-    (8 : ℚ) ≤ 3 * x1 + 2 * x2 := by
-  linarith only [
-    mul_le_mul_of_nonneg_left r1_lower (by norm_num : (0 : ℚ) ≤ 2),
-    mul_le_mul_of_nonneg_left x1_lower (by norm_num : (0 : ℚ) ≤ 1)]
-
-/-- Some point fulfils all rows and bounds, and there the objective is 8. -/
-theorem optimum_attained :
-    ∃ x1 x2 : ℚ,
-    (4 : ℚ) ≤ x1 + x2 ∧
-    (6 : ℚ) ≤ x1 + 3 * x2 ∧
-    (0 : ℚ) ≤ x1 ∧
-    x1 ≤ (3 : ℚ) ∧
-    (0 : ℚ) ≤ x2 ∧
-    3 * x1 + 2 * x2 = (8 : ℚ) :=
-  ⟨0, 4, by norm_num⟩
-";
-    assert_eq!(lean, expected);
 }
 
 #[test]

@@ -4,4 +4,3 @@ mod answers;
 mod models;
 mod referee;
 mod simplex;
-mod theorems;

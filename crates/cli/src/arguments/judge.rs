@@ -19,7 +19,6 @@ pub(super) const NOTES: Notes = Notes {
             "What solvers wrote about it, each aspect judged on its own; for a code host",
             "boundfit judge model.mps --solution highs.sol --solution glpk.sol --format sarif",
         ),
-        ("The answer as theorems for Lean 4 with Mathlib", "boundfit judge model.mps --lean answer.lean"),
     ],
     statuses: &[
         (0, "there is an answer, and no solution is refuted"),
@@ -41,9 +40,6 @@ pub(super) const NOTES: Notes = Notes {
 pub(crate) struct JudgeArguments {
     /// MODEL.mps or MODEL.lp, or - for standard input, where the text tells which it is
     pub(crate) model: String,
-    /// Also write the answer as theorems of Lean 4, every multiplier given, that Mathlib's linarith and norm_num prove
-    #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
-    pub(crate) lean: Option<String>,
     /// Also draw the feasible set, the optimal points and where the objective improves: FILE.svg, .png, .pdf, .tikz or .tex
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) plot: Option<String>,

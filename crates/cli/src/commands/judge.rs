@@ -7,8 +7,8 @@ use boundfit_formats::WholeFile;
 use boundfit_judge::{Answer, Plane};
 use boundfit_lp::{ExchangeFormat, Model, ModelLimits, model_text, read_model};
 use boundfit_report::{
-    JudgeJson, h_representation, judge_document, judge_json, lean_theorems, solutions_document,
-    solutions_json, solutions_junit, solutions_sarif, v_representation,
+    JudgeJson, h_representation, judge_document, judge_json, solutions_document, solutions_json,
+    solutions_junit, solutions_sarif, v_representation,
 };
 
 use super::pictures::picture_format;
@@ -33,7 +33,6 @@ pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
     let mut guard = arguments.output.file.replace.guard(inputs);
     let output = arguments.output.file.output.as_deref();
     guard.check(output)?;
-    guard.check(arguments.lean.as_deref())?;
     guard.check(arguments.plot.as_deref())?;
     let file = read(arguments)?;
     let model = model_of(&file, &arguments.limits)?;
@@ -64,11 +63,8 @@ pub(crate) fn run(arguments: &JudgeArguments) -> CommandResult {
     };
     let picture =
         plot.map(|format| picture(&model, &plane, &file.name, (format, &arguments.picture))).transpose()?;
-    let lean = arguments.lean.as_deref();
-    let theorems = lean.map(|lean| (lean_theorems(&model, &answer, file.name.borrowed()), lean));
-    let theorems = theorems.as_ref().map(|(text, file)| (text.as_bytes(), Some(*file)));
     let picture = picture.as_deref().map(|picture| (picture, arguments.plot.as_deref()));
-    let parts: Vec<_> = theorems.into_iter().chain(picture).chain([(report.as_bytes(), output)]).collect();
+    let parts: Vec<_> = picture.into_iter().chain([(report.as_bytes(), output)]).collect();
     output::write_together(&parts, &mut guard)?;
     Ok(match answer {
         _ if solutions::is_refuted(&judged) => Exit::Refuted,
@@ -93,14 +89,10 @@ fn check_usage_of_format(arguments: &JudgeArguments, format: JudgeFormat) -> Res
     }
 }
 
-/// Refuses files that would not be each for itself: of the report, of theorems, of the picture.
+/// Refuses files that would not be each for itself: of the report, of the picture.
 fn check_usage_of_files(arguments: &JudgeArguments) -> Result<(), Failure> {
     let report = Some(arguments.output.file.output.as_deref().unwrap_or("-"));
-    files_apart(&[
-        ("--output", report),
-        ("--lean", arguments.lean.as_deref()),
-        ("--plot", arguments.plot.as_deref()),
-    ])
+    files_apart(&[("--output", report), ("--plot", arguments.plot.as_deref())])
 }
 
 /// Refuses options that would write to one file, the report first.

@@ -1,7 +1,6 @@
 //! The report of the exact answer to a linear program.
 
 mod json;
-mod lean;
 mod tables;
 
 use boundfit_exact::english::counted;
@@ -14,7 +13,6 @@ use crate::formula::products;
 use crate::style::{Style, is_readable};
 
 pub use json::{JudgeJson, judge_json};
-pub use lean::lean_theorems;
 
 /// The report of an answer to the model of a file of this name: status, optimum, all optimal points, prices and basis, or the
 /// certificate; then the feasible set. Numbers are exact; `about` stands before those that are too long to read.
