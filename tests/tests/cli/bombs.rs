@@ -292,8 +292,8 @@ fn proofs_and_claims_without_an_end_are_refused() {
     let pipe = directory.path().join("pipe");
     assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
     for (line, option) in [
-        ("verify pipe a.csv", "--max-proof-size"),
-        ("check a.csv --x x --y y --eps 1 --claim pipe", "--max-claim-size"),
+        ("verify pipe a.csv", "--limit text"),
+        ("check a.csv --x x --y y --eps 1 --claim pipe", "--limit text"),
     ] {
         // A buffer of the limit, 256 MB, grows to it by copies.
         let usual = Cost { data: 1 << 30, ..TWO_SECONDS };
@@ -342,7 +342,7 @@ fn readers_ask_for_memory_before_they_take_it() {
         let line = format!("{command} --limit memory={limit}").replace("FILE", "bomb");
         let ended = run_limited(directory.path(), &words(&line), LIMITS);
         let is_refused = ended.messages.contains(what)
-            && ended.messages.ends_with("(the limit); --limit memory=SIZE raises it\n");
+            && ended.messages.ends_with("(the limit); --limit memory=N raises it\n");
         assert!(ended.status == Some(1) && is_refused, "{name}: {ended:?}");
     }
 }
@@ -357,7 +357,7 @@ fn windows_are_as_large_as_the_file_gives_reason_to() {
     let large = repeated_behind(start, b'\n', 400, 27);
     assert!(large.len() < 2_000);
     let message = "refused: unpacking it takes more than 8388608 bytes of memory and 100 times its size (the limit); \
-                   --max-ratio raises it\n";
+                   --limit ratio=N raises it\n";
     let few = Cost { data: 48 << 20, ..LIMITS };
     for command in [
         FIT,
@@ -390,7 +390,7 @@ fn equal_rows_are_kept_once_or_not_at_all() {
     let ended = run_limited(directory.path(), &words("fit reduced --x x --y y --eps 1 --no-lp"), cost);
     assert_eq!(ended.status, Some(0), "{ended:?}");
     let readings = "bomb: more than 300 readings are too many for a lesson; choose some with --rows FIRST..LAST, or raise it with \
-                    --max-readings\n";
+                    --limit readings=N\n";
     let ties = format!("x,y\n{}", "1,1\n1,2\n".repeat(300_000));
     refused(
         ties.as_bytes(),

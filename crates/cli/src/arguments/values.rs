@@ -5,7 +5,7 @@ use std::iter;
 use boundfit_exact::{
     DecimalMark, Limit, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading, Thousands,
 };
-use boundfit_formats::{AskedBlock, ColumnSelector, CommentMark, DELIMITERS, Encoding, MemoryBudget};
+use boundfit_formats::{AskedBlock, ColumnSelector, CommentMark, DELIMITERS, Encoding};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::exit::Failure;
