@@ -298,14 +298,14 @@ fn proofs_and_claims_without_an_end_are_refused() {
         // A buffer of the limit, 256 MB, grows to it by copies.
         let usual = Cost { data: 1 << 30, ..TWO_SECONDS };
         for (set, size, cost) in
-            [(String::new(), 268_435_456, usual), (format!(" {option} 1000000"), 1_000_000, LIMITS)]
+            [(String::new(), 268_435_456, usual), (format!(" {option}=1000000"), 1_000_000, LIMITS)]
         {
             let yes =
                 Command::new("sh").args(["-c", "exec yes > \"$0\""]).arg(&pipe).stderr(Stdio::null()).spawn();
             let ended = run_limited(directory.path(), &words(&format!("{line}{set}")), cost);
             // It ends when nobody reads on.
             yes.unwrap().wait().unwrap();
-            let message = format!("pipe: larger than {size} bytes (the limit; {option} raises it)\n");
+            let message = format!("pipe: larger than {size} bytes (the limit; {option}=N raises it)\n");
             assert!(ended.status == Some(1) && ended.messages.ends_with(&message), "{line}: {ended:?}");
         }
     }
