@@ -72,7 +72,7 @@ def problems(count: int) -> list[tuple[Texts, Texts]]:
 
 
 def exact(number: Any) -> Fraction | None:
-    return None if number is None else Fraction(number["exact"])
+    return None if number is None or number["exact"] is None else Fraction(number["exact"])
 
 
 def of_program(group: dict[str, Any]) -> Any:
