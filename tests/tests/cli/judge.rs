@@ -179,13 +179,9 @@ fn what_cannot_be_answered_is_refused_with_a_reason() {
     let run = boundfit(directory.path(), "judge broken.mps");
     assert_eq!((run.status, run.stdout.as_str()), (1, ""));
     assert!(run.stderr.starts_with("error: broken.mps: "), "{}", run.stderr);
-    for (line, problem) in
-        [("judge diet.mps --plot a.svg -o a.svg", "'--plot' and '--output' name the same file")]
-    {
-        let run = boundfit(directory.path(), line);
-        assert_eq!((run.status, run.stdout.as_str()), (2, ""), "{line}");
-        assert!(run.stderr.starts_with(&format!("error: {problem}\n")), "{}", run.stderr);
-    }
+    let run = boundfit(directory.path(), "judge diet.mps --plot a.svg -o a.svg");
+    assert_eq!((run.status, run.stdout.as_str()), (2, ""));
+    assert!(run.stderr.starts_with("error: '--plot' and '--output' name the same file\n"), "{}", run.stderr);
 }
 
 #[test]
