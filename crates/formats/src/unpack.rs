@@ -344,7 +344,7 @@ impl<R: BufRead> Frames<R> {
                 }
                 Err(FrameDecoderError::WindowSizeTooBig { requested, max }) => {
                     let reason = format!(
-                        "it takes the last {} that were unpacked, and {} may be taken; pack it anew without --long",
+                        "it takes the last {} that were unpacked, and {} may be taken; pack it anew with a smaller window",
                         size_text(requested),
                         size_text(max)
                     );

@@ -371,7 +371,7 @@ fn windows_are_as_large_as_the_file_gives_reason_to() {
     }
     let too_large = repeated_behind(start, b'\n', 4, 30);
     let message = "cannot read a Zstandard file: it takes the last 1 GiB that were unpacked, and 128 MiB may be taken; pack it anew \
-                   without --long\n";
+                   with a smaller window\n";
     refused(&too_large, FIT, message, few);
 }
 

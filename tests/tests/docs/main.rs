@@ -1,8 +1,10 @@
 //! What the documentation says is so: its examples are run, its names exist.
 
+mod architecture;
 mod book;
 mod pages;
 mod readme;
+mod sources;
 mod surfaces;
 mod theory;
 mod versions;
