@@ -3,8 +3,8 @@
 use boundfit::engine::exact::{DecimalMark, Thousands};
 use boundfit::files::{
     AskedBlock, AskedDialect, ColumnSelector, CommentMark, Encoding, EpsilonColumn, Header, InputError,
-    Limits, MemoryBudget, Missing, MissingWords, Question, RowCondition, RowRange, RowSet, ScanOptions, Setting, SizeLimits,
-    TableOptions, Way,
+    Limits, MemoryBudget, Missing, MissingWords, Question, RowCondition, RowRange, RowSet, ScanOptions,
+    Setting, SizeLimits, TableOptions, Way,
 };
 use boundfit::questions::Agreement;
 use boundfit::{Condition, Rational, Reading};
