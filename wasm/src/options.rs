@@ -386,7 +386,7 @@ fn dialect(marks: [&Option<String>; 5], skip_lines: u64, units_row: bool) -> Res
             .ok_or_else(|| refused("comment", text, "expected auto, none or one character such as #"))
     });
     let encoding = asked(encoding).map(|name| {
-        let expected = || refused("encoding", &name, &format!("expected one of {}", Encoding::names()));
+        let expected = || refused("encoding", &name, format!("expected one of {}", Encoding::names()));
         Encoding::named(&name).ok_or_else(expected)
     });
     Ok(AskedDialect {

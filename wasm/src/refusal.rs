@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 pub(crate) struct Refusal {
     /// As the program says it.
     pub(crate) message: String,
-    problem: Problem,
+    problem: Box<Problem>,
 }
 
 /// What is wrong, as data.
@@ -63,7 +63,15 @@ impl Refusal {
         let message = format!("{key}: {:?}: {problem}", text.as_deref().unwrap_or_default());
         Refusal {
             message,
-            problem: Problem { kind, words, key: Some(key), text, position, values, ..Problem::default() },
+            problem: Box::new(Problem {
+                kind,
+                words,
+                key: Some(key),
+                text,
+                position,
+                values,
+                ..Problem::default()
+            }),
         }
     }
 
@@ -75,7 +83,7 @@ impl Refusal {
 
 impl From<String> for Refusal {
     fn from(message: String) -> Self {
-        Refusal { problem: Problem { words: message.clone(), ..Problem::default() }, message }
+        Refusal { problem: Box::new(Problem { words: message.clone(), ..Problem::default() }), message }
     }
 }
 
@@ -100,7 +108,7 @@ impl From<InputError> for Refusal {
             values,
             ..Problem::default()
         };
-        Refusal { message, problem }
+        Refusal { message, problem: Box::new(problem) }
     }
 }
 
@@ -116,7 +124,7 @@ impl Refusal {
         let words = error.to_string();
         Refusal {
             message: format!("{file}: {error}"),
-            problem: Problem { kind, words, values, ..Problem::default() },
+            problem: Box::new(Problem { kind, words, values, ..Problem::default() }),
         }
     }
 }
