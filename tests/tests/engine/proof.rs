@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
 use boundfit_estimation::fit;
+use boundfit_exact::DecimalMark;
 use boundfit_formats::{AskedDialect, Header, RowRange, TableOptions};
 use boundfit_tests::generate::seeded;
 use boundfit_tests::program::root;
@@ -140,10 +141,11 @@ fn both_readers_see_the_same_table() {
         question.options = TableOptions { header: Header::Absent, dialect, ..TableOptions::default() };
         if let Ok(problem) = question.problem() {
             if question.proof_of(&problem).is_none() {
-                // Rows without their last cells are read, and are not plain.
+                // Rows without their last cells and commas before decimals are read, and are not plain.
                 let notes = problem.measurements.table().unwrap();
-                assert!(notes.skipped.short_rows > 0, "{text:?}");
-                short += 1;
+                let has_commas = notes.dialect.notation.decimal == DecimalMark::Comma;
+                assert!(notes.skipped.short_rows > 0 || has_commas, "{text:?}");
+                short += usize::from(!has_commas);
                 continue;
             }
             accepts(&question);
