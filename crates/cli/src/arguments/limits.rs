@@ -17,22 +17,12 @@ use super::values::parse_size;
 /// The heading of limits in the help, below all other options.
 const HEADING: &str = "Limits";
 
-/// The limits of whatever is read.
-const OF_FILES: [Limit; 13] = [
-    Limit::Digits,
-    Limit::Exponent,
-    Limit::Line,
-    Limit::Columns,
-    Limit::Rows,
-    Limit::Elements,
-    Limit::Unpacked,
-    Limit::Ratio,
-    Limit::Workbook,
-    Limit::Work,
-    Limit::Text,
-    Limit::Nesting,
-    Limit::Memory,
-];
+/// The limits of whatever is read; the others are of one command each.
+fn of_files() -> impl Iterator<Item = Limit> {
+    let is_own =
+        |limit: &Limit| matches!(limit, Limit::Fraction | Limit::Sets | Limit::Steps | Limit::Readings);
+    Limit::ALL.into_iter().filter(move |limit| !is_own(limit))
+}
 
 /// A limit that is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,8 +52,8 @@ pub(super) fn with(own: &'static [Limit]) -> impl FnOnce(Arg) -> Arg {
 fn long_help(own: &[Limit]) -> String {
     let mut help =
         format!("{HELP}. Sizes may have a unit, as in memory=512MiB. The names, with N when left out:");
-    for limit in OF_FILES.iter().chain(own) {
-        let (most, what) = about(*limit);
+    for limit in of_files().chain(own.iter().copied()) {
+        let (most, what) = about(limit);
         help += &format!("\n- {} ({most}): {what}", limit.name());
     }
     help
@@ -158,7 +148,7 @@ fn parse(text: &str, own: &[Limit]) -> Result<AskedLimit, String> {
     let (name, number) = text
         .split_once('=')
         .ok_or("expected NAME=N, such as digits=20000 or memory=4GiB; --help lists the names")?;
-    let limits = || OF_FILES.iter().chain(own).copied();
+    let limits = || of_files().chain(own.iter().copied());
     let limit = limits().find(|limit| limit.name() == name.trim()).ok_or_else(|| {
         let names: Vec<&str> = limits().map(Limit::name).collect();
         let is_another = Limit::ALL.iter().any(|limit| limit.name() == name.trim());
