@@ -1,10 +1,10 @@
 //! Error bounds as they are asked for: a number, a law of data sheets, or a multiple of ε_min.
 
-use boundfit_exact::{Foreign, Limits, ParseNumberErrorKind, Rational, Reading};
-use thiserror::Error;
+use boundfit_exact::{Limits, ParseNumberErrorKind, Rational, Reading};
 
-use crate::law::{Law, Terms};
-use crate::scanner::{ParseTextError, Scanner, TextProblem};
+use crate::law::Law;
+use crate::scanner::Scanner;
+use crate::terms::{ParseBoundError, ParseBoundErrorKind};
 
 /// An error bound as it is asked for.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -15,74 +15,6 @@ pub enum AskedBound {
     Law(Box<Law>),
     /// So many times ε_min of these very readings; positive.
     TimesLeast(Rational),
-}
-
-/// Why a text is no error bound, and where.
-pub type ParseBoundError = ParseTextError<ParseBoundErrorKind>;
-
-/// What is wrong with a text that should be an error bound.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum ParseBoundErrorKind {
-    /// Neither a number nor a quantity.
-    #[error("neither a number nor one of |y|, |x|, range(y), written and min")]
-    NotATerm,
-    /// A number that is not one.
-    #[error("{verdict}: {0}", verdict = if .0.is_limit() { "refused" } else { "not a number" })]
-    NotANumber(#[from] ParseNumberErrorKind),
-    /// A number below 0.
-    #[error("negative")]
-    NegativeNumber,
-    /// A percentage of nothing.
-    #[error(
-        "{0} of what? Write {0}*|y| for that share of each reading, {0}*range(y) for that share of the span of all readings"
-    )]
-    PercentOfWhat(Foreign),
-    /// Digits, as multimeters state them.
-    #[error(
-        "the digits of a data sheet are units of the last digit written, and 'written' is half of one: 3 digits are 6*written, \
-         and \"1% + 3 digits\" is 1%*|y| + 6*written"
-    )]
-    Digits,
-    /// A term that is subtracted.
-    #[error("a term that is subtracted")]
-    Negative,
-    /// A second term without a plus before it.
-    #[error("neither + nor the end")]
-    NoPlus,
-    /// An asymmetric law without its lower part.
-    #[error("no /- with the bound below")]
-    NoBelow,
-    /// ε_min with more than a positive factor.
-    #[error(
-        "min is the least bound that these very readings allow, and nothing but a positive factor goes with it: 1.2*min"
-    )]
-    LeastAlone,
-}
-
-impl TextProblem for ParseBoundErrorKind {
-    fn has_place(&self) -> bool {
-        use ParseBoundErrorKind::{Digits, LeastAlone, NegativeNumber, PercentOfWhat};
-        !matches!(self, Digits | LeastAlone | NegativeNumber | PercentOfWhat(_))
-    }
-
-    fn advice(&self) -> Option<&'static str> {
-        match self {
-            ParseBoundErrorKind::Negative => Some("for another bound above than below write +ABOVE/-BELOW"),
-            _ => None,
-        }
-    }
-
-    fn expected(&self) -> Option<&'static str> {
-        use ParseBoundErrorKind::{Digits, LeastAlone, NegativeNumber, NotANumber, PercentOfWhat};
-        match self {
-            NotANumber(kind) if kind.is_limit() => None,
-            Digits | LeastAlone | PercentOfWhat(_) => None,
-            NotANumber(_) | NegativeNumber => Some("a number that is at least 0, such as 0.5e-3 or 1/2000"),
-            _ => Some(
-                "a number such as 0.5e-3, or a law such as \"0.05%*|y| + 2e-3\", \"written\" or \"+0.2/-0.1\"",
-            ),
-        }
-    }
 }
 
 impl AskedBound {
@@ -130,104 +62,6 @@ fn times_least(text: &str, limits: &Limits) -> Result<Rational, ParseBoundError>
     } else {
         Err(scanner.error(ParseBoundErrorKind::LeastAlone))
     }
-}
-
-/// What is taken above y, and below where that is something else.
-pub(crate) fn parse_terms(
-    text: &str,
-    reading: Reading,
-    limits: &Limits,
-) -> Result<(Terms, Option<Terms>), ParseBoundError> {
-    let both = Parser { scanner: Scanner::new(text, reading, limits) }.both(text);
-    both.map_err(|error| Scanner::place(text, error))
-}
-
-/// Reads a law; errors count bytes.
-struct Parser<'a> {
-    scanner: Scanner<'a>,
-}
-
-impl Parser<'_> {
-    /// `SUM` or `+SUM/-SUM`.
-    fn both(mut self, text: &str) -> Result<(Terms, Option<Terms>), ParseBoundError> {
-        if let Some(position) = ["digit", "dgt"].into_iter().find_map(|word| text.find(word)) {
-            return Err(ParseBoundError { position, kind: ParseBoundErrorKind::Digits });
-        }
-        let is_asymmetric = self.scanner.take(&["+"]).is_some();
-        let above = self.sum(is_asymmetric)?;
-        let mut below = None;
-        if is_asymmetric {
-            if self.scanner.take(&["/"]).and_then(|_| self.scanner.take(&["-", "−"])).is_none() {
-                return Err(self.scanner.error(ParseBoundErrorKind::NoBelow));
-            }
-            below = Some(self.sum(false)?);
-        }
-        match self.scanner.rest().chars().next() {
-            None => Ok((above, below)),
-            Some('-' | '−') => Err(self.scanner.error(ParseBoundErrorKind::Negative)),
-            Some(_) => Err(self.scanner.error(ParseBoundErrorKind::NoPlus)),
-        }
-    }
-
-    /// Terms with a plus between them.
-    fn sum(&mut self, is_asymmetric: bool) -> Result<Terms, ParseBoundError> {
-        let mut terms = Terms::default();
-        loop {
-            self.term(&mut terms, is_asymmetric)?;
-            if self.scanner.take(&["+"]).is_none() {
-                return Ok(terms);
-            }
-        }
-    }
-
-    /// `NUMBER`, `QUANTITY`, `NUMBER*QUANTITY` or `NUMBER%*QUANTITY`.
-    fn term(&mut self, terms: &mut Terms, is_asymmetric: bool) -> Result<(), ParseBoundError> {
-        let start = self.scanner.start();
-        let number = self.scanner.number(is_asymmetric)?;
-        let is_number = number.is_some();
-        if !is_number && self.scanner.rest().starts_with(['-', '−']) {
-            return Err(self.scanner.error(ParseBoundErrorKind::Negative));
-        }
-        let mut factor = number.unwrap_or_else(Rational::one);
-        let is_percent = is_number && self.scanner.take(&["%"]).is_some();
-        if is_percent {
-            factor = factor * Rational::ratio(1, 100);
-        }
-        let share = self.scanner.since(start);
-        let is_product = is_number && self.scanner.take(&["*", "·"]).is_some();
-        let slot = match self.quantity() {
-            Some(Quantity::Y) => &mut terms.of_y,
-            Some(Quantity::X) => &mut terms.of_x,
-            Some(Quantity::Range) => &mut terms.of_range,
-            Some(Quantity::Written) => &mut terms.written,
-            None if is_percent && !is_product => {
-                let kind = ParseBoundErrorKind::PercentOfWhat(share.into());
-                return Err(ParseBoundError { position: start, kind });
-            }
-            None if is_number && !is_product => &mut terms.constant,
-            None => return Err(self.scanner.error(ParseBoundErrorKind::NotATerm)),
-        };
-        *slot = &*slot + factor;
-        Ok(())
-    }
-
-    fn quantity(&mut self) -> Option<Quantity> {
-        let words: [(&[&'static str], Quantity); 4] = [
-            (&["|y|", "abs(y)"], Quantity::Y),
-            (&["|x|", "abs(x)"], Quantity::X),
-            (&["range(y)"], Quantity::Range),
-            (&["written"], Quantity::Written),
-        ];
-        words.into_iter().find(|(words, _)| self.scanner.take(words).is_some()).map(|(_, quantity)| quantity)
-    }
-}
-
-#[derive(Clone, Copy)]
-enum Quantity {
-    Y,
-    X,
-    Range,
-    Written,
 }
 
 #[cfg(test)]

@@ -3,15 +3,17 @@
 use boundfit_exact::{Interval, Rational};
 use boundfit_geometry::{Inequality, Measure, Measures, Polyhedron, ProofError, System, verify_membership};
 
+use crate::bound_name::BoundName;
 use crate::bounds::{Central, ParameterInterval, central, guaranteed_error, parameter_intervals};
-use crate::fps::{BoundName, Fps, every_half_plane};
+use crate::fps::{Fps, every_half_plane};
 use crate::grid::Grid;
 use crate::hulls::Extremes;
 use crate::inverse::Inverse;
-use crate::least_squares::{LeastSquares, NoLeastSquares};
+use crate::least_squares::LeastSquares;
 use crate::meaning::{ErrorBound, Model};
 use crate::minimax::Minimax;
 use crate::problem::Problem;
+use crate::reduction::NoLeastSquares;
 
 /// The answer. What does not exist for a problem is `None`; [`Fit::least_squares`] says why.
 #[derive(Debug, Clone)]
@@ -62,6 +64,13 @@ pub fn fit(problem: &Problem) -> Fit {
     let central = pui.as_ref().and_then(central);
     let minimax = Minimax::with_extremes(measurements, conditions, extremes.as_ref());
     Fit { least_squares, fps, pui, central, minimax }
+}
+
+impl Problem {
+    /// Computes everything, as [`fit`](fn@fit) does.
+    pub fn fit(&self) -> Fit {
+        fit(self)
+    }
 }
 
 impl Fit {

@@ -108,6 +108,17 @@ impl Extremes {
     }
 }
 
+impl Measurements {
+    /// The readings in memory that touch a hull of all: under no uniform error bound can another one bound a line. `None` unless these are readings of a line under a uniform error bound. Exact. Cost: O(N log N).
+    pub fn supporting(&self) -> Option<Vec<Measurement>> {
+        let extremes = Extremes::of(self)?;
+        let mut positions: Vec<u64> =
+            extremes.touching.iter().flat_map(|touching| touching.tied.rows()).collect();
+        positions.sort_unstable();
+        Some(positions.into_iter().map(|position| self.kept()[position as usize].clone()).collect())
+    }
+}
+
 /// Readings as points of any size, sorted by x, then by y.
 fn exact_places(rows: &[Measurement]) -> Vec<ExactPlace> {
     let at = |(position, row): (usize, &Measurement)| {

@@ -2,8 +2,8 @@
 
 use boundfit_exact::{Foreign, Limits, Rational, Reading};
 
-use crate::asked_bound::{ParseBoundError, parse_terms};
 use crate::measurement::{Bounds, Measurement};
+use crate::terms::{ParseBoundError, Terms, parse_terms};
 
 /// How far φ·θ may be from each y, as a sum of multiples of what is known of the reading.
 ///
@@ -13,16 +13,6 @@ pub struct Law {
     text: Foreign,
     above: Terms,
     below: Option<Terms>,
-}
-
-/// How many times each quantity is taken; no coefficient is negative.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub(crate) struct Terms {
-    pub(crate) constant: Rational,
-    pub(crate) of_y: Rational,
-    pub(crate) of_x: Rational,
-    pub(crate) of_range: Rational,
-    pub(crate) written: Rational,
 }
 
 impl Law {
@@ -142,34 +132,6 @@ pub(crate) fn range_of_y(rows: &[Measurement]) -> Rational {
     match (responses().max(), responses().min()) {
         (Some(most), Some(least)) => most - least,
         _ => Rational::zero(),
-    }
-}
-
-impl Terms {
-    #[cfg(feature = "files")]
-    fn formula(&self) -> String {
-        let multiples = [
-            ("|y|", &self.of_y),
-            ("|x|", &self.of_x),
-            ("range(y)", &self.of_range),
-            ("written", &self.written),
-        ];
-        let multiples = multiples.into_iter().filter(|(_, times)| !times.is_zero());
-        let mut terms: Vec<String> = multiples.map(|(name, times)| format!("{times}*{name}")).collect();
-        if !self.constant.is_zero() || terms.is_empty() {
-            terms.push(self.constant.to_string());
-        }
-        terms.join(" + ")
-    }
-
-    fn at(&self, x: &Rational, y: &Rational, written: &Rational) -> Rational {
-        let mut sum = self.constant.clone();
-        for (times, value) in [(&self.of_y, y), (&self.of_x, x), (&self.written, written)] {
-            if !times.is_zero() {
-                sum = sum + times * value.abs();
-            }
-        }
-        sum
     }
 }
 

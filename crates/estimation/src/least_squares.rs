@@ -4,16 +4,15 @@ use std::borrow::Cow;
 
 use boundfit_exact::{Endpoint, Integer, Interval, Rational, Scaled, Sum, Unit};
 use boundfit_geometry::Direction;
-use thiserror::Error;
 
 use crate::grid::Grid;
 use crate::meaning::ErrorBound;
 use crate::measurement::{Bounds, Measurement};
 use crate::measurements::{Measurements, Readings};
 use crate::moments::{Moments, SUM_BITS, Solution, bits, widest};
+use crate::reduction::{NoEui, NoLeastSquares, Reach, Reduction};
 #[cfg(feature = "files")]
-use crate::summary::Sums;
-use crate::summary::{NoEui, Reach, Reduction};
+use crate::sums::Sums;
 
 /// The least-squares estimate θ̂ = (ΦᵀΦ)⁻¹Φᵀy with its estimate uncertainty intervals.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -26,22 +25,6 @@ pub struct LeastSquares {
     ///
     /// It takes a second look at all readings; why there was none, otherwise.
     pub eui: Result<[Interval; 2], NoEui>,
-}
-
-/// Why there is no least-squares estimate.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-pub enum NoLeastSquares {
-    /// ΦᵀΦ has no inverse: all regressors are multiples of one.
-    #[error(
-        "the regressors are all parallel (for a line: fewer than two distinct x), so the normal equations are singular"
-    )]
-    Singular,
-    /// Every x of a line through the origin is 0.
-    #[error("every x is 0, where all lines through the origin are alike")]
-    EveryXZero,
-    /// A reading with neither y nor both bounds.
-    #[error("no column of y was given, and a reading with one bound only has no middle to take instead")]
-    NoResponse,
 }
 
 impl LeastSquares {

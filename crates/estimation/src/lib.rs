@@ -29,6 +29,7 @@
 //! ```
 
 mod asked_bound;
+mod bound_name;
 mod bounds;
 mod condition;
 mod corridor;
@@ -56,13 +57,19 @@ mod minimax;
 mod moments;
 mod one_parameter;
 mod problem;
+#[cfg(feature = "files")]
+mod products;
+mod reduction;
 mod scanner;
 mod selection;
 mod summary;
+mod sums;
+mod terms;
 mod ties;
 mod work;
 
-pub use asked_bound::{AskedBound, ParseBoundError, ParseBoundErrorKind};
+pub use asked_bound::AskedBound;
+pub use bound_name::BoundName;
 pub use bounds::{Central, ParameterBound, ParameterInterval, central_of, parameter_intervals};
 pub use condition::{Condition, ParseConditionError, ParseConditionErrorKind};
 pub use corridor::{Corridor, CorridorEdge};
@@ -77,13 +84,13 @@ pub use fit::{Fit, fit};
 #[cfg(feature = "float-least-squares")]
 pub use float_least_squares::{FloatEstimate, FloatLeastSquares};
 pub use fps::{
-    BoundName, Fps, bounds_of_reading, conditions_by_name, growing_half_planes, half_planes, reading_of_bound,
+    Fps, bounds_of_reading, conditions_by_name, growing_half_planes, half_planes, reading_of_bound,
 };
 pub use group_fit::GroupFit;
 pub use inverse::{Inverse, InverseParameter};
 pub use law::Law;
 pub use least_growth::{GrowingInequality, LeastGrowth, least_growth};
-pub use least_squares::{LeastSquares, NoLeastSquares};
+pub use least_squares::LeastSquares;
 pub use line_form::LineForm;
 pub use meaning::{ErrorBound, Model, MultipleOfLeast};
 pub use measurement::{Bounds, Measurement};
@@ -91,7 +98,10 @@ pub use measurements::{Measurements, Readings};
 pub use mending::mending_rows;
 pub use minimax::{Minimax, MinimaxProof};
 pub use problem::Problem;
+pub use reduction::{DecidingMinimax, NoEui, NoLeastSquares, NoMinimax, Reach, Reduction};
 pub use scanner::{ParseTextError, TextProblem};
 pub use selection::{FractionCells, Selection};
-pub use summary::{ColumnsError, DecidingMinimax, Keep, NoEui, NoMinimax, Reach, Reduction, Sums};
+pub use summary::{ColumnsError, Keep};
+pub use sums::Sums;
+pub use terms::{ParseBoundError, ParseBoundErrorKind};
 pub use ties::{ActiveBounds, Ties};

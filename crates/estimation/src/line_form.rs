@@ -3,8 +3,6 @@
 use boundfit_exact::{Foreign, Rational};
 
 use crate::measurement::Measurement;
-#[cfg(feature = "files")]
-use crate::summary::{Spread, Sums};
 
 /// Which lines are fitted: y = θ1·(x - origin) + θ2, with θ2 = 0 for those through the point (origin, 0).
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -44,25 +42,6 @@ impl LineForm {
         for row in rows {
             row.regressor[0] = self.counted(std::mem::take(&mut row.regressor[0]));
         }
-    }
-
-    #[cfg(feature = "files")]
-    /// The sums over readings whose x are counted from the origin, from those of x as it is. Exact.
-    pub(crate) fn sums(&self, sums: Sums) -> Sums {
-        let origin = &self.x_origin;
-        if origin.is_zero() {
-            return sums;
-        }
-        let Sums { count, uu: xx, uv: x, vv, uy: xy, vy: y } = sums;
-        let all = origin * Rational::from(count);
-        let twice = &x + &x;
-        Sums { count, uu: xx + origin * (&all - twice), uv: x - all, vv, uy: xy - origin * &y, vy: y }
-    }
-
-    #[cfg(feature = "files")]
-    /// Where x counted from the origin lie, from where x as it is lie. Exact.
-    pub(crate) fn spread(&self, spread: Spread) -> Spread {
-        if self.x_origin.is_zero() { spread } else { spread.counted_from(&self.x_origin) }
     }
 }
 

@@ -1,21 +1,14 @@
 //! What the numbers of a row mean: the model, and where the error bounds come from.
 
 #[cfg(feature = "files")]
-use std::borrow::Cow;
-
-#[cfg(feature = "files")]
 use boundfit_exact::Column;
 use boundfit_exact::{Foreign, Rational};
 
 use crate::law::Law;
 #[cfg(feature = "files")]
 use crate::law::range_of_y;
-#[cfg(feature = "files")]
-use crate::least_squares::NoLeastSquares;
 use crate::line_form::LineForm;
 use crate::measurement::{Bounds, Measurement};
-#[cfg(feature = "files")]
-use crate::summary::{Halves, Sums};
 
 /// How the regressors come from the columns.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -151,27 +144,6 @@ impl Meaning {
             ErrorBound::Interval { .. } => false,
             _ => count > 0,
         }
-    }
-
-    /// The sums over all rows of columns. Exact. Cost: linear.
-    ///
-    /// # Errors
-    /// When a reading has nothing that least squares could take.
-    #[cfg(feature = "files")]
-    pub(crate) fn sums(&self, columns: &[Column]) -> Result<Sums, NoLeastSquares> {
-        let regressors = self.regressors();
-        let second = (regressors == 2).then(|| &columns[1]);
-        let form = |sums: Sums| if regressors == 1 { self.form.sums(sums) } else { sums };
-        if self.has_response {
-            return Ok(form(Sums::of_columns(&columns[0], second, &columns[regressors])));
-        }
-        if let Some(Halves { middles, .. }) = Halves::of_columns(self, columns) {
-            return Ok(form(Sums::of_columns(&columns[0], second, &middles)));
-        }
-        let value = |row: usize| self.of_columns(columns, row, 0).value().map(Cow::into_owned);
-        let values: Option<Column> = (0..columns[0].len()).map(value).collect();
-        let values = values.ok_or(NoLeastSquares::NoResponse)?;
-        Ok(form(Sums::of_columns(&columns[0], second, &values)))
     }
 
     /// The reading with these numbers: the regressors that are columns, the response, and the error bound if it is a

@@ -8,13 +8,12 @@ use boundfit_exact::{Foreign, Rational};
 use boundfit_formats::{RowNumbers, TableNotes, TextLayout};
 use boundfit_geometry::Tally;
 
-use crate::hulls::Extremes;
 use crate::law::{Law, range_of_y};
 use crate::line_form::LineForm;
 use crate::meaning::{ErrorBound, Meaning, Model, MultipleOfLeast};
 use crate::measurement::{Bounds, Measurement};
+use crate::reduction::{DecidingMinimax, NoEui, NoMinimax, Reduction};
 use crate::selection::{FractionCells, Selection};
-use crate::summary::{DecidingMinimax, NoEui, NoMinimax, Reduction};
 use crate::ties::Ties;
 
 /// The readings that are fitted, as far as they are in memory.
@@ -358,15 +357,6 @@ impl Measurements {
         match &self.readings {
             Readings::All(rows) | Readings::Supporting { rows, .. } | Readings::Counted { rows, .. } => rows,
         }
-    }
-
-    /// The readings in memory that touch a hull of all: under no uniform error bound can another one bound a line. `None` unless these are readings of a line under a uniform error bound. Exact. Cost: O(N log N).
-    pub fn supporting(&self) -> Option<Vec<Measurement>> {
-        let extremes = Extremes::of(self)?;
-        let mut positions: Vec<u64> =
-            extremes.touching.iter().flat_map(|touching| touching.tied.rows()).collect();
-        positions.sort_unstable();
-        Some(positions.into_iter().map(|position| self.kept()[position as usize].clone()).collect())
     }
 
     /// Which of the readings in memory stand for more than themselves; `None` where all are in memory.

@@ -5,8 +5,9 @@ use std::collections::HashMap;
 use boundfit_exact::Rational;
 use boundfit_geometry::{Inequality, Multiplier, RegionKind, System, envelope};
 
+use crate::bound_name::BoundName;
 use crate::condition::Condition;
-use crate::fps::{BoundName, conditions_by_name, growing_half_planes};
+use crate::fps::{conditions_by_name, growing_half_planes};
 use crate::hulls::{Extremes, Gap, HullMinimum};
 use crate::least_growth::{GrowingInequality, LeastGrowth, least_growth};
 use crate::meaning::ErrorBound;

@@ -4,10 +4,10 @@ use std::borrow::Cow;
 
 use boundfit_exact::{Interval, Rational, Sum};
 
-use crate::least_squares::{LeastSquares, NoLeastSquares};
+use crate::least_squares::LeastSquares;
 use crate::measurement::Measurement;
 use crate::measurements::{Measurements, Readings};
-use crate::summary::{NoEui, Reduction};
+use crate::reduction::{NoEui, NoLeastSquares, Reduction};
 
 /// Σx², Σxy with the y of least squares, and what the EUI needs: Σx·m and Σ|x|·w with the middles m and half the widths w of
 /// the readings' bounds.

@@ -3,7 +3,6 @@
 use boundfit_exact::{Limits, Rational, Reading};
 
 use crate::condition::{Condition, ParseConditionError};
-use crate::fit::{Fit, fit};
 use crate::line_form::LineForm;
 use crate::meaning::{Model, MultipleOfLeast};
 use crate::measurements::Measurements;
@@ -63,10 +62,5 @@ impl Problem {
             _ => measurements,
         };
         Problem { measurements, conditions }
-    }
-
-    /// Computes everything, as [`fit`](fn@fit) does.
-    pub fn fit(&self) -> Fit {
-        fit(self)
     }
 }

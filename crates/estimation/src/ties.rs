@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use boundfit_exact::Rational;
 use boundfit_geometry::Tally;
 
-use crate::fps::BoundName;
+use crate::bound_name::BoundName;
 use crate::measurement::Measurement;
 
 /// Which of the readings in memory stand for more than themselves, by row.

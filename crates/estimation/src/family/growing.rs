@@ -5,7 +5,8 @@ use boundfit_geometry::{Inequality, Multiplier, Polyhedron, System};
 
 use super::functions::Linear;
 use super::section::Section;
-use crate::fps::{BoundName, conditions_by_name, growing_half_planes};
+use crate::bound_name::BoundName;
+use crate::fps::{conditions_by_name, growing_half_planes};
 use crate::hulls::touching_a_hull;
 use crate::least_growth::GrowingInequality;
 use crate::measurement::Measurement;

@@ -14,7 +14,7 @@ mod shape;
 
 use boundfit_exact::{Rational, Rounding};
 
-use crate::fps::BoundName;
+use crate::bound_name::BoundName;
 use crate::minimax::Minimax;
 use crate::problem::Problem;
 

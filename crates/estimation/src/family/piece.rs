@@ -7,8 +7,8 @@ use super::area::{AreaGrowth, MovingArea};
 use super::functions::Linear;
 use super::growing::GrowingSystem;
 use super::section::{Section, SectionBoundary, SectionVertex};
-use super::shape::Shape;
-use crate::fps::BoundName;
+use super::shape::{Reach, Shape};
+use crate::bound_name::BoundName;
 use crate::ties::ActiveBounds;
 
 /// The sets strictly between two factors: the same half-planes meet in the same order.
@@ -54,12 +54,6 @@ pub struct MovingBoundary {
     pub offset: Linear,
     /// The bounds met with equality.
     pub active: ActiveBounds,
-}
-
-/// The closed range of factors in which the shape found at a sample lasts; without end when `to` is `None`.
-pub(super) struct Reach {
-    pub(super) from: Rational,
-    pub(super) to: Option<Rational>,
 }
 
 impl Piece {
@@ -153,13 +147,6 @@ fn moving_vertices(system: &GrowingSystem, polyhedron: &Polyhedron, shape: &mut 
         found.extend(theta.map(|theta| MovingVertex { theta, active: system.active(vertex.active()) }));
     }
     found
-}
-
-/// The positive factor with `vector = factor·other`, if there is one.
-pub(super) fn multiple_of(vector: &[Rational; 2], other: &[Rational; 2]) -> Option<Rational> {
-    let parallel = &vector[0] * &other[1] == &vector[1] * &other[0];
-    let factor = vector[0].checked_div(&other[0]).or_else(|| vector[1].checked_div(&other[1]))?;
-    (parallel && factor.is_positive()).then_some(factor)
 }
 
 /// The factor with `form = factor·direction` for a form along a direction.

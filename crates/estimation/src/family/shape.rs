@@ -11,7 +11,6 @@ use boundfit_geometry::{Polyhedron, Redundancy};
 use super::area::AreaGrowth;
 use super::functions::Linear;
 use super::growing::GrowingSystem;
-use super::piece::{Reach, multiple_of};
 
 /// What is known of the half-planes of a family, by their indices.
 #[derive(Default)]
@@ -36,6 +35,12 @@ impl Change {
     fn of(function: &Linear) -> Option<Self> {
         Some(Change { at: function.root()?, is_rising: function.slope.is_positive() })
     }
+}
+
+/// The closed range of factors in which the shape found at a sample lasts; without end when `to` is `None`.
+pub(super) struct Reach {
+    pub(super) from: Rational,
+    pub(super) to: Option<Rational>,
 }
 
 impl Reach {
@@ -147,6 +152,13 @@ fn gap(system: &GrowingSystem, spoke: usize, next: usize) -> Option<Change> {
     let opposite = system.form(next).each_ref().map(|coefficient| -coefficient);
     let factor = multiple_of(&opposite, system.form(spoke))?;
     Change::of(&(system.bound(next) + &system.bound(spoke).times(&factor)))
+}
+
+/// The positive factor with `vector = factor·other`, if there is one.
+fn multiple_of(vector: &[Rational; 2], other: &[Rational; 2]) -> Option<Rational> {
+    let parallel = &vector[0] * &other[1] == &vector[1] * &other[0];
+    let factor = vector[0].checked_div(&other[0]).or_else(|| vector[1].checked_div(&other[1]))?;
+    (parallel && factor.is_positive()).then_some(factor)
 }
 
 /// What a redundant half-plane leaves.

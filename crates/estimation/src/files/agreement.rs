@@ -7,9 +7,9 @@ use boundfit_formats::{Batch, ReductionError, Reductions};
 
 use super::outline::Outline;
 use super::stated::Stated;
-use crate::least_squares::NoLeastSquares;
 use crate::meaning::Meaning;
-use crate::summary::Sums;
+use crate::reduction::NoLeastSquares;
+use crate::sums::Sums;
 
 /// What the rows that reductions keep come to. Those of parts add up.
 #[derive(Debug)]
@@ -69,7 +69,7 @@ impl KeptRows {
             [x, y, ..] => ends(x).zip(ends(y)).map(|(x, y)| [x, y]),
             _ => None,
         };
-        let (sums, have_widths) = (meaning.sums(columns), meaning.have_widths(columns));
+        let (sums, have_widths) = (Sums::of_readings(meaning, columns), meaning.have_widths(columns));
         let counted = |(position, others): (usize, u64)| {
             let reading = meaning.of_columns(columns, position, 0);
             let y = match meaning.has_response {

@@ -12,8 +12,8 @@ use super::scan::measurements;
 use super::series::Series;
 use crate::measurement::Measurement;
 use crate::measurements::{Measurements, Readings};
+use crate::reduction::Reduction;
 use crate::selection::Selection;
-use crate::summary::Reduction;
 use crate::ties::Ties;
 
 /// After so many rows of which few are equal it is not looked for more of them.

@@ -13,10 +13,9 @@ use crate::least_squares::LeastSquares;
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
 use crate::minimax::Minimax;
-use crate::summary::{
-    AtVertices, FixedBounds, FixedSupport, NoEui, Reach, Scale, SignedSums, Sums, Weights, column_totals,
-    merged_or_reason,
-};
+use crate::reduction::{NoEui, Reach};
+use crate::summary::{AtVertices, FixedBounds, FixedSupport, Scale, SignedSums, Weights, merged_or_reason};
+use crate::sums::{Sums, column_totals};
 use crate::ties::Ties;
 
 /// Where readings can be seen again.

@@ -12,11 +12,12 @@ use super::agreement::KeptRows;
 use super::columns::Columns;
 use super::outline::Outline;
 use super::stated::{Stated, asked_by_reduction, counts_of, refuse_late};
-use crate::least_squares::NoLeastSquares;
 use crate::line_form::LineForm;
 use crate::meaning::{ErrorBound, Meaning};
 use crate::measurement::Measurement;
-use crate::summary::{FixedBounds, FixedPart, FixedSummary, LineSummary, Scale, SharedSieve, Sums};
+use crate::reduction::NoLeastSquares;
+use crate::summary::{FixedBounds, FixedPart, FixedSummary, LineSummary, Scale, SharedSieve};
+use crate::sums::Sums;
 
 /// Texts of rows that have meanwhile turned out to be superfluous are dropped when there are so many of them, so
 /// that dropping them is rare.

@@ -19,11 +19,13 @@ use crate::line_form::LineForm;
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
 use crate::measurements::{Measurements, Origin, Readings};
+use crate::reduction::{DecidingMinimax, NoEui, NoMinimax, Reach, Reduction};
 use crate::selection::{FractionCells, Selection};
 use crate::summary::{
-    Brackets, DecidingMinimax, FixedBounds, FixedPart, FixedSummary, Keep, LineSummary, NoEui, NoMinimax,
-    Reach, Reduction, Scale, SharedBrackets, SharedSieve, Spread, Sums, Thresholds, column_totals,
+    Brackets, FixedBounds, FixedPart, FixedSummary, Keep, LineSummary, Scale, SharedBrackets, SharedSieve,
+    Spread, Thresholds,
 };
+use crate::sums::{Sums, column_totals};
 use crate::ties::Ties;
 
 /// Bytes of numbers kept from a file before it is rather read again: twelve million x at four bytes each.
@@ -149,7 +151,8 @@ impl Measurements {
             held_rows += digest.batch.rows.len();
             unbounded = unbounded.or(digest.unbounded);
             let guess = |sums: &Sums| {
-                let guess = Brackets::of_form(&columns.form, &columns.form.sums(sums.clone()))?;
+                let guess =
+                    Brackets::of_form(&columns.form, &sums.clone().counted_from(&columns.form.x_origin))?;
                 Some(brackets.set(guess))
             };
             all.take(digest, most_rows, &sieve, &bounds, guess);
@@ -201,7 +204,8 @@ impl Measurements {
             meaning.settle(&mut rows);
             let Stated { count, sums, has_widths, .. } = stated;
             let is_line = meaning.regressors() == 1;
-            let sums = sums.map(|sums| if is_line { columns.form.sums(sums) } else { sums });
+            let sums =
+                sums.map(|sums| if is_line { sums.counted_from(&columns.form.x_origin) } else { sums });
             let scanned = Scanned { rows_total: count, layout: None, ..scanned };
             let reduction = Reduction { count, sums, reach: Err(NoEui::Reduced), minimax, has_widths };
             return Ok(measurements(
@@ -233,7 +237,7 @@ impl Measurements {
                 // A reading with the largest or the smallest y of all is on a hull.
                 meaning.settle(&mut rows);
                 let totals = [sums.uv.clone()];
-                let sums = columns.form.sums(sums);
+                let sums = sums.counted_from(&columns.form.x_origin);
                 // Which rows lack a number is told by all columns.
                 let seen = if scanned.rows_missing > 0 { selectors.len() } else { 1 };
                 let looks = Looks { selectors: &selectors[..seen], totals: &totals, ..looks };
@@ -303,7 +307,7 @@ fn reach_of_line(
             spread
         }
     };
-    let spread = form.spread(spread);
+    let spread = spread.counted_from(&form.x_origin);
     let (radii, absolute) = (spread.absolute_weights(sums), spread.absolute_x(sums));
     Ok(Ok(Reach { radii, absolute, middles: None }))
 }

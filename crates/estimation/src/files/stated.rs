@@ -5,9 +5,9 @@ use boundfit_formats::{
     AskedReduction, InputError, ReducedBounds, ReducedModel, ReductionError, Reductions, ScanOptions,
 };
 
-use crate::least_squares::NoLeastSquares;
 use crate::meaning::{ErrorBound, Meaning, Model};
-use crate::summary::Sums;
+use crate::reduction::NoLeastSquares;
+use crate::sums::Sums;
 
 /// How many times as many digits as a reading a sum may have: that of squares has twice as many, and those of the
 /// fractions on top.

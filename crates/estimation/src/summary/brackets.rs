@@ -8,8 +8,8 @@ use std::sync::{Arc, RwLock};
 use boundfit_exact::{Column, Count, Rational, Scaled};
 
 use super::spread::{Spread, Thresholds};
-use super::sums::Sums;
 use crate::line_form::LineForm;
+use crate::sums::Sums;
 
 /// By what part of their standard deviation the mean of all x may differ from that of those seen, at least, and in standard
 /// errors of the mean; their variance by twice that part. Of evenly spread x some hundredths are kept then.
@@ -231,7 +231,7 @@ mod tests {
                 for kind in 0..4 {
                     let sums = |parts: &[Column]| {
                         let sums = parts.iter().map(|x| Sums::of_columns(x, None, x));
-                        form.sums(sums.reduce(|one, other| one.merged(&other)).unwrap())
+                        sums.reduce(|one, other| one.merged(&other)).unwrap().counted_from(&form.x_origin)
                     };
                     let parts: Vec<Column> = parts(kind).collect();
                     let brackets = Brackets::of_form(&form, &sums(&parts[..4])).unwrap();

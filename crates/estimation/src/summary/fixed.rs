@@ -11,11 +11,11 @@ use hashbrown::{DefaultHashBuilder, HashTable};
 
 use super::rounded::{may_be_tightest, rounded_strips};
 use super::scale::Scale;
-use super::sums::Sums;
 use super::vertices::{AtVertices, Vertex, counts_at, told_at_vertices, with_others};
-use crate::least_squares::NoLeastSquares;
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
+use crate::reduction::NoLeastSquares;
+use crate::sums::Sums;
 use crate::ties::{TiedReading, Ties};
 
 /// Merging waits for at least this many new rows, so that small parts do not each pay for the whole.
@@ -145,7 +145,7 @@ impl<'a> FixedBounds<'a> {
     pub(crate) fn part(&self, columns: &[Column], number: &dyn Fn(usize) -> usize) -> FixedPart {
         FixedPart {
             touching: self.of_columns(columns, number),
-            sums: self.meaning.sums(columns),
+            sums: Sums::of_readings(self.meaning, columns),
             has_widths: self.meaning.have_widths(columns),
         }
     }

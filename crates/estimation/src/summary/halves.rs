@@ -1,8 +1,12 @@
-//! Middles and half widths of intervals in columns.
+//! Middles and half widths of intervals in columns, and the sums of readings that least squares takes these of.
+
+use std::borrow::Cow;
 
 use boundfit_exact::{Column, Unit};
 
 use crate::meaning::{ErrorBound, Meaning};
+use crate::reduction::NoLeastSquares;
+use crate::sums::Sums;
 
 /// Middles and half widths of readings that all have both bounds.
 pub(crate) struct Halves {
@@ -41,5 +45,28 @@ impl Halves {
             Some(Column::of_counts(halves?.into_iter(), unit))
         };
         Some(Halves { middles: halves(1)?, widths: halves(-1)? })
+    }
+}
+
+impl Sums {
+    /// The sums over all rows of columns. Exact. Cost: linear.
+    ///
+    /// # Errors
+    /// When a reading has nothing that least squares could take.
+    pub(crate) fn of_readings(meaning: &Meaning, columns: &[Column]) -> Result<Sums, NoLeastSquares> {
+        let regressors = meaning.regressors();
+        let second = (regressors == 2).then(|| &columns[1]);
+        let form =
+            |sums: Sums| if regressors == 1 { sums.counted_from(&meaning.form.x_origin) } else { sums };
+        if meaning.has_response {
+            return Ok(form(Sums::of_columns(&columns[0], second, &columns[regressors])));
+        }
+        if let Some(Halves { middles, .. }) = Halves::of_columns(meaning, columns) {
+            return Ok(form(Sums::of_columns(&columns[0], second, &middles)));
+        }
+        let value = |row: usize| meaning.of_columns(columns, row, 0).value().map(Cow::into_owned);
+        let values: Option<Column> = (0..columns[0].len()).map(value).collect();
+        let values = values.ok_or(NoLeastSquares::NoResponse)?;
+        Ok(form(Sums::of_columns(&columns[0], second, &values)))
     }
 }

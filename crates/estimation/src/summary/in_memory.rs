@@ -3,9 +3,10 @@
 use boundfit_exact::{Column, Foreign};
 use thiserror::Error;
 
-use super::{DecidingMinimax, Keep, LineSummary, NoEui, Reach, Reduction, SharedSieve, Thresholds};
+use super::{Keep, LineSummary, SharedSieve, Thresholds};
 use crate::meaning::{ErrorBound, Meaning, Model};
 use crate::measurements::{Measurements, Origin, Readings};
+use crate::reduction::{DecidingMinimax, NoEui, Reach, Reduction};
 use crate::ties::Ties;
 
 /// How many readings are summarised at a time: few enough for sums in 128 bits, many enough for what is kept of them to

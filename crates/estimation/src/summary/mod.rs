@@ -6,14 +6,11 @@
 
 #[cfg(feature = "files")]
 mod brackets;
-mod counted;
 #[cfg(feature = "files")]
 mod fixed;
 #[cfg(feature = "files")]
 mod halves;
 mod in_memory;
-#[cfg(feature = "files")]
-mod products;
 #[cfg(feature = "files")]
 mod reach;
 #[cfg(feature = "files")]
@@ -22,7 +19,6 @@ mod rounded;
 mod scale;
 mod sieve;
 mod spread;
-mod sums;
 mod support;
 #[cfg(feature = "files")]
 mod vertices;
@@ -30,14 +26,11 @@ mod vertices;
 use std::collections::BTreeMap;
 
 use boundfit_exact::{Column, Rational};
-use thiserror::Error;
 
 #[cfg(feature = "files")]
 pub(crate) use brackets::{Brackets, Narrowed, SharedBrackets};
 #[cfg(feature = "files")]
 pub(crate) use fixed::{FixedBounds, FixedPart, FixedSummary, FixedSupport};
-#[cfg(feature = "files")]
-pub(crate) use halves::Halves;
 pub use in_memory::ColumnsError;
 #[cfg(feature = "files")]
 pub(crate) use reach::{SignedSums, Weights, merged_or_reason};
@@ -47,16 +40,11 @@ pub(crate) use sieve::SharedSieve;
 #[cfg(feature = "files")]
 pub(crate) use spread::Spread;
 pub(crate) use spread::Thresholds;
-use sums::RunningSums;
-pub use sums::Sums;
-#[cfg(feature = "files")]
-pub(crate) use sums::column_totals;
 #[cfg(feature = "files")]
 pub(crate) use vertices::AtVertices;
 
-use crate::least_squares::NoLeastSquares;
-use crate::meaning::ErrorBound;
 use crate::measurement::Measurement;
+use crate::sums::{RunningSums, Sums};
 use crate::ties::{TiedReading, Ties};
 use support::SupportRows;
 
@@ -88,98 +76,6 @@ impl Default for Keep {
     fn default() -> Self {
         Keep { most_rows: Keep::MOST_ROWS, eui: true, most_bytes: None }
     }
-}
-
-/// What is known about readings of which only those that decide the feasible set are kept.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Reduction {
-    /// How many readings there are.
-    pub count: usize,
-    /// The sums over all readings.
-    pub sums: Result<Sums, NoLeastSquares>,
-    /// How far least squares may move; of a line under a uniform error bound with 1 for the bound.
-    pub reach: Result<Reach, NoEui>,
-    /// Which readings decide ε_min.
-    pub minimax: DecidingMinimax,
-    /// Whether a reading has two bounds, whose distance a factor may multiply.
-    pub has_widths: bool,
-}
-
-impl Reduction {
-    /// How far least squares may move within the error bound of the readings.
-    pub(crate) fn reach_within(&self, error_bound: &ErrorBound) -> Result<Reach, NoEui> {
-        let reach = self.reach.clone()?;
-        match (&self.minimax, error_bound.uniform()) {
-            (DecidingMinimax::Kept, Some(epsilon)) => Ok(Reach {
-                radii: reach.radii.map(|radius| radius * epsilon),
-                absolute: reach.absolute * epsilon,
-                ..reach
-            }),
-            _ => Ok(reach),
-        }
-    }
-}
-
-/// How far least squares may move when the readings move within their bounds.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Reach {
-    /// Σ_k |A_jk|·ε_k times the determinant of ΦᵀΦ, with A of [`LeastSquares`](crate::LeastSquares).
-    pub radii: [Rational; 2],
-    /// Σ_k |φ_k1|·ε_k.
-    pub absolute: Rational,
-    /// Φᵀm with the middles m of all bounds, where these are not y.
-    pub middles: Option<[Rational; 2]>,
-}
-
-/// The readings that decide ε_min.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum DecidingMinimax {
-    /// The same that decide the feasible set: those of a line under a uniform error bound, whatever it is.
-    Kept,
-    /// Those that touch where it is reached.
-    Own(Vec<Measurement>),
-    /// They are not known.
-    Unknown(NoMinimax),
-}
-
-/// Why ε_min is not known although there are readings.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-pub enum NoMinimax {
-    /// It was not asked for.
-    #[error("not asked for")]
-    NotAsked,
-    /// Readings that cannot be read twice, and more than are kept.
-    #[error(
-        "standard input has more readings than are kept for a second look at them; a file can be read twice"
-    )]
-    TooManyOnce,
-    /// The data are the result of a reduction under bounds that are fixed.
-    #[error(
-        "the data are a reduction under bounds that are fixed, which does not say how other bounds would do"
-    )]
-    Reduced,
-}
-
-/// Why there is no EUI although there is a least-squares estimate.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-pub enum NoEui {
-    /// It was not asked for.
-    #[error("not asked for")]
-    NotAsked,
-    /// Readings that cannot be read twice, and more than are kept.
-    #[error(
-        "standard input has more readings than are kept for a second look at their x; a file can be read twice"
-    )]
-    TooManyOnce,
-    /// A reading has one bound only.
-    #[error("a reading has one bound only, so that nothing limits its error on the other side")]
-    OneSided,
-    /// The bounds of a reading cross.
-    #[error("the bounds of a reading cross, so that it has no error that they allow")]
-    Crossing,
-    /// The data are the result of a reduction.
-    #[error("the data are a reduction, which does not have the x of every reading")]
-    Reduced,
 }
 
 /// What is kept of readings of a line, however many they are.

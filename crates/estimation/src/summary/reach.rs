@@ -4,11 +4,11 @@
 use boundfit_exact::{Column, Rational, Sum};
 
 use super::halves::Halves;
-use super::products::product_sum;
 use super::rounded::{float, floats};
-use super::sums::{Sums, column_total};
-use super::{NoEui, Reach};
 use crate::meaning::Meaning;
+use crate::products::product_sum;
+use crate::reduction::{NoEui, Reach};
+use crate::sums::{Sums, column_total};
 
 /// A_jk times the determinant of ΦᵀΦ is p·φ_k1 + q·φ_k2, with (p, q) a row of the adjugate; then φ_k1 itself.
 #[derive(Debug, Clone)]

@@ -4,8 +4,8 @@ use boundfit_exact::{
     Column, Count, DoubleSum, Dyadic, Long, LongTotal, Rational, Scaled, Sum, Unit, WideSum, compare_words,
 };
 
-use super::sums::Sums;
 use crate::line_form::LineForm;
+use crate::sums::Sums;
 
 /// The values of x at which a weight of least squares changes its sign: A_1k that of N·x_k − Σx, A_2k that of
 /// Σx² − x_k·Σx, and the one of a line through the origin that of x_k.
@@ -149,7 +149,10 @@ impl Spread {
 
     #[cfg(feature = "files")]
     /// What lies above the thresholds when x is counted from another origin. Exact.
-    pub(crate) fn counted_from(&self, origin: &Rational) -> Self {
+    pub(crate) fn counted_from(self, origin: &Rational) -> Self {
+        if origin.is_zero() {
+            return self;
+        }
         let above =
             |Above { count, x }: &Above| Above { count: *count, x: x - origin * Rational::from(*count) };
         Spread { above: self.above.each_ref().map(above) }

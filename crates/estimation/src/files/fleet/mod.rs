@@ -25,7 +25,8 @@ use crate::group_fit::GroupFit;
 use crate::meaning::{ErrorBound, Meaning, Model};
 use crate::measurement::Measurement;
 use crate::measurements::{Measurements, Readings};
-use crate::summary::{DecidingMinimax, Keep, LineSummary, Reach, Reduction, SharedSieve, Spread, Thresholds};
+use crate::reduction::{DecidingMinimax, Reach, Reduction};
+use crate::summary::{Keep, LineSummary, SharedSieve, Spread, Thresholds};
 use crate::ties::Ties;
 use groups::Groups;
 use keys::Keys;
@@ -222,13 +223,13 @@ impl Fleet {
         let form = meaning.form.clone();
         form.count_rows(&mut rows);
         meaning.settle(&mut rows);
-        let sums = form.sums(sums);
+        let sums = sums.counted_from(&form.x_origin);
         let thresholds = Thresholds::of_form(&form, &sums);
         let mut spread = Spread::default();
         for start in (0..count).step_by(ROWS) {
             spread = spread.merged(&thresholds.of_column(&part(0, start)));
         }
-        let spread = form.spread(spread);
+        let spread = spread.counted_from(&form.x_origin);
         let (radii, absolute) = (spread.absolute_weights(&sums), spread.absolute_x(&sums));
         let reach = Ok(Reach { radii, absolute, middles: None });
         let (minimax, has_widths) = (DecidingMinimax::Kept, true);

@@ -7,7 +7,7 @@ use boundfit_exact::{
 use crate::moments::{SUM_BITS, bits, widest};
 
 /// Σ left·right over columns of equal length. Exact. Cost: linear, on machine integers but for numbers that only fractions hold.
-pub(super) fn product_sum(left: &Column, right: &Column) -> Rational {
+pub(crate) fn product_sum(left: &Column, right: &Column) -> Rational {
     let of_counts = |sum: Integer, units: [Unit; 2]| {
         let mut total = Sum::default();
         total.add_units(sum, &units);

@@ -5,9 +5,9 @@ use boundfit_exact::{
     WideProducts, WideSum,
 };
 
-#[cfg(feature = "files")]
-use super::products::product_sum;
 use crate::moments::Moments;
+#[cfg(feature = "files")]
+use crate::products::product_sum;
 
 /// The sum of each column. Exact. Cost: linear.
 #[cfg(feature = "files")]
@@ -17,7 +17,7 @@ pub(crate) fn column_totals(columns: &[Column]) -> Vec<Rational> {
 
 /// The sum of a column. Exact. Cost: linear.
 #[cfg(feature = "files")]
-pub(super) fn column_total(column: &Column) -> Rational {
+pub(crate) fn column_total(column: &Column) -> Rational {
     match column {
         // So many integers of 64 bits fit into 128.
         Column::Narrow(scaled) => {
@@ -89,6 +89,18 @@ impl Sums {
         let pairs = [[u, u], [u, v], [v, v], [u, y], [v, y]];
         let [uu, uv, vv, uy, vy] = pairs.map(|[left, right]| product_sum(left, right));
         Sums { count: u.len(), uu, uv, vv, uy, vy }
+    }
+
+    /// The sums over the readings of lines whose x are counted from here, from those of x as it is. Exact.
+    #[cfg(feature = "files")]
+    pub(crate) fn counted_from(self, origin: &Rational) -> Self {
+        if origin.is_zero() {
+            return self;
+        }
+        let Sums { count, uu: xx, uv: x, vv, uy: xy, vy: y } = self;
+        let all = origin * Rational::from(count);
+        let twice = &x + &x;
+        Sums { count, uu: xx + origin * (&all - twice), uv: x - all, vv, uy: xy - origin * &y, vy: y }
     }
 
     /// The sums that the normal equations are made of.
