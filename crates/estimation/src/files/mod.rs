@@ -3,6 +3,7 @@
 mod agreement;
 mod columns;
 mod counted;
+mod first_look;
 mod fleet;
 mod kept_columns;
 mod looks;

@@ -1,0 +1,247 @@
+//! The first look at the readings of a table: what is kept of them, batch by batch.
+
+use std::sync::Arc;
+
+use boundfit_exact::{Foreign, Rational};
+use boundfit_formats::{
+    AskedBlock, Batch, ColumnSelector, HeldRows, InputError, Reductions, ScanOptions, Scanned, Source,
+    TableRow, open_reduction, scan,
+};
+
+use super::agreement::KeptRows;
+use super::columns::Columns;
+use super::kept_columns::{KeptColumns, KeptNumbers, KeptPart};
+use crate::line_form::LineForm;
+use crate::meaning::Meaning;
+use crate::measurement::Measurement;
+use crate::summary::{
+    Brackets, FixedBounds, FixedPart, FixedSummary, Keep, LineSummary, Scale, SharedBrackets, SharedSieve,
+};
+use crate::sums::{Sums, column_totals};
+use crate::ties::Ties;
+
+/// Bytes of numbers kept from a file before it is rather read again: twelve million x at four bytes each.
+const MOST_BYTES_OF_FILE: usize = 48 << 20;
+/// Bytes of numbers kept from standard input, which cannot be read again: 134 million x at four bytes each.
+const MOST_BYTES_OF_STREAM: usize = 512 << 20;
+
+/// What is settled before the first reading is read, and what all threads use.
+pub(super) struct FirstLook<'a> {
+    pub(super) name: Foreign,
+    /// Where the readings can be read again.
+    pub(super) path: Option<String>,
+    pub(super) columns: &'a Columns,
+    pub(super) options: ScanOptions,
+    pub(super) selectors: Vec<ColumnSelector>,
+    pub(super) reductions: Option<Reductions>,
+    pub(super) keep: Keep,
+    /// Up to this many readings all of them are kept.
+    pub(super) most_rows: usize,
+    pub(super) sieve: SharedSieve,
+    pub(super) bounds: FixedBounds<'a>,
+    /// Whether numbers are kept for further looks.
+    keeps_numbers: bool,
+    brackets: SharedBrackets,
+    /// The limits of what is kept, where all readings are.
+    held: Option<Arc<HeldRows>>,
+}
+
+/// What the first look keeps of all readings.
+pub(super) struct Collected {
+    batches: Vec<Batch>,
+    pub(super) rows: usize,
+    /// The first row without bounds.
+    pub(super) unbounded: Option<usize>,
+    pub(super) open: LineSummary,
+    pub(super) fixed: FixedSummary,
+    pub(super) totals: Vec<Rational>,
+    pub(super) kept: KeptColumns,
+    pub(super) kept_rows: KeptRows,
+}
+
+/// One batch with what is made of it at once.
+struct Digest {
+    batch: Batch,
+    unbounded: Option<usize>,
+    part: Part,
+    kept: Option<KeptNumbers>,
+    kept_rows: Option<KeptRows>,
+}
+
+/// What is kept of the readings of a batch.
+enum Part {
+    /// Of a line under a uniform bound, whatever it is.
+    Open(LineSummary),
+    /// Under bounds that are fixed, with the sums of each column.
+    Fixed(FixedPart, Vec<Rational>),
+    /// Nothing where bounds are only known when all readings are.
+    Nothing,
+}
+
+impl<'a> FirstLook<'a> {
+    /// At a source whose numbers have this meaning; with the source to read.
+    pub(super) fn new(
+        source: Source,
+        columns: &'a Columns,
+        meaning: &'a Meaning,
+        options: &ScanOptions,
+        keep: Keep,
+    ) -> Result<(Self, Source), InputError> {
+        let name = source.name().to_owned();
+        let path = source.path().map(str::to_owned);
+        let (source, reductions) = open_reduction(source, &options.table.sizes)?;
+        let mut options = options.clone();
+        if let Some(reductions) = &reductions {
+            options.table.header = reductions.header();
+            // Records stand between the rows of several.
+            options.table.block = Some(AskedBlock::All);
+            // Whether the reduction serves these bounds comes first.
+            (options.unbounded_rows, options.same_columns) = (true, true);
+        }
+        // A proof names every row that touches; of a reduction the rows are few, and stand for others by their numbers.
+        let most_listed =
+            if options.list_rows || reductions.is_some() { usize::MAX } else { Ties::MOST_LISTED };
+        let sieve = SharedSieve::listing(most_listed);
+        let bounds = FixedBounds::new(meaning, &Scale::AsStated, most_listed);
+        // Rows that stand for others are looked for again where a proof takes them.
+        let can_look = reductions.is_none() && (keep.eui || path.is_some());
+        let bounds = if can_look { bounds.telling_vertices_as_one() } else { bounds };
+        // Of a reduction what was kept was kept for a reason.
+        let keeps_all = reductions.is_some() || !(meaning.is_open() || meaning.are_bounds_known());
+        let most_rows = if keeps_all { usize::MAX } else { keep.most_rows };
+        // Others are kept only as long as they are few.
+        let held = (most_rows == usize::MAX).then(|| HeldRows::limiting(&mut options));
+        let keeps_numbers = keep.eui && !keeps_all;
+        let (selectors, brackets) = (columns.selectors(), SharedBrackets::default());
+        let look = FirstLook {
+            name,
+            path,
+            columns,
+            options,
+            selectors,
+            reductions,
+            keep,
+            most_rows,
+            sieve,
+            bounds,
+            keeps_numbers,
+            brackets,
+            held,
+        };
+        Ok((look, source))
+    }
+
+    /// Reads every row, and shows the readings: see [`Measurements::scan_and_see`](crate::Measurements::scan_and_see).
+    pub(super) fn take<T: Send>(
+        &self,
+        source: Source,
+        see: impl Fn(&mut dyn Iterator<Item = Measurement>) -> T + Sync + Send,
+        mut seen: impl FnMut(T),
+    ) -> Result<(Collected, Scanned), InputError> {
+        let mut all = Collected::new(self.most_bytes());
+        // Sums are told of x as it is.
+        let as_it_is = Columns { form: LineForm::default(), ..self.columns.clone() }.meaning(&[]);
+        let digest = |batch: Batch| {
+            let rows = self.reductions.as_ref().map(|own| KeptRows::of_batch(&as_it_is, &batch, own));
+            let reading = |k| self.bounds.meaning.of_columns(&batch.columns, k, batch.rows.get(k));
+            let shown = see(&mut (0..batch.rows.len()).map(reading));
+            (shown, Digest { kept_rows: rows, ..Digest::new(batch, self) })
+        };
+        let scanned = scan(source, &self.selectors, &self.options, digest, |(shown, digest)| {
+            seen(shown);
+            self.held.iter().for_each(|held| held.add(digest.batch.rows.len()));
+            all.take(digest, self);
+        });
+        if let Some(held) = &self.held {
+            held.check(self.name.raw())?;
+        }
+        let scanned = scanned?;
+        if self.held.is_some() {
+            self.columns.refuse_long_in_each(&self.name, all.rows, self.options.table.sizes.work)?;
+        }
+        Ok((all, scanned))
+    }
+
+    /// How many bytes of numbers are kept for further looks.
+    fn most_bytes(&self) -> usize {
+        let usual = if self.path.is_some() { MOST_BYTES_OF_FILE } else { MOST_BYTES_OF_STREAM };
+        let memory = self.options.table.sizes.memory.limit() / 2;
+        self.keep.most_bytes.unwrap_or(usual.min(usize::try_from(memory).unwrap_or(usize::MAX)))
+    }
+
+    /// Where the thresholds of the EUI will lie, by the sums so far; all threads use it from now on.
+    fn guess(&self, sums: Sums) -> Option<Arc<Brackets>> {
+        let form = &self.columns.form;
+        Some(self.brackets.set(Brackets::of_form(form, &sums.counted_from(&form.x_origin))?))
+    }
+}
+
+impl Digest {
+    fn new(batch: Batch, look: &FirstLook) -> Self {
+        let (columns, meaning) = (&batch.columns, look.bounds.meaning);
+        let row = |k| batch.rows.get(k);
+        let is_open = meaning.is_open();
+        let part = if is_open {
+            Part::Open(LineSummary::of_columns([&columns[0], &columns[1]], None, &row, &look.sieve))
+        } else if meaning.are_bounds_known() {
+            Part::Fixed(look.bounds.part(columns, &row), column_totals(columns))
+        } else {
+            Part::Nothing
+        };
+        let kept = look.keeps_numbers.then(|| match look.brackets.get() {
+            Some(brackets) => KeptNumbers::Narrowed(brackets.narrow(&columns[0])),
+            None => {
+                let wanted = if is_open { &columns[..1] } else { columns };
+                KeptNumbers::Part(KeptPart::new(wanted, batch.rows.clone()))
+            }
+        });
+        let unbounded = look.columns.first_unbounded(&batch);
+        Digest { batch, unbounded, part, kept, kept_rows: None }
+    }
+}
+
+impl Collected {
+    fn new(most_bytes: usize) -> Self {
+        Collected {
+            batches: Vec::new(),
+            rows: 0,
+            unbounded: None,
+            open: LineSummary::default(),
+            fixed: FixedSummary::default(),
+            totals: Vec::new(),
+            kept: KeptColumns::new(most_bytes),
+            kept_rows: KeptRows::default(),
+        }
+    }
+
+    fn take(&mut self, Digest { batch, unbounded, part, kept, kept_rows }: Digest, look: &FirstLook) {
+        let rows = batch.rows.len();
+        self.rows += rows;
+        self.unbounded = self.unbounded.or(unbounded);
+        kept_rows.into_iter().for_each(|rows| self.kept_rows.add(rows));
+        if self.rows <= look.most_rows {
+            self.batches.push(batch);
+        } else {
+            self.batches = Vec::new();
+        }
+        match part {
+            Part::Open(summary) => self.open.merge(summary, &look.sieve),
+            Part::Nothing => {}
+            Part::Fixed(part, totals) => {
+                self.fixed.merge(part, rows, &look.bounds);
+                self.totals.resize(totals.len(), Rational::zero());
+                self.totals.iter_mut().zip(totals).for_each(|(total, part)| *total = &*total + part);
+            }
+        }
+        if let Some(kept) = kept {
+            let is_open = look.bounds.meaning.is_open();
+            self.kept.push(kept, || is_open.then(|| look.guess(self.open.sums.total())).flatten());
+        }
+    }
+
+    /// All readings, where all are kept.
+    pub(super) fn readings(&self, meaning: &Meaning) -> Vec<Measurement> {
+        let row = |row: TableRow| meaning.measurement(row.row, row.numbers.into_iter());
+        self.batches.iter().flat_map(Batch::table_rows).map(row).collect()
+    }
+}
