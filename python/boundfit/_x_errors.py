@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from ._answers import Answer, interval, intervals, number, point
+from ._answers import Answer, interval, intervals, number, point, value
 from ._bounds import Intervals, Point
 
 
@@ -23,16 +23,19 @@ class Side(NamedTuple):
 class Factor(NamedTuple):
     """The least factor on all bounds, of x and of y, under which any line agrees."""
 
-    value: Fraction | None
-    """``None`` where it is irrational: see ``polynomial``."""
-    decimal: str
-    """The value rounded up."""
-    polynomial: tuple[int, int, int] | None
-    """Of an irrational value, coefficients of a polynomial of which it is a root."""
+    lower: Fraction
+    """Less than the least factor, or the least factor itself where ``upper`` is equal."""
+    upper: Fraction
+    """At least the least factor."""
     attained: bool
-    """Whether some line agrees under it, and not only under every larger one."""
+    """Whether some line agrees under ``upper``, and not only under every larger factor."""
     theta: Point | None
-    """That line; ``None`` where there is none, or its numbers are irrational."""
+    """That line; ``None`` where there is none."""
+
+    @property
+    def value(self) -> Fraction | None:
+        """The least factor itself; ``None`` where only an enclosure is known, as of an irrational factor."""
+        return self.upper if self.lower == self.upper else None
 
 
 class XErrorFit(Answer):
@@ -87,12 +90,8 @@ class XErrorFit(Answer):
         own = self._document["factor"]
         if own is None:
             return None
-        of_root = own["polynomial"]
-        theta = None
-        if own["theta"] is not None and all(one["exact"] is not None for one in own["theta"]):
-            theta = point(own["theta"])
-        polynomial = None if of_root is None else (int(of_root[0]), int(of_root[1]), int(of_root[2]))
-        return Factor(number(own) if polynomial is None else None, own["decimal"], polynomial, own["attained"], theta)
+        lower, upper = value(own["lower"]), value(own["upper"])
+        return Factor(lower, upper, own["attained"], None if own["theta"] is None else point(own["theta"]))
 
     @property
     def least_squares(self) -> Point | None:

@@ -39,7 +39,6 @@ mod serial;
 mod short_text;
 mod shortest;
 mod sum;
-mod surd;
 mod wide_sum;
 mod work;
 mod written;
@@ -60,7 +59,6 @@ pub use parse::{Limits, ParseNumberError, ParseNumberErrorKind, Reading, charact
 pub use plain::{PLAIN_DIGITS, PLAIN_EXPONENT, PlainPrefix, exponent_prefix, plain_decimal, plain_prefix};
 pub use shortest::{Shortest, shortest_decimal, shortest_decimal_of_f32};
 pub use sum::Sum;
-pub use surd::Surd;
 pub use wide_sum::{WideProducts, WideSum};
 pub use work::{LongNumbers, MOST_WORK, TooMuchWork, Work, WorkMeter};
 pub use written::WrittenDigits;

@@ -53,8 +53,8 @@ pub(crate) fn emptiness(problem: &XErrorProblem, answer: &XErrorFit) -> Vec<Stri
         Err(NoLeastFactor::Never) => "Larger error bounds would not help.".to_owned(),
         Err(reason @ NoLeastFactor::NotMonotone) => format!("No factor is told: {reason}."),
         Ok(least) => {
-            let factor = least.value.rounded(DIGITS, Rounding::Up);
-            let than = if least.is_attained { "at least" } else { "more than" };
+            let factor = least.upper.rounded(DIGITS, Rounding::Up);
+            let than = if least.theta.is_some() { "at least" } else { "more than" };
             let factor = labels::number(&factor, DIGITS, Rounding::Up);
             format!("All bounds, of x and y, would have to grow by a factor of {than} {factor}.")
         }

@@ -21,7 +21,7 @@ const OUTLIERS: u64 = 8;
 const CROSSINGS: u64 = 4;
 /// Both sides of lines under errors in x, and the steps to the least factor.
 pub const X_ERRORS: u64 = 16;
-/// The steps to the least factor under errors in x, in numbers with a square root, of every word that is not short.
+/// The bisection of the least factor under errors in x, of every word that is not short.
 pub const X_ERROR_STEPS: u64 = 135;
 
 /// How much more than of a line under one bound the least bound of a problem takes, which comes from cutting planes then.

@@ -64,7 +64,7 @@ impl Table {
         String::from_utf8(self.writer.into_inner().unwrap_or_default()).unwrap_or_default()
     }
 
-    pub(crate) fn row(&mut self, cells: [String; 8]) {
+    fn row(&mut self, cells: [String; 8]) {
         // Writing to memory does not fail.
         let written = self.writer.write_record(&cells);
         debug_assert!(written.is_ok());
@@ -99,7 +99,7 @@ impl Table {
         }
     }
 
-    fn interval(&mut self, quantity: &str, parameter: &str, interval: &Interval) {
+    pub(crate) fn interval(&mut self, quantity: &str, parameter: &str, interval: &Interval) {
         let end = |end: &Endpoint, double: &dyn Fn(&Rational) -> f64, none: &str| {
             end.value()
                 .map_or((none.to_owned(), String::new()), |value| (shown(double(value)), value.to_string()))

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use boundfit_exact::english::counted;
-use boundfit_exact::{Decimal, Interval, Limit, PlacedDecimal, PlusMinus, Rational, Rounding, Surd};
+use boundfit_exact::{Decimal, Interval, Limit, PlacedDecimal, PlusMinus, Rational, Rounding};
 use boundfit_geometry::Measure;
 
 use crate::document::{Inline, Symbol, Text};
@@ -162,17 +162,6 @@ impl Style {
         }
     }
 
-    /// Both forms of a number that may be irrational; of an error bound rounded like one.
-    pub(crate) fn surd_number(&self, value: &Surd, is_bound: bool) -> Number {
-        let rounding = if is_bound { self.directed(Rounding::Up) } else { Rounding::Nearest };
-        let digits = self.significant();
-        let number = match value.rational() {
-            Some(value) => self.json_number(value, digits, rounding),
-            None => Number::without_fraction(value.alike(digits, rounding), digits, rounding, self.reader),
-        };
-        if is_bound { number.outward(Outward::Up) } else { number }
-    }
-
     /// Both forms of an estimate of both parameters and of its error bounds. As decimals they enclose what they enclose exactly, and
     /// so do the nearest double of the estimate and the outward one of the error bound.
     pub(crate) fn estimate_numbers(
@@ -212,18 +201,6 @@ impl Style {
         }
         let PlusMinus { centre, error } = PlusMinus::enclosing(estimate, error, self.significant());
         GiveOrTake { centre: Shown::Placed(centre), error: Shown::Placed(error) }
-    }
-
-    /// A number that may be irrational; of an error bound rounded like one.
-    pub(crate) fn surd(&self, value: &Surd, is_bound: bool) -> Text {
-        let rounding = if is_bound { self.directed(Rounding::Up) } else { Rounding::Nearest };
-        match value.rational() {
-            Some(value) => Text::new().number(self.shown(value, rounding)),
-            None => {
-                let alike = value.alike(self.significant(), rounding);
-                Text::new().number(Style { exact: false, ..*self }.shown(&alike, rounding))
-            }
-        }
     }
 
     fn json_number(&self, value: &Rational, digits: usize, rounding: Rounding) -> Number {

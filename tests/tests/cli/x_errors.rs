@@ -39,11 +39,11 @@ fn no_line_passes_through_all_bars_and_the_rows_say_why() {
     }
     assert!(text.stdout.lines().all(|line| line.len() <= 80), "{}", text.stdout);
     let found = json(CURRENT, "--x U --y I --eps 1.5 --x-eps 0.15", 3);
-    assert_eq!(found["schema"], "boundfit/x-errors/1");
-    assert_eq!(
-        (&found["factor"]["exact"], &found["factor"]["decimal"]),
-        (&"2630/2079".into(), &"1.2651".into())
-    );
+    assert_eq!(found["schema"], "boundfit/x-errors/2");
+    for (end, decimal) in [("lower", "1.2650"), ("upper", "1.2651")] {
+        let end = &found["factor"][end];
+        assert_eq!((&end["exact"], &end["decimal"]), (&"2630/2079".into(), &decimal.into()));
+    }
     assert_eq!(found["sides"][0]["fps"]["certificate"]["farkas"].as_array().unwrap().len(), 3);
     assert_eq!((&found["pieces"], &found["pui"]), (&0.into(), &Value::Null));
 }
@@ -68,9 +68,11 @@ fn steepest_and_shallowest_line_are_told_with_their_corners() {
 fn a_number_is_a_number_and_any_other_text_a_column() {
     let found = json(WITH_BOUNDS, "--x x --y y --eps 0.2 --x-eps d", 0);
     assert_eq!((&found["x_epsilon"], &found["x_epsilon_column"]), (&Value::Null, &"d".into()));
-    assert_eq!(found["factor"]["exact"], Value::Null);
-    assert_eq!(found["factor"]["polynomial"], serde_json::json!(["4", "31", "-10"]));
-    assert_eq!(found["factor"]["root"], "larger");
+    // The larger root of 4·s² + 31·s - 10.
+    let ends = ["lower", "upper"].map(|end| found["factor"][end]["exact"].as_str().unwrap());
+    assert_eq!(ends, ["15508363034790081/50000000000000000", "31016726069580163/100000000000000000"]);
+    let text = run(WITH_BOUNDS, "--x x --y y --eps 0.2 --x-eps d").stdout;
+    assert!(text.contains("least factor   between 0.31016 and 0.31017 on the bounds"), "{text}");
     let number = json(WITH_BOUNDS, "--x x --y y --eps 0.2 --x-eps 3", 0);
     assert_eq!(number["x_epsilon"]["exact"], "3");
     let column = json(WITH_BOUNDS, "--x x --y y --eps 2 --x-eps-column 3", 0);

@@ -1,12 +1,15 @@
 //! Lines under errors in x, against the definition tried at every crossing of the lines through the corners of boxes.
 
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 use boundfit_estimation::{
     BoundName, Condition, ErrorBound, Fps, Measurement, Measurements, Model, ParameterBound, Problem, fit,
 };
-use boundfit_exact::{Endpoint, Rational, Surd};
-use boundfit_questions::{Agreement, NoLeastFactor, NoXErrors, Side, XBounds, XErrorFit, XErrorProblem};
+use boundfit_exact::{Endpoint, Rational};
+use boundfit_questions::{
+    Agreement, LeastFactor, NoLeastFactor, NoXErrors, Side, XBounds, XErrorFit, XErrorProblem,
+};
 use boundfit_tests::boxes::{BoxReading, Boxes, Q, Theta};
 use boundfit_tests::generate::seeded;
 use boundfit_tests::readings::parse_condition;
@@ -193,40 +196,44 @@ fn check_factor(problem: &XErrorProblem, answer: &XErrorFit, boxes: &Boxes) -> &
         }
         Ok(least) => least,
     };
-    assert_eq!(least.theta.is_some(), least.is_attained);
-    assert_eq!(least.is_enough(), !answer.is_empty(), "{problem:?} {least:?}");
-    match least.value.rational() {
+    let is_enough = match least.upper.cmp(&Rational::one()) {
+        Ordering::Equal => least.theta.is_some(),
+        order => order == Ordering::Less,
+    };
+    assert_eq!(is_enough, !answer.is_empty(), "{problem:?} {least:?}");
+    if let Some(theta) = &least.theta {
+        assert!(boxes.times(&q(&least.upper)).contain(&theta_q(theta)), "{problem:?} {least:?}");
+    }
+    match least.exact() {
         Some(zero) if zero.is_zero() => {
             assert!(leaves(&tiny), "{problem:?}");
             assert!(least.fixed_by.is_empty());
             if problem.agreement() == Agreement::Weak {
-                assert_eq!(leaves(zero), least.is_attained, "{problem:?}");
+                assert_eq!(leaves(zero), least.theta.is_some(), "{problem:?}");
             }
             "zero"
         }
         Some(value) => {
             assert!(!leaves(&(value * (Rational::one() - &tiny))), "{problem:?} {least:?}");
             assert!(leaves(&(value * (Rational::one() + tiny))), "{problem:?} {least:?}");
-            assert_eq!(leaves(value), least.is_attained, "{problem:?} {least:?}");
-            if let Some(theta) = &least.theta {
-                let theta = theta.each_ref().map(|own| q(own.rational().unwrap()));
-                assert!(boxes.times(&q(value)).contain(&theta), "{problem:?} {least:?}");
-            }
-            assert!(check_reason(problem, least.value.clone(), &least.fixed_by));
-            if least.is_attained { "rational" } else { "not attained" }
+            assert_eq!(leaves(value), least.theta.is_some(), "{problem:?} {least:?}");
+            assert!(check_reason(problem, least));
+            if least.theta.is_some() { "rational" } else { "not attained" }
         }
         None => {
-            let [low, high] = least.value.enclosure(100);
-            assert!(!leaves(&low) && leaves(&high), "{problem:?} {least:?}");
-            assert!(least.is_attained);
-            assert!(check_reason(problem, least.value.clone(), &least.fixed_by));
+            assert!(!leaves(&least.lower) && leaves(&least.upper), "{problem:?} {least:?}");
+            let width = &least.upper - &least.lower;
+            assert!(width < &least.upper * Rational::scientific(1, -15), "{least:?}");
+            assert!(least.theta.is_some());
+            assert!(check_reason(problem, least));
             "irrational"
         }
     }
 }
 
-/// Whether the rows that fix a factor ask for it by themselves.
-fn check_reason(problem: &XErrorProblem, value: Surd, fixed_by: &[BoundName]) -> bool {
+/// Whether the rows that fix a factor ask for it by themselves, and for no more.
+fn check_reason(problem: &XErrorProblem, least: &LeastFactor) -> bool {
+    let LeastFactor { lower, upper, side, fixed_by, .. } = least;
     let Problem { measurements, conditions } = problem.problem();
     let is_named = |row: usize| fixed_by.iter().any(|name| name.row() == Some(row));
     let kept = |position: &usize| is_named(measurements.kept()[*position].row);
@@ -236,9 +243,14 @@ fn check_reason(problem: &XErrorProblem, value: Surd, fixed_by: &[BoundName]) ->
     let bounds = XBounds::PerRow { column: "d".into(), bounds };
     let bound = measurements.error_bound().clone();
     let measurements = Measurements::new(measurements.model().clone(), "y".into(), bound, rows);
-    let own = Problem { measurements, conditions: conditions.clone() };
+    let of_side = if *side == Side::Falling { "theta1 <= 0" } else { "theta1 >= 0" };
+    let conditions = conditions.iter().cloned().chain([parse_condition(of_side)]).collect();
+    let own = Problem { measurements, conditions };
     let own = XErrorProblem::new(own, bounds, problem.agreement()).unwrap();
-    fixed_by.len() <= 3 && own.fit().least.unwrap().value <= value
+    let own = own.fit().least.unwrap();
+    // Under strong agreement fewer readings leave steeper lines to look at.
+    let is_as_large = own.upper >= *lower || problem.agreement() == Agreement::Strong;
+    fixed_by.len() <= 3 && own.lower <= *upper && is_as_large
 }
 
 #[test]
@@ -284,12 +296,12 @@ fn without_errors_in_x_the_set_is_that_of_a_plain_fit() {
             let fit = fit(own.problem());
             assert_eq!(answer.pui(), fit.pui_intervals());
             assert_eq!(answer.central, fit.central);
-            let least = answer.least.as_ref().ok().map(|least| least.value.clone());
-            let expected = fit.minimax.as_ref().map(|own| Surd::from(own.least.clone()));
+            let least = answer.least.as_ref().ok().map(|least| least.exact().cloned().unwrap());
+            let expected = fit.minimax.as_ref().map(|own| own.least.clone());
             match expected {
                 // Where no reading has two bounds a fit has no width that could grow.
                 None if !measurements.has_widths() => {
-                    assert!(least.is_none_or(|own| own == Surd::from(Rational::zero())))
+                    assert!(least.is_none_or(|own| own.is_zero()))
                 }
                 expected => assert_eq!(least, expected, "{own:?}"),
             }
@@ -330,7 +342,7 @@ fn no_line_meets_all_boxes_of_a_course() {
     let answer = own.fit();
     assert!(answer.is_empty());
     let least = answer.least.unwrap();
-    let value = least.value.rational().unwrap().clone();
+    let value = least.exact().unwrap().clone();
     assert_eq!(value, Rational::ratio(2630, 2079));
     assert_eq!(value.to_decimal(5, boundfit_exact::Rounding::Up), "1.2651");
     assert!(answer.sides[0].pui.is_none());

@@ -9,8 +9,8 @@
 
 mod demands;
 mod factor;
-mod few;
 mod half_planes;
+mod rows;
 
 use boundfit_estimation::{
     BoundName, Central, Measurement, Model, ParameterBound, ParameterInterval, Problem, Ties, central_of,

@@ -1,4 +1,4 @@
-//! The JSON report of lines under errors in x, schema `boundfit/x-errors/1`.
+//! The JSON report of lines under errors in x, schema `boundfit/x-errors/2`.
 
 use std::collections::BTreeMap;
 
@@ -53,11 +53,9 @@ struct CentralJson {
 
 #[derive(Serialize)]
 struct FactorJson {
-    #[serde(flatten)]
-    value: Number,
-    /// Coefficients of a polynomial of which an irrational factor is a root, and which root.
-    polynomial: Option<[String; 3]>,
-    root: Option<&'static str>,
+    /// Less than the least factor, or the least factor itself where both ends are equal.
+    lower: Number,
+    upper: Number,
     attained: bool,
     side: &'static str,
     theta: Option<[Number; 2]>,
@@ -88,7 +86,7 @@ pub fn x_error_json(
         Agreement::Strong => "strong",
     };
     to_text(&XErrorJson {
-        schema: "boundfit/x-errors/1",
+        schema: "boundfit/x-errors/2",
         program: ProgramJson::OWN,
         input: InputJson::new(problem.problem(), origin, style),
         x_epsilon,
@@ -185,14 +183,12 @@ fn slope(answer: &XErrorFit, is_upper: bool, style: &Style) -> Option<SlopeJson>
 }
 
 fn factor(least: &LeastFactor, style: &Style) -> FactorJson {
-    let is_irrational = least.value.rational().is_none();
     FactorJson {
-        value: style.surd_number(&least.value, true),
-        polynomial: is_irrational.then(|| least.value.polynomial().map(|integer| integer.to_string())),
-        root: is_irrational.then(|| if least.value.is_larger_root() { "larger" } else { "smaller" }),
-        attained: least.is_attained,
+        lower: style.lower_number(&least.lower),
+        upper: style.upper_number(&least.upper),
+        attained: least.theta.is_some(),
         side: side_name(least.side),
-        theta: least.theta.as_ref().map(|theta| theta.each_ref().map(|own| style.surd_number(own, false))),
+        theta: least.theta.as_ref().map(|theta| style.numbers(theta)),
         fixed_by: least.fixed_by.iter().map(|name| (*name).into()).collect(),
     }
 }

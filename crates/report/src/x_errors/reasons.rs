@@ -7,8 +7,9 @@ use boundfit_questions::{
 };
 
 use super::XErrorReport;
-use crate::document::{Operator, Symbol, Text};
+use crate::document::{Symbol, Text};
 use crate::formula::{absurdity, products};
+use crate::style::Style;
 
 impl XErrorReport<'_> {
     /// Of an empty set which readings contradict each other, side by side, and what would help.
@@ -31,13 +32,12 @@ impl XErrorReport<'_> {
             Err(NoLeastFactor::Never) => "Larger error bounds would not help.".into(),
             Err(reason @ NoLeastFactor::NotMonotone) => format!("No factor is told: {reason}.").into(),
             Ok(least) => {
-                let value = self.factor_text(least);
-                let at_least =
-                    if least.is_attained { "a factor of at least " } else { "a factor of more than " };
-                Text::from("All bounds, of x and y, would have to grow by ")
-                    .words(at_least)
-                    .then(value)
-                    .words(".")
+                let said = match (least.exact(), &least.theta) {
+                    (None, _) => "The least factor by which all bounds, of x and y, would have to grow is ",
+                    (_, Some(_)) => "All bounds, of x and y, would have to grow by a factor of at least ",
+                    (_, None) => "All bounds, of x and y, would have to grow by a factor of more than ",
+                };
+                Text::from(said).then(self.factor_text(least)).words(".")
             }
         };
         [first.into()].into_iter().chain(sides).chain([help]).collect()
@@ -83,23 +83,14 @@ impl XErrorReport<'_> {
         })
     }
 
-    /// A factor with what it is exactly.
-    fn factor_text(&self, LeastFactor { value, .. }: &LeastFactor) -> Text {
-        match value.rational() {
+    /// The least factor: what it is exactly, or between which numbers it lies.
+    fn factor_text(&self, least: &LeastFactor) -> Text {
+        let shown = Style { exact: false, ..*self.style };
+        match least.exact() {
             Some(value) => self.style.upper_with_exact(value),
             None => {
-                let [a, b, c] = value.polynomial().map(|integer| Rational::from(&integer));
-                let which = if value.is_larger_root() { "larger" } else { "smaller" };
-                let factor = |power: &str| Some(Text::from(Symbol::Factor).words(power));
-                let size = |number: &Rational| Text::new().number(number.abs());
-                let polynomial = crate::formula::sum_text([
-                    (a.clone(), size(&a), factor("^2")),
-                    (b.clone(), size(&b), factor("")),
-                    (c.clone(), size(&c), None),
-                ]);
-                let text =
-                    self.style.surd(value, true).words(format!(" (the {which} root of ")).then(polynomial);
-                text.operator(Operator::Equals).number(0).words(")")
+                let between = Text::from("between ").number(shown.lower(&least.lower));
+                between.words(" and ").number(shown.upper(&least.upper))
             }
         }
     }
@@ -115,7 +106,7 @@ impl XErrorReport<'_> {
                 let names = list(least.fixed_by.iter().map(ToString::to_string));
                 let text = if names.is_empty() { text } else { text.words(format!(", fixed by {names}")) };
                 let mut lines = vec![(label, text)];
-                if !least.is_attained {
+                if least.theta.is_none() {
                     let said = "it leaves no line itself; larger ones do, the closer the steeper";
                     lines.push((Text::new(), said.into()));
                 }

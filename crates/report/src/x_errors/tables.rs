@@ -1,17 +1,17 @@
 //! Lines under errors in x as CSV and as well-known text.
 
 use boundfit_estimation::{Fit, ParameterInterval};
-use boundfit_exact::Rounding;
+use boundfit_exact::{Endpoint, Interval};
 use boundfit_questions::{Side, XErrorFit};
 
-use crate::fit_csv::{Table, shown};
+use crate::fit_csv::Table;
 use crate::number::up;
 use crate::style::Style;
 use crate::wkt::region_wkt;
 
 /// Estimates and intervals as a table with the columns of [`fit_csv`](crate::fit_csv). The quantities are `least_squares` and `eui` as
 /// they are without errors in x, `pui` of all pieces together and `pui_rising` and `pui_falling` of each of two, `central`,
-/// `guaranteed_error` and `least_factor`, of which an irrational one has no exact value.
+/// `guaranteed_error` and `least_factor`, which is an interval where it is enclosed.
 pub fn x_error_csv(answer: &XErrorFit, plain: &Fit) -> String {
     let mut table = Table::new();
     let kinds: Vec<&str> =
@@ -41,15 +41,13 @@ pub fn x_error_csv(answer: &XErrorFit, plain: &Fit) -> String {
         table.central(central);
     }
     if let Ok(least) = &answer.least {
-        match least.value.rational() {
+        match least.exact() {
             Some(value) => table.value("least_factor", "", up(value), value),
             None => {
-                // Rounded up to a double.
-                let above = up(&least.value.alike(20, Rounding::Up));
-                let mut row = [const { String::new() }; 8];
-                row[0] = "least_factor".to_owned();
-                row[4] = shown(above);
-                table.row(row);
+                let [lower, upper] = [&least.lower, &least.upper].map(|end| Endpoint::Finite(end.clone()));
+                if let Some(interval) = Interval::new(lower, upper) {
+                    table.interval("least_factor", "", &interval);
+                }
             }
         }
     }
