@@ -6,9 +6,10 @@ use boundfit_estimation::Problem;
 use boundfit_exact::{Foreign, Rational, Reading};
 use boundfit_lp::{Judgement, Referee, Verdict};
 
-use crate::answer::{Answer, SourceError, answer_of};
+use crate::answer::Answer;
 use crate::directions::{AskedDirections, Directions, directions};
 use crate::rows::ProgramRows;
+use crate::sources::{SourceError, answer_of};
 
 /// What is to be checked, and how.
 #[derive(Debug, Clone)]

@@ -50,8 +50,9 @@ mod exchange;
 mod float;
 mod judge;
 mod rows;
+mod sources;
 
-pub use answer::{Answer, EXACT_SIMPLEX, SourceError, answer_of, source_names};
+pub use answer::Answer;
 pub use claims::{
     ClaimError, ClaimFileError, ClaimLimits, ClaimText, is_solution_name, nested_beyond, parse_claim_pui,
     read_claims,
@@ -60,3 +61,4 @@ pub use directions::{Approximation, AskedDirections, Directions, Objectives, dir
 pub use exchange::ExchangeRows;
 pub use judge::{AskedReadings, Check, CheckOptions, JudgedAnswer, MOST_READINGS, check};
 pub use rows::ProgramRows;
+pub use sources::{EXACT_SIMPLEX, SourceError, answer_of, source_names};

@@ -1,6 +1,5 @@
 //! The one door between exact numbers and IEEE 754 binary64.
 
-use crate::shortest::shortest_decimal;
 use crate::{Fraction, Integer, Rational, plain_decimal};
 
 /// Binary exponent of the smallest positive binary64.
@@ -56,21 +55,6 @@ impl Rational {
     /// The number that [`Rational::to_f64`] gives, if it is a finite one.
     pub fn to_finite_f64(&self) -> Option<f64> {
         Some(self.to_f64()).filter(|double| double.is_finite())
-    }
-
-    /// Of a number that is exactly a binary64, the shortest decimal that is read as this binary64: `0.1` for what is stored
-    /// when 0.1 is read; `None` for all other numbers.
-    ///
-    /// ```
-    /// # use boundfit_exact::Rational;
-    /// assert_eq!(Rational::from_f64(0.1).unwrap().shortest_of_f64().unwrap(), Rational::ratio(1, 10));
-    /// assert_eq!(Rational::ratio(1, 10).shortest_of_f64(), None);
-    /// ```
-    pub fn shortest_of_f64(&self) -> Option<Rational> {
-        let double = self.to_finite_f64()?;
-        let is_exact = Rational::from_f64(double).as_ref() == Some(self);
-        let (mantissa, exponent) = shortest_decimal(double)?;
-        is_exact.then(|| Rational::scientific(mantissa, exponent))
     }
 }
 

@@ -7,7 +7,7 @@
 //! [`Scale::quarters`], which tells where 192 bits are too few, so that nothing rests on how seldom that is.
 
 use crate::binary64::{LEAST_EXPONENT, significand_and_exponent};
-use crate::plain_decimal;
+use crate::{Rational, plain_decimal};
 
 /// Digits after the point up to which a power of ten is a double, so that a division by it rounds once.
 const MOST_PLACES: usize = 22;
@@ -44,6 +44,23 @@ pub fn shortest_decimal_of_f32(value: f32) -> Option<(i64, i32)> {
     let is_power = significand == 1 << 23 && exponent > LEAST;
     let shortest = || signed(shortest_of(significand.into(), exponent, is_power)?, value.is_sign_negative());
     value.is_finite().then(|| shortest().or_else(|| plain_decimal(format!("{value:e}").as_bytes()))).flatten()
+}
+
+impl Rational {
+    /// Of a number that is exactly a binary64, the shortest decimal that is read as this binary64: `0.1` for what is stored
+    /// when 0.1 is read; `None` for all other numbers.
+    ///
+    /// ```
+    /// # use boundfit_exact::Rational;
+    /// assert_eq!(Rational::from_f64(0.1).unwrap().shortest_of_f64().unwrap(), Rational::ratio(1, 10));
+    /// assert_eq!(Rational::ratio(1, 10).shortest_of_f64(), None);
+    /// ```
+    pub fn shortest_of_f64(&self) -> Option<Rational> {
+        let double = self.to_finite_f64()?;
+        let is_exact = Rational::from_f64(double).as_ref() == Some(self);
+        let (mantissa, exponent) = shortest_decimal(double)?;
+        is_exact.then(|| Rational::scientific(mantissa, exponent))
+    }
 }
 
 /// A float that has a shortest decimal.

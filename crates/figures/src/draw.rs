@@ -6,9 +6,10 @@ use boundfit_geometry::Polyhedron;
 use boundfit_questions::{OutlierLimits, Outliers, XErrorFit, XErrorProblem};
 
 use crate::drawing::Drawing;
+use crate::error::FigureError;
 use crate::figure::{Figure, PlotOptions};
 use crate::page::Page;
-use crate::picture::{FigureError, Picture};
+use crate::picture::Picture;
 use crate::render::Look;
 use crate::series::{Compared, Series};
 use crate::text::one_line;
@@ -153,7 +154,7 @@ pub(crate) fn finished(mut drawing: Drawing, options: &PlotOptions) -> Result<Pi
         }
     }
     let look = Look { page: Page::of(options), greyscale: options.greyscale };
-    render::render(drawing, look)
+    Picture::new(&render::svg(&drawing, &look)?, drawing, look)
 }
 
 /// Draws a linear program in two variables: the feasible set, the optimal points, and where the objective improves, which is to

@@ -27,6 +27,7 @@ mod clip;
 mod data_plane;
 mod draw;
 mod drawing;
+mod error;
 mod extent;
 mod figure;
 mod groups;
@@ -50,8 +51,9 @@ pub use draw::{
     draw, draw_boxes, draw_compared, draw_groups, draw_outliers, draw_program, draw_region, draw_sweep,
     draw_sweep_of_corridors, draw_x_errors,
 };
+pub use error::FigureError;
 pub use figure::{Figure, PlotOptions};
 pub use groups::MOST_PANELS;
 pub use linearity::draw_linearity;
-pub use picture::{Encoding, FigureError, Picture, PictureFormat};
+pub use picture::{Encoding, Picture, PictureFormat};
 pub use series::{Compared, MOST_COMPARED, Series};

@@ -8,12 +8,13 @@ use crate::axis::Axis;
 use crate::clip::Place;
 use crate::draw::finished;
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
+use crate::error::FigureError;
 use crate::extent::Extent;
 use crate::figure::PlotOptions;
 use crate::labels::{LONGEST_NAME, asked_for, described, number, unit, with_unit};
 use crate::page::Page;
 use crate::palette::{BLUE, Dash, FAINT_INK, Fill, GREEN, INK, Mark, PURPLE, SKY, Shape, Stroke, VERMILLION};
-use crate::picture::{FigureError, Picture};
+use crate::picture::Picture;
 use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
 use crate::text::one_line;
 

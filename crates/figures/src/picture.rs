@@ -1,11 +1,10 @@
 //! A drawn figure: one picture, encoded as SVG, PNG, PDF or source for TikZ.
 
-use plotters::drawing::DrawingAreaErrorKind;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Indent, Options, Tree, WriteOptions};
-use thiserror::Error;
 
 use crate::drawing::Drawing;
+use crate::error::FigureError;
 use crate::render::{self, Look};
 use crate::{pdf, text};
 
@@ -13,18 +12,6 @@ use crate::{pdf, text};
 const PIXELS_PER_INCH: f32 = 96.0;
 /// What is drawn at most: 400 MB of memory.
 const MOST_PIXELS: f32 = 1e8;
-
-/// Why a figure could not be drawn. Data cannot be the reason; only the libraries underneath can.
-#[derive(Debug, Error)]
-#[error("the figure cannot be drawn: {0}")]
-pub struct FigureError(pub(crate) String);
-
-impl FigureError {
-    /// What a canvas says.
-    pub(crate) fn of_canvas(error: DrawingAreaErrorKind<std::io::Error>) -> Self {
-        FigureError(error.to_string())
-    }
-}
 
 /// How a picture is encoded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,10 +1,9 @@
 //! Proofs of answers, multiplied out in the model as it was given: nothing here knows of planes or half-planes.
 
 use boundfit_exact::Rational;
-use boundfit_lp::{Bounds, Model, ModelRow};
+use boundfit_lp::{Bounds, Model, ModelRow, ObjectiveSense};
 
 use crate::answer::{Answer, Item, Prices, SideMultiplier};
-use crate::solve::{sign_of, value_of};
 
 impl Answer {
     /// Recomputes the proof from the model alone. Exact. Cost: the size of the model for each point and direction.
@@ -171,4 +170,18 @@ fn change_along(model: &Model, ray: &[Rational]) -> Rational {
 fn is_level(model: &Model, direction: &[Rational]) -> Result<(), &'static str> {
     let change = change_along(model, direction);
     if change.is_zero() { Ok(()) } else { Err("the objective changes along an optimal direction") }
+}
+
+/// +1 for a minimum, −1 for a maximum.
+pub(crate) fn sign_of(sense: ObjectiveSense) -> Rational {
+    match sense {
+        ObjectiveSense::Minimize => Rational::one(),
+        ObjectiveSense::Maximize => -Rational::one(),
+    }
+}
+
+/// The objective at a point, its constant included.
+pub(crate) fn value_of(model: &Model, point: &[Rational]) -> Rational {
+    let terms = model.columns.iter().zip(point).map(|(column, value)| &column.cost * value);
+    terms.fold(model.constant.clone(), |sum, term| sum + term)
 }

@@ -2,10 +2,10 @@
 
 use boundfit_exact::{Integer, Rational};
 use boundfit_geometry::{self as geometry, Direction, Multiplier, Support, Vertex};
-use boundfit_lp::{ExactOutcome, Model, ObjectiveSense, Program, Row, exact_simplex};
+use boundfit_lp::{ExactOutcome, Model, Program, Row, exact_simplex};
 
 use crate::answer::{Answer, Basis, BasisStatus, Face, Item, Prices, Side, SideMultiplier};
-use crate::certificate::{proves_infeasible, proves_optimal, proves_unbounded};
+use crate::certificate::{proves_infeasible, proves_optimal, proves_unbounded, sign_of, value_of};
 use crate::error::SolveError;
 use crate::plane::{Plane, point_on_axis};
 use boundfit_lp::End;
@@ -311,20 +311,6 @@ fn first_point(plane: &Plane) -> [Rational; 2] {
         (Some(vertex), _) => vertex.point().coordinates(),
         (None, Some(boundary)) => point_on_axis(boundary.half_plane()),
         (None, None) => [Rational::zero(), Rational::zero()],
-    }
-}
-
-/// The objective at a point, its constant included.
-pub(crate) fn value_of(model: &Model, point: &[Rational]) -> Rational {
-    let terms = model.columns.iter().zip(point).map(|(column, value)| &column.cost * value);
-    terms.fold(model.constant.clone(), |sum, term| sum + term)
-}
-
-/// +1 for a minimum, −1 for a maximum.
-pub(crate) fn sign_of(sense: ObjectiveSense) -> Rational {
-    match sense {
-        ObjectiveSense::Minimize => Rational::one(),
-        ObjectiveSense::Maximize => -Rational::one(),
     }
 }
 

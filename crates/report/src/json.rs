@@ -10,7 +10,8 @@ use serde::Serialize;
 use serde::ser::{SerializeStruct, Serializer};
 
 use crate::number::Number;
-use crate::style::{Reader, Style};
+use crate::number::Reader;
+use crate::style::Style;
 
 /// The ends of an interval, null where there is none. They are numbers, or functions of the factor on the error bounds.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]

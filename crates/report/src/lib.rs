@@ -102,7 +102,7 @@ pub use judge::{JudgeJson, judge_document, judge_json};
 pub use linearity::{linearity_csv, linearity_document, linearity_json};
 #[cfg(feature = "files")]
 pub use linearity::{linearity_proof, linearity_question};
-pub use number::Number;
+pub use number::{Number, Reader};
 pub use origin::Origin;
 #[cfg(feature = "files")]
 pub use outliers::{NoOutliersProof, outliers_proof};
@@ -129,13 +129,14 @@ pub use statements_json::statements_json;
 #[cfg(feature = "files")]
 pub use status::status_proof;
 pub use status::{NewReadings, StatusCsv, StatusJson, StatusReport, status_document};
-pub use style::{EndRounding, LONGEST_FRACTION, Reader, Style};
+pub use style::{EndRounding, LONGEST_FRACTION, Style};
 pub use sweep::sweep_document;
 pub use sweep_json::SweepJson;
 pub use table_json::TableJson;
 #[cfg(feature = "files")]
 pub use table_json::table_line;
-pub use verify::{Verdict, condition as condition_text, rows as rows_text, verify_text};
+pub use verify::{Verdict, condition as condition_text, verify_text};
+pub use verify_claims::rows as rows_text;
 pub use verify_json::verify_json;
 pub use vertices_csv::{active_names, vertices_csv};
 pub use window::{WindowReport, WindowSummary, write_window_json};

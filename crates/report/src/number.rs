@@ -5,8 +5,6 @@ use std::fmt;
 use boundfit_exact::{PlacedDecimal, Rational, Rounding};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
-use crate::style::Reader;
-
 /// A number in JSON: `{"exact": "p/q", "decimal": "1.8194e-3", "value": 0.0018194243326268529}`, where the value is the
 /// nearest double and null beyond the largest one; `exact` is null where the fraction is too long to be written, or there is none. Ends of
 /// intervals and error bounds have `outward` too, a double that is not inside. A person gets the decimal without powers of ten and no
@@ -19,6 +17,16 @@ pub struct Number {
     decimal: DecimalForm,
     outward: Option<Outward>,
     reader: Reader,
+}
+
+/// Who reads the numbers of JSON.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Reader {
+    /// A program: decimals have powers of ten below 0.1, and the nearest double stands beside them.
+    #[default]
+    Program,
+    /// Somebody to whom a page shows the decimals as they are.
+    Person,
 }
 
 /// How the decimal is rounded.

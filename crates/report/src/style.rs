@@ -7,7 +7,7 @@ use boundfit_exact::{Decimal, Interval, Limit, PlacedDecimal, PlusMinus, Rationa
 use boundfit_geometry::Measure;
 
 use crate::document::{Inline, Symbol, Text};
-use crate::number::{Number, Outward};
+use crate::number::{Number, Outward, Reader};
 
 /// The longest fraction that text reports show without being asked for exact numbers.
 const LONGEST_READABLE: usize = 80;
@@ -60,16 +60,6 @@ pub struct Style {
 
 /// The digits of the longest fraction of a sum where nothing else is asked for.
 pub const LONGEST_FRACTION: usize = 10_000;
-
-/// Who reads the numbers of JSON.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Reader {
-    /// A program: decimals have powers of ten below 0.1, and the nearest double stands beside them.
-    #[default]
-    Program,
-    /// Somebody to whom a page shows the decimals as they are.
-    Person,
-}
 
 impl Default for Style {
     /// Digits that follow the numbers, ends outward, decimals.

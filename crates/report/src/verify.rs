@@ -3,11 +3,11 @@
 use std::fmt::Display;
 
 use boundfit_exact::english::counted;
-use boundfit_exact::{Endpoint, Foreign, Interval, Rational, Reading};
+use boundfit_exact::{Foreign, Rational, Reading};
 use boundfit_verify::{About, Extent, Falsehood, Found, Quantity, SetFound, Statement};
 
 use crate::style::Style;
-use crate::verify_claims::of_claims;
+use crate::verify_claims::{extent, form_text, of_claims, range, rows};
 
 /// What is to be said about a proof.
 #[derive(Debug)]
@@ -18,8 +18,6 @@ pub struct Verdict {
     pub differences: Vec<String>,
 }
 
-/// How many ranges of rows are listed.
-const MOST_RANGES: usize = 6;
 /// How many conditions are.
 const MOST_CONDITIONS: usize = 20;
 
@@ -55,26 +53,6 @@ fn of_set(set: &SetFound) -> Vec<(&'static str, String)> {
         lines.push((name, range(ends)));
     }
     lines
-}
-
-/// `bounded, with 6 vertices and 6 sides`.
-pub(crate) fn extent(extent: Extent, vertices: usize, sides: usize) -> String {
-    let parts =
-        format!("{} and {}", counted(vertices, "vertex", "vertices"), counted(sides, "side", "sides"));
-    match extent {
-        Extent::Empty => "empty".to_owned(),
-        Extent::Bounded => format!("bounded, with {parts}"),
-        Extent::Unbounded => format!("unbounded, with {parts}"),
-    }
-}
-
-/// An interval of which the ends are rounded outward.
-pub(crate) fn range(ends: &[Option<Rational>; 2]) -> String {
-    let [lower, upper] = ends.each_ref().map(|end| Endpoint::from(end.clone()));
-    // What is verified is in order.
-    let style = Style::default();
-    let interval = Interval::new(lower, upper).map(|range| style.resolving(&range).interval(&range));
-    interval.unwrap_or_default().to_string()
 }
 
 /// What the checks have shown.
@@ -185,41 +163,6 @@ fn law(about: &About, terms: &[(Quantity, u64, Rational)]) -> String {
 pub fn condition(([a1, a2, b], is_equation): &([Rational; 3], bool)) -> String {
     let relation = if *is_equation { "=" } else { "<=" };
     format!("{} {relation} {b}", form_text(&[a1.clone(), a2.clone()]))
-}
-
-/// `2*theta1 - theta2`.
-pub(crate) fn form_text([a1, a2]: &[Rational; 2]) -> String {
-    let times = |number: &Rational, name: &str| match *number == Rational::one() {
-        true => name.to_owned(),
-        false => format!("{number}*{name}"),
-    };
-    match (a1.is_zero(), a2.is_zero()) {
-        (_, true) => times(a1, "theta1"),
-        (true, false) => times(a2, "theta2"),
-        (false, false) => {
-            let sign = if a2.is_negative() { '-' } else { '+' };
-            format!("{} {sign} {}", times(a1, "theta1"), times(&a2.abs(), "theta2"))
-        }
-    }
-}
-
-/// `14 to 36`, `1 to 22 and 24`; of many ranges the first ones, and how many rows there are.
-pub fn rows(rows: &[u64]) -> String {
-    let range = |range: &[u64]| match range {
-        [first, last] if first < last => format!("{first} to {last}"),
-        range => range.first().map_or_else(String::new, u64::to_string),
-    };
-    let mut ranges: Vec<String> = rows.chunks(2).take(MOST_RANGES).map(range).collect();
-    let left = (rows.len() / 2).saturating_sub(MOST_RANGES);
-    if left > 0 {
-        let count: u64 =
-            rows.chunks_exact(2).map(|range| range[1].saturating_sub(range[0]).saturating_add(1)).sum();
-        return format!("{} and {left} more ranges, {count} rows", ranges.join(", "));
-    }
-    match ranges.pop() {
-        Some(last) if !ranges.is_empty() => format!("{} and {last}", ranges.join(", ")),
-        last => last.unwrap_or_default(),
-    }
 }
 
 fn reading(about: &About) -> String {

@@ -3,7 +3,7 @@
 use boundfit_estimation::Measurement;
 use boundfit_exact::Rational;
 
-use super::readings::COLUMN;
+use super::sample::COLUMN;
 use super::scene::level;
 use super::view::View;
 use crate::axis::Axis;

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use boundfit_estimation::Bounds;
 use boundfit_exact::Rational;
 
+use super::sample::columns;
 use super::scene::Shown;
 use super::view::View;
 use crate::clip::Place;
@@ -13,8 +14,6 @@ use crate::palette::{INK, Mark, Stroke, style};
 
 /// With more readings than this, error bars have no caps.
 const MOST_CAPS: usize = 60;
-/// How wide a column is in which the extreme readings are kept, in pixels.
-pub(super) const COLUMN: f64 = 3.0;
 
 /// How far a bar without a bound on one side goes on beyond what is known, in parts of the panel.
 const OPEN_END: f64 = 0.06;
@@ -68,11 +67,6 @@ pub(crate) fn bars<'a>(view: &View<'a>, panel: &Panel) -> Vec<Bar<'a>> {
     };
     let bars = view.scene.readings.iter().map(bar);
     bars.filter(|bar| (0.0..=1.0).contains(&bar.at)).collect()
-}
-
-/// In how many columns readings are thinned out on an axis of x of so many pixels.
-pub(super) fn columns(length: f64) -> f64 {
-    length / COLUMN
 }
 
 /// Length of the axis of x in pixels.

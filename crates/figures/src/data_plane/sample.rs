@@ -6,6 +6,8 @@
 use boundfit_estimation::{Bounds, Measurement};
 use boundfit_exact::Rational;
 
+/// How wide a column is in which the extreme readings are kept, in pixels.
+pub(super) const COLUMN: f64 = 3.0;
 /// Fewer readings than this are all placed.
 const FEW: usize = 2_000;
 /// Half of the band around the end of a column in which a reading may belong to either, in columns.
@@ -26,6 +28,11 @@ struct Rough {
     /// The line that distances are taken from.
     theta: [f64; 2],
     margin: f64,
+}
+
+/// In how many columns readings are thinned out on an axis of x of so many pixels.
+pub(super) fn columns(length: f64) -> f64 {
+    length / COLUMN
 }
 
 /// Whether each reading may be the lowest or the highest of its column on a panel, by its level or by its distance from a line;

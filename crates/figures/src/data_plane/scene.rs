@@ -7,8 +7,7 @@ use boundfit_estimation::{BoundName, Fit, Measurement, Model, Problem};
 use boundfit_exact::Rational;
 
 use super::frames;
-use super::readings::columns;
-use super::sample::may_be_seen;
+use super::sample::{columns, may_be_seen};
 use crate::axis::Axis;
 use crate::extent::Extent;
 use crate::figure::{Figure, PlotOptions};

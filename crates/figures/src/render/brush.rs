@@ -4,9 +4,8 @@ use plotters::element::{Circle, PathElement, Polygon};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, IntoFont, RGBColor, ShapeStyle, TextStyle, WHITE};
 
-use super::Written;
 use super::canvas::{Canvas, CanvasResult, FINE};
-use super::placing::Rectangle;
+use super::written::{Align, Pixel, Rectangle, Written};
 use crate::palette::{Colour, Dash, Fill, INK, Mark, PAPER, Shape, Stroke};
 use crate::text::{FAMILY, drawable};
 
@@ -21,17 +20,6 @@ const ARROW: [f64; 2] = [9.0, 3.6];
 pub(super) const CIRCLE_LINE: f64 = 1.0;
 pub(super) const RING_LINE: f64 = 1.8;
 pub(super) const CROSS_LINE: f64 = 2.0;
-
-/// A point on the canvas: right and down.
-pub(super) type Pixel = [f64; 2];
-
-/// Which part of a text stands at its place.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Align {
-    Start,
-    Middle,
-    End,
-}
 
 /// The ends of the two strokes of a cross, in radii.
 pub(super) const CROSS: [[f64; 2]; 4] = [[-0.8, -0.8], [0.8, 0.8], [-0.8, 0.8], [0.8, -0.8]];

@@ -1,8 +1,8 @@
 //! The legend: below the panels, where it covers nothing.
 
-use super::Written;
-use super::brush::{Align, Brush, Pixel};
+use super::brush::Brush;
 use super::canvas::{CanvasResult, MARGIN};
+use super::written::{Align, Pixel, Written};
 use crate::drawing::{LegendEntry, Swatch};
 use crate::palette::INK;
 

@@ -6,6 +6,7 @@ mod legend;
 mod panel;
 mod placing;
 mod tikz;
+mod written;
 
 pub(crate) use panel::{BOTTOM_LABELS, LEFT_LABELS};
 pub(crate) use tikz::source;
@@ -14,12 +15,13 @@ use plotters::prelude::{IntoDrawingArea, SVGBackend};
 use plotters::style::WHITE;
 
 use crate::drawing::Drawing;
+use crate::error::FigureError;
 use crate::page::Page;
 use crate::palette::{Colour, FAINT_INK, INK};
-use crate::picture::{FigureError, Picture};
 use crate::text;
-use brush::{Align, Brush, Pixel};
+use brush::Brush;
 use canvas::{Canvas, CanvasResult, FINE, MARGIN};
+use written::{Align, Written};
 
 /// Height of title and subtitle of one line each.
 const HEADER: f64 = 52.0;
@@ -38,17 +40,16 @@ pub(crate) struct Look {
     pub(crate) greyscale: bool,
 }
 
-/// Draws a figure of some size and colours. Cost: the number of items.
-pub(crate) fn render(drawing: Drawing, look: Look) -> Result<Picture, FigureError> {
+/// The SVG of a figure of some size and colours. Cost: the number of items.
+pub(crate) fn svg(drawing: &Drawing, look: &Look) -> Result<String, FigureError> {
     text::register();
-    let (svg, size) = document(&drawing, look.page).map_err(FigureError::of_canvas)?;
+    let (svg, size) = document(drawing, look.page).map_err(FigureError::of_canvas)?;
     // The view box keeps the canvas's own units, so that a smaller size scales everything. Plotters has no setting for it.
     let large = format!("width=\"{}\" height=\"{}\"", size[0], size[1]);
     let [width, height] = size.map(|length| f64::from(length) / FINE * look.page.scale);
     let nominal = format!("width=\"{width}\" height=\"{height}\"");
     let svg = svg.replacen(&large, &nominal, 1);
-    let svg = if look.greyscale { in_greys(&svg) } else { svg };
-    Picture::new(&svg, drawing, look)
+    Ok(if look.greyscale { in_greys(&svg) } else { svg })
 }
 
 /// The document in units of the canvas, and its width and height.
@@ -68,18 +69,6 @@ fn with_scratch<T>(page: Page, measure: impl FnOnce(&Brush) -> CanvasResult<T>) 
     let canvas =
         SVGBackend::with_string(&mut scratch, ((page.width * FINE).round() as u32, 1)).into_drawing_area();
     measure(&Brush::new(&canvas))
-}
-
-/// A line of text on the picture.
-struct Written {
-    /// Its left end, middle or right end, as it is aligned, at half its height.
-    at: Pixel,
-    text: String,
-    size: f64,
-    colour: Colour,
-    align: Align,
-    /// Of a label among what is drawn, the plate that it stands on.
-    plate: Option<placing::Rectangle>,
 }
 
 /// What stands around the panels, in lines that have room.

@@ -3,10 +3,10 @@
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
 use plotters::style::{Color, TRANSPARENT};
 
-use super::Written;
-use super::brush::{Align, Brush, Pixel, rgb, text_style};
+use super::brush::{Brush, rgb, text_style};
 use super::canvas::{CanvasResult, FINE};
-use super::placing::{self, Label, Rectangle};
+use super::placing::{self, Label};
+use super::written::{Align, Pixel, Rectangle, Written};
 use crate::axis::Axis;
 use crate::clip::Place;
 use crate::drawing::{Frame, Item, Panel};

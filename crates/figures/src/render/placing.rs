@@ -1,11 +1,9 @@
 //! Where the texts of a panel stand: beside their places, so that none covers a mark or another text while there is room.
 
-use super::brush::Pixel;
+use super::written::{HALF_LINE, Pixel, Rectangle};
 use crate::clip::Place;
 use crate::drawing::{Anchor, Frame};
 
-/// Half the height of a label.
-pub(super) const HALF_LINE: f64 = 7.0;
 /// How far texts stand from their places, best first.
 const GAPS: [f64; 4] = [3.5, 8.0, 15.0, 26.0];
 /// How they turn away from where they are to stand, in radians, best first.
@@ -16,34 +14,6 @@ const STEP: f64 = 12.0;
 const OF_TEXT: usize = 1_000_000;
 /// Distance from the edges of panels and of the picture.
 const EDGE: f64 = 2.0;
-
-/// A rectangle on the canvas.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Rectangle {
-    pub(super) left: f64,
-    pub(super) top: f64,
-    pub(super) right: f64,
-    pub(super) bottom: f64,
-}
-
-impl Rectangle {
-    /// The rectangle of a text of one line from its left end and middle line.
-    pub(super) fn of_text([left, middle]: Pixel, width: f64) -> Self {
-        Rectangle { left, top: middle - HALF_LINE, right: left + width, bottom: middle + HALF_LINE }
-    }
-
-    /// The rectangle around a mark.
-    pub(super) fn around([x, y]: Pixel, radius: f64) -> Self {
-        Rectangle { left: x - radius, top: y - radius, right: x + radius, bottom: y + radius }
-    }
-
-    fn overlaps(&self, other: &Rectangle) -> bool {
-        self.left < other.right
-            && other.left < self.right
-            && self.top < other.bottom
-            && other.top < self.bottom
-    }
-}
 
 /// A text to be placed.
 pub(super) struct Label {

@@ -9,8 +9,8 @@ use super::measure::Measured;
 use super::primal::{items, roundings, values};
 use super::{Aspect, Fault, Finding, Ground, Measure, Tolerances, value_at};
 use crate::answer::{Item, Side};
+use crate::certificate::sign_of;
 use crate::solution::Solution;
-use crate::solve::sign_of;
 
 impl Ground<'_> {
     pub(super) fn ray(&self, solution: &Solution, tolerances: &Tolerances) -> Option<Finding> {

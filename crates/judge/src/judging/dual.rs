@@ -8,8 +8,8 @@ use super::measure::{Excuse, Measured};
 use super::primal::{items, roundings, values};
 use super::{Aspect, Fault, Finding, Ground, Measure, Tolerances, value_at};
 use crate::answer::{Item, Side};
+use crate::certificate::sign_of;
 use crate::solution::{Given, Solution};
-use crate::solve::sign_of;
 
 /// The price of a row, as given, or of a column, as the duals leave it, with what rounding explains of it.
 pub(super) struct Price {

@@ -4,7 +4,7 @@ use boundfit_exact::Rational;
 use boundfit_lp::{Model, ModelRow, ObjectiveSense};
 
 use crate::answer::{Answer, Item, Side};
-use crate::solve::value_of;
+use crate::certificate::value_of;
 
 /// A model with its exact answer, and what errors about it are measured by:
 ///

@@ -87,7 +87,14 @@ impl ExchangeProgram<'_> {
             remarks: remarks.map(String::as_str).collect(),
             rows,
         };
-        program.write(text, format)
+        write(text, &program, format)
+    }
+}
+
+fn write(text: &mut impl fmt::Write, program: &Written<'_>, format: ExchangeFormat) -> fmt::Result {
+    match format {
+        ExchangeFormat::Mps => mps::write(text, program),
+        ExchangeFormat::Lp => lp_format::write(text, program),
     }
 }
 

@@ -105,7 +105,7 @@ impl Model {
             Written { name, sense: self.sense, objective, constant, columns, rows: &written, remarks };
         let mut text = String::new();
         // Writing to a string cannot fail.
-        let _ = program.write(&mut text, format);
+        let _ = super::write(&mut text, &program, format);
         text
     }
 }

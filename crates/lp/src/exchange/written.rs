@@ -3,8 +3,6 @@
 use std::fmt;
 
 use super::rows::{WrittenRow, WrittenRows};
-use super::{lp_format, mps};
-use crate::format::ExchangeFormat;
 use crate::model::ObjectiveSense;
 
 /// A program ready to be written.
@@ -28,15 +26,6 @@ pub(super) struct WrittenColumn {
     pub(super) name: String,
     pub(super) lower: Option<String>,
     pub(super) upper: Option<String>,
-}
-
-impl Written<'_> {
-    pub(super) fn write(&self, text: &mut impl fmt::Write, format: ExchangeFormat) -> fmt::Result {
-        match format {
-            ExchangeFormat::Mps => mps::write(text, self),
-            ExchangeFormat::Lp => lp_format::write(text, self),
-        }
-    }
 }
 
 /// Writes pieces of a line. Formatting macros take several times as long, which counts where there are 10⁶ lines.

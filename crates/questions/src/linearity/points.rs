@@ -5,7 +5,50 @@ use std::borrow::Cow;
 use boundfit_exact::Rational;
 use boundfit_geometry::Tally;
 
-use super::{CalibrationReading, Difference, Pass};
+/// Whether x was rising or falling when a reading was taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Pass {
+    /// Upscale: x was rising.
+    Up,
+    /// Downscale: x was falling.
+    Down,
+}
+
+/// One reading of a calibration.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CalibrationReading {
+    /// Number of the data row, from 1. Readings of both directions may stand in one row.
+    pub row: usize,
+    /// What was applied.
+    pub x: Rational,
+    /// What the sensor gave.
+    pub y: Rational,
+    /// In which direction it was approached, where that is known.
+    pub pass: Option<Pass>,
+    /// Of equal readings that are told once all of them, of which this is the first; `None` where it stands for itself.
+    pub equal: Option<Tally>,
+}
+
+impl CalibrationReading {
+    /// How many readings it stands for.
+    pub(crate) fn count(&self) -> u64 {
+        self.equal.as_ref().map_or(1, Tally::count)
+    }
+
+    /// The rows of all that it stands for.
+    fn tally(&self) -> Cow<'_, Tally> {
+        self.equal.as_ref().map_or_else(|| Cow::Owned(Tally::one(self.row as u64)), Cow::Borrowed)
+    }
+}
+
+/// A difference of readings at one x.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Difference {
+    /// How large it is.
+    pub value: Rational,
+    /// Where it is reached, ascending.
+    pub at: Vec<CalibrationPoint>,
+}
 
 /// A point of a characteristic.
 #[derive(Debug, Clone, PartialEq, Eq)]

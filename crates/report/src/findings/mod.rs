@@ -5,7 +5,7 @@ mod junit;
 mod sarif;
 mod sentence;
 
-use boundfit_judge::{Aspect, Excuse, JudgedSolution, Worth};
+use boundfit_judge::{Aspect, JudgedSolution, Worth};
 use boundfit_lp::Model;
 
 use crate::document::{Block, Document, Facts, Text};
@@ -77,14 +77,4 @@ fn label(aspect: Aspect) -> &'static str {
         Aspect::DualityGap => "gap",
         other => other.name(),
     }
-}
-
-/// The tolerances in words.
-fn excuse_text(excuse: &Excuse) -> String {
-    format!(
-        "excused by a tolerance of {} absolute, {} relative, {} scaled",
-        bounded(&excuse.absolute),
-        bounded(&excuse.relative),
-        bounded(&excuse.scaled)
-    )
 }

@@ -1,15 +1,23 @@
 //! What was found about one aspect, as a sentence.
 
 use boundfit_exact::{Foreign, Rational, Rounding};
-use boundfit_judge::{Fault, Finding, Item, Side, Worth};
+use boundfit_judge::{Excuse, Fault, Finding, Item, Side, Worth};
 use boundfit_lp::{End, Model};
-
-use super::excuse_text;
 
 /// Significant digits up to which a number is shown in full.
 const FULL: usize = 20;
 /// Significant digits that tell binary64 numbers apart.
 const DOUBLE: usize = 17;
+
+/// The tolerances in words.
+fn excuse_text(excuse: &Excuse) -> String {
+    format!(
+        "excused by a tolerance of {} absolute, {} relative, {} scaled",
+        bounded(&excuse.absolute),
+        bounded(&excuse.relative),
+        bounded(&excuse.scaled)
+    )
+}
 
 /// The sentence, without its end. The proportion comes first, the tolerances that excuse it last.
 pub(super) fn sentence(model: &Model, finding: &Finding) -> String {

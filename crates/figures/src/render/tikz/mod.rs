@@ -7,13 +7,14 @@ mod styles;
 
 use std::fmt::Write;
 
-use super::brush::{self, Align, CIRCLE_LINE, CROSS_LINE, PLATE, Pixel, RING_LINE};
+use super::brush::{self, CIRCLE_LINE, CROSS_LINE, PLATE, RING_LINE};
 use super::panel::{self, LABEL_SIZE, LEFT_LABELS, NAME_SIZE, TICK};
-use super::{Look, Written, canvas::CanvasResult, legend, measured, with_scratch};
+use super::written::{Align, Pixel, Written};
+use super::{Look, canvas::CanvasResult, legend, measured, with_scratch};
 use crate::clip::Place;
 use crate::drawing::{Drawing, Frame, Item, Panel, Swatch};
+use crate::error::FigureError;
 use crate::palette::{Colour, Dash, FRAME, Fill, GRID, INK, Mark, PAPER, Shape, Stroke};
-use crate::picture::FigureError;
 use crate::tex;
 use path::Paths;
 use styles::Styles;

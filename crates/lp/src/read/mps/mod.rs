@@ -2,6 +2,7 @@
 
 mod program;
 mod record;
+mod section;
 
 use super::ModelLimits;
 use super::error::{ModelError, ModelErrorKind};
@@ -11,6 +12,7 @@ use crate::model::{Model, ObjectiveSense};
 
 use program::Program;
 use record::{Layout, Record, has_fields_with_blanks};
+use section::{Section, is_comment, is_marker};
 
 /// Reads either form. A file is fixed if its lines of data are in the columns of that form, names in it contain blanks, and
 /// it can be read so; what can be read either way with different meanings is refused.
@@ -23,61 +25,6 @@ pub(super) fn read(text: &str, limits: &ModelLimits) -> Result<Model, ModelError
         (Ok(free), Ok(fixed)) if free != fixed => Err(ModelError::of_file(ModelErrorKind::Ambiguous)),
         (Err(free), Err(fixed)) => Err(if fixed.line() > free.line() { fixed } else { free }),
         (Ok(model), _) | (_, Ok(model)) => Ok(model),
-    }
-}
-
-/// A part of the file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Section {
-    Name,
-    ObjSense,
-    ObjName,
-    Rows,
-    Columns,
-    Rhs,
-    Ranges,
-    Bounds,
-    End,
-}
-
-impl Section {
-    const ALL: [Section; 9] = [
-        Section::Name,
-        Section::ObjSense,
-        Section::ObjName,
-        Section::Rows,
-        Section::Columns,
-        Section::Rhs,
-        Section::Ranges,
-        Section::Bounds,
-        Section::End,
-    ];
-
-    fn name(self) -> &'static str {
-        match self {
-            Section::Name => "NAME",
-            Section::ObjSense => "OBJSENSE",
-            Section::ObjName => "OBJNAME",
-            Section::Rows => "ROWS",
-            Section::Columns => "COLUMNS",
-            Section::Rhs => "RHS",
-            Section::Ranges => "RANGES",
-            Section::Bounds => "BOUNDS",
-            Section::End => "ENDATA",
-        }
-    }
-
-    fn named(word: &str) -> Option<Self> {
-        Section::ALL.into_iter().find(|section| section.name().eq_ignore_ascii_case(word))
-    }
-
-    /// The section that has to come before.
-    fn needs(self) -> Option<Self> {
-        match self {
-            Section::Name | Section::ObjSense | Section::ObjName | Section::Rows => None,
-            Section::Columns => Some(Section::Rows),
-            Section::Rhs | Section::Ranges | Section::Bounds | Section::End => Some(Section::Columns),
-        }
     }
 }
 
@@ -98,15 +45,6 @@ const NOT_LINEAR: [&str; 14] = [
     "PWLOBJ",
     "USERCUTS",
 ];
-
-fn is_comment(line: Line<'_>) -> bool {
-    line.text.starts_with(['*', '$'])
-}
-
-/// Whether a line begins or ends integer columns.
-fn is_marker(line: Line<'_>) -> bool {
-    line.text.contains("'MARKER'")
-}
 
 fn read_as(text: &str, layout: Layout, limits: &ModelLimits) -> Result<Model, ModelError> {
     let mut reader =

@@ -2,8 +2,8 @@
 
 use boundfit_exact::{Foreign, Rational};
 
-use super::Section;
 use super::record::Record;
+use super::section::Section;
 use crate::claim::End;
 use crate::model::{Bounds, Model, ModelColumn, ModelRow, ObjectiveSense};
 use crate::read::ModelLimits;

@@ -3,7 +3,7 @@
 use super::super::error::{ModelError, ModelErrorKind};
 use super::super::names::Names;
 use super::super::text::{Field, Line, lines};
-use super::{Section, is_comment, is_marker};
+use super::section::{Section, is_comment, is_marker};
 use crate::read::ModelLimits;
 
 /// How the pieces of a line are told apart.
