@@ -1,10 +1,9 @@
 //! Blocks: rows behind a comment, or behind two blank lines, are other readings than those before.
 
-use std::fmt;
-
 use boundfit_exact::{Foreign, plain_decimal};
 use memchr::memchr2;
 
+use crate::block::{AskedBlock, Block};
 use crate::dialect::{BLANKS, CommentMark};
 use crate::error::{InputError, InputErrorKind};
 use crate::notes::BlockNote;
@@ -21,41 +20,6 @@ const MOST_LISTED: usize = 10;
 
 /// As many names are kept to see whether one stands for several blocks.
 const MOST_NAMES: usize = 10_000;
-
-/// Which block of a file with several is read.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum AskedBlock {
-    /// All rows, as if there were one.
-    All,
-    /// The block with this number, from 1.
-    Number(usize),
-    /// The block behind a comment with this text.
-    Name(Foreign),
-}
-
-impl AskedBlock {
-    /// What `all`, a number from 1 or a name asks for; 0 is no number of a block.
-    pub fn parse(text: &str) -> Option<Self> {
-        let text = text.trim();
-        match text.parse() {
-            Ok(0) => None,
-            Ok(number) => Some(AskedBlock::Number(number)),
-            Err(_) if text.is_empty() => None,
-            Err(_) if text == "all" => Some(AskedBlock::All),
-            Err(_) => Some(AskedBlock::Name(text.into())),
-        }
-    }
-}
-
-impl fmt::Display for AskedBlock {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            AskedBlock::All => f.write_str("all"),
-            AskedBlock::Number(number) => write!(f, "{number}"),
-            AskedBlock::Name(name) => write!(f, "{name:?}"),
-        }
-    }
-}
 
 /// What stands between two rows.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -120,17 +84,6 @@ fn is_number(cell: &[u8], delimiter: u8) -> bool {
     }
     let with_point: Vec<u8> = cell.iter().map(|&byte| if byte == b',' { b'.' } else { byte }).collect();
     plain_decimal(&with_point).is_some()
-}
-
-/// A block as a message lists it.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Block {
-    /// The comment before it.
-    pub name: Option<Foreign>,
-    /// Its first and its last line.
-    pub lines: [u64; 2],
-    /// How many of them have a number.
-    pub rows: usize,
 }
 
 /// The blocks of a file, found line after line.
@@ -302,23 +255,6 @@ impl Blocks {
     }
 }
 
-/// The blocks in a message: `1 (run 1), lines 2 to 4, 3 rows; 2, …`.
-pub(crate) fn listed(blocks: &[Block], total: usize) -> String {
-    let block = |(number, block): (usize, &Block)| {
-        let Block { name, lines: [first, last], rows } = block;
-        let name = name.as_ref().filter(|name| !name.is_empty());
-        let name = name.map(|name| format!(" ({name})")).unwrap_or_default();
-        let lines = if first == last { format!("line {first}") } else { format!("lines {first} to {last}") };
-        let rows = format!("{rows} {}", if *rows == 1 { "row" } else { "rows" });
-        format!("{number}{name}, {lines}, {rows}")
-    };
-    let mut list: Vec<String> = (1..).zip(blocks).map(block).collect();
-    if total > blocks.len() {
-        list.push(format!("and {} more", total - blocks.len()));
-    }
-    list.join("; ")
-}
-
 impl BlockNote {
     /// What is said of a block that was read, which is one of so many; nothing of the only one.
     pub(crate) fn of(number: Option<usize>, name: Option<Foreign>, total: usize) -> Option<Self> {
@@ -330,6 +266,7 @@ impl BlockNote {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::block::listed;
 
     fn blocks(text: &str) -> String {
         let mut blocks = Blocks::new(CommentMark::Auto, None, 1);
@@ -355,13 +292,5 @@ mod tests {
             assert_eq!(blocks(text), expected, "{text:?}");
         }
         assert!(blocks(&"1 2\n\n\n".repeat(12)).ends_with("; and 2 more"));
-    }
-
-    #[test]
-    fn blocks_are_asked_for_by_number_or_name() {
-        assert_eq!(AskedBlock::parse("2"), Some(AskedBlock::Number(2)));
-        assert_eq!(AskedBlock::parse(" run 2 "), Some(AskedBlock::Name("run 2".into())));
-        assert_eq!(AskedBlock::parse("all"), Some(AskedBlock::All));
-        assert_eq!(["0", " "].map(AskedBlock::parse), [None, None]);
     }
 }

@@ -6,11 +6,12 @@ use std::ops::Deref;
 use memchr::{memchr, memchr_iter, memchr2, memrchr};
 
 use crate::binary::refuse_binary;
-use crate::budget::{HeldMemory, MemoryUse};
+use crate::budget::HeldMemory;
 use crate::decoding::TextReader;
 use crate::dialect::Encoding;
 use crate::error::{InputError, InputErrorKind};
 use crate::limits::LONGEST_LINE;
+use crate::memory_use::MemoryUse;
 use crate::start::{FirstLine, refuse_other, without_mark};
 
 /// How much is read beyond the size of a chunk, to find the end of its last line without another call.

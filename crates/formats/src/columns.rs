@@ -3,7 +3,29 @@
 use boundfit_exact::Foreign;
 
 use crate::error::{InputError, InputErrorKind, Place};
-use crate::roles::Role;
+
+/// What a column takes from its cells.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Role {
+    /// Their numbers.
+    #[default]
+    Number,
+    /// Their numbers, which must be at least 0.
+    NonNegative,
+    /// Their numbers, and 0 where there is none: [`Role::Presence`] of the same column tells the two apart.
+    Optional,
+    /// 1 where there is a number, 0 where there is none.
+    Presence,
+    /// Half a unit of the last digit that is written: 0.005 for `12.30`, 500 for `1e3`.
+    HalfUnit,
+}
+
+impl Role {
+    /// Whether a row without a number in the column lacks it.
+    pub(crate) fn is_needed(self) -> bool {
+        matches!(self, Role::Number | Role::NonNegative)
+    }
+}
 
 /// How a column is asked for.
 #[derive(Debug, Clone, PartialEq, Eq)]

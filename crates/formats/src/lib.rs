@@ -14,6 +14,7 @@
 mod arrow;
 mod binary;
 mod blanks;
+mod block;
 mod blocks;
 mod budget;
 mod cdd;
@@ -32,11 +33,14 @@ mod lacking;
 mod limits;
 mod mat;
 mod memory;
+mod memory_use;
 mod notes;
 mod open;
+mod packing;
 mod records;
 mod reduction;
 mod roles;
+mod row_range;
 mod scan;
 mod selection;
 mod source;
@@ -51,24 +55,25 @@ mod whole;
 #[cfg(feature = "spreadsheets")]
 mod workbook;
 
-pub use blocks::{AskedBlock, Block};
-pub use budget::{MemoryBudget, MemoryUse};
-pub use columns::{ColumnSelector, Header};
+pub use block::{AskedBlock, Block};
+pub use budget::MemoryBudget;
+pub use columns::{ColumnSelector, Header, Role};
 pub use dialect::{AskedDialect, BLANKS, CommentMark, DELIMITERS, Dialect, Encoding, Missing, MissingWords};
 pub use error::{InputError, InputErrorKind, Place, Setting, Way};
 pub use fractions::Fractions;
 pub use half_planes::{GeneratorRows, HalfPlaneFile, HalfPlaneFormat, RowOrigin, read_half_planes};
 pub use limits::{LONGEST_LINE, SizeLimits};
 pub use memory::{MemoryNumbers, MemoryTable};
+pub use memory_use::MemoryUse;
 pub use notes::{BlockNote, HeaderNote, Skipped, TableNotes};
 pub use open::{HeldRows, read_table, scan};
 pub use reduction::{
     AskedReduction, REDUCTION_MARK, ReducedBounds, ReducedModel, ReductionError, ReductionRecord, Reductions,
     open_reduction,
 };
-pub use roles::Role;
+pub use row_range::RowRange;
 pub use scan::{Batch, Pieces, Progress, ScanOptions, Scanned};
-pub use selection::{ParseRowConditionError, RowCondition, RowNumbers, RowRange, RowSet};
+pub use selection::{ParseRowConditionError, RowCondition, RowNumbers, RowSet};
 pub use source::Source;
 pub use table::{Table, TableOptions, TableRow, TextLayout};
 pub use whole::WholeFile;

@@ -4,6 +4,7 @@ use boundfit_exact::MOST_WORK;
 
 use crate::budget::MemoryBudget;
 use crate::error::InputErrorKind;
+use crate::packing::most_unpacked;
 
 /// The most that one file may ask for, beside what one of its numbers may ([`boundfit_exact::Limits`]). What passes a limit
 /// is refused before memory is taken for it.
@@ -66,18 +67,6 @@ impl SizeLimits {
         Err(InputErrorKind::UnpacksTooFar { ratio })
     }
 }
-
-/// How many bytes so many bytes may unpack to.
-pub(crate) fn most_unpacked(packed: u64, ratio: u64) -> u64 {
-    ANY_FILE.max(packed.saturating_mul(ratio))
-}
-
-/// How many bytes any file may unpack to, however small it is.
-pub(crate) const ANY_FILE: u64 = 1 << 26;
-
-/// How many bytes that were unpacked may be held to be repeated, however small a packed file is: as many as those who write Zstandard
-/// can rely on (RFC 8878, 3.1.1.1.2), and as its usual levels take.
-pub(crate) const ANY_WINDOW: u64 = 1 << 23;
 
 /// The longest line that is read unless more is asked for, in bytes. Without a bound, a file without line ends would be
 /// held in memory whole.

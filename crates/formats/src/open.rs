@@ -7,13 +7,14 @@ use boundfit_exact::Foreign;
 
 #[cfg(feature = "arrow")]
 use crate::arrow::{scan_arrow, scan_batches};
-use crate::budget::{HeldMemory, MemoryUse};
+use crate::budget::HeldMemory;
 use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
 use crate::fractions::Fractions;
 use crate::json::scan_json;
 use crate::mat::scan_mat;
 use crate::memory::scan_memory;
+use crate::memory_use::MemoryUse;
 use crate::scan::{Batch, Progress, ScanOptions, Scanned, scan_text};
 use crate::selection::RowNumbers;
 use crate::source::{Content, Source};

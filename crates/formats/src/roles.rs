@@ -2,32 +2,9 @@
 
 use boundfit_exact::{Column, DecimalMark, Rational, Reading, WrittenDigits};
 
-use crate::columns::{ColumnSelector, decode};
+use crate::columns::{ColumnSelector, Role, decode};
 use crate::dialect::MissingWords;
 use crate::error::InputErrorKind;
-
-/// What a column takes from its cells.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Role {
-    /// Their numbers.
-    #[default]
-    Number,
-    /// Their numbers, which must be at least 0.
-    NonNegative,
-    /// Their numbers, and 0 where there is none: [`Role::Presence`] of the same column tells the two apart.
-    Optional,
-    /// 1 where there is a number, 0 where there is none.
-    Presence,
-    /// Half a unit of the last digit that is written: 0.005 for `12.30`, 500 for `1e3`.
-    HalfUnit,
-}
-
-impl Role {
-    /// Whether a row without a number in the column lacks it.
-    pub(crate) fn is_needed(self) -> bool {
-        matches!(self, Role::Number | Role::NonNegative)
-    }
-}
 
 /// What a column takes from a cell instead of its number, as a mantissa and an exponent of ten; `None` where it takes the
 /// number. The decimal mark is not known where no cell has told it.

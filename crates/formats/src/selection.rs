@@ -1,57 +1,12 @@
 //! Which data rows are wanted: by number, and by what stands in them.
 
-use std::fmt;
 use std::ops::Range;
 
 use boundfit_exact::{Foreign, Limits, ParseNumberError, Rational, Reading};
 use thiserror::Error;
 
 use crate::columns::ColumnSelector;
-
-/// Data rows from a first to a last one, counted from 1, both included; without a last one, to the end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct RowRange {
-    first: usize,
-    last: Option<usize>,
-}
-
-impl RowRange {
-    /// The range, or `None` unless `1 ≤ first ≤ last`.
-    pub fn new(first: usize, last: usize) -> Option<Self> {
-        (1 <= first && first <= last).then_some(RowRange { first, last: Some(last) })
-    }
-
-    /// All rows from this one on, or `None` for row 0, which no table has.
-    pub fn from_row(first: usize) -> Option<Self> {
-        (1 <= first).then_some(RowRange { first, last: None })
-    }
-
-    /// The first and the last row; `None` where it reaches to the end.
-    pub fn ends(&self) -> (usize, Option<usize>) {
-        (self.first, self.last)
-    }
-
-    /// Whether it names a row beyond the last of so many.
-    fn is_beyond(&self, total: usize) -> bool {
-        self.last.unwrap_or(self.first) > total
-    }
-
-    /// The rows, without the end.
-    fn rows(&self) -> Range<usize> {
-        self.first..self.last.map_or(usize::MAX, |last| last.saturating_add(1))
-    }
-}
-
-/// As on the command line: `5`, `14..36`, `10..`.
-impl fmt::Display for RowRange {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.last {
-            Some(last) if last == self.first => write!(f, "{last}"),
-            Some(last) => write!(f, "{}..{last}", self.first),
-            None => write!(f, "{}..", self.first),
-        }
-    }
-}
+use crate::row_range::RowRange;
 
 /// Data rows by number.
 ///
@@ -412,10 +367,11 @@ mod tests {
     fn a_set_has_the_rows_that_were_named_and_no_others() {
         let named =
             [(2, Some(4)), (4, Some(6)), (9, Some(9)), (7, Some(7)), (12, None), (1, Some(1)), (3, None)]
-                .map(|(first, last)| RowRange { first, last });
-        let is_in = |ranges: &[&RowRange], row: usize| {
-            ranges.iter().any(|range| range.first <= row && range.last.is_none_or(|last| row <= last))
-        };
+                .map(|(first, last)| match last {
+                    Some(last) => RowRange::new(first, last).unwrap(),
+                    None => RowRange::from_row(first).unwrap(),
+                });
+        let is_in = |ranges: &[&RowRange], row: usize| ranges.iter().any(|range| range.rows().contains(&row));
         // Every subset of wanted ones, against every subset of others.
         let subset = |mask: usize| -> Vec<RowRange> {
             named.iter().enumerate().filter(|(k, _)| mask >> k & 1 == 1).map(|(_, range)| *range).collect()

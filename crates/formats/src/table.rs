@@ -2,14 +2,13 @@
 
 use boundfit_exact::{Foreign, Limits, Rational, Reading};
 
-use crate::blocks::AskedBlock;
+use crate::block::AskedBlock;
 use crate::columns::{ColumnPlace, Header};
 use crate::dialect::{AskedDialect, Dialect, Missing, MissingWords};
 use crate::error::{InputError, InputErrorKind};
 use crate::fractions::Fractions;
 use crate::limits::SizeLimits;
 use crate::notes::TableNotes;
-use crate::scan::ScanOptions;
 use crate::selection::{RowCondition, RowSet};
 
 /// Where in delimited text the numbers asked for stand.
@@ -124,16 +123,4 @@ pub(crate) fn check_columns(
         return Ok(());
     }
     Err(InputError::of_line(file, line, InputErrorKind::TooManyColumns { limit: sizes.columns }))
-}
-
-/// Refuses a table without rows, unless it may be one, or without all the rows that were named.
-pub(crate) fn check_rows(file: &str, total: usize, options: &ScanOptions) -> Result<(), InputError> {
-    let wanted = &options.table.rows;
-    if total == 0 && !options.allow_nothing {
-        return Err(InputError::of_file(file, InputErrorKind::NoRows));
-    }
-    match wanted.beyond(total) {
-        Some(rows) => Err(InputError::of_file(file, InputErrorKind::RowsBeyondEnd { rows, total })),
-        None => Ok(()),
-    }
 }

@@ -9,13 +9,14 @@ use flate2::bufread::MultiGzDecoder;
 use ruzstd::decoding::errors::{FrameDecoderError, ReadFrameHeaderError};
 use ruzstd::decoding::{BlockDecodingStrategy, FrameDecoder};
 use sha2::{Digest, Sha256};
-use thiserror::Error;
 
 use crate::binary;
-use crate::budget::{HeldMemory, MemoryUse};
+use crate::budget::HeldMemory;
 use crate::error::InputErrorKind;
 use crate::hash::hexadecimal;
-use crate::limits::{ANY_WINDOW, SizeLimits, most_unpacked};
+use crate::limits::SizeLimits;
+use crate::memory_use::MemoryUse;
+use crate::packing::{ANY_WINDOW, UnpackError, most_unpacked};
 
 /// How an input is compressed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,45 +43,6 @@ impl Packing {
             Packing::Zstandard => "a Zstandard file",
         }
     }
-}
-
-/// What is wrong with a compressed input.
-#[derive(Debug, Error)]
-pub(crate) enum UnpackError {
-    /// It unpacks to more than may be.
-    #[error("it unpacks to more than {limit} bytes")]
-    TooLong {
-        /// The most bytes.
-        limit: u64,
-    },
-    /// It unpacks to more than may be for its size.
-    #[error("it unpacks to more than {ratio} times its size")]
-    TooFar {
-        /// How many times its size it may unpack to.
-        ratio: u64,
-    },
-    /// It holds more of what it unpacked than it may for its size.
-    #[error("it holds more than {ratio} times its size")]
-    HoldsTooMuch {
-        /// How many times its size it may hold.
-        ratio: u64,
-    },
-    /// Unpacking takes more memory than may be held.
-    #[error("it takes too much memory")]
-    TooMuchMemory {
-        /// How many bytes all that is held takes at least.
-        needed: u64,
-        /// How many may be held.
-        limit: u64,
-    },
-    /// It cannot be unpacked.
-    #[error("{reason}")]
-    Damaged {
-        /// The format, with its article.
-        format: &'static str,
-        /// The library's words.
-        reason: String,
-    },
 }
 
 /// A compressed input.

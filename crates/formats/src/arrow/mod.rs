@@ -14,14 +14,14 @@ use boundfit_exact::{Column, Foreign};
 use sha2::{Digest, Sha256};
 
 use crate::binary::BinaryFormat;
-use crate::budget::MemoryUse;
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::hash::hexadecimal;
 use crate::lacking::Lacking;
+use crate::memory_use::MemoryUse;
+use crate::scan::check_rows;
 use crate::scan::{Batch, ScanOptions, Scanned, readable_rows};
 use crate::selection::{RowNumbers, between};
-use crate::table::check_rows;
 use crate::threads;
 use crate::wanted::WantedColumns;
 

@@ -12,10 +12,11 @@ use boundfit_exact::{Column, DecimalMark, Rational, Reading, Shortest, Unit, Wor
 use super::texts::{BadCell, refuse_nulls, text};
 use crate::cells::CellReader;
 use crate::columns::ColumnSelector;
+use crate::columns::Role;
 use crate::dialect::MissingWords;
 use crate::error::InputErrorKind;
 use crate::fractions::Fractions;
-use crate::roles::{Role, instead_of_number};
+use crate::roles::instead_of_number;
 use crate::table::TableOptions;
 
 /// What a column takes from an array without a dictionary.

@@ -9,11 +9,11 @@
 use boundfit_exact::{Rational, WorkMeter};
 use boundfit_geometry::{Inequality, System};
 
-use crate::budget::{HeldMemory, MemoryUse};
+use crate::budget::HeldMemory;
 use crate::columns::readable;
 use crate::error::{InputError, InputErrorKind, Place};
-use crate::half_planes::OF_A_HALF_PLANE;
-use crate::half_planes::file::{HalfPlaneFile, RowOrigin};
+use crate::half_planes::file::{HalfPlaneFile, OF_A_HALF_PLANE, RowOrigin};
+use crate::memory_use::MemoryUse;
 use crate::table::TableOptions;
 
 use super::ext::from_generators;

@@ -6,12 +6,11 @@ use boundfit_exact::english::{counted, size_text};
 use boundfit_exact::{DecimalMark, Foreign, Limit, ParseNumberError, ParseNumberErrorKind, TooMuchWork};
 use thiserror::Error;
 
-use crate::blocks::{AskedBlock, Block, listed};
-use crate::budget::MemoryUse;
-use crate::limits::{ANY_FILE, ANY_WINDOW};
+use crate::block::{AskedBlock, Block, listed};
+use crate::memory_use::MemoryUse;
+use crate::packing::{ANY_FILE, ANY_WINDOW, UnpackError};
 use crate::reduction::error::ReductionError;
-use crate::selection::RowRange;
-use crate::unpack::UnpackError;
+use crate::row_range::RowRange;
 
 use super::names::{advice, are_no_names};
 use super::ways::{Setting, Way};

@@ -4,6 +4,10 @@ use boundfit_geometry::{Generators, System};
 
 use crate::notes::TableNotes;
 
+/// Bytes that a half-plane or a generator takes at least with what is made of it: measured as the largest memory of a process that read
+/// 10⁶ points. What callers make of half-planes, [`TableOptions::row_cost`] says.
+pub(crate) const OF_A_HALF_PLANE: usize = 800;
+
 /// Which row of the file an inequality of the system comes from; for a V-representation, its number among those computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct RowOrigin {

@@ -6,16 +6,17 @@ use std::io::Cursor;
 
 use boundfit_geometry::Inequality;
 
-use crate::budget::MemoryUse;
 use crate::cdd::parse_cdd;
 use crate::columns::ColumnSelector;
 use crate::error::{InputError, InputErrorKind};
+use crate::memory_use::MemoryUse;
 use crate::notes::TableNotes;
 use crate::open::read_table;
 use crate::source::Source;
 use crate::table::TableOptions;
 use crate::whole::WholeFile;
 
+use file::OF_A_HALF_PLANE;
 pub use file::{GeneratorRows, HalfPlaneFile, RowOrigin};
 
 /// The two file formats.
@@ -38,10 +39,6 @@ impl HalfPlaneFormat {
         }
     }
 }
-
-/// Bytes that a half-plane or a generator takes at least with what is made of it: measured as the largest memory of a process that read
-/// 10⁶ points. What callers make of half-planes, [`TableOptions::row_cost`] says.
-pub(crate) const OF_A_HALF_PLANE: usize = 800;
 
 /// Reads half-planes `a1·θ1 + a2·θ2 ≤ b`. The format follows from the file's name, else from its contents: a line `begin`
 /// makes it a representation of cdd and lrs. That is an H-representation unless a line `V-representation` comes before.

@@ -18,8 +18,8 @@ use crate::error::{InputError, InputErrorKind};
 use crate::lacking::Lacking;
 use crate::memory::{MemoryNumbers, MemoryTable, Part};
 use crate::notes::{HeaderNote, Skipped, TableNotes};
+use crate::scan::check_rows;
 use crate::scan::{Batch, ScanOptions, Scanned};
-use crate::table::check_rows;
 use crate::wanted::WantedColumns;
 
 use rows::{JsonRows, Record};

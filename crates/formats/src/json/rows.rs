@@ -6,9 +6,10 @@ use std::io::Read;
 use boundfit_exact::Foreign;
 
 use super::tokens::Tokens;
-use crate::budget::{HeldMemory, MemoryUse};
+use crate::budget::HeldMemory;
 use crate::error::{InputError, InputErrorKind};
 use crate::limits::SizeLimits;
+use crate::memory_use::MemoryUse;
 
 /// Bytes that a cell takes beside its text: its place in the record, and again in the column that it is read from, with what the
 /// allocator adds. Measured as the largest memory of a process that read an array of 2·10⁶ empty texts.

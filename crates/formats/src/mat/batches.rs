@@ -5,15 +5,16 @@ use std::ops::Range;
 
 use boundfit_exact::{Column, Foreign, WorkMeter};
 
-use super::columns::{MatColumn, MatColumns};
+use super::columns::MatColumns;
+use super::search::MatColumn;
 use crate::cells::CellReader;
 use crate::columns::{ColumnPlace, ColumnSelector, refuse_same};
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::lacking::Lacking;
 use crate::memory::BadNumber;
+use crate::scan::check_rows;
 use crate::scan::{Batch, Pieces, ScanOptions, Scanned, csv_line, each_once, readable_rows};
 use crate::selection::{RowCondition, RowNumbers, between, in_batches};
-use crate::table::check_rows;
 use crate::threads;
 
 /// Refuses a variable, or a column of one, that is asked for twice.

@@ -16,6 +16,7 @@ mod file;
 pub(crate) mod kind;
 mod numbers;
 pub(crate) mod octave;
+mod search;
 mod v4;
 mod variable;
 

@@ -7,11 +7,12 @@ use boundfit_exact::{Column, Reading, Shortest, Unit};
 
 use super::elements::{Damage, Elements};
 use super::kind::ByteOrder;
-use crate::budget::{HeldMemory, MemoryUse};
+use crate::budget::HeldMemory;
 use crate::cells::CellReader;
+use crate::columns::Role;
 use crate::error::InputErrorKind;
 use crate::memory::{BadNumber, MemoryNumbers};
-use crate::roles::Role;
+use crate::memory_use::MemoryUse;
 
 /// Numbers exactly as they are stored.
 #[derive(Debug, Clone, PartialEq)]

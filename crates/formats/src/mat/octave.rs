@@ -5,15 +5,16 @@
 
 use std::io::{self, BufRead, BufReader, Read};
 
-use super::columns::Search;
 use super::elements::Damage;
 use super::file::MatFile;
 use super::numbers::{Numbers, ask_for};
+use super::search::Search;
 use super::variable::{Content, Variable};
-use crate::budget::{HeldMemory, MemoryUse};
+use crate::budget::HeldMemory;
 use crate::error::InputErrorKind;
 use crate::limits::SizeLimits;
 use crate::memory::MemoryNumbers;
+use crate::memory_use::MemoryUse;
 
 /// What reports call such files.
 pub(super) const FORMAT: &str = "Octave's text";

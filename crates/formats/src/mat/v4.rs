@@ -4,10 +4,10 @@
 
 use std::io::{self, Read};
 
-use super::columns::Search;
 use super::elements::Damage;
 use super::kind::ByteOrder;
 use super::numbers::{Numbers, ask_for, extend};
+use super::search::Search;
 use super::variable::{Content, LONGEST_NAME, Variable};
 
 /// The words in front of the name: the type, rows, columns, whether complex, the length of the name.

@@ -10,9 +10,9 @@ use crate::cells::CellReader;
 use crate::columns::{ColumnPlace, ColumnSelector};
 use crate::error::{InputError, InputErrorKind, Place};
 use crate::lacking::Lacking;
+use crate::scan::check_rows;
 use crate::scan::{Batch, Pieces, ScanOptions, Scanned, csv_line, readable_rows};
 use crate::selection::{RowNumbers, between, in_batches};
-use crate::table::check_rows;
 use crate::threads;
 use crate::wanted::WantedColumns;
 

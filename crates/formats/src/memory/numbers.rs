@@ -7,9 +7,10 @@ use boundfit_exact::{Column, DecimalMark, Rational, Reading, Shortest, Unit, is_
 use super::MemoryNumbers;
 use crate::cells::{BadIndex, CellReader};
 use crate::columns::ColumnSelector;
+use crate::columns::Role;
 use crate::dialect::MissingWords;
 use crate::error::InputErrorKind;
-use crate::roles::{Role, instead_of_number};
+use crate::roles::instead_of_number;
 
 /// A cell that cannot be used: which one from 0, its text, and why.
 pub(crate) struct BadNumber {

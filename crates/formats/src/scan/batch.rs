@@ -5,6 +5,7 @@ use std::sync::Arc;
 use boundfit_exact::{Column, Foreign};
 
 use crate::columns::ColumnSelector;
+use crate::error::{InputError, InputErrorKind};
 use crate::fractions::Fractions;
 use crate::notes::TableNotes;
 use crate::selection::RowNumbers;
@@ -127,6 +128,18 @@ pub struct ScanOptions {
     pub chunk_bytes: usize,
     /// Who is told how far it is, and may stop it.
     pub progress: Option<Arc<dyn Progress>>,
+}
+
+/// Refuses a table without rows, unless it may be one, or without all the rows that were named.
+pub(crate) fn check_rows(file: &str, total: usize, options: &ScanOptions) -> Result<(), InputError> {
+    let wanted = &options.table.rows;
+    if total == 0 && !options.allow_nothing {
+        return Err(InputError::of_file(file, InputErrorKind::NoRows));
+    }
+    match wanted.beyond(total) {
+        Some(rows) => Err(InputError::of_file(file, InputErrorKind::RowsBeyondEnd { rows, total })),
+        None => Ok(()),
+    }
 }
 
 /// From 128 KiB to 1 MiB the time is the same; twice as much no longer fits a level-2 cache beside its numbers.

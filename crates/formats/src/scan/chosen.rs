@@ -3,17 +3,18 @@
 use boundfit_exact::Foreign;
 use memchr::memchr_iter;
 
-use crate::blocks::{AskedBlock, Block, Blocks};
+use crate::block::{AskedBlock, Block};
+use crate::blocks::Blocks;
 use crate::chunks::{Chunk, ChunkReader};
 use crate::error::{InputError, InputErrorKind};
 use crate::notes::BlockNote;
 
-use super::Run;
 use super::batch::{Batch, ScanOptions};
 use super::first_record::Position;
 use super::layout::Layout;
 use super::notes::Notes;
 use super::rows::RowReader;
+use super::run::Run;
 
 /// How many bytes between blocks are held for the comments in them.
 const MOST_BETWEEN: usize = 1 << 16;

@@ -1,6 +1,5 @@
-//! The fast lane: chunks in which line feeds end lines, and quotes are around whole cells if there are any.
+//! Rows in the fast lane, cell by cell.
 
-use std::borrow::Cow;
 use std::ops::Range;
 
 use boundfit_exact::{
@@ -11,13 +10,10 @@ use memchr::{memchr, memchr_iter, memchr2, memchr3, memrchr};
 
 use super::builder::BatchBuilder;
 use super::layout::Layout;
-use super::notes::Notes;
-use super::rows::{self, Rows};
-use super::straight::Straight;
+use super::rows;
 use super::values::Mark;
-use crate::columns::ColumnSelector;
-use crate::error::{InputError, InputErrorKind};
-use crate::roles::Role;
+use crate::columns::{ColumnSelector, Role};
+use crate::error::InputError;
 
 /// Separators that are no part of a number.
 const SEPARATORS: &[u8] = b",;\t|:";
@@ -27,13 +23,11 @@ pub(super) struct Route {
     /// The way to the cells that conditions on rows are about.
     conditions: Vec<Step>,
     /// The way to those whose contents are wanted.
-    steps: Vec<Step>,
+    pub(super) steps: Vec<Step>,
     /// How many cells come after the last of these.
-    behind: usize,
+    pub(super) behind: usize,
     /// Whether a row needs a number in one of the columns that may lack one.
     wants_presence: bool,
-    /// The way through rows of which nothing but decimals is wanted.
-    straight: Option<Straight>,
 }
 
 /// A cell that is wanted.
@@ -89,11 +83,7 @@ impl Route {
         let last = cells.iter().map(|(position, _)| *position).max();
         let (conditions, steps) = (way(conditions.collect()), way(cells));
         let behind = layout.shape.width - last.unwrap_or(1);
-        let wants_all = !table.selects_rows() && !layout.options.keep_text;
-        let straight = (wants_all && table.reading == Reading::Decimal)
-            .then(|| Straight::of(&steps, layout.places.len(), behind))
-            .flatten();
-        Some(Route { conditions, steps, behind, wants_presence: layout.wants_presence(), straight })
+        Some(Route { conditions, steps, behind, wants_presence: layout.wants_presence() })
     }
 }
 
@@ -109,145 +99,6 @@ fn way(mut cells: Vec<(usize, What)>) -> Vec<Step> {
         Step { separators, what }
     };
     cells.into_iter().map(step).collect()
-}
-
-/// So often at least, and after a fourth of the rows, what reads many rows at once may stop at one that takes more, before it is
-/// left alone.
-const MOST_STOPS: usize = 100;
-
-/// Reads the rows of a chunk that comes after so many rows; `None` when it is not for the fast lane.
-pub(super) fn parse(chunk: &[u8], layout: &Layout, route: &Route, rows_before: usize) -> Option<Rows> {
-    if !is_plain(chunk, layout) {
-        return None;
-    }
-    let numbers = with_points(chunk, layout)?;
-    let mut lane = Lane::new(chunk, &numbers, layout, route);
-    let mut used = 0;
-    lane.batch.reserve(likely_rows(chunk));
-    let (mut total, mut lines, mut at) = (0, 0, 0);
-    let (mut straight, mut stops) = (route.straight.as_ref(), 0);
-    // Blank lines before the first row, and since the last one.
-    let (mut before, mut since) = (0, 0);
-    // The first decimal point of a cell that is read, which the rules in full note as well.
-    let mut is_looking = layout.waits_for_mark() && memchr(b'.', chunk).is_some();
-    let mut mark = None;
-    while at < chunk.len() {
-        if let Some(way) = straight {
-            let (rows, next) = way.read(&mut lane, at).unwrap_or_else(|| {
-                straight = None;
-                (0, at)
-            });
-            if is_looking {
-                mark = lane.first_point(at..next, lines, rows_before + total);
-                is_looking = mark.is_none();
-            }
-            at = next;
-            if rows > 0 {
-                since = blanks_ended(since, total, &mut before)?;
-            }
-            lane.batch.end_rows(rows_before + total + 1, rows);
-            (total, used, lines) = (total + rows, used + rows, lines + rows as u64);
-            if at == chunk.len() {
-                break;
-            }
-            stops += 1;
-            if stops > MOST_STOPS + total / 4 {
-                straight = None;
-            }
-        }
-        lines += 1;
-        if let Some(next) = lane.after_blank_line(at) {
-            at = next;
-            since += 1;
-            continue;
-        }
-        since = blanks_ended(since, total, &mut before)?;
-        total += 1;
-        let start = at;
-        let is_wanted = layout.is_wanted(rows_before + total);
-        let is_satisfied = is_wanted && lane.satisfies_conditions(start)?;
-        if is_looking && is_wanted {
-            let end = lane.next_line(start);
-            mark = lane.told(start..end, is_satisfied, lines, rows_before + total - 1);
-            is_looking = mark.is_none();
-        }
-        if is_satisfied {
-            at = lane.row(start)?;
-            let text = layout.options.keep_text.then(|| chunk.get(start..at).map_or(chunk, without_line_end));
-            lane.batch.end_row(rows_before + total, text);
-            used += 1;
-        } else {
-            if lane.may_be_empty(start) {
-                return None;
-            }
-            at = lane.end_of_row(start, layout.shape.width - 1)?;
-        }
-    }
-    let first = InputError::of_line(layout.file, before + 1, InputErrorKind::NextBlock);
-    let mut notes = Notes::of_rows(total, used, [before, since], first);
-    notes.mark = mark;
-    Some(Rows { batch: lane.batch, notes, total, lines, line_feeds: lines })
-}
-
-/// Ends a run of blank lines before a row that comes after so many others; `None` where another block begins.
-#[inline]
-fn blanks_ended(since: u64, total: usize, before: &mut u64) -> Option<u64> {
-    if total == 0 {
-        *before = since;
-        return Some(0);
-    }
-    (since < 2).then_some(0)
-}
-
-/// The chunk in which decimals have points: a copy where they have commas. `None` where it may hold both, or where the first
-/// mark is still to be found, unless commas separate cells: a comma within one ends the fast lane anyway.
-fn with_points<'c>(chunk: &'c [u8], layout: &Layout) -> Option<Cow<'c, [u8]>> {
-    match layout.mark.known() {
-        Some(DecimalMark::Point) => Some(Cow::Borrowed(chunk)),
-        Some(DecimalMark::Comma) if layout.syntax.delimiter == b',' || memchr(b'.', chunk).is_some() => None,
-        Some(DecimalMark::Comma) => {
-            Some(chunk.iter().map(|&byte| if byte == b',' { b'.' } else { byte }).collect())
-        }
-        None if layout.syntax.delimiter == b',' => Some(Cow::Borrowed(chunk)),
-        None => memchr2(b'.', b',', chunk).is_none().then_some(Cow::Borrowed(chunk)),
-    }
-}
-
-/// About how many rows a chunk has, rather too many, by its first lines; in steps, so that freed memory fits again.
-fn likely_rows(chunk: &[u8]) -> usize {
-    const STEP: usize = 1 << 11;
-    let sample = chunk.get(..1 << 12).unwrap_or(chunk);
-    let rows = (memchr_iter(b'\n', sample).count() + 1) * chunk.len() / sample.len().max(1);
-    if chunk.len() == sample.len() { rows } else { (rows + rows / 16).next_multiple_of(STEP) }
-}
-
-/// How many rows a chunk has; `None` when it is not for the fast lane.
-pub(super) fn count(chunk: &[u8], layout: &Layout, route: &Route) -> Option<usize> {
-    if !is_plain(chunk, layout) {
-        return None;
-    }
-    let lane = Lane::new(chunk, chunk, layout, route);
-    let mut start = 0;
-    let mut total = 0;
-    while start < chunk.len() {
-        if chunk.get(start).is_some_and(|&first| layout.may_be_comment(first)) {
-            return None;
-        }
-        total += usize::from(lane.after_blank_line(start).is_none());
-        start = if lane.is_quoted { lane.end_of_quoted_row(start)? } else { lane.next_line(start) };
-    }
-    Some(total)
-}
-
-/// Whether line feeds end lines, nothing else does, and there are no comments.
-fn is_plain(chunk: &[u8], layout: &Layout) -> bool {
-    layout.syntax.comment.is_none_or(|[one, other]| memchr2(one, other, chunk).is_none())
-        && memchr_iter(b'\r', chunk).all(|position| chunk.get(position + 1) == Some(&b'\n'))
-}
-
-fn without_line_end(line: &[u8]) -> &[u8] {
-    let line = line.strip_suffix(b"\n").unwrap_or(line);
-    line.strip_suffix(b"\r").unwrap_or(line)
 }
 
 /// `mantissa · 10^exponent` in a cell that ends there.
@@ -267,7 +118,7 @@ pub(super) struct Lane<'a> {
     /// Whether numbers are read as they are written.
     is_decimal: bool,
     /// Whether there are quotes.
-    is_quoted: bool,
+    pub(super) is_quoted: bool,
     /// Whether the row looked at satisfies the conditions so far.
     is_satisfied: bool,
     /// Whether it has a number in one of the columns that may lack one, if there are such columns.
@@ -276,7 +127,8 @@ pub(super) struct Lane<'a> {
 }
 
 impl<'a> Lane<'a> {
-    fn new(chunk: &'a [u8], numbers: &'a [u8], layout: &'a Layout<'a>, route: &'a Route) -> Self {
+    /// At the start of a chunk, whose numbers have points.
+    pub(super) fn new(chunk: &'a [u8], numbers: &'a [u8], layout: &'a Layout<'a>, route: &'a Route) -> Self {
         let is_decimal = layout.options.table.reading == Reading::Decimal;
         Lane {
             chunk,
@@ -296,7 +148,7 @@ impl Lane<'_> {
     /// Adds the cells wanted of the row that starts here; gives the start of the next line, or `None` when the row is
     /// not as it should be.
     #[inline]
-    fn row(&mut self, start: usize) -> Option<usize> {
+    pub(super) fn row(&mut self, start: usize) -> Option<usize> {
         self.is_bounded = !self.route.wants_presence;
         let at = self.walk(start, &self.route.steps)?;
         if !self.is_bounded {
@@ -307,7 +159,7 @@ impl Lane<'_> {
 
     /// Whether the row that starts here satisfies all conditions; `None` when a cell is not as it should be.
     #[inline]
-    fn satisfies_conditions(&mut self, start: usize) -> Option<bool> {
+    pub(super) fn satisfies_conditions(&mut self, start: usize) -> Option<bool> {
         if self.route.conditions.is_empty() {
             return Some(true);
         }
@@ -461,7 +313,7 @@ impl Lane<'_> {
 
     /// The decimal mark that the first of these lines tells which tells one. They are rows that are wanted, behind so many lines
     /// and rows.
-    fn first_point(
+    pub(super) fn first_point(
         &self,
         range: Range<usize>,
         lines: u64,
@@ -484,7 +336,7 @@ impl Lane<'_> {
 
     /// The decimal mark that a line tells, which is a row behind so many: by the conditions on rows, and by what is read of rows that
     /// satisfy them.
-    fn told(
+    pub(super) fn told(
         &self,
         line: Range<usize>,
         is_satisfied: bool,
@@ -611,7 +463,7 @@ impl Lane<'_> {
     }
 
     /// The start of the line after a row in which there may be quotes; `None` when it is not as it should be, or may be empty.
-    fn end_of_quoted_row(&self, start: usize) -> Option<usize> {
+    pub(super) fn end_of_quoted_row(&self, start: usize) -> Option<usize> {
         if self.after_blank_line(start).is_some() {
             return Some(self.next_line(start));
         }
@@ -619,13 +471,15 @@ impl Lane<'_> {
     }
 
     /// The start of the line after this one.
-    fn next_line(&self, at: usize) -> usize {
+    #[inline]
+    pub(super) fn next_line(&self, at: usize) -> usize {
         let rest = self.chunk.get(at..).unwrap_or_default();
         memchr(b'\n', rest).map_or(self.chunk.len(), |length| at + length + 1)
     }
 
     /// Whether a row that starts here may have nothing but empty cells.
-    fn may_be_empty(&self, at: usize) -> bool {
+    #[inline]
+    pub(super) fn may_be_empty(&self, at: usize) -> bool {
         let is_empty = |&first: &u8| first == self.layout.syntax.delimiter || first <= b' ' || first == b'"';
         match self.chunk.get(at) {
             Some(b'"') => self.chunk.get(at + 1).is_some_and(is_empty),
@@ -635,7 +489,7 @@ impl Lane<'_> {
 
     /// The start of the line after this one, when this one is white space in one cell.
     #[inline]
-    fn after_blank_line(&self, at: usize) -> Option<usize> {
+    pub(super) fn after_blank_line(&self, at: usize) -> Option<usize> {
         // Nothing that is white space comes after the space.
         if self.chunk.get(at).is_none_or(|&first| first > b' ') {
             return None;

@@ -5,14 +5,14 @@ use boundfit_exact::{
     DecimalMark, Foreign, Notation, Thousands, TooMuchWork, WorkMeter, is_missing, trim_number,
 };
 
-use crate::blocks::AskedBlock;
+use crate::block::AskedBlock;
+use crate::columns::Role;
 use crate::columns::{ColumnPlace, ColumnSelector, decode, refuse_same};
 use crate::dialect::{BLANKS, CommentMark, Dialect, Encoding};
 use crate::error::{InputError, InputErrorKind};
 use crate::heading::Heading;
 use crate::notes::{BlockNote, HeaderNote, Skipped, TableNotes};
 use crate::records::{Record, Records, Syntax};
-use crate::roles::Role;
 use crate::selection::RowCondition;
 use crate::table::TableRow;
 use crate::times::{is_time, or_time};

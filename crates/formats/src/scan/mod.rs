@@ -10,6 +10,7 @@ mod builder;
 mod chosen;
 mod csv_line;
 mod first_record;
+mod lane;
 mod layout;
 mod notes;
 mod others;
@@ -18,6 +19,7 @@ mod plain;
 mod preamble;
 mod quoting;
 mod rows;
+mod run;
 mod sequential;
 mod straight;
 mod values;
@@ -25,19 +27,21 @@ mod values;
 use std::io::Read;
 
 use crate::binary::{DOCUMENT_START, refuse_document};
-use crate::blocks::AskedBlock;
+use crate::block::AskedBlock;
 use crate::chunks::ChunkReader;
 use crate::columns::{ColumnPlace, ColumnSelector};
-use crate::error::{InputError, InputErrorKind};
+use crate::error::InputError;
 use crate::notes::BlockNote;
-use crate::table::{TextLayout, check_rows};
+use crate::table::TextLayout;
 
+pub(crate) use batch::check_rows;
 pub use batch::{Batch, Pieces, Progress, ScanOptions, Scanned};
 use chosen::Chosen;
 pub(crate) use csv_line::{csv_line, each_once};
 use first_record::FirstRecord;
 use notes::Notes;
 pub(crate) use others::readable_rows;
+use run::Run;
 
 /// Reads columns of delimited text as [`scan`](crate::scan) says.
 pub(crate) fn scan_text<T: Send>(
@@ -99,29 +103,4 @@ pub(crate) fn scan_text<T: Send>(
         bytes: reader.total(),
         sha256: reader.sha256(),
     })
-}
-
-/// A scan under way.
-struct Run<'a, W, K> {
-    file: &'a str,
-    options: &'a ScanOptions,
-    work: W,
-    take: K,
-}
-
-impl<W, K> Run<'_, W, K> {
-    fn is_cancelled(&self) -> bool {
-        self.options.progress.as_ref().is_some_and(|progress| progress.is_cancelled())
-    }
-
-    /// Tells that so many more bytes are done, and stops if that is asked for.
-    fn advance(&self, bytes: u64) -> Result<(), InputError> {
-        if self.is_cancelled() {
-            return Err(InputError::of_file(self.file, InputErrorKind::Interrupted));
-        }
-        if let Some(progress) = &self.options.progress {
-            progress.advanced(bytes);
-        }
-        Ok(())
-    }
 }

@@ -6,13 +6,13 @@ use crate::chunks::{Chunk, ChunkReader};
 use crate::error::InputError;
 use crate::threads;
 
-use super::Run;
 use super::batch::Batch;
 use super::first_record::Position;
 use super::layout::Layout;
 use super::notes::Notes;
-use super::plain::{self, Route};
+use super::plain::{self, Ways};
 use super::rows::{self, Parsed};
+use super::run::Run;
 use super::values::Mark;
 
 /// Chunks of a group for each thread: enough that a slow one does not leave the other threads idle for long.
@@ -36,15 +36,15 @@ impl<T: Send, W: Fn(Batch) -> T + Sync, K: FnMut(T)> Run<'_, W, K> {
         position: Position,
         notes: &mut Notes,
     ) -> Result<usize, InputError> {
-        let route = Route::new(layout);
+        let ways = Ways::new(layout);
         let mut position = position;
         let mut group = self.next_group(reader);
         while !group.is_empty() {
             let gap = notes.gap_behind().clone();
             let (outcome, mut next) = if reader.is_at_end() {
-                (read_group(&group, layout, route.as_ref(), position, notes, &self.work), Vec::new())
+                (read_group(&group, layout, ways.as_ref(), position, notes, &self.work), Vec::new())
             } else {
-                self.read_group_and_next(&group, layout, route.as_ref(), position, notes, reader)
+                self.read_group_and_next(&group, layout, ways.as_ref(), position, notes, reader)
             };
             let Outcome { made, position: end, open } = match outcome {
                 Ok(outcome) => outcome,
@@ -76,14 +76,14 @@ impl<T: Send, W: Fn(Batch) -> T + Sync, K: FnMut(T)> Run<'_, W, K> {
         &self,
         group: &[Chunk],
         layout: &Layout,
-        route: Option<&Route>,
+        ways: Option<&Ways>,
         position: Position,
         notes: &mut Notes,
         reader: &mut ChunkReader,
     ) -> (Result<Outcome<T>, InputError>, Vec<Chunk>) {
         let work = &self.work;
         threads::beside(
-            move || read_group(group, layout, route, position, notes, work),
+            move || read_group(group, layout, ways, position, notes, work),
             || self.next_group(reader),
         )
     }
@@ -133,7 +133,7 @@ fn with_first_mark(
 fn read_group<T: Send>(
     group: &[Chunk],
     layout: &Layout,
-    route: Option<&Route>,
+    ways: Option<&Ways>,
     position: Position,
     notes: &mut Notes,
     work: &(impl Fn(Batch) -> T + Sync),
@@ -142,8 +142,7 @@ fn read_group<T: Send>(
     if !layout.options.table.rows.is_all() || position.rows == 0 {
         // Which rows are wanted depends on how many come before, and so does what is said of the first one.
         let counts = threads::map(group.iter().collect(), |chunk: &Chunk| {
-            route
-                .and_then(|route| plain::count(chunk, layout, route))
+            ways.and_then(|ways| plain::count(chunk, layout, ways))
                 .unwrap_or_else(|| rows::count(chunk, layout))
         });
         let mut rows = position.rows;
@@ -153,7 +152,7 @@ fn read_group<T: Send>(
         }
     }
     let parsed = threads::map(group.iter().zip(rows_before).collect(), |(chunk, rows_before)| {
-        let rows = route.and_then(|route| plain::parse(chunk, layout, route, rows_before));
+        let rows = ways.and_then(|ways| plain::parse(chunk, layout, ways, rows_before));
         let in_full = || rows::parse(chunk, layout, layout.mark, rows_before);
         (rows.map_or_else(in_full, Parsed::Rows), rows_before)
     });

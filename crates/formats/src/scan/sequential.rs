@@ -6,13 +6,13 @@ use crate::blocks::Gap;
 use crate::chunks::{Chunk, ChunkReader};
 use crate::error::InputError;
 
-use super::Run;
 use super::batch::Batch;
 use super::builder::BatchBuilder;
 use super::first_record::Position;
 use super::layout::Layout;
 use super::notes::Notes;
 use super::rows::RowReader;
+use super::run::Run;
 
 impl<T, W: Fn(Batch) -> T, K: FnMut(T)> Run<'_, W, K> {
     /// Reads all rows of these chunks, which start at a position, and of what the reader has after them. Returns how many

@@ -2,7 +2,7 @@
 
 use boundfit_exact::{Column, Scaled};
 
-use super::plain::{Lane, Plain, Step, What};
+use super::lane::{Lane, Plain, Step, What};
 
 /// The way through a row to up to four numbers.
 pub(super) struct Straight {

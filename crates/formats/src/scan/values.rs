@@ -5,10 +5,11 @@ use boundfit_exact::{
     plain_double,
 };
 
+use crate::columns::Role;
 use crate::columns::{ColumnSelector, decode};
 use crate::dialect::{AskedDialect, BLANKS};
 use crate::error::InputErrorKind;
-use crate::roles::{self, Role, instead_of_number};
+use crate::roles::{self, instead_of_number};
 use crate::table::TableOptions;
 
 /// A number that was read.

@@ -10,10 +10,27 @@ use zip::ZipArchive;
 use zip::read::ZipFile;
 use zip::result::ZipError;
 
-use super::{Kind, unreadable};
-use crate::budget::{HeldMemory, MemoryUse};
+use crate::budget::HeldMemory;
 use crate::error::InputErrorKind;
 use crate::limits::LONGEST_LINE;
+use crate::memory_use::MemoryUse;
+
+/// What messages call such files.
+pub(super) const FORMAT: &str = "a workbook";
+
+/// The two kinds of workbooks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// Office Open XML.
+    Xlsx,
+    /// OpenDocument.
+    Ods,
+}
+
+/// Why a workbook cannot be read.
+pub(super) fn unreadable(reason: impl ToString) -> InputErrorKind {
+    InputErrorKind::Unreadable { format: FORMAT, reason: reason.to_string().into() }
+}
 
 /// How deep the elements of a part may be nested. Real ones stay below 20.
 const DEEPEST: usize = 256;

@@ -9,6 +9,7 @@ mod formats;
 mod ods;
 mod text;
 mod xlsx;
+mod xlsx_book;
 mod xlsx_cells;
 
 use std::io::{Cursor, Read};
@@ -16,32 +17,21 @@ use std::io::{Cursor, Read};
 use boundfit_exact::Foreign;
 use sha2::{Digest, Sha256};
 
-use crate::budget::{HeldMemory, MemoryUse};
+use crate::budget::HeldMemory;
 use crate::columns::ColumnSelector;
+use crate::columns::Role;
 use crate::error::{InputError, InputErrorKind};
 use crate::hash::hexadecimal;
-use crate::limits::most_unpacked;
+use crate::memory_use::MemoryUse;
 use crate::notes::TableNotes;
-use crate::roles::Role;
+use crate::packing::most_unpacked;
 use crate::scan::{Batch, ScanOptions, Scanned, scan_text};
 
-use archive::Archive;
+use archive::{Archive, FORMAT, Kind};
 use text::Lines;
-
-/// What messages call such files.
-const FORMAT: &str = "a workbook";
 
 /// The most sheets that a workbook may have.
 const MOST_SHEETS: usize = 10_000;
-
-/// The two kinds of workbooks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    /// Office Open XML.
-    Xlsx,
-    /// OpenDocument.
-    Ods,
-}
 
 /// A sheet as text.
 struct Sheet {
@@ -155,9 +145,4 @@ fn finite(text: &str) -> Option<f64> {
     let text = text.trim();
     let is_number = text.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
     text.parse().ok().filter(|number: &f64| is_number && number.is_finite())
-}
-
-/// Why a workbook cannot be read.
-fn unreadable(reason: impl ToString) -> InputErrorKind {
-    InputErrorKind::Unreadable { format: FORMAT, reason: reason.to_string().into() }
 }

@@ -4,12 +4,12 @@ use std::borrow::Cow;
 
 use quick_xml::events::{BytesStart, Event};
 
-use super::archive::{Archive, Part, attribute_named, check_text, own_text};
+use super::archive::{Archive, Part, attribute_named, check_text, own_text, unreadable};
 use super::text::{Lines, MOST_COLUMNS};
-use super::{MOST_SHEETS, chosen, finite, unreadable};
-use crate::budget::MemoryUse;
+use super::{MOST_SHEETS, chosen, finite};
 use crate::error::InputErrorKind;
 use crate::mat::double_text;
+use crate::memory_use::MemoryUse;
 
 /// Hands the cells of the sheet that is wanted over; gives its name.
 pub(super) fn read_sheet(

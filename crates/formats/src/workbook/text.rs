@@ -1,8 +1,9 @@
 //! Cells as lines of text.
 
-use super::unreadable;
-use crate::budget::{HeldMemory, MemoryUse};
+use super::archive::unreadable;
+use crate::budget::HeldMemory;
 use crate::error::InputErrorKind;
+use crate::memory_use::MemoryUse;
 
 /// What separates the cells of a line.
 pub(super) const DELIMITER: u8 = b'\t';

@@ -3,10 +3,10 @@
 use boundfit_exact::Foreign;
 use quick_xml::events::{BytesStart, Event};
 
-use super::archive::{Part, attribute};
+use super::archive::{Part, attribute, unreadable};
+use super::finite;
 use super::text::Lines;
-use super::xlsx::{Book, rich_text, unescaped};
-use super::{finite, unreadable};
+use super::xlsx_book::{Book, rich_text, unescaped};
 use crate::error::InputErrorKind;
 
 /// What is stored in a cell.
