@@ -1,6 +1,7 @@
 //! From the cells of a row to its half-planes (section 2).
 
 use std::borrow::Cow;
+use std::io::Read;
 use std::mem;
 
 use boundfit_exact::{
@@ -8,11 +9,12 @@ use boundfit_exact::{
     Work, WrittenDigits, is_missing, plain_decimal,
 };
 
+use crate::about::{About, ascending};
 use crate::failure::{DataLimits, Failure, Refusal};
 use crate::falsehood::Falsehood;
+use crate::name::Name;
 use crate::plane::HalfPlane;
-use crate::proof::About;
-use crate::rows::Cells;
+use crate::rows::{Cells, Rows};
 use crate::shape::Quantity;
 
 /// What rows stand for: sums of multiples of what is in their cells. All of a row is computed in integers over one
@@ -309,6 +311,59 @@ impl Model {
             Some((mantissa, exponent)) => Ok(Number::decimal(mantissa, exponent.into())),
             None => self.reading.read(&String::from_utf8_lossy(cell), &self.limits).map(Number::Fraction),
         }
+    }
+}
+
+impl About {
+    /// Hands over each half-plane of the wanted rows, then of the conditions, by its name and what computes it (section 2).
+    pub(crate) fn for_each_half_plane<R: Read>(
+        &self,
+        rows: &mut Rows<R>,
+        limits: &DataLimits,
+        longest_vertex: u64,
+        mut take: impl FnMut(Name, &dyn Fn() -> HalfPlane) -> Result<(), Falsehood>,
+    ) -> Result<(), Failure> {
+        self.for_each_row(rows, limits, longest_vertex, |row, model| {
+            let [lower, upper] = model.sides();
+            if lower {
+                take(Name::Lower(row), &|| model.lower())?;
+            }
+            if upper {
+                take(Name::Upper(row), &|| model.upper())?;
+            }
+            Ok(())
+        })?;
+        for (name, half_plane) in self.conditions_by_name() {
+            take(name, &|| half_plane.clone())?;
+        }
+        Ok(())
+    }
+
+    /// Hands over each wanted row as it is read (section 2).
+    pub(crate) fn for_each_row<R: Read>(
+        &self,
+        rows: &mut Rows<R>,
+        limits: &DataLimits,
+        longest_vertex: u64,
+        mut take: impl FnMut(u64, &Model) -> Result<(), Falsehood>,
+    ) -> Result<(), Failure> {
+        let mut model = Model::new(self, limits, longest_vertex);
+        let start = rows.count();
+        for [first, last] in ascending(&self.rows)? {
+            while rows.count() - start < first - 1 {
+                if !rows.next()? {
+                    return Err(Falsehood::MissingRow(first).into());
+                }
+            }
+            for row in first..=last {
+                if !rows.next()? {
+                    return Err(Falsehood::MissingRow(row).into());
+                }
+                model.read_row(row, rows.cells())?;
+                take(row, &model)?;
+            }
+        }
+        Ok(())
     }
 }
 

@@ -3,15 +3,16 @@
 use std::collections::BTreeMap;
 use std::io::{self, Read};
 
-use boundfit_exact::{Foreign, Rational};
+use boundfit_exact::Foreign;
 
+use crate::about::About;
 use crate::cells::Model;
-use crate::claims::{bits_of_points, named_rows};
+use crate::claims::{bits_of_points, check_statements, named_rows};
 use crate::failure::{DataLimits, Failure};
-use crate::falsehood::Falsehood;
+use crate::found::SetFound;
+use crate::half_planes::HalfPlanes;
 use crate::plane::HalfPlane;
-use crate::proof::{About, Body, HalfPlanes, Proof};
-use crate::rows::Rows;
+use crate::proof::{Body, Proof};
 use crate::statements::Claim;
 use crate::whole_set::longest;
 
@@ -39,31 +40,6 @@ pub enum Found {
     Claims(Vec<Claim>),
 }
 
-/// What a feasible parameter set is.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct SetFound {
-    /// How far the set goes.
-    pub extent: Extent,
-    /// How many vertices it has.
-    pub vertices: usize,
-    /// How many sides.
-    pub sides: usize,
-    /// The range of each parameter, lower and upper end; an end is `None` where nothing bounds the parameter. `None` for an
-    /// empty set.
-    pub bounds: Option<[[Option<Rational>; 2]; 2]>,
-}
-
-/// How far a set goes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Extent {
-    /// There is no point in it.
-    Empty,
-    /// It lies within a circle.
-    Bounded,
-    /// It does not.
-    Unbounded,
-}
-
 impl Proof {
     /// Checks every statement against the data, which are read twice unless half-planes alone prove all of them: `open` gives
     /// them from the start. Exact. One row is in memory at a time; nothing depends on what was read before the hash is known to
@@ -77,7 +53,7 @@ impl Proof {
         limits: &DataLimits,
     ) -> Result<Statement, Failure> {
         let mut open = || open().map_err(Failure::Unreadable);
-        let about = self.about.clone();
+        let (data, about) = (&self.data, self.data.about.clone());
         match &self.body {
             Body::Whole(set) => {
                 let wanted = set.names();
@@ -90,10 +66,10 @@ impl Proof {
                     }
                     Ok(())
                 };
-                let (rows_total, names) = self.first_look(open()?, limits, |about, rows| {
+                let (rows_total, names) = data.first_look(open()?, limits, |about, rows| {
                     about.for_each_half_plane(rows, limits, longest, take)
                 })?;
-                let found = Found::Set(set.check(self, &HalfPlanes(half_planes), open, limits)?);
+                let found = Found::Set(set.check(data, &HalfPlanes(half_planes), open, limits)?);
                 Ok(Statement { about, rows_total, names, half_planes: count, found })
             }
             Body::Statements(statements) => {
@@ -107,70 +83,13 @@ impl Proof {
                     }
                     Ok(())
                 };
-                let (rows_total, names) = self.first_look(open()?, limits, |about, rows| {
+                let (rows_total, names) = data.first_look(open()?, limits, |about, rows| {
                     about.for_each_row(rows, limits, longest, take)
                 })?;
-                count += self.about.conditions_by_name().count();
-                let found = Found::Claims(self.check_statements(statements, &kept, open, limits)?);
+                count += about.conditions_by_name().count();
+                let found = Found::Claims(check_statements(data, statements, &kept, open, limits)?);
                 Ok(Statement { about, rows_total, names, half_planes: count, found })
             }
         }
     }
-
-    /// Section 2: the hash of the data, and that all wanted rows can be read. How many rows there are, and the names of columns.
-    fn first_look<R: Read>(
-        &self,
-        data: R,
-        limits: &DataLimits,
-        read: impl FnOnce(&About, &mut Rows<R>) -> Result<(), Failure>,
-    ) -> Result<(u64, BTreeMap<u64, Foreign>), Failure> {
-        let look = self.look(data, limits, read)?;
-        if look.hash != self.sha256 {
-            return Err(Falsehood::OtherData.into());
-        }
-        look.found?;
-        Ok((look.rows_total, look.names))
-    }
-
-    /// Reads all data once more.
-    pub(crate) fn look_again<R: Read>(
-        &self,
-        data: R,
-        limits: &DataLimits,
-        read: impl FnOnce(&About, &mut Rows<R>) -> Result<(), Failure>,
-    ) -> Result<(), Failure> {
-        let look = self.look(data, limits, read)?;
-        if look.hash != self.sha256 {
-            return Err(Failure::Changed);
-        }
-        look.found
-    }
-
-    /// Reads all data, the wanted rows by a function. Rows beyond the limits end it; what else is wrong is kept for after
-    /// the hash.
-    fn look<R: Read>(
-        &self,
-        data: R,
-        limits: &DataLimits,
-        read: impl FnOnce(&About, &mut Rows<R>) -> Result<(), Failure>,
-    ) -> Result<Look, Failure> {
-        let mut rows = self.about.open(data, limits)?;
-        let has_header = self.about.header && rows.next()?;
-        let names = if has_header { self.about.names(rows.cells()) } else { BTreeMap::new() };
-        let found = match read(&self.about, &mut rows) {
-            Err(failure) if failure.ends_reading() => return Err(failure),
-            found => found,
-        };
-        let (hash, rows) = rows.finish()?;
-        Ok(Look { hash, rows_total: rows - u64::from(has_header), names, found })
-    }
-}
-
-/// What reading all data gives.
-struct Look {
-    hash: String,
-    rows_total: u64,
-    names: BTreeMap<u64, Foreign>,
-    /// Whether all wanted rows could be read, and all of their half-planes were taken.
-    found: Result<(), Failure>,
 }

@@ -6,47 +6,47 @@ use std::io::Read;
 
 use boundfit_exact::Rational;
 
+use crate::about::{About, ascending};
 use crate::cells::{Model, Row};
+use crate::data::Data;
 use crate::failure::{DataLimits, Failure};
 use crate::falsehood::Falsehood;
+use crate::half_planes::{End, HalfPlanes, Multiples};
 use crate::name::Name;
 use crate::plane::{HalfPlane, Point, Vector, dot};
-use crate::proof::{About, End, HalfPlanes, Multiples, Proof, ascending};
 use crate::scope::{ErrorScale, Part, Scope, Side, View};
 use crate::sides::Sides;
 use crate::statements::{Claim, ClaimKind, Contradictions, Kind, Statement};
 
-impl Proof {
-    /// Checks statements against the rows that they name, then the rest of them against all data, if there is a rest.
-    pub(crate) fn check_statements<R: Read>(
-        &self,
-        statements: &[Statement],
-        rows: &BTreeMap<u64, Row>,
-        open: impl FnOnce() -> Result<R, Failure>,
-        limits: &DataLimits,
-    ) -> Result<Vec<Claim>, Failure> {
-        let about = &self.about;
-        let named: Vec<HalfPlanes> = (1..)
-            .zip(statements)
-            .map(|(number, own)| in_statement(number, own.scope.half_planes(&own.names(), rows, about)))
-            .collect::<Result<_, _>>()?;
-        let mut probes = Probes::default();
-        let mut claims = Vec::new();
-        let shown = Shown::of(statements, about)?;
-        for ((number, own), half_planes) in (1..).zip(statements).zip(&named) {
-            let claim = in_statement(number, own.check(half_planes, rows, about, &shown))?;
-            claims.push(Claim { scope: own.scope.clone(), kind: claim });
-            in_statement(number, probes.add(number, own, half_planes, about))?;
-        }
-        if !probes.is_empty() {
-            probes.check_conditions(about)?;
-            let longest = bits_of_points(statements);
-            self.look_again(open()?, limits, |about, rows| {
-                about.for_each_row(rows, limits, longest, |row, model| probes.check_row(row, model))
-            })?;
-        }
-        Ok(claims)
+/// Checks statements against the rows that they name, then the rest of them against all data, if there is a rest.
+pub(crate) fn check_statements<R: Read>(
+    data: &Data,
+    statements: &[Statement],
+    rows: &BTreeMap<u64, Row>,
+    open: impl FnOnce() -> Result<R, Failure>,
+    limits: &DataLimits,
+) -> Result<Vec<Claim>, Failure> {
+    let about = &data.about;
+    let named: Vec<HalfPlanes> = (1..)
+        .zip(statements)
+        .map(|(number, own)| in_statement(number, own.scope.half_planes(&own.names(), rows, about)))
+        .collect::<Result<_, _>>()?;
+    let mut probes = Probes::default();
+    let mut claims = Vec::new();
+    let shown = Shown::of(statements, about)?;
+    for ((number, own), half_planes) in (1..).zip(statements).zip(&named) {
+        let claim = in_statement(number, own.check(half_planes, rows, about, &shown))?;
+        claims.push(Claim { scope: own.scope.clone(), kind: claim });
+        in_statement(number, probes.add(number, own, half_planes, about))?;
     }
+    if !probes.is_empty() {
+        probes.check_conditions(about)?;
+        let longest = bits_of_points(statements);
+        data.look_again(open()?, limits, |about, rows| {
+            about.for_each_row(rows, limits, longest, |row, model| probes.check_row(row, model))
+        })?;
+    }
+    Ok(claims)
 }
 
 fn in_statement<T>(number: usize, found: Result<T, Falsehood>) -> Result<T, Falsehood> {

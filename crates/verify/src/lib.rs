@@ -1,11 +1,15 @@
 #![doc = include_str!("../README.md")]
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
 
+mod about;
 mod cells;
 mod checks;
 mod claims;
+mod data;
 mod failure;
 mod falsehood;
+mod found;
+mod half_planes;
 mod name;
 mod plane;
 mod proof;
@@ -16,11 +20,13 @@ mod sides;
 mod statements;
 mod whole_set;
 
-pub use checks::{Extent, Found, SetFound, Statement};
+pub use about::About;
+pub use checks::{Found, Statement};
 pub use failure::{DataLimits, Failure, Refusal};
 pub use falsehood::Falsehood;
+pub use found::{Extent, SetFound};
 pub use name::{End, Name};
-pub use proof::{About, Proof};
+pub use proof::Proof;
 pub use scope::{ErrorScale, Scope, Side};
 pub use shape::{NotAProof, Quantity};
 pub use statements::{Claim, ClaimKind};

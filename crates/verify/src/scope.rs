@@ -4,11 +4,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use boundfit_exact::Rational;
 
+use crate::about::{About, ascending};
 use crate::cells::Row;
 use crate::falsehood::Falsehood;
+use crate::half_planes::HalfPlanes;
 use crate::name::{End, Name};
 use crate::plane::HalfPlane;
-use crate::proof::{About, HalfPlanes, ascending};
 
 /// Which half-planes a statement is about.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

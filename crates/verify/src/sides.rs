@@ -5,11 +5,11 @@ use std::collections::BTreeSet;
 
 use boundfit_exact::Integer;
 
-use crate::checks::Extent;
 use crate::falsehood::Falsehood;
+use crate::found::Extent;
+use crate::half_planes::HalfPlanes;
 use crate::name::{Name, Named};
 use crate::plane::{HalfPlane, Point, Vector, compare_angles, turn};
-use crate::proof::HalfPlanes;
 
 struct Side<'a> {
     name: Name,

@@ -4,13 +4,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use boundfit_exact::Rational;
 
-use crate::checks::Extent;
+use crate::found::Extent;
+use crate::half_planes::{End, Multiples, end, multiples, names, vector};
 use crate::name::{Name, Named};
 use crate::plane::Vector;
-use crate::proof::{End, Multiples, end, multiples, vector};
 use crate::scope::{ErrorScale, Scope, Side};
 use crate::shape::{NotAProof, Number, StatementShape, needed};
-use crate::whole_set::names;
 
 /// What is so about the set of a scope.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -5,12 +5,13 @@ use std::io::Read;
 
 use boundfit_exact::Rational;
 
-use crate::checks::{Extent, SetFound};
+use crate::data::Data;
 use crate::failure::{DataLimits, Failure};
 use crate::falsehood::Falsehood;
+use crate::found::{Extent, SetFound};
+use crate::half_planes::{End, HalfPlanes, Multiples, end, multiples, names, vector};
 use crate::name::{Name, Named};
 use crate::plane::{HalfPlane, Point, Vector, dot};
-use crate::proof::{End, HalfPlanes, Multiples, Proof, end, multiples, vector};
 use crate::shape::{NotAProof, Shape, needed};
 use crate::sides::Sides;
 
@@ -52,14 +53,14 @@ impl WholeSet {
     /// Checks all of it against the half-planes that it names and, unless the set is empty, against all data.
     pub(crate) fn check<R: Read>(
         &self,
-        proof: &Proof,
+        data: &Data,
         half_planes: &HalfPlanes,
         open: impl FnOnce() -> Result<R, Failure>,
         limits: &DataLimits,
     ) -> Result<SetFound, Failure> {
         let (extent, bounds) = if self.farkas.is_empty() {
             let sides = Sides::of(&self.vertices, &self.sides, half_planes)?;
-            self.check_every_half_plane(proof, &sides, open()?, limits)?;
+            self.check_every_half_plane(data, &sides, open()?, limits)?;
             let bounds = self.check_bounds(&sides, half_planes)?;
             (sides.extent(), Some(bounds))
         } else {
@@ -84,9 +85,9 @@ impl WholeSet {
     /// Section 5: each half-plane contains the set, and those that touch a vertex are those that the proof lists.
     fn check_every_half_plane<R: Read>(
         &self,
-        proof: &Proof,
+        data: &Data,
         sides: &Sides<'_>,
-        data: R,
+        reader: R,
         limits: &DataLimits,
     ) -> Result<(), Failure> {
         let mut is_found = vec![false; self.active.len()];
@@ -106,8 +107,9 @@ impl WholeSet {
             Ok(())
         };
         let longest = longest(&self.vertices);
-        proof
-            .look_again(data, limits, |about, rows| about.for_each_half_plane(rows, limits, longest, take))?;
+        data.look_again(reader, limits, |about, rows| {
+            about.for_each_half_plane(rows, limits, longest, take)
+        })?;
         match self.active.iter().zip(is_found).find(|(_, is_found)| !is_found) {
             None => Ok(()),
             Some((listed, _)) => Err(not_touching(listed).into()),
@@ -161,9 +163,4 @@ fn check_bound(
 /// How many bits the longest of these points has.
 pub(crate) fn longest(points: &[Vector]) -> u64 {
     points.iter().map(|[x, y]| x.bits() + y.bits()).max().unwrap_or_default()
-}
-
-/// Those of some names that are of half-planes.
-pub(crate) fn names<'a>(names: impl Iterator<Item = &'a Named>) -> BTreeSet<Name> {
-    names.filter_map(|name| if let Named::A(name) = name { Some(*name) } else { None }).collect()
 }
