@@ -82,6 +82,11 @@ pub(crate) fn words(way: &Way) -> String {
     }
 }
 
+/// How this program raises a limit.
+pub(crate) fn raises(limit: Limit) -> String {
+    words(&Way::raises(limit))
+}
+
 /// Why there is no answer.
 #[derive(Debug)]
 pub(crate) enum Failure {

@@ -6,8 +6,7 @@ use std::io::{self, Read, Write};
 use boundfit_exact::{Foreign, Limit};
 use boundfit_formats::{InputError, Source, TableNotes};
 
-use crate::arguments::raises;
-use crate::exit::Failure;
+use crate::exit::{Failure, raises};
 use crate::output;
 
 /// The file in the words of messages.

@@ -5,8 +5,8 @@ use boundfit_exact::{Foreign, Limit, Rational, TooMuchWork, Work};
 use boundfit_lesson::check_work;
 use boundfit_questions::times::{check_outliers, looks};
 
-use crate::arguments::{LimitArguments, raises};
-use crate::exit::Failure;
+use crate::arguments::LimitArguments;
+use crate::exit::{Failure, raises};
 
 /// How often a command does what a fit does, as far as long numbers are concerned: what it takes for readings of thousands of
 /// digits, divided by what `fit` takes.

@@ -1,7 +1,7 @@
 //! The page around the data: template, style, script and words, put into one file.
 
 use crate::engine;
-use crate::texts::{self, Language, Message, Value};
+use crate::texts::{self, Language, Message, Value, escaped};
 use crate::unscripted::{self, Facts};
 
 /// A module of the script: its path in the folder `page/js`, and its source.
@@ -187,22 +187,6 @@ fn fill(template: &str, value: impl Fn(&str) -> Option<String>) -> String {
         }
     }
     page + rest
-}
-
-/// Text as HTML.
-pub(crate) fn escaped(text: &str) -> String {
-    let mut html = String::with_capacity(text.len());
-    for letter in text.chars() {
-        match letter {
-            '&' => html.push_str("&amp;"),
-            '<' => html.push_str("&lt;"),
-            '>' => html.push_str("&gt;"),
-            '"' => html.push_str("&quot;"),
-            '\'' => html.push_str("&#39;"),
-            _ => html.push(letter),
-        }
-    }
-    html
 }
 
 /// JSON that cannot end the element that it is in. `<` occurs in its strings only, where an escape means the same.

@@ -1,6 +1,6 @@
 //! The arguments of `boundfit check` and `boundfit bench-solvers`.
 
-use clap::{Args, ValueEnum, value_parser};
+use clap::{Args, value_parser};
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::tolerance::ToleranceArguments;
@@ -70,13 +70,6 @@ pub(crate) struct CheckArguments {
     pub(crate) time_limit: u64,
     #[command(flatten)]
     pub(crate) output: OutputArguments,
-}
-
-/// Whether something is done.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Switch {
-    On,
-    Off,
 }
 
 pub(super) const BENCH_NOTES: Notes = Notes {

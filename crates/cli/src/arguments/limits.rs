@@ -4,13 +4,11 @@ use std::ops::RangeInclusive;
 use std::sync::{Arc, OnceLock};
 
 use boundfit_exact::{Limit, Limits};
-use boundfit_formats::{MemoryBudget, SizeLimits, Way};
+use boundfit_formats::{MemoryBudget, SizeLimits};
 use boundfit_questions::OutlierLimits;
 use boundfit_report::{LONGEST_FRACTION, Style};
 use clap::builder::ValueParser;
 use clap::{Arg, Args};
-
-use crate::exit::words;
 
 use super::values::parse_size;
 
@@ -168,11 +166,6 @@ fn parse(text: &str, own: &[Limit]) -> Result<AskedLimit, String> {
         };
         format!("{number:?} is no limit of {} (expected {expected})", limit.name())
     })
-}
-
-/// How this program raises a limit.
-pub(crate) fn raises(limit: Limit) -> String {
-    words(&Way::raises(limit))
 }
 
 impl LimitArguments {

@@ -31,13 +31,13 @@ mod x_errors;
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
 
-pub(crate) use check::{BenchSolversArguments, CheckArguments, Switch};
+pub(crate) use check::{BenchSolversArguments, CheckArguments};
 pub(crate) use convert::ConvertArguments;
-pub(crate) use endings::{ending, told_by_name};
+pub(crate) use endings::{Format, ReportFormat, TableFormat, ending, told_by_name};
 pub(crate) use fit::FitArguments;
 pub(crate) use judge::{JudgeArguments, JudgeFormat};
 pub(crate) use lesson::LessonArguments;
-pub(crate) use limits::{LimitArguments, raises};
+pub(crate) use limits::LimitArguments;
 pub(crate) use linearity::LinearityArguments;
 pub(crate) use look::{PictureArguments, refuse_without_picture};
 pub(crate) use notes::Notes;
@@ -51,11 +51,12 @@ pub(crate) use reading::Asked;
 pub(crate) use reduce::ReduceArguments;
 pub(crate) use rows::RowArguments;
 pub(crate) use shared::{
-    DataArguments, FileArguments, Format, LabelArguments, OutputArguments, ReplaceArguments, ReportFormat,
-    TableArguments, TableFormat, ThreadArguments,
+    DataArguments, FileArguments, LabelArguments, OutputArguments, ReplaceArguments, TableArguments,
+    ThreadArguments,
 };
 pub(crate) use solutions::SolutionArguments;
 pub(crate) use status::StatusArguments;
+pub(crate) use tolerance::Switch;
 pub(crate) use values::{FactorRange, number_problem};
 pub(crate) use verify::VerifyArguments;
 pub(crate) use x_errors::XErrorArguments;

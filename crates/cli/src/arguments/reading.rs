@@ -9,15 +9,14 @@ use boundfit_formats::{
     AskedDialect, Header, InputError, InputErrorKind, MissingWords, ScanOptions, Source, TableOptions,
 };
 use boundfit_lesson::LessonError;
-use boundfit_questions::{Extent, Moving};
 use boundfit_report::{Origin, Style};
 use clap::ValueEnum;
 
 use super::shared::{EpsilonArguments, LineArguments};
-use super::values::{number_problem, parse_confidence, parse_factors};
+use super::values::number_problem;
 use super::{
-    DataArguments, FitArguments, LabelArguments, OutputArguments, ReduceArguments, RowArguments,
-    TableArguments, ThreadArguments, limits,
+    DataArguments, LabelArguments, OutputArguments, ReduceArguments, RowArguments, TableArguments,
+    ThreadArguments,
 };
 use crate::exit::Failure;
 use crate::input;
@@ -505,48 +504,6 @@ fn condition_problem(error: &ParseConditionError) -> String {
         _ => None,
     };
     text_problem(error, number)
-}
-
-impl FitArguments {
-    /// Reads the factors of `--sweep` and the number of `--confidence`, which need the limits.
-    pub(crate) fn with_numbers(self) -> Result<Self, Failure> {
-        let limits = self.data.table.limits.number();
-        let sweep = self.asked_factors.as_deref().map(|text| parse_factors(text, &limits)).transpose()?;
-        let confidence =
-            self.asked_confidence.as_deref().map(|text| parse_confidence(text, &limits)).transpose()?;
-        Ok(FitArguments { sweep, confidence, ..self })
-    }
-
-    /// The windows that are asked for, if they are.
-    pub(crate) fn moving(&self) -> Result<Option<Moving>, Failure> {
-        const EXPECTED: &str = "expected a number above 0, such as 60 or 0.5";
-        let extent = match (self.window, &self.window_x) {
-            (Some(count), _) => Extent::Readings(limits::size(count)),
-            (None, Some(_)) if self.data.has_two_regressors() => {
-                return Err(Failure::Usage(
-                    "'--window-x' is about a line: two regressors have no x to look back along; '--window' counts readings"
-                        .to_owned(),
-                ));
-            }
-            (None, Some(text)) => {
-                let refuse = |problem: String| Failure::value("--window-x <NUM>", text, problem);
-                let span = self.data.table.reading.read(text, &self.data.table.limits.number());
-                let span = span.map_err(|error| refuse(number_problem(&error, EXPECTED)))?;
-                if !span.is_positive() {
-                    return Err(refuse(EXPECTED.to_owned()));
-                }
-                Extent::X(span)
-            }
-            (None, None) if self.step.is_some() => {
-                return Err(Failure::Usage(
-                    "'--step' says how far a window moves on: say which with '--window' or '--window-x'"
-                        .to_owned(),
-                ));
-            }
-            (None, None) => return Ok(None),
-        };
-        Ok(Some(Moving { extent, step: self.step.map_or(1, limits::size) }))
-    }
 }
 
 impl TableArguments {

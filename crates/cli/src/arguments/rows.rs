@@ -4,9 +4,7 @@ use boundfit_exact::{Limit, Limits, Reading};
 use boundfit_formats::{ParseRowConditionError, RowCondition, RowRange, RowSet};
 use clap::Args;
 
-use crate::exit::Failure;
-
-use super::raises;
+use crate::exit::{Failure, raises};
 
 /// Which data rows are used.
 #[derive(Debug, Clone, Args)]

@@ -9,7 +9,7 @@ use clap::{ArgAction, Args, ValueEnum, value_parser};
 use crate::exit::Failure;
 use crate::output::Guard;
 
-use super::endings::{NamedFormat, told_by_name};
+use super::endings::{Format, NamedFormat, told_by_name};
 use super::values::{
     DECIMAL_MARKS, IfAsked, Regressors, delimiters, named, named_or_auto, parse_block, parse_column,
     parse_comment, parse_encoding, parse_regressors, parse_thousands,
@@ -214,62 +214,5 @@ impl FileArguments {
             Some(format) => format,
             None => told()?.unwrap_or_default(),
         })
-    }
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub(crate) enum Format {
-    /// A report for people
-    #[default]
-    Text,
-    /// Everything, for programs
-    Json,
-}
-
-/// Formats of an answer that is a document or a table.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub(crate) enum TableFormat {
-    /// A report for people
-    #[default]
-    Text,
-    /// Everything, for programs
-    Json,
-    /// The report's tables in LaTeX (booktabs)
-    Latex,
-    /// The report's tables in Markdown
-    Markdown,
-    /// The answer as a table
-    Csv,
-}
-
-/// Formats of a fit or a region.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub(crate) enum ReportFormat {
-    /// A report for people
-    #[default]
-    Text,
-    /// Everything, for programs
-    Json,
-    /// The report's tables in LaTeX (booktabs)
-    Latex,
-    /// The report's tables in Markdown
-    Markdown,
-    /// A table: of 'fit' intervals and estimates (--vertices: the vertices), with --by a row for each group; of 'polygon' the
-    /// vertices
-    Csv,
-    /// The set as well-known text, in decimals of at least 17 digits; bounded sets only
-    Wkt,
-    /// A MATLAB or Octave script that defines the vertices
-    M,
-    /// The irredundant half-planes as cdd's and lrs's H-representation
-    Ine,
-    /// The vertices, rays and lines as cdd's and lrs's V-representation
-    Ext,
-}
-
-impl ReportFormat {
-    /// Whether the answer says what the table was taken for.
-    pub(crate) fn has_input(self) -> bool {
-        matches!(self, ReportFormat::Text | ReportFormat::Json | ReportFormat::Latex | ReportFormat::Markdown)
     }
 }

@@ -1,10 +1,17 @@
 //! How far an answer may be off before it is refuted.
 
 use boundfit_exact::{Limits, Rational, Reading};
-use clap::Args;
+use clap::{Args, ValueEnum};
 
-use super::{Switch, number_problem};
+use super::number_problem;
 use crate::exit::Failure;
+
+/// Whether something is done.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Switch {
+    On,
+    Off,
+}
 
 /// How far an answer may be off.
 #[derive(Debug, Args)]

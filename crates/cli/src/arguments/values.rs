@@ -8,9 +8,7 @@ use boundfit_exact::{
 use boundfit_formats::{AskedBlock, ColumnSelector, CommentMark, DELIMITERS, Encoding};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
-use crate::exit::Failure;
-
-use super::raises;
+use crate::exit::{Failure, raises};
 
 /// The columns of one or two regressors.
 #[derive(Debug, Clone)]

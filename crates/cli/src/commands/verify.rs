@@ -10,8 +10,8 @@ use boundfit_report::{Verdict, verify_json, verify_text};
 use boundfit_verify::{DataLimits, Failure as Unverified, Proof};
 
 use crate::CommandResult;
-use crate::arguments::{Format, LimitArguments, VerifyArguments, raises};
-use crate::exit::{Exit, Failure};
+use crate::arguments::{Format, LimitArguments, VerifyArguments};
+use crate::exit::{Exit, Failure, raises};
 use crate::input::{named, read_text};
 use crate::output;
 use crate::progress::while_working;

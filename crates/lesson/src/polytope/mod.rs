@@ -15,7 +15,7 @@ use thiserror::Error;
 use lines::{HalfPlaneLine, LineError, read};
 use objective::ObjectiveJson;
 use path::PathJson;
-use set::{SetJson, theta};
+use set::{MultiplierJson, SetJson, multipliers, theta};
 
 /// The most half-planes that are taken; an equation has two.
 pub const MOST_HALF_PLANES: usize = 60;
@@ -106,12 +106,6 @@ struct RedundantJson {
     why: &'static str,
     by: Vec<MultiplierJson>,
     slack: Option<String>,
-}
-
-#[derive(Debug, Clone, Serialize)]
-struct MultiplierJson {
-    half_plane: usize,
-    multiplier: String,
 }
 
 /// What there is to say about half-planes, one a line as [`boundfit_estimation::Condition::parse_in_plane`] reads them, as JSON of
@@ -216,11 +210,6 @@ fn redundant(redundancy: &Redundancy) -> RedundantJson {
 
 fn dominated(by: &[Multiplier], slack: &Rational) -> RedundantJson {
     RedundantJson { why: "dominated", by: multipliers(by), slack: Some(slack.to_string()) }
-}
-
-fn multipliers(terms: &[Multiplier]) -> Vec<MultiplierJson> {
-    let term = |m: &Multiplier| MultiplierJson { half_plane: m.index, multiplier: m.value.to_string() };
-    terms.iter().map(term).collect()
 }
 
 fn step_json(system: &System, step: &Step) -> StepJson {

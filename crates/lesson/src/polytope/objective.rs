@@ -4,8 +4,7 @@ use boundfit_exact::Rational;
 use boundfit_geometry::{Face, Multiplier, Polyhedron, Region, RegionKind, Support, System};
 use serde::Serialize;
 
-use super::set::{direction, theta};
-use super::{MultiplierJson, multipliers};
+use super::set::{MultiplierJson, direction, multipliers, theta};
 
 /// The most sets of multipliers that are written down.
 const MOST_WAYS: usize = 12;

@@ -3,7 +3,17 @@
 use boundfit_geometry::{Boundary, Direction, Multiplier, NormalCone, Point, Region, System, Vertex};
 use serde::Serialize;
 
-use super::{MultiplierJson, multipliers};
+/// How many times a half-plane is taken.
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct MultiplierJson {
+    pub(super) half_plane: usize,
+    pub(super) multiplier: String,
+}
+
+pub(super) fn multipliers(terms: &[Multiplier]) -> Vec<MultiplierJson> {
+    let term = |m: &Multiplier| MultiplierJson { half_plane: m.index, multiplier: m.value.to_string() };
+    terms.iter().map(term).collect()
+}
 
 /// A set: half-planes are indices, numbers fractions, rays and lines integer directions.
 #[derive(Debug, Serialize)]

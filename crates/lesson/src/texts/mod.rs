@@ -15,7 +15,7 @@ use std::sync::LazyLock;
 
 pub use language::Language;
 pub use say::said;
-pub(crate) use say::{html, say};
+pub(crate) use say::{escaped, html, say};
 pub(crate) use value::{Message, Value, text};
 
 /// A part of the table: its name in the folder `page/texts`, and the text of the file.

@@ -25,6 +25,22 @@ pub(crate) fn html(message: &Message, language: Language) -> String {
     Speaker { language, is_html: true }.message(message)
 }
 
+/// Text as HTML.
+pub(crate) fn escaped(text: &str) -> String {
+    let mut html = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '&' => html.push_str("&amp;"),
+            '<' => html.push_str("&lt;"),
+            '>' => html.push_str("&gt;"),
+            '"' => html.push_str("&quot;"),
+            '\'' => html.push_str("&#39;"),
+            _ => html.push(letter),
+        }
+    }
+    html
+}
+
 /// Who says what.
 #[derive(Debug, Clone, Copy)]
 struct Speaker {
@@ -103,7 +119,7 @@ impl Speaker {
     }
 
     fn plain(self, text: &str) -> String {
-        if self.is_html { crate::template::escaped(text) } else { text.to_owned() }
+        if self.is_html { escaped(text) } else { text.to_owned() }
     }
 }
 

@@ -101,7 +101,7 @@ impl Facts<'_> {
 pub(crate) fn content(facts: &Facts<'_>) -> String {
     let heading = |key: &str| format!("<h2>{}</h2>", facts.say(&text!(key)));
     [
-        format!("<h2>{}</h2>", crate::template::escaped(facts.document.title())),
+        format!("<h2>{}</h2>", crate::texts::escaped(facts.document.title())),
         format!("<p>{}</p>", facts.say(&text!("page.no-script"))),
         planes::pictures(facts),
         heading("shown.title"),
@@ -138,7 +138,7 @@ fn table(heads: &[String], rows: &[Vec<String>]) -> String {
 fn theta(facts: &Facts<'_>, axis: usize) -> String {
     let name = if axis == 0 { "θ₁" } else { "θ₂" };
     match facts.document.unit_of_parameter(axis) {
-        Some(unit) => format!("{name} ({})", crate::template::escaped(unit)),
+        Some(unit) => format!("{name} ({})", crate::texts::escaped(unit)),
         None => name.to_owned(),
     }
 }
@@ -213,7 +213,7 @@ fn readings(facts: &Facts<'_>) -> String {
     let names = facts.names();
     let column = |wanted: &str| {
         let found = names.iter().find(|(name, _)| *name == wanted);
-        crate::template::escaped(found.map_or("", |(_, column)| column))
+        crate::texts::escaped(found.map_or("", |(_, column)| column))
     };
     let regressors: &[&str] = if facts.is_line() { &["x"] } else { &["u", "v"] };
     let mut heads = vec![facts.say(&text!("readings.row"))];

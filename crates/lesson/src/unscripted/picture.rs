@@ -5,8 +5,7 @@ use std::fmt::Write;
 use boundfit_exact::{Rational, Rounding};
 
 use crate::number::with_minus;
-use crate::template::escaped;
-use crate::texts::Language;
+use crate::texts::{Language, escaped};
 
 const WIDTH: f64 = 640.0;
 const HEIGHT: f64 = 420.0;

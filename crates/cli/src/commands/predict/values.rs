@@ -5,8 +5,8 @@ use std::sync::Arc;
 use boundfit_exact::{Column, Limit, Limits, Rational, Reading, Work};
 use boundfit_formats::{Batch, ColumnSelector, HeldRows, ScanOptions, scan};
 
-use crate::arguments::{DataArguments, number_problem, raises};
-use crate::exit::Failure;
+use crate::arguments::{DataArguments, number_problem};
+use crate::exit::{Failure, raises};
 use crate::input;
 
 /// The most values of a grid: JSON has 2 kB about each, and nobody types them one by one.
