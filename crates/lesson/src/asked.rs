@@ -8,7 +8,7 @@ use boundfit_estimation::{ErrorBound, Law, Measurement, Measurements, Model, Mul
 use boundfit_exact::{DecimalMark, Foreign, Reading};
 use serde::Serialize;
 
-use crate::{LessonOptions, MOST_ROWS};
+use crate::options::{LessonOptions, MOST_ROWS};
 
 /// The options of a lesson, by the names that `docs/wasm.md` has for them.
 #[derive(Debug, Serialize)]

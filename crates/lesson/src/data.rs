@@ -12,6 +12,7 @@ use crate::half_planes::{HalfPlaneJson, half_planes};
 use crate::layers::{self, LayersJson, programs};
 use crate::leave_one_out::{self, WithoutJson, leave_one_out};
 use crate::number::STYLE;
+use crate::options::{LessonError, LessonOptions};
 use crate::orders::{OrderJson, orders};
 use crate::outliers::{OutliersJson, outliers};
 use crate::points::Points;
@@ -19,7 +20,6 @@ use crate::questions::{Facts, Question, questions};
 use crate::readings::{self, ConditionJson, EpsilonJson, ModelJson, ReadingJson};
 use crate::sweep::sweep;
 use crate::texts::{Message, Value, say, text};
-use crate::{LessonError, LessonOptions};
 
 /// The document of schema `boundfit/lesson/2`. Texts from outside are in it as they are shown.
 #[derive(Debug, Serialize)]

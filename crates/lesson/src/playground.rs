@@ -4,9 +4,9 @@ use boundfit_estimation::{ErrorBound, Measurements, Model, Problem};
 use boundfit_exact::{Rational, Reading};
 
 use crate::data;
+use crate::options::{LessonError, LessonOptions};
 use crate::template;
 use crate::texts::Language;
-use crate::{LessonError, LessonOptions};
 
 /// The lesson about no readings, as one HTML file without outside parts: whoever opens it types, pastes or drops a table, and the engine in
 /// the page fits it. Every run gives the same bytes.

@@ -7,9 +7,10 @@ use boundfit_exact::english::counted;
 use boundfit_exact::{Rational, Rounding};
 use boundfit_questions::{BoxBound, Corner, SideSet, SlopeEnd, XErrorFit, XErrorProblem};
 
+use super::frames::RIGHT;
+use super::outside_note;
 use super::readings::{style_of_fitted, style_of_other};
 use super::scene::{MOST_LARGE_MARKS, MOST_MARKS, level};
-use super::{RIGHT, outside_note};
 use crate::axis::Axis;
 use crate::drawing::{Anchor, Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::extent::Extent;

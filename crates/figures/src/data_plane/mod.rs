@@ -4,6 +4,7 @@
 mod bands;
 mod boxes;
 mod density;
+mod frames;
 mod readings;
 mod runs;
 mod sample;
@@ -20,19 +21,16 @@ use boundfit_exact::english::counted;
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};
 use crate::figure::{Figure, PlotOptions};
 use crate::labels::{self, Conflict};
-use crate::page::Page;
 use crate::palette::{Dash, FAINT_INK, Stroke, style};
 use crate::parameter_plane::nested;
-use crate::render::{BOTTOM_LABELS, LEFT_LABELS};
+use crate::render::BOTTOM_LABELS;
 use bands::Bands;
 pub(crate) use boxes::boxes;
+use frames::{are_side_by_side, frames};
 pub(crate) use runs::runs;
 use scene::{Reference, Scene};
 pub(crate) use several::{panels, several};
 use view::View;
-
-/// Distance of panels from the right edge of the picture.
-const RIGHT: f64 = 22.0;
 
 /// A figure of the data plane.
 pub(crate) fn drawing(problem: &Problem, fit: &Fit, figure: Figure, options: &PlotOptions) -> Drawing {
@@ -112,28 +110,6 @@ pub(crate) fn outside_note([outside, count]: [usize; 2]) -> Option<String> {
         _ if outside == count => Some("No reading is in this view.".to_owned()),
         _ => Some(format!("Outside this view: {outside} of {}.", counted(count, "reading", "readings"))),
     }
-}
-
-/// Above each other, or flipped beside each other, so that they share the axis of x, where the page is wide enough for that.
-fn frames(options: &PlotOptions) -> [Frame; 2] {
-    let page = Page::of(options);
-    let left = LEFT_LABELS + 16.0;
-    let width = page.width - left - RIGHT;
-    if are_side_by_side(options) {
-        let frame = |left, width| Frame { left, top: 20.0, width, height: page.height(420.0) };
-        let [first, gap] = [width * 0.56, 34.0];
-        [frame(left, first), frame(left + first + gap, width - first - gap)]
-    } else {
-        let [first, second] = if options.flip { [420.0, 420.0] } else { [250.0, 170.0] };
-        let frame = |top, height| Frame { left, top, width, height: page.height(height) };
-        let labels = if options.flip { BOTTOM_LABELS } else { 0.0 };
-        [frame(20.0, first), frame(20.0 + page.height(first) + labels + 32.0, second)]
-    }
-}
-
-/// Whether the panels of a figure stand beside each other.
-fn are_side_by_side(options: &PlotOptions) -> bool {
-    options.flip && !Page::of(options).is_narrow()
 }
 
 /// One panel with everything on it, from the back to the front.

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use boundfit_estimation::{BoundName, Fit, Measurement, Model, Problem};
 use boundfit_exact::Rational;
 
-use super::frames;
+use super::frames::frames;
 use super::sample::{columns, may_be_seen};
 use crate::axis::Axis;
 use crate::extent::Extent;

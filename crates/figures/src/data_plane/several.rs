@@ -4,7 +4,7 @@ use boundfit_estimation::{Measurement, Model, Problem};
 use boundfit_exact::Rational;
 use boundfit_exact::english::counted;
 
-use super::RIGHT;
+use super::frames::RIGHT;
 use super::scene::{MOST_MARKS, level};
 use crate::axis::Axis;
 use crate::drawing::{Drawing, Frame, LegendEntry, Panel, Swatch};

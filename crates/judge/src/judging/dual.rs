@@ -4,9 +4,9 @@ use boundfit_exact::Rational;
 use boundfit_lp::{Bounds, End};
 
 use super::ground::objective_at;
-use super::measure::{Excuse, Measured};
+use super::measure::Measured;
 use super::primal::{items, roundings, values};
-use super::{Aspect, Fault, Finding, Ground, Measure, Tolerances, value_at};
+use super::{Aspect, Excuse, Fault, Finding, Ground, Measure, Tolerances, value_at};
 use crate::answer::{Item, Side};
 use crate::certificate::sign_of;
 use crate::solution::{Given, Solution};

@@ -3,30 +3,7 @@
 use boundfit_exact::Rational;
 use boundfit_lp::{MOST_ULPS, Printed, is_below_binary64, ulp};
 
-use super::{Aspect, Fault, Finding, Tolerances, Worth};
-
-/// The smallest tolerances that excuse an error, as solvers define theirs.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Excuse {
-    /// In the units of the rows and bounds as the file has them: HiGHS `primal_feasibility_tolerance` and
-    /// `dual_feasibility_tolerance`, Gurobi `FeasibilityTol` and `OptimalityTol`, SoPlex `feastol` and `opttol`.
-    pub absolute: Rational,
-    /// In units of the larger of 1, the value and the bound: SCIP `numerics/feastol` and `numerics/dualfeastol`, which it
-    /// asks of SoPlex.
-    pub relative: Rational,
-    /// After each row is divided by its largest coefficient, as solvers scale: what they test before the scaling is undone.
-    pub scaled: Rational,
-}
-
-impl Excuse {
-    fn or(self, other: Self) -> Self {
-        Excuse {
-            absolute: self.absolute.max(other.absolute),
-            relative: self.relative.max(other.relative),
-            scaled: self.scaled.max(other.scaled),
-        }
-    }
-}
+use super::finding::{Aspect, Excuse, Fault, Finding, Tolerances, Worth};
 
 /// One error.
 pub(super) struct Measured {

@@ -4,8 +4,8 @@ use boundfit_exact::Rational;
 use boundfit_lp::{Bounds, End};
 
 use super::ground::objective_at;
-use super::measure::{Excuse, Measured, rounding};
-use super::{Aspect, Fault, Finding, Ground, Measure, Tolerances, value_at};
+use super::measure::{Measured, rounding};
+use super::{Aspect, Excuse, Fault, Finding, Ground, Measure, Tolerances, value_at};
 use crate::answer::{Answer, Item, Side};
 use crate::solution::{Given, Solution};
 

@@ -7,9 +7,9 @@ use boundfit_estimation::{Fit, Measurement, Model, Problem};
 use boundfit_exact::{Rational, Rounding};
 use boundfit_report::Style;
 
-use crate::LessonOptions;
 use crate::data::LessonJson;
 use crate::number::{STYLE, with_minus};
+use crate::options::LessonOptions;
 use crate::questions::wording::value;
 use crate::texts::{Language, Message, Value, html, text};
 

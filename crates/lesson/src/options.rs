@@ -1,0 +1,64 @@
+//! What a lesson is asked for, and why there is none.
+
+use boundfit_exact::Foreign;
+use boundfit_exact::english::counted;
+use thiserror::Error;
+
+use crate::texts::Language;
+
+/// The most readings that a lesson is made for unless more are asked for: what the page shows grows with their square.
+pub const MOST_ROWS: usize = 300;
+
+/// The most readings that can be asked for.
+pub const MOST_ROWS_EVER: u16 = 2000;
+
+/// What the page says about the data besides what follows from them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LessonOptions {
+    /// Where the readings come from; of a path only the file's name is shown.
+    pub file: Foreign,
+    /// The title; made of the file and the columns when `None`.
+    pub title: Option<Foreign>,
+    /// Unit of x, or of both regressors.
+    pub x_unit: Option<Foreign>,
+    /// Unit of y.
+    pub y_unit: Option<Foreign>,
+    /// The language that the page speaks at first; it has all of them.
+    pub language: Language,
+    /// The most readings that a page is made for.
+    pub most_rows: usize,
+}
+
+impl Default for LessonOptions {
+    /// No words but those that follow from the data, and at most [`MOST_ROWS`] readings.
+    fn default() -> Self {
+        LessonOptions {
+            file: Foreign::default(),
+            title: None,
+            x_unit: None,
+            y_unit: None,
+            language: Language::default(),
+            most_rows: MOST_ROWS,
+        }
+    }
+}
+
+/// Why there is no lesson.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum LessonError {
+    /// More readings than a page can show.
+    #[error(
+        "more than {} for a lesson",
+        counted(*.limit, "reading is too many", "readings are too many")
+    )]
+    TooManyRows {
+        /// How many there are, as far as they were read.
+        rows: usize,
+        /// How many there may be.
+        limit: usize,
+    },
+    /// A report that cannot be embedded.
+    #[error("cannot embed a report: {0}")]
+    Json(#[from] serde_json::Error),
+}
