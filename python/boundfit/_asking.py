@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import Any, Literal, TypeAlias, TypedDict, Unpack
 
 from . import _boundfit
+from ._answers import Ask
 from ._columns import Column, Missing, Number, Reading, Rows, asked, in_memory, table
 
 #: A column of a file, by its header or its number from 1.
@@ -101,3 +104,14 @@ def readings_of_file(
     )
     named: list[Any] = [name for name in names if name is not None]
     return _boundfit.readings_of_file(os.fspath(path), list(map(str, named)), question, table(**how))
+
+
+def ask(readings: _boundfit.Readings, question: str, **keys: Any) -> Ask:
+    """What answers a question about readings in any form; keys that are None are left out."""
+    given = {key: value for key, value in keys.items() if value is not None}
+    return partial(_boundfit.ask, readings, json.dumps({"ask": question, **given}))
+
+
+def exact(number: Number | None, reading: str) -> dict[str, str] | None:
+    """A number of a question, exactly as it was given."""
+    return None if number is None else {"exact": _boundfit.number_text(number, reading)}

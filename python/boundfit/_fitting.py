@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from functools import partial
 from typing import Unpack, overload
 
 from . import _boundfit
-from ._asking import How, Name, Table, readings, readings_of_file
+from ._asking import How, Name, Table, ask, readings, readings_of_file
 from ._columns import Column, Missing, Number, Reading
 from ._fit import Fit
 from ._x_errors import XErrorFit
@@ -19,7 +18,7 @@ def _fitted(asked: _boundfit.Readings, has_x_errors: bool, eui: bool, confidence
         return Fit(asked, eui, confidence)
     if confidence is not None:
         raise ValueError("confidence is about the band of a single set, and with x_eps there may be two")
-    return XErrorFit(partial(_boundfit.x_errors, asked), asked.reading)
+    return XErrorFit(ask(asked, "fit-x-errors"), asked.reading)
 
 
 @overload

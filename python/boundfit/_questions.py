@@ -8,7 +8,7 @@ from functools import partial
 from typing import Any, Literal, Unpack
 
 from . import _boundfit, _found
-from ._asking import How, readings
+from ._asking import How, ask, exact, readings
 from ._cells import cells
 from ._columns import Column, Number, fraction, is_number, regressors
 from ._found import LinearRange, Outliers, Prediction, Statuses, WindowFit
@@ -71,20 +71,18 @@ class Asked:
 
         :raises ValueError: where that is too much.
         """
-        return Outliers(partial(_boundfit.outliers, self._readings, most, max_sets, max_steps), self._readings.reading)
+        return Outliers(ask(self._readings, "outliers", most=most, max_sets=max_sets, max_steps=max_steps), self._readings.reading)
 
     def range(self, *, by: Literal["x", "row"] | None = None) -> LinearRange:
         """Every run of readings, in order of x or of rows, that some parameters agree with: where a sensor is linear."""
-        return LinearRange(partial(_boundfit.range, self._readings, by), self._readings.reading)
+        return LinearRange(ask(self._readings, "range", by=by), self._readings.reading)
 
     def windows(self, window: int | None = None, *, window_x: Number | None = None, step: int = 1) -> list[WindowFit]:
         """The fits of the last ``window`` readings in order of rows, or of those whose x is at most ``window_x`` less than the
         newest's in order of x, again and again as the window moves on by ``step`` readings."""
-        if window is not None and window_x is not None:
-            raise ValueError("window and window_x both say how far a window reaches back: expected one of them")
-        asked = {"readings": window, "x": window_x, "step": step}
         reading = self._readings.reading
-        return [_found.window(line, reading) for line in _boundfit.windows(self._readings, asked, "json", None).splitlines()]
+        lines = ask(self._readings, "window", window=window, window_x=exact(window_x, reading), step=step)("json", None)
+        return [_found.window(line, reading) for line in lines.splitlines()]
 
 
 def _further(columns: Any, reading: str) -> list[Any]:

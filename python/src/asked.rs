@@ -1,13 +1,14 @@
 //! What is asked, as Python hands it over.
 
-use boundfit::engine::exact::{DecimalMark, Thousands};
+use boundfit::ask::{AskedXBounds, Misuse, Refusal, XErrors};
+use boundfit::engine::exact::{DecimalMark, Limit, Thousands};
 use boundfit::files::{
     AskedBlock, AskedDialect, ColumnSelector, CommentMark, Encoding, EpsilonColumn, Header, InputError,
     Limits, MemoryBudget, Missing, MissingWords, Question, RowCondition, RowRange, RowSet, ScanOptions,
     Setting, SizeLimits, TableOptions, Way,
 };
 use boundfit::questions::Agreement;
-use boundfit::{Condition, Rational, Reading};
+use boundfit::{Condition, Reading};
 use pyo3::prelude::*;
 
 use crate::numbers::{Given, refuse};
@@ -39,20 +40,6 @@ pub(crate) struct Asked {
     x_eps_column: bool,
     /// Whether a line has to agree for every x that they allow.
     strong: bool,
-}
-
-/// The bounds on the errors of x.
-#[derive(Clone)]
-pub(crate) enum AskedXBounds {
-    Uniform(Rational),
-    Column(ColumnSelector),
-}
-
-/// What is said of errors in x.
-#[derive(Clone)]
-pub(crate) struct XErrors {
-    pub(crate) bounds: AskedXBounds,
-    pub(crate) agreement: Agreement,
 }
 
 /// How a file is read.
@@ -143,18 +130,6 @@ impl Asked {
             question.columns.form.x_origin = origin.number_by(reading, texts, "x_origin")?;
         }
         let x_errors = self.x_errors(x_column, [reading, texts])?;
-        if x_errors.is_some() && !is_line {
-            return Err(refuse(
-                "x_eps is about a line: of two regressors it is not known how their errors go together",
-            ));
-        }
-        if x_errors.is_some() && question.multiple_of_least.is_some() {
-            return Err(refuse(format_args!(
-                "eps={:?} is found as if every x were exact: beside x_eps it is a number, and factor tells how far all bounds may \
-                 shrink or have to grow",
-                self.eps.as_ref().map_or("", |eps| &eps.shown)
-            )));
-        }
         Ok((question, x_errors))
     }
 
@@ -165,7 +140,7 @@ impl Asked {
     ) -> PyResult<Option<XErrors>> {
         let bounds = match (&self.x_eps, column) {
             (None, None) if self.strong => {
-                return Err(refuse("strong is about errors in x: x_eps says how large they may be"));
+                return Err(refuse(crate::questions::in_words(&Refusal::Misuse(Misuse::StrongAlone))));
             }
             (None, None) => return Ok(None),
             (_, Some(column)) => AskedXBounds::Column(column.non_negative()),
@@ -339,9 +314,11 @@ pub(crate) fn in_words(error: &InputError) -> String {
 }
 
 /// A way out as this package has it: `decimal="comma" reads 1,5`.
-fn as_argument(way: &Way) -> String {
+pub(crate) fn as_argument(way: &Way) -> String {
     let Way { setting, value, effect } = way;
     match setting {
+        // It has an argument of its own.
+        Setting::Limit(Limit::Steps) => format!("max_steps=... {effect}"),
         Setting::Limit(limit) => format!("limits={{\"{}\": ...}} {effect}", limit.name()),
         setting => {
             let value = match *value {

@@ -185,7 +185,7 @@ fn lines(
 #[pyfunction]
 pub(crate) fn reduce<'py>(py: Python<'py>, readings: &Readings) -> PyResult<Bound<'py, PyBytes>> {
     let text = py.detach(|| {
-        let table = readings.question.reduce(readings.source()?, &readings.options);
+        let table = readings.asked.question.reduce(readings.source()?, &readings.asked.options);
         let mut text = Vec::new();
         table.map_err(|error| in_words(&error))?.write(&mut text).map_err(|error| error.to_string())?;
         Ok(text)

@@ -1,50 +1,32 @@
 //! In which words an answer is given.
 
+pub(crate) use boundfit::ask::Form;
 use boundfit::report::{Document, Style};
 use pyo3::prelude::*;
 
 use crate::numbers::refuse;
 use crate::readings::Readings;
 
-/// In which words an answer is given.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Form {
-    Text,
-    Markdown,
-    Latex,
-    Csv,
-    Json,
-    Proof,
-}
-
 /// What proofs may be about.
 pub(crate) const NO_TEXT: &str = "a proof is about the rows of plain delimited text, and the file is none that the checkers read: \
                                   save the table as CSV, or hand over its columns";
 
-impl Form {
-    pub(crate) fn named(name: &str) -> PyResult<Self> {
-        Ok(match name {
-            "text" => Form::Text,
-            "markdown" => Form::Markdown,
-            "latex" => Form::Latex,
-            "csv" => Form::Csv,
-            "json" => Form::Json,
-            "proof" => Form::Proof,
-            other => {
-                return Err(refuse(format_args!(
-                    "format={other:?}: expected \"text\", \"markdown\", \"latex\", \"csv\" or \"json\""
-                )));
-            }
-        })
-    }
+/// The form with this name.
+fn named(name: &str) -> PyResult<Form> {
+    let found = Form::ALL.into_iter().find(|form| form.name() == name);
+    found.ok_or_else(|| {
+        refuse(format_args!(
+            "format={name:?}: expected \"text\", \"markdown\", \"latex\", \"csv\" or \"json\""
+        ))
+    })
+}
 
-    /// A document in one of its own forms.
-    pub(crate) fn of(self, document: &Document) -> String {
-        match self {
-            Form::Latex => document.to_latex(),
-            Form::Markdown => document.to_markdown(),
-            _ => document.to_text(),
-        }
+/// A document in one of its own forms.
+pub(crate) fn of(form: Form, document: &Document) -> String {
+    match form {
+        Form::Latex => document.to_latex(),
+        Form::Markdown => document.to_markdown(),
+        _ => document.to_text(),
     }
 }
 
@@ -67,7 +49,7 @@ pub(crate) fn asked<R: Written>(
     digits: Option<usize>,
     ask: impl Fn(&R, Form, &Style) -> Result<String, String> + Send + Sync,
 ) -> PyResult<String> {
-    let form = Form::named(form)?;
+    let form = named(form)?;
     let style = Style { digits, ..Style::default() };
     let answer = py.detach(|| match form {
         Form::Proof => ask(&readings.as_text(), form, &style),

@@ -52,7 +52,7 @@ mod _boundfit {
     #[pymodule_export]
     use crate::proofs::verify;
     #[pymodule_export]
-    use crate::questions::{outliers, range, windows, x_errors};
+    use crate::questions::{ask, number_text};
     #[pymodule_export]
     use crate::readings::{Readings, readings_of_columns, readings_of_file};
 }

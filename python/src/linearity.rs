@@ -17,7 +17,7 @@ use pyo3::prelude::*;
 use crate::asked::{Asked, AskedTable, in_words};
 use crate::cells::{NamedColumn, table};
 use crate::data::Data;
-use crate::forms::{Form, Written, asked};
+use crate::forms::{self, Form, Written, asked};
 use crate::numbers::{Given, refuse};
 use crate::readings::check_work;
 
@@ -155,7 +155,7 @@ fn of(
         }
         _ => {
             let origin = data.shown_origin(*reading, *is_stored);
-            Ok(form.of(&linearity_document(&linearity, options, &input, &origin, style)))
+            Ok(forms::of(form, &linearity_document(&linearity, options, &input, &origin, style)))
         }
     }
 }

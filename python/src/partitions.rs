@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use boundfit::Reading;
 use boundfit::files::{ColumnSelector, Limits, Question, ReducedTable, ScanOptions, Source};
+use boundfit::{Reading, ask};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -65,7 +65,8 @@ pub(crate) fn readings_of_reductions(
     let (reading, floats) = (reading_of(&text), asked.reading()?);
     let (question, options) = (reducible(&asked, &names)?, of_reductions(&asked, reading)?);
     let data = Data::Text(NAME, text.into());
-    Ok(Readings { data, names, question, options, x_errors: None, reading, floats, is_stored: false, made })
+    let asked = ask::Asked { question, x_errors: None, options };
+    Ok(Readings { data, names, asked, reading, floats, is_stored: false, made })
 }
 
 /// How a reduction says that its numbers are read: not as was asked, where that was binary64 and some numbers are no doubles.

@@ -19,9 +19,9 @@ use pyo3::prelude::*;
 
 use crate::asked::in_words;
 use crate::cells::{NamedColumn, numbers};
-use crate::forms::{Form, NO_TEXT, asked};
+use crate::forms::{self, Form, NO_TEXT, asked};
 use crate::numbers::{Given, refuse};
-use crate::readings::Readings;
+use crate::readings::{Readings, check_work};
 
 /// Values, and readings that decide, that a proof may be about.
 const MOST_PROVED: usize = 1_000;
@@ -49,7 +49,7 @@ pub(crate) fn predict(
     form: &str,
     digits: Option<usize>,
 ) -> PyResult<String> {
-    let is_line = readings.question.columns.second.is_none();
+    let is_line = readings.asked.question.columns.second.is_none();
     let law = prediction.new_eps.as_ref().map(|given| further_law(given, readings.floats, is_line));
     let law = law.transpose()?;
     let columns = prediction.at.iter().map(|own| values(own, readings.floats));
@@ -82,7 +82,7 @@ impl Predicted {
         for (row, value) in (1..).zip(self.at.iter().chain(&self.from)) {
             work.add_products(row, value.iter(), bits);
         }
-        readings.check(&work, times::PREDICT)?;
+        check_work(&work, times::PREDICT, &readings.asked.options)?;
         let fit = problem.fit();
         let error = match &self.law {
             None => FurtherError::of(&problem.measurements),
@@ -118,7 +118,7 @@ impl Predicted {
             Form::Proof => {
                 return prediction_proof(&prediction, readings.reading).ok_or_else(|| NO_TEXT.to_owned());
             }
-            _ => return Ok(form.of(&prediction_document(&prediction, self.proofs, style))),
+            _ => return Ok(forms::of(form, &prediction_document(&prediction, self.proofs, style))),
         }
         .map_err(|error| error.to_string())?;
         String::from_utf8(bytes).map_err(|error| error.to_string())
@@ -234,9 +234,9 @@ impl New {
         let columns = match problem.measurements.error_bound().uniform() {
             Some(epsilon) => Columns {
                 epsilon: EpsilonColumn::Uniform(epsilon.clone()),
-                ..readings.question.columns.clone()
+                ..readings.asked.question.columns.clone()
             },
-            None => readings.question.columns.clone(),
+            None => readings.asked.question.columns.clone(),
         };
         if matches!(&columns.epsilon, EpsilonColumn::Law(law) if law.needs_range()) {
             return Err("new is about readings with bounds of their own, and a law with range(y) takes them from all of a table: \
@@ -246,7 +246,7 @@ impl New {
         if source.is_reduction() {
             return Err("new is about every reading, and the file is a reduction: judge the table that it was made from".to_owned());
         }
-        let mut options = ScanOptions { hash: false, list_rows: false, ..readings.options.clone() };
+        let mut options = ScanOptions { hash: false, list_rows: false, ..readings.asked.options.clone() };
         (options.table.rows, options.table.conditions) = Default::default();
         if let New::Columns(_, reading) = self {
             options.table.reading = *reading;
@@ -309,7 +309,7 @@ fn status_of(
                 ));
             }
             let leaving = problem.work(&[]).of_leaving_out_each(problem.measurements.kept().len() as u64);
-            readings.check(&leaving, times::FIT)?;
+            check_work(&leaving, times::FIT, &readings.asked.options)?;
             status_proof(&problem, &statuses, readings.reading).ok_or_else(|| NO_TEXT.to_owned())
         }
         _ => {
@@ -326,7 +326,7 @@ fn status_of(
                 NewReadings { file, ranking }
             });
             let report = StatusReport { problem: &problem, fit: &fit, ranking, new, repair };
-            Ok(form.of(&status_document(report, &readings.shown_origin(), style)))
+            Ok(forms::of(form, &status_document(report, &readings.shown_origin(), style)))
         }
     }
 }

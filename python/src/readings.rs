@@ -2,15 +2,16 @@
 
 use std::sync::Arc;
 
+use boundfit::ask::Asked;
 use boundfit::engine::exact::{TooMuchWork, Work};
-use boundfit::files::{ColumnSelector, Keep, Limits, Question, ScanOptions, Source};
-use boundfit::questions::{Guarantee, times};
+use boundfit::files::{ColumnSelector, Keep, Limits, ScanOptions, Source};
+use boundfit::questions::Guarantee;
 use boundfit::report::{Origin, proof_json};
 use boundfit::{ErrorBound, Problem, Reading};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyTuple};
 
-use crate::asked::{Asked, AskedTable, XErrors, in_words};
+use crate::asked::{self, AskedTable, in_words};
 use crate::cells::{NamedColumn, columns_of, table};
 use crate::data::Data;
 use crate::fitted::Fitted;
@@ -22,9 +23,7 @@ pub(crate) struct Readings {
     pub(crate) data: Data,
     /// The names of the columns in the order of their roles.
     pub(crate) names: Vec<String>,
-    pub(crate) question: Question,
-    pub(crate) options: ScanOptions,
-    pub(crate) x_errors: Option<XErrors>,
+    pub(crate) asked: Asked,
     /// How numbers are read.
     pub(crate) reading: Reading,
     /// What a float means in whatever is asked of them.
@@ -47,7 +46,7 @@ pub(crate) fn readings_of_columns(
     asked: Bound<'_, PyAny>,
 ) -> PyResult<Readings> {
     let made = Arc::new(Made { asked: asked.clone().unbind(), table: None });
-    let asked: Asked = asked.extract()?;
+    let asked: asked::Asked = asked.extract()?;
     let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
     let floats = asked.reading()?;
     let (question, x_errors) =
@@ -55,7 +54,8 @@ pub(crate) fn readings_of_columns(
     let (table, reading) = table(&columns, &names, floats)?;
     let options = asked.options(reading)?;
     let data = Data::Columns(Arc::new(table));
-    Ok(Readings { data, names, question, options, x_errors, reading, floats, is_stored: false, made })
+    let asked = Asked { question, x_errors, options };
+    Ok(Readings { data, names, asked, reading, floats, is_stored: false, made })
 }
 
 /// Columns of a file of any format.
@@ -67,13 +67,14 @@ pub(crate) fn readings_of_file(
     table: Bound<'_, PyAny>,
 ) -> PyResult<Readings> {
     let made = Arc::new(Made { asked: asked.clone().unbind(), table: Some(table.clone().unbind()) });
-    let (asked, table): (Asked, AskedTable) = (asked.extract()?, table.extract()?);
+    let (asked, table): (asked::Asked, AskedTable) = (asked.extract()?, table.extract()?);
     let data = Data::File(path);
     let (reading, is_stored) = data.reading(asked.reading()?).map_err(|error| refuse(in_words(&error)))?;
     let (question, x_errors) =
         asked.question(&names, ColumnSelector::name_or_number, [reading; 2], &table.number_limits())?;
     let options = asked.file_options(&table, reading)?;
-    Ok(Readings { data, names, question, options, x_errors, reading, floats: reading, is_stored, made })
+    let asked = Asked { question, x_errors, options };
+    Ok(Readings { data, names, asked, reading, floats: reading, is_stored, made })
 }
 
 #[pymethods]
@@ -113,7 +114,7 @@ impl Readings {
     /// How many regressors there are: one of a line, or two.
     #[getter]
     fn regressors(&self) -> usize {
-        if self.question.columns.second.is_some() { 2 } else { 1 }
+        if self.asked.question.columns.second.is_some() { 2 } else { 1 }
     }
 
     /// What floats mean.
@@ -178,13 +179,11 @@ impl Readings {
 
     /// Columns in memory as the text that proofs are about, and files as they are.
     pub(crate) fn written(&self) -> Readings {
-        let (data, options) = self.data.written(&self.options, self.reading);
+        let (data, options) = self.data.written(&self.asked.options, self.reading);
         Readings {
             data,
             names: self.names.clone(),
-            question: self.question.clone(),
-            options,
-            x_errors: self.x_errors.clone(),
+            asked: Asked { options, ..self.asked.clone() },
             reading: self.reading,
             floats: self.floats,
             is_stored: self.is_stored,
@@ -194,8 +193,9 @@ impl Readings {
 
     /// The problem; its numbers are not too long for a fit.
     pub(crate) fn problem(&self, keep: Keep) -> Result<Problem, String> {
-        let problem = self.question.problem(self.source()?, &self.options, keep);
-        self.short(problem.map_err(|error| in_words(&error))?)
+        let Asked { question, options, .. } = &self.asked;
+        let read = question.measurements(self.source()?, options, keep).map_err(|error| in_words(&error))?;
+        checked(question.problem_within(read, self.most_work()))
     }
 
     /// The problem with every reading in memory.
@@ -209,25 +209,14 @@ impl Readings {
         }
     }
 
-    /// A problem whose numbers are not too long for a fit.
-    pub(crate) fn short(&self, problem: Problem) -> Result<Problem, String> {
-        self.check_problem(&problem, times::FIT)?;
-        Ok(problem)
-    }
-
     /// Refuses a problem that takes so many times what its fit takes.
     pub(crate) fn check_problem(&self, problem: &Problem, times: u64) -> Result<(), String> {
-        self.check(&problem.work(&[]), times * times::looks(problem))
-    }
-
-    /// Refuses so many times this work.
-    pub(crate) fn check(&self, work: &Work, times: u64) -> Result<(), String> {
-        check_work(work, times, &self.options)
+        checked(problem.check_work(times, self.most_work()))
     }
 
     /// How much work is done at most.
     pub(crate) fn most_work(&self) -> u64 {
-        self.options.table.sizes.work
+        self.asked.most_work()
     }
 
     /// Where they come from, for programs.
@@ -247,6 +236,6 @@ pub(crate) fn check_work(work: &Work, times: u64, options: &ScanOptions) -> Resu
 }
 
 /// What would be too much work, in words.
-pub(crate) fn checked(work: Result<(), TooMuchWork>) -> Result<(), String> {
+pub(crate) fn checked<T>(work: Result<T, TooMuchWork>) -> Result<T, String> {
     work.map_err(|error| format!("{error}; limits={{\"work\": ...}} raises it"))
 }

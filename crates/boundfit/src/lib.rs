@@ -91,6 +91,7 @@
 //! | `judge` | the module `judge`: linear programs of any two variables, read from MPS and LP and solved exactly |
 //! | `float-solvers` | solvers whose answers are judged (microlp, Clarabel) |
 //! | `questions` | the module `questions`: statuses of readings, prediction, linearity, outliers, linear range, errors in x |
+//! | `ask` | the module `ask`: a question as JSON says it, answered in any form |
 //! | `verify` | the module `verify`: the checker of proofs |
 //! | `report` | the module `report`: answers as text, JSON, LaTeX, Markdown |
 //! | `figures` | the module `figures`: both planes as SVG and PNG |
@@ -126,6 +127,8 @@ pub use doubles::{fit_doubles, problem_of_doubles};
 pub use number::{Number, NumberError};
 pub use observations::{Error, Observations};
 
+#[cfg(feature = "ask")]
+pub use boundfit_ask as ask;
 #[cfg(feature = "figures")]
 pub use boundfit_figures as figures;
 #[cfg(feature = "lesson")]

@@ -2,6 +2,7 @@
 
 use std::fmt::Display;
 
+use boundfit_ask::{Misuse, Refusal, Surface};
 use boundfit_check::ClaimFileError;
 use boundfit_exact::{Foreign, Limit};
 use boundfit_formats::{InputError, Setting, Way};
@@ -87,6 +88,35 @@ pub(crate) fn raises(limit: Limit) -> String {
     words(&Way::raises(limit))
 }
 
+/// What is asked for in the words of options.
+struct Options;
+
+impl Surface for Options {
+    fn key(&self, key: &str) -> String {
+        format!("'--{}'", key.replace('_', "-"))
+    }
+
+    fn value(&self, key: &str, text: &str) -> String {
+        // As the help shows it.
+        let placeholder = if matches!(key, "window" | "step") { "N" } else { "NUM" };
+        value(&format!("--{} <{placeholder}>", key.replace('_', "-")), text)
+    }
+
+    fn way(&self, way: &Way) -> String {
+        words(way)
+    }
+}
+
+/// A bad value of an option. A long value is cut.
+fn value(option: &str, value: &str) -> String {
+    const LONGEST: usize = 60;
+    let shown = match value.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}...", &value[..end]),
+        None => value.to_owned(),
+    };
+    format!("invalid value '{}' for '{option}'", Foreign::from(shown))
+}
+
 /// Why there is no answer.
 #[derive(Debug)]
 pub(crate) enum Failure {
@@ -117,14 +147,24 @@ impl Failure {
         }
     }
 
-    /// A bad value of an option. A long value is cut.
-    pub(crate) fn value(option: &str, value: &str, problem: impl Display) -> Self {
-        const LONGEST: usize = 60;
-        let shown = match value.char_indices().nth(LONGEST) {
-            Some((end, _)) => format!("{}...", &value[..end]),
-            None => value.to_owned(),
-        };
-        Failure::Usage(format!("invalid value '{}' for '{option}': {problem}", Foreign::from(shown)))
+    /// Why a question about a file has no answer.
+    pub(crate) fn of(refusal: &Refusal, file: Foreign<&str>) -> Self {
+        let words = refusal.words(&Options);
+        match refusal {
+            Refusal::Input(_) => Failure::Data(words),
+            refusal if refusal.is_misuse() => Failure::Usage(words),
+            _ => Failure::Data(format!("{file}: {words}")),
+        }
+    }
+
+    /// What excludes or needs each other.
+    pub(crate) fn misuse(misuse: Misuse) -> Self {
+        Failure::Usage(Refusal::Misuse(misuse).words(&Options))
+    }
+
+    /// A bad value of an option.
+    pub(crate) fn value(option: &str, text: &str, problem: impl Display) -> Self {
+        Failure::Usage(format!("{}: {problem}", value(option, text)))
     }
 
     /// Writes the message to standard error and gives the status. What names texts from outside has made them visible already; of

@@ -13,14 +13,8 @@ pub(crate) fn keep_freed() {
 /// as are those below: the maximum resident set of the program of the tests with 10⁵ different readings of x and y, less that with one,
 /// divided by their number and rounded up. Measured were `convert` and `fit --window` (390).
 pub(crate) const OF_A_READING: usize = 400;
-/// As [`OF_A_READING`], of readings among which outliers are looked for (1,500 where the search stops early).
-pub(crate) const OF_AN_OUTLIER: usize = 2_000;
-/// As [`OF_A_READING`], of readings with errors in x (2,400).
-pub(crate) const OF_AN_X_ERROR: usize = 2_700;
 /// As [`OF_A_READING`], of a calibration (850).
 pub(crate) const OF_A_CALIBRATION: usize = 900;
-/// As [`OF_A_READING`], of readings among which ranges are looked for (780).
-pub(crate) const OF_A_RANGE: usize = 800;
 /// As [`OF_A_READING`], of readings in a figure (380 of its data, more of other figures).
 pub(crate) const OF_A_FIGURE: usize = 700;
 /// As [`OF_A_READING`], of a half-plane of which the polygon is asked: 10⁶ of them took 2.1 GB.

@@ -3,7 +3,7 @@
 use boundfit_estimation::Problem;
 use boundfit_exact::{Foreign, Limit, Rational, TooMuchWork, Work};
 use boundfit_lesson::check_work;
-use boundfit_questions::times::{check_outliers, looks};
+use boundfit_questions::times::check_outliers;
 
 use crate::arguments::LimitArguments;
 use crate::exit::{Failure, raises};
@@ -11,9 +11,7 @@ use crate::exit::{Failure, raises};
 /// How often a command does what a fit does, as far as long numbers are concerned: what it takes for readings of thousands of
 /// digits, divided by what `fit` takes.
 pub(crate) mod times {
-    pub(crate) use boundfit_questions::times::{
-        FIT, LINEARITY, PREDICT, RANGE, STATUS, X_ERROR_STEPS, X_ERRORS,
-    };
+    pub(crate) use boundfit_questions::times::{FIT, LINEARITY, PREDICT, STATUS};
 
     /// Rows on a common denominator, written with all their digits.
     pub(crate) const CONVERT: u64 = 2;
@@ -34,7 +32,7 @@ pub(crate) fn refuse_long_problem(
     times: u64,
     limits: &LimitArguments,
 ) -> Result<(), Failure> {
-    refuse_long(file, &problem.work(&[]), times * looks(problem), limits)
+    refused(file, problem.check_work(times, limits.sizes().work))
 }
 
 /// Refuses a lesson about a problem.
@@ -72,7 +70,7 @@ pub(crate) fn refuse_long_sweep(
     most: &Rational,
     limits: &LimitArguments,
 ) -> Result<(), Failure> {
-    refuse_long(file, &problem.work(&[most]), times::SWEEP * looks(problem), limits)
+    refuse_long(file, &problem.work(&[most]), times::SWEEP * problem.looks(), limits)
 }
 
 /// Refuses so many times this work.

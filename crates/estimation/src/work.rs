@@ -1,7 +1,8 @@
 //! How much work the long numbers of a problem make.
 
-use boundfit_exact::{Rational, Work};
+use boundfit_exact::{Rational, TooMuchWork, Work};
 
+use crate::meaning::Model;
 use crate::measurement::Bounds;
 use crate::problem::Problem;
 
@@ -26,5 +27,20 @@ impl Problem {
             work.add(0, inequality.a.iter().chain([&inequality.b]));
         }
         work
+    }
+
+    /// Refuses what does so many times the work of a fit, if that takes more than this limit. Every answer about a problem is
+    /// preceded by this check. Cost: that of [`Problem::work`].
+    ///
+    /// # Errors
+    /// When it does.
+    pub fn check_work(&self, times: u64, limit: u64) -> Result<(), TooMuchWork> {
+        self.work(&[]).check(times * self.looks(), limit)
+    }
+
+    /// How much more work the least bound takes than that of a line under one bound: it comes from cutting planes then.
+    pub fn looks(&self) -> u64 {
+        let is_line = matches!(self.measurements.model(), Model::Line { .. });
+        if is_line && self.measurements.error_bound().is_uniform() { 1 } else { 4 }
     }
 }

@@ -55,7 +55,6 @@ mod unscripted;
 
 use boundfit_estimation::{Fit, Problem};
 use boundfit_exact::{Reading, TooMuchWork};
-use boundfit_questions::times::looks;
 use serde_json::Value;
 
 pub use crate::options::{LessonError, LessonOptions, MOST_ROWS, MOST_ROWS_EVER};
@@ -104,7 +103,7 @@ pub fn lesson_json(
 pub fn check_work(problem: &Problem, limit: u64) -> Result<(), TooMuchWork> {
     let readings = problem.measurements.kept().len() as u64;
     let work = problem.work(&[]);
-    work.check((FITS + readings) * looks(problem), limit)?;
+    work.check((FITS + readings) * problem.looks(), limit)?;
     work.of_leaving_out_each(readings).check(1, limit)
 }
 

@@ -1,7 +1,7 @@
 //! How often a question does what a fit does, as far as long numbers are concerned: what it takes for readings of thousands of
 //! digits, divided by what a fit takes. [`Problem::work`] times one of these is what is to be refused where it is too much.
 
-use boundfit_estimation::{Measurement, Model, Problem};
+use boundfit_estimation::{Measurement, Problem};
 use boundfit_exact::TooMuchWork;
 
 /// A fit, or one answer about a linear program.
@@ -24,12 +24,6 @@ pub const X_ERRORS: u64 = 16;
 /// The bisection of the least factor under errors in x, of every word that is not short.
 pub const X_ERROR_STEPS: u64 = 135;
 
-/// How much more than of a line under one bound the least bound of a problem takes, which comes from cutting planes then.
-pub fn looks(problem: &Problem) -> u64 {
-    let is_line = matches!(problem.measurements.model(), Model::Line { .. });
-    if is_line && problem.measurements.error_bound().is_uniform() { 1 } else { 4 }
-}
-
 /// Refuses to look for outliers, which is done where any two bounds cross, if that takes more than this limit.
 ///
 /// # Errors
@@ -37,7 +31,7 @@ pub fn looks(problem: &Problem) -> u64 {
 pub fn check_outliers(problem: &Problem, limit: u64) -> Result<(), TooMuchWork> {
     let readings = problem.measurements.kept().len() as u64;
     let work = problem.work(&[]);
-    work.check((OUTLIERS + readings) * looks(problem), limit)?;
+    work.check((OUTLIERS + readings) * problem.looks(), limit)?;
     work.of_leaving_out_each(readings).check(CROSSINGS, limit)
 }
 

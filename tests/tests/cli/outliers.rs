@@ -163,8 +163,8 @@ fn what_cannot_be_answered_is_refused() {
         &format!("{norris}.5 --limit steps=2000 --most 30"),
         1,
         &format!(
-            "{file}: to see how the set grows takes 5184 crossings of bounds, more than 2000; --limit steps=N raises it, a \
-             smaller '--most' takes fewer"
+            "{file}: to see how the set grows takes 5184 crossings of bounds, more than 2000, and a smaller '--most' takes \
+             fewer; --limit steps=N raises it"
         ),
     );
     let reduced = printed(&root(), "reduce fixtures/norris/norris.csv --x x --y y");
@@ -173,6 +173,6 @@ fn what_cannot_be_answered_is_refused() {
         directory.path(),
         "outliers reduced.csv --x x --y y --eps 1",
         2,
-        "outliers are looked for among all readings, and reduced.csv is a reduction: take the table that it was made from",
+        "'outliers' is about every reading, and the data are a reduction: ask about the table that it was made from",
     );
 }

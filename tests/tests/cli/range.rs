@@ -114,7 +114,7 @@ fn range_refuses_what_has_no_order_of_x_and_what_has_not_every_reading() {
         &root(),
         "range fixtures/transducer/transducer.csv --x Vz,z --y z --eps 1 --by-x",
         2,
-        "'--by-x' is about a line: two regressors have no order of x; '--by-row' takes them as they stand",
+        "two regressors have no order of x (expected the order of rows)",
     );
     let both = boundfit(&root(), &format!("range {TRANSDUCER} --by-x --by-row"));
     assert_eq!((both.status, both.stdout.as_str()), (2, ""));
@@ -125,13 +125,13 @@ fn range_refuses_what_has_no_order_of_x_and_what_has_not_every_reading() {
         directory.path(),
         "range reduced.csv --x x --y y --eps 2",
         2,
-        "'range' is about every reading, and reduced.csv is a reduction: ask about the table that it was made from",
+        "'range' is about every reading, and the data are a reduction: ask about the table that it was made from",
     );
     refuses(
         directory.path(),
         "fit reduced.csv --x x --y y --eps 2 --window 3",
         2,
-        "windows are about every reading, and reduced.csv is a reduction: ask about the table that it was made from",
+        "'window' is about every reading, and the data are a reduction: ask about the table that it was made from",
     );
 }
 

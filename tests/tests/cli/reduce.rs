@@ -257,7 +257,7 @@ fn what_fixed_bounds_do_not_serve_is_refused() {
             "--x u,v --y y --eps 3",
             "fit F --x u,v --y y --eps min",
             2,
-            "'--eps min' moves the error bounds, and the data are a reduction",
+            "'--eps' asks for a multiple of eps_min, which moves the error bounds, and the data are a reduction",
         ),
         (
             "--x u,v --y y --eps 3",

@@ -120,7 +120,7 @@ fn what_cannot_be_asked_is_refused() {
     let reduced = boundfit(directory.path(), &format!("status small.csv {options}"));
     assert_eq!(reduced.status, 2);
     assert!(
-        reduced.stderr.contains("'status' is about every reading, and small.csv is a reduction"),
+        reduced.stderr.contains("'status' is about every reading, and the data are a reduction"),
         "{reduced:?}"
     );
 }

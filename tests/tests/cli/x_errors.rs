@@ -163,8 +163,8 @@ fn what_errors_in_x_do_not_go_with_is_refused() {
         ),
         (
             "--x U --y I --eps min --x-eps 1",
-            "'--eps min' is found as if every x were exact: with '--x-eps' give '--eps' as a number, and read from the report by which \
-             factor all bounds may shrink or have to grow",
+            "'--eps' asks for a multiple of eps_min, which is found as if every x were exact: beside '--x-eps' it is a number, and the \
+             answer says by which factor all bounds may shrink or have to grow",
         ),
         (
             "--x U --y I --eps 1 --x-eps 1e99999999",
@@ -268,7 +268,10 @@ fn pictures_that_there_are_not_with_errors_in_x_are_refused() {
     for (options, message) in [
         ("--x U --y I --eps 2 --strong", "'--strong' is about errors in x"),
         ("--x U,I --y I --eps 2 --x-eps 1", "'--x-eps' is about a line"),
-        ("--x U --y I --eps min --x-eps 1", "'--eps min' is found as if every x were exact"),
+        (
+            "--x U --y I --eps min --x-eps 1",
+            "'--eps' asks for a multiple of eps_min, which is found as if every x were exact",
+        ),
         ("--x U --y I --eps 1 --x-eps -1", "invalid value '-1' for '--x-eps <NUM|COL>': negative"),
     ] {
         let run = plot(CURRENT, options);

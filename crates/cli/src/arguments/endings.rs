@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use boundfit_ask::Form;
 use clap::ValueEnum;
 
 use crate::exit::Failure;
@@ -31,6 +32,18 @@ pub(crate) enum TableFormat {
     Csv,
 }
 
+impl From<TableFormat> for Form {
+    fn from(format: TableFormat) -> Self {
+        match format {
+            TableFormat::Text => Form::Text,
+            TableFormat::Json => Form::Json,
+            TableFormat::Latex => Form::Latex,
+            TableFormat::Markdown => Form::Markdown,
+            TableFormat::Csv => Form::Csv,
+        }
+    }
+}
+
 /// Formats of a fit or a region.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub(crate) enum ReportFormat {
@@ -57,9 +70,22 @@ pub(crate) enum ReportFormat {
 }
 
 impl ReportFormat {
+    /// The form of an answer that is this; scripts and files of half-planes are those of one set.
+    pub(crate) fn form(self) -> Option<Form> {
+        Some(match self {
+            ReportFormat::Text => Form::Text,
+            ReportFormat::Json => Form::Json,
+            ReportFormat::Latex => Form::Latex,
+            ReportFormat::Markdown => Form::Markdown,
+            ReportFormat::Csv => Form::Csv,
+            ReportFormat::Wkt => Form::Wkt,
+            ReportFormat::M | ReportFormat::Ine | ReportFormat::Ext => return None,
+        })
+    }
+
     /// Whether the answer says what the table was taken for.
     pub(crate) fn has_input(self) -> bool {
-        matches!(self, ReportFormat::Text | ReportFormat::Json | ReportFormat::Latex | ReportFormat::Markdown)
+        self.form().is_some_and(Form::has_input)
     }
 }
 

@@ -1,13 +1,13 @@
 //! The arguments of `boundfit fit`.
 
+use boundfit_ask::{Given, Window};
 use boundfit_exact::{Limit, Rational};
 use boundfit_formats::ColumnSelector;
-use boundfit_questions::{Extent, Moving};
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, value_parser};
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
-use super::values::{number_problem, parse_column, parse_confidence, parse_factors};
+use super::values::{parse_column, parse_confidence, parse_factors};
 use super::{
     DataArguments, FactorRange, OutputArguments, ReportFormat, ThreadArguments, XErrorArguments, limits,
 };
@@ -146,33 +146,12 @@ impl FitArguments {
     }
 
     /// The windows that are asked for, if they are.
-    pub(crate) fn moving(&self) -> Result<Option<Moving>, Failure> {
-        const EXPECTED: &str = "expected a number above 0, such as 60 or 0.5";
-        let extent = match (self.window, &self.window_x) {
-            (Some(count), _) => Extent::Readings(limits::size(count)),
-            (None, Some(_)) if self.data.has_two_regressors() => {
-                return Err(Failure::Usage(
-                    "'--window-x' is about a line: two regressors have no x to look back along; '--window' counts readings"
-                        .to_owned(),
-                ));
-            }
-            (None, Some(text)) => {
-                let refuse = |problem: String| Failure::value("--window-x <NUM>", text, problem);
-                let span = self.data.table.reading.read(text, &self.data.table.limits.number());
-                let span = span.map_err(|error| refuse(number_problem(&error, EXPECTED)))?;
-                if !span.is_positive() {
-                    return Err(refuse(EXPECTED.to_owned()));
-                }
-                Extent::X(span)
-            }
-            (None, None) if self.step.is_some() => {
-                return Err(Failure::Usage(
-                    "'--step' says how far a window moves on: say which with '--window' or '--window-x'"
-                        .to_owned(),
-                ));
-            }
-            (None, None) => return Ok(None),
-        };
-        Ok(Some(Moving { extent, step: self.step.map_or(1, limits::size) }))
+    pub(crate) fn window(&self) -> Option<Window> {
+        let is_asked = self.window.is_some() || self.window_x.is_some() || self.step.is_some();
+        is_asked.then(|| Window {
+            window: self.window.map(limits::size),
+            window_x: self.window_x.clone().map(Given::Read),
+            step: self.step.map(limits::size),
+        })
     }
 }

@@ -46,8 +46,8 @@ pub(crate) use playground::PlaygroundArguments;
 pub(crate) use plot::{Figures, PlotArguments};
 pub(crate) use polygon::PolygonArguments;
 pub(crate) use predict::PredictArguments;
-pub(crate) use range::{RangeArguments, RangeFormat};
-pub(crate) use reading::Asked;
+pub(crate) use range::RangeArguments;
+pub(crate) use reading::assumption;
 pub(crate) use reduce::ReduceArguments;
 pub(crate) use rows::RowArguments;
 pub(crate) use shared::{

@@ -1,6 +1,8 @@
 //! The arguments of `boundfit outliers`.
 
+use boundfit_ask::Outliers;
 use boundfit_exact::Limit;
+use boundfit_questions::OutlierLimits;
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 
@@ -53,4 +55,12 @@ pub(crate) struct OutliersArguments {
     pub(crate) threads: ThreadArguments,
     #[command(flatten)]
     pub(crate) output: OutputArguments<TableFormat>,
+}
+
+impl OutliersArguments {
+    /// What is asked.
+    pub(crate) fn question(&self) -> Outliers {
+        let OutlierLimits { sets, steps } = self.data.table.limits.outliers();
+        Outliers { most: self.most.map(|most| most as usize), max_sets: Some(sets), max_steps: Some(steps) }
+    }
 }

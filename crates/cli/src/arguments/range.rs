@@ -1,14 +1,11 @@
 //! The arguments of `boundfit range`.
 
-use boundfit_estimation::Model;
-use boundfit_questions::Order;
+use boundfit_ask::Range;
+use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
-use clap::{Args, ValueEnum};
 
-use super::endings::NamedFormat;
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
-use super::{DataArguments, OutputArguments, ThreadArguments};
-use crate::exit::Failure;
+use super::{DataArguments, OutputArguments, TableFormat, ThreadArguments};
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -56,43 +53,17 @@ pub(crate) struct RangeArguments {
     #[command(flatten)]
     pub(crate) threads: ThreadArguments,
     #[command(flatten)]
-    pub(crate) output: OutputArguments<RangeFormat>,
+    pub(crate) output: OutputArguments<TableFormat>,
 }
 
 impl RangeArguments {
-    /// In which order readings of this model are taken.
-    pub(crate) fn order(&self, model: &Model) -> Order {
-        match (self.by_x, self.by_row) {
-            (true, _) => Order::X,
-            (_, true) => Order::Row,
-            _ => Order::natural(model),
-        }
+    /// What is asked.
+    pub(crate) fn question(&self) -> Range {
+        let by = match (self.by_x, self.by_row) {
+            (true, _) => Some("x".to_owned()),
+            (_, true) => Some("row".to_owned()),
+            _ => None,
+        };
+        Range { by }
     }
-
-    /// Refuses an order of x where there is no x.
-    pub(crate) fn check_order(&self) -> Result<(), Failure> {
-        match self.by_x && self.data.has_two_regressors() {
-            true => Err(Failure::Usage(
-                "'--by-x' is about a line: two regressors have no order of x; '--by-row' takes them as they stand".to_owned(),
-            )),
-            false => Ok(()),
-        }
-    }
-}
-
-/// Formats of a linear range, and of windows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub(crate) enum RangeFormat {
-    /// A report for people
-    #[default]
-    Text,
-    /// Everything, for programs
-    Json,
-    /// A table with a row for each run
-    Csv,
-}
-
-impl NamedFormat for RangeFormat {
-    const ENDINGS: &'static [(&'static str, Self)] =
-        &[("json", RangeFormat::Json), ("csv", RangeFormat::Csv), ("txt", RangeFormat::Text)];
 }

@@ -1,14 +1,16 @@
 //! From options to what the libraries take.
 
+use boundfit_ask::{Asked, FitXErrors, Misuse};
 use boundfit_estimation::{
     AskedBound, Columns, Condition, EpsilonColumn, Keep, LineForm, Measurements, ParseBoundErrorKind,
-    ParseConditionError, ParseConditionErrorKind, ParseTextError, Problem, TextProblem,
+    ParseConditionError, ParseConditionErrorKind, ParseTextError, Problem, Question, TextProblem,
 };
-use boundfit_exact::{Foreign, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading, Work};
+use boundfit_exact::{Foreign, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading};
 use boundfit_formats::{
     AskedDialect, Header, InputError, InputErrorKind, MissingWords, ScanOptions, Source, TableOptions,
 };
 use boundfit_lesson::LessonError;
+use boundfit_questions::XErrorProblem;
 use boundfit_report::{Origin, Style};
 use clap::ValueEnum;
 
@@ -16,16 +18,12 @@ use super::shared::{EpsilonArguments, LineArguments};
 use super::values::number_problem;
 use super::{
     DataArguments, LabelArguments, OutputArguments, ReduceArguments, RowArguments, TableArguments,
-    ThreadArguments,
+    ThreadArguments, XErrorArguments,
 };
 use crate::exit::Failure;
 use crate::input;
 use crate::memory;
 use crate::progress::ReadingProgress;
-use crate::work::{refuse_long, refuse_long_problem, times};
-
-const LEAST_OF_FIXED: &str = "'--eps min' moves the error bounds, and the data are a reduction under bounds that are fixed: fit the \
-                              table that it was made from";
 
 impl DataArguments {
     /// The file in the words of reports.
@@ -104,16 +102,6 @@ impl<'a> Data<'a> {
         TableOptions { row_cost: self.row_cost, most_wanted: self.most_wanted, ..options }
     }
 
-    /// The options that say which readings are fitted.
-    pub(super) fn arguments(&self) -> &'a DataArguments {
-        self.arguments
-    }
-
-    /// The file, if it could be opened.
-    pub(super) fn source(self) -> Result<Source, Failure> {
-        self.source
-    }
-
     /// Reads the problem.
     pub(crate) fn problem(self) -> Result<Problem, Failure> {
         self.read(|table| table)
@@ -176,34 +164,35 @@ impl<'a> Data<'a> {
         self.scanned(asked, keep, |options| ScanOptions { hash, list_rows, ..options })
     }
 
-    /// Reads the problem with every reading, of which equal ones are kept once where there are many; with the hash of the data and
-    /// the rows fitted if they will be shown.
-    pub(crate) fn counted_readings(self, hash: bool, list_rows: bool) -> Result<Problem, Failure> {
-        if self.source.as_ref().is_ok_and(Source::is_reduction) {
-            return self.every_reading(hash, list_rows);
-        }
-        let asked = self.asked()?;
-        let arguments = self.arguments;
+    /// What is asked of which readings, and the file they stand in.
+    pub(crate) fn asked_with(self, x_errors: Option<&XErrorArguments>) -> Result<(Asked, Source), Failure> {
+        let question = self.asked()?;
+        let limits = self.arguments.table.limits.number();
+        let x_errors = x_errors.map(|own| own.asked(self.origin.reading, &limits)).transpose()?.flatten();
         let (source, options) = self.scan()?;
-        asked.check(&source)?;
-        let options = ScanOptions { hash, list_rows, ..options };
-        let read = Measurements::read_counted(source, &asked.columns, &[], &options, Keep::MOST_ROWS);
-        asked.short_problem(read.map_err(Failure::refused)?.0, arguments)
+        Ok((Asked { question, x_errors, options }, source))
+    }
+
+    /// Reads the readings with the bounds on the errors of x, and those that are not fitted, for pictures.
+    pub(crate) fn x_error_problem(self, x_errors: &XErrorArguments) -> Result<XErrorProblem, Failure> {
+        let file = self.arguments.file_name();
+        let (asked, source) = self.asked_with(Some(x_errors))?;
+        asked
+            .x_error_problem(source, FitXErrors::ROW_COST, true)
+            .map_err(|refusal| Failure::of(&refusal, file))
     }
 
     fn scanned(
         self,
-        asked: Asked,
+        asked: Question,
         keep: Keep,
         with: impl FnOnce(ScanOptions) -> ScanOptions,
     ) -> Result<Problem, Failure> {
         let arguments = self.arguments;
         let (source, options) = self.scan()?;
-        asked.check(&source)?;
-        let options = with(options);
-        let conditions = asked.all_conditions();
-        let measurements = Measurements::scan(source, &asked.columns, &conditions, &options, keep);
-        asked.short_problem(measurements.map_err(Failure::refused)?, arguments)
+        refuse_moving(&asked, &source)?;
+        let measurements = asked.measurements(source, &with(options), keep);
+        short_problem(&asked, measurements.map_err(Failure::refused)?, arguments)
     }
 
     /// The file, and how it is read in parts.
@@ -220,13 +209,13 @@ impl<'a> Data<'a> {
         let table = self.arguments.table.options(self.origin.reading, Some(&self.arguments.rows))?;
         let options = self.limited(with(table));
         let source = self.source?;
-        asked.check(&source)?;
+        refuse_moving(&asked, &source)?;
         let measurements = Measurements::read(source, &asked.columns, &options).map_err(refused_reading)?;
-        asked.short_problem(measurements, self.arguments)
+        short_problem(&asked, measurements, self.arguments)
     }
 
     /// The columns, conditions and error bound asked for.
-    pub(crate) fn asked(&self) -> Result<Asked, Failure> {
+    pub(crate) fn asked(&self) -> Result<Question, Failure> {
         let (arguments, reading) = (self.arguments, self.origin.reading);
         let limits = arguments.table.limits.number();
         let asked = arguments.epsilon.asked(reading, &limits, arguments.x.second.is_some())?;
@@ -240,8 +229,26 @@ impl<'a> Data<'a> {
             epsilon,
             form: arguments.line.form(reading, &limits, arguments.x.second.is_some())?,
         };
-        Ok(Asked { columns, conditions, multiple_of_least })
+        Ok(Question { columns, conditions, multiple_of_least })
     }
+}
+
+/// Refuses a multiple of the least bound of readings that were reduced under others.
+fn refuse_moving(asked: &Question, source: &Source) -> Result<(), Failure> {
+    match asked.moves_fixed_bounds(source) {
+        true => Err(Failure::misuse(Misuse::LeastOfFixed)),
+        false => Ok(()),
+    }
+}
+
+/// The problem of some readings, whose numbers are not too long for a fit.
+fn short_problem(
+    asked: &Question,
+    measurements: Measurements,
+    data: &DataArguments,
+) -> Result<Problem, Failure> {
+    let problem = asked.problem_within(measurements, data.table.limits.sizes().work);
+    problem.map_err(|error| Failure::of(&error.into(), data.file_name()))
 }
 
 /// Why readings cannot be had; of more than a lesson shows, what to do.
@@ -364,104 +371,19 @@ impl ReduceArguments {
     }
 }
 
-/// What is to be read, and what is to be fitted to it.
-pub(crate) struct Asked {
-    pub(crate) columns: Columns,
-    conditions: Vec<Condition>,
-    /// Of `--eps 1.2*min` the factor.
-    multiple_of_least: Option<Rational>,
-}
-
-impl Asked {
-    /// The conditions, with the one that belongs to lines through the origin.
-    fn all_conditions(&self) -> Vec<Condition> {
-        let no_intercept = self.columns.form.through_origin.then(Condition::no_intercept);
-        self.conditions.iter().cloned().chain(no_intercept).collect()
-    }
-
-    /// Refuses a multiple of the least bound of readings that were reduced under others.
-    fn check(&self, source: &Source) -> Result<(), Failure> {
-        let is_fixed = source.is_reduction() && self.columns.second.is_some();
-        match self.multiple_of_least.is_some() && is_fixed {
-            true => Err(Failure::Usage(LEAST_OF_FIXED.to_owned())),
-            false => Ok(()),
-        }
-    }
-
-    /// Whether the error bound is a multiple of the least one.
-    pub(super) fn is_multiple_of_least(&self) -> bool {
-        self.multiple_of_least.is_some()
-    }
-
-    /// The problem of some readings, whose numbers are not too long for a fit.
-    pub(super) fn short_problem(
-        &self,
-        measurements: Measurements,
-        data: &DataArguments,
-    ) -> Result<Problem, Failure> {
-        let check = |problem: &Problem| {
-            refuse_long_problem(data.file_name(), problem, times::FIT, &data.table.limits)
-        };
-        let every = self.work_of_every(measurements.kept().len());
-        refuse_long(data.file_name(), &every, times::FIT, &data.table.limits)?;
-        // A multiple of the least bound is work too.
-        let stated = self.stated_problem(measurements);
-        check(&stated)?;
-        let problem = self.problem(stated.measurements);
-        check(&problem)?;
-        Ok(problem)
-    }
-
-    /// The problem of some readings under the bound that is stated, where that is no multiple of the least one.
-    pub(crate) fn stated_problem(&self, measurements: Measurements) -> Problem {
-        Problem { measurements, conditions: self.conditions.clone() }
-    }
-
-    /// The problem of some readings.
-    pub(crate) fn problem(&self, measurements: Measurements) -> Problem {
-        let problem = Problem { measurements, conditions: self.conditions.clone() };
-        let problem = if self.columns.form.through_origin { problem.through_origin() } else { problem };
-        match &self.multiple_of_least {
-            Some(factor) => problem.with_multiple_of_least(factor),
-            None => problem,
-        }
-    }
-
-    /// Whether nothing is known of the parameters beside the readings and their error bound, which is given.
-    pub(crate) fn is_plain(&self) -> bool {
-        self.conditions.is_empty() && self.multiple_of_least.is_none() && !self.columns.form.through_origin
-    }
-
-    /// Whether a bound or an origin that is the same for all readings is so long that it counts in each.
-    pub(crate) fn has_long_bound(&self) -> bool {
-        let is_long = |number: &Rational| Work::of_numbers(&[number]).products(1) > 0;
-        let is_long_bound =
-            matches!(&self.columns.epsilon, EpsilonColumn::Uniform(epsilon) if is_long(epsilon));
-        is_long_bound || is_long(&self.columns.form.x_origin)
-    }
-
-    /// The work on what each of so many readings gets beside its own numbers, estimated before memory is taken for it: the bound
-    /// and the origin that are the same for all, and where the bound comes from the readings, what it may take from a condition.
-    pub(crate) fn work_of_every(&self, readings: usize) -> Work {
-        let right_sides = self.conditions.iter().map(|condition| &condition.inequality().b);
-        let longest = right_sides.max_by_key(|number| number.bits());
-        self.columns.work_of_every(readings, longest.filter(|_| self.multiple_of_least.is_some()))
-    }
-
-    /// What the answers about many groups stand and fall with, as a line; nothing where the error bound is given.
-    pub(crate) fn assumption(&self) -> String {
-        let times = |factor: &Rational| match *factor == Rational::one() {
-            true => String::new(),
-            false => format!("{factor} times "),
-        };
-        let factor = self.multiple_of_least.as_ref();
-        factor.map_or_else(String::new, |factor| {
-            format!(
-                "Assumed: no error is larger than {}eps_min of its own group, a bound found from these very readings\n",
-                times(factor)
-            )
-        })
-    }
+/// What the answers about many groups stand and fall with, as a line; nothing where the error bound is given.
+pub(crate) fn assumption(question: &Question) -> String {
+    let times = |factor: &Rational| match *factor == Rational::one() {
+        true => String::new(),
+        false => format!("{factor} times "),
+    };
+    let factor = question.multiple_of_least.as_ref();
+    factor.map_or_else(String::new, |factor| {
+        format!(
+            "Assumed: no error is larger than {}eps_min of its own group, a bound found from these very readings\n",
+            times(factor)
+        )
+    })
 }
 
 /// What `--eps` asks for.

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use boundfit_ask::Form;
 use boundfit_check::{CheckOptions, check, source_names};
 use boundfit_estimation::{ErrorBound, Family, Fit, Measurements, Problem, fit};
 use boundfit_exact::{Foreign, Rational, Reading};
@@ -14,6 +15,7 @@ use boundfit_report::{
 
 use crate::CommandResult;
 use crate::arguments::{FactorRange, FitArguments, ReportFormat};
+use crate::commands::asked::Job;
 use crate::commands::{fleet, proof_file, window, x_errors};
 use crate::exit::{Exit, Failure};
 use crate::input;
@@ -32,7 +34,6 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     check_usage_of_proof(arguments)?;
     let format = arguments.output.format()?;
     check_usage_of_parts(arguments, format)?;
-    let moving = arguments.moving()?;
     let output = arguments.output.file.output.as_deref();
     let mut guard = arguments.output.file.replace.guard([arguments.data.path()]);
     guard.check(output)?;
@@ -43,8 +44,8 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     if let Some(by) = &arguments.by {
         return fleet::run(arguments, by, format, &guard);
     }
-    if let Some(moving) = &moving {
-        return window::run(arguments, moving, format, &guard);
+    if let Some(window) = arguments.window() {
+        return window::run(arguments, &window, format, &mut guard);
     }
     let data = arguments.data.open();
     let origin = data.origin();
@@ -113,6 +114,20 @@ pub(crate) fn run(arguments: &FitArguments) -> CommandResult {
     };
     proof_file::write(report.as_bytes(), output, proof, &mut guard)?;
     Ok(if fit.fps.polyhedron().region().is_empty() { Exit::Empty } else { Exit::Answer })
+}
+
+impl FitArguments {
+    /// What is asked about, and where the answer goes.
+    pub(super) fn job(&self, form: Form) -> Job<'_> {
+        Job {
+            data: &self.data,
+            x_errors: None,
+            form,
+            style: self.data.table.limits.limited(self.output.style()),
+            output: self.output.file.output.as_deref(),
+            proof: self.proof.as_deref(),
+        }
+    }
 }
 
 /// Refuses what only some formats have.

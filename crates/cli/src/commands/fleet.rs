@@ -3,7 +3,7 @@
 use std::io::{self, IsTerminal, Write};
 use std::ops::Range;
 
-use boundfit_estimation::{Fleet, GroupFit};
+use boundfit_estimation::{Fleet, GroupFit, Question};
 use boundfit_exact::{Foreign, Work};
 use boundfit_formats::{ColumnSelector, ScanOptions};
 use boundfit_report::{
@@ -12,7 +12,7 @@ use boundfit_report::{
 };
 
 use crate::CommandResult;
-use crate::arguments::{Asked, DataArguments, FitArguments, ReportFormat};
+use crate::arguments::{DataArguments, FitArguments, ReportFormat, assumption};
 use crate::exit::{Exit, Failure};
 use crate::input;
 use crate::output::{Guard, Output, Stop};
@@ -48,7 +48,7 @@ pub(crate) fn run(
             output.finish()?;
             if format != ReportFormat::Text {
                 // The answer is written, whether or not somebody reads the summary.
-                let _ = io::stderr().write_all((summary.to_text() + &asked.assumption()).as_bytes());
+                let _ = io::stderr().write_all((summary.to_text() + &assumption(&asked)).as_bytes());
             }
         }
         Err(Stop::Closed) => {}
@@ -58,7 +58,7 @@ pub(crate) fn run(
 }
 
 /// Reads the groups that a column makes, whose numbers are not too long for a fit of each.
-pub(super) fn read(arguments: &DataArguments, by: &ColumnSelector) -> Result<(Asked, Fleet), Failure> {
+pub(super) fn read(arguments: &DataArguments, by: &ColumnSelector) -> Result<(Question, Fleet), Failure> {
     let data = arguments.open();
     let asked = data.asked()?;
     let (source, options) = data.scan()?;
@@ -69,7 +69,7 @@ pub(super) fn read(arguments: &DataArguments, by: &ColumnSelector) -> Result<(As
 }
 
 /// Refuses groups whose numbers are long. A multiple of the least bound is not looked for: it is work itself.
-fn refuse_long_groups(arguments: &DataArguments, asked: &Asked, fleet: &Fleet) -> Result<(), Failure> {
+fn refuse_long_groups(arguments: &DataArguments, asked: &Question, fleet: &Fleet) -> Result<(), Failure> {
     if !asked.has_long_bound() && !fleet.has_fractions() {
         return Ok(());
     }
@@ -83,7 +83,7 @@ fn refuse_long_groups(arguments: &DataArguments, asked: &Asked, fleet: &Fleet) -
 /// What is to be fitted and how it is shown.
 struct Job<'a> {
     fleet: &'a Fleet,
-    asked: &'a Asked,
+    asked: &'a Question,
     style: Style,
 }
 
@@ -135,7 +135,7 @@ impl Job<'_> {
         })?;
         let mut text = String::new();
         table.finish(&mut text);
-        let summary = whole.to_text() + &table_line(self.fleet.table()) + &self.asked.assumption();
+        let summary = whole.to_text() + &table_line(self.fleet.table()) + &assumption(self.asked);
         output.write(format!("{text}\n{summary}").as_bytes())
     }
 
@@ -143,11 +143,7 @@ impl Job<'_> {
     fn each(&self, groups: Range<usize>, mut show: impl FnMut(Foreign<&str>, &GroupFit)) -> FleetSummary {
         let mut summary = FleetSummary::default();
         for group in groups {
-            let line = self.asked.is_plain().then(|| self.fleet.group_fit(group)).flatten();
-            let line = line.unwrap_or_else(|| {
-                let problem = self.asked.problem(self.fleet.measurements(group));
-                GroupFit::of(&problem, &problem.fit())
-            });
+            let line = self.asked.of_group(self.fleet, group);
             summary.add(self.fleet.key(group), &line);
             show(self.fleet.key(group), &line);
         }
@@ -158,7 +154,7 @@ impl Job<'_> {
     fn each_whole(&self, groups: Range<usize>, mut show: impl FnMut(GroupReport<'_>)) -> FleetSummary {
         let mut summary = FleetSummary::default();
         for group in groups {
-            let problem = self.asked.problem(self.fleet.measurements(group));
+            let problem = self.asked.of_measurements(self.fleet.measurements(group));
             let fit = problem.fit();
             let line = GroupFit::of(&problem, &fit);
             summary.add(self.fleet.key(group), &line);

@@ -1,10 +1,6 @@
 //! One file per command.
 
-use boundfit_estimation::Problem;
-use boundfit_exact::Foreign;
-
-use crate::exit::Failure;
-
+mod asked;
 pub(crate) mod bench_solvers;
 pub(crate) mod check;
 pub(crate) mod completions;
@@ -29,13 +25,3 @@ pub(crate) mod status;
 pub(crate) mod verify;
 pub(crate) mod window;
 pub(crate) mod x_errors;
-
-/// Refuses data that have not every reading, where "'range' is", or whatever else, about each of them.
-fn refuse_reductions(problem: &Problem, file: Foreign<&str>, what_is: &str) -> Result<(), Failure> {
-    match problem.measurements.is_of_reductions() {
-        true => Err(Failure::Usage(format!(
-            "{what_is} about every reading, and {file} is a reduction: ask about the table that it was made from"
-        ))),
-        false => Ok(()),
-    }
-}

@@ -1,7 +1,5 @@
 //! The file of `--proof`, beside a report.
 
-use boundfit_exact::Foreign;
-
 use crate::exit::Failure;
 use crate::output::{self, Guard};
 
@@ -29,11 +27,4 @@ pub(super) fn write(
     let proof = proof.as_ref().map(|(text, file)| (text.as_bytes(), Some(*file)));
     let parts: Vec<_> = proof.into_iter().chain([(report, output)]).collect();
     output::write_together(&parts, guard)
-}
-
-/// Why there is no proof of data like this.
-pub(super) fn no_text(file: Foreign<&str>) -> Failure {
-    Failure::Usage(format!(
-        "'--proof' is about the rows of delimited text, and {file} is none that the checkers read (docs/proof.md)"
-    ))
 }

@@ -1,5 +1,6 @@
 //! `boundfit status`.
 
+use boundfit_ask::Refusal;
 use boundfit_estimation::{Columns, EpsilonColumn, Fit, Keep, Measurement, Measurements, Problem, fit};
 use boundfit_exact::{DecimalMark, Foreign};
 use boundfit_formats::{InputError, InputErrorKind, RowRange, RowSet, ScanOptions, Source};
@@ -8,7 +9,7 @@ use boundfit_report::{
     NewReadings, Origin, StatusCsv, StatusJson, StatusReport, Style, status_document, status_proof,
 };
 
-use super::{proof_file, refuse_reductions};
+use super::proof_file;
 use crate::CommandResult;
 use crate::arguments::{StatusArguments, TableFormat};
 use crate::exit::{Exit, Failure};
@@ -42,7 +43,9 @@ pub(crate) fn run(arguments: &StatusArguments) -> CommandResult {
     } else {
         data.every_reading(true, has_proof)?
     };
-    refuse_reductions(&problem, arguments.data.file_name(), "'status' is")?;
+    if problem.measurements.is_of_reductions() {
+        return Err(Failure::of(&Refusal::Reduction { ask: "status" }, arguments.data.file_name()));
+    }
     let limits = &arguments.data.table.limits;
     refuse_long_problem(arguments.data.file_name(), &problem, times::STATUS, limits)?;
     if arguments.proof.is_some() {

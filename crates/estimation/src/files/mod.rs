@@ -8,6 +8,7 @@ mod fleet;
 mod kept_columns;
 mod looks;
 mod outline;
+mod question;
 mod reduce;
 mod scan;
 mod series;
@@ -19,6 +20,7 @@ use boundfit_formats::{ColumnSelector, InputError, ScanOptions, Source, TableOpt
 pub use columns::{Columns, EpsilonColumn};
 pub use counted::{CountedBatch, CountedRows};
 pub use fleet::Fleet;
+pub use question::Question;
 pub use reduce::ReducedTable;
 
 use crate::measurement::Measurement;

@@ -40,7 +40,7 @@ pub struct RangeReport<'a> {
     /// The runs.
     pub range: &'a LinearRange,
     /// The readings of the longest run and their fit, if there is a run.
-    pub longest: Option<(Problem, Fit)>,
+    pub longest: Option<(&'a Problem, &'a Fit)>,
 }
 
 impl<'a> RangeReport<'a> {

@@ -5,6 +5,7 @@ mod several;
 use std::io::{self, IsTerminal};
 use std::path::Path;
 
+use boundfit_ask::Refusal;
 use boundfit_estimation::{Family, Problem, fit};
 use boundfit_exact::Foreign;
 use boundfit_figures::{
@@ -16,7 +17,6 @@ use boundfit_questions::{NoOutliers, OutlierLimits, Outliers, XErrorFit, XErrorP
 use crate::CommandResult;
 use crate::arguments::{FactorRange, Figures, PlotArguments};
 use crate::commands::fit::SWEEP_OF_FIXED;
-use crate::commands::outliers::refusal;
 use crate::commands::pictures::{EXPECTED, told_by_name};
 use crate::exit::{Exit, Failure};
 use crate::input;
@@ -114,7 +114,7 @@ impl Job<'_> {
         match while_working("looking for outliers", || Outliers::new(&problem, &limits)) {
             // The figure shows the contradiction then.
             Err(NoOutliers::Conditions(_)) => self.draw(&problem),
-            Err(why) => Err(refusal(file, &why, None)),
+            Err(why) => Err(Failure::of(&Refusal::Outliers { why, steps: None }, file)),
             Ok(outliers) => {
                 self.write(draw_outliers(&problem, &outliers, &options(self.arguments, &problem)))?;
                 Ok(Exit::Answer)
@@ -124,12 +124,7 @@ impl Job<'_> {
 
     /// Reads the data with errors in x, fits and draws.
     fn run_with_x_errors(&self, draw: DrawXErrors) -> CommandResult {
-        let problem = self
-            .arguments
-            .data
-            .open()
-            .holding(memory::OF_AN_X_ERROR)
-            .x_error_problem(&self.arguments.x_errors, true)?;
+        let problem = self.arguments.data.open().x_error_problem(&self.arguments.x_errors)?;
         input::say_table(self.arguments.data.file_name(), problem.problem().measurements.table());
         let answer = while_working("fitting", || problem.fit());
         let options = options(self.arguments, problem.problem());

@@ -164,7 +164,7 @@ fn run_groups(job: &Job, what: Compared) -> CommandResult {
     let drawn = fleet.len().min(MOST_PANELS);
     let mut all = Vec::with_capacity(drawn);
     for group in 0..drawn {
-        let problem = asked.problem(fleet.each(group));
+        let problem = asked.of_measurements(fleet.each(group));
         refuse_long_problem(
             job.arguments.data.file_name(),
             &problem,

@@ -22,11 +22,9 @@
 //! # Ok::<(), boundfit::files::InputError>(())
 //! ```
 
-mod question;
-
 pub use boundfit_estimation::{
     AskedBound, Columns, EpsilonColumn, Fleet, GroupFit, Keep, LineForm, Measurements, ParseBoundError,
-    ReducedTable,
+    Question, ReducedTable,
 };
 pub use boundfit_exact::{Limits, Reading};
 pub use boundfit_formats::{
@@ -34,4 +32,3 @@ pub use boundfit_formats::{
     InputErrorKind, MemoryBudget, MemoryNumbers, MemoryTable, Missing, MissingWords, Pieces, RowCondition,
     RowRange, RowSet, ScanOptions, Setting, SizeLimits, Source, TableOptions, Way, read_half_planes,
 };
-pub use question::Question;

@@ -1,18 +1,25 @@
 //! What is asked of a table, whatever it comes from.
 
-use boundfit_estimation::{
-    AskedBound, Columns, Condition, EpsilonColumn, Fleet, GroupFit, Keep, LineForm, Measurements,
-    ParseBoundError, Problem, ReducedTable,
-};
-use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_exact::{Limits, Rational, Reading, TooMuchWork, Work};
 use boundfit_formats::{ColumnSelector, InputError, ScanOptions, Source};
+
+use super::{Columns, EpsilonColumn, Fleet, ReducedTable};
+use crate::asked_bound::AskedBound;
+use crate::condition::Condition;
+use crate::group_fit::GroupFit;
+use crate::line_form::LineForm;
+use crate::measurements::Measurements;
+use crate::problem::Problem;
+use crate::summary::Keep;
+use crate::terms::ParseBoundError;
 
 /// Which columns of a table are fitted, under which bounds on the errors, and what is known of the parameters besides. Files and
 /// columns in memory ([`Source::of_table`]) are asked in the same words, and so are whole tables, fleets and what is to be reduced.
 ///
 /// ```
-/// use boundfit::Reading;
-/// use boundfit::files::{ColumnSelector, MemoryNumbers, MemoryTable, Question, Source};
+/// use boundfit_estimation::Question;
+/// use boundfit_exact::Reading;
+/// use boundfit_formats::{ColumnSelector, MemoryNumbers, MemoryTable, Source};
 ///
 /// let mut table = MemoryTable::default();
 /// table.push("x", MemoryNumbers::Integers(vec![0, 1, 2]));
@@ -84,18 +91,75 @@ impl Question {
     /// # Errors
     /// The first thing wrong with the table.
     pub fn problem(&self, source: Source, options: &ScanOptions, keep: Keep) -> Result<Problem, InputError> {
+        Ok(self.of_measurements(self.measurements(source, options, keep)?))
+    }
+
+    /// The readings of a table, as [`Question::problem`] takes them.
+    ///
+    /// # Errors
+    /// The first thing wrong with the table.
+    pub fn measurements(
+        &self,
+        source: Source,
+        options: &ScanOptions,
+        keep: Keep,
+    ) -> Result<Measurements, InputError> {
         let no_intercept = self.columns.form.through_origin.then(Condition::no_intercept);
         let conditions: Vec<Condition> = self.conditions.iter().cloned().chain(no_intercept).collect();
         // Where the bounds are going to move, those that decide under these are not enough.
         let keeps_all = self.multiple_of_least.is_some() && !self.columns.are_open();
         let keep = if keeps_all { Keep { eui: keep.eui, ..Keep::EVERY } } else { keep };
-        let measurements = Measurements::scan(source, &self.columns, &conditions, options, keep)?;
-        Ok(self.of_measurements(measurements))
+        Measurements::scan(source, &self.columns, &conditions, options, keep)
+    }
+
+    /// Whether a multiple of the least bound is asked of readings that were reduced under bounds that are fixed: there is none.
+    pub fn moves_fixed_bounds(&self, source: &Source) -> bool {
+        self.multiple_of_least.is_some() && source.is_reduction() && self.columns.second.is_some()
+    }
+
+    /// The problem of readings of these columns, whose numbers are not too long for a fit within this limit on work.
+    ///
+    /// # Errors
+    /// When they are.
+    pub fn problem_within(&self, measurements: Measurements, limit: u64) -> Result<Problem, TooMuchWork> {
+        self.work_of_every(measurements.kept().len()).check(1, limit)?;
+        // A multiple of the least bound is work too.
+        let stated = self.stated_problem(measurements);
+        stated.check_work(1, limit)?;
+        let problem = self.of_measurements(stated.measurements);
+        problem.check_work(1, limit)?;
+        Ok(problem)
+    }
+
+    /// The problem of readings under the bound that is stated, where that is no multiple of the least one.
+    pub fn stated_problem(&self, measurements: Measurements) -> Problem {
+        Problem { measurements, conditions: self.conditions.clone() }
+    }
+
+    /// The work on what each of so many readings gets beside its own numbers, estimated before memory is taken for it: the bound
+    /// and the origin that are the same for all, and where the bound comes from the readings, what it may take from a condition.
+    pub fn work_of_every(&self, readings: usize) -> Work {
+        let right_sides = self.conditions.iter().map(|condition| &condition.inequality().b);
+        let longest = right_sides.max_by_key(|number| number.bits());
+        self.columns.work_of_every(readings, longest.filter(|_| self.multiple_of_least.is_some()))
+    }
+
+    /// Whether a bound or an origin that is the same for all readings is so long that it counts in each.
+    pub fn has_long_bound(&self) -> bool {
+        let is_long = |number: &Rational| Work::of_numbers(&[number]).products(1) > 0;
+        let is_long_bound =
+            matches!(&self.columns.epsilon, EpsilonColumn::Uniform(epsilon) if is_long(epsilon));
+        is_long_bound || is_long(&self.columns.form.x_origin)
+    }
+
+    /// Whether nothing is known of the parameters beside the readings and their error bound, which is given.
+    pub fn is_plain(&self) -> bool {
+        self.conditions.is_empty() && self.multiple_of_least.is_none() && !self.columns.form.through_origin
     }
 
     /// The problem of readings of these columns.
     pub fn of_measurements(&self, measurements: Measurements) -> Problem {
-        let problem = Problem { measurements, conditions: self.conditions.clone() };
+        let problem = self.stated_problem(measurements);
         let problem = if self.columns.form.through_origin { problem.through_origin() } else { problem };
         match &self.multiple_of_least {
             Some(factor) => problem.with_multiple_of_least(factor),
@@ -108,10 +172,7 @@ impl Question {
     /// # Panics
     /// When there are not that many groups.
     pub fn of_group(&self, fleet: &Fleet, group: usize) -> GroupFit {
-        let is_plain = self.conditions.is_empty()
-            && self.multiple_of_least.is_none()
-            && !self.columns.form.through_origin;
-        let line = is_plain.then(|| fleet.group_fit(group)).flatten();
+        let line = self.is_plain().then(|| fleet.group_fit(group)).flatten();
         line.unwrap_or_else(|| {
             let problem = self.of_measurements(fleet.measurements(group));
             GroupFit::of(&problem, &problem.fit())

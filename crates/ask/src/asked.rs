@@ -1,0 +1,152 @@
+//! Of which readings something is asked.
+
+use boundfit_estimation::{Keep, Measurements, Problem, Question};
+use boundfit_exact::{Rational, Work};
+use boundfit_formats::{ColumnSelector, ScanOptions, Source, TableOptions};
+use boundfit_questions::{Agreement, XBounds, XErrorProblem, times};
+
+use crate::refusal::{Misuse, Refusal};
+
+/// Of which readings something is asked: columns, bounds and conditions, and how the table is read.
+#[derive(Clone)]
+pub struct Asked {
+    /// The columns, the bounds on the errors, and what is known of the parameters besides.
+    pub question: Question,
+    /// The errors of x, where it has any.
+    pub x_errors: Option<XErrors>,
+    /// How the table is read, and the limits.
+    pub options: ScanOptions,
+}
+
+/// Bounds on the errors of x, and which lines agree with readings under them.
+#[derive(Debug, Clone)]
+pub struct XErrors {
+    /// The bounds.
+    pub bounds: AskedXBounds,
+    /// Whether a line agrees for some x that the bounds allow, or for all of them.
+    pub agreement: Agreement,
+}
+
+/// The bounds on the errors of x.
+#[derive(Debug, Clone)]
+pub enum AskedXBounds {
+    /// One for all readings.
+    Uniform(Rational),
+    /// A column with the bound of each reading.
+    Column(ColumnSelector),
+}
+
+impl Asked {
+    /// Asked of a table that is read in the usual way, whose x have no errors.
+    pub fn new(question: Question) -> Self {
+        Asked { question, x_errors: None, options: ScanOptions::default() }
+    }
+
+    /// How much work on long numbers is done at most.
+    pub fn most_work(&self) -> u64 {
+        self.options.table.sizes.work
+    }
+
+    /// How the table is read where every reading is held in so many bytes.
+    fn held(&self, row_cost: usize, shows_data: bool) -> ScanOptions {
+        let own = self.options.clone();
+        let (hash, list_rows) = (own.hash && shows_data, own.list_rows && shows_data);
+        ScanOptions { hash, list_rows, table: TableOptions { row_cost, ..own.table }, ..own }
+    }
+
+    /// The problem of readings, which are not too long for a fit.
+    fn problem(&self, measurements: Measurements) -> Result<Problem, Refusal> {
+        Ok(self.question.problem_within(measurements, self.most_work())?)
+    }
+
+    /// Reads every reading. Refuses reductions, which have them no more.
+    pub(crate) fn every_reading(
+        &self,
+        source: Source,
+        row_cost: usize,
+        shows_data: bool,
+        ask: &'static str,
+    ) -> Result<Problem, Refusal> {
+        self.refuse_moving(&source)?;
+        let keep = Keep { eui: false, ..Keep::EVERY };
+        let read = self.question.measurements(source, &self.held(row_cost, shows_data), keep)?;
+        let problem = self.problem(read)?;
+        match problem.measurements.is_of_reductions() {
+            true => Err(Refusal::Reduction { ask }),
+            false => Ok(problem),
+        }
+    }
+
+    /// As [`Asked::every_reading`], of which equal ones are kept once where there are many.
+    pub(crate) fn counted_readings(
+        &self,
+        source: Source,
+        row_cost: usize,
+        shows_data: bool,
+        ask: &'static str,
+    ) -> Result<Problem, Refusal> {
+        self.refuse_moving(&source)?;
+        if source.is_reduction() {
+            return Err(Refusal::Reduction { ask });
+        }
+        let options = self.held(row_cost, shows_data);
+        let read = Measurements::read_counted(source, &self.question.columns, &[], &options, Keep::MOST_ROWS);
+        self.problem(read?.0)
+    }
+
+    /// Reads the readings with the bounds on the errors of x; where it is asked for those that are not fitted too, for pictures.
+    ///
+    /// # Errors
+    /// When errors of x and what else is asked exclude each other, the table cannot be read, or its numbers are too long.
+    pub fn x_error_problem(
+        &self,
+        source: Source,
+        row_cost: usize,
+        keep_others: bool,
+    ) -> Result<XErrorProblem, Refusal> {
+        let asked = self.x_errors.as_ref().ok_or(Refusal::Misuse(Misuse::NoXErrors))?;
+        if self.question.columns.second.is_some() {
+            return Err(Refusal::Misuse(Misuse::XErrorsOfTwoRegressors));
+        }
+        if self.question.multiple_of_least.is_some() {
+            return Err(Refusal::Misuse(Misuse::LeastBesideXErrors));
+        }
+        if source.is_reduction() {
+            return Err(Refusal::Reduction { ask: "fit-x-errors" });
+        }
+        let beside: Vec<ColumnSelector> = match &asked.bounds {
+            AskedXBounds::Column(column) => vec![column.clone().non_negative()],
+            AskedXBounds::Uniform(_) => Vec::new(),
+        };
+        let columns = &self.question.columns;
+        let mut options = self.held(row_cost, true);
+        options.table.keep_others = keep_others;
+        let (measurements, mut further) = match keep_others {
+            true => Measurements::read_beside(source, columns, &beside, &options.table)?,
+            false => Measurements::read_counted(source, columns, &beside, &options, Keep::MOST_ROWS)?,
+        };
+        let bounds = match &asked.bounds {
+            AskedXBounds::Uniform(bound) => XBounds::Uniform(bound.clone()),
+            AskedXBounds::Column(column) => {
+                XBounds::PerRow { column: column.text().clone(), bounds: further.pop().unwrap_or_default() }
+            }
+        };
+        let problem = XErrorProblem::new(self.problem(measurements)?, bounds, asked.agreement);
+        let problem = problem.map_err(|error| Refusal::XErrors(error.to_string()))?;
+        let mut work = Work::default();
+        for (row, width) in problem.readings() {
+            let numbers = [row.lower(), row.upper()];
+            work.add(row.row, row.regressor.iter().chain(numbers.iter().flatten()).chain([width]));
+        }
+        work.check(times::X_ERRORS, self.most_work())?;
+        work.of_every_word().check(times::X_ERROR_STEPS, self.most_work())?;
+        Ok(problem)
+    }
+
+    fn refuse_moving(&self, source: &Source) -> Result<(), Refusal> {
+        match self.question.moves_fixed_bounds(source) {
+            true => Err(Refusal::Misuse(Misuse::LeastOfFixed)),
+            false => Ok(()),
+        }
+    }
+}

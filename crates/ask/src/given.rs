@@ -1,0 +1,38 @@
+//! Numbers as a request gives them.
+
+use boundfit_exact::{Limits, ParseNumberError, Rational, Reading};
+use serde::Deserialize;
+
+/// A number of a request: a text that is read as the table's texts are, or one that is exactly what it says.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(untagged, expecting = "a number as text, or {\"exact\": \"1/3\"}")]
+pub enum Given {
+    /// `"0.1"`: the nearest double of it where the table is read as doubles.
+    Read(String),
+    /// `{"exact": "1/3"}`: one third, whatever the table is read as.
+    Exact {
+        /// The text.
+        exact: String,
+    },
+    /// An integer, which is the same either way.
+    Integer(i64),
+}
+
+impl Given {
+    /// The number.
+    pub(crate) fn number(&self, reading: Reading, limits: &Limits) -> Result<Rational, ParseNumberError> {
+        match self {
+            Given::Read(text) => reading.read(text, limits),
+            Given::Exact { exact } => Reading::Decimal.read(exact, limits),
+            Given::Integer(number) => Ok(Rational::from(*number)),
+        }
+    }
+
+    /// As it was given.
+    pub(crate) fn text(&self) -> String {
+        match self {
+            Given::Read(text) | Given::Exact { exact: text } => text.clone(),
+            Given::Integer(number) => number.to_string(),
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! One way from a request to an answer. The command line, Python and WebAssembly say what is asked in their own words; from there
+//! on they share this crate, and know no question by name.
+//!
+//! A question is one module. It implements [`Ask`]: what it reads of the data, what it costs, what it answers, and the forms of
+//! that answer. One line in [`Request`] registers it, and every surface has it.
+//!
+//! | module | question |
+//! |---|---|
+//! | `outliers` | the fewest readings to leave out |
+//! | `range` | every run of readings that some parameters agree with |
+//! | `window` | the fits of the last readings as the window moves on |
+//! | `x_errors` | the lines that agree with readings whose x have errors, too |
+//!
+//! [`Asked`] says of which readings; [`Refusal`] says, as data, why there is no answer. A [`Surface`] knows how it names keys and
+//! limits, and [`Refusal::words`] puts these names into the sentence.
+//!
+//! ```
+//! use boundfit_ask::{Asked, Form, Request};
+//! use boundfit_estimation::Question;
+//! use boundfit_exact::Reading;
+//! use boundfit_formats::{ColumnSelector, Source};
+//!
+//! let [x, y] = ["x", "y"].map(ColumnSelector::name_or_number);
+//! let asked = Asked::new(Question::line(x, Some(y)).within("1/2", Reading::Decimal)?);
+//! let table = || Source::new("readings.csv", "x,y\n0,0\n1,1\n2,2\n3,9\n".as_bytes());
+//! let request = Request::parse(r#"{"ask": "range"}"#)?;
+//! let answer = request.answer(&asked, table(), Form::Csv, None, &Default::default()).map_err(|refusal| format!("{refusal:?}"))?;
+//! assert!(answer.text.starts_with("run,"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+// What reads input never panics on it.
+#![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
+
+mod asked;
+mod form;
+mod given;
+mod outliers;
+mod question;
+mod range;
+mod refusal;
+mod request;
+mod window;
+mod x_errors;
+
+pub use asked::{Asked, AskedXBounds, XErrors};
+pub use form::{Form, Paper, Written};
+pub use given::Given;
+pub use outliers::Outliers;
+pub use question::Ask;
+pub use range::Range;
+pub use refusal::{Misuse, NoProof, Refusal, Surface, ValueProblem};
+pub use request::{Answer, Request};
+pub use window::Window;
+pub use x_errors::FitXErrors;

@@ -1,0 +1,111 @@
+//! The fewest readings to leave out so that something is left.
+
+use std::io::Write;
+
+use boundfit_estimation::{Fit, Measurements, Problem, fit};
+use boundfit_formats::Source;
+use boundfit_questions::{Growth, NoOutliers, OutlierLimits, times};
+use boundfit_report::{
+    NoOutliersProof, OutliersReport, outliers_csv, outliers_document, outliers_json, outliers_proof,
+};
+use serde::Deserialize;
+
+use crate::asked::Asked;
+use crate::form::{Form, Paper, Written};
+use crate::question::{Ask, document, put};
+use crate::refusal::{NoProof, Refusal};
+
+/// The fewest readings to leave out so that some parameters agree with all others.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Outliers {
+    /// Up to how many readings may be missed where the answer says how the set grows.
+    pub most: Option<usize>,
+    /// How many sets of readings to leave out are listed.
+    pub max_sets: Option<usize>,
+    /// How many crossings of bounds are looked at.
+    pub max_steps: Option<u64>,
+}
+
+/// The outliers, with the fit of all readings.
+pub struct Found {
+    fit: Fit,
+    outliers: Result<boundfit_questions::Outliers, NoOutliers>,
+    growth: Vec<Growth>,
+}
+
+impl Outliers {
+    fn limits(&self) -> OutlierLimits {
+        let usual = OutlierLimits::default();
+        OutlierLimits {
+            sets: self.max_sets.unwrap_or(usual.sets),
+            steps: self.max_steps.unwrap_or(usual.steps),
+        }
+    }
+}
+
+impl Ask for Outliers {
+    const NAME: &'static str = "outliers";
+    const FORMS: &'static [Form] =
+        &[Form::Text, Form::Latex, Form::Markdown, Form::Json, Form::Csv, Form::Proof];
+    type Problem = Problem;
+    type Answer = Found;
+
+    fn read(&self, asked: &Asked, source: Source, shows_data: bool) -> Result<Problem, Refusal> {
+        /// Bytes that the budget counts for each reading (1,500 where the search stops early).
+        const ROW_COST: usize = 2_000;
+        let problem = asked.counted_readings(source, ROW_COST, shows_data, Self::NAME)?;
+        times::check_outliers(&problem, asked.most_work())?;
+        Ok(problem)
+    }
+
+    fn measurements<'a>(&self, problem: &'a Problem) -> &'a Measurements {
+        &problem.measurements
+    }
+
+    fn answer(&self, problem: &Problem) -> Result<Found, Refusal> {
+        let limits = self.limits();
+        let refused = |why| Refusal::Outliers { why, steps: Some(limits.steps) };
+        let fit = fit(problem);
+        let outliers = match boundfit_questions::Outliers::new(problem, &limits) {
+            Err(why) if !matches!(why, NoOutliers::Conditions(_)) => return Err(refused(why)),
+            outliers => outliers,
+        };
+        let growth = match &outliers {
+            Ok(outliers) => match outliers.growth(problem, self.most.unwrap_or(outliers.least), &limits) {
+                // What nobody asked for is left out where it takes too much.
+                Err(_) if self.most.is_none() => Vec::new(),
+                growth => growth.map_err(refused)?,
+            },
+            Err(_) => Vec::new(),
+        };
+        Ok(Found { fit, outliers, growth })
+    }
+
+    fn write(
+        &self,
+        problem: &Problem,
+        answer: &Found,
+        form: Form,
+        paper: &Paper<'_>,
+        out: &mut dyn Write,
+    ) -> Result<Written, Refusal> {
+        let Found { fit, outliers, growth } = answer;
+        let shows_growth = self.most.is_some() && outliers.is_ok();
+        let report = OutliersReport { problem, fit, outliers: outliers.as_ref(), growth, shows_growth };
+        let Paper { origin, style } = paper;
+        let text = match form {
+            Form::Json => outliers_json(&report, origin, style),
+            Form::Csv => outliers_csv(outliers.as_ref().ok()),
+            Form::Proof => outliers_proof(&report, origin.reading).map_err(|why| {
+                Refusal::NoProof(match why {
+                    NoOutliersProof::NoText => NoProof::NoText,
+                    NoOutliersProof::TooMany(most) => NoProof::TooMany { most, of: "contradictions" },
+                })
+            })?,
+            _ => document(form, || outliers_document(&report, origin, style)).ok_or(Self::no_form(form))?,
+        };
+        put(out, text)?;
+        Ok(Written::of_set(outliers.is_err()))
+    }
+}

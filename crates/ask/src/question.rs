@@ -1,0 +1,72 @@
+//! What every question says of itself.
+
+use std::io::Write;
+
+use boundfit_estimation::Measurements;
+use boundfit_formats::Source;
+use boundfit_report::Document;
+
+use crate::asked::Asked;
+use crate::form::{Form, Paper, Written};
+use crate::refusal::Refusal;
+
+/// A question about readings.
+pub trait Ask {
+    /// Its name: the value of `ask`, and the command.
+    const NAME: &'static str;
+    /// The forms of its answer.
+    const FORMS: &'static [Form];
+    /// What is asked about: readings, read as the question needs them.
+    type Problem;
+    /// The answer, from which every form is written.
+    type Answer;
+
+    /// Reads the data, and refuses what would take too much work. Forms that show where the answer comes from need
+    /// `shows_data`: a hash of the data, and which rows are fitted.
+    ///
+    /// # Errors
+    /// Why there is no answer.
+    fn read(&self, asked: &Asked, source: Source, shows_data: bool) -> Result<Self::Problem, Refusal>;
+
+    /// The readings, with what their table was taken for.
+    fn measurements<'a>(&self, problem: &'a Self::Problem) -> &'a Measurements;
+
+    /// Finds the answer. Exact.
+    ///
+    /// # Errors
+    /// Why there is none.
+    fn answer(&self, problem: &Self::Problem) -> Result<Self::Answer, Refusal>;
+
+    /// Writes one form of the answer. Nothing is computed but what is rounded.
+    ///
+    /// # Errors
+    /// When the form is none of this answer's, or cannot be written.
+    fn write(
+        &self,
+        problem: &Self::Problem,
+        answer: &Self::Answer,
+        form: Form,
+        paper: &Paper<'_>,
+        out: &mut dyn Write,
+    ) -> Result<Written, Refusal>;
+
+    /// Refuses a form.
+    fn no_form(form: Form) -> Refusal {
+        Refusal::Form { ask: Self::NAME, form, forms: Self::FORMS }
+    }
+}
+
+/// Writes a text.
+pub(crate) fn put(out: &mut dyn Write, text: impl AsRef<[u8]>) -> Result<(), Refusal> {
+    out.write_all(text.as_ref()).map_err(Refusal::Output)
+}
+
+/// A document in one of the forms that every document has.
+pub(crate) fn document(form: Form, document: impl FnOnce() -> Document) -> Option<String> {
+    match form {
+        Form::Text => Some(document().to_text()),
+        Form::Latex => Some(document().to_latex()),
+        Form::Markdown => Some(document().to_markdown()),
+        _ => None,
+    }
+}

@@ -1,0 +1,107 @@
+//! Which runs of readings some parameters agree with.
+
+use std::io::Write;
+
+use boundfit_estimation::{Fit, Measurements, Problem, fit};
+use boundfit_formats::Source;
+use boundfit_questions::{LinearRange, Order, times};
+use boundfit_report::{RangeReport, range_csv, range_document, range_json, range_proof};
+use serde::Deserialize;
+
+use crate::asked::Asked;
+use crate::form::{Form, Paper, Written};
+use crate::question::{Ask, document, put};
+use crate::refusal::{Misuse, NoProof, Refusal, ValueProblem};
+
+/// Runs that a proof may be about, each of which it fits.
+const MOST_PROVED: usize = 1_000;
+
+/// Every run of readings that some parameters agree with: the linear range.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Range {
+    /// The order in which readings are taken: `x`, those at the same x in order of rows, or `row`. Unless it is said, readings of a
+    /// line are taken in order of x, and those of two regressors in order of rows.
+    pub by: Option<String>,
+}
+
+/// The runs, with the fit of all readings and that of the longest run.
+pub struct Runs {
+    order: Order,
+    range: LinearRange,
+    all: Fit,
+    longest: Option<(Problem, Fit)>,
+}
+
+impl Range {
+    fn order(&self) -> Result<Option<Order>, Refusal> {
+        match self.by.as_deref() {
+            None => Ok(None),
+            Some("x") => Ok(Some(Order::X)),
+            Some("row") => Ok(Some(Order::Row)),
+            Some(other) => {
+                let problem = ValueProblem::Expected("expected x or row");
+                Err(Refusal::Value { key: "by", text: other.to_owned(), problem })
+            }
+        }
+    }
+}
+
+impl Ask for Range {
+    const NAME: &'static str = "range";
+    const FORMS: &'static [Form] =
+        &[Form::Text, Form::Latex, Form::Markdown, Form::Json, Form::Csv, Form::Proof];
+    type Problem = Problem;
+    type Answer = Runs;
+
+    fn read(&self, asked: &Asked, source: Source, shows_data: bool) -> Result<Problem, Refusal> {
+        /// Bytes that the budget counts for each reading (780).
+        const ROW_COST: usize = 800;
+        if self.order()? == Some(Order::X) && asked.question.columns.second.is_some() {
+            return Err(Refusal::Misuse(Misuse::OrderOfX));
+        }
+        let problem = asked.every_reading(source, ROW_COST, shows_data, Self::NAME)?;
+        problem.check_work(times::RANGE, asked.most_work())?;
+        Ok(problem)
+    }
+
+    fn measurements<'a>(&self, problem: &'a Problem) -> &'a Measurements {
+        &problem.measurements
+    }
+
+    fn answer(&self, problem: &Problem) -> Result<Runs, Refusal> {
+        let order = self.order()?.unwrap_or_else(|| Order::natural(problem.measurements.model()));
+        let (range, all) = (LinearRange::of(problem, order), fit(problem));
+        let longest = range.longest().map(|run| {
+            let own = range.problem_of(run, problem, false);
+            let fit = fit(&own);
+            (own, fit)
+        });
+        Ok(Runs { order, range, all, longest })
+    }
+
+    fn write(
+        &self,
+        problem: &Problem,
+        answer: &Runs,
+        form: Form,
+        paper: &Paper<'_>,
+        out: &mut dyn Write,
+    ) -> Result<Written, Refusal> {
+        let Runs { order, range, all, longest } = answer;
+        let longest = longest.as_ref().map(|(problem, fit)| (problem, fit));
+        let report = RangeReport { problem, fit: all, order: *order, range, longest };
+        let Paper { origin, style } = paper;
+        let text = match form {
+            Form::Json => range_json(&report, origin, style),
+            Form::Csv => range_csv(&report),
+            Form::Proof if range.runs.len() > MOST_PROVED => {
+                return Err(Refusal::NoProof(NoProof::TooMany { most: MOST_PROVED, of: "runs" }));
+            }
+            Form::Proof => range_proof(&report, origin.reading).ok_or(Refusal::NoProof(NoProof::NoText))?,
+            _ => document(form, || range_document(&report, origin, style)).ok_or(Self::no_form(form))?,
+        };
+        put(out, text)?;
+        Ok(Written::of_set(range.runs.is_empty()))
+    }
+}

@@ -1,0 +1,141 @@
+//! The fits of the last readings as the window moves on.
+
+use std::io::Write;
+
+use boundfit_estimation::{Measurements, Problem};
+use boundfit_formats::Source;
+use boundfit_questions::{Extent, Moving, Turn, times};
+use boundfit_report::{FleetTable, TableJson, WindowReport, WindowSummary, table_line, write_window_json};
+use serde::Deserialize;
+
+use crate::asked::Asked;
+use crate::form::{Form, Paper, Written};
+use crate::given::Given;
+use crate::question::{Ask, put};
+use crate::refusal::{Misuse, Refusal, ValueProblem};
+
+/// The fits of the last readings, again and again as the window moves on.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Window {
+    /// How many readings a window has, in order of rows.
+    pub window: Option<usize>,
+    /// How far a window reaches back in x from its newest reading, in order of x.
+    pub window_x: Option<Given>,
+    /// How many readings a window moves on; 1 unless it is said.
+    pub step: Option<usize>,
+}
+
+impl Window {
+    /// How far a window reaches back, and how far it moves on, where its numbers are read like those of the table.
+    ///
+    /// # Errors
+    /// When it is not said, said twice, or no number.
+    pub fn moving(&self, asked: &Asked) -> Result<Moving, Refusal> {
+        const EXPECTED: &str = "expected a number above 0, such as 60 or 0.5";
+        let refuse = |key, text: String, problem| Refusal::Value { key, text, problem };
+        let extent = match (self.window, &self.window_x) {
+            (Some(_), Some(_)) => return Err(Refusal::Misuse(Misuse::TwoWindows)),
+            (None, None) if self.step.is_some() => return Err(Refusal::Misuse(Misuse::StepAlone)),
+            (None, None) => return Err(Refusal::Misuse(Misuse::NoWindow)),
+            (Some(0), None) => {
+                let problem = ValueProblem::Expected("expected how many readings a window has, at least 1");
+                return Err(refuse("window", "0".to_owned(), problem));
+            }
+            (Some(count), None) => Extent::Readings(count),
+            (None, Some(_)) if asked.question.columns.second.is_some() => {
+                return Err(Refusal::Misuse(Misuse::WindowOfX));
+            }
+            (None, Some(given)) => {
+                let (table, text) = (&asked.options.table, given.text());
+                let span = match given.number(table.reading, &table.limits) {
+                    Ok(span) => span,
+                    Err(error) => {
+                        let problem = ValueProblem::Number { error, expected: EXPECTED };
+                        return Err(refuse("window_x", text, problem));
+                    }
+                };
+                if !span.is_positive() {
+                    return Err(refuse("window_x", text, ValueProblem::Expected(EXPECTED)));
+                }
+                Extent::X(span)
+            }
+        };
+        match self.step {
+            Some(0) => {
+                let expected = "expected how many readings a window moves on, at least 1";
+                Err(refuse("step", "0".to_owned(), ValueProblem::Expected(expected)))
+            }
+            step => Ok(Moving { extent, step: step.unwrap_or(1) }),
+        }
+    }
+}
+
+impl Ask for Window {
+    const NAME: &'static str = "window";
+    const FORMS: &'static [Form] = &[Form::Text, Form::Json, Form::Csv];
+    type Problem = (Problem, Moving);
+    /// Windows are written one by one, as they are found.
+    type Answer = ();
+
+    fn read(&self, asked: &Asked, source: Source, _: bool) -> Result<(Problem, Moving), Refusal> {
+        /// Bytes that the budget counts for each reading (390).
+        const ROW_COST: usize = 400;
+        let moving = self.moving(asked)?;
+        let problem = asked.every_reading(source, ROW_COST, false, Self::NAME)?;
+        problem.check_work(times::RANGE, asked.most_work())?;
+        Ok((problem, moving))
+    }
+
+    fn measurements<'a>(&self, (problem, _): &'a (Problem, Moving)) -> &'a Measurements {
+        &problem.measurements
+    }
+
+    fn answer(&self, _: &(Problem, Moving)) -> Result<(), Refusal> {
+        Ok(())
+    }
+
+    fn write(
+        &self,
+        (problem, moving): &(Problem, Moving),
+        (): &(),
+        form: Form,
+        paper: &Paper<'_>,
+        out: &mut dyn Write,
+    ) -> Result<Written, Refusal> {
+        let style = &paper.style;
+        let (mut summary, mut table) = (WindowSummary::default(), FleetTable::of_windows());
+        let taken_for = TableJson::of_measurements(&problem.measurements);
+        if form == Form::Csv {
+            put(out, WindowReport::CSV_HEADER)?;
+        }
+        let take = |turn: Turn<'_>| {
+            let Some(window) = WindowReport::new(&turn, problem) else { return Ok(()) };
+            summary.add(&window);
+            match form {
+                Form::Json => {
+                    let mut line = Vec::new();
+                    write_window_json(&mut line, &window, taken_for.as_ref(), style);
+                    put(out, line)
+                }
+                Form::Csv => put(out, window.csv(style)),
+                Form::Text => {
+                    let mut text = String::new();
+                    table.push(window.cells(style), &mut text);
+                    put(out, text)
+                }
+                _ => Err(Self::no_form(form)),
+            }
+        };
+        let moved = moving.each(problem, take)?;
+        let to_text = summary.to_text(moving, &moved, style);
+        let is_empty = summary.has_empty();
+        if form != Form::Text {
+            return Ok(Written { is_empty, summary: to_text });
+        }
+        let mut text = String::new();
+        table.finish(&mut text);
+        put(out, format!("{text}\n{to_text}{}", table_line(problem.measurements.table())))?;
+        Ok(Written::of_set(is_empty))
+    }
+}

@@ -1,0 +1,67 @@
+//! The lines that agree with readings whose x have errors, too.
+
+use std::io::Write;
+
+use boundfit_estimation::{Fit, Measurements, fit};
+use boundfit_formats::Source;
+use boundfit_questions::{XErrorFit, XErrorProblem};
+use boundfit_report::{x_error_csv, x_error_document, x_error_json, x_error_proof, x_error_wkt};
+use serde::Deserialize;
+
+use crate::asked::Asked;
+use crate::form::{Form, Paper, Written};
+use crate::question::{Ask, document, put};
+use crate::refusal::{NoProof, Refusal};
+
+/// The lines that agree with every reading where x has errors, too ([`Asked::x_errors`]).
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FitXErrors {}
+
+impl FitXErrors {
+    /// Bytes that the budget counts for each reading (2,400).
+    pub const ROW_COST: usize = 2_700;
+}
+
+impl Ask for FitXErrors {
+    const NAME: &'static str = "fit-x-errors";
+    const FORMS: &'static [Form] = &Form::ALL;
+    type Problem = XErrorProblem;
+    /// The sets, and the fit as if x had no errors.
+    type Answer = (XErrorFit, Fit);
+
+    fn read(&self, asked: &Asked, source: Source, _: bool) -> Result<XErrorProblem, Refusal> {
+        asked.x_error_problem(source, Self::ROW_COST, false)
+    }
+
+    fn measurements<'a>(&self, problem: &'a XErrorProblem) -> &'a Measurements {
+        &problem.problem().measurements
+    }
+
+    fn answer(&self, problem: &XErrorProblem) -> Result<(XErrorFit, Fit), Refusal> {
+        Ok((problem.fit(), fit(problem.problem())))
+    }
+
+    fn write(
+        &self,
+        problem: &XErrorProblem,
+        (answer, plain): &(XErrorFit, Fit),
+        form: Form,
+        paper: &Paper<'_>,
+        out: &mut dyn Write,
+    ) -> Result<Written, Refusal> {
+        let Paper { origin, style } = paper;
+        let text = match form {
+            Form::Json => x_error_json(problem, answer, plain, origin, style),
+            Form::Csv => x_error_csv(answer, plain),
+            Form::Wkt => x_error_wkt(answer, style).map_err(Refusal::Wkt)?,
+            Form::Proof => {
+                x_error_proof(problem, answer, origin.reading).ok_or(Refusal::NoProof(NoProof::NoText))?
+            }
+            _ => document(form, || x_error_document(problem, answer, plain, origin, style))
+                .ok_or(Self::no_form(form))?,
+        };
+        put(out, text)?;
+        Ok(Written::of_set(answer.is_empty()))
+    }
+}
