@@ -2,7 +2,6 @@
 
 use std::io::Cursor;
 
-use boundfit::ask::{self, FitXErrors, Form, Misuse, NoProof, Request};
 use boundfit::engine::estimation::Selection;
 use boundfit::engine::exact::Foreign;
 use boundfit::engine::formats::{InputError, ReductionError};
@@ -10,55 +9,49 @@ use boundfit::files::{
     InputErrorKind, Keep, Measurements, Question, ScanOptions, SizeLimits, Source, TableOptions,
 };
 use boundfit::lesson::{check_work, lesson_json};
-use boundfit::report::{InverseLine, Origin, fit_csv, fit_document, fit_json, proof_json, region_wkt};
+use boundfit::report::{InverseLine, Origin, fit_document, fit_json, proof_json};
 use boundfit::{Problem, Reading};
 
-use crate::options::Options;
+use crate::options::{Format, Options};
 use crate::refusal::Refusal;
 
-/// An answer of the program, or what is wrong.
-pub(crate) fn run(table: Vec<u8>, options: &str) -> Result<String, Refusal> {
+/// How many times the work that is estimated of the numbers a fit may take.
+const LOOKS: u64 = 4;
+
+/// The answer of `boundfit fit`, or what is wrong.
+pub(crate) fn fit(table: Vec<u8>, options: &str) -> Result<String, Refusal> {
     let options = Options::parse(options)?;
     options.refuse_words_of_page()?;
-    let (form, style, request) = (options.form()?, options.style()?, options.request()?);
+    let (format, style) = (options.format()?, options.style()?);
     let Asked { source, reading, question } = Asked::new(table, &options)?;
-    let origin =
-        Origin { file: options.file.as_deref().map(Foreign::of), reading, is_stored: source.is_stored() };
-    let scan = ScanOptions { table: options.table(reading)?, ..ScanOptions::default() };
-    let x_errors = options.x_errors(reading)?;
-    let request = match request {
-        None if x_errors.is_some() => Some(Request::FitXErrors(FitXErrors {})),
-        request => request,
+    let is_stored = source.is_stored();
+    let scan = ScanOptions {
+        table: options.table(reading)?,
+        list_rows: format == Format::Proof,
+        ..ScanOptions::default()
     };
-    if options.numbering()?.is_some() && (request.is_some() || form == Form::Proof) {
-        let what = if request.is_some() { "the question" } else { "a proof" };
-        return Err(format!("row_numbers: {what} is about the rows of a table as they stand there").into());
-    }
-    if let Some(request) = request {
-        let asked = ask::Asked { question, x_errors, options: scan };
-        return Ok(request.answer(&asked, source, form, Some(origin), &style)?.text);
-    }
-    let measurements = match options.numbering()? {
-        Some(_) => readings(source, &question, &options, &scan.table, false)?,
+    let problem = match options.numbering()? {
+        Some(_) if format == Format::Proof => {
+            return Err("row_numbers: a proof is about the rows of a table as they stand there"
+                .to_owned()
+                .into());
+        }
+        Some(_) => question.of_measurements(readings(source, &question, &options, &scan.table, false)?),
         None => {
-            let scan = ScanOptions { list_rows: form == Form::Proof, ..scan };
             let keep = Keep { eui: !options.no_eui, ..Keep::default() };
-            question.measurements(source, &scan, keep)?
+            question.problem(source, &scan, keep)?
         }
     };
-    let problem = short_problem(&question, measurements)?;
+    refuse_long(&problem)?;
     let fit = problem.fit();
-    let document = || fit_document(&problem, &fit, &origin, InverseLine::default(), &style);
-    match form {
-        Form::Json => Ok(fit_json(&problem, &fit, None, None, &origin, &style)),
-        Form::Text => Ok(document().to_text()),
-        Form::Latex => Ok(document().to_latex()),
-        Form::Markdown => Ok(document().to_markdown()),
-        Form::Csv => Ok(fit_csv(&problem, &fit)),
-        Form::Wkt => region_wkt(fit.fps.polyhedron(), &style).map_err(Into::into),
-        Form::Proof => {
-            proof_json(&problem, &fit, reading).ok_or_else(|| ask::Refusal::NoProof(NoProof::NoText).into())
-        }
+    let origin = Origin { file: options.file.as_deref().map(Foreign::of), reading, is_stored };
+    match format {
+        Format::Json => Ok(fit_json(&problem, &fit, None, None, &origin, &style)),
+        Format::Text => Ok(fit_document(&problem, &fit, &origin, InverseLine::default(), &style).to_text()),
+        Format::Latex => Ok(fit_document(&problem, &fit, &origin, InverseLine::default(), &style).to_latex()),
+        Format::Proof => proof_json(&problem, &fit, reading).ok_or_else(|| {
+            "a proof is about the rows of plain delimited text, and the table is none".to_owned().into()
+        }),
     }
 }
 
@@ -72,7 +65,8 @@ pub(crate) fn lesson(table: Vec<u8>, options: &str) -> Result<String, Refusal> {
     if measurements.is_of_reductions() {
         return Err(InputError::of_file(options.file(), ReductionError::NotHere).into());
     }
-    let problem = short_problem(&question, measurements)?;
+    let problem = question.of_measurements(measurements);
+    refuse_long(&problem)?;
     let long = |error| format!("{}: {error}", options.file());
     check_work(&problem, SizeLimits::default().work).map_err(long)?;
     let page = options.lesson(&problem.measurements)?;
@@ -92,8 +86,12 @@ impl Asked {
         let source = Source::new(options.file(), Cursor::new(table));
         let reading = if source.is_stored() { Reading::Binary64 } else { options.reading()? };
         let question = options.question(reading)?;
-        if question.moves_fixed_bounds(&source) {
-            return Err(ask::Refusal::Misuse(Misuse::LeastOfFixed).into());
+        if question.multiple_of_least.is_some() && question.columns.second.is_some() && source.is_reduction()
+        {
+            return Err("eps: a multiple of the least bound moves the bounds, and the table is a reduction under bounds \
+                        that are fixed: fit the table that it was made from"
+                .to_owned()
+                .into());
         }
         Ok(Asked { source, reading, question })
     }
@@ -121,8 +119,8 @@ fn readings(
         .ok_or_else(|| format!("row_numbers: {} numbers for a table of {rows} rows", numbers.len()).into())
 }
 
-/// The problem of readings, which are not too long for a fit.
-fn short_problem(question: &Question, measurements: Measurements) -> Result<Problem, Refusal> {
-    let problem = question.problem_within(measurements, SizeLimits::default().work);
-    Ok(problem.map_err(ask::Refusal::from)?)
+/// Refuses numbers that are too long for a fit.
+fn refuse_long(problem: &Problem) -> Result<(), Refusal> {
+    let work = problem.work(&[]).check(LOOKS, SizeLimits::default().work);
+    work.map_err(|error| error.to_string().into())
 }

@@ -33,17 +33,17 @@ impl Refused {
     }
 }
 
-/// Answers a question about readings as the program does: with the JSON document of its schema, or in the `format` that is asked for.
+/// Fits readings, and answers as `boundfit fit` does: with the JSON document of schema `boundfit/fit/2`, with the report for people, or
+/// with the proof.
 ///
 /// `table` has the bytes of a table of any kind that the program reads from text, and `options` is a JSON object whose keys are the
-/// program's options, with `_` in the place of `-`; `ask` names the question (`range`, `outliers`, `window`), which is `fit` when it
-/// is left out.
+/// program's options, with `_` in the place of `-`.
 ///
 /// # Errors
 /// Throws an `Error` that says what is wrong with the options or the table, and where; its `refusal` has the same as JSON.
 #[wasm_bindgen]
 pub fn run(table: Vec<u8>, options: &str) -> Result<String, Refused> {
-    answer::run(table, options).map_err(|refusal| Refused::of(&refusal))
+    answer::fit(table, options).map_err(|refusal| Refused::of(&refusal))
 }
 
 /// The columns of a table of which nothing is known yet, as JSON: `{"columns": ["x", "y"], "header": true,

@@ -1,6 +1,5 @@
 //! What is asked, as JSON says it.
 
-use boundfit::ask::{self, AskedXBounds, Form, Misuse, Request, XErrors};
 use boundfit::engine::estimation::TextProblem;
 use boundfit::engine::exact::{DecimalMark, Foreign, Thousands};
 use boundfit::engine::formats::{CommentMark, DELIMITERS, Encoding, RowNumbers};
@@ -9,11 +8,9 @@ use boundfit::files::{
     Question, RowCondition, RowRange, RowSet, TableOptions,
 };
 use boundfit::lesson::{LessonOptions, MOST_ROWS, MOST_ROWS_EVER};
-use boundfit::questions::Agreement;
 use boundfit::report::{EndRounding, Style};
 use boundfit::{Condition, Reading};
 use serde::Deserialize;
-use serde_json::{Map, Value};
 
 use crate::refusal::{Refusal, of_bound, of_condition};
 
@@ -22,6 +19,7 @@ const NO_FILE: &str = "standard input";
 
 /// The keys of the object, each named as the option of `boundfit fit` or `boundfit lesson` that it is.
 #[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub(crate) struct Options {
     /// The name of the table in reports and messages; without one it is standard input.
     pub(crate) file: Option<String>,
@@ -36,10 +34,6 @@ pub(crate) struct Options {
     #[serde(default)]
     through_origin: bool,
     x_origin: Option<String>,
-    x_eps: Option<String>,
-    x_eps_column: Option<String>,
-    #[serde(default)]
-    strong: bool,
     #[serde(default)]
     rows: Vec<Rows>,
     #[serde(default)]
@@ -74,9 +68,6 @@ pub(crate) struct Options {
     x_unit: Option<String>,
     y_unit: Option<String>,
     max_readings: Option<u16>,
-    /// The question, where it is not the fit, with its own keys.
-    #[serde(flatten)]
-    asked: Map<String, Value>,
 }
 
 /// How a table is written, where nothing is asked of it yet.
@@ -144,56 +135,22 @@ enum Rows {
     Range(usize, Option<usize>),
 }
 
+/// What is written of a fit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Format {
+    Json,
+    Text,
+    Latex,
+    Proof,
+}
+
 impl Options {
     /// Reads the object.
     ///
     /// # Errors
     /// With the key that is missing, not known, or of another type.
     pub(crate) fn parse(json: &str) -> Result<Self, String> {
-        let options: Options = serde_json::from_str(json).map_err(|error| format!("options: {error}"))?;
-        match options.asked.keys().next() {
-            Some(key) if !options.asked.contains_key("ask") => Err(format!("options: unknown field `{key}`")),
-            _ => Ok(options),
-        }
-    }
-
-    /// The question, where it is another one than the fit.
-    ///
-    /// # Errors
-    /// When there is no such question, or it has no such key.
-    pub(crate) fn request(&self) -> Result<Option<Request>, Refusal> {
-        match self.asked.get("ask") {
-            None => Ok(None),
-            Some(ask) if ask == "fit" => match self.asked.keys().find(|key| *key != "ask") {
-                Some(key) => Err(format!("options: unknown field `{key}`").into()),
-                None => Ok(None),
-            },
-            Some(_) => Ok(Some(Request::of_json(Value::Object(self.asked.clone()))?)),
-        }
-    }
-
-    /// The errors of x, where they are said.
-    pub(crate) fn x_errors(&self, reading: Reading) -> Result<Option<XErrors>, Refusal> {
-        let bounds = match (&self.x_eps, &self.x_eps_column) {
-            (None, None) if self.strong => return Err(ask::Refusal::Misuse(Misuse::StrongAlone).into()),
-            (None, None) => return Ok(None),
-            (Some(_), Some(_)) => {
-                return Err("the errors of x have one bound: x_eps or x_eps_column".to_owned().into());
-            }
-            (None, Some(name)) => AskedXBounds::Column(column("x_eps_column", name)?),
-            (Some(text), None) => {
-                let bound = reading.read(text, &TableOptions::default().limits);
-                let bound = bound.map_err(|error| refused("x_eps", text, error))?;
-                if bound.is_negative() {
-                    return Err(
-                        refused("x_eps", text, "negative (expected a number that is at least 0)").into()
-                    );
-                }
-                AskedXBounds::Uniform(bound)
-            }
-        };
-        let agreement = if self.strong { Agreement::Strong } else { Agreement::Weak };
-        Ok(Some(XErrors { bounds, agreement }))
+        serde_json::from_str(json).map_err(|error| format!("options: {error}"))
     }
 
     /// Refuses what is about a page alone.
@@ -242,10 +199,6 @@ impl Options {
             ("rounding", self.rounding.is_some()),
             ("exact", self.exact),
             ("no_eui", self.no_eui),
-            ("ask", !self.asked.is_empty()),
-            ("x_eps", self.x_eps.is_some()),
-            ("x_eps_column", self.x_eps_column.is_some()),
-            ("strong", self.strong),
         ];
         refuse_any(&asked, "is about a report, and this is a lesson")
     }
@@ -256,9 +209,14 @@ impl Options {
     }
 
     /// What is written.
-    pub(crate) fn form(&self) -> Result<Form, String> {
-        let names = Form::ALL.map(|form| (form.name(), form));
-        Ok(named("format", self.format.as_deref(), &names)?.unwrap_or(Form::Json))
+    pub(crate) fn format(&self) -> Result<Format, String> {
+        let names = [
+            ("json", Format::Json),
+            ("text", Format::Text),
+            ("latex", Format::Latex),
+            ("proof", Format::Proof),
+        ];
+        Ok(named("format", self.format.as_deref(), &names)?.unwrap_or(Format::Json))
     }
 
     /// How numbers of text are read.

@@ -2,11 +2,10 @@
 
 use std::fmt::Display;
 
-use boundfit::ask::{self, Surface};
 use boundfit::engine::estimation::{ParseBoundErrorKind, ParseConditionErrorKind};
 use boundfit::engine::exact::{DecimalMark, ParseNumberErrorKind};
 use boundfit::engine::formats::{InputError, Place};
-use boundfit::files::{InputErrorKind, Way};
+use boundfit::files::InputErrorKind;
 use boundfit::lesson::LessonError;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -85,35 +84,6 @@ impl Refusal {
 impl From<String> for Refusal {
     fn from(message: String) -> Self {
         Refusal { problem: Box::new(Problem { words: message.clone(), ..Problem::default() }), message }
-    }
-}
-
-/// What is asked in the words of keys.
-struct Keys;
-
-impl Surface for Keys {
-    fn key(&self, key: &str) -> String {
-        key.to_owned()
-    }
-
-    fn value(&self, key: &str, text: &str) -> String {
-        format!("{key}: {text:?}")
-    }
-
-    /// Limits have no key here, and the page has words and ways of its own for what it knows.
-    fn way(&self, way: &Way) -> String {
-        let Way { setting, value, effect } = way;
-        format!("{} {value} {effect}", setting.name())
-    }
-}
-
-impl From<ask::Refusal> for Refusal {
-    fn from(refusal: ask::Refusal) -> Self {
-        match refusal {
-            ask::Refusal::Input(error) => error.into(),
-            ask::Refusal::Work(error) => error.to_string().into(),
-            refusal => refusal.words(&Keys).into(),
-        }
     }
 }
 

@@ -1,5 +1,5 @@
-//! One way from a request to an answer. The command line, Python and WebAssembly say what is asked in their own words; from there
-//! on they share this crate, and know no question by name.
+//! One way from a request to an answer. The command line and Python say what is asked in their own words; from there on they
+//! share this crate.
 //!
 //! A question is one module. It implements [`Ask`]: what it reads of the data, what it costs, what it answers, and the forms of
 //! that answer. One line in [`Request`] registers it, and every surface has it.
