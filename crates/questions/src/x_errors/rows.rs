@@ -156,9 +156,11 @@ impl SideRows {
         // A smaller factor leaves something where all rows that grow at some λ have room. A point in the relative interior touches a row
         // only where all points do. At both ends of λ other rows may grow than between them.
         let has_room = |point: &Point| {
+            // Once for all rows: to reduce long numbers costs more than to compare them.
+            let [lambda, v] = point.coordinates();
             let is_touched = |row: &Row| {
                 let Inequality { a: [along, offset], b: bound } = row.at(factor);
-                row.grows(&point.theta1()) && along * point.theta1() + offset * point.theta2() == bound
+                row.grows(&lambda) && along * &lambda + offset * &v == bound
             };
             !among.iter().filter_map(|&index| self.rows.get(index)).any(is_touched)
         };
