@@ -224,6 +224,8 @@ test("a reading that matters and one that does not, switched off", async () => {
 test("every vertex has its number in the picture, as in the report", async () => {
   for (const width of [360, 1280]) {
     await page.setViewportSize({ width, height: 900 });
+    // A browser may lay a page out more than once before it has the new size.
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
     const labels = await page.locator("#vertex-numbers text").allTextContents();
     const numbers = labels.flatMap((label) => label.split(", ")).map(Number);
     assert.deepEqual(numbers.sort(), [1, 2, 3, 4, 5, 6], `${width} px`);
