@@ -99,14 +99,14 @@ fn least(rows: &SideRows) -> Option<LeastFactor> {
     let mut few: Vec<usize> = Vec::new();
     let [mut lower, mut upper] = [Rational::zero(), Rational::zero()];
     let [mut bits, most] = BITS;
-    let theta = loop {
+    let point = loop {
         let above = match rows.seen_from(&upper, &every) {
             Seen::Above(more) => {
                 few.extend(more);
                 &upper
             }
-            Seen::Here(theta) => break theta,
-            Seen::Below(theta) if bits == most || lower == upper => break Some(theta),
+            Seen::Here(point) => break point,
+            Seen::Below(point) if bits == most || lower == upper => break Some(point),
             Seen::Below(_) => {
                 bits = most;
                 &lower
@@ -122,6 +122,7 @@ fn least(rows: &SideRows) -> Option<LeastFactor> {
     let mut fixed_by: Vec<BoundName> =
         few.iter().filter_map(|&index| rows.names.get(index).copied()).collect();
     fixed_by.sort();
+    let theta = point.and_then(|own| rows.line(&own));
     Some(LeastFactor { lower, upper, side: rows.side, theta, fixed_by })
 }
 

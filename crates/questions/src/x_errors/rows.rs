@@ -41,7 +41,18 @@ impl Row {
 
     /// Whether the half-plane grows with the factor at this λ.
     fn grows(&self, lambda: &Rational) -> bool {
-        !(&self.of_y + lambda * (&self.of_x - &self.of_y)).is_zero()
+        self.grows_at([lambda, &Rational::one()])
+    }
+
+    /// Whether it does at λ = x/w.
+    fn grows_at(&self, [x, w]: [&Rational; 2]) -> bool {
+        !(&self.of_y * w + x * (&self.of_x - &self.of_y)).is_zero()
+    }
+
+    /// Whether it does at a point (x/w, y/w) that lies on its boundary.
+    fn is_touched(&self, factor: &Rational, [x, y, w]: &[Rational; 3]) -> bool {
+        let Inequality { a: [along, offset], b: bound } = self.at(factor);
+        self.grows_at([x, w]) && along * x + offset * y == bound * w
     }
 
     /// Whether (1, v) lies on the boundary whatever the factor is, though a line close to it may not.
@@ -54,10 +65,10 @@ impl Row {
 pub(super) enum Seen {
     /// Above: at most three of the rows leave nothing, nor do they at factors that are hardly larger.
     Above(Vec<usize>),
-    /// There, with a line that is left, if there is one.
-    Here(Option<[Rational; 2]>),
-    /// Below, with a line that is left.
-    Below([Rational; 2]),
+    /// There, with a point of a line that is left, if there is one.
+    Here(Option<Point>),
+    /// Below, with a point of a line that is left.
+    Below(Point),
 }
 
 /// The rows of one side, with |θ1| as a variable.
@@ -129,7 +140,7 @@ impl SideRows {
                 .collect();
             let zero = Rational::zero();
             match self.region(&fixed, &zero, [&zero, &self.top]).witness() {
-                Some(point) if point.theta1() != Rational::one() => lambda = Some(point.theta1()),
+                Some(point) if !is_steepest(&point) => lambda = Some(point.theta1()),
                 _ => return false,
             }
         }
@@ -143,7 +154,7 @@ impl SideRows {
         let Some(point) = region.witness() else {
             return Seen::Above(rows_of(&region, among));
         };
-        if point.theta1() == Rational::one() {
+        if is_steepest(&point) {
             // Nothing but one point with λ = 1 is left, where rows of one x without an error in it have no say, though steep lines
             // have to meet them. All other rows make room around the point as the factor grows.
             let v = point.theta2();
@@ -156,29 +167,32 @@ impl SideRows {
         // A smaller factor leaves something where all rows that grow at some λ have room. A point in the relative interior touches a row
         // only where all points do. At both ends of λ other rows may grow than between them.
         let has_room = |point: &Point| {
-            // Once for all rows: to reduce long numbers costs more than to compare them.
-            let [lambda, v] = point.coordinates();
-            let is_touched = |row: &Row| {
-                let Inequality { a: [along, offset], b: bound } = row.at(factor);
-                row.grows(&lambda) && along * &lambda + offset * &v == bound
-            };
-            !among.iter().filter_map(|&index| self.rows.get(index)).any(is_touched)
+            // To bring the coordinates to fractions in lowest terms costs more than all the rest where numbers are long.
+            let (x, y, w) = point.homogeneous();
+            let scaled = [x, y, w].map(Rational::from);
+            !among.iter().filter_map(|&index| self.rows.get(index)).any(|row| row.is_touched(factor, &scaled))
         };
         let at_end = |end: &Rational| self.region(among, factor, [end, end]).witness();
         let points = iter::once(Some(point.clone())).chain([&zero, &self.top].into_iter().map(at_end));
-        match points.flatten().find(has_room).and_then(|own| self.line(&own)) {
-            Some(line) => Seen::Below(line),
-            None => Seen::Here(self.line(&point)),
+        match points.flatten().find(has_room).filter(|own| !is_steepest(own)) {
+            Some(own) => Seen::Below(own),
+            None => Seen::Here(Some(point)),
         }
     }
 
     /// The line that a point stands for; `None` where λ = 1.
-    fn line(&self, point: &Point) -> Option<[Rational; 2]> {
+    pub(super) fn line(&self, point: &Point) -> Option<[Rational; 2]> {
         let [lambda, v] = point.coordinates();
         let over = (Rational::one() - &lambda).recip()?;
         let theta1 = lambda * &over;
         Some([if self.side == Side::Falling { -theta1 } else { theta1 }, v * over])
     }
+}
+
+/// Whether λ = 1, which is no line.
+fn is_steepest(point: &Point) -> bool {
+    let (x, _, w) = point.homogeneous();
+    x == w
 }
 
 /// The rows that prove a region empty.
