@@ -4,6 +4,7 @@ pub mod boxes;
 #[allow(missing_docs, reason = "fields and variants of what a report says are named as in the report")]
 pub mod cli;
 pub mod columns;
+pub mod conformance;
 pub mod deep;
 pub mod definitions;
 pub mod fuzz_targets;

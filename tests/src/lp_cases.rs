@@ -1,6 +1,7 @@
 //! Linear programs for the tests of solvers and of the referee.
 
 use std::fs;
+use std::path::Path;
 
 use boundfit_check::ProgramRows;
 use boundfit_estimation::{
@@ -138,23 +139,28 @@ pub fn hard_cases() -> Vec<HardCase> {
         .filter_map(|entry| Some(entry.ok()?.file_name().to_str()?.strip_suffix(".csv")?.to_owned()))
         .collect();
     names.sort();
-    let case = |name: String| {
-        let text = fs::read_to_string(folder.join(format!("{name}.json"))).expect("a case has a JSON file");
-        let mut json: Value = serde_json::from_str(&text).expect("a case's file is JSON");
-        let epsilon = json["eps"].as_str().expect("eps is a text").to_owned();
-        let column = ColumnSelector::name_or_number;
-        let columns = Columns {
-            first: column("x"),
-            second: None,
-            response: Some(column("y")),
-            epsilon: EpsilonColumn::Uniform(number(&epsilon)),
-            form: LineForm::default(),
-        };
-        let source = Source::open(&folder.join(format!("{name}.csv")).to_string_lossy()).expect("readable");
-        let measurements =
-            Measurements::read(source, &columns, &TableOptions::default()).expect("a case is a table");
-        let problem = Problem { measurements, conditions: Vec::new() };
-        HardCase { name, epsilon, problem, expected: json["expected"].take() }
+    names.into_iter().map(|name| hard_case(&folder, name)).collect()
+}
+
+/// The fit `NAME.csv` of a folder, with the error bound and the known answer in `NAME.json`.
+///
+/// # Panics
+/// When it cannot be read.
+pub fn hard_case(folder: &Path, name: String) -> HardCase {
+    let text = fs::read_to_string(folder.join(format!("{name}.json"))).expect("a case has a JSON file");
+    let mut json: Value = serde_json::from_str(&text).expect("a case's file is JSON");
+    let epsilon = json["eps"].as_str().expect("eps is a text").to_owned();
+    let column = ColumnSelector::name_or_number;
+    let columns = Columns {
+        first: column("x"),
+        second: None,
+        response: Some(column("y")),
+        epsilon: EpsilonColumn::Uniform(number(&epsilon)),
+        form: LineForm::default(),
     };
-    names.into_iter().map(case).collect()
+    let source = Source::open(&folder.join(format!("{name}.csv")).to_string_lossy()).expect("readable");
+    let measurements =
+        Measurements::read(source, &columns, &TableOptions::default()).expect("a case is a table");
+    let problem = Problem { measurements, conditions: Vec::new() };
+    HardCase { name, epsilon, problem, expected: json["expected"].take() }
 }

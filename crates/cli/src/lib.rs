@@ -33,7 +33,6 @@ pub fn main() -> ExitCode {
         Command::Check(arguments) => commands::check::run(&arguments),
         Command::Verify(arguments) => commands::verify::run(&arguments),
         Command::Judge(arguments) => commands::judge::run(&arguments),
-        Command::BenchSolvers(arguments) => commands::bench_solvers::run(&arguments),
         Command::Convert(arguments) => commands::convert::run(&arguments),
         Command::Range(arguments) => commands::range::run(&arguments),
         Command::Status(arguments) => commands::status::run(&arguments),

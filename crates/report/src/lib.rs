@@ -26,7 +26,6 @@
 
 mod advice;
 mod align;
-mod cases;
 mod cdd;
 mod check;
 mod check_json;
@@ -81,7 +80,6 @@ mod window;
 mod wkt;
 mod x_errors;
 
-pub use cases::{CaseVerdicts, cases_json, cases_table};
 pub use cdd::{h_representation, v_representation};
 pub use check::{check_document, verdict_line};
 pub use check_json::check_json;

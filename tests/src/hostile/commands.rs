@@ -231,16 +231,6 @@ pub(super) fn about_reduction(rng: &mut ChaCha8Rng) -> Case {
     Case { files: vec![("data.csv".to_owned(), text)], lines }
 }
 
-/// A folder of cases for solvers.
-pub(super) fn about_folder(rng: &mut ChaCha8Rng) -> Case {
-    let bytes = rng.random_range(30..1500);
-    let table = format!("x,y\n{}", rows(rng, 2, bytes));
-    let kind = written(rng);
-    let stated = format!("{{\"eps\": \"{}\"}}", number(rng, kind, 2).replace('-', ""));
-    let files = vec![("a.csv".to_owned(), table.into_bytes()), ("a.json".to_owned(), stated.into_bytes())];
-    Case { files, lines: vec![words("bench-solvers . --time-limit 1")] }
-}
-
 /// What unpacks to more than it is.
 pub(super) fn about_packed(rng: &mut ChaCha8Rng) -> Case {
     let (name, content) = bomb(rng);

@@ -31,15 +31,14 @@ pub struct Case {
 pub fn case(seed: u64) -> Case {
     let rng = &mut seeded(seed);
     loop {
-        let case = match rng.random_range(0..24) {
+        let case = match rng.random_range(0..23) {
             0..12 => commands::about_table(rng),
             12..15 => commands::about_half_planes(rng),
             15..18 => commands::about_model(rng),
             18 => commands::about_claims(rng),
             19 => commands::about_proof(rng),
             20 => commands::about_reduction(rng),
-            21 => commands::about_folder(rng),
-            22 => commands::about_packed(rng),
+            21 => commands::about_packed(rng),
             _ => commands::about_seed(rng),
         };
         if case.files.iter().map(|(_, bytes)| bytes.len()).sum::<usize>() <= MOST_BYTES {

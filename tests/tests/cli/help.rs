@@ -3,7 +3,7 @@
 use boundfit_tests::cli::printed;
 use boundfit_tests::program::root;
 
-const COMMANDS: [&str; 18] = [
+const COMMANDS: [&str; 17] = [
     "fit",
     "status",
     "predict",
@@ -15,7 +15,6 @@ const COMMANDS: [&str; 18] = [
     "convert",
     "verify",
     "judge",
-    "bench-solvers",
     "polygon",
     "plot",
     "lesson",
@@ -83,7 +82,7 @@ fn every_value_of_a_format_is_explained() {
     for value in ["text", "json", "latex", "markdown", "csv", "wkt", "m", "ine", "ext"] {
         assert!(help.contains(&format!("\n          - {value}:")), "{value}: {help}");
     }
-    for command in ["check", "verify", "bench-solvers"] {
+    for command in ["check", "verify"] {
         let help = printed(&root(), &format!("{command} --help"));
         assert!(help.contains("\n          - text: ") && help.contains("\n          - json: "), "{help}");
     }

@@ -74,7 +74,6 @@ fn what_was_typed_is_on_one_line() {
         &["judge", HOSTILE],
         &["polygon", HOSTILE],
         &["reduce", HOSTILE, "--x", "x", "--y", "y"],
-        &["bench-solvers", HOSTILE],
         &["check", "data.csv", "--x", "x", "--y", "y", "--eps", "1", "--claim", HOSTILE],
         &["check", "data.csv", "--x", "x", "--y", "y", "--eps", "1", "--solver", HOSTILE],
         &["check", "data.csv", "--x", "x", "--y", "y", "--eps", "1", "--claim-pui", HOSTILE],

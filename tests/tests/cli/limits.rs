@@ -128,7 +128,7 @@ fn numbers_on_the_command_line_have_the_same_limits() {
 }
 
 #[test]
-fn half_planes_and_cases_for_solvers_have_the_same_limits() {
+fn half_planes_have_the_same_limits() {
     let table = b"a1,a2,b\n1,0,1e7\n-1,0,0\n0,1,1\n0,-1,0\n";
     let directory = directory_with(&[("square.csv", table)]);
     let line = "polygon square.csv --limit exponent=6";
@@ -136,23 +136,6 @@ fn half_planes_and_cases_for_solvers_have_the_same_limits() {
                    --limit exponent=N raises it";
     check_refusal(&boundfit(directory.path(), line), line, 1, message);
     printed(directory.path(), "polygon square.csv --limit exponent=7");
-
-    let directory =
-        directory_with(&[("case.csv", b"x,y\n1,2\n2,3\n3,1e7\n"), ("case.json", b"{\"eps\": \"1e8\"}")]);
-    for (limit, problem) in [
-        (
-            7,
-            "./case.json: \"eps\": refused: exponent beyond 7 (the limit) at character 3; --limit exponent=N raises it",
-        ),
-        (
-            6,
-            "./case.json: \"eps\": refused: exponent beyond 6 (the limit) at character 3; --limit exponent=N raises it",
-        ),
-    ] {
-        let line = format!("bench-solvers . --limit exponent={limit}");
-        check_refusal(&boundfit(directory.path(), &line), &line, 1, problem);
-    }
-    printed(directory.path(), "bench-solvers . --limit exponent=8");
 }
 
 #[test]
@@ -256,7 +239,7 @@ fn limits_have_ceilings_of_their_own() {
              4294967296",
         ),
     ] {
-        for command in ["fit data.csv --x x --y y --eps 1", "polygon square.csv", "bench-solvers cases"] {
+        for command in ["fit data.csv --x x --y y --eps 1", "polygon square.csv"] {
             let line = format!("{command} --limit {name}={value}");
             let message = format!(
                 "invalid value '{name}={value}' for '--limit <NAME=N>': {value:?} is no limit of {name} (expected {expected})"
@@ -347,12 +330,7 @@ fn counts_near_the_end_of_what_can_be_counted_overflow_nothing() {
 }
 
 #[test]
-fn nothing_that_is_nested_exhausts_the_stack() {
-    let deep = format!("{}{}", "[".repeat(1_000_000), "]".repeat(1_000_000));
-    let directory = directory_with(&[("case.csv", b"x,y\n1,2\n2,3\n"), ("case.json", deep.as_bytes())]);
-    let run = boundfit(directory.path(), "bench-solvers .");
-    assert!(run.status == 1 && run.stderr.contains("recursion limit exceeded"), "{}", run.stderr);
-    // A condition is read without recursion.
+fn a_long_condition_does_not_exhaust_the_stack() {
     let sum = format!("theta1 <= {}", vec!["1"; 20_000].join(" - "));
     let directory = directory_with(&[("data.csv", b"x,y\n1,2\n2,3\n")]);
     let mut command = boundfit_tests::cli::command(directory.path());
@@ -418,7 +396,7 @@ fn hostile_tables_cost_no_memory() {
 
 #[test]
 fn every_command_that_reads_data_lists_the_limits() {
-    for command in ["fit", "check", "plot", "lesson", "reduce", "polygon", "bench-solvers"] {
+    for command in ["fit", "check", "plot", "lesson", "reduce", "polygon"] {
         let help = printed(Path::new("."), &format!("{command} --help"));
         assert!(help.contains("\nLimits:\n"), "{command}: {help}");
         for name in ["digits", "exponent", "line", "columns", "rows", "elements", "work", "nesting", "memory"]

@@ -35,8 +35,6 @@ const WRITERS: [(&str, &str); 35] = [
     ("check data.csv --x x --y y --eps 1", "json"),
     ("verify proof.json data.csv", "text"),
     ("verify proof.json data.csv", "json"),
-    ("bench-solvers cases", "text"),
-    ("bench-solvers cases", "json"),
     ("plot data.csv --x x --y y --eps 1", "svg"),
     ("plot data.csv --x x --y y --eps 1", "png"),
     ("lesson data.csv --x x --y y --eps 1", ""),
@@ -61,8 +59,6 @@ fn directory() -> TempDir {
         ("notes", b"what boundfit said: Set-membership fit\n"),
     ]);
     fs::create_dir(directory.path().join("cases")).unwrap();
-    fs::write(directory.path().join("cases/one.csv"), "x,y\n1,2\n2,3\n").unwrap();
-    fs::write(directory.path().join("cases/one.json"), "{\"eps\": \"1\"}").unwrap();
     assert_eq!(boundfit(directory.path(), &format!("{FIT} --no-lp --proof proof.json")).status, 0);
     directory
 }
@@ -166,8 +162,6 @@ fn what_is_read_is_never_replaced() {
                     .to_owned(),
                 "planes.csv",
             ),
-            ("bench-solvers cases -o cases/one.json".to_owned(), "cases/one.json"),
-            ("bench-solvers cases --format text -o cases/one.csv".to_owned(), "cases/one.csv"),
         ] {
             let message = format!("{input}: not written: it is {input}, which is read");
             destroys_nothing(directory.path(), &format!("{command}{force}"), &message);

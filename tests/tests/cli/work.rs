@@ -125,17 +125,6 @@ fn half_planes_models_and_claims_count_too() {
     }
 }
 
-#[test]
-fn a_case_for_solvers_counts_as_a_check() {
-    let directory =
-        directory_with(&[("case.csv", far_apart(15).as_bytes()), ("case.json", b"{\"eps\": \"1e9999\"}")]);
-    let run = boundfit(directory.path(), "bench-solvers .");
-    assert!(
-        run.status == 1 && run.stderr.starts_with("error: ./case.csv: refused: exact arithmetic on 15 rows"),
-        "{run:?}"
-    );
-}
-
 /// A word of the limit that is none.
 #[test]
 fn the_limit_is_a_number() {

@@ -11,11 +11,14 @@ use crate::pages::pages;
 fn output_of(command: &str) -> String {
     // The program is on nobody's path here; these functions stand in for an installed one and for `cargo run`.
     let script = format!(
-        "boundfit() {{ \"$BOUNDFIT\" \"$@\"; }}\ncargo() {{ shift 3; \"$BOUNDFIT\" \"$@\"; }}\n{command}\n"
+        "boundfit() {{ \"$BOUNDFIT\" \"$@\"; }}
+        cargo() {{ case $* in *\" --bin bench-solvers \"*) shift 6; \"$BENCH\" \"$@\";; *) shift 3; \"$BOUNDFIT\" \"$@\";; esac; }}
+        {command}\n"
     );
     let output = Command::new("sh")
         .args(["-c", &script])
         .env("BOUNDFIT", binary())
+        .env("BENCH", env!("CARGO_BIN_EXE_bench-solvers"))
         .current_dir(root())
         .output()
         .unwrap();

@@ -1,10 +1,10 @@
-//! The arguments of `boundfit check` and `boundfit bench-solvers`.
+//! The arguments of `boundfit check`.
 
 use clap::{Args, value_parser};
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
 use super::tolerance::ToleranceArguments;
-use super::{DataArguments, FileArguments, Format, LimitArguments, OutputArguments};
+use super::{DataArguments, OutputArguments};
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -70,31 +70,4 @@ pub(crate) struct CheckArguments {
     pub(crate) time_limit: u64,
     #[command(flatten)]
     pub(crate) output: OutputArguments,
-}
-
-pub(super) const BENCH_NOTES: Notes = Notes {
-    examples: &[
-        ("The fits of this repository", "boundfit bench-solvers fixtures/hard-lp"),
-        ("Its linear programs", "boundfit bench-solvers fixtures/tiny-lp"),
-    ],
-    statuses: &[],
-};
-
-/// Run every solver over a folder of cases and print who is right on which, as a Markdown table
-///
-/// A case is NAME.csv with columns x and y, and NAME.json with the error bound as text under "eps"; or NAME.mps, a linear
-/// program with at most two columns that are not fixed, and NAME.json with its "status" and, if it is optimal, its exact
-/// "objective" as text.
-#[derive(Debug, Args)]
-#[command(after_help = BENCH_NOTES.to_string())]
-pub(crate) struct BenchSolversArguments {
-    /// The folder
-    pub(crate) folder: String,
-    /// A Markdown table, or JSON with the verdicts of every case; told by the end of the output file's name when left out
-    #[arg(long, value_enum)]
-    pub(crate) format: Option<Format>,
-    #[command(flatten)]
-    pub(crate) file: FileArguments,
-    #[command(flatten)]
-    pub(crate) limits: LimitArguments,
 }

@@ -31,7 +31,7 @@ mod x_errors;
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
 
-pub(crate) use check::{BenchSolversArguments, CheckArguments};
+pub(crate) use check::CheckArguments;
 pub(crate) use convert::ConvertArguments;
 pub(crate) use endings::{Format, ReportFormat, TableFormat, ending, told_by_name};
 pub(crate) use fit::FitArguments;
@@ -85,7 +85,6 @@ pub(crate) enum Command {
     Convert(ConvertArguments),
     Verify(VerifyArguments),
     Judge(JudgeArguments),
-    BenchSolvers(BenchSolversArguments),
     Polygon(PolygonArguments),
     Plot(PlotArguments),
     Lesson(LessonArguments),
@@ -132,7 +131,6 @@ pub(crate) fn notes(command: &str) -> Option<&'static Notes> {
         "convert" => &convert::NOTES,
         "verify" => &verify::NOTES,
         "judge" => &judge::NOTES,
-        "bench-solvers" => &check::BENCH_NOTES,
         "polygon" => &polygon::NOTES,
         "plot" => &plot::NOTES,
         "lesson" => &lesson::NOTES,

@@ -159,7 +159,7 @@ fn read(arguments: &JudgeArguments) -> Result<WholeFile, Failure> {
 }
 
 /// The model in a file, in the format that its name or its first word tells.
-pub(super) fn model_of(file: &WholeFile, limits: &LimitArguments) -> Result<Model, Failure> {
+fn model_of(file: &WholeFile, limits: &LimitArguments) -> Result<Model, Failure> {
     let fail = |error| Failure::refused_of(file.name.borrowed(), error);
     let text = model_text(&file.content).map_err(fail)?;
     refuse_long_text(file.name.borrowed(), text, limits)?;

@@ -1,7 +1,6 @@
 //! One file per command.
 
 mod asked;
-pub(crate) mod bench_solvers;
 pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod convert;

@@ -1,8 +1,7 @@
-//! The LP line of `fit`, `bench-solvers`, and writing to a file.
+//! The LP line of `fit`, and writing to a file.
 
 use std::fmt::Write;
 
-use boundfit_tests::lp_cases::hard_cases;
 use boundfit_tests::program::run_with_input;
 
 use super::{NEAR_PARALLEL, boundfit};
@@ -119,31 +118,6 @@ fn solvers_get_the_readings_that_can_matter_or_all() {
 }
 
 #[test]
-fn the_conformance_table_has_a_row_per_case() {
-    let run = boundfit("bench-solvers fixtures/hard-lp");
-    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
-    let lines: Vec<&str> = run.stdout.lines().collect();
-    let names: Vec<String> = hard_cases().into_iter().map(|case| case.name).collect();
-    assert_eq!(lines.len(), names.len() + 3, "{}", run.stdout);
-    let sources = boundfit_check::source_names().len();
-    assert!(lines[0].starts_with("| case | microlp 0.7 | clarabel 0.11 |"), "{}", lines[0]);
-    assert!(lines[0].ends_with("| exact-simplex |") && lines[1].starts_with("|---|"));
-    let mut right = vec![0; sources];
-    for (line, name) in lines[2..].iter().zip(&names) {
-        let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
-        assert_eq!((cells[0], cells.len()), (format!("`{name}`").as_str(), sources + 1), "{line}");
-        assert_eq!(cells[sources], "exact", "{line}");
-        for (count, cell) in right.iter_mut().zip(&cells[1..]) {
-            let verdict = cell.split(" (").next().unwrap();
-            *count += usize::from(["exact", "rounded", "within tolerance", "no answer"].contains(&verdict));
-        }
-    }
-    let totals: Vec<String> = right.iter().map(|count| format!("{count} of 12")).collect();
-    assert_eq!(*lines.last().unwrap(), format!("| not refuted | {} |", totals.join(" | ")));
-    assert_eq!(totals[sources - 1], "12 of 12");
-}
-
-#[test]
 fn reports_are_written_whole() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("report");
@@ -156,10 +130,6 @@ fn reports_are_written_whole() {
         assert_eq!((written.status, written.stdout.as_str()), (4, ""), "{options}");
         assert_eq!(std::fs::read_to_string(&file).unwrap(), printed.stdout, "{options}");
     }
-    let bench = boundfit(&format!("bench-solvers fixtures/hard-lp -o {}", file.display()));
-    assert_eq!((bench.status, bench.stdout.as_str()), (0, ""));
-    let printed = boundfit("bench-solvers fixtures/hard-lp").stdout;
-    assert_eq!(std::fs::read_to_string(&file).unwrap(), printed);
     // What cannot be written leaves nothing behind, and says so.
     let missing = folder.path().join("none/report");
     let refused = boundfit(&format!("{NEAR_PARALLEL} {claim} -o {}", missing.display()));
@@ -171,85 +141,4 @@ fn reports_are_written_whole() {
     assert_eq!(refused.status, 1);
     assert_eq!(std::fs::read_to_string(&file).unwrap(), "kept");
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
-}
-
-const BEST: &str =
-    "ROWS\n N cost\n G need\nCOLUMNS\n x cost 1 need 1\n y cost 2 need 1\nRHS\n RHS need 3\nENDATA\n";
-
-#[test]
-fn solvers_answer_linear_programs_with_expected_answers() {
-    let folder = tempfile::tempdir().unwrap();
-    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
-    let empty = BEST.replace("ENDATA", "RANGES\n R need 1\nBOUNDS\n FX B x 9\nENDATA");
-    let open = BEST.replace("ROWS", "OBJSENSE MAX\nROWS");
-    for (name, mps, json) in [
-        ("best", BEST, r#"{"status": "optimal", "objective": "3", "scale": "3"}"#),
-        ("empty", &empty, r#"{"status": "infeasible"}"#),
-        ("open", &open, r#"{"status": "unbounded"}"#),
-    ] {
-        write(&format!("{name}.mps"), mps);
-        write(&format!("{name}.json"), json);
-    }
-    let bench = |options: &str| boundfit(&format!("bench-solvers {}{options}", folder.path().display()));
-    let run = bench("");
-    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
-    let lines: Vec<&str> = run.stdout.lines().collect();
-    assert!(lines[0].starts_with("| case | microlp 0.7 | clarabel 0.11 |"), "{}", run.stdout);
-    assert!(lines[0].ends_with("| exact-simplex |"), "{}", run.stdout);
-    assert_eq!(lines.len(), 6, "{}", run.stdout);
-    for (line, name) in lines[2..5].iter().zip(["best", "empty", "open"]) {
-        let microlp = line.split(" | ").nth(1).unwrap();
-        assert!(line.starts_with(&format!("| `{name}` | ")) && line.ends_with(" | exact |"), "{line}");
-        assert!(["exact", "rounded", "within tolerance"].contains(&microlp), "{line}");
-    }
-    assert!(
-        lines[5].starts_with("| not refuted | 3 of 3 | ") && lines[5].ends_with(" | 3 of 3 |"),
-        "{}",
-        lines[5]
-    );
-    let json: serde_json::Value = serde_json::from_str(&bench(" --format json").stdout).unwrap();
-    assert_eq!(json["schema"], "boundfit/bench-solvers/1");
-    let exact = serde_json::json!({"source": "exact-simplex", "reading": "decimal", "verdict": "exact"});
-    assert!(json["cases"][1]["claims"].as_array().unwrap().contains(&exact), "{json}");
-    // A fit and a program may be in one folder.
-    write("fit.csv", "x,y\n1,1\n2,2\n3,3\n");
-    write("fit.json", r#"{"eps": "1"}"#);
-    let both = bench("").stdout;
-    assert!(both.contains("\n| `empty` |") && both.contains("\n| `fit` |"), "{both}");
-}
-
-#[test]
-fn expected_answers_have_to_be_right() {
-    let folder = tempfile::tempdir().unwrap();
-    let name = folder.path().display().to_string();
-    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
-    let refused = |message: &str| {
-        let run = boundfit(&format!("bench-solvers {name}"));
-        assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{message}");
-        assert!(run.stderr.starts_with(&format!("error: {name}/{message}")), "{} {message}", run.stderr);
-    };
-    write("a.mps", BEST);
-    refused("a.json: cannot read: ");
-    for (json, message) in [
-        ("{", "EOF while parsing"),
-        ("{}", "there is no text \"status\"\n"),
-        (r#"{"status": "infeasible"}"#, "\"status\" is \"infeasible\", but the program is optimal\n"),
-        (r#"{"status": "optimal"}"#, "there is no text \"objective\"\n"),
-        (
-            r#"{"status": "optimal", "objective": "x"}"#,
-            "\"objective\": not a number: unexpected character 'x' at character 1",
-        ),
-        (
-            r#"{"status": "optimal", "objective": "5/2"}"#,
-            "\"objective\" is 5/2, but the exact optimum is 3\n",
-        ),
-    ] {
-        write("a.json", json);
-        refused(&format!("a.json: {message}"));
-    }
-    let wide = BEST.replace("RHS\n", " z cost 1\nRHS\n");
-    write("a.mps", &wide);
-    refused("a.mps: 3 columns are not fixed by their bounds, first x, y and z (expected at most two)\n");
-    write("a.mps", "ROWS\n N cost\n G need\nCOLUMNS\n x kost 1\n");
-    refused("a.mps: line 5, column 4: \"kost\": there is no such row; did you mean \"cost\"?");
 }

@@ -1,4 +1,4 @@
-//! `boundfit check` and what it has in common with `fit` and `bench-solvers`, started as a user would start them.
+//! `boundfit check` and what it has in common with `fit`, started as a user would start them.
 
 mod claims;
 mod commands;

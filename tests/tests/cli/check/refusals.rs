@@ -1,4 +1,4 @@
-//! What `check` and `bench-solvers` refuse.
+//! What `check` refuses.
 
 use super::{NEAR_PARALLEL, boundfit};
 
@@ -94,33 +94,4 @@ fn options_that_make_no_sense() {
     let message = format!("error: there is no solver \"glpk\" in this build; it has {names}");
     assert_eq!(run.stderr.lines().next(), Some(message.as_str()));
     assert!(names.starts_with("microlp, clarabel") && names.ends_with("exact-simplex"), "{names}");
-}
-
-#[test]
-fn folders_without_cases() {
-    let folder = tempfile::tempdir().unwrap();
-    let name = folder.path().display().to_string();
-    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
-    let refused = |folder: &str, message: &str| {
-        let run = boundfit(&format!("bench-solvers {folder}"));
-        assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{message}");
-        assert!(run.stderr.starts_with(&format!("error: {message}")), "{} {message}", run.stderr);
-        assert_eq!(run.stderr.lines().count(), 1, "{}", run.stderr);
-    };
-    refused(&format!("{name}/none"), &format!("{name}/none: cannot read: "));
-    refused("README.md", "README.md: cannot read: ");
-    refused(&name, &format!("{name}: there is no case NAME.csv or NAME.mps with NAME.json"));
-    write("a.csv", "x,y\n1,2\n");
-    refused(&name, &format!("{name}/a.json: cannot read: "));
-    write("a.json", "eps: 1");
-    refused(&name, &format!("{name}/a.json: expected value"));
-    for json in ["{}", "{\"eps\": 1}", "[]"] {
-        write("a.json", json);
-        refused(&name, &format!("{name}/a.json: there is no text \"eps\""));
-    }
-    write("a.json", "{\"eps\": \"one\"}");
-    refused(&name, &format!("{name}/a.json: \"eps\": not a number: unexpected character 'o' at character 1"));
-    write("a.json", "{\"eps\": \"1\"}");
-    write("a.csv", "x,z\n1,2\n");
-    refused(&name, &format!("{name}/a.csv"));
 }
