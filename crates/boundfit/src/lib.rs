@@ -41,6 +41,24 @@
 //! # Ok::<(), boundfit::Error>(())
 //! ```
 //!
+//! With the feature `nalgebra` a regressor matrix and a vector of doubles are a problem ([`Observations::from_matrix`]), and vertices
+//! are points of fractions ([`exact_points`]) or, rounded, of doubles ([`rounded_points`]):
+//!
+//! ```
+//! # #[cfg(feature = "nalgebra")] {
+//! use boundfit::nalgebra::{DMatrix, dvector};
+//! use boundfit::{Observations, exact_points, rounded_points};
+//!
+//! // y = theta1*phi1 + theta2*phi2 + e with |e| ≤ 1/4.
+//! let phi = DMatrix::from_row_slice(3, 2, &[1.0, 0.0, 0.0, 1.0, 1.0, 1.0]);
+//! let fit = Observations::from_matrix(&phi, &dvector![2.0, 3.0, 5.0])?.error_bound(0.25)?.fit();
+//! let points = exact_points(&fit.vertices());
+//! assert_eq!(points[0].x.to_string(), "7/4");
+//! assert_eq!(rounded_points(&fit.vertices())[0].x, 1.75);
+//! # }
+//! # Ok::<(), boundfit::Error>(())
+//! ```
+//!
 //! Many readings in slices of doubles are best handed over as such: [`fit_doubles`] takes 10⁶ of them in a few hundredths of a second,
 //! each for itself or for the shortest decimal that is read as it.
 //!
@@ -85,6 +103,7 @@
 //! |---|---|
 //! | none | all of the above, and [`polygon`] for any half-planes |
 //! | `files` (default) | the module `files`: tables of text, MATLAB's `.mat`, files of half-planes |
+//! | `nalgebra` (default) | readings in matrices of nalgebra, vertices as its points; without it no linear algebra is compiled |
 //! | `parallel` (default) | all processors at once for large files |
 //! | `arrow` | Parquet and Arrow IPC files |
 //! | `lp` | the module `check`: claims about the intervals, judged exactly |
@@ -98,8 +117,8 @@
 //! | `lesson` | the module `lesson`: the web page that teaches |
 //! | `engine` (default) | the engine inside that page, for readings that are changed there |
 //!
-//! Everything at the root of this crate, and in its feature modules, follows the versions of this crate. The module
-//! [`engine`] has the crates underneath, for whoever needs more; they may change in any release.
+//! Everything that this documentation shows at the root of this crate, and in its feature modules, follows the versions of this
+//! crate. The module [`engine`] has the crates underneath, for whoever needs more; they may change in any release.
 
 #[cfg(feature = "lp")]
 pub mod check;
@@ -108,8 +127,14 @@ mod doubles;
 pub mod files;
 #[cfg(feature = "judge")]
 pub mod judge;
+#[cfg(feature = "nalgebra")]
+mod matrices;
 mod number;
 mod observations;
+#[cfg(feature = "questions")]
+pub mod questions;
+#[cfg(feature = "report")]
+pub mod report;
 #[cfg(feature = "verify")]
 pub mod verify;
 
@@ -121,9 +146,13 @@ pub use boundfit_exact::{Endpoint, Integer, Interval, ParseNumberError, Rational
 pub use boundfit_geometry::{
     Direction, Inequality, Point, Polyhedron, ProofError, Region, RegionKind, Support, System, Vertex,
 };
+#[cfg(feature = "nalgebra")]
+pub use nalgebra;
 pub use num_rational;
 
 pub use doubles::{fit_doubles, problem_of_doubles};
+#[cfg(feature = "nalgebra")]
+pub use matrices::{exact_points, rounded_points};
 pub use number::{Number, NumberError};
 pub use observations::{Error, Observations};
 
@@ -133,10 +162,6 @@ pub use boundfit_ask as ask;
 pub use boundfit_figures as figures;
 #[cfg(feature = "lesson")]
 pub use boundfit_lesson as lesson;
-#[cfg(feature = "questions")]
-pub use boundfit_questions as questions;
-#[cfg(feature = "report")]
-pub use boundfit_report as report;
 
 /// The crates that this one is made of, with everything that they offer.
 pub mod engine {
@@ -151,6 +176,10 @@ pub mod engine {
     pub use boundfit_judge as judge;
     #[cfg(any(feature = "judge", feature = "lp"))]
     pub use boundfit_lp as lp;
+    #[cfg(feature = "questions")]
+    pub use boundfit_questions as questions;
+    #[cfg(feature = "report")]
+    pub use boundfit_report as report;
 }
 
 /// Fits the line y = theta1*x + theta2 + e with |e| ≤ eps to readings. Exact. Cost: O(N log N).

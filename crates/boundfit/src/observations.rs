@@ -44,6 +44,12 @@ pub enum Error {
         /// How many numbers each has.
         rows: [usize; 2],
     },
+    /// A regressor matrix has no column, or more than two.
+    #[error("the regressor matrix has {columns} columns (expected 1 or 2)")]
+    Regressors {
+        /// How many it has.
+        columns: usize,
+    },
     /// An error bound is negative.
     #[error("the error bound{} is negative", .row.map(|row| format!(" of row {row}")).unwrap_or_default())]
     NegativeBound {
