@@ -70,7 +70,7 @@ const FITS: u64 = 24;
 /// Every run gives the same bytes. Cost: that of [`lesson_data`].
 ///
 /// # Errors
-/// With more than [`LessonOptions::most_rows`] readings.
+/// With more than [`LessonOptions::most_rows`] readings, or when a picture cannot be drawn.
 pub fn page(
     problem: &Problem,
     fit: &Fit,
@@ -80,7 +80,8 @@ pub fn page(
     let data = data::build(problem, fit, reading, options)?;
     let json = serde_json::to_string(&data)?;
     let facts = unscripted::Facts { problem, fit, document: &data, options };
-    Ok(template::page(data.title(), &json, options.language, Some(&facts))?)
+    let unscripted = unscripted::content(&facts)?;
+    Ok(template::page(data.title(), &json, options.language, Some((&facts, &unscripted)))?)
 }
 
 /// [`lesson_data`] as text, as it stands in the page. Exact. Cost: that of [`lesson_data`].

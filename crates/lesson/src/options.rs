@@ -58,6 +58,10 @@ pub enum LessonError {
         /// How many there may be.
         limit: usize,
     },
+    /// A picture that cannot be drawn.
+    #[cfg(feature = "figures")]
+    #[error(transparent)]
+    Figure(#[from] boundfit_figures::FigureError),
     /// A report that cannot be embedded.
     #[error("cannot embed a report: {0}")]
     Json(#[from] serde_json::Error),

@@ -2,7 +2,7 @@
 
 use crate::engine;
 use crate::texts::{self, Language, Message, Value, escaped};
-use crate::unscripted::{self, Facts};
+use crate::unscripted::Facts;
 
 /// A module of the script: its path in the folder `page/js`, and its source.
 macro_rules! module {
@@ -90,20 +90,21 @@ const MODULES: &[(&str, &str)] = &[
     module!("texts.js"),
 ];
 
-/// The page with a title and data in JSON, in a language.
+/// The page with a title and data in JSON, in a language; with what it says of the data, and what shows where scripts are off.
 pub(crate) fn page(
     title: &str,
     data: &str,
     language: Language,
-    facts: Option<&Facts<'_>>,
+    facts: Option<(&Facts<'_>, &str)>,
 ) -> Result<String, serde_json::Error> {
     let table = texts::table()?;
-    let template = with_texts(TEMPLATE, language, &facts.map(Facts::values).unwrap_or_default());
-    let template = facts.map(|facts| with_names(&template, facts)).unwrap_or(template);
+    let values = facts.map(|(facts, _)| facts.values()).unwrap_or_default();
+    let template = with_texts(TEMPLATE, language, &values);
+    let template = facts.map(|(facts, _)| with_names(&template, facts)).unwrap_or(template);
     Ok(fill(&template, |token| match token {
         "unscripted" => Some(facts.map_or_else(
             || format!("<p>{}</p>", texts::html(&Message::new("page.no-script"), language)),
-            unscripted::content,
+            |(_, unscripted)| unscripted.to_owned(),
         )),
         "policy" => Some(engine::POLICY.to_owned()),
         "title" => Some(escaped(title)),

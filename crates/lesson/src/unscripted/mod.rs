@@ -1,7 +1,7 @@
 //! What the page shows where scripts are off: both pictures, the tables and the questions, as they are at the start.
 
-mod picture;
-mod planes;
+#[cfg(feature = "figures")]
+mod pictures;
 
 use boundfit_estimation::{Fit, Measurement, Model, Problem};
 use boundfit_exact::{Rational, Rounding};
@@ -9,7 +9,7 @@ use boundfit_report::Style;
 
 use crate::data::LessonJson;
 use crate::number::{STYLE, with_minus};
-use crate::options::LessonOptions;
+use crate::options::{LessonError, LessonOptions};
 use crate::questions::wording::value;
 use crate::texts::{Language, Message, Value, html, text};
 
@@ -56,6 +56,12 @@ impl Facts<'_> {
         names
     }
 
+    /// What the feasible set is.
+    fn kind(&self) -> Message {
+        let region = self.fit.fps.polyhedron().region();
+        text!(&format!("kind.{}", region.kind().name()), vertices: region.vertices().len())
+    }
+
     /// What stands in the places of the introduction.
     pub(crate) fn values(&self) -> Vec<(&'static str, Value)> {
         let mut values: Vec<(&str, Value)> =
@@ -98,12 +104,19 @@ impl Facts<'_> {
 }
 
 /// Everything between header and footer that scripts would draw.
-pub(crate) fn content(facts: &Facts<'_>) -> String {
+///
+/// # Errors
+/// When a picture cannot be drawn.
+pub(crate) fn content(facts: &Facts<'_>) -> Result<String, LessonError> {
+    #[cfg(feature = "figures")]
+    let pictures = pictures::pictures(facts)?;
+    #[cfg(not(feature = "figures"))]
+    let pictures = String::new();
     let heading = |key: &str| format!("<h2>{}</h2>", facts.say(&text!(key)));
-    [
+    let parts = [
         format!("<h2>{}</h2>", crate::texts::escaped(facts.document.title())),
         format!("<p>{}</p>", facts.say(&text!("page.no-script"))),
-        planes::pictures(facts),
+        pictures,
         heading("shown.title"),
         set(facts),
         intervals(facts),
@@ -112,15 +125,12 @@ pub(crate) fn content(facts: &Facts<'_>) -> String {
         readings(facts),
         heading("questions.title"),
         questions(facts),
-    ]
-    .concat()
-    .replace('\u{2028}', "&#8232;")
+    ];
+    Ok(parts.concat().replace('\u{2028}', "&#8232;"))
 }
 
 fn set(facts: &Facts<'_>) -> String {
-    let region = facts.fit.fps.polyhedron().region();
-    let kind = text!(&format!("kind.{}", region.kind().name()), vertices: region.vertices().len());
-    format!("<p>{}</p>", facts.say(&text!("summary.set", set: kind)))
+    format!("<p>{}</p>", facts.say(&text!("summary.set", set: facts.kind())))
 }
 
 /// A table with these heads.
