@@ -114,6 +114,7 @@
 //! | `verify` | the module `verify`: the checker of proofs |
 //! | `report` | the module `report`: answers as text, JSON, LaTeX, Markdown |
 //! | `figures` | the module `figures`: both planes as SVG and PNG |
+//! | `tikz` | source for LaTeX's TikZ among them |
 //! | `lesson` | the module `lesson`: the web page that teaches |
 //! | `engine` (default) | the engine inside that page, for readings that are changed there |
 //!

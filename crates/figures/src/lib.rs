@@ -43,6 +43,7 @@ mod render;
 mod samples;
 mod series;
 mod status;
+#[cfg(feature = "tikz")]
 mod tex;
 mod text;
 mod x_errors;

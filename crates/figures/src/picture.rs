@@ -23,8 +23,10 @@ pub enum PictureFormat {
     /// Lines and letters as paths, on one page of the picture's size.
     Pdf,
     /// Source for LaTeX's TikZ, a picture for `\\input`: letters are those of the document.
+    #[cfg(feature = "tikz")]
     Tikz,
     /// A document for LaTeX of one page with that picture.
+    #[cfg(feature = "tikz")]
     Tex,
 }
 
@@ -45,9 +47,22 @@ impl Default for Encoding {
 }
 
 impl PictureFormat {
-    /// All of them.
-    pub const ALL: [PictureFormat; 5] =
-        [PictureFormat::Svg, PictureFormat::Png, PictureFormat::Pdf, PictureFormat::Tikz, PictureFormat::Tex];
+    /// All of this build.
+    pub const ALL: [PictureFormat; if cfg!(feature = "tikz") { 5 } else { 3 }] = [
+        PictureFormat::Svg,
+        PictureFormat::Png,
+        PictureFormat::Pdf,
+        #[cfg(feature = "tikz")]
+        PictureFormat::Tikz,
+        #[cfg(feature = "tikz")]
+        PictureFormat::Tex,
+    ];
+    /// What they are, and how the names of their files end, in words.
+    pub const EXPECTED: &str = if cfg!(feature = "tikz") {
+        "a picture is SVG, PNG, PDF or TikZ (expected a name that ends in .svg, .png, .pdf, .tikz or .tex"
+    } else {
+        "a picture is SVG, PNG or PDF (expected a name that ends in .svg, .png or .pdf"
+    };
 
     /// The name on the command line, and the end of a file's name: `svg`, `png`, `pdf`, `tikz` or `tex`.
     pub fn name(self) -> &'static str {
@@ -55,8 +70,21 @@ impl PictureFormat {
             PictureFormat::Svg => "svg",
             PictureFormat::Png => "png",
             PictureFormat::Pdf => "pdf",
+            #[cfg(feature = "tikz")]
             PictureFormat::Tikz => "tikz",
+            #[cfg(feature = "tikz")]
             PictureFormat::Tex => "tex",
+        }
+    }
+
+    /// What a picture in this format is, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            PictureFormat::Svg => "an SVG",
+            PictureFormat::Png => "a PNG",
+            PictureFormat::Pdf => "a PDF",
+            #[cfg(feature = "tikz")]
+            PictureFormat::Tikz | PictureFormat::Tex => "source for TikZ",
         }
     }
 }
@@ -102,7 +130,9 @@ impl Picture {
             PictureFormat::Pdf => {
                 Ok(pdf::document(&self.tree, &self.drawing.title, &self.drawing.description))
             }
+            #[cfg(feature = "tikz")]
             PictureFormat::Tikz => Ok(render::source(&self.drawing, &self.look, false)?.into_bytes()),
+            #[cfg(feature = "tikz")]
             PictureFormat::Tex => Ok(render::source(&self.drawing, &self.look, true)?.into_bytes()),
         }
     }

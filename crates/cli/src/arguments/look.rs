@@ -97,15 +97,10 @@ impl LookArguments {
             ("--dpi", "the pixels of a PNG", self.dpi.is_some() && !is(PictureFormat::Png)),
             ("--real-text", "the texts of an SVG", self.real_text && !is(PictureFormat::Svg)),
         ];
-        let name = match format {
-            PictureFormat::Svg => "an SVG",
-            PictureFormat::Png => "a PNG",
-            PictureFormat::Pdf => "a PDF",
-            PictureFormat::Tikz | PictureFormat::Tex => "source for TikZ",
-        };
         match asked.iter().find(|(.., is_refused)| *is_refused) {
             Some((option, about, _)) => {
-                Err(Failure::Usage(format!("'{option}' is about {about}, and the picture is {name}")))
+                let words = format.words();
+                Err(Failure::Usage(format!("'{option}' is about {about}, and the picture is {words}")))
             }
             None => Ok(()),
         }

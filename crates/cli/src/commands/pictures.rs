@@ -5,10 +5,6 @@ use boundfit_figures::PictureFormat;
 use crate::arguments::ending;
 use crate::exit::Failure;
 
-/// What is said of a name that tells no format.
-pub(super) const EXPECTED: &str =
-    "a picture is SVG, PNG, PDF or TikZ (expected a name that ends in .svg, .png, .pdf, .tikz or .tex";
-
 /// The format that the end of a file's name tells.
 pub(super) fn told_by_name(file: &str) -> Option<PictureFormat> {
     let ending = ending(file)?;
@@ -20,6 +16,6 @@ pub(super) fn picture_format(option: &str, file: &str) -> Result<PictureFormat, 
     match told_by_name(file) {
         Some(format) => Ok(format),
         None if file == "-" => Ok(PictureFormat::Svg),
-        None => Err(Failure::value(option, file, format!("{EXPECTED})"))),
+        None => Err(Failure::value(option, file, format!("{})", PictureFormat::EXPECTED))),
     }
 }

@@ -5,10 +5,12 @@ mod canvas;
 mod legend;
 mod panel;
 mod placing;
+#[cfg(feature = "tikz")]
 mod tikz;
 mod written;
 
 pub(crate) use panel::{BOTTOM_LABELS, LEFT_LABELS};
+#[cfg(feature = "tikz")]
 pub(crate) use tikz::source;
 
 use plotters::prelude::{IntoDrawingArea, SVGBackend};

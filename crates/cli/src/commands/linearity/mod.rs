@@ -101,7 +101,7 @@ fn figure(arguments: &LinearityArguments) -> Result<Option<(&str, PictureFormat)
     let Some(file) = arguments.figure.as_deref() else { return Ok(None) };
     let refuse = |problem: &str| Err(Failure::value("--figure <FILE>", file, problem));
     let Some(format) = pictures::told_by_name(file) else {
-        return refuse(&format!("{})", pictures::EXPECTED));
+        return refuse(&format!("{})", PictureFormat::EXPECTED));
     };
     match arguments.output.file.output.as_deref() {
         Some(output) if output != "-" && output::is_one_file(output, file) => {

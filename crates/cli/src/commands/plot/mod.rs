@@ -17,7 +17,7 @@ use boundfit_questions::{NoOutliers, OutlierLimits, Outliers, XErrorFit, XErrorP
 use crate::CommandResult;
 use crate::arguments::{FactorRange, Figures, PlotArguments};
 use crate::commands::fit::SWEEP_OF_FIXED;
-use crate::commands::pictures::{EXPECTED, told_by_name};
+use crate::commands::pictures::told_by_name;
 use crate::exit::{Exit, Failure};
 use crate::input;
 use crate::memory;
@@ -282,6 +282,9 @@ fn destination(arguments: &PlotArguments) -> Result<(Destination<'_>, PictureFor
     };
     match asked.or_else(|| told_by_name(file)) {
         Some(format) => Ok((Destination::One(figure, Some(file)), format)),
-        None => Err(Failure::value("--output <FILE|DIR>", file, format!("{EXPECTED}, or '--format')"))),
+        None => {
+            let problem = format!("{}, or '--format')", PictureFormat::EXPECTED);
+            Err(Failure::value("--output <FILE|DIR>", file, problem))
+        }
     }
 }
