@@ -2,6 +2,11 @@
 
 use std::collections::HashMap;
 
+use strsim::osa_distance;
+
+/// The longest name that may be meant by another one.
+const LONGEST: usize = 255;
+
 /// Names in their order, each once.
 #[derive(Debug, Default)]
 pub(super) struct Names<'a> {
@@ -45,14 +50,11 @@ impl<'a> Names<'a> {
 /// Whether one letter more, less or another, or two neighbours exchanged, make one text the other. Names of one or two
 /// letters are all alike and never one edit apart.
 fn is_one_edit(first: &str, second: &str) -> bool {
-    let (first, second): (Vec<char>, Vec<char>) = (first.chars().collect(), second.chars().collect());
-    let start = first.iter().zip(&second).take_while(|(a, b)| a == b).count();
-    let (first_rest, second_rest) = (first.iter().skip(start), second.iter().skip(start));
-    let end = first_rest.rev().zip(second_rest.rev()).take_while(|(a, b)| a == b).count();
-    let middle = |text: &[char]| text.get(start..text.len() - end).unwrap_or_default().to_vec();
-    let is_swap = |a: &[char], b: &[char]| matches!((a, b), ([p, q], [r, s]) if p == s && q == r);
-    let (a, b) = (middle(&first), middle(&second));
-    first.len().min(second.len()) > 2 && (a.len() <= 1 && b.len() <= 1 || is_swap(&a, &b))
+    // The distance takes the product of both lengths: only names of about the same length are asked for it, and no endless ones.
+    let [first_length, second_length] = [first, second].map(|name| name.chars().count());
+    (3..=LONGEST).contains(&first_length.min(second_length))
+        && first_length.abs_diff(second_length) <= 1
+        && osa_distance(first, second) <= 1
 }
 
 #[cfg(test)]
