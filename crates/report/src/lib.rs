@@ -121,7 +121,7 @@ pub use range::range_proof;
 pub use range::{RangeReport, range_csv, range_document, range_json};
 pub use script::region_script;
 #[cfg(feature = "files")]
-pub use statements::{Claim, ErrorScale, FormEnd, HalfPlaneName, Multiple, Scope, Side, Statement};
+pub use statements::{Claim, ErrorScale, FormEnd, Multiple, Scope, Statement};
 #[cfg(feature = "files")]
 pub use statements_json::statements_json;
 #[cfg(feature = "files")]

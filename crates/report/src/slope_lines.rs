@@ -24,7 +24,7 @@ pub(crate) fn of_fit(problem: &Problem, fit: &Fit, scales: &[Scale; 2]) -> Vec<(
     let (Model::Line { .. }, Some([pui, _])) = (problem.measurements.model(), &fit.pui) else {
         return Vec::new();
     };
-    let name = |index: usize| BoxBound::Bound(fit.fps.name(index), None);
+    let name = |index: usize| fit.fps.name(index).into();
     let line = |is_upper| Some(SlopeLine::new(if is_upper { &pui.upper } else { &pui.lower }, name));
     lines(&pui.interval(), problem, scales, line)
 }

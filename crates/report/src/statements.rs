@@ -1,11 +1,10 @@
 //! What a proof `boundfit/proof/2` states: claims about sets that rows of the data leave, each of which can be checked by
 //! itself (docs/proof.md).
 
-use std::fmt;
-
 use boundfit_estimation::{BoundName, Minimax, ParameterBound};
 use boundfit_exact::Rational;
 use boundfit_geometry::{BoundProof, Multiplier, Polyhedron, Support, UnboundedProof};
+use boundfit_questions::{BoxBound, Side};
 
 use crate::proof_json::corners;
 
@@ -30,7 +29,8 @@ pub struct Scope {
     pub conditions: Option<Vec<usize>>,
     /// How large the errors may be.
     pub errors: ErrorScale,
-    /// Which part of the set, where x has errors as well; the question must have them then, and otherwise not.
+    /// Which part of the set, where x has errors as well; the question must have them then, and otherwise not. Both sides are the
+    /// lines that agree for every x that the errors allow.
     pub side: Option<Side>,
 }
 
@@ -47,35 +47,11 @@ pub enum ErrorScale {
     Within(Rational),
 }
 
-/// A part of the parameters that agree with readings whose x have errors.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
-    /// For some x that the errors allow, among lines that do not fall: θ1 ≥ 0.
-    Rising,
-    /// For some x that the errors allow, among lines that do not rise: θ1 ≤ 0.
-    Falling,
-    /// For every x that the errors allow.
-    Strong,
-}
-
-/// The name of a half-plane of a scope.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum HalfPlaneName {
-    /// Of a reading or a condition.
-    Bound(BoundName),
-    /// Of a reading with its x at the upper end of what its error allows: `14 upper +`; in the strong set only.
-    AtUpperX(BoundName),
-    /// Of a reading with its x at the lower end: `14 upper -`; in the strong set only.
-    AtLowerX(BoundName),
-    /// What makes a side: `side`.
-    Side,
-}
-
 /// A positive multiple of a half-plane.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Multiple {
-    /// Which half-plane.
-    pub name: HalfPlaneName,
+    /// Which half-plane. A corner is told in the set of both sides only: in the others it follows from the side.
+    pub name: BoxBound,
     /// How many times it is taken.
     pub times: Rational,
 }
@@ -112,7 +88,7 @@ pub enum Claim {
         /// Its vertices.
         vertices: Vec<[Rational; 2]>,
         /// Its sides in order of angle, each with the index of the vertex where it meets the next one, if it does.
-        sides: Vec<(HalfPlaneName, Option<usize>)>,
+        sides: Vec<(BoxBound, Option<usize>)>,
     },
     /// Nothing is in it while fewer rows than this are left out.
     LeftOut {
@@ -152,7 +128,7 @@ impl Statement {
     pub fn form(
         scope: Scope,
         polyhedron: &Polyhedron,
-        name: &impl Fn(usize) -> HalfPlaneName,
+        name: &impl Fn(usize) -> BoxBound,
         form: &[Rational; 2],
     ) -> Option<Self> {
         let opposite = form.each_ref().map(|part| -part);
@@ -162,7 +138,7 @@ impl Statement {
     }
 
     /// That the set of a scope, which these half-planes make, is what it is: the walk around it, or why it is empty.
-    pub fn set(scope: Scope, polyhedron: &Polyhedron, name: &impl Fn(usize) -> HalfPlaneName) -> Self {
+    pub fn set(scope: Scope, polyhedron: &Polyhedron, name: &impl Fn(usize) -> BoxBound) -> Self {
         let region = polyhedron.region();
         let claim = match (region.certificate(), region.witness()) {
             (None, Some(point)) => Claim::Set {
@@ -214,20 +190,20 @@ impl Scope {
 
 impl Multiple {
     /// Multiples of a system's inequalities by their names.
-    pub fn named(multipliers: &[Multiplier], name: &impl Fn(usize) -> HalfPlaneName) -> Vec<Self> {
+    pub fn named(multipliers: &[Multiplier], name: &impl Fn(usize) -> BoxBound) -> Vec<Self> {
         let named = |own: &Multiplier| Multiple { name: name(own.index), times: own.value.clone() };
         multipliers.iter().map(named).collect()
     }
 
     /// A multiple of the half-plane of a reading or a condition.
     pub fn of_bound((name, times): &(BoundName, Rational)) -> Self {
-        Multiple { name: HalfPlaneName::Bound(*name), times: times.clone() }
+        Multiple { name: (*name).into(), times: times.clone() }
     }
 }
 
 impl FormEnd {
     /// The end where a form is largest; `None` for an empty set.
-    pub fn of_support(support: &Support, name: &impl Fn(usize) -> HalfPlaneName) -> Option<Self> {
+    pub fn of_support(support: &Support, name: &impl Fn(usize) -> BoxBound) -> Option<Self> {
         match support {
             Support::Empty(_) => None,
             Support::Unbounded(proof) => Some(FormEnd::beyond(proof)),
@@ -236,14 +212,14 @@ impl FormEnd {
     }
 
     /// The end of a parameter's range.
-    pub fn of_parameter(bound: &ParameterBound, name: &impl Fn(usize) -> HalfPlaneName) -> Self {
+    pub fn of_parameter(bound: &ParameterBound, name: &impl Fn(usize) -> BoxBound) -> Self {
         match bound {
             ParameterBound::Unbounded(proof) => FormEnd::beyond(proof),
             ParameterBound::Bounded { proof, .. } => FormEnd::at(proof, name),
         }
     }
 
-    fn at(proof: &BoundProof, name: &impl Fn(usize) -> HalfPlaneName) -> Self {
+    fn at(proof: &BoundProof, name: &impl Fn(usize) -> BoxBound) -> Self {
         let multiples = Multiple::named(&proof.multipliers, name);
         FormEnd::At { multiples, point: proof.attained_at.coordinates() }
     }
@@ -251,22 +227,5 @@ impl FormEnd {
     fn beyond(proof: &UnboundedProof) -> Self {
         let ray = [proof.ray.dx(), proof.ray.dy()].map(Rational::from);
         FormEnd::Beyond { point: proof.point.coordinates(), ray }
-    }
-}
-
-impl From<BoundName> for HalfPlaneName {
-    fn from(name: BoundName) -> Self {
-        HalfPlaneName::Bound(name)
-    }
-}
-
-impl fmt::Display for HalfPlaneName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            HalfPlaneName::Bound(name) => write!(f, "{name}"),
-            HalfPlaneName::AtUpperX(name) => write!(f, "{name} +"),
-            HalfPlaneName::AtLowerX(name) => write!(f, "{name} -"),
-            HalfPlaneName::Side => write!(f, "side"),
-        }
     }
 }

@@ -1,11 +1,12 @@
 //! Statements as a proof that others can check, schema `boundfit/proof/2` (docs/proof.md).
 
 use boundfit_exact::Rational;
+use boundfit_questions::{BoxBound, Corner, Side};
 use serde::Serialize;
 
 use crate::json::to_text;
 use crate::proof_question::ProofQuestion;
-use crate::statements::{Claim, ErrorScale, FormEnd, Multiple, Scope, Side, Statement};
+use crate::statements::{Claim, ErrorScale, FormEnd, Multiple, Scope, Statement};
 
 #[derive(Serialize)]
 struct ProofJson<'a> {
@@ -122,7 +123,7 @@ fn statement_json(Statement { scope, claim }: &Statement) -> StatementJson {
             ("least", ClaimJson::Least { point: vector(point), multipliers: multiples(own) })
         }
         Claim::Set { point, vertices, sides } => {
-            let sides = sides.iter().map(|(name, vertex)| (name.to_string(), *vertex)).collect();
+            let sides = sides.iter().map(|(name, vertex)| (half_plane(*name), *vertex)).collect();
             let vertices = vertices.iter().map(vector).collect();
             ("set", ClaimJson::Set { point: vector(point), vertices, sides })
         }
@@ -145,7 +146,7 @@ fn scope_json(Scope { rows, without, conditions, errors, side }: &Scope) -> Scop
     let side = side.map(|side| match side {
         Side::Rising => "+",
         Side::Falling => "-",
-        Side::Strong => "strong",
+        Side::Both => "strong",
     });
     let rows = rows.as_ref().map(|rows| rows.concat());
     let conditions = conditions.as_deref().map(sorted);
@@ -163,8 +164,18 @@ fn vector(vector: &[Rational; 2]) -> VectorJson {
     vector.each_ref().map(Rational::to_string)
 }
 
+/// The name of a half-plane in a proof: a corner of a reading's box by the sign of the error in x.
+fn half_plane(name: BoxBound) -> String {
+    match name {
+        BoxBound::Bound(name, None) => name.to_string(),
+        BoxBound::Bound(name, Some(Corner::Right)) => format!("{name} +"),
+        BoxBound::Bound(name, Some(Corner::Left)) => format!("{name} -"),
+        BoxBound::Slope(_) => "side".to_owned(),
+    }
+}
+
 fn multiples(multiples: &[Multiple]) -> Vec<MultipleJson> {
-    multiples.iter().map(|own| (own.name.to_string(), own.times.to_string())).collect()
+    multiples.iter().map(|own| (half_plane(own.name), own.times.to_string())).collect()
 }
 
 /// At a finite end the ray is zero; where there is none, there are no multipliers.

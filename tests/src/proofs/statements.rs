@@ -5,8 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use boundfit_estimation::{BoundName, Measurement, Minimax, Problem, conditions_by_name, half_planes};
 use boundfit_exact::Rational;
 use boundfit_geometry::{Inequality, Polyhedron, System};
+use boundfit_questions::{BoxBound, Corner, Side};
 use boundfit_report::{
-    Claim, ErrorScale, HalfPlaneName, Multiple, ProofQuestion, Scope, Side, Statement, statements_json,
+    Claim, ErrorScale, Multiple, ProofQuestion, Scope, Statement, statements_json,
 };
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -14,7 +15,7 @@ use rand_chacha::ChaCha8Rng;
 use super::Question;
 
 /// A scope's half-planes by name.
-type Named = (Vec<HalfPlaneName>, Polyhedron);
+type Named = (Vec<BoxBound>, Polyhedron);
 
 /// How far each x may be from what is read, where that is asked for.
 const X_ERROR: [i64; 2] = [1, 4];
@@ -41,7 +42,7 @@ impl Question {
 /// A few of the rows and conditions, under errors of another size perhaps.
 fn scope(problem: &Problem, has_x_error: bool, rng: &mut ChaCha8Rng) -> Scope {
     let rows: Vec<usize> = problem.measurements.kept().iter().map(|row| row.row).collect();
-    let sides = [Side::Rising, Side::Falling, Side::Strong];
+    let sides = [Side::Rising, Side::Falling, Side::Both];
     let mut scope = match rng.random_range(0..4) {
         0 => Scope::of_rows(rows.iter().copied().filter(|_| rng.random_bool(0.5))),
         1 => Scope::without(&[rows[rng.random_range(0..rows.len())]]),
@@ -77,7 +78,7 @@ fn system(problem: &Problem, scope: &Scope, x_error: &Rational, without: &BTreeS
         ErrorScale::Times(factor) => x_error * factor,
         _ => x_error.clone(),
     };
-    let mut all: Vec<(HalfPlaneName, Inequality)> = Vec::new();
+    let mut all: Vec<(BoxBound, Inequality)> = Vec::new();
     for row in problem.measurements.kept().iter().filter(has_row) {
         let [lower, upper] = bounds(row, &scope.errors);
         let at = |sign: i64| {
@@ -85,16 +86,17 @@ fn system(problem: &Problem, scope: &Scope, x_error: &Rational, without: &BTreeS
             Measurement::between(row.row, [phi1, row.regressor[1].clone()], lower.clone(), upper.clone())
         };
         let is_upper = |name: &BoundName| matches!(name, BoundName::Upper(_));
+        let at_corner = |name, corner| BoxBound::Bound(name, Some(corner));
         match scope.side {
             None => {
                 let plain = at(0);
                 all.extend(half_planes(&plain).map(|(name, own)| (name.into(), own)));
             }
-            Some(Side::Strong) => {
+            Some(Side::Both) => {
                 let plus = at(1);
-                all.extend(half_planes(&plus).map(|(name, own)| (HalfPlaneName::AtUpperX(name), own)));
+                all.extend(half_planes(&plus).map(|(name, own)| (at_corner(name, Corner::Right), own)));
                 let minus = at(-1);
-                all.extend(half_planes(&minus).map(|(name, own)| (HalfPlaneName::AtLowerX(name), own)));
+                all.extend(half_planes(&minus).map(|(name, own)| (at_corner(name, Corner::Left), own)));
             }
             Some(side) => {
                 let sign = if side == Side::Rising { -1 } else { 1 };
@@ -119,7 +121,7 @@ fn system(problem: &Problem, scope: &Scope, x_error: &Rational, without: &BTreeS
     };
     all.extend(side.map(|sign| {
         let zero = Rational::zero();
-        (HalfPlaneName::Side, Inequality::new(Rational::from(sign), zero.clone(), zero))
+        (BoxBound::Slope(Side::Rising), Inequality::new(Rational::from(sign), zero.clone(), zero))
     }));
     let (names, inequalities): (Vec<_>, Vec<_>) = all.into_iter().unzip();
     (names, Polyhedron::intersect(System::new(inequalities)))
@@ -183,12 +185,7 @@ fn left_out(problem: &Problem, scope: &Scope, x_error: &Rational) -> Vec<Stateme
                 continue;
             };
             let multiples = Multiple::named(certificate.multipliers(), &|index| names[index]);
-            let own = multiples.iter().filter_map(|own| match own.name {
-                HalfPlaneName::Bound(name)
-                | HalfPlaneName::AtUpperX(name)
-                | HalfPlaneName::AtLowerX(name) => name.row(),
-                HalfPlaneName::Side => None,
-            });
+            let own = multiples.iter().filter_map(|own| own.name.row());
             next.extend(own.map(|row| rows.iter().copied().chain([row]).collect::<BTreeSet<_>>()));
             contradictions.insert(rows.clone(), multiples);
         }

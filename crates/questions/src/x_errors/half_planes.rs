@@ -61,6 +61,12 @@ impl BoxBound {
     }
 }
 
+impl From<BoundName> for BoxBound {
+    fn from(name: BoundName) -> Self {
+        BoxBound::Bound(name, None)
+    }
+}
+
 impl fmt::Display for Corner {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -93,7 +99,7 @@ pub(super) fn of_side(
         })
     });
     let conditions = conditions_by_name(&problem.problem().conditions)
-        .map(|(name, own)| (BoxBound::Bound(name, None), own));
+        .map(|(name, own)| (name.into(), own));
     let zero = Rational::zero;
     let slope = match side {
         Side::Rising => Some(-Rational::one()),

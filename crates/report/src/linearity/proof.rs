@@ -6,7 +6,7 @@ use boundfit_formats::{ColumnSelector, InputError, InputErrorKind, Source, Table
 use boundfit_questions::{CalibrationColumns, CalibrationResponse, Linearity};
 
 use crate::proof_question::ProofQuestion;
-use crate::statements::{Claim, ErrorScale, HalfPlaneName, Multiple, Scope, Statement};
+use crate::statements::{Claim, ErrorScale, Multiple, Scope, Statement};
 use crate::statements_json::statements_json;
 
 /// The question that a proof of linearity is about, from data that are read once more, twice where there are two columns, of
@@ -72,7 +72,7 @@ pub fn linearity_proof(linearity: &Linearity, question: &ProofQuestion) -> Optio
         let row = average.points.get(point.position)?.rows.first() as usize;
         // A reading below the line keeps it from being lower only by its upper bound.
         let name = if point.deviation.is_negative() { BoundName::Upper(row) } else { BoundName::Lower(row) };
-        Some(Multiple { name: HalfPlaneName::Bound(name), times: point.weight.clone() })
+        Some(Multiple { name: name.into(), times: point.weight.clone() })
     });
     let multiples = multiples.collect::<Option<Vec<Multiple>>>()?;
     let line = &average.independent;

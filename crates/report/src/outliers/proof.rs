@@ -7,7 +7,7 @@ use boundfit_exact::{Rational, Reading};
 
 use super::OutliersReport;
 use crate::proof_question::ProofQuestion;
-use crate::statements::{Claim, HalfPlaneName, Multiple, Scope, Statement};
+use crate::statements::{Claim, Multiple, Scope, Statement};
 use crate::statements_json::statements_json;
 
 /// Sets of readings left out of which a proof has a contradiction each.
@@ -71,7 +71,7 @@ fn contradictions(
         }
         let multiples = contradiction
             .iter()
-            .map(|(name, times)| Multiple { name: HalfPlaneName::Bound(*name), times: times.clone() });
+            .map(Multiple::of_bound);
         found.insert(rows, multiples.collect());
         if found.len() > MOST_CONTRADICTIONS {
             return Err(NoOutliersProof::TooMany(MOST_CONTRADICTIONS));

@@ -2,11 +2,11 @@
 
 use boundfit_exact::{Rational, Reading};
 use boundfit_questions::{
-    Agreement, BoxBound, Corner, Side as OfLines, SideSet, XBounds, XErrorFit, XErrorProblem,
+    Agreement, BoxBound, Corner, Side, SideSet, XBounds, XErrorFit, XErrorProblem,
 };
 
 use crate::proof_question::ProofQuestion;
-use crate::statements::{Claim, HalfPlaneName, Multiple, Scope, Side, Statement};
+use crate::statements::{Claim, Multiple, Scope, Statement};
 use crate::statements_json::statements_json;
 
 /// Of each side the walk around its set with the ends of both parameters, or what proves it empty. `None` when the readings do
@@ -20,29 +20,21 @@ pub fn x_error_proof(problem: &XErrorProblem, answer: &XErrorFit, reading: Readi
             question.with_x_error(column, &Rational::one())
         }
     };
-    let is_strong = |side: &SideSet| problem.agreement() == Agreement::Strong || side.side == OfLines::Both;
+    let is_strong = |side: &SideSet| problem.agreement() == Agreement::Strong || side.side == Side::Both;
     let statements: Vec<Statement> =
         answer.sides.iter().flat_map(|side| of_side(side, is_strong(side))).collect();
     Some(statements_json(&question, &statements))
 }
 
 fn of_side(side: &SideSet, is_strong: bool) -> Vec<Statement> {
-    let scope = || Scope {
-        side: Some(match side.side {
-            OfLines::Rising => Side::Rising,
-            OfLines::Falling => Side::Falling,
-            OfLines::Both => Side::Strong,
-        }),
-        ..Scope::default()
-    };
+    let scope = || Scope { side: Some(side.side), ..Scope::default() };
     let name = |index: usize| match side.names[index] {
-        BoxBound::Slope(_) => HalfPlaneName::Side,
-        BoxBound::Bound(name, corner) if is_strong && name.row().is_some() => match corner {
-            Some(Corner::Left) => HalfPlaneName::AtLowerX(name),
-            // Without an error both are one.
-            Some(Corner::Right) | None => HalfPlaneName::AtUpperX(name),
-        },
+        BoxBound::Bound(name, corner) if is_strong && name.row().is_some() => {
+            // Without an error both corners are one.
+            BoxBound::Bound(name, corner.or(Some(Corner::Right)))
+        }
         BoxBound::Bound(name, _) => name.into(),
+        side => side,
     };
     if let Some(multipliers) = side.farkas() {
         let claim = Claim::Empty(Multiple::named(&multipliers, &name));
