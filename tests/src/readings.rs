@@ -41,7 +41,7 @@ pub fn problem(rng: &mut ChaCha8Rng) -> Problem {
     } else {
         Model::TwoRegressors { regressors: ["u".into(), "v".into()] }
     };
-    let error_bound = if uniform { ErrorBound::Uniform(epsilon) } else { ErrorBound::PerRow("eps".into()) };
+    let error_bound = if uniform { ErrorBound::Uniform(epsilon) } else { ErrorBound::Column("eps".into()) };
     let conditions = (0..rng.random_range(0..=3_usize).saturating_sub(1)).map(|_| condition(rng)).collect();
     Problem { measurements: Measurements::new(model, "y".into(), error_bound, rows), conditions }
 }

@@ -180,7 +180,7 @@ impl Observations {
         if let Some(index) = epsilons.iter().position(Rational::is_negative) {
             return Err(Error::NegativeBound { row: Some(index + 1) });
         }
-        Ok(self.problem(ErrorBound::PerRow("eps".into()), epsilons))
+        Ok(self.problem(ErrorBound::Column("eps".into()), epsilons))
     }
 
     /// The problem in which theta1*x + theta2 (or theta1*phi1 + theta2*phi2) lies between two values at each reading, of

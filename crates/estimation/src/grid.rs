@@ -31,7 +31,7 @@ impl Grid {
         };
         let epsilon = match measurements.error_bound() {
             ErrorBound::Uniform(_) => None,
-            ErrorBound::PerRow(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => {
+            ErrorBound::Column(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => {
                 Some(of(|row| row.y_and_epsilon().1)?)
             }
         };

@@ -161,7 +161,7 @@ impl LeastSquares {
         let response_scale = per_one(Some(&grid.response))?;
         let (epsilon, epsilon_scale) = match error_bound {
             ErrorBound::Uniform(epsilon) => (epsilon.numerator(), epsilon.denominator()),
-            ErrorBound::PerRow(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => {
+            ErrorBound::Column(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => {
                 (Integer::one(), per_one(grid.epsilon.as_ref())?)
             }
         };

@@ -25,31 +25,45 @@ pub enum Model {
     },
 }
 
-/// Where the error bounds come from.
+/// Where the error bounds come from, with columns by name or, as they are asked for, by selector.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[allow(clippy::large_enum_variant, reason = "one per fit")]
-pub enum ErrorBound {
-    /// One for all readings.
+pub enum ErrorBound<C = Foreign> {
+    /// One for all readings; not negative.
     Uniform(Rational),
-    /// One per reading, from a column of this name.
-    PerRow(Foreign),
-    /// The values between which φ·θ lies, from columns of these names, of which one may be left out.
+    /// One per reading, from this column.
+    Column(C),
+    /// The values between which φ·θ lies, instead of a distance from y; cells may be empty, but not both of a row.
     Interval {
         /// The column of lower bounds.
-        lower: Option<Foreign>,
+        lower: Option<C>,
         /// The column of upper bounds.
-        upper: Option<Foreign>,
+        upper: Option<C>,
     },
-    /// By a law that says of each reading another one.
+    /// By a law, which says of each reading another one.
     Law(Law),
 }
 
-impl ErrorBound {
+impl<C> ErrorBound<C> {
     /// The bound on all errors, if there is one.
     pub fn uniform(&self) -> Option<&Rational> {
         match self {
             ErrorBound::Uniform(epsilon) => Some(epsilon),
-            ErrorBound::PerRow(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => None,
+            ErrorBound::Column(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => None,
+        }
+    }
+
+    /// The same bound with other words for its columns, the lower one first.
+    #[cfg(feature = "files")]
+    pub(crate) fn with_columns<D>(&self, mut column: impl FnMut(&C) -> D) -> ErrorBound<D> {
+        match self {
+            ErrorBound::Uniform(epsilon) => ErrorBound::Uniform(epsilon.clone()),
+            ErrorBound::Column(own) => ErrorBound::Column(column(own)),
+            ErrorBound::Interval { lower, upper } => {
+                let lower = lower.as_ref().map(&mut column);
+                ErrorBound::Interval { lower, upper: upper.as_ref().map(column) }
+            }
+            ErrorBound::Law(law) => ErrorBound::Law(law.clone()),
         }
     }
 
@@ -105,7 +119,7 @@ impl Meaning {
     #[cfg(feature = "files")]
     pub(crate) fn is_around_y(&self) -> bool {
         match self.error_bound {
-            ErrorBound::Uniform(_) | ErrorBound::PerRow(_) => true,
+            ErrorBound::Uniform(_) | ErrorBound::Column(_) => true,
             ErrorBound::Interval { .. } | ErrorBound::Law(_) => false,
         }
     }
@@ -169,7 +183,7 @@ impl Meaning {
                 let written = if law.needs_written() { next() } else { Rational::zero() };
                 law.bounds(&regressor[0], response.unwrap_or_default(), &written)
             }
-            ErrorBound::PerRow(_) => {
+            ErrorBound::Column(_) => {
                 Bounds::Around { response: response.unwrap_or_default(), epsilon: next() }
             }
             ErrorBound::Uniform(epsilon) => {

@@ -126,7 +126,7 @@ impl Minimax {
     /// the bound is 0 and too small. Exact.
     pub fn least_factor(&self, error_bound: &ErrorBound) -> Option<Rational> {
         match error_bound {
-            ErrorBound::PerRow(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => {
+            ErrorBound::Column(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => {
                 Some(self.least.clone())
             }
             ErrorBound::Uniform(_) if self.least.is_zero() => Some(Rational::zero()),

@@ -121,7 +121,7 @@ pub(crate) fn model(problem: &Problem) -> String {
 pub(crate) fn bound(problem: &Problem, options: &PlotOptions) -> String {
     match problem.measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => uniform_bound(problem, epsilon, options),
-        ErrorBound::PerRow(column) => format!("|e| ≤ {} of each row", one_line(column, LONGEST_NAME)),
+        ErrorBound::Column(column) => format!("|e| ≤ {} of each row", one_line(column, LONGEST_NAME)),
         ErrorBound::Law(law) if law.is_asymmetric() => format!("y {}", one_line(law.text(), LONGEST_NAME)),
         ErrorBound::Law(law) => format!("|e| ≤ {}", one_line(law.text(), LONGEST_NAME)),
         ErrorBound::Interval { lower, upper } => {

@@ -20,7 +20,7 @@ pub(crate) fn problem(model: &str, rows: &[&str], conditions: &[&str]) -> Proble
         "line" => Model::Line { x: "x".into() },
         _ => Model::TwoRegressors { regressors: ["u".into(), "v".into()] },
     };
-    let bound = ErrorBound::PerRow("eps".into());
+    let bound = ErrorBound::Column("eps".into());
     let condition = |text: &&str| Condition::parse(text, Reading::Decimal, &limits).unwrap();
     Problem {
         measurements: Measurements::new(kind, "y".into(), bound, rows),

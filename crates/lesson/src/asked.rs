@@ -138,7 +138,7 @@ fn bounds(measurements: &Measurements) -> Bounds {
         // Half a unit of the last digit is that of the cells as they were written.
         (_, Some(law)) if law.needs_written() && !has_cells => own_bounds(law),
         (_, Some(law)) => Bounds::Words(law.text().raw().to_owned()),
-        (ErrorBound::PerRow(column), None) => Bounds::Column(column.clone()),
+        (ErrorBound::Column(column), None) => Bounds::Column(column.clone()),
         (ErrorBound::Interval { lower, upper }, None) => {
             Bounds::Interval { lower: lower.clone(), upper: upper.clone() }
         }

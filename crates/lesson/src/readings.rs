@@ -74,7 +74,7 @@ pub(crate) fn epsilon(bound: &ErrorBound) -> EpsilonJson {
         ErrorBound::Uniform(epsilon) => {
             EpsilonJson { uniform: Some(STYLE.given_number(epsilon)), column: None }
         }
-        ErrorBound::PerRow(column) => EpsilonJson { uniform: None, column: Some(column.to_string()) },
+        ErrorBound::Column(column) => EpsilonJson { uniform: None, column: Some(column.to_string()) },
         ErrorBound::Law(law) => EpsilonJson { uniform: None, column: Some(law.text().to_string()) },
         ErrorBound::Interval { .. } => EpsilonJson { uniform: None, column: None },
     }

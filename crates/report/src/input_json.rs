@@ -118,7 +118,7 @@ impl InputJson {
         };
         let (epsilon, epsilon_column) = match measurements.error_bound() {
             ErrorBound::Uniform(epsilon) => (Some(style.upper_number(epsilon)), None),
-            ErrorBound::PerRow(column) => (None, Some(column.clone())),
+            ErrorBound::Column(column) => (None, Some(column.clone())),
             ErrorBound::Interval { .. } | ErrorBound::Law(_) => (None, None),
         };
         let interval = match measurements.error_bound() {

@@ -52,7 +52,7 @@ impl ProofQuestion {
         let (mut interval, mut law) = (None, None);
         match measurements.error_bound() {
             ErrorBound::Uniform(bound) => epsilon.1 = bound.to_string(),
-            ErrorBound::PerRow(_) => epsilon = column(others.first()?),
+            ErrorBound::Column(_) => epsilon = column(others.first()?),
             ErrorBound::Interval { lower, upper } => {
                 // Behind each bound stands, from the same column, whether it is there.
                 let mut columns = others.iter().step_by(2).copied();

@@ -223,7 +223,7 @@ pub fn generated(rng: &mut ChaCha8Rng) -> Question {
     };
     match problem.measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => Question { epsilon: Ok(epsilon.clone()), ..question },
-        ErrorBound::PerRow(column) => question.epsilon_column(column.raw()),
+        ErrorBound::Column(column) => question.epsilon_column(column.raw()),
         ErrorBound::Interval { .. } | ErrorBound::Law(_) => question,
     }
 }

@@ -67,7 +67,7 @@ impl Case {
         }
         let bound = match base.measurements.error_bound() {
             ErrorBound::Uniform(epsilon) => ErrorBound::Uniform(epsilon.clone()),
-            _ => ErrorBound::PerRow("eps".into()),
+            _ => ErrorBound::Column("eps".into()),
         };
         let far = Rational::new(7.into(), boundfit_exact::Integer::power_of_ten(40)).unwrap();
         for (number, group) in groups.iter_mut().enumerate() {

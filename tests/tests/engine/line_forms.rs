@@ -46,7 +46,7 @@ fn readings(rng: &mut ChaCha8Rng, uniform: bool) -> Vec<Triple> {
 
 fn problem(rows: &[Triple], uniform: bool) -> Problem {
     let bound =
-        if uniform { ErrorBound::Uniform(rows[0][2].clone()) } else { ErrorBound::PerRow("eps".into()) };
+        if uniform { ErrorBound::Uniform(rows[0][2].clone()) } else { ErrorBound::Column("eps".into()) };
     let measured = (1..).zip(rows.iter().cloned());
     let measured =
         measured.map(|(row, [x, y, epsilon])| Measurement::around(row, [x, Rational::one()], y, epsilon));

@@ -254,7 +254,7 @@ fn edges_of_machine_integers_in_least_squares() {
             (1..=6).map(|row| Measurement::around(row, [number(), number()], number(), number().abs()));
         let rows: Vec<Measurement> = rows.collect();
         let model = Model::TwoRegressors { regressors: ["u".into(), "v".into()] };
-        let bound = ErrorBound::PerRow("eps".into());
+        let bound = ErrorBound::Column("eps".into());
         let measurements = Measurements::new(model, "y".into(), bound, rows);
         assert_eq!(LeastSquares::new(&measurements), naive_least_squares(&measurements), "case {case}");
     }

@@ -394,7 +394,7 @@ fn columns_that_are_not_those_of_a_model_are_refused() {
         let refused = Measurements::of_columns(model, "y".into(), bound, columns, Keep::default());
         refused.map(|measurements| measurements.fitted()).map_err(|error| error.to_string())
     };
-    let (uniform, per_row) = (|bound: i64| ErrorBound::Uniform(bound.into()), ErrorBound::PerRow("e".into()));
+    let (uniform, per_row) = (|bound: i64| ErrorBound::Uniform(bound.into()), ErrorBound::Column("e".into()));
     let (two, three) = (column(&[1, 2]), column(&[1, 2, -3]));
     assert_eq!(of(uniform(1), &[two.clone(), two.clone()]), Ok(2));
     assert_eq!(of(per_row.clone(), &[two.clone(), two.clone(), two.clone()]), Ok(2));

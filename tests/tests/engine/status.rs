@@ -71,7 +71,7 @@ fn case(rng: &mut ChaCha8Rng) -> Case {
     let error_bound = match style {
         0 => ErrorBound::Uniform(small(uniform)),
         2 => ErrorBound::Interval { lower: Some("lower".into()), upper: Some("upper".into()) },
-        _ => ErrorBound::PerRow("eps".into()),
+        _ => ErrorBound::Column("eps".into()),
     };
     let model = match is_line {
         true => Model::Line { x: "x".into() },

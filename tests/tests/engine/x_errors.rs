@@ -60,7 +60,7 @@ fn generated(rng: &mut ChaCha8Rng) -> XErrorProblem {
     let asked = if rng.random_bool(0.25) { rng.random_range(1..=2) } else { 0 };
     let conditions: Vec<Condition> =
         (0..asked).map(|_| parse_condition(texts[rng.random_range(0..texts.len())])).collect();
-    let bound = ErrorBound::PerRow("e".into());
+    let bound = ErrorBound::Column("e".into());
     let measurements = Measurements::new(Model::Line { x: "x".into() }, "y".into(), bound, rows);
     let agreement = if rng.random_bool(0.4) { Agreement::Strong } else { Agreement::Weak };
     XErrorProblem::new(Problem { measurements, conditions }, bounds, agreement).unwrap()

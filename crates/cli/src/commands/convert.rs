@@ -115,7 +115,7 @@ fn comments(arguments: &ConvertArguments, reading: Reading, problem: &Problem) -
     };
     let bound = match measurements.error_bound() {
         ErrorBound::Uniform(epsilon) => format!("|e| <= {epsilon}"),
-        ErrorBound::PerRow(name) => format!("|e| <= {name}"),
+        ErrorBound::Column(name) => format!("|e| <= {name}"),
         ErrorBound::Law(law) if law.is_asymmetric() => format!("{y} {}", law.text()),
         ErrorBound::Law(law) => format!("|e| <= {}", law.text()),
         ErrorBound::Interval { lower, upper } => {

@@ -3,29 +3,12 @@
 use boundfit_exact::{Column, Foreign, Rational, Work};
 use boundfit_formats::{Batch, ColumnSelector, InputError, InputErrorKind};
 
-use crate::law::Law;
 use crate::line_form::LineForm;
 use crate::meaning::{ErrorBound, Meaning, Model};
 use crate::measurements::Measurements;
 
 /// The error bound as it is asked for.
-#[derive(Debug, Clone, PartialEq, Eq)]
-#[allow(clippy::large_enum_variant, reason = "one per fit")]
-pub enum EpsilonColumn {
-    /// One number for all readings; not negative.
-    Uniform(Rational),
-    /// A column.
-    Column(ColumnSelector),
-    /// The values between which φ·θ lies, instead of a distance from y; cells may be empty, but not both of a row.
-    Interval {
-        /// The column of lower bounds.
-        lower: Option<ColumnSelector>,
-        /// The column of upper bounds.
-        upper: Option<ColumnSelector>,
-    },
-    /// A law.
-    Law(Law),
-}
+pub type EpsilonColumn = ErrorBound<ColumnSelector>;
 
 /// Which columns of a table are what.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -132,27 +115,22 @@ impl Columns {
             Some(_) => Model::TwoRegressors { regressors: [first, name()] },
         };
         let response = self.response.as_ref().map(|_| name());
-        let mut side = |column: &Option<ColumnSelector>| {
-            column.as_ref()?;
-            let side = name();
-            // Of the column that tells where it is.
-            name();
-            Some(side)
-        };
-        let error_bound = match &self.epsilon {
-            EpsilonColumn::Uniform(epsilon) => ErrorBound::Uniform(epsilon.clone()),
-            EpsilonColumn::Column(_) => ErrorBound::PerRow(name()),
-            EpsilonColumn::Interval { lower, upper } => {
-                ErrorBound::Interval { lower: side(lower), upper: side(upper) }
-            }
+        let is_interval = matches!(self.epsilon, EpsilonColumn::Interval { .. });
+        let (error_bound, uniform_law) = match &self.epsilon {
             EpsilonColumn::Law(law) if law.is_uniform() => {
-                ErrorBound::Uniform(law.uniform_bound(&Rational::zero()))
+                (ErrorBound::Uniform(law.uniform_bound(&Rational::zero())), Some(law.clone()))
             }
-            EpsilonColumn::Law(law) => ErrorBound::Law(law.clone()),
-        };
-        let uniform_law = match &self.epsilon {
-            EpsilonColumn::Law(law) if law.is_uniform() => Some(law.clone()),
-            _ => None,
+            stated => {
+                let stated = stated.with_columns(|_| {
+                    let own = name();
+                    // Behind each bound stands the column that tells where it is.
+                    if is_interval {
+                        name();
+                    }
+                    own
+                });
+                (stated, None)
+            }
         };
         let has_response = response.is_some();
         let response = response.unwrap_or_else(|| "y".into());

@@ -214,7 +214,7 @@ impl<'a> Rule<'a> {
     fn new(meaning: &'a Meaning, most_listed: usize) -> Self {
         let open = match &meaning.error_bound {
             ErrorBound::Uniform(_) if meaning.regressors() == 1 => Some(None),
-            ErrorBound::PerRow(_) if meaning.regressors() == 1 => Some(Some(2)),
+            ErrorBound::Column(_) if meaning.regressors() == 1 => Some(Some(2)),
             _ => None,
         };
         Rule {

@@ -89,7 +89,7 @@ pub(super) fn asked_by_fit(meaning: &Meaning) -> AskedReduction {
     let mut words = None;
     let bounds = match &meaning.error_bound {
         ErrorBound::Uniform(epsilon) => ReducedBounds::Uniform(epsilon.to_string().into()),
-        ErrorBound::PerRow(column) => ReducedBounds::Column(column.clone()),
+        ErrorBound::Column(column) => ReducedBounds::Column(column.clone()),
         ErrorBound::Interval { lower, upper } => {
             ReducedBounds::Interval { lower: lower.clone(), upper: upper.clone() }
         }

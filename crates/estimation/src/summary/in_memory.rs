@@ -125,7 +125,7 @@ fn check(meaning: &Meaning, columns: &[Column]) -> Result<(), ColumnsError> {
     match &meaning.error_bound {
         ErrorBound::Uniform(epsilon) if epsilon.is_negative() => Err(ColumnsError::NegativeErrorBound),
         ErrorBound::Uniform(_) => Ok(()),
-        ErrorBound::PerRow(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => {
+        ErrorBound::Column(_) | ErrorBound::Interval { .. } | ErrorBound::Law(_) => {
             match columns[found - 1].first_negative() {
                 Some(index) => Err(ColumnsError::NegativeErrorBoundOf { row: index + 1 }),
                 None => Ok(()),

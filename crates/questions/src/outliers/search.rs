@@ -288,7 +288,7 @@ mod tests {
         let mut seed = 12;
         for round in 0..20 {
             let rows = readings(&mut seed, 15 + round, 5);
-            let bound = boundfit_estimation::ErrorBound::PerRow("eps".into());
+            let bound = boundfit_estimation::ErrorBound::Column("eps".into());
             let model = boundfit_estimation::Model::Line { x: "x".into() };
             let measurements = boundfit_estimation::Measurements::new(model, "y".into(), bound, rows);
             let problem = Problem::new(measurements);

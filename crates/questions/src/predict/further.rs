@@ -55,7 +55,7 @@ impl FurtherError {
     pub fn of(measurements: &Measurements) -> Result<Self, NoFurtherError> {
         match measurements.error_bound() {
             ErrorBound::Uniform(epsilon) => Ok(FurtherError::within(epsilon.clone())),
-            ErrorBound::PerRow(_) => Err(NoFurtherError::PerRow),
+            ErrorBound::Column(_) => Err(NoFurtherError::PerRow),
             ErrorBound::Interval { .. } => Err(NoFurtherError::Interval),
             ErrorBound::Law(law) => FurtherError::by_law(law, measurements),
         }

@@ -31,7 +31,7 @@ pub(super) fn blocks(report: &Report) -> Vec<Block> {
 fn words(fit: &Fit, error_bound: &ErrorBound) -> Vec<(Text, Text)> {
     let largest = match error_bound {
         ErrorBound::Uniform(_) => "the estimate whose largest error is smallest",
-        ErrorBound::PerRow(_) | ErrorBound::Law(_) => {
+        ErrorBound::Column(_) | ErrorBound::Law(_) => {
             "the estimate whose largest error, in units of its bound, is smallest"
         }
         ErrorBound::Interval { .. } => {

@@ -165,7 +165,7 @@ impl<'a> Report<'a> {
                     None => bounded.then(self.style.given(epsilon)),
                 }
             }
-            ErrorBound::PerRow(column) => bounded.given(column).words(", one bound per row"),
+            ErrorBound::Column(column) => bounded.given(column).words(", one bound per row"),
             ErrorBound::Law(law) if law.is_asymmetric() => {
                 Text::from("y ").given(law.text()).words(" of each row")
             }
@@ -300,7 +300,7 @@ impl<'a> Report<'a> {
                     .number(style.upper(&(&minimax.least - epsilon)));
                 growth.words(", to at least ").then(style.upper_with_exact(&minimax.least)).words(".")
             }
-            (Some(minimax), ErrorBound::PerRow(_) | ErrorBound::Law(_)) => {
+            (Some(minimax), ErrorBound::Column(_) | ErrorBound::Law(_)) => {
                 Text::from("All error bounds would have to grow by a factor of at least ")
                     .then(style.upper_with_exact(&minimax.least))
                     .words(".")

@@ -49,7 +49,7 @@ impl Report<'_> {
         let least = self.style.upper_with_exact(&minimax.least);
         let least = match self.problem.measurements.error_bound() {
             ErrorBound::Uniform(_) => least,
-            ErrorBound::PerRow(_) | ErrorBound::Law(_) => least.words(" times each row's bound"),
+            ErrorBound::Column(_) | ErrorBound::Law(_) => least.words(" times each row's bound"),
             ErrorBound::Interval { .. } => least.words(" times the width of each interval, about its middle"),
         };
         let proof = list(minimax.proof.multipliers.iter().map(|(name, _)| name.to_string()));
