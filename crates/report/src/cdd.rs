@@ -76,7 +76,8 @@ pub fn h_representation(polyhedron: &Polyhedron) -> String {
             let is_flat = matches!(region, Region::Segment(_) | Region::Ray(_) | Region::Line(_));
             for &index in &irredundant {
                 let Some(inequality) = inequalities.get(index) else { continue };
-                match opposite(index).filter(|_| is_flat) {
+                // Only a set within a line has few sides, so that each may be looked for among all.
+                match if is_flat { opposite(index) } else { None } {
                     Some(other) if other < index => {}
                     Some(_) => matrix.push_linear(row(inequality)),
                     None => matrix.push(row(inequality)),
