@@ -11,7 +11,7 @@ const DATA: &str = "x,y,g\n1,2,a\n2,3,a\n3,5,b\n4,6,b\n";
 const FIT: &str = "fit data.csv --x x --y y --eps 1";
 
 /// Every command that writes, with its formats and without `-o`.
-const WRITERS: [(&str, &str); 35] = [
+const WRITERS: [(&str, &str); 33] = [
     (FIT, "text"),
     (FIT, "json"),
     (FIT, "latex"),
