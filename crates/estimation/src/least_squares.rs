@@ -9,10 +9,8 @@ use crate::grid::Grid;
 use crate::meaning::ErrorBound;
 use crate::measurement::{Bounds, Measurement};
 use crate::measurements::{Measurements, Readings};
-use crate::moments::{Moments, SUM_BITS, Solution, bits, widest};
+use crate::moments::{SUM_BITS, Solution, Sums, bits, widest};
 use crate::reduction::{NoEui, NoLeastSquares, Reach, Reduction};
-#[cfg(feature = "files")]
-use crate::sums::Sums;
 
 /// The least-squares estimate θ̂ = (ΦᵀΦ)⁻¹Φᵀy with its estimate uncertainty intervals.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -62,17 +60,17 @@ impl LeastSquares {
         let moments_of = |y: &[Cow<'_, Rational>]| {
             let readings =
                 rows.iter().zip(y).map(|(Measurement { regressor: [u, v], .. }, y)| [u, v, y.as_ref()]);
-            Moments::of_readings(readings)
+            Sums::of_numbers(readings).total()
         };
         let y = values(Measurement::value).ok_or(NoLeastSquares::NoResponse)?;
         let moments = moments_of(&y);
         let widths = values(Measurement::half_width);
-        let reaches = |moments: &Moments<Rational>| {
+        let reaches = |moments: &Sums| {
             let widths = widths.ok_or(NoEui::OneSided)?;
             if widths.iter().any(|width| width.is_negative()) {
                 return Err(NoEui::Crossing);
             }
-            let Moments { uu, uv, vv, .. } = moments;
+            let Sums { uu, uv, vv, .. } = moments;
             Ok([reach_of(rows, &widths, vv, &-uv), reach_of(rows, &widths, &-uv, uu)])
         };
         let estimate = LeastSquares::of_moments(&moments, reaches)?;
@@ -80,17 +78,17 @@ impl LeastSquares {
             return Ok(estimate);
         }
         let middles = values(Measurement::middle).ok_or(NoLeastSquares::NoResponse)?;
-        let Moments { uy, vy, .. } = moments_of(&middles);
+        let Sums { uy, vy, .. } = moments_of(&middles);
         estimate.about_middles(&moments, [uy, vy])
     }
 
     /// With the EUI about the estimate from the middles of the bounds, given by Φᵀm. The estimate itself takes y.
     fn about_middles(
         self,
-        moments: &Moments<Rational>,
+        moments: &Sums,
         [uy, vy]: [Rational; 2],
     ) -> Result<Self, NoLeastSquares> {
-        let middles = Moments { uy, vy, ..moments.clone() };
+        let middles = Sums { uy, vy, ..moments.clone() };
         let about_middles = LeastSquares::of_moments(&middles, |_| Err(NoEui::NotAsked))?.theta;
         let shifted = |j: usize, eui: &Interval| {
             let shift = &about_middles[j] - &self.theta[j];
@@ -107,18 +105,18 @@ impl LeastSquares {
     /// The estimate alone, from the sums over all readings. Exact. Cost: constant.
     #[cfg(feature = "files")]
     pub(crate) fn theta_of(sums: &Sums) -> Option<[Rational; 2]> {
-        let estimate = LeastSquares::of_moments(&sums.moments(), |_| Err(NoEui::NotAsked));
+        let estimate = LeastSquares::of_moments(sums, |_| Err(NoEui::NotAsked));
         estimate.ok().map(|estimate| estimate.theta)
     }
 
     /// From the sums over readings most of which are no longer there. Cost: constant.
     fn of_reduction(reduction: &Reduction, error_bound: &ErrorBound) -> Result<Self, NoLeastSquares> {
-        let moments = reduction.sums.as_ref().map_err(|reason| *reason)?.moments();
+        let moments = reduction.sums.as_ref().map_err(|reason| *reason)?;
         let reach = reduction.reach_within(error_bound);
         let radii = |_: &_| reach.clone().map(|reach| reach.radii);
-        let estimate = LeastSquares::of_moments(&moments, radii)?;
+        let estimate = LeastSquares::of_moments(moments, radii)?;
         match reach {
-            Ok(Reach { middles: Some(middles), .. }) => estimate.about_middles(&moments, middles),
+            Ok(Reach { middles: Some(middles), .. }) => estimate.about_middles(moments, middles),
             _ => Ok(estimate),
         }
     }
@@ -126,8 +124,8 @@ impl LeastSquares {
     /// From moments, and what gives Σ_k |A_jk|·ε_k times the determinant for them. A_jk times the determinant is
     /// p·φ_k1 + q·φ_k2 with (p, q) a row of the adjugate of ΦᵀΦ.
     fn of_moments(
-        moments: &Moments<Rational>,
-        reaches: impl FnOnce(&Moments<Rational>) -> Result<[Rational; 2], NoEui>,
+        moments: &Sums,
+        reaches: impl FnOnce(&Sums) -> Result<[Rational; 2], NoEui>,
     ) -> Result<Self, NoLeastSquares> {
         let Solution { numerators, determinant } = moments.solution();
         let solved =
@@ -147,7 +145,7 @@ impl LeastSquares {
     fn on_grid(grid: &Grid, error_bound: &ErrorBound) -> Option<Result<Self, NoLeastSquares>> {
         let second = grid.phi2.as_ref();
         let moments =
-            Moments::of_integers(grid.phi1.counts(), second.map(Scaled::counts), grid.response.counts())?;
+            Sums::of_integers(grid.phi1.counts(), second.map(Scaled::counts), grid.response.counts())?;
         let Solution { numerators, determinant } = moments.map(Integer::from).solution();
         if determinant.is_zero() {
             return Some(Err(NoLeastSquares::Singular));
@@ -165,7 +163,7 @@ impl LeastSquares {
                 (Integer::one(), per_one(grid.epsilon.as_ref())?)
             }
         };
-        let Moments { uu, uv, vv, .. } = moments;
+        let Sums { uu, uv, vv, .. } = moments;
         let rows_of_adjugate = [(vv, -uv), (-uv, uu)];
         // The estimate and the ends of its interval have this denominator in common.
         let denominator = &determinant * &response_scale * &epsilon_scale;

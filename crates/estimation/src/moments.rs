@@ -8,14 +8,22 @@ use boundfit_exact::{Rational, Sum};
 /// Bits of an `i128` without its sign.
 pub(crate) const SUM_BITS: u32 = 127;
 
-/// Of readings y ≈ u·θ1 + v·θ2: ΦᵀΦ = (Σu², Σuv; Σuv, Σv²) and Φᵀy = (Σuy, Σvy).
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Moments<N> {
-    pub(crate) uu: N,
-    pub(crate) uv: N,
-    pub(crate) vv: N,
-    pub(crate) uy: N,
-    pub(crate) vy: N,
+/// N, Σu², Σuv, Σv², Σuy and Σvy over readings y ≈ u·θ1 + v·θ2: ΦᵀΦ = (Σu², Σuv; Σuv, Σv²) and Φᵀy = (Σuy, Σvy). Of a line
+/// u is x and v is 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Sums<N = Rational> {
+    /// How many readings.
+    pub count: usize,
+    /// Σu²; Σx² of a line.
+    pub uu: N,
+    /// Σuv; Σx of a line.
+    pub uv: N,
+    /// Σv²; N of a line.
+    pub vv: N,
+    /// Σuy; Σxy of a line.
+    pub uy: N,
+    /// Σvy; Σy of a line.
+    pub vy: N,
 }
 
 /// θ as fractions on a common denominator, which is the determinant of ΦᵀΦ.
@@ -24,27 +32,52 @@ pub(crate) struct Solution<N> {
     pub(crate) determinant: N,
 }
 
-impl<N> Moments<N> {
-    /// The moments as numbers of another type.
-    pub(crate) fn map<M>(self, to: impl Fn(N) -> M) -> Moments<M> {
-        let Moments { uu, uv, vv, uy, vy } = self;
-        Moments { uu: to(uu), uv: to(uv), vv: to(vv), uy: to(uy), vy: to(vy) }
+impl<N> Sums<N> {
+    /// Sums in the order of the fields.
+    #[cfg(feature = "files")]
+    pub(crate) fn new(count: usize, [uu, uv, vv, uy, vy]: [N; 5]) -> Self {
+        Sums { count, uu, uv, vv, uy, vy }
+    }
+
+    /// The sums in the order of the fields.
+    #[cfg(feature = "files")]
+    pub(crate) fn parts(&self) -> [&N; 5] {
+        let Sums { uu, uv, vv, uy, vy, .. } = self;
+        [uu, uv, vv, uy, vy]
+    }
+
+    /// The sums as numbers of another type.
+    pub(crate) fn map<M>(self, to: impl Fn(N) -> M) -> Sums<M> {
+        let Sums { count, uu, uv, vv, uy, vy } = self;
+        Sums { count, uu: to(uu), uv: to(uv), vv: to(vv), uy: to(uy), vy: to(vy) }
+    }
+
+    /// The sums over other readings as well, each put together with its like.
+    pub(crate) fn zip(self, other: Self, with: impl Fn(N, N) -> N) -> Self {
+        Sums {
+            count: self.count + other.count,
+            uu: with(self.uu, other.uu),
+            uv: with(self.uv, other.uv),
+            vv: with(self.vv, other.vv),
+            uy: with(self.uy, other.uy),
+            vy: with(self.vy, other.vy),
+        }
     }
 }
 
-impl<N: Sub<Output = N>> Moments<N>
+impl<N: Sub<Output = N>> Sums<N>
 where
     for<'a> &'a N: Mul<Output = N>,
 {
     /// The solution of ΦᵀΦ·θ = Φᵀy, by Cramer's rule. Exact.
     pub(crate) fn solution(&self) -> Solution<N> {
-        let Moments { uu, uv, vv, uy, vy } = self;
+        let Sums { uu, uv, vv, uy, vy, .. } = self;
         Solution { numerators: [vv * uy - uv * vy, uu * vy - uv * uy], determinant: uu * vv - uv * uv }
     }
 }
 
-impl Moments<i128> {
-    /// The moments of integers, where v is 1 if there is none; `None` when one of the sums might not fit. Exact.
+impl Sums<i128> {
+    /// The sums over integers, where v is 1 if there is none; `None` when one of the sums might not fit. Exact.
     /// Cost: linear.
     pub(crate) fn of_integers(u: &[i64], v: Option<&[i64]>, y: &[i64]) -> Option<Self> {
         let regressor_bits = widest(u).max(v.map_or(1, widest));
@@ -77,7 +110,7 @@ impl Moments<i128> {
                 }
             }
         }
-        Some(Moments { uu, uv, vv, uy, vy })
+        Some(Sums { count, uu, uv, vv, uy, vy })
     }
 }
 
@@ -92,17 +125,33 @@ pub(crate) fn bits(magnitude: u128) -> u32 {
     u128::BITS - magnitude.leading_zeros()
 }
 
-impl Moments<Rational> {
-    /// The moments of readings (u, v, y) of any size. Exact. Cost: linear.
-    pub(crate) fn of_readings<R: Borrow<Rational>>(readings: impl Iterator<Item = [R; 3]>) -> Self {
-        let mut sums = std::array::from_fn::<_, 5, _>(|_| Sum::default());
+/// Sums in the making: over common denominators that nobody has reduced yet, which takes longer than to add up what a batch of
+/// readings comes to.
+impl Sums<Sum> {
+    /// The sums over readings (u, v, y) of any size. Exact. Cost: linear.
+    pub(crate) fn of_numbers<R: Borrow<Rational>>(readings: impl Iterator<Item = [R; 3]>) -> Self {
+        let mut sums = Self::default();
         for reading in readings {
             let [u, v, y] = reading.each_ref().map(R::borrow);
-            for (sum, [left, right]) in sums.iter_mut().zip([[u, u], [u, v], [v, v], [u, y], [v, y]]) {
-                sum.add_product(left, right);
-            }
+            sums.count += 1;
+            sums.uu.add_product(u, u);
+            sums.uv.add_product(u, v);
+            sums.vv.add_product(v, v);
+            sums.uy.add_product(u, y);
+            sums.vy.add_product(v, y);
         }
-        let [uu, uv, vv, uy, vy] = sums.map(|sum| sum.total());
-        Moments { uu, uv, vv, uy, vy }
+        sums
+    }
+
+    /// In lowest terms. Exact.
+    pub(crate) fn total(self) -> Sums {
+        self.map(|sum| sum.total())
+    }
+}
+
+impl Sums {
+    /// The sums over the readings of both. Exact.
+    pub fn merged(&self, other: &Self) -> Self {
+        self.clone().zip(other.clone(), |own, other| own + other)
     }
 }

@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use crate::meaning::{ErrorBound, Meaning};
 use crate::measurement::{Bounds, Measurement};
-use crate::sums::Sums;
+use crate::moments::Sums;
 use crate::ties::Ties;
 
 /// What is known about readings of which only those that decide the feasible set are kept.
@@ -135,23 +135,21 @@ pub enum NoLeastSquares {
 }
 
 fn sums(weighted: &[(&Measurement, Rational)]) -> Result<Sums, NoLeastSquares> {
-    let mut totals = [(); 5].map(|()| Sum::default());
+    let mut totals = Sums::<Sum>::default();
     let mut count = Rational::zero();
     for (reading, times) in weighted {
         let [u, v] = &reading.regressor;
         let y = reading.value().ok_or(NoLeastSquares::NoResponse)?;
         let [times_u, times_v] = [u * times, v * times];
-        let [uu, uv, vv, uy, vy] = &mut totals;
-        uu.add_product(u, &times_u);
-        uv.add_product(v, &times_u);
-        vv.add_product(v, &times_v);
-        uy.add_product(&times_u, &y);
-        vy.add_product(&times_v, &y);
+        totals.uu.add_product(u, &times_u);
+        totals.uv.add_product(v, &times_u);
+        totals.vv.add_product(v, &times_v);
+        totals.uy.add_product(&times_u, &y);
+        totals.vy.add_product(&times_v, &y);
         count = count + times;
     }
-    let [uu, uv, vv, uy, vy] = totals.map(|sum| sum.total());
     let count = count.numerator().to_i128().and_then(|count| usize::try_from(count).ok()).unwrap_or_default();
-    Ok(Sums { count, uu, uv, vv, uy, vy })
+    Ok(Sums { count, ..totals.total() })
 }
 
 /// How far least squares may move; under one bound for all with 1 in its place.

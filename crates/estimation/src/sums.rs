@@ -5,7 +5,7 @@ use boundfit_exact::{
     WideProducts, WideSum,
 };
 
-use crate::moments::Moments;
+use crate::moments::Sums;
 #[cfg(feature = "files")]
 use crate::products::product_sum;
 
@@ -50,31 +50,13 @@ fn total_of_counts(counts: &[i128]) -> Rational {
     Rational::from(sum.total())
 }
 
-/// N, Σu², Σuv, Σv², Σuy and Σvy over readings with regressors (u, v); of a line u is x and v is 1. Exact, whatever the order
-/// in which readings are added.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Sums {
-    /// How many readings.
-    pub count: usize,
-    /// Σu²; Σx² of a line.
-    pub uu: Rational,
-    /// Σuv; Σx of a line.
-    pub uv: Rational,
-    /// Σv²; N of a line.
-    pub vv: Rational,
-    /// Σuy; Σxy of a line.
-    pub uy: Rational,
-    /// Σvy; Σy of a line.
-    pub vy: Rational,
-}
-
 impl Sums {
     /// The sums over columns of equal length, without v those of a line. Exact. Cost: linear; on machine integers where their
     /// bits suffice.
     #[cfg(feature = "files")]
     pub(crate) fn of_columns(u: &Column, v: Option<&Column>, y: &Column) -> Self {
         match v {
-            None => RunningSums::of_line(u, y).total(),
+            None => Sums::of_line(u, y).total(),
             Some(v) => Sums::of_two(u, v, y),
         }
     }
@@ -87,8 +69,7 @@ impl Sums {
             return sums.total();
         }
         let pairs = [[u, u], [u, v], [v, v], [u, y], [v, y]];
-        let [uu, uv, vv, uy, vy] = pairs.map(|[left, right]| product_sum(left, right));
-        Sums { count: u.len(), uu, uv, vv, uy, vy }
+        Sums::new(u.len(), pairs.map(|[left, right]| product_sum(left, right)))
     }
 
     /// The sums over the readings of lines whose x are counted from here, from those of x as it is. Exact.
@@ -102,36 +83,9 @@ impl Sums {
         let twice = &x + &x;
         Sums { count, uu: xx + origin * (&all - twice), uv: x - all, vv, uy: xy - origin * &y, vy: y }
     }
-
-    /// The sums that the normal equations are made of.
-    pub(crate) fn moments(&self) -> Moments<Rational> {
-        let Sums { uu, uv, vv, uy, vy, .. } = self.clone();
-        Moments { uu, uv, vv, uy, vy }
-    }
-
-    /// The sums over the readings of both. Exact.
-    pub fn merged(&self, other: &Self) -> Self {
-        Sums {
-            count: self.count + other.count,
-            uu: &self.uu + &other.uu,
-            uv: &self.uv + &other.uv,
-            vv: &self.vv + &other.vv,
-            uy: &self.uy + &other.uy,
-            vy: &self.vy + &other.vy,
-        }
-    }
 }
 
-/// [`Sums`] in the making: over common denominators that nobody has reduced yet, which takes longer than to add up what a
-/// batch of readings comes to.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct RunningSums {
-    pub(crate) count: usize,
-    /// Σu², Σuv, Σv², Σuy and Σvy.
-    sums: [Sum; 5],
-}
-
-impl RunningSums {
+impl Sums<Sum> {
     /// Those of a line over columns of equal length. Exact. Cost: linear.
     pub(crate) fn of_line(x: &Column, y: &Column) -> Self {
         match (x, y) {
@@ -141,62 +95,54 @@ impl RunningSums {
             (Column::Narrow(x), Column::Wide(y)) => of_counts(x, y),
             (Column::Wide(x), Column::Narrow(y)) => of_counts(x, y),
             (Column::Wide(x), Column::Wide(y)) => of_counts(x, y),
-            (Column::Doubles(x), Column::Doubles(y)) => RunningSums::from(of_doubles(x, y)),
+            (Column::Doubles(x), Column::Doubles(y)) => of_doubles(x, y),
             _ => match (x.long(), y.long()) {
                 (Some(x), Some(y)) => of_long(&x, &y),
                 _ => {
                     let one = Rational::one();
                     let reading = |row: usize| [x.get(row), one.clone(), y.get(row)];
-                    RunningSums::from(of_numbers(x.len().min(y.len()), reading))
+                    Sums::of_numbers((0..x.len().min(y.len())).map(reading))
                 }
             },
         }
     }
 
     /// So many units each.
-    fn new(count: usize, counts: [Integer; 5], [u, v, y]: [Unit; 3]) -> Self {
-        let mut sums: [Sum; 5] = Default::default();
-        for ((sum, count), units) in sums.iter_mut().zip(counts).zip([[u, u], [u, v], [v, v], [u, y], [v, y]])
-        {
-            sum.add_units(count, &units);
-        }
-        RunningSums { count, sums }
-    }
-
-    /// Adds those over other readings. Exact.
-    pub(crate) fn merge(&mut self, other: RunningSums) {
-        self.count += other.count;
-        self.sums.iter_mut().zip(other.sums).for_each(|(own, other)| own.merge(other));
-    }
-
-    /// In lowest terms. Exact.
-    pub(crate) fn total(&self) -> Sums {
-        let [uu, uv, vv, uy, vy] = self.sums.each_ref().map(Sum::total);
-        Sums { count: self.count, uu, uv, vv, uy, vy }
-    }
-}
-
-impl From<Sums> for RunningSums {
-    fn from(Sums { count, uu, uv, vv, uy, vy }: Sums) -> Self {
-        let sums = [uu, uv, vv, uy, vy].map(|total| {
+    fn of_units(counts: Sums<Integer>, [u, v, y]: [Unit; 3]) -> Self {
+        let of = |count: Integer, units: [Unit; 2]| {
             let mut sum = Sum::default();
-            sum.add(&total);
+            sum.add_units(count, &units);
             sum
-        });
-        RunningSums { count, sums }
+        };
+        let Sums { count, uu, uv, vv, uy, vy } = counts;
+        Sums {
+            count,
+            uu: of(uu, [u, u]),
+            uv: of(uv, [u, v]),
+            vv: of(vv, [v, v]),
+            uy: of(uy, [u, y]),
+            vy: of(vy, [v, y]),
+        }
+    }
+
+    /// Those over other readings as well. Exact.
+    pub(crate) fn and(self, other: Self) -> Self {
+        self.zip(other, |mut own, other| {
+            own.merge(other);
+            own
+        })
     }
 }
 
 /// The sums on machine integers, unless one of them might not fit.
-fn of_narrow(u: &Scaled<i64>, v: Option<&Scaled<i64>>, y: &Scaled<i64>) -> Option<RunningSums> {
-    let Moments { uu, uv, vv, uy, vy } = Moments::of_integers(u.counts(), v.map(Scaled::counts), y.counts())?;
-    let count = u.counts().len().min(y.counts().len());
+fn of_narrow(u: &Scaled<i64>, v: Option<&Scaled<i64>>, y: &Scaled<i64>) -> Option<Sums<Sum>> {
+    let counts = Sums::of_integers(u.counts(), v.map(Scaled::counts), y.counts())?;
     let units = [u.unit(), v.map_or(Unit::Any, Scaled::unit), y.unit()];
-    Some(RunningSums::new(count, [uu, uv, vv, uy, vy].map(Integer::from), units))
+    Some(Sums::of_units(counts.map(Integer::from), units))
 }
 
 /// Those of a line on integers of up to 128 bits.
-fn of_counts<X: Count, Y: Count>(x: &Scaled<X>, y: &Scaled<Y>) -> RunningSums {
+fn of_counts<X: Count, Y: Count>(x: &Scaled<X>, y: &Scaled<Y>) -> Sums<Sum> {
     let count = x.counts().len().min(y.counts().len());
     let [mut sum_x, mut sum_y] = [WideSum::default(); 2];
     let [mut xx, mut xy] = [WideProducts::default(); 2];
@@ -207,12 +153,11 @@ fn of_counts<X: Count, Y: Count>(x: &Scaled<X>, y: &Scaled<Y>) -> RunningSums {
         xx.add(x, x);
         xy.add(x, y);
     }
-    let counts = [xx.total(), sum_x.total(), Integer::from(count), xy.total(), sum_y.total()];
-    RunningSums::new(count, counts, [x.unit(), Unit::Any, y.unit()])
+    of_line_counts(count, [xx.total(), sum_x.total(), xy.total(), sum_y.total()], [x.unit(), y.unit()])
 }
 
 /// Those of a line on decimals of any number of digits.
-fn of_long(x: &Long, y: &Long) -> RunningSums {
+fn of_long(x: &Long, y: &Long) -> Sums<Sum> {
     let count = x.len().min(y.len());
     let [mut sum_x, mut sum_y] = [x, y].map(|column| LongTotal::new(column.width()));
     let [mut xx, mut xy] = [x, y].map(|other| LongProducts::new(x.width(), other.width()));
@@ -222,11 +167,15 @@ fn of_long(x: &Long, y: &Long) -> RunningSums {
         xx.add(x, x);
         xy.add(x, y);
     }
-    let counts = [xx.total(), sum_x.total(), Integer::from(count), xy.total(), sum_y.total()];
-    RunningSums::new(count, counts, [x.unit(), Unit::Any, y.unit()])
+    of_line_counts(count, [xx.total(), sum_x.total(), xy.total(), sum_y.total()], [x.unit(), y.unit()])
 }
 
-fn of_doubles(x: &[f64], y: &[f64]) -> Sums {
+/// Those of a line from Σx², Σx, Σxy and Σy in units of the columns.
+fn of_line_counts(count: usize, [uu, uv, uy, vy]: [Integer; 4], [x, y]: [Unit; 2]) -> Sums<Sum> {
+    Sums::of_units(Sums { count, uu, uv, vv: count.into(), uy, vy }, [x, Unit::Any, y])
+}
+
+fn of_doubles(x: &[f64], y: &[f64]) -> Sums<Sum> {
     let mut sums = std::array::from_fn::<_, 4, _>(|_| DoubleSum::default());
     for (x, y) in x.chunks(Dyadic::CHUNK).zip(y.chunks(Dyadic::CHUNK)) {
         let (x, y) = (Dyadic::new(x), Dyadic::new(y));
@@ -237,10 +186,9 @@ fn of_doubles(x: &[f64], y: &[f64]) -> Sums {
     }
     let count = x.len().min(y.len());
     let [uv, vy, uu, uy] = sums.map(DoubleSum::total);
-    Sums { count, uu, uv, vv: Rational::from(count), uy, vy }
-}
-
-fn of_numbers(count: usize, reading: impl Fn(usize) -> [Rational; 3]) -> Sums {
-    let Moments { uu, uv, vv, uy, vy } = Moments::of_readings((0..count).map(reading));
-    Sums { count, uu, uv, vv, uy, vy }
+    Sums { count, uu, uv, vv: Rational::from(count), uy, vy }.map(|total| {
+        let mut sum = Sum::default();
+        sum.add(&total);
+        sum
+    })
 }

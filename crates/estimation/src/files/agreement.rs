@@ -9,7 +9,7 @@ use super::outline::Outline;
 use super::stated::Stated;
 use crate::meaning::Meaning;
 use crate::reduction::NoLeastSquares;
-use crate::sums::Sums;
+use crate::moments::Sums;
 
 /// What the rows that reductions keep come to. Those of parts add up.
 #[derive(Debug)]
@@ -176,8 +176,7 @@ struct Rest {
 
 impl Rest {
     fn is_nothing(&self) -> bool {
-        let Sums { uu, uv, vv, uy, vy, .. } = &self.sums;
-        [uu, uv, vv, uy, vy].into_iter().all(Rational::is_zero)
+        self.sums.parts().into_iter().all(Rational::is_zero)
     }
 
     /// Whether some readings have these sums: Σu² and Σv² are not negative and (Σuv)² ≤ Σu²·Σv² (Cauchy and Schwarz); where
@@ -225,14 +224,8 @@ impl Rest {
 
 /// The sums over all readings but some.
 fn without(all: &Sums, kept: &Sums) -> Sums {
-    Sums {
-        count: all.count.saturating_sub(kept.count),
-        uu: &all.uu - &kept.uu,
-        uv: &all.uv - &kept.uv,
-        vv: &all.vv - &kept.vv,
-        uy: &all.uy - &kept.uy,
-        vy: &all.vy - &kept.vy,
-    }
+    let count = all.count.saturating_sub(kept.count);
+    Sums { count, ..all.clone().zip(kept.clone(), |all, kept| all - kept) }
 }
 
 fn joined(own: [[Rational; 2]; 2], other: [[Rational; 2]; 2]) -> [[Rational; 2]; 2] {

@@ -17,7 +17,8 @@ use crate::measurement::Measurement;
 use crate::summary::{
     Brackets, FixedBounds, FixedPart, FixedSummary, Keep, LineSummary, Scale, SharedBrackets, SharedSieve,
 };
-use crate::sums::{Sums, column_totals};
+use crate::moments::Sums;
+use crate::sums::column_totals;
 use crate::ties::Ties;
 
 /// Bytes of numbers kept from a file before it is rather read again: twelve million x at four bytes each.
@@ -235,7 +236,7 @@ impl Collected {
         }
         if let Some(kept) = kept {
             let is_open = look.bounds.meaning.is_open();
-            self.kept.push(kept, || is_open.then(|| look.guess(self.open.sums.total())).flatten());
+            self.kept.push(kept, || is_open.then(|| look.guess(self.open.sums.clone().total())).flatten());
         }
     }
 

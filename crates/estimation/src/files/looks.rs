@@ -15,7 +15,8 @@ use crate::measurement::Measurement;
 use crate::minimax::Minimax;
 use crate::reduction::{NoEui, Reach};
 use crate::summary::{AtVertices, FixedBounds, FixedSupport, Scale, SignedSums, Weights, merged_or_reason};
-use crate::sums::{Sums, column_totals};
+use crate::moments::Sums;
+use crate::sums::column_totals;
 use crate::ties::Ties;
 
 /// Where readings can be seen again.

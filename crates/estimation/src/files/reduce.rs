@@ -17,7 +17,7 @@ use crate::meaning::{ErrorBound, Meaning};
 use crate::measurement::Measurement;
 use crate::reduction::NoLeastSquares;
 use crate::summary::{FixedBounds, FixedPart, FixedSummary, LineSummary, Scale, SharedSieve};
-use crate::sums::Sums;
+use crate::moments::Sums;
 
 /// Texts of rows that have meanwhile turned out to be superfluous are dropped when there are so many of them, so
 /// that dropping them is rare.
@@ -206,8 +206,7 @@ impl ReducedTable {
 
 /// The sums as a reduction has them.
 fn written(sums: &Result<Sums, NoLeastSquares>) -> Option<[String; 5]> {
-    let Sums { uu, uv, vv, uy, vy, .. } = sums.as_ref().ok()?;
-    Some([uu, uv, vv, uy, vy].map(Rational::to_string))
+    Some(sums.as_ref().ok()?.parts().map(Rational::to_string))
 }
 
 impl<'a> Rule<'a> {

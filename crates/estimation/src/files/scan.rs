@@ -16,7 +16,7 @@ use crate::measurements::{Measurements, Origin, Readings};
 use crate::reduction::{DecidingMinimax, NoEui, NoMinimax, Reach, Reduction};
 use crate::selection::{FractionCells, Selection};
 use crate::summary::{FixedBounds, FixedSummary, Keep, Spread, Thresholds};
-use crate::sums::Sums;
+use crate::moments::Sums;
 use crate::ties::Ties;
 
 impl Measurements {

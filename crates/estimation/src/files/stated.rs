@@ -7,7 +7,7 @@ use boundfit_formats::{
 
 use crate::meaning::{ErrorBound, Meaning, Model};
 use crate::reduction::NoLeastSquares;
-use crate::sums::Sums;
+use crate::moments::Sums;
 
 /// How many times as many digits as a reading a sum may have: that of squares has twice as many, and those of the
 /// fractions on top.
@@ -50,14 +50,7 @@ impl Stated {
             record.check(asked, options.table.reading).map_err(fail)?;
             let count = total.count.checked_add(record.rows);
             total.count = count.ok_or_else(|| fail(ReductionError::TooManyRows))?;
-            let sums = record.sums(&limits).map_err(fail)?.map(|[uu, uv, vv, uy, vy]| Sums {
-                count: record.rows,
-                uu,
-                uv,
-                vv,
-                uy,
-                vy,
-            });
+            let sums = record.sums(&limits).map_err(fail)?.map(|sums| Sums::new(record.rows, sums));
             total.sums = total.sums.and_then(|own| Ok(own.merged(&sums.ok_or(NoLeastSquares::NoResponse)?)));
             total.has_widths |= record.widths;
             // They do not differ in this.

@@ -9,7 +9,7 @@ use boundfit_exact::{Column, Count, Rational, Scaled};
 
 use super::spread::{Spread, Thresholds};
 use crate::line_form::LineForm;
-use crate::sums::Sums;
+use crate::moments::Sums;
 
 /// By what part of their standard deviation the mean of all x may differ from that of those seen, at least, and in standard
 /// errors of the mean; their variance by twice that part. Of evenly spread x some hundredths are kept then.

@@ -15,7 +15,7 @@ use super::vertices::{AtVertices, Vertex, counts_at, told_at_vertices, with_othe
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
 use crate::reduction::NoLeastSquares;
-use crate::sums::Sums;
+use crate::moments::Sums;
 use crate::ties::{TiedReading, Ties};
 
 /// Merging waits for at least this many new rows, so that small parts do not each pay for the whole.

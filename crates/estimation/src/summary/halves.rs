@@ -6,7 +6,7 @@ use boundfit_exact::{Column, Unit};
 
 use crate::meaning::{ErrorBound, Meaning};
 use crate::reduction::NoLeastSquares;
-use crate::sums::Sums;
+use crate::moments::Sums;
 
 /// Middles and half widths of readings that all have both bounds.
 pub(crate) struct Halves {

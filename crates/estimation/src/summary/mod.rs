@@ -25,7 +25,7 @@ mod vertices;
 
 use std::collections::BTreeMap;
 
-use boundfit_exact::{Column, Rational};
+use boundfit_exact::{Column, Rational, Sum};
 
 #[cfg(feature = "files")]
 pub(crate) use brackets::{Brackets, Narrowed, SharedBrackets};
@@ -44,7 +44,7 @@ pub(crate) use spread::Thresholds;
 pub(crate) use vertices::AtVertices;
 
 use crate::measurement::Measurement;
-use crate::sums::{RunningSums, Sums};
+use crate::moments::Sums;
 use crate::ties::{TiedReading, Ties};
 use support::SupportRows;
 
@@ -81,7 +81,7 @@ impl Default for Keep {
 /// What is kept of readings of a line, however many they are.
 #[derive(Debug, Default)]
 pub(crate) struct LineSummary {
-    pub(crate) sums: RunningSums,
+    pub(crate) sums: Sums<Sum>,
     /// The readings that support a hull of those with the same error bound; under a uniform one, whatever it is, `None`
     /// stands for it.
     support: BTreeMap<Option<Rational>, SupportRows>,
@@ -110,7 +110,7 @@ impl LineSummary {
                 rows.into_iter().map(|(bound, rows)| (Some(bound), support(rows))).collect()
             }
         };
-        LineSummary { sums: RunningSums::of_line(x, y), support }
+        LineSummary { sums: Sums::of_line(x, y), support }
     }
 
     /// Adds what is kept of other readings, and lets the sieve learn from it. Exact.
@@ -118,7 +118,7 @@ impl LineSummary {
         /// After fewer readings at once, most likely none are to come, for which a sieve would have to be made.
         const FEW: usize = 1000;
         let is_all = self.sums.count == 0 && other.sums.count < FEW;
-        self.sums.merge(other.sums);
+        self.sums = std::mem::take(&mut self.sums).and(other.sums);
         for (bound, support) in other.support {
             self.support.entry(bound).or_default().merge(support, sieve.most_listed);
         }

@@ -8,7 +8,8 @@ use super::rounded::{float, floats};
 use crate::meaning::Meaning;
 use crate::products::product_sum;
 use crate::reduction::{NoEui, Reach};
-use crate::sums::{Sums, column_total};
+use crate::moments::Sums;
+use crate::sums::column_total;
 
 /// A_jk times the determinant of ΦᵀΦ is p·φ_k1 + q·φ_k2, with (p, q) a row of the adjugate; then φ_k1 itself.
 #[derive(Debug, Clone)]

@@ -5,7 +5,7 @@ use boundfit_exact::{
 };
 
 use crate::line_form::LineForm;
-use crate::sums::Sums;
+use crate::moments::Sums;
 
 /// The values of x at which a weight of least squares changes its sign: A_1k that of N·x_k − Σx, A_2k that of
 /// Σx² − x_k·Σx, and the one of a line through the origin that of x_k.

@@ -7,7 +7,7 @@ use boundfit_geometry::RegionKind;
 use super::chains::{Chains, MOST_BITS, Quotient, Site};
 use crate::bounds::central_of;
 use crate::group_fit::GroupFit;
-use crate::moments::{Moments, SUM_BITS, Solution, bits};
+use crate::moments::{SUM_BITS, Solution, Sums, bits};
 
 /// Numbers as integers on a power of ten.
 pub(in crate::files) struct Counts {
@@ -83,8 +83,8 @@ fn on_power_of_ten(number: &Rational, exponent: i32) -> Option<(i128, u32)> {
     })
 }
 
-/// The moments of a line; `products_fit`: whether their sums fit into 128 bits.
-fn moments(x: &[i128], y: &[i128], products_fit: bool) -> Moments<Integer> {
+/// The sums over readings of a line; `products_fit`: whether their sums fit into 128 bits.
+fn moments(x: &[i128], y: &[i128], products_fit: bool) -> Sums<Integer> {
     let sum_of_products = |left: &[i128], right: &[i128]| {
         let pairs = left.iter().zip(right);
         if products_fit {
@@ -94,7 +94,8 @@ fn moments(x: &[i128], y: &[i128], products_fit: bool) -> Moments<Integer> {
         pairs.for_each(|(&left, &right)| sum.add(left, right));
         sum.total()
     };
-    Moments {
+    Sums {
+        count: x.len(),
         uu: sum_of_products(x, x),
         uv: Integer::from(x.iter().sum::<i128>()),
         vv: Integer::from(x.len()),
