@@ -83,11 +83,7 @@ impl LeastSquares {
     }
 
     /// With the EUI about the estimate from the middles of the bounds, given by Φᵀm. The estimate itself takes y.
-    fn about_middles(
-        self,
-        moments: &Sums,
-        [uy, vy]: [Rational; 2],
-    ) -> Result<Self, NoLeastSquares> {
+    fn about_middles(self, moments: &Sums, [uy, vy]: [Rational; 2]) -> Result<Self, NoLeastSquares> {
         let middles = Sums { uy, vy, ..moments.clone() };
         let about_middles = LeastSquares::of_moments(&middles, |_| Err(NoEui::NotAsked))?.theta;
         let shifted = |j: usize, eui: &Interval| {

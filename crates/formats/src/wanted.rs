@@ -8,16 +8,27 @@ use crate::heading::{AskedColumns, Heading};
 use crate::scan::{ScanOptions, Scanned, csv_line, each_once};
 use crate::selection::RowCondition;
 
-/// The columns that are wanted, by their places in the table.
-pub(crate) struct WantedColumns<'a> {
+/// A column that has a place in the table.
+pub(crate) trait Placed {
+    fn place(&self) -> &ColumnPlace;
+}
+
+impl Placed for ColumnPlace {
+    fn place(&self) -> &ColumnPlace {
+        self
+    }
+}
+
+/// The columns that are wanted, by their places in the table unless something else tells where they are.
+pub(crate) struct WantedColumns<'a, C = ColumnPlace> {
     pub(crate) file: &'a str,
     pub(crate) options: &'a ScanOptions,
     pub(crate) selectors: &'a [ColumnSelector],
-    pub(crate) places: Vec<ColumnPlace>,
-    pub(crate) key: Option<ColumnPlace>,
-    pub(crate) identity: Option<ColumnPlace>,
+    pub(crate) places: Vec<C>,
+    pub(crate) key: Option<C>,
+    pub(crate) identity: Option<C>,
     /// What must hold for rows to be wanted, and where the columns are that it is about.
-    pub(crate) conditions: Vec<(ColumnPlace, &'a RowCondition)>,
+    pub(crate) conditions: Vec<(C, &'a RowCondition)>,
     /// The work on the numbers that were read as text.
     pub(crate) meter: WorkMeter,
 }
@@ -64,39 +75,41 @@ impl<'a> WantedColumns<'a> {
             meter: WorkMeter::default(),
         })
     }
+}
 
+impl<C: Placed> WantedColumns<'_, C> {
     /// The columns in which a wanted row has a number: those that conditions are about, and those that are read for one.
-    pub(crate) fn needed(&self) -> impl Iterator<Item = &ColumnPlace> {
+    pub(crate) fn needed(&self) -> impl Iterator<Item = &C> {
         let looked_at = self.conditions.iter().map(|(place, _)| place);
         let read = self.places.iter().zip(self.selectors);
         looked_at.chain(read.filter(|(_, selector)| selector.role().is_needed()).map(|(place, _)| place))
     }
 
     /// All columns that are wanted for something.
-    pub(crate) fn all(&self) -> impl Iterator<Item = &ColumnPlace> {
+    pub(crate) fn all(&self) -> impl Iterator<Item = &C> {
         let looked_at = self.conditions.iter().map(|(place, _)| place);
         self.places.iter().chain(&self.key).chain(&self.identity).chain(looked_at)
     }
 
     /// The columns that rows have as text, each once.
-    pub(crate) fn written(&self) -> Vec<&ColumnPlace> {
+    pub(crate) fn written(&self) -> Vec<&C> {
         let places = || self.places.iter().chain(&self.identity);
-        let titles: Vec<Foreign> = places().map(ColumnPlace::title).collect();
+        let titles: Vec<Foreign> = places().map(|column| column.place().title()).collect();
         each_once(places(), &titles).collect()
     }
 
     /// What is said of rows that come from no bytes.
     pub(crate) fn scanned(&self, rows_total: usize, rows_missing: usize) -> Scanned {
-        let titles = || self.written().into_iter().map(|place| place.title().raw().to_owned());
+        let titles = || self.written().into_iter().map(|column| column.place().title().raw().to_owned());
         Scanned {
             layout: None,
             table: None,
             header_line: self.options.keep_text.then(|| csv_line(titles())),
             header: Vec::new(),
             units: vec![None; self.places.len()],
-            names: self.places.iter().map(ColumnPlace::title).collect(),
+            names: self.places.iter().map(|column| column.place().title()).collect(),
             fractions: Vec::new(),
-            key_name: self.key.as_ref().map(ColumnPlace::title),
+            key_name: self.key.as_ref().map(|column| column.place().title()),
             rows_total,
             ranges: Vec::new(),
             rows_missing,

@@ -8,8 +8,8 @@ use boundfit_formats::{Batch, ReductionError, Reductions};
 use super::outline::Outline;
 use super::stated::Stated;
 use crate::meaning::Meaning;
-use crate::reduction::NoLeastSquares;
 use crate::moments::Sums;
+use crate::reduction::NoLeastSquares;
 
 /// What the rows that reductions keep come to. Those of parts add up.
 #[derive(Debug)]

@@ -14,10 +14,10 @@ use super::kept_columns::{KeptColumns, KeptNumbers, KeptPart};
 use crate::line_form::LineForm;
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
+use crate::moments::Sums;
 use crate::summary::{
     Brackets, FixedBounds, FixedPart, FixedSummary, Keep, LineSummary, Scale, SharedBrackets, SharedSieve,
 };
-use crate::moments::Sums;
 use crate::sums::column_totals;
 use crate::ties::Ties;
 

@@ -13,9 +13,9 @@ use crate::least_squares::LeastSquares;
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
 use crate::minimax::Minimax;
+use crate::moments::Sums;
 use crate::reduction::{NoEui, Reach};
 use crate::summary::{AtVertices, FixedBounds, FixedSupport, Scale, SignedSums, Weights, merged_or_reason};
-use crate::moments::Sums;
 use crate::sums::column_totals;
 use crate::ties::Ties;
 

@@ -15,9 +15,9 @@ use super::stated::{Stated, asked_by_reduction, counts_of, refuse_late};
 use crate::line_form::LineForm;
 use crate::meaning::{ErrorBound, Meaning};
 use crate::measurement::Measurement;
+use crate::moments::Sums;
 use crate::reduction::NoLeastSquares;
 use crate::summary::{FixedBounds, FixedPart, FixedSummary, LineSummary, Scale, SharedSieve};
-use crate::moments::Sums;
 
 /// Texts of rows that have meanwhile turned out to be superfluous are dropped when there are so many of them, so
 /// that dropping them is rare.

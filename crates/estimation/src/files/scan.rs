@@ -13,10 +13,10 @@ use crate::line_form::LineForm;
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
 use crate::measurements::{Measurements, Origin, Readings};
+use crate::moments::Sums;
 use crate::reduction::{DecidingMinimax, NoEui, NoMinimax, Reach, Reduction};
 use crate::selection::{FractionCells, Selection};
 use crate::summary::{FixedBounds, FixedSummary, Keep, Spread, Thresholds};
-use crate::moments::Sums;
 use crate::ties::Ties;
 
 impl Measurements {

@@ -6,8 +6,8 @@ use boundfit_formats::{
 };
 
 use crate::meaning::{ErrorBound, Meaning, Model};
-use crate::reduction::NoLeastSquares;
 use crate::moments::Sums;
+use crate::reduction::NoLeastSquares;
 
 /// How many times as many digits as a reading a sum may have: that of squares has twice as many, and those of the
 /// fractions on top.

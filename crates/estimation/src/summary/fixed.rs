@@ -14,8 +14,8 @@ use super::scale::Scale;
 use super::vertices::{AtVertices, Vertex, counts_at, told_at_vertices, with_others};
 use crate::meaning::Meaning;
 use crate::measurement::Measurement;
-use crate::reduction::NoLeastSquares;
 use crate::moments::Sums;
+use crate::reduction::NoLeastSquares;
 use crate::ties::{TiedReading, Ties};
 
 /// Merging waits for at least this many new rows, so that small parts do not each pay for the whole.

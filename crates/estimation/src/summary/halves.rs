@@ -5,8 +5,8 @@ use std::borrow::Cow;
 use boundfit_exact::{Column, Unit};
 
 use crate::meaning::{ErrorBound, Meaning};
-use crate::reduction::NoLeastSquares;
 use crate::moments::Sums;
+use crate::reduction::NoLeastSquares;
 
 /// Middles and half widths of readings that all have both bounds.
 pub(crate) struct Halves {

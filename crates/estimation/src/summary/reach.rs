@@ -6,9 +6,9 @@ use boundfit_exact::{Column, Rational, Sum};
 use super::halves::Halves;
 use super::rounded::{float, floats};
 use crate::meaning::Meaning;
+use crate::moments::Sums;
 use crate::products::product_sum;
 use crate::reduction::{NoEui, Reach};
-use crate::moments::Sums;
 use crate::sums::column_total;
 
 /// A_jk times the determinant of ΦᵀΦ is p·φ_k1 + q·φ_k2, with (p, q) a row of the adjugate; then φ_k1 itself.

@@ -3,19 +3,18 @@
 use std::io::Read;
 use std::ops::Range;
 
-use boundfit_exact::{Column, Foreign, WorkMeter};
+use boundfit_exact::{Column, Reading, WorkMeter};
 
 use super::columns::MatColumns;
 use super::search::MatColumn;
 use crate::cells::CellReader;
 use crate::columns::{ColumnPlace, ColumnSelector, refuse_same};
-use crate::error::{InputError, InputErrorKind, Place};
-use crate::lacking::Lacking;
-use crate::memory::BadNumber;
+use crate::error::{InputError, InputErrorKind};
+use crate::memory::{BadNumber, Cells, Part};
 use crate::scan::check_rows;
-use crate::scan::{Batch, Pieces, ScanOptions, Scanned, csv_line, each_once, readable_rows};
-use crate::selection::{RowCondition, RowNumbers, between, in_batches};
-use crate::threads;
+use crate::scan::{Batch, ScanOptions, Scanned};
+use crate::selection::RowCondition;
+use crate::wanted::{Placed, WantedColumns};
 
 /// Refuses a variable, or a column of one, that is asked for twice.
 fn refuse_twice(file: &str, selectors: &[ColumnSelector]) -> Result<(), InputError> {
@@ -44,7 +43,7 @@ pub(crate) fn scan_mat<T: Send>(
     columns: &[ColumnSelector],
     options: &ScanOptions,
     work: impl Fn(Batch) -> T + Sync,
-    mut take: impl FnMut(T),
+    take: impl FnMut(T),
 ) -> Result<Scanned, InputError> {
     let fail = |problem: InputErrorKind| InputError::of_file(name, problem);
     let conditions = &options.table.conditions;
@@ -57,178 +56,60 @@ pub(crate) fn scan_mat<T: Send>(
     // What is asked for is given back behind the last batch.
     let MatColumns { columns: found, rows, sha256, bytes, memory: _memory } = found.map_err(fail)?;
     check_rows(name, rows, options)?;
-    let (numbers, others) = found.split_at_checked(columns.len()).unwrap_or_default();
-    let (key, looked_at) = others.split_at_checked(options.key.iter().len()).unwrap_or_default();
-    let (identity, looked_at) = looked_at.split_at_checked(options.identity.iter().len()).unwrap_or_default();
-    let (key, meter) = (key.first(), WorkMeter::default());
-    let rows_of = Rows { file: name, selectors: columns, columns: numbers, key, identity, options, meter };
-    let asked = options.table.rows.among(1, rows + 1);
-    let mut lacking = Lacking::default();
-    let [satisfying, wanted] = rows_of.with_values(conditions, looked_at, &asked, &mut lacking)?;
-    let used = wanted.iter().map(ExactSizeIterator::len).sum();
-    let ((), rows_missing) = lacking.settle(Ok(()), used, options)?;
-    for group in in_batches(&wanted).chunks(threads::count()) {
-        let batch = |rows: Vec<Range<usize>>| rows_of.batch(&rows).map(&work);
-        let done: Vec<Result<T, InputError>> = threads::map(group.to_vec(), batch);
-        for result in done {
-            take(result?);
-        }
-        if progress.is_some_and(|progress| progress.is_cancelled()) {
-            return Err(fail(InputErrorKind::Interrupted));
-        }
-    }
-    if options.table.keep_others && options.table.selects_rows() {
-        let unwanted = between(&satisfying, 1, rows + 1).into_iter();
-        let others = unwanted.flat_map(|rows| readable_rows(rows, &|rows| rows_of.batch(&[rows]))).collect();
-        take(work(Batch { others, ..rows_of.batch(&[])? }));
-    }
-    let names: Vec<Foreign> = numbers.iter().map(|column| column.place.title()).collect();
-    Ok(Scanned {
-        layout: None,
-        table: None,
-        header_line: options
-            .keep_text
-            .then(|| csv_line(rows_of.written().iter().map(|column| column.place.title().raw().to_owned()))),
-        names,
-        header: Vec::new(),
-        fractions: Vec::new(),
-        key_name: key.map(|column| column.place.title()),
-        units: vec![None; columns.len()],
-        rows_total: rows,
-        ranges: Vec::new(),
-        rows_missing,
-        bytes,
-        sha256,
-    })
+    let mut found = found.into_iter();
+    let wanted = WantedColumns {
+        file: name,
+        options,
+        selectors: columns,
+        places: found.by_ref().take(columns.len()).collect(),
+        key: options.key.as_ref().and_then(|_| found.next()),
+        identity: options.identity.as_ref().and_then(|_| found.next()),
+        conditions: found.zip(conditions).collect(),
+        meter: WorkMeter::default(),
+    };
+    let table = Variables { keep_text: options.keep_text };
+    let scanned = Part { table: &table, wanted: &wanted, before: 0, lines: &[] }.scan(rows, work, take)?;
+    Ok(Scanned { bytes, sha256, ..scanned })
 }
 
-/// Rows of columns of one length.
-struct Rows<'a> {
-    file: &'a str,
-    selectors: &'a [ColumnSelector],
-    columns: &'a [MatColumn],
-    key: Option<&'a MatColumn>,
-    /// One, or none.
-    identity: &'a [MatColumn],
-    options: &'a ScanOptions,
-    /// The work on the numbers that were read as text.
-    meter: WorkMeter,
+/// The numbers of variables, from one of them on.
+struct Variables {
+    /// Whether rows are written as text, which must read back as the same doubles.
+    keep_text: bool,
 }
 
-impl Rows<'_> {
-    /// The columns that rows have as text, each once.
-    fn written(&self) -> Vec<&MatColumn> {
-        let columns = || self.columns.iter().chain(self.identity);
-        let titles: Vec<Foreign> = columns().map(|column| column.place.title()).collect();
-        each_once(columns(), &titles).collect()
+impl Placed for MatColumn {
+    fn place(&self) -> &ColumnPlace {
+        &self.place
+    }
+}
+
+impl Cells<MatColumn> for Variables {
+    fn has_missing(&self, _: &MatColumn) -> bool {
+        true
     }
 
-    /// Of rows in these ranges, those whose numbers in some columns satisfy the conditions on them, as far as they are there, and
-    /// those of them that lack no number.
-    fn with_values(
-        &self,
-        conditions: &[RowCondition],
-        looked_at: &[MatColumn],
-        rows: &[Range<usize>],
-        lacking: &mut Lacking,
-    ) -> Result<[Vec<Range<usize>>; 2], InputError> {
-        let needed =
-            self.columns.iter().zip(self.selectors).filter(|(_, selector)| selector.role().is_needed());
-        let needed: Vec<&MatColumn> = looked_at.iter().chain(needed.map(|(column, _)| column)).collect();
-        let is_missing = |column: &MatColumn, row: usize| column.numbers.is_missing(column.start + row - 1);
-        let [mut satisfying, mut wanted] = [RowNumbers::default(), RowNumbers::default()];
-        for range in rows {
-            let numbers = conditions.iter().zip(looked_at).map(|(condition, column)| {
-                self.numbers(column, range, &condition.column().clone().optional())
-            });
-            let numbers: Vec<Column> = numbers.collect::<Result<_, _>>()?;
-            for row in range.clone() {
-                let mut pairs = conditions.iter().zip(looked_at.iter().zip(&numbers));
-                let satisfies = pairs.all(|(condition, (column, numbers))| {
-                    is_missing(column, row) || condition.holds(&numbers.get(row - range.start))
-                });
-                if !satisfies {
-                    continue;
-                }
-                satisfying.push(row);
-                match needed.iter().find(|column| is_missing(column, row)) {
-                    Some(column) => {
-                        let index = column.start + row - 1;
-                        let problem = InputErrorKind::Null;
-                        let bad = BadNumber { index, text: column.numbers.text(index), problem };
-                        lacking.notice(|| self.error(column, bad));
-                    }
-                    None => wanted.push(row),
-                }
-            }
-        }
-        Ok([satisfying, wanted].map(|rows| rows.ranges().map(|[first, last]| first..last + 1).collect()))
+    fn is_missing(&self, column: &MatColumn, index: usize) -> bool {
+        column.numbers.is_missing(column.start + index)
     }
 
-    /// The numbers of a column in the rows of a range, counted from 1.
-    fn numbers(
+    fn text(&self, column: &MatColumn, index: usize, _: Reading) -> String {
+        column.numbers.text(column.start + index)
+    }
+
+    fn column(
         &self,
         column: &MatColumn,
-        rows: &Range<usize>,
-        selector: &ColumnSelector,
-    ) -> Result<Column, InputError> {
-        let range = column.start + rows.start - 1..column.start + rows.end - 1;
-        if self.options.keep_text
-            && let Some(index) = column.numbers.first_beyond_doubles(range.clone())
-        {
-            let text = column.numbers.text(index);
-            return Err(self.error(column, BadNumber { index, text, problem: InputErrorKind::NotBinary64 }));
-        }
-        let reader = CellReader { selector, options: &self.options.table, meter: &self.meter };
-        column.numbers.column(range, reader).map_err(|bad| self.error(column, bad))
-    }
-
-    /// The rows of these ranges, counted from 1.
-    fn batch(&self, ranges: &[Range<usize>]) -> Result<Batch, InputError> {
-        let mut columns = Vec::new();
-        for (column, selector) in self.columns.iter().zip(self.selectors) {
-            let mut parts = ranges.iter().map(|range| self.numbers(column, range, selector));
-            let mut numbers = parts.next().transpose()?.unwrap_or_default();
-            for part in parts {
-                let part = part?;
-                numbers.append(&part, 0..part.len());
-            }
-            columns.push(numbers);
-        }
-        let rows = || ranges.iter().cloned().flatten();
-        let text = |column: &MatColumn, row: usize| column.numbers.text(column.start + row - 1);
-        let keys = self.key.map(|key| {
-            let mut keys = Pieces::<String>::default();
-            rows().for_each(|row| keys.push(&text(key, row)));
-            keys
-        });
-        let lines = self.options.keep_text.then(|| {
-            let mut lines = Pieces::<Vec<u8>>::default();
-            let columns = self.written();
-            for row in rows() {
-                lines.push(&csv_line(columns.iter().map(|column| text(column, row))));
-            }
-            lines
-        });
-        Ok(Batch {
-            rows: ranges.iter().cloned().collect(),
-            columns,
-            keys,
-            lines,
-            fractions: Vec::new(),
-            cells: Vec::new(),
-            others: Vec::new(),
-        })
-    }
-
-    fn error(&self, column: &MatColumn, bad: BadNumber) -> InputError {
-        let ColumnPlace { position, name } = column.place.clone();
-        let place = Place {
-            row: Some(bad.index + 1 - column.start),
-            column: Some((position, name)),
-            text: Some(bad.text.into()),
-            ..Place::default()
+        range: Range<usize>,
+        reader: CellReader,
+    ) -> Result<Column, BadNumber> {
+        let range = column.start + range.start..column.start + range.end;
+        let bad = |index: usize| {
+            let (text, problem) = (column.numbers.text(index), InputErrorKind::NotBinary64);
+            BadNumber { index, text, problem }
         };
-        InputError::new(self.file, place, bad.problem)
+        let beyond = self.keep_text.then(|| column.numbers.first_beyond_doubles(range.clone())).flatten();
+        let read = beyond.map_or_else(|| column.numbers.column(range, reader), |index| Err(bad(index)));
+        read.map_err(|bad| BadNumber { index: bad.index - column.start, ..bad })
     }
 }
