@@ -106,10 +106,12 @@ def readings_of_file(
     return _boundfit.readings_of_file(os.fspath(path), list(map(str, named)), question, table(**how))
 
 
-def ask(readings: _boundfit.Readings, question: str, **keys: Any) -> Ask:
-    """What answers a question about readings in any form; keys that are None are left out."""
+def ask(
+    readings: _boundfit.Readings, question: str, *, tables: list[tuple[str, list[tuple[str, Any]]]] | None = None, **keys: Any
+) -> Ask:
+    """What answers a question about readings in any form; keys that are None are left out. ``tables`` are columns that it names."""
     given = {key: value for key, value in keys.items() if value is not None}
-    return partial(_boundfit.ask, readings, json.dumps({"ask": question, **given}))
+    return partial(_boundfit.ask, readings, json.dumps({"ask": question, **given}), tables=tables)
 
 
 def exact(number: Number | None, reading: str) -> dict[str, str] | None:

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import os
 from fractions import Fraction
-from functools import partial
 from typing import Any, NamedTuple, Unpack
 
 from . import _boundfit
 from ._answers import Answer, number, point, value
 from ._bounds import Point, decimal
-from ._asking import Name, Table
+from ._asking import Name, Table, ask, exact
 from ._cells import cells
 from ._columns import Column, Missing, Number, Reading, asked, named, table
 
@@ -142,13 +141,14 @@ def linearity(
     (Fraction(1, 8), [1, 2, 3, 4])
     """
     taken: set[str] = set()
-    response = _response(y, up, down, direction)
+    how = _how(reading, missing, y, up, down, direction)
     given = {"x": x, "y": y, "direction": direction, "up": up, "down": down}
-    columns = [(named(own, name, taken), cells(own, name, reading)) for name, own in given.items() if own is not None]
+    columns = {key: (named(own, key, taken), cells(own, key, reading)) for key, own in given.items() if own is not None}
     if direction is not None:
-        columns[2] = (columns[2][0], _words(columns[2][1]))
-    calibrated = _boundfit.calibration_of_columns(columns, response, _how(reading, missing))
-    return _answer(calibrated, full_scale, through)
+        columns["direction"] = (columns["direction"][0], _words(columns["direction"][1]))
+    readings = _boundfit.readings_of_columns(list(columns.values()), how)
+    # A name stands in quotes, also where it looks like a number.
+    return _answer(readings, full_scale, through, {key: f'"{columns[key][0]}"' for key in _KEYS if key in columns})
 
 
 def linearity_file(
@@ -166,21 +166,15 @@ def linearity_file(
     **how: Unpack[Table],
 ) -> Linearity:
     """As :func:`linearity`, of columns of a file, by name or number. How it is read is told as in :func:`boundfit.fit_file`."""
-    response = _response(y, up, down, direction)
-    names = [str(own) for own in (x, y, direction, up, down) if own is not None]
-    calibrated = _boundfit.calibration_of_file(os.fspath(path), names, response, _how(reading, missing), table(**how))
-    return _answer(calibrated, full_scale, through)
+    named = _how(reading, missing, y, up, down, direction)
+    names = [str(own) for own in (x, y) if own is not None]
+    readings = _boundfit.readings_of_file(os.fspath(path), names, named, table(**how))
+    given = {"up": up, "down": down, "direction": direction}
+    return _answer(readings, full_scale, through, {key: str(own) for key, own in given.items() if own is not None})
 
 
-def _response(y: Any, up: Any, down: Any, direction: Any) -> str:
-    match (y is not None, up is not None, down is not None, direction is not None):
-        case (True, False, False, False):
-            return "one"
-        case (True, False, False, True):
-            return "directed"
-        case (False, True, True, False):
-            return "two"
-    raise ValueError("expected y, or y and direction, or up and down")
+#: Columns besides x and y.
+_KEYS = ("up", "down", "direction")
 
 
 def _words(column: Any) -> list[str]:
@@ -188,11 +182,14 @@ def _words(column: Any) -> list[str]:
     return ["" if own is None or own != own else str(own) for own in values]
 
 
-def _how(reading: Reading, missing: Missing) -> dict[str, Any]:
+def _how(reading: Reading, missing: Missing, y: Any, up: Any, down: Any, direction: Any) -> dict[str, Any]:
     """What is said besides the columns, in the words of a question within bounds, of which there are none here."""
+    given = tuple(own is not None for own in (y, up, down, direction))
+    if given not in ((True, False, False, False), (True, False, False, True), (False, True, True, False)):
+        raise ValueError("expected y, or y and direction, or up and down")
     return asked(
         regressors=1,
-        response=True,
+        response=y is not None,
         eps=0,
         lower=False,
         upper=False,
@@ -205,7 +202,11 @@ def _how(reading: Reading, missing: Missing) -> dict[str, Any]:
     )
 
 
-def _answer(calibrated: _boundfit.Calibrated, full_scale: Number | None, through: tuple[Number, Number]) -> Linearity:
+def _answer(
+    readings: _boundfit.Readings, full_scale: Number | None, through: tuple[Number, Number], columns: dict[str, str]
+) -> Linearity:
     if len(through) != 2:
         raise ValueError(f"through={through!r}: expected a point, such as (0, 0)")
-    return Linearity(partial(_boundfit.linearity, calibrated, full_scale, tuple(through)))
+    point = [exact(own, readings.reading) for own in through]
+    full = exact(full_scale, readings.reading)
+    return Linearity(ask(readings, "linearity", full_scale=full, through=point, **columns))

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import builtins
-from fractions import Fraction
-from functools import partial
 from typing import Any, Literal, Unpack
 
 from . import _boundfit, _found
@@ -29,8 +27,10 @@ class Asked:
         readings, which change nothing: a tuple of columns in the order in which they were given (x, y, and the bounds if they are
         columns), or of a file the path of another one.
         """
-        further = new if new is None or isinstance(new, str) else _further(new, self._readings.reading)
-        return Statuses(partial(_boundfit.status, self._readings, repair, further), self._readings.reading)
+        tables = [] if new is None or isinstance(new, str) else [("new", _further(new, self._readings))]
+        name = new if isinstance(new, str) else "new" if tables else None
+        asked = ask(self._readings, "status", tables=tables, new=name, repair=repair)
+        return Statuses(asked, self._readings.reading)
 
     def predict(
         self,
@@ -51,18 +51,29 @@ class Asked:
         count = self._readings.regressors
         if count == 2 and (from_ is not None or grid is not None):
             raise ValueError("from_ and grid are about a line: with two regressors there is no single x (ask at pairs)")
-        columns = [] if at is None else _values(at, "at", count, self._readings.reading)
-        if grid is not None:
-            columns = [("at", _of_grid(grid, self._readings.reading) + [own for _, column in columns for own in list(column)])]
-        if not columns and from_ is None:
+        if at is None and grid is None and from_ is None:
             raise ValueError("nothing is to be predicted: expected at, grid or from_")
-        asked = {
-            "at": columns,
-            "from_": None if from_ is None else _values(from_, "from_", 1, self._readings.reading)[0],
-            "new_eps": new_eps,
-            "proofs": proofs,
-        }
-        return Prediction(partial(_boundfit.predict, self._readings, asked), self._readings.reading)
+        reading = self._readings.reading
+        # A column is asked for by its number: both of two regressors have one name.
+        given = {"values": at, "from_": from_}
+        tables = [
+            (name, _values(own, "at" if name == "values" else name, count if name == "values" else 1, reading))
+            for name, own in given.items()
+            if own is not None
+        ]
+        columns = {name: [f"{name}:{';'.join(str(number + 1) for number in builtins.range(len(own)))}"] for name, own in tables}
+        bound = exact(new_eps, reading)
+        asked = ask(
+            self._readings,
+            "predict",
+            tables=tables,
+            at=columns.get("values"),
+            grid=None if grid is None else _of_grid(grid, reading),
+            new_eps=None if bound is None else bound["exact"],
+            proofs=proofs,
+            **({"from": columns["from_"]} if "from_" in columns else {}),
+        )
+        return Prediction(asked, reading)
 
     def outliers(self, *, most: int | None = None, max_sets: int | None = None, max_steps: int | None = None) -> Outliers:
         """The fewest readings to leave out so that something agrees with all others, every such choice, and what is left then. With
@@ -85,12 +96,15 @@ class Asked:
         return [_found.window(line, reading) for line in lines.splitlines()]
 
 
-def _further(columns: Any, reading: str) -> list[Any]:
+def _further(columns: Any, readings: _boundfit.Readings) -> list[tuple[str, Any]]:
     if hasattr(columns, "__fspath__"):
         raise ValueError("new: expected a tuple of columns, or the path of a file as a str")
     if not isinstance(columns, tuple):
         raise ValueError(f"new is of type {type(columns).__name__}: expected a tuple of columns such as (x, y)")
-    return [cells(column, "new", reading) for column in columns]
+    names = readings.names
+    if len(columns) != len(names):
+        raise ValueError(f"new has {len(columns)} columns: expected {', '.join(names)}")
+    return [(name, cells(column, "new", readings.reading)) for name, column in zip(names, columns, strict=True)]
 
 
 def _values(asked: Any, name: str, regressors_of_each: int, reading: str) -> list[tuple[str, Any]]:
@@ -112,12 +126,12 @@ def _values(asked: Any, name: str, regressors_of_each: int, reading: str) -> lis
     return [(name, column) for column in columns]
 
 
-def _of_grid(grid: tuple[Number, Number, int], reading: str) -> list[Fraction]:
+def _of_grid(grid: tuple[Number, Number, int], reading: str) -> str:
     first, last = fraction(grid[0], "grid", reading), fraction(grid[1], "grid", reading)
     steps = int(grid[2])
-    if not first < last or not 1 <= steps < 10_000_000:
+    if not first < last or steps < 1:
         raise ValueError(f"grid={grid!r}: expected (from, to, steps) with from < to and at least one step, such as (0, 10, 100)")
-    return [first + (last - first) * Fraction(index, steps) for index in builtins.range(steps + 1)]
+    return f"{first}..{last}/{steps}"
 
 
 def status(

@@ -34,7 +34,7 @@ pub(crate) fn check<'py>(
         };
         Ok::<_, PyErr>(BoundClaim::bare(Claimed::Value(printed)))
     })?;
-    let judged = py.detach(|| judge(&fitted.problem, &claims));
+    let judged = py.detach(|| judge(fitted.problem(), &claims));
     let number =
         |value: &Option<Rational>| value.as_ref().map(|value| Number(value).into_pyobject(py)).transpose();
     let shown = PuiEnd::ALL.into_iter().map(|end| {

@@ -1,12 +1,14 @@
 //! Where readings come from, to be read as often as they are asked about.
 
-use std::io::Cursor;
 use std::sync::Arc;
 
 use boundfit::Reading;
 use boundfit::engine::exact::Foreign;
 use boundfit::files::{Header, InputError, MemoryTable, ScanOptions, Source};
 use boundfit::report::Origin;
+
+/// What people are told of tables that are no file.
+pub(crate) const IN_MEMORY: &str = "columns in memory";
 
 /// Where readings come from.
 #[derive(Clone)]
@@ -22,7 +24,7 @@ impl Data {
     pub(crate) fn source(&self) -> Result<Source, InputError> {
         match self {
             Data::Columns(table) => Ok(Source::of_table("readings", Arc::clone(table))),
-            Data::Text(name, text) => Ok(Source::new(*name, Cursor::new(Arc::clone(text)))),
+            Data::Text(name, text) => Ok(Source::of_bytes(*name, Arc::clone(text))),
             Data::File(path) => Source::open(path),
         }
     }
@@ -57,7 +59,7 @@ impl Data {
 
     /// Where they come from, for people: what comes from no file is not from standard input either.
     pub(crate) fn shown_origin(&self, reading: Reading, is_stored: bool) -> Origin<'_> {
-        let file = Some(Foreign::of(self.path().unwrap_or("columns in memory")));
+        let file = Some(Foreign::of(self.path().unwrap_or(IN_MEMORY)));
         Origin { file, ..self.origin(reading, is_stored) }
     }
 }

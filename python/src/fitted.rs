@@ -1,23 +1,22 @@
 //! A fit, and what Python asks of it.
 
+use boundfit::ask::{self, Ask, Fittable, Form, Paper, Refusal};
 use boundfit::engine::estimation::least_squares_is_feasible;
 use boundfit::engine::exact::Foreign;
-use boundfit::questions::Guarantee;
-use boundfit::report::{
-    InverseLine, Origin, Style, brief_document, fit_csv, fit_document, fit_json, guarantee_document,
-    h_representation, proof_json, region_wkt, v_representation,
-};
+use boundfit::report::{Origin, Style};
 use boundfit::{BoundName, Endpoint, Fit, Interval, Number as _, ParameterBound, Problem, Rational, Reading};
 use pyo3::prelude::*;
 
+use crate::data::IN_MEMORY;
+use crate::forms::named;
 use crate::numbers::{Given, Number, outward, pair, refuse};
+use crate::questions::in_words;
 
 /// A problem with its answer.
 #[pyclass(frozen, module = "boundfit._boundfit")]
 pub(crate) struct Fitted {
-    pub(crate) problem: Problem,
-    pub(crate) fit: Fit,
-    pub(crate) guarantee: Option<Guarantee>,
+    pub(crate) asked: Fittable,
+    pub(crate) answer: ask::Fitted,
     pub(crate) reading: Reading,
     /// What a float means.
     pub(crate) floats: Reading,
@@ -49,10 +48,31 @@ type GivenEnds<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
 type ProvedEnd<'a> = (Option<Number<'a>>, Vec<(Name, Number<'a>)>);
 
 impl Fitted {
+    pub(crate) fn problem(&self) -> &Problem {
+        &self.asked.problem
+    }
+
+    pub(crate) fn fit(&self) -> &Fit {
+        &self.answer.fit
+    }
+
+    /// The answer in a form.
+    fn written(
+        &self,
+        question: &ask::Fit,
+        form: Form,
+        origin: Origin<'_>,
+        style: Style,
+    ) -> Result<String, Refusal> {
+        let mut text = Vec::new();
+        question.write(&self.asked, &self.answer, form, &Paper { origin, style }, &mut text)?;
+        Ok(String::from_utf8_lossy(&text).into_owned())
+    }
+
     /// As [`Fitted::origin`], for people: what comes from no file is not from standard input either.
     fn shown_origin(&self) -> Origin<'_> {
         Origin {
-            file: Some(Foreign::of(self.file.as_deref().unwrap_or("columns in memory"))),
+            file: Some(Foreign::of(self.file.as_deref().unwrap_or(IN_MEMORY))),
             ..self.origin()
         }
     }
@@ -70,7 +90,7 @@ impl Fitted {
             ParameterBound::Unbounded(_) => (None, Vec::new()),
             ParameterBound::Bounded { value, proof } => {
                 let term = |m: &boundfit::engine::geometry::Multiplier| {
-                    (name_of(self.fit.fps.name(m.index)), m.value.clone())
+                    (name_of(self.fit().fps.name(m.index)), m.value.clone())
                 };
                 (Some(value.clone()), proof.multipliers.iter().map(term).collect())
             }
@@ -85,18 +105,18 @@ impl Fitted {
     /// How many readings are fitted.
     #[getter]
     fn rows(&self) -> usize {
-        self.problem.measurements.fitted()
+        self.problem().measurements.fitted()
     }
 
     /// How many rows there are, fitted or not.
     #[getter]
     fn rows_total(&self) -> usize {
-        self.problem.measurements.rows_total()
+        self.problem().measurements.rows_total()
     }
 
     #[getter]
     fn kind(&self) -> &'static str {
-        self.fit.fps.polyhedron().region().kind().name()
+        self.fit().fps.polyhedron().region().kind().name()
     }
 
     #[getter]
@@ -107,40 +127,40 @@ impl Fitted {
     /// The names of the regressors, and of y.
     #[getter]
     fn names(&self) -> (Vec<String>, String) {
-        let model = self.problem.measurements.model();
+        let model = self.problem().measurements.model();
         let regressors = match model {
             boundfit::engine::estimation::Model::Line { x } => vec![x.raw().to_owned()],
             boundfit::engine::estimation::Model::TwoRegressors { regressors } => {
                 regressors.iter().map(|own| own.raw().to_owned()).collect()
             }
         };
-        (regressors, self.problem.measurements.response().raw().to_owned())
+        (regressors, self.problem().measurements.response().raw().to_owned())
     }
 
     fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
-        self.fit.vertices().iter().map(|theta| Ok(pair(theta).into_pyobject(py)?.into_any())).collect()
+        self.fit().vertices().iter().map(|theta| Ok(pair(theta).into_pyobject(py)?.into_any())).collect()
     }
 
     fn directions<'py>(&self, py: Python<'py>, lines: bool) -> PyResult<Vec<Bound<'py, PyAny>>> {
-        let region = self.fit.fps.polyhedron().region();
+        let region = self.fit().fps.polyhedron().region();
         let directions = if lines { region.lines() } else { region.rays() };
         let numbers = directions.iter().map(|d| [d.dx(), d.dy()].map(Rational::from));
         numbers.map(|theta| Ok(pair(&theta).into_pyobject(py)?.into_any())).collect()
     }
 
     fn witness<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
-        let witness = self.fit.fps.polyhedron().region().witness();
+        let witness = self.fit().fps.polyhedron().region().witness();
         witness.map(|point| Ok(pair(&point.coordinates()).into_pyobject(py)?.into_any())).transpose()
     }
 
     fn area<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
-        let area = self.fit.fps.polyhedron().region().area();
+        let area = self.fit().fps.polyhedron().region().area();
         area.map(|area| Number(&area).into_pyobject(py)).transpose()
     }
 
     /// Both intervals, each of two ends with their proofs; nothing of an empty set.
     fn pui<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
-        let Some(pui) = &self.fit.pui else { return Ok(None) };
+        let Some(pui) = &self.fit().pui else { return Ok(None) };
         let owned = pui.each_ref().map(|own| [self.proved(&own.lower), self.proved(&own.upper)]);
         let shown = owned.each_ref().map(|own| {
             own.each_ref().map(|(value, terms)| -> ProvedEnd<'_> {
@@ -152,29 +172,29 @@ impl Fitted {
     }
 
     fn eui(&self) -> Option<[Ends<'_>; 2]> {
-        self.fit.eui().map(|eui| eui.each_ref().map(ends))
+        self.fit().eui().map(|eui| eui.each_ref().map(ends))
     }
 
     fn central(&self) -> Option<[(Number<'_>, Number<'_>); 2]> {
-        self.fit.central.as_ref().map(|central| [pair(&central.theta), pair(&central.guaranteed_error)])
+        self.fit().central.as_ref().map(|central| [pair(&central.theta), pair(&central.guaranteed_error)])
     }
 
     fn least_squares(&self) -> Option<(Number<'_>, Number<'_>)> {
-        self.fit.least_squares.as_ref().ok().map(|own| pair(&own.theta))
+        self.fit().least_squares.as_ref().ok().map(|own| pair(&own.theta))
     }
 
     fn least_squares_is_feasible(&self) -> Option<bool> {
-        least_squares_is_feasible(&self.fit)
+        least_squares_is_feasible(self.fit())
     }
 
     /// ε_min or the least factor, a minimiser, and whether it is the only one.
     fn minimax(&self) -> Option<(Number<'_>, (Number<'_>, Number<'_>), bool)> {
-        self.fit.minimax.as_ref().map(|own| (Number(&own.least), pair(&own.theta), own.unique))
+        self.fit().minimax.as_ref().map(|own| (Number(&own.least), pair(&own.theta), own.unique))
     }
 
     /// Of an empty set the half-planes that contradict each other.
     fn contradiction<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
-        let Some(terms) = self.fit.contradiction(self.problem.measurements.error_bound()) else {
+        let Some(terms) = self.fit().contradiction(self.problem().measurements.error_bound()) else {
             return Ok(None);
         };
         let terms: Vec<_> = terms.iter().map(|(name, times)| (name_of(*name), Number(times))).collect();
@@ -184,7 +204,7 @@ impl Fitted {
     /// Whether a point belongs to the set.
     fn contains(&self, theta1: Given, theta2: Given) -> PyResult<bool> {
         let theta = [theta1.number(self.floats, "theta1")?, theta2.number(self.floats, "theta2")?];
-        Ok(!self.fit.is_empty() && self.fit.fps.polyhedron().membership(&theta).is_inside())
+        Ok(!self.fit().is_empty() && self.fit().fps.polyhedron().membership(&theta).is_inside())
     }
 
     /// The smallest and the largest φ·θ over the set; `None` for one that is not bounded, or both of an empty set.
@@ -216,59 +236,35 @@ impl Fitted {
 
     /// Recomputes every proof of the answer from the readings.
     fn verify(&self, py: Python<'_>) -> PyResult<()> {
-        py.detach(|| self.fit.verify(&self.problem)).map_err(refuse)
+        py.detach(|| self.fit().verify(self.problem())).map_err(refuse)
     }
 
     /// The report of schema boundfit/fit/2.
-    fn json(&self, py: Python<'_>) -> String {
-        py.detach(|| {
-            let guarantee = self.guarantee.as_ref();
-            fit_json(&self.problem, &self.fit, None, guarantee, &self.origin(), &Style::default())
-        })
+    fn json(&self, py: Python<'_>) -> PyResult<String> {
+        let question = ask::Fit::default();
+        let json = py.detach(|| self.written(&question, Form::Json, self.origin(), Style::default()));
+        json.map_err(|refusal| refuse(in_words(&refusal)))
     }
 
     /// The answer in another format.
     fn text(&self, format: &str, brief: bool, digits: Option<usize>) -> PyResult<String> {
+        let question = ask::Fit { brief, ..ask::Fit::default() };
         let style = Style { digits, ..Style::default() };
-        let document = || match brief {
-            true => brief_document(&self.problem, &self.fit, &self.shown_origin(), &style),
-            false => {
-                let origin = self.shown_origin();
-                let mut document =
-                    fit_document(&self.problem, &self.fit, &origin, InverseLine::default(), &style);
-                if let Some(guarantee) = &self.guarantee {
-                    document.append(guarantee_document(&self.problem, &self.fit, guarantee, &style));
-                }
-                document
-            }
-        };
-        let polyhedron = self.fit.fps.polyhedron();
-        Ok(match format {
-            "text" => document().to_text(),
-            "markdown" => document().to_markdown(),
-            "latex" => document().to_latex(),
-            "csv" => fit_csv(&self.problem, &self.fit),
-            "wkt" => region_wkt(polyhedron, &style).map_err(refuse)?,
-            "ine" => h_representation(polyhedron),
-            "ext" => v_representation(polyhedron),
-            other => {
-                return Err(refuse(format_args!(
-                    "format={other:?}: expected \"text\", \"markdown\", \"latex\", \"csv\", \"wkt\", \"ine\" or \"ext\""
-                )));
-            }
-        })
+        let text = self.written(&question, named(format)?, self.shown_origin(), style);
+        text.map_err(|refusal| refuse(in_words(&refusal)))
     }
 
     /// The proof, where the readings come from delimited text.
     fn proof(&self, py: Python<'_>) -> Option<String> {
-        py.detach(|| proof_json(&self.problem, &self.fit, self.reading))
+        let question = ask::Fit::default();
+        py.detach(|| self.written(&question, Form::Proof, self.origin(), Style::default())).ok()
     }
 }
 
 impl Fitted {
     fn range_of(&self, form: &[Rational; 2]) -> Option<[Endpoint; 2]> {
         use boundfit::Support::{Bounded, Empty, Unbounded};
-        let polyhedron = self.fit.fps.polyhedron();
+        let polyhedron = self.fit().fps.polyhedron();
         let end = |form: &[Rational; 2], is_lower: bool| match polyhedron.support(form) {
             Empty(_) => None,
             Unbounded(_) => Some(Endpoint::Unbounded),

@@ -1,6 +1,7 @@
 //! Fleets and reductions of columns in memory.
 
-use boundfit::files::{ColumnSelector, Fleet, GroupFit, Limits, MemoryTable, Question, ScanOptions, Source};
+use boundfit::ask::{self, Groups};
+use boundfit::files::{ColumnSelector, GroupFit, Limits, Source};
 use boundfit::{Rational, Reading};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -8,6 +9,7 @@ use pyo3::types::{PyBytes, PyDict};
 use crate::asked::{Asked, in_words};
 use crate::cells::{NamedColumn, table};
 use crate::numbers::{outward, refuse};
+use crate::questions;
 use crate::readings::Readings;
 
 /// A number of every group: what it is called, and which way its double is rounded.
@@ -139,12 +141,13 @@ pub(crate) fn fit_groups<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
     let floats = asked.reading()?;
-    let (question, _) =
+    let (question, x_errors) =
         asked.question(&names, ColumnSelector::name, [floats, Reading::Decimal], &Limits::default())?;
     let by = ColumnSelector::name(&key.0);
     let (table, reading) = table(&columns.into_iter().chain([key]).collect::<Vec<_>>(), &names, floats)?;
-    let options = asked.options(reading)?;
-    let (lines, per_row) = py.detach(|| lines(&question, table, &by, options)).map_err(refuse)?;
+    let asked = ask::Asked { x_errors, options: asked.options(reading)?, ..ask::Asked::new(question) };
+    let read = py.detach(|| Groups::read(&asked, Source::of_table("readings", table), &by).map(|own| lines(&own)));
+    let (lines, per_row) = read.map_err(|refusal| refuse(questions::in_words(&refusal)))?;
     let dict = PyDict::new(py);
     dict.set_item("group", lines.keys)?;
     dict.set_item("rows", lines.rows)?;
@@ -157,18 +160,13 @@ pub(crate) fn fit_groups<'py>(
     Ok(dict)
 }
 
-fn lines(
-    question: &Question,
-    table: MemoryTable,
-    by: &ColumnSelector,
-    options: ScanOptions,
-) -> Result<(Lines, bool), String> {
-    let fleet = Fleet::read(Source::of_table("readings", table), &question.columns, by, options);
-    let fleet = fleet.map_err(|error| in_words(&error))?;
+/// What is said of every group, and whether each reading has its own bound.
+fn lines(groups: &Groups) -> (Lines, bool) {
+    let (question, fleet) = (groups.question(), groups.fleet());
     let mut all = Lines::default();
     let piece = |groups: std::ops::Range<usize>| {
         let mut lines = Lines::default();
-        groups.for_each(|group| lines.push(fleet.key(group).raw(), &question.of_group(&fleet, group)));
+        groups.for_each(|group| lines.push(fleet.key(group).raw(), &question.of_group(fleet, group)));
         lines
     };
     let taken = fleet.in_order(piece, |lines| {
@@ -176,7 +174,7 @@ fn lines(
         Ok::<(), std::convert::Infallible>(())
     });
     match taken {
-        Ok(()) => Ok((all, fleet.is_bounded_per_row())),
+        Ok(()) => (all, fleet.is_bounded_per_row()),
         Err(never) => match never {},
     }
 }

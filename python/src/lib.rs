@@ -7,12 +7,10 @@ mod data;
 mod fitted;
 mod fleet;
 mod forms;
-mod linearity;
 mod numbers;
 mod partitions;
 mod pictures;
 mod plane;
-mod predictions;
 mod program;
 mod proofs;
 mod questions;
@@ -38,15 +36,11 @@ mod _boundfit {
     #[pymodule_export]
     use crate::fleet::{fit_groups, reduce};
     #[pymodule_export]
-    use crate::linearity::{Calibrated, calibration_of_columns, calibration_of_file, linearity};
-    #[pymodule_export]
     use crate::partitions::{merge_reductions, readings_of_reductions, reduce_part};
     #[pymodule_export]
     use crate::pictures::{figure, lesson};
     #[pymodule_export]
     use crate::plane::{Plane, polygon_of_file, polygon_of_text};
-    #[pymodule_export]
-    use crate::predictions::{predict, status};
     #[pymodule_export]
     use crate::program::judge;
     #[pymodule_export]

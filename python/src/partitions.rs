@@ -65,7 +65,7 @@ pub(crate) fn readings_of_reductions(
     let (reading, floats) = (reading_of(&text), asked.reading()?);
     let (question, options) = (reducible(&asked, &names)?, of_reductions(&asked, reading)?);
     let data = Data::Text(NAME, text.into());
-    let asked = ask::Asked { question, x_errors: None, options };
+    let asked = ask::Asked { options, ..ask::Asked::new(question) };
     Ok(Readings { data, names, asked, reading, floats, is_stored: false, made })
 }
 

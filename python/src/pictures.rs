@@ -113,7 +113,7 @@ pub(crate) fn figure(
         return Err(refuse("x_range, y_range: the axes of \"status\" are residuals and leverages"));
     }
     let options = labels.options()?;
-    py.detach(|| draw(&fitted.problem, &fitted.fit, asked, &options)?.encoded_as(format, &encoding))
+    py.detach(|| draw(fitted.problem(), fitted.fit(), asked, &options)?.encoded_as(format, &encoding))
         .map_err(refuse)
 }
 
@@ -124,5 +124,5 @@ pub(crate) fn lesson(py: Python<'_>, fitted: &Fitted, title: Option<String>) -> 
     let file = fitted.file.clone().unwrap_or_else(|| "readings".to_owned());
     let options =
         LessonOptions { file: file.into(), title: title.map(Foreign::from), ..LessonOptions::default() };
-    py.detach(|| page(&fitted.problem, &fitted.fit, fitted.reading, &options)).map_err(refuse)
+    py.detach(|| page(fitted.problem(), fitted.fit(), fitted.reading, &options)).map_err(refuse)
 }

@@ -1,32 +1,46 @@
 //! What is asked of readings beyond their fit.
 
+use std::sync::Arc;
+
 use boundfit::Reading;
-use boundfit::ask::{Refusal, Request, Surface};
-use boundfit::files::Way;
+use boundfit::ask::{Asked, Files, Held, Refusal, Request, Surface, Tables};
+use boundfit::files::{Source, Way};
 use pyo3::prelude::*;
 
 use crate::asked::as_argument;
+use crate::cells::{NamedColumn, table};
+use crate::data::IN_MEMORY;
 use crate::forms::{Form, asked};
 use crate::numbers::{Given, refuse};
 use crate::readings::Readings;
 
-/// An answer about readings: `request` is what JSON says, such as `{"ask": "range"}`.
+/// An answer about readings: `request` is what JSON says, such as `{"ask": "range"}`; further `tables` that it names are columns.
 #[pyfunction]
-#[pyo3(signature = (readings, request, form, digits))]
+#[pyo3(signature = (readings, request, form, digits, tables = None))]
 pub(crate) fn ask(
     py: Python<'_>,
     readings: &Readings,
     request: &str,
     form: &str,
     digits: Option<usize>,
+    tables: Option<Vec<(String, Vec<NamedColumn<'_>>)>>,
 ) -> PyResult<String> {
     let request = Request::parse(request).map_err(|refusal| refuse(in_words(&refusal)))?;
+    let mut held = Vec::new();
+    for (name, columns) in tables.unwrap_or_default() {
+        let names: Vec<String> = columns.iter().map(|(name, _)| name.clone()).collect();
+        let (table, reading) = table(&columns, &names, readings.floats)?;
+        let again = Source::of_table(name.as_str(), table).again();
+        held.extend(again.map(|again| (name, again, reading)));
+    }
     asked(py, readings, form, digits, |readings, form, style| {
-        let origin = match form {
-            Form::Text | Form::Latex | Form::Markdown => readings.shown_origin(),
-            _ => readings.origin(),
-        };
-        let answer = request.answer(&readings.asked, readings.source()?, form, Some(origin), style);
+        let is_document = matches!(form, Form::Text | Form::Latex | Form::Markdown);
+        let origin = if is_document { readings.shown_origin() } else { readings.origin() };
+        let shown = is_document.then_some(IN_MEMORY);
+        let files = Files(readings.asked.options.clone());
+        let tables: Arc<dyn Tables> = Arc::new(Held { tables: held.clone(), shown, files });
+        let own = Asked { tables: Some(tables), ..readings.asked.clone() };
+        let answer = request.answer(&own, readings.source()?, form, Some(origin), style);
         Ok(answer.map_err(|refusal| in_words(&refusal))?.text)
     })
 }
@@ -42,10 +56,12 @@ struct Arguments;
 
 impl Surface for Arguments {
     fn key(&self, key: &str) -> String {
-        key.to_owned()
+        // A word of the language has a stroke behind it.
+        if key == "from" { "from_".to_owned() } else { key.to_owned() }
     }
 
     fn value(&self, key: &str, text: &str) -> String {
+        let key = self.key(key);
         if text.parse::<f64>().is_ok() { format!("{key}={text}") } else { format!("{key}={text:?}") }
     }
 

@@ -2,12 +2,10 @@
 
 use std::sync::Arc;
 
-use boundfit::ask::Asked;
-use boundfit::engine::exact::{TooMuchWork, Work};
-use boundfit::files::{ColumnSelector, Keep, Limits, ScanOptions, Source};
-use boundfit::questions::Guarantee;
-use boundfit::report::{Origin, proof_json};
-use boundfit::{ErrorBound, Problem, Reading};
+use boundfit::ask::{self, Ask as _, Asked, Fit, Form, Refusal, Request, Shows};
+use boundfit::files::{ColumnSelector, Limits, Source};
+use boundfit::report::{Origin, Style};
+use boundfit::Reading;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyTuple};
 
@@ -16,6 +14,7 @@ use crate::cells::{NamedColumn, columns_of, table};
 use crate::data::Data;
 use crate::fitted::Fitted;
 use crate::numbers::{Given, refuse};
+use crate::questions;
 
 /// Readings, and what is asked of them.
 #[pyclass(frozen, module = "boundfit._boundfit")]
@@ -54,7 +53,7 @@ pub(crate) fn readings_of_columns(
     let (table, reading) = table(&columns, &names, floats)?;
     let options = asked.options(reading)?;
     let data = Data::Columns(Arc::new(table));
-    let asked = Asked { question, x_errors, options };
+    let asked = Asked { x_errors, options, ..Asked::new(question) };
     Ok(Readings { data, names, asked, reading, floats, is_stored: false, made })
 }
 
@@ -73,7 +72,7 @@ pub(crate) fn readings_of_file(
     let (question, x_errors) =
         asked.question(&names, ColumnSelector::name_or_number, [reading; 2], &table.number_limits())?;
     let options = asked.file_options(&table, reading)?;
-    let asked = Asked { question, x_errors, options };
+    let asked = Asked { x_errors, options, ..Asked::new(question) };
     Ok(Readings { data, names, asked, reading, floats: reading, is_stored, made })
 }
 
@@ -82,28 +81,19 @@ impl Readings {
     /// Fits them. The interpreter is free meanwhile.
     #[pyo3(signature = (eui, confidence))]
     fn fit(&self, py: Python<'_>, eui: bool, confidence: Option<Given>) -> PyResult<Fitted> {
-        let confidence = confidence.map(|given| given.number(self.floats, "confidence")).transpose()?;
+        let reading = self.floats;
+        let confidence = confidence.map(|given| ask::Given::Exact { exact: given.text(reading) });
+        let question = Fit { no_eui: !eui, confidence, ..Fit::default() };
         py.detach(|| {
-            let problem = self.problem(Keep { eui, ..Keep::default() })?;
-            let guarantee = match &confidence {
-                None => None,
-                Some(_) if matches!(problem.measurements.error_bound(), ErrorBound::Interval { .. }) => {
-                    return Err(
-                        "confidence is about error bounds around y, and lower and upper are none".to_owned()
-                    );
-                }
-                Some(confidence) => Some(
-                    Guarantee::new(&problem.measurements, confidence)
-                        .ok_or("confidence: expected a number between 0 and 1, such as \"0.99\"")?,
-                ),
-            };
-            let fit = problem.fit();
+            // A proof of it may be asked for later.
+            let asked = question.read(&self.asked, self.source()?, Shows::Rows);
+            let asked = asked.map_err(|refusal| questions::in_words(&refusal))?;
+            let answer = question.answer(&asked).map_err(|refusal| questions::in_words(&refusal))?;
             Ok(Fitted {
-                problem,
-                fit,
-                guarantee,
+                asked,
+                answer,
                 reading: self.reading,
-                floats: self.floats,
+                floats: reading,
                 file: self.data.path().map(str::to_owned),
                 is_stored: self.is_stored,
             })
@@ -115,6 +105,12 @@ impl Readings {
     #[getter]
     fn regressors(&self) -> usize {
         if self.asked.question.columns.second.is_some() { 2 } else { 1 }
+    }
+
+    /// The names of the columns, in the order of their roles.
+    #[getter]
+    fn names(&self) -> Vec<String> {
+        self.names.clone()
     }
 
     /// What floats mean.
@@ -163,9 +159,13 @@ impl Readings {
     /// The proof of their fit, where they are, or can be written as, delimited text.
     fn proof(&self, py: Python<'_>) -> PyResult<Option<String>> {
         py.detach(|| {
-            let written = self.written();
-            let problem = written.problem(Keep { eui: false, ..Keep::default() })?;
-            Ok(proof_json(&problem, &problem.fit(), self.reading))
+            let (written, question) = (self.written(), Request::Fit(Fit { no_eui: true, ..Fit::default() }));
+            let origin = Some(written.origin());
+            match question.answer(&written.asked, written.source()?, Form::Proof, origin, &Style::default()) {
+                Ok(proof) => Ok(Some(proof.text)),
+                Err(Refusal::NoProof(_)) => Ok(None),
+                Err(refusal) => Err(questions::in_words(&refusal)),
+            }
         })
         .map_err(|error: String| refuse(error))
     }
@@ -191,34 +191,6 @@ impl Readings {
         }
     }
 
-    /// The problem; its numbers are not too long for a fit.
-    pub(crate) fn problem(&self, keep: Keep) -> Result<Problem, String> {
-        let Asked { question, options, .. } = &self.asked;
-        let read = question.measurements(self.source()?, options, keep).map_err(|error| in_words(&error))?;
-        checked(question.problem_within(read, self.most_work()))
-    }
-
-    /// The problem with every reading in memory.
-    pub(crate) fn every_reading(&self, what_is: &str) -> Result<Problem, String> {
-        let problem = self.problem(Keep { eui: false, ..Keep::EVERY })?;
-        match problem.measurements.is_of_reductions() {
-            true => Err(format!(
-                "{what_is} about every reading, and the file is a reduction: ask about the table that it was made from"
-            )),
-            false => Ok(problem),
-        }
-    }
-
-    /// Refuses a problem that takes so many times what its fit takes.
-    pub(crate) fn check_problem(&self, problem: &Problem, times: u64) -> Result<(), String> {
-        checked(problem.check_work(times, self.most_work()))
-    }
-
-    /// How much work is done at most.
-    pub(crate) fn most_work(&self) -> u64 {
-        self.asked.most_work()
-    }
-
     /// Where they come from, for programs.
     pub(crate) fn origin(&self) -> Origin<'_> {
         self.data.origin(self.reading, self.is_stored)
@@ -228,14 +200,4 @@ impl Readings {
     pub(crate) fn shown_origin(&self) -> Origin<'_> {
         self.data.shown_origin(self.reading, self.is_stored)
     }
-}
-
-/// Refuses so many times this work.
-pub(crate) fn check_work(work: &Work, times: u64, options: &ScanOptions) -> Result<(), String> {
-    checked(work.check(times, options.table.sizes.work))
-}
-
-/// What would be too much work, in words.
-pub(crate) fn checked<T>(work: Result<T, TooMuchWork>) -> Result<T, String> {
-    work.map_err(|error| format!("{error}; limits={{\"work\": ...}} raises it"))
 }

@@ -381,7 +381,7 @@ def test_what_is_wrong_is_told() -> None:
         ("at: expected numbers", lambda: fit.predict(at=numpy.zeros((3, 2)))),
         ('new_eps="min": a multiple of the least bound', lambda: fit.predict(at=1, new_eps="min")),
         ("from_ needs the error bound of the reading", lambda: boundfit.predict(x, y, [1, 1, 1], from_=1)),
-        ("ask at and from_ in calls of their own", lambda: fit.predict(at=1, from_=1).report("csv")),
+        ("ask at or grid, and from_, in calls of their own", lambda: fit.predict(at=1, from_=1).report("csv")),
         ('format="pdf": expected "text"', lambda: fit.status().report("pdf")),
         ('by="y": expected x or row', lambda: fit.range(by="y")),  # type: ignore[arg-type]
         ("two regressors have no order of x", lambda: planar.range(by="x")),
@@ -397,12 +397,12 @@ def test_what_is_wrong_is_told() -> None:
         ("x_eps=.-1.: negative", lambda: boundfit.fit(x, y, 1, x_eps=-1)),
         ("is found as if every x were exact", lambda: boundfit.fit(x, y, "min", x_eps=1)),
         ("confidence is about the band", lambda: boundfit.fit(x, y, 1, x_eps=1, confidence=0.5)),  # type: ignore[call-overload]
-        ("confidence: expected a number between 0 and 1", lambda: boundfit.fit(x, y, 1, confidence=1)),
+        ("confidence=1: expected a number between 0 and 1", lambda: boundfit.fit(x, y, 1, confidence=1)),
         ("confidence is about error bounds", lambda: boundfit.fit(x, lower=y, confidence=0.5)),
         ("expected y, or y and direction, or up and down", lambda: boundfit.linearity(x, up=y)),
         ("third direction", lambda: boundfit.linearity(x, y, direction=["a", "b", "c"])),
         ("neither direction", lambda: boundfit.linearity(x, up=[1, None, 2], down=[1, None, 2])),
-        ("full_scale: expected a number above 0", lambda: boundfit.linearity(x, y, full_scale=0)),
+        ("full_scale=0: expected a number above 0", lambda: boundfit.linearity(x, y, full_scale=0)),
         ("readings: the columns are empty", lambda: boundfit.linearity([], [])),
         ("readings: the columns are empty", lambda: boundfit.status([], [], 1)),
     ]

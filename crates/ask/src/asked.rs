@@ -1,11 +1,16 @@
 //! Of which readings something is asked.
 
+use std::sync::Arc;
+
 use boundfit_estimation::{Keep, Measurements, Problem, Question};
 use boundfit_exact::{Rational, Work};
 use boundfit_formats::{ColumnSelector, ScanOptions, Source, TableOptions};
 use boundfit_questions::{Agreement, XBounds, XErrorProblem, times};
 
-use crate::refusal::{Misuse, Refusal};
+use crate::form::Shows;
+use crate::misuse::Misuse;
+use crate::refusal::Refusal;
+use crate::tables::Tables;
 
 /// Of which readings something is asked: columns, bounds and conditions, and how the table is read.
 #[derive(Clone)]
@@ -16,6 +21,8 @@ pub struct Asked {
     pub x_errors: Option<XErrors>,
     /// How the table is read, and the limits.
     pub options: ScanOptions,
+    /// Where further tables are found that a question names; none unless it is said.
+    pub tables: Option<Arc<dyn Tables>>,
 }
 
 /// Bounds on the errors of x, and which lines agree with readings under them.
@@ -37,9 +44,17 @@ pub enum AskedXBounds {
 }
 
 impl Asked {
+    /// Bytes that the budget counts for each reading of a fit that is kept.
+    pub const ROW_COST: usize = 400;
+
     /// Asked of a table that is read in the usual way, whose x have no errors.
     pub fn new(question: Question) -> Self {
-        Asked { question, x_errors: None, options: ScanOptions::default() }
+        Asked { question, x_errors: None, options: ScanOptions::default(), tables: None }
+    }
+
+    /// Where further tables are found.
+    pub(crate) fn tables(&self) -> Result<&dyn Tables, Refusal> {
+        self.tables.as_deref().ok_or(Refusal::Misuse(Misuse::NoTables))
     }
 
     /// How much work on long numbers is done at most.
@@ -48,9 +63,9 @@ impl Asked {
     }
 
     /// How the table is read where every reading is held in so many bytes.
-    fn held(&self, row_cost: usize, shows_data: bool) -> ScanOptions {
+    pub(crate) fn held(&self, row_cost: usize, shows: Shows) -> ScanOptions {
         let own = self.options.clone();
-        let (hash, list_rows) = (own.hash && shows_data, own.list_rows && shows_data);
+        let (hash, list_rows) = (own.hash && shows >= Shows::Hash, own.list_rows && shows == Shows::Rows);
         ScanOptions { hash, list_rows, table: TableOptions { row_cost, ..own.table }, ..own }
     }
 
@@ -59,18 +74,28 @@ impl Asked {
         Ok(self.question.problem_within(measurements, self.most_work())?)
     }
 
+    /// Reads the readings in memory that does not grow with the table beyond what `keep` says.
+    pub(crate) fn scanned(
+        &self,
+        source: Source,
+        (row_cost, shows): (usize, Shows),
+        keep: Keep,
+    ) -> Result<Problem, Refusal> {
+        self.refuse_moving(&source)?;
+        let measurements = self.question.measurements(source, &self.held(row_cost, shows), keep)?;
+        self.problem(measurements)
+    }
+
     /// Reads every reading. Refuses reductions, which have them no more.
     pub(crate) fn every_reading(
         &self,
         source: Source,
         row_cost: usize,
-        shows_data: bool,
+        shows: Shows,
         ask: &'static str,
     ) -> Result<Problem, Refusal> {
-        self.refuse_moving(&source)?;
         let keep = Keep { eui: false, ..Keep::EVERY };
-        let read = self.question.measurements(source, &self.held(row_cost, shows_data), keep)?;
-        let problem = self.problem(read)?;
+        let problem = self.scanned(source, (row_cost, shows), keep)?;
         match problem.measurements.is_of_reductions() {
             true => Err(Refusal::Reduction { ask }),
             false => Ok(problem),
@@ -82,14 +107,14 @@ impl Asked {
         &self,
         source: Source,
         row_cost: usize,
-        shows_data: bool,
+        shows: Shows,
         ask: &'static str,
     ) -> Result<Problem, Refusal> {
         self.refuse_moving(&source)?;
         if source.is_reduction() {
             return Err(Refusal::Reduction { ask });
         }
-        let options = self.held(row_cost, shows_data);
+        let options = self.held(row_cost, shows);
         let read = Measurements::read_counted(source, &self.question.columns, &[], &options, Keep::MOST_ROWS);
         self.problem(read?.0)
     }
@@ -102,6 +127,7 @@ impl Asked {
         &self,
         source: Source,
         row_cost: usize,
+        shows: Shows,
         keep_others: bool,
     ) -> Result<XErrorProblem, Refusal> {
         let asked = self.x_errors.as_ref().ok_or(Refusal::Misuse(Misuse::NoXErrors))?;
@@ -119,7 +145,7 @@ impl Asked {
             AskedXBounds::Uniform(_) => Vec::new(),
         };
         let columns = &self.question.columns;
-        let mut options = self.held(row_cost, true);
+        let mut options = self.held(row_cost, shows);
         options.table.keep_others = keep_others;
         let (measurements, mut further) = match keep_others {
             true => Measurements::read_beside(source, columns, &beside, &options.table)?,

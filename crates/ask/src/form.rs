@@ -17,16 +17,35 @@ pub enum Form {
     Csv,
     /// The set as well-known text.
     Wkt,
+    /// The vertices, rays and lines of the set, as a table.
+    Vertices,
+    /// The vertices as a script for MATLAB and Octave.
+    M,
+    /// The irredundant half-planes as cdd and lrs read them.
+    Ine,
+    /// The vertices, rays and lines as cdd and lrs read them.
+    Ext,
     /// The proof.
     Proof,
 }
 
 impl Form {
     /// Every form.
-    pub const ALL: [Form; 7] =
-        [Form::Text, Form::Latex, Form::Markdown, Form::Json, Form::Csv, Form::Wkt, Form::Proof];
+    pub const ALL: [Form; 11] = [
+        Form::Text,
+        Form::Latex,
+        Form::Markdown,
+        Form::Json,
+        Form::Csv,
+        Form::Wkt,
+        Form::Vertices,
+        Form::M,
+        Form::Ine,
+        Form::Ext,
+        Form::Proof,
+    ];
 
-    /// Its name: `text`, `latex`, `markdown`, `json`, `csv`, `wkt` or `proof`.
+    /// Its name: that of its variant, in small letters.
     pub const fn name(self) -> &'static str {
         match self {
             Form::Text => "text",
@@ -35,19 +54,38 @@ impl Form {
             Form::Json => "json",
             Form::Csv => "csv",
             Form::Wkt => "wkt",
+            Form::Vertices => "vertices",
+            Form::M => "m",
+            Form::Ine => "ine",
+            Form::Ext => "ext",
             Form::Proof => "proof",
         }
     }
 
-    /// Whether the answer shows a hash of the data and the rows that are fitted.
-    pub fn shows_data(self) -> bool {
-        matches!(self, Form::Json | Form::Proof)
+    /// What the answer shows of the data.
+    pub fn shows(self) -> Shows {
+        match self {
+            Form::Json => Shows::Hash,
+            Form::Proof => Shows::Rows,
+            _ => Shows::Nothing,
+        }
     }
 
     /// Whether the answer says what the table was taken for.
     pub fn has_input(self) -> bool {
         matches!(self, Form::Text | Form::Latex | Form::Markdown | Form::Json)
     }
+}
+
+/// What an answer shows of the data themselves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Shows {
+    /// Nothing that takes memory for each row.
+    Nothing,
+    /// A hash.
+    Hash,
+    /// A hash, and which rows are fitted.
+    Rows,
 }
 
 /// Where an answer is written, and how: what forms need beside the answer.

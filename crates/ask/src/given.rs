@@ -3,6 +3,8 @@
 use boundfit_exact::{Limits, ParseNumberError, Rational, Reading};
 use serde::Deserialize;
 
+use crate::refusal::{Refusal, ValueProblem};
+
 /// A number of a request: a text that is read as the table's texts are, or one that is exactly what it says.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
 #[serde(untagged, expecting = "a number as text, or {\"exact\": \"1/3\"}")]
@@ -26,6 +28,22 @@ impl Given {
             Given::Exact { exact } => Reading::Decimal.read(exact, limits),
             Given::Integer(number) => Ok(Rational::from(*number)),
         }
+    }
+
+    /// The number of a key, exactly as it is written.
+    pub(crate) fn exact(
+        &self,
+        key: &'static str,
+        expected: &'static str,
+        limits: &Limits,
+    ) -> Result<Rational, Refusal> {
+        let number = self.number(Reading::Decimal, limits);
+        number.map_err(|error| self.refused(key, ValueProblem::Number { error, expected }))
+    }
+
+    /// What is wrong with it as the value of a key.
+    pub(crate) fn refused(&self, key: &'static str, problem: ValueProblem) -> Refusal {
+        Refusal::Value { key, text: self.text(), problem }
     }
 
     /// As it was given.

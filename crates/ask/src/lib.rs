@@ -6,8 +6,13 @@
 //!
 //! | module | question |
 //! |---|---|
+//! | `fit` | every parameter pair that agrees with all readings |
+//! | `fleet` | the fit of each group of readings |
+//! | `linearity` | how far a sensor is from a straight line |
 //! | `outliers` | the fewest readings to leave out |
+//! | `predict` | where the line runs, and where further readings lie |
 //! | `range` | every run of readings that some parameters agree with |
+//! | `status` | what every reading and the set say of each other |
 //! | `window` | the fits of the last readings as the window moves on |
 //! | `x_errors` | the lines that agree with readings whose x have errors, too |
 //!
@@ -34,23 +39,39 @@
 #![deny(clippy::expect_used, clippy::indexing_slicing, clippy::panic, clippy::unwrap_used)]
 
 mod asked;
+mod fit;
+mod fleet;
 mod form;
 mod given;
+mod linearity;
+mod misuse;
 mod outliers;
+mod predict;
 mod question;
 mod range;
 mod refusal;
 mod request;
+mod status;
+mod surface;
+mod tables;
 mod window;
 mod x_errors;
 
 pub use asked::{Asked, AskedXBounds, XErrors};
-pub use form::{Form, Paper, Written};
+pub use fit::{Factors, Fit, Fittable, Fitted};
+pub use fleet::{Fleet, Groups};
+pub use form::{Form, Paper, Shows, Written};
 pub use given::Given;
+pub use linearity::{Calibrated, Linearity, Through};
+pub use misuse::{Misuse, NoProof};
 pub use outliers::Outliers;
-pub use question::Ask;
+pub use predict::{Predict, Predicted};
+pub use question::{Ask, Out};
 pub use range::Range;
-pub use refusal::{Misuse, NoProof, Refusal, Surface, ValueProblem};
+pub use refusal::{Refusal, ValueProblem};
 pub use request::{Answer, Request};
+pub use status::{Judgeable, Judgement, Status};
+pub use surface::Surface;
+pub use tables::{Files, Held, Tables};
 pub use window::Window;
 pub use x_errors::FitXErrors;

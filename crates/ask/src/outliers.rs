@@ -1,9 +1,7 @@
 //! The fewest readings to leave out so that something is left.
 
-use std::io::Write;
-
-use boundfit_estimation::{Fit, Measurements, Problem, fit};
-use boundfit_formats::Source;
+use boundfit_estimation::{Fit, Problem, fit};
+use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{Growth, NoOutliers, OutlierLimits, times};
 use boundfit_report::{
     NoOutliersProof, OutliersReport, outliers_csv, outliers_document, outliers_json, outliers_proof,
@@ -11,9 +9,10 @@ use boundfit_report::{
 use serde::Deserialize;
 
 use crate::asked::Asked;
-use crate::form::{Form, Paper, Written};
-use crate::question::{Ask, document, put};
-use crate::refusal::{NoProof, Refusal};
+use crate::form::{Form, Paper, Shows, Written};
+use crate::misuse::NoProof;
+use crate::question::{Ask, Out, document, put};
+use crate::refusal::Refusal;
 
 /// The fewest readings to leave out so that some parameters agree with all others.
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -51,16 +50,16 @@ impl Ask for Outliers {
     type Problem = Problem;
     type Answer = Found;
 
-    fn read(&self, asked: &Asked, source: Source, shows_data: bool) -> Result<Problem, Refusal> {
+    fn read(&self, asked: &Asked, source: Source, shows: Shows) -> Result<Problem, Refusal> {
         /// Bytes that the budget counts for each reading (1,500 where the search stops early).
         const ROW_COST: usize = 2_000;
-        let problem = asked.counted_readings(source, ROW_COST, shows_data, Self::NAME)?;
+        let problem = asked.counted_readings(source, ROW_COST, shows, Self::NAME)?;
         times::check_outliers(&problem, asked.most_work())?;
         Ok(problem)
     }
 
-    fn measurements<'a>(&self, problem: &'a Problem) -> &'a Measurements {
-        &problem.measurements
+    fn table<'a>(&self, problem: &'a Problem) -> Option<&'a TableNotes> {
+        problem.measurements.table()
     }
 
     fn answer(&self, problem: &Problem) -> Result<Found, Refusal> {
@@ -88,7 +87,7 @@ impl Ask for Outliers {
         answer: &Found,
         form: Form,
         paper: &Paper<'_>,
-        out: &mut dyn Write,
+        out: &mut Out<'_>,
     ) -> Result<Written, Refusal> {
         let Found { fit, outliers, growth } = answer;
         let shows_growth = self.most.is_some() && outliers.is_ok();

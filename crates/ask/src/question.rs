@@ -2,13 +2,15 @@
 
 use std::io::Write;
 
-use boundfit_estimation::Measurements;
-use boundfit_formats::Source;
+use boundfit_formats::{Source, TableNotes};
 use boundfit_report::Document;
 
 use crate::asked::Asked;
-use crate::form::{Form, Paper, Written};
+use crate::form::{Form, Paper, Shows, Written};
 use crate::refusal::Refusal;
+
+/// Where an answer is written.
+pub type Out<'a> = dyn Write + Send + 'a;
 
 /// A question about readings.
 pub trait Ask {
@@ -21,15 +23,14 @@ pub trait Ask {
     /// The answer, from which every form is written.
     type Answer;
 
-    /// Reads the data, and refuses what would take too much work. Forms that show where the answer comes from need
-    /// `shows_data`: a hash of the data, and which rows are fitted.
+    /// Reads the data, and refuses what would take too much work. Forms that show the data themselves say what of them.
     ///
     /// # Errors
     /// Why there is no answer.
-    fn read(&self, asked: &Asked, source: Source, shows_data: bool) -> Result<Self::Problem, Refusal>;
+    fn read(&self, asked: &Asked, source: Source, shows: Shows) -> Result<Self::Problem, Refusal>;
 
-    /// The readings, with what their table was taken for.
-    fn measurements<'a>(&self, problem: &'a Self::Problem) -> &'a Measurements;
+    /// What the table was taken for.
+    fn table<'a>(&self, problem: &'a Self::Problem) -> Option<&'a TableNotes>;
 
     /// Finds the answer. Exact.
     ///
@@ -37,7 +38,8 @@ pub trait Ask {
     /// Why there is none.
     fn answer(&self, problem: &Self::Problem) -> Result<Self::Answer, Refusal>;
 
-    /// Writes one form of the answer. Nothing is computed but what is rounded.
+    /// Writes one form of the answer. Nothing is computed but what is rounded, and what an answer that is a stream has of each reading
+    /// or group as it is written.
     ///
     /// # Errors
     /// When the form is none of this answer's, or cannot be written.
@@ -47,7 +49,7 @@ pub trait Ask {
         answer: &Self::Answer,
         form: Form,
         paper: &Paper<'_>,
-        out: &mut dyn Write,
+        out: &mut Out<'_>,
     ) -> Result<Written, Refusal>;
 
     /// Refuses a form.
@@ -57,7 +59,7 @@ pub trait Ask {
 }
 
 /// Writes a text.
-pub(crate) fn put(out: &mut dyn Write, text: impl AsRef<[u8]>) -> Result<(), Refusal> {
+pub(crate) fn put(out: &mut Out<'_>, text: impl AsRef<[u8]>) -> Result<(), Refusal> {
     out.write_all(text.as_ref()).map_err(Refusal::Output)
 }
 

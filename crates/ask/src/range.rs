@@ -1,17 +1,16 @@
 //! Which runs of readings some parameters agree with.
 
-use std::io::Write;
-
-use boundfit_estimation::{Fit, Measurements, Problem, fit};
-use boundfit_formats::Source;
+use boundfit_estimation::{Fit, Problem, fit};
+use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{LinearRange, Order, times};
 use boundfit_report::{RangeReport, range_csv, range_document, range_json, range_proof};
 use serde::Deserialize;
 
 use crate::asked::Asked;
-use crate::form::{Form, Paper, Written};
-use crate::question::{Ask, document, put};
-use crate::refusal::{Misuse, NoProof, Refusal, ValueProblem};
+use crate::form::{Form, Paper, Shows, Written};
+use crate::misuse::{Misuse, NoProof};
+use crate::question::{Ask, Out, document, put};
+use crate::refusal::{Refusal, ValueProblem};
 
 /// Runs that a proof may be about, each of which it fits.
 const MOST_PROVED: usize = 1_000;
@@ -54,19 +53,19 @@ impl Ask for Range {
     type Problem = Problem;
     type Answer = Runs;
 
-    fn read(&self, asked: &Asked, source: Source, shows_data: bool) -> Result<Problem, Refusal> {
+    fn read(&self, asked: &Asked, source: Source, shows: Shows) -> Result<Problem, Refusal> {
         /// Bytes that the budget counts for each reading (780).
         const ROW_COST: usize = 800;
         if self.order()? == Some(Order::X) && asked.question.columns.second.is_some() {
             return Err(Refusal::Misuse(Misuse::OrderOfX));
         }
-        let problem = asked.every_reading(source, ROW_COST, shows_data, Self::NAME)?;
+        let problem = asked.every_reading(source, ROW_COST, shows, Self::NAME)?;
         problem.check_work(times::RANGE, asked.most_work())?;
         Ok(problem)
     }
 
-    fn measurements<'a>(&self, problem: &'a Problem) -> &'a Measurements {
-        &problem.measurements
+    fn table<'a>(&self, problem: &'a Problem) -> Option<&'a TableNotes> {
+        problem.measurements.table()
     }
 
     fn answer(&self, problem: &Problem) -> Result<Runs, Refusal> {
@@ -86,7 +85,7 @@ impl Ask for Range {
         answer: &Runs,
         form: Form,
         paper: &Paper<'_>,
-        out: &mut dyn Write,
+        out: &mut Out<'_>,
     ) -> Result<Written, Refusal> {
         let Runs { order, range, all, longest } = answer;
         let longest = longest.as_ref().map(|(problem, fit)| (problem, fit));

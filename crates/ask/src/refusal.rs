@@ -6,9 +6,11 @@ use boundfit_estimation::{ParseBoundError, ParseConditionError};
 use boundfit_exact::english::counted;
 use boundfit_exact::{Limit, ParseNumberError, ParseNumberErrorKind, TooMuchWork};
 use boundfit_formats::{InputError, Way};
-use boundfit_questions::NoOutliers;
+use boundfit_questions::{NoFurtherError, NoOutliers};
 
 use crate::form::Form;
+use crate::misuse::{Misuse, NoProof};
+use crate::surface::Surface;
 
 /// Why there is no answer.
 #[derive(Debug)]
@@ -37,6 +39,10 @@ pub enum Refusal {
     },
     /// The errors of x are none.
     XErrors(String),
+    /// The readings are none that the question can be asked about: why.
+    Readings(String),
+    /// Nothing is known of the error of a reading, of which it is asked where it comes from: why.
+    FurtherError(NoFurtherError),
     /// Outliers are not found.
     Outliers {
         /// Why.
@@ -71,63 +77,30 @@ pub enum ValueProblem {
         /// What was expected.
         expected: &'static str,
     },
+    /// A part of it is no number, or one beyond a limit.
+    Part {
+        /// The part.
+        part: String,
+        /// What is wrong with it.
+        error: ParseNumberError,
+        /// What was expected.
+        expected: &'static str,
+    },
     /// It is no error bound.
     Bound(ParseBoundError),
     /// It is no condition.
     Condition(ParseConditionError),
     /// It is something else than this.
     Expected(&'static str),
-}
-
-/// What excludes or needs each other.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Misuse {
-    /// Two regressors have no x in whose order readings are taken.
-    OrderOfX,
-    /// Two regressors have no x along which a window reaches back.
-    WindowOfX,
-    /// A window reaches back so many readings, or so far in x.
-    TwoWindows,
-    /// It is not said how far a window reaches back.
-    NoWindow,
-    /// It is said how far a window moves on, and not which.
-    StepAlone,
-    /// It is not said how large the errors of x may be.
-    NoXErrors,
-    /// Lines agree for every x that errors allow, and x has none.
-    StrongAlone,
-    /// Two regressors have no x with errors.
-    XErrorsOfTwoRegressors,
-    /// A multiple of the least bound is found without errors in x.
-    LeastBesideXErrors,
-    /// A multiple of the least bound is asked of readings reduced under others.
-    LeastOfFixed,
-}
-
-/// Why there is no proof.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum NoProof {
-    /// The readings are not those of plain delimited text.
-    NoText,
-    /// It would take more than this.
+    /// It asks for more than a limit allows.
     TooMany {
-        /// How many.
+        /// How many are allowed.
         most: usize,
-        /// Of what.
-        of: &'static str,
+        /// The limit.
+        limit: Limit,
     },
-}
-
-/// How a surface names what it takes.
-pub trait Surface {
-    /// A key: an option, a keyword, a key of an object.
-    fn key(&self, key: &str) -> String;
-
-    /// A value of a key, before what is wrong with it.
-    fn value(&self, key: &str, text: &str) -> String;
-
-    /// A way out: a setting, and what it does.
-    fn way(&self, way: &Way) -> String;
+    /// Something else.
+    Other(String),
 }
 
 impl Refusal {
@@ -140,7 +113,8 @@ impl Refusal {
             | Refusal::Misuse(_)
             | Refusal::Reduction { .. }
             | Refusal::Form { .. }
-            | Refusal::NoProof(NoProof::NoText) => true,
+            | Refusal::FurtherError(_)
+            | Refusal::NoProof(_) => true,
             _ => false,
         }
     }
@@ -150,9 +124,11 @@ impl Refusal {
         match self {
             Refusal::Input(error) => error.kind.ways(),
             Refusal::Work(_) => vec![Way::raises(Limit::Work)],
-            Refusal::Value { problem: ValueProblem::Number { error, .. }, .. } => {
-                Limit::of_number(&error.kind).map(Way::raises).into_iter().collect()
-            }
+            Refusal::Value {
+                problem: ValueProblem::Number { error, .. } | ValueProblem::Part { error, .. },
+                ..
+            } => Limit::of_number(&error.kind).map(Way::raises).into_iter().collect(),
+            Refusal::Value { problem: ValueProblem::TooMany { limit, .. }, .. } => vec![Way::raises(*limit)],
             Refusal::Outliers {
                 why: NoOutliers::Steps { .. } | NoOutliers::GrowthSteps { .. },
                 steps: Some(_),
@@ -172,7 +148,10 @@ impl Refusal {
 
     fn sentence(&self, surface: &dyn Surface) -> String {
         match self {
-            Refusal::Request(problem) | Refusal::XErrors(problem) | Refusal::Wkt(problem) => problem.clone(),
+            Refusal::Request(problem)
+            | Refusal::XErrors(problem)
+            | Refusal::Wkt(problem)
+            | Refusal::Readings(problem) => problem.clone(),
             Refusal::Value { key, text, problem } => {
                 format!("{}: {}", surface.value(key, text), problem.words())
             }
@@ -182,17 +161,17 @@ impl Refusal {
             Refusal::Reduction { ask } => format!(
                 "'{ask}' is about every reading, and the data are a reduction: ask about the table that it was made from"
             ),
+            Refusal::FurtherError(reason) => format!(
+                "{} needs the error bound of the reading, and {reason}: say it with {}",
+                surface.key("from"),
+                surface.key("new_eps")
+            ),
             Refusal::Outliers { why, steps } => of_outliers(why, *steps, surface),
             Refusal::Form { ask, form, forms } => {
                 let forms: Vec<&str> = forms.iter().map(|form| form.name()).collect();
                 format!("'{ask}' is not written as {} (expected {})", form.name(), forms.join(", "))
             }
-            Refusal::NoProof(NoProof::NoText) => {
-                "a proof is about the rows of plain delimited text, and the data are none that the checkers read: save the table as CSV".to_owned()
-            }
-            Refusal::NoProof(NoProof::TooMany { most, of }) => {
-                format!("the proof would take more than {most} {of}")
-            }
+            Refusal::NoProof(why) => why.words(surface),
             Refusal::Output(error) => format!("cannot write: {error}"),
         }
     }
@@ -202,9 +181,14 @@ impl ValueProblem {
     fn words(&self) -> String {
         match self {
             ValueProblem::Number { error, expected } => number_problem(error, expected),
+            ValueProblem::Part { part, error, expected } => {
+                format!("{part:?}: {}", number_problem(error, expected))
+            }
             ValueProblem::Bound(error) => error.to_string(),
             ValueProblem::Condition(error) => error.to_string(),
             ValueProblem::Expected(expected) => (*expected).to_owned(),
+            ValueProblem::TooMany { most, .. } => format!("refused: more than {most} values"),
+            ValueProblem::Other(problem) => problem.clone(),
         }
     }
 }
@@ -219,60 +203,6 @@ fn number_problem(error: &ParseNumberError, expected: &str) -> String {
             )
         }
         _ => format!("not a number: {error} ({expected})"),
-    }
-}
-
-impl Misuse {
-    fn words(self, surface: &dyn Surface) -> String {
-        let key = |key| surface.key(key);
-        match self {
-            Misuse::OrderOfX => "two regressors have no order of x (expected the order of rows)".to_owned(),
-            Misuse::WindowOfX => format!(
-                "{} is about a line: two regressors have no x to look back along; {} counts readings",
-                key("window_x"),
-                key("window")
-            ),
-            Misuse::TwoWindows => format!(
-                "{} and {} both say how far a window reaches back: give one of them",
-                key("window"),
-                key("window_x")
-            ),
-            Misuse::NoWindow => format!(
-                "{} or {} says how far a window reaches back: give one of them",
-                key("window"),
-                key("window_x")
-            ),
-            Misuse::StepAlone => format!(
-                "{} says how far a window moves on: say which with {} or {}",
-                key("step"),
-                key("window"),
-                key("window_x")
-            ),
-            Misuse::NoXErrors => {
-                format!("{} is missing: it says how large the errors of x may be", key("x_eps"))
-            }
-            Misuse::StrongAlone => format!(
-                "{} is about errors in x: say how large they may be with {} or {}",
-                key("strong"),
-                key("x_eps"),
-                key("x_eps_column")
-            ),
-            Misuse::XErrorsOfTwoRegressors => format!(
-                "{} is about a line: with two regressors it is not known how their errors go together",
-                key("x_eps")
-            ),
-            Misuse::LeastBesideXErrors => format!(
-                "{} asks for a multiple of eps_min, which is found as if every x were exact: beside {} it is a number, and the \
-                 answer says by which factor all bounds may shrink or have to grow",
-                key("eps"),
-                key("x_eps")
-            ),
-            Misuse::LeastOfFixed => format!(
-                "{} asks for a multiple of eps_min, which moves the error bounds, and the data are a reduction under bounds that are \
-                 fixed: fit the table that it was made from",
-                key("eps")
-            ),
-        }
     }
 }
 

@@ -6,11 +6,16 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use crate::asked::Asked;
+use crate::fit::Fit;
+use crate::fleet::Fleet;
 use crate::form::{Form, Paper, Written};
+use crate::linearity::Linearity;
 use crate::outliers::Outliers;
+use crate::predict::Predict;
 use crate::question::Ask;
 use crate::range::Range;
 use crate::refusal::Refusal;
+use crate::status::Status;
 use crate::window::Window;
 use crate::x_errors::FitXErrors;
 
@@ -42,7 +47,7 @@ fn ask<Q: Ask>(
         is_stored: source.is_stored(),
     };
     let paper = Paper { origin: origin.unwrap_or_else(own), style: *style };
-    let problem = question.read(asked, source, form.shows_data())?;
+    let problem = question.read(asked, source, form.shows())?;
     let answer = question.answer(&problem)?;
     let mut text = Vec::new();
     let written = question.write(&problem, &answer, form, &paper, &mut text)?;
@@ -61,6 +66,10 @@ macro_rules! questions {
         impl Request {
             /// The names of all questions.
             pub const NAMES: &'static [&'static str] = &[$($question::NAME),*];
+
+            /// All questions by their names, with the forms of their answers.
+            pub const FORMS: &'static [(&'static str, &'static [Form])] =
+                &[$(($question::NAME, $question::FORMS)),*];
 
             /// The name of this one.
             pub fn name(&self) -> &'static str {
@@ -90,7 +99,7 @@ macro_rules! questions {
     };
 }
 
-questions!(FitXErrors, Outliers, Range, Window);
+questions!(Fit, FitXErrors, Fleet, Linearity, Outliers, Predict, Range, Status, Window);
 
 impl Request {
     /// Reads a request as JSON says it.

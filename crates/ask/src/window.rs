@@ -1,18 +1,17 @@
 //! The fits of the last readings as the window moves on.
 
-use std::io::Write;
-
-use boundfit_estimation::{Measurements, Problem};
-use boundfit_formats::Source;
+use boundfit_estimation::Problem;
+use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{Extent, Moving, Turn, times};
 use boundfit_report::{FleetTable, TableJson, WindowReport, WindowSummary, table_line, write_window_json};
 use serde::Deserialize;
 
 use crate::asked::Asked;
-use crate::form::{Form, Paper, Written};
+use crate::form::{Form, Paper, Shows, Written};
 use crate::given::Given;
-use crate::question::{Ask, put};
-use crate::refusal::{Misuse, Refusal, ValueProblem};
+use crate::misuse::Misuse;
+use crate::question::{Ask, Out, put};
+use crate::refusal::{Refusal, ValueProblem};
 
 /// The fits of the last readings, again and again as the window moves on.
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -78,17 +77,17 @@ impl Ask for Window {
     /// Windows are written one by one, as they are found.
     type Answer = ();
 
-    fn read(&self, asked: &Asked, source: Source, _: bool) -> Result<(Problem, Moving), Refusal> {
+    fn read(&self, asked: &Asked, source: Source, _: Shows) -> Result<(Problem, Moving), Refusal> {
         /// Bytes that the budget counts for each reading (390).
         const ROW_COST: usize = 400;
         let moving = self.moving(asked)?;
-        let problem = asked.every_reading(source, ROW_COST, false, Self::NAME)?;
+        let problem = asked.every_reading(source, ROW_COST, Shows::Nothing, Self::NAME)?;
         problem.check_work(times::RANGE, asked.most_work())?;
         Ok((problem, moving))
     }
 
-    fn measurements<'a>(&self, (problem, _): &'a (Problem, Moving)) -> &'a Measurements {
-        &problem.measurements
+    fn table<'a>(&self, (problem, _): &'a (Problem, Moving)) -> Option<&'a TableNotes> {
+        problem.measurements.table()
     }
 
     fn answer(&self, _: &(Problem, Moving)) -> Result<(), Refusal> {
@@ -101,7 +100,7 @@ impl Ask for Window {
         (): &(),
         form: Form,
         paper: &Paper<'_>,
-        out: &mut dyn Write,
+        out: &mut Out<'_>,
     ) -> Result<Written, Refusal> {
         let style = &paper.style;
         let (mut summary, mut table) = (WindowSummary::default(), FleetTable::of_windows());

@@ -1,17 +1,16 @@
 //! The lines that agree with readings whose x have errors, too.
 
-use std::io::Write;
-
-use boundfit_estimation::{Fit, Measurements, fit};
-use boundfit_formats::Source;
+use boundfit_estimation::{Fit, fit};
+use boundfit_formats::{Source, TableNotes};
 use boundfit_questions::{XErrorFit, XErrorProblem};
 use boundfit_report::{x_error_csv, x_error_document, x_error_json, x_error_proof, x_error_wkt};
 use serde::Deserialize;
 
 use crate::asked::Asked;
-use crate::form::{Form, Paper, Written};
-use crate::question::{Ask, document, put};
-use crate::refusal::{NoProof, Refusal};
+use crate::form::{Form, Paper, Shows, Written};
+use crate::misuse::NoProof;
+use crate::question::{Ask, Out, document, put};
+use crate::refusal::Refusal;
 
 /// The lines that agree with every reading where x has errors, too ([`Asked::x_errors`]).
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -25,17 +24,18 @@ impl FitXErrors {
 
 impl Ask for FitXErrors {
     const NAME: &'static str = "fit-x-errors";
-    const FORMS: &'static [Form] = &Form::ALL;
+    const FORMS: &'static [Form] =
+        &[Form::Text, Form::Latex, Form::Markdown, Form::Json, Form::Csv, Form::Wkt, Form::Proof];
     type Problem = XErrorProblem;
     /// The sets, and the fit as if x had no errors.
     type Answer = (XErrorFit, Fit);
 
-    fn read(&self, asked: &Asked, source: Source, _: bool) -> Result<XErrorProblem, Refusal> {
-        asked.x_error_problem(source, Self::ROW_COST, false)
+    fn read(&self, asked: &Asked, source: Source, shows: Shows) -> Result<XErrorProblem, Refusal> {
+        asked.x_error_problem(source, Self::ROW_COST, shows, false)
     }
 
-    fn measurements<'a>(&self, problem: &'a XErrorProblem) -> &'a Measurements {
-        &problem.problem().measurements
+    fn table<'a>(&self, problem: &'a XErrorProblem) -> Option<&'a TableNotes> {
+        problem.problem().measurements.table()
     }
 
     fn answer(&self, problem: &XErrorProblem) -> Result<(XErrorFit, Fit), Refusal> {
@@ -48,7 +48,7 @@ impl Ask for FitXErrors {
         (answer, plain): &(XErrorFit, Fit),
         form: Form,
         paper: &Paper<'_>,
-        out: &mut dyn Write,
+        out: &mut Out<'_>,
     ) -> Result<Written, Refusal> {
         let Paper { origin, style } = paper;
         let text = match form {

@@ -8,7 +8,6 @@ use boundfit_exact::{Foreign, Limit};
 use boundfit_formats::{InputError, Setting, Way};
 use boundfit_judge::SolutionError;
 use boundfit_lp::ModelError;
-use boundfit_questions::CalibrationError;
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -58,15 +57,6 @@ impl Refused for ClaimFileError {
     }
 }
 
-impl Refused for CalibrationError {
-    fn ways(&self) -> Vec<Way> {
-        match self {
-            CalibrationError::Input(error) => error.ways(),
-            CalibrationError::Row { .. } => Vec::new(),
-        }
-    }
-}
-
 fn raised(limit: Option<Limit>) -> Vec<Way> {
     limit.map(Way::raises).into_iter().collect()
 }
@@ -98,7 +88,15 @@ impl Surface for Options {
 
     fn value(&self, key: &str, text: &str) -> String {
         // As the help shows it.
-        let placeholder = if matches!(key, "window" | "step") { "N" } else { "NUM" };
+        let placeholder = match key {
+            "window" | "step" => "N",
+            "through" => "X,Y",
+            "sweep" => "FROM..TO",
+            "at" => "X,...|FILE:COL",
+            "from" => "Y,...|FILE:COL",
+            "grid" => "FROM..TO/N",
+            _ => "NUM",
+        };
         value(&format!("--{} <{placeholder}>", key.replace('_', "-")), text)
     }
 
@@ -127,6 +125,12 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
+    /// What is wrong.
+    pub(crate) fn message(&self) -> &str {
+        let (Failure::Data(message) | Failure::Usage(message)) = self;
+        message
+    }
+
     /// Bad data or input/output.
     pub(crate) fn data(problem: impl Display) -> Self {
         Failure::Data(problem.to_string())

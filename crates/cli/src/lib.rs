@@ -25,9 +25,7 @@ pub fn main() -> ExitCode {
     let arguments = usage::parse();
     interrupt::leave_nothing_behind();
     let result = match arguments.command {
-        Command::Fit(arguments) => {
-            arguments.with_numbers().and_then(|arguments| commands::fit::run(&arguments))
-        }
+        Command::Fit(arguments) => commands::fit::run(&arguments),
         Command::Predict(arguments) => commands::predict::run(&arguments),
         Command::Linearity(arguments) => commands::linearity::run(&arguments),
         Command::Check(arguments) => commands::check::run(&arguments),

@@ -13,8 +13,6 @@ pub(crate) fn keep_freed() {
 /// as are those below: the maximum resident set of the program of the tests with 10⁵ different readings of x and y, less that with one,
 /// divided by their number and rounded up. Measured were `convert` and `fit --window` (390).
 pub(crate) const OF_A_READING: usize = 400;
-/// As [`OF_A_READING`], of a calibration (850).
-pub(crate) const OF_A_CALIBRATION: usize = 900;
 /// As [`OF_A_READING`], of readings in a figure (380 of its data, more of other figures).
 pub(crate) const OF_A_FIGURE: usize = 700;
 /// As [`OF_A_READING`], of a half-plane of which the polygon is asked: 10⁶ of them took 2.1 GB.

@@ -67,9 +67,9 @@ impl Progress for ReadingProgress {
     fn advanced(&self, bytes: u64) {
         let sum = self.bytes.fetch_add(bytes, Ordering::Relaxed) + bytes;
         if self.started.elapsed() >= PATIENCE {
-            // A file that is read a second time starts again.
-            self.bar()
-                .set_position(self.total.map_or(sum, |total| if sum > total { sum - total } else { sum }));
+            // A file that is read once more starts again.
+            let position = |total: u64| (sum.max(1) - 1) % total.max(1) + 1;
+            self.bar().set_position(self.total.map_or(sum, position));
         }
     }
 }

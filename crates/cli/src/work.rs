@@ -1,7 +1,7 @@
 //! Refusing what would take too much exact arithmetic, before it is done.
 
 use boundfit_estimation::Problem;
-use boundfit_exact::{Foreign, Limit, Rational, TooMuchWork, Work};
+use boundfit_exact::{Foreign, Limit, TooMuchWork, Work};
 use boundfit_lesson::check_work;
 use boundfit_questions::times::check_outliers;
 
@@ -11,14 +11,12 @@ use crate::exit::{Failure, raises};
 /// How often a command does what a fit does, as far as long numbers are concerned: what it takes for readings of thousands of
 /// digits, divided by what `fit` takes.
 pub(crate) mod times {
-    pub(crate) use boundfit_questions::times::{FIT, LINEARITY, PREDICT, STATUS};
+    pub(crate) use boundfit_questions::times::FIT;
 
     /// Rows on a common denominator, written with all their digits.
     pub(crate) const CONVERT: u64 = 2;
     /// A region with its redundant rows; a model with judged solutions.
     pub(crate) const POLYGON: u64 = 2;
-    /// The sets for a range of factors.
-    pub(crate) const SWEEP: u64 = 4;
     /// Linear programs, and the exact simplex that judges their answers.
     pub(crate) const CHECK: u64 = 4;
     /// A figure; all of them are six.
@@ -44,16 +42,6 @@ pub(crate) fn refuse_long_lesson(
     refused(file, check_work(problem, limits.sizes().work))
 }
 
-/// Refuses the proof of the statuses of a problem, which has the set without each reading that decides.
-pub(crate) fn refuse_long_status_proof(
-    file: Foreign<&str>,
-    problem: &Problem,
-    limits: &LimitArguments,
-) -> Result<(), Failure> {
-    let readings = problem.measurements.kept().len() as u64;
-    refuse_long(file, &problem.work(&[]).of_leaving_out_each(readings), 1, limits)
-}
-
 /// Refuses outliers of a problem, which are looked for where any two bounds cross.
 pub(crate) fn refuse_long_outliers(
     file: Foreign<&str>,
@@ -61,16 +49,6 @@ pub(crate) fn refuse_long_outliers(
     limits: &LimitArguments,
 ) -> Result<(), Failure> {
     refused(file, check_outliers(problem, limits.sizes().work))
-}
-
-/// Refuses the sets of a problem for factors up to this one.
-pub(crate) fn refuse_long_sweep(
-    file: Foreign<&str>,
-    problem: &Problem,
-    most: &Rational,
-    limits: &LimitArguments,
-) -> Result<(), Failure> {
-    refuse_long(file, &problem.work(&[most]), times::SWEEP * problem.looks(), limits)
 }
 
 /// Refuses so many times this work.

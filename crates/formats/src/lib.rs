@@ -74,6 +74,6 @@ pub use reduction::{
 pub use row_range::RowRange;
 pub use scan::{Batch, Pieces, Progress, ScanOptions, Scanned};
 pub use selection::{ParseRowConditionError, RowCondition, RowNumbers, RowSet};
-pub use source::Source;
+pub use source::{Again, Source};
 pub use table::{Table, TableOptions, TableRow, TextLayout};
 pub use whole::WholeFile;

@@ -29,6 +29,33 @@ pub struct Source {
     length: Option<u64>,
     is_file: bool,
     is_reduction: bool,
+    /// What it can be opened from once more, if it is no file.
+    held: Option<Again>,
+}
+
+/// From what an input can be opened once more.
+#[derive(Clone)]
+pub struct Again(Held);
+
+#[derive(Clone)]
+enum Held {
+    File(String),
+    Bytes(Foreign, Arc<[u8]>),
+    Table(Foreign, Arc<MemoryTable>),
+}
+
+impl Again {
+    /// Opens the input once more.
+    ///
+    /// # Errors
+    /// When it is a file that cannot be opened any more.
+    pub fn open(&self) -> Result<Source, InputError> {
+        match &self.0 {
+            Held::File(path) => Source::open(path),
+            Held::Bytes(name, bytes) => Ok(Source::of_bytes(name.clone(), Arc::clone(bytes))),
+            Held::Table(name, table) => Ok(Source::of_table(name.clone(), Arc::clone(table))),
+        }
+    }
 }
 
 /// What an input holds, as its first bytes tell.
@@ -110,7 +137,8 @@ impl Source {
             if let Some(format) = columns_of(&mut file).map_err(fail)? {
                 let content = Content::Columns(format, file);
                 let name = path.into();
-                return Ok(Source { name, content, packed: None, length, is_file, is_reduction: false });
+                let (packed, is_reduction, held) = (None, false, None);
+                return Ok(Source { name, content, packed, length, is_file, is_reduction, held });
             }
         }
         let source = match length {
@@ -135,7 +163,14 @@ impl Source {
         };
         let is_reduction = start.starts_with(REDUCTION_MARK.as_bytes());
         let content = Content::of(&start, bytes);
-        Source { name: name.into(), content, packed, length: None, is_file: false, is_reduction }
+        Source { name: name.into(), content, packed, length: None, is_file: false, is_reduction, held: None }
+    }
+
+    /// Bytes in memory with a name for messages, as [`Source::new`] reads them; they can be read as often as one likes.
+    pub fn of_bytes(name: impl Into<Foreign>, bytes: impl Into<Arc<[u8]>>) -> Self {
+        let (name, bytes) = (name.into(), bytes.into());
+        let held = Some(Again(Held::Bytes(name.clone(), Arc::clone(&bytes))));
+        Source { held, ..Source::new(name, Cursor::new(bytes)) }
     }
 
     /// Record batches of Arrow with a name for messages, in the order in which they are handed out: of a reader of Parquet or of
@@ -159,14 +194,16 @@ impl Source {
     /// ```
     #[cfg(feature = "arrow")]
     pub fn of_batches(name: impl Into<Foreign>, batches: impl RecordBatchReader + 'static) -> Self {
-        let content = Content::Batches(Box::new(batches));
-        Source { name: name.into(), content, packed: None, length: None, is_file: false, is_reduction: false }
+        let (name, content) = (name.into(), Content::Batches(Box::new(batches)));
+        Source { name, content, packed: None, length: None, is_file: false, is_reduction: false, held: None }
     }
 
     /// A table in memory with a name for messages. One that is shared may be read as often as one likes.
     pub fn of_table(name: impl Into<Foreign>, table: impl Into<Arc<MemoryTable>>) -> Self {
-        let content = Content::Memory(table.into());
-        Source { name: name.into(), content, packed: None, length: None, is_file: false, is_reduction: false }
+        let (name, table) = (name.into(), table.into());
+        let held = Some(Again(Held::Table(name.clone(), Arc::clone(&table))));
+        let content = Content::Memory(table);
+        Source { name, content, packed: None, length: None, is_file: false, is_reduction: false, held }
     }
 
     /// This source with something done to its bytes, within these limits, if they are text.
@@ -207,6 +244,11 @@ impl Source {
     /// The path under which the same bytes can be read again; `None` unless this is a regular file.
     pub fn path(&self) -> Option<&str> {
         self.is_file.then_some(self.name.raw())
+    }
+
+    /// From what the same can be opened once more; `None` of what is read once, as standard input and pipes are.
+    pub fn again(&self) -> Option<Again> {
+        self.path().map(|path| Again(Held::File(path.to_owned()))).or_else(|| self.held.clone())
     }
 
     /// Whether this is a reduction, or several of them: see [`open_reduction`](crate::open_reduction).

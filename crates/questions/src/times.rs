@@ -6,6 +6,8 @@ use boundfit_exact::TooMuchWork;
 
 /// A fit, or one answer about a linear program.
 pub const FIT: u64 = 1;
+/// The sets for a range of factors.
+pub const SWEEP: u64 = 4;
 /// A few products for each value that is asked about.
 pub const PREDICT: u64 = 2;
 /// The statuses of all readings: the set, that of all readings without those that decide, and the values at each.

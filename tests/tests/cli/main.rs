@@ -23,6 +23,7 @@ mod limits;
 mod line_forms;
 mod linearity;
 mod long_sums;
+mod matrix;
 mod names;
 mod nested;
 mod outliers;

@@ -69,23 +69,19 @@ pub(crate) enum ReportFormat {
     Ext,
 }
 
-impl ReportFormat {
-    /// The form of an answer that is this; scripts and files of half-planes are those of one set.
-    pub(crate) fn form(self) -> Option<Form> {
-        Some(match self {
+impl From<ReportFormat> for Form {
+    fn from(format: ReportFormat) -> Self {
+        match format {
             ReportFormat::Text => Form::Text,
             ReportFormat::Json => Form::Json,
             ReportFormat::Latex => Form::Latex,
             ReportFormat::Markdown => Form::Markdown,
             ReportFormat::Csv => Form::Csv,
             ReportFormat::Wkt => Form::Wkt,
-            ReportFormat::M | ReportFormat::Ine | ReportFormat::Ext => return None,
-        })
-    }
-
-    /// Whether the answer says what the table was taken for.
-    pub(crate) fn has_input(self) -> bool {
-        self.form().is_some_and(Form::has_input)
+            ReportFormat::M => Form::M,
+            ReportFormat::Ine => Form::Ine,
+            ReportFormat::Ext => Form::Ext,
+        }
     }
 }
 

@@ -1,17 +1,13 @@
 //! The arguments of `boundfit fit`.
 
-use boundfit_ask::{Given, Window};
-use boundfit_exact::{Limit, Rational};
-use boundfit_formats::ColumnSelector;
+use boundfit_ask::{Fit, Given, Window};
+use boundfit_exact::Limit;
 use clap::builder::NonEmptyStringValueParser;
 use clap::{Args, value_parser};
 
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
-use super::values::{parse_column, parse_confidence, parse_factors};
-use super::{
-    DataArguments, FactorRange, OutputArguments, ReportFormat, ThreadArguments, XErrorArguments, limits,
-};
-use crate::exit::Failure;
+use super::values::column_text;
+use super::{DataArguments, OutputArguments, ReportFormat, ThreadArguments, XErrorArguments, limits};
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -82,15 +78,12 @@ pub(crate) struct FitArguments {
     pub(crate) x_errors: XErrorArguments,
     /// Also report the sets FPS(s*eps) for all factors s from FROM to TO: where the set is born and changes its shape,
     /// and every vertex and PUI end as an exact function of s
-    #[arg(id = "sweep", long = "sweep", value_name = "FROM..TO")]
-    pub(super) asked_factors: Option<String>,
-    /// The factors of `--sweep` as numbers, within the limits that other options set.
-    #[arg(skip)]
-    pub(crate) sweep: Option<FactorRange>,
+    #[arg(long, value_name = "FROM..TO")]
+    pub(crate) sweep: Option<String>,
     /// Fit each group of rows with the same text in this column on its own: one line of text, JSON or CSV per group, in the
     /// order in which they first occur, and a summary (with JSON and CSV on standard error)
-    #[arg(long, value_name = "COL", value_parser = parse_column, conflicts_with = "sweep")]
-    pub(crate) by: Option<ColumnSelector>,
+    #[arg(long, value_name = "COL", value_parser = column_text, conflicts_with = "sweep")]
+    pub(crate) by: Option<String>,
     /// Fit the last N readings, in order of rows, again and again: one line of text, JSON or CSV for each window that is whole
     #[arg(long, value_name = "N", value_parser = value_parser!(u64).range(1..),
           conflicts_with_all = ["window_x", "by", "sweep", "brief", "vertices", "inverse", "proof"])]
@@ -120,11 +113,8 @@ pub(crate) struct FitArguments {
     pub(crate) inverse: bool,
     /// Also report which share of further readings lies in the band of eps_min, with this confidence between 0 and 1, such as
     /// 0.99, if all readings are independent draws from one source: at least so many, whatever the source is
-    #[arg(id = "confidence", long = "confidence", value_name = "NUM", allow_hyphen_values = true, conflicts_with_all = ["by", "brief"])]
-    pub(super) asked_confidence: Option<String>,
-    /// The number of `--confidence`.
-    #[arg(skip)]
-    pub(crate) confidence: Option<Rational>,
+    #[arg(long, value_name = "NUM", allow_hyphen_values = true, conflicts_with_all = ["by", "brief"])]
+    pub(crate) confidence: Option<String>,
     /// Also write a proof of the answer to this file, whole or not at all: JSON that 'boundfit verify', or anybody else,
     /// checks against the data by arithmetic alone; - for standard output when the report goes to a file
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
@@ -136,13 +126,15 @@ pub(crate) struct FitArguments {
 }
 
 impl FitArguments {
-    /// Reads the factors of `--sweep` and the number of `--confidence`, which need the limits.
-    pub(crate) fn with_numbers(self) -> Result<Self, Failure> {
-        let limits = self.data.table.limits.number();
-        let sweep = self.asked_factors.as_deref().map(|text| parse_factors(text, &limits)).transpose()?;
-        let confidence =
-            self.asked_confidence.as_deref().map(|text| parse_confidence(text, &limits)).transpose()?;
-        Ok(FitArguments { sweep, confidence, ..self })
+    /// The question about the fit of all readings.
+    pub(crate) fn question(&self) -> Fit {
+        Fit {
+            no_eui: self.no_eui,
+            sweep: self.sweep.clone(),
+            confidence: self.confidence.clone().map(Given::Read),
+            brief: self.brief,
+            inverse: self.inverse,
+        }
     }
 
     /// The windows that are asked for, if they are.

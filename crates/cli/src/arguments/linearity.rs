@@ -1,16 +1,14 @@
 //! The arguments of `boundfit linearity`.
 
-use boundfit_exact::{Rational, Reading};
+use boundfit_ask::{Given, Linearity, Through};
 use boundfit_formats::ColumnSelector;
-use boundfit_questions::{CalibrationColumns, CalibrationResponse};
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 
 use super::look::LookArguments;
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
-use super::values::{number_problem, parse_column};
+use super::values::{column_text, parse_column};
 use super::{LabelArguments, OutputArguments, RowArguments, TableArguments, TableFormat};
-use crate::exit::Failure;
 
 pub(super) const NOTES: Notes = Notes {
     examples: &[
@@ -49,15 +47,15 @@ pub(crate) struct LinearityArguments {
           conflicts_with_all = ["up", "down"])]
     pub(crate) y: Option<ColumnSelector>,
     /// Column of what the sensor gave while x was rising; the cell may be empty where only the other one was read
-    #[arg(long, value_name = "COL", value_parser = parse_column, requires = "down")]
-    pub(crate) up: Option<ColumnSelector>,
+    #[arg(long, value_name = "COL", value_parser = column_text, requires = "down")]
+    pub(crate) up: Option<String>,
     /// Column of what the sensor gave while x was falling
-    #[arg(long, value_name = "COL", value_parser = parse_column, requires = "up")]
-    pub(crate) down: Option<ColumnSelector>,
+    #[arg(long, value_name = "COL", value_parser = column_text, requires = "up")]
+    pub(crate) down: Option<String>,
     /// Column that says whether x was rising (up, upscale, rising, increasing, +, 1) or falling (down, downscale, falling,
     /// decreasing, -, -1, 0); of two other words the first is up
-    #[arg(long, value_name = "COL", value_parser = parse_column, requires = "y", conflicts_with_all = ["up", "down"])]
-    pub(crate) direction: Option<ColumnSelector>,
+    #[arg(long, value_name = "COL", value_parser = column_text, requires = "y", conflicts_with_all = ["up", "down"])]
+    pub(crate) direction: Option<String>,
     /// What percents are of; the span of y (of the average) when left out
     #[arg(long, value_name = "NUM", allow_hyphen_values = true)]
     pub(crate) full_scale: Option<String>,
@@ -84,46 +82,14 @@ pub(crate) struct LinearityArguments {
 }
 
 impl LinearityArguments {
-    /// The columns of the calibration.
-    pub(crate) fn columns(&self) -> CalibrationColumns {
-        let response = match (&self.y, &self.up, &self.down, &self.direction) {
-            (None, Some(up), Some(down), _) => {
-                CalibrationResponse::Two { up: up.clone(), down: down.clone() }
-            }
-            // The command line asks for one or the other.
-            (y, _, _, None) => CalibrationResponse::One(y.clone().unwrap_or_else(|| self.x.clone())),
-            (y, _, _, Some(direction)) => CalibrationResponse::Directed {
-                y: y.clone().unwrap_or_else(|| self.x.clone()),
-                direction: direction.clone(),
-            },
-        };
-        CalibrationColumns { x: self.x.clone(), response }
-    }
-
-    /// What percents are of, if it is given.
-    pub(crate) fn full_scale(&self) -> Result<Option<Rational>, Failure> {
-        const EXPECTED: &str = "expected a number above 0, such as 4 or 153/40";
-        let number = |text: &String| {
-            let refuse = |problem: String| Failure::value("--full-scale <NUM>", text, problem);
-            let number = self.number(text).map_err(|error| refuse(number_problem(&error, EXPECTED)))?;
-            if number.is_positive() { Ok(number) } else { Err(refuse(EXPECTED.to_owned())) }
-        };
-        self.full_scale.as_ref().map(number).transpose()
-    }
-
-    /// The point of zero-based linearity.
-    pub(crate) fn through(&self) -> Result<[Rational; 2], Failure> {
-        const EXPECTED: &str = "expected two numbers X,Y such as 0,0 or 2.5,-1/3";
-        let Some(text) = &self.through else { return Ok(<[Rational; 2]>::default()) };
-        let refuse = |problem: String| Failure::value("--through <X,Y>", text, problem);
-        let (x, y) = text.split_once(',').ok_or_else(|| refuse(EXPECTED.to_owned()))?;
-        let number =
-            |text: &str| self.number(text.trim()).map_err(|error| refuse(number_problem(&error, EXPECTED)));
-        Ok([number(x)?, number(y)?])
-    }
-
-    /// A number of an option, exactly as it is written.
-    fn number(&self, text: &str) -> Result<Rational, boundfit_exact::ParseNumberError> {
-        Reading::Decimal.read(text, &self.table.limits.number())
+    /// The question.
+    pub(crate) fn question(&self) -> Linearity {
+        Linearity {
+            up: self.up.clone(),
+            down: self.down.clone(),
+            direction: self.direction.clone(),
+            full_scale: self.full_scale.clone().map(Given::Read),
+            through: self.through.clone().map(Through::Text),
+        }
     }
 }

@@ -47,7 +47,6 @@ pub(crate) use plot::{Figures, PlotArguments};
 pub(crate) use polygon::PolygonArguments;
 pub(crate) use predict::PredictArguments;
 pub(crate) use range::RangeArguments;
-pub(crate) use reading::assumption;
 pub(crate) use reduce::ReduceArguments;
 pub(crate) use rows::RowArguments;
 pub(crate) use shared::{
@@ -57,7 +56,6 @@ pub(crate) use shared::{
 pub(crate) use solutions::SolutionArguments;
 pub(crate) use status::StatusArguments;
 pub(crate) use tolerance::Switch;
-pub(crate) use values::{FactorRange, number_problem};
 pub(crate) use verify::VerifyArguments;
 pub(crate) use x_errors::XErrorArguments;
 

@@ -1,5 +1,6 @@
 //! The arguments of `boundfit plot`.
 
+use boundfit_ask::Factors;
 use boundfit_figures::{Figure, PictureFormat};
 use boundfit_formats::ColumnSelector;
 use clap::builder::{NonEmptyStringValueParser, PossibleValue};
@@ -7,7 +8,7 @@ use clap::{ArgAction, Args, value_parser};
 
 use super::look::LookArguments;
 use super::notes::{BAD_DATA, BAD_USAGE, Notes};
-use super::values::{FactorRange, explained, named, parse_column, parse_factors};
+use super::values::{explained, named, parse_column, parse_factors};
 use super::{DataArguments, LabelArguments, ReplaceArguments, XErrorArguments};
 use crate::exit::Failure;
 
@@ -123,7 +124,7 @@ impl PlotArguments {
     }
 
     /// The factors of `--sweep`, if they are asked for.
-    pub(crate) fn factors(&self) -> Result<Option<FactorRange>, Failure> {
+    pub(crate) fn factors(&self) -> Result<Option<Factors>, Failure> {
         let limits = self.data.table.limits.number();
         self.sweep.as_deref().map(|text| parse_factors(text, &limits)).transpose()
     }

@@ -1,5 +1,6 @@
 //! The arguments of `boundfit predict`.
 
+use boundfit_ask::Predict;
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 
@@ -49,19 +50,19 @@ pub(crate) struct PredictArguments {
     /// or FILE:COL;COL2. Repeatable
     #[arg(long, value_name = "X,...|FILE:COL", allow_hyphen_values = true,
           required_unless_present_any = ["from", "grid"])]
-    pub(crate) at: Vec<String>,
+    at: Vec<String>,
     /// Readings of which is asked what x they may come from: numbers, or all of a column, FILE:COL. Repeatable
     #[arg(long, value_name = "Y,...|FILE:COL", allow_hyphen_values = true)]
-    pub(crate) from: Vec<String>,
+    from: Vec<String>,
     /// Ask at N + 1 values of x in equal steps, ends included
     #[arg(long, value_name = "FROM..TO/N", allow_hyphen_values = true)]
-    pub(crate) grid: Option<String>,
+    grid: Option<String>,
     /// Error bound of a further reading, where it is not that of the fitted ones: a number, or a law as --eps takes it
     #[arg(long, value_name = "NUM", allow_hyphen_values = true)]
-    pub(crate) new_eps: Option<String>,
+    new_eps: Option<String>,
     /// Show in text the readings that prove each end (JSON always does)
     #[arg(long)]
-    pub(crate) proofs: bool,
+    proofs: bool,
     /// Write the proof of every end to this file; 'boundfit verify' checks it
     #[arg(long, value_name = "FILE", value_parser = NonEmptyStringValueParser::new())]
     pub(crate) proof: Option<String>,
@@ -69,4 +70,17 @@ pub(crate) struct PredictArguments {
     pub(crate) threads: ThreadArguments,
     #[command(flatten)]
     pub(crate) output: OutputArguments<TableFormat>,
+}
+
+impl PredictArguments {
+    /// The question.
+    pub(crate) fn question(&self) -> Predict {
+        Predict {
+            at: self.at.clone(),
+            from: self.from.clone(),
+            grid: self.grid.clone(),
+            new_eps: self.new_eps.clone(),
+            proofs: self.proofs,
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! From options to what the libraries take.
 
-use boundfit_ask::{Asked, FitXErrors, Misuse};
+use boundfit_ask::{Asked, FitXErrors, Misuse, Shows};
 use boundfit_estimation::{
     AskedBound, Columns, Condition, EpsilonColumn, Keep, LineForm, Measurements, ParseBoundErrorKind,
     ParseConditionError, ParseConditionErrorKind, ParseTextError, Problem, Question, TextProblem,
@@ -34,11 +34,6 @@ impl DataArguments {
     /// The file as it was named on the command line.
     pub(crate) fn path(&self) -> &str {
         &self.data
-    }
-
-    /// Whether the model has two regressors instead of x and a constant.
-    pub(crate) fn has_two_regressors(&self) -> bool {
-        self.x.second.is_some()
     }
 
     /// How this file is read in parts.
@@ -125,26 +120,6 @@ impl<'a> Data<'a> {
         if options.selects_rows() { self.problem_with_others() } else { self.whole_problem() }
     }
 
-    /// Reads the problem in memory that does not grow with the file; with the hash of the data and the rows fitted if they
-    /// will be shown. Where the bounds are going to move, all readings are kept unless those kept decide for every bound.
-    pub(crate) fn scanned_problem(
-        self,
-        eui: bool,
-        hash: bool,
-        list_rows: bool,
-        moving: bool,
-    ) -> Result<Problem, Failure> {
-        let asked = self.asked()?;
-        let keeps_all = (moving || asked.multiple_of_least.is_some()) && !asked.columns.are_open();
-        let keep = Keep { eui, ..if keeps_all { Keep::EVERY } else { Keep::default() } };
-        self.scanned(asked, keep, |options| ScanOptions { hash, list_rows, ..options })
-    }
-
-    /// Whether the data are a file, which can be read once more.
-    pub(crate) fn can_be_read_again(&self) -> bool {
-        self.source.as_ref().is_ok_and(|source| source.path().is_some())
-    }
-
     /// Reads the problem with the readings that can bound anything under some error bound, others too where they are few.
     pub(crate) fn supporting_problem(self) -> Result<Problem, Failure> {
         let asked = self.asked()?;
@@ -154,14 +129,9 @@ impl<'a> Data<'a> {
 
     /// Reads the problem with every reading, which takes less memory than [`Data::problem`] does, and has no hash of the data.
     pub(crate) fn whole_problem(self) -> Result<Problem, Failure> {
-        self.every_reading(false, false)
-    }
-
-    /// Reads the problem with every reading, with the hash of the data and the rows fitted if they will be shown.
-    pub(crate) fn every_reading(self, hash: bool, list_rows: bool) -> Result<Problem, Failure> {
         let asked = self.asked()?;
         let keep = Keep { eui: false, ..Keep::EVERY };
-        self.scanned(asked, keep, |options| ScanOptions { hash, list_rows, ..options })
+        self.scanned(asked, keep, |options| ScanOptions { hash: false, list_rows: false, ..options })
     }
 
     /// What is asked of which readings, and the file they stand in.
@@ -170,7 +140,7 @@ impl<'a> Data<'a> {
         let limits = self.arguments.table.limits.number();
         let x_errors = x_errors.map(|own| own.asked(self.origin.reading, &limits)).transpose()?.flatten();
         let (source, options) = self.scan()?;
-        Ok((Asked { question, x_errors, options }, source))
+        Ok((Asked { x_errors, options, ..Asked::new(question) }, source))
     }
 
     /// Reads the readings with the bounds on the errors of x, and those that are not fitted, for pictures.
@@ -178,7 +148,7 @@ impl<'a> Data<'a> {
         let file = self.arguments.file_name();
         let (asked, source) = self.asked_with(Some(x_errors))?;
         asked
-            .x_error_problem(source, FitXErrors::ROW_COST, true)
+            .x_error_problem(source, FitXErrors::ROW_COST, Shows::Nothing, true)
             .map_err(|refusal| Failure::of(&refusal, file))
     }
 
@@ -369,21 +339,6 @@ impl ReduceArguments {
             form: LineForm::default(),
         })
     }
-}
-
-/// What the answers about many groups stand and fall with, as a line; nothing where the error bound is given.
-pub(crate) fn assumption(question: &Question) -> String {
-    let times = |factor: &Rational| match *factor == Rational::one() {
-        true => String::new(),
-        false => format!("{factor} times "),
-    };
-    let factor = question.multiple_of_least.as_ref();
-    factor.map_or_else(String::new, |factor| {
-        format!(
-            "Assumed: no error is larger than {}eps_min of its own group, a bound found from these very readings\n",
-            times(factor)
-        )
-    })
 }
 
 /// What `--eps` asks for.

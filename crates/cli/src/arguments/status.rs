@@ -1,5 +1,6 @@
 //! The arguments of `boundfit status`.
 
+use boundfit_ask::Status;
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 
@@ -60,4 +61,11 @@ pub(crate) struct StatusArguments {
     pub(crate) threads: ThreadArguments,
     #[command(flatten)]
     pub(crate) output: OutputArguments<TableFormat>,
+}
+
+impl StatusArguments {
+    /// The question.
+    pub(crate) fn question(&self) -> Status {
+        Status { new: self.new.clone(), repair: self.repair, all: self.all }
+    }
 }

@@ -3,7 +3,7 @@
 use boundfit_exact::{Limits, Rational, Reading};
 use clap::{Args, ValueEnum};
 
-use super::number_problem;
+use super::values::number_problem;
 use crate::exit::Failure;
 
 /// Whether something is done.

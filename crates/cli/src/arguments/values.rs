@@ -2,8 +2,9 @@
 
 use std::iter;
 
+use boundfit_ask::Factors;
 use boundfit_exact::{
-    DecimalMark, Limit, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading, Thousands,
+    DecimalMark, Foreign, Limit, Limits, ParseNumberError, ParseNumberErrorKind, Rational, Reading, Thousands,
 };
 use boundfit_formats::{AskedBlock, ColumnSelector, CommentMark, DELIMITERS, Encoding};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -15,13 +16,6 @@ use crate::exit::{Failure, raises};
 pub(crate) struct Regressors {
     pub(crate) first: ColumnSelector,
     pub(crate) second: Option<ColumnSelector>,
-}
-
-/// Factors on the error bounds.
-#[derive(Debug, Clone)]
-pub(crate) struct FactorRange {
-    pub(crate) from: Rational,
-    pub(crate) to: Rational,
 }
 
 /// What separates the columns; nothing when the file tells.
@@ -117,6 +111,11 @@ pub(super) fn parse_column(text: &str) -> Result<ColumnSelector, String> {
     Ok(ColumnSelector::name_or_number(text))
 }
 
+/// A column as it is asked for.
+pub(super) fn column_text(text: &str) -> Result<String, String> {
+    parse_column(text).map(|_| text.to_owned())
+}
+
 pub(super) fn parse_block(text: &str) -> Result<AskedBlock, String> {
     AskedBlock::parse(text)
         .ok_or_else(|| "expected a number from 1, the comment before a block, or all".to_owned())
@@ -163,38 +162,8 @@ pub(crate) fn number_problem(error: &ParseNumberError, expected: &str) -> String
 }
 
 /// The factors `FROM..TO`.
-pub(super) fn parse_factors(text: &str, limits: &Limits) -> Result<FactorRange, Failure> {
-    const EXPECTED: &str = "expected FROM..TO with numbers 0 <= FROM <= TO, such as 0.5..2";
-    let refuse = |problem: String| Failure::value("--sweep <FROM..TO>", text, problem);
-    let number = |text: &str| {
-        let number = Reading::Decimal.read(text, limits);
-        number.map_err(|error| refuse(format!("{text:?}: {}", number_problem(&error, EXPECTED))))
-    };
-    let (from, to) = text.split_once("..").ok_or_else(|| refuse(EXPECTED.to_owned()))?;
-    let range = FactorRange { from: number(from.trim())?, to: number(to.trim())? };
-    if range.from.is_negative() || range.to < range.from {
-        return Err(refuse(EXPECTED.to_owned()));
-    }
-    Ok(range)
-}
-
-/// The closest to 1 that a confidence may be: what is computed with has more than twice as many digits.
-const LEAST_DOUBT: i64 = -100;
-
-/// Reads a confidence: more than 0 and less than 1.
-pub(super) fn parse_confidence(text: &str, limits: &Limits) -> Result<Rational, Failure> {
-    const EXPECTED: &str = "expected a number between 0 and 1, such as 0.99";
-    let refuse = |problem: String| Failure::value("--confidence <NUM>", text, problem);
-    let confidence =
-        Reading::Decimal.read(text, limits).map_err(|error| refuse(number_problem(&error, EXPECTED)))?;
-    let doubt = Rational::one() - &confidence;
-    if !confidence.is_positive() || !doubt.is_positive() {
-        return Err(refuse(EXPECTED.to_owned()));
-    }
-    if doubt < Rational::scientific(1, LEAST_DOUBT) {
-        return Err(refuse("closer to 1 than 1e-100".to_owned()));
-    }
-    Ok(confidence)
+pub(super) fn parse_factors(text: &str, limits: &Limits) -> Result<Factors, Failure> {
+    Factors::parse(text, limits).map_err(|refusal| Failure::of(&refusal, Foreign::of("")))
 }
 
 #[cfg(test)]

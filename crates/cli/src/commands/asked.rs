@@ -1,32 +1,77 @@
 //! Questions about readings: all go the same way.
 
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
+use std::sync::Arc;
 
-use boundfit_ask::{Ask, Form, Paper, Refusal};
-use boundfit_report::Style;
+use boundfit_ask::{Ask, Asked, Form, Out, Paper, Refusal, Shows, Tables};
+use boundfit_exact::Foreign;
+use boundfit_formats::{ScanOptions, Source, TableNotes};
+use boundfit_report::{Origin, Style};
 
 use super::proof_file;
 use crate::CommandResult;
-use crate::arguments::{DataArguments, ReplaceArguments, XErrorArguments};
+use crate::arguments::{DataArguments, ReplaceArguments, TableArguments};
 use crate::exit::{Exit, Failure};
 use crate::input;
 use crate::output::{self, Guard, Output, Stop};
 use crate::progress::while_working;
 
+/// Readings that an answer is about.
+pub(super) trait Given {
+    /// The file as it was named on the command line.
+    fn path(&self) -> &str;
+
+    /// The file, opened, with what is asked of which of its readings.
+    fn opened(&self) -> Result<(Origin<'_>, Asked, Source), Failure>;
+}
+
+impl Given for DataArguments {
+    fn path(&self) -> &str {
+        self.path()
+    }
+
+    fn opened(&self) -> Result<(Origin<'_>, Asked, Source), Failure> {
+        let opened = self.open();
+        let origin = opened.origin();
+        let (asked, source) = opened.asked_with(None)?;
+        let asked = Asked { tables: Some(Arc::new(FilesBeside(self.table.clone()))), ..asked };
+        Ok((origin, asked, source))
+    }
+}
+
+/// Files beside the data, which are read in the same way.
+struct FilesBeside(TableArguments);
+
+impl Tables for FilesBeside {
+    fn open(&self, name: &str) -> Result<(Source, ScanOptions), Refusal> {
+        let source = input::open(name)?;
+        let options = self.0.scan_options(&source, None);
+        // What is wrong with these options was said before the data were read.
+        let options = options.map_err(|failure| Refusal::Readings(failure.message().to_owned()))?;
+        Ok((source, options))
+    }
+
+    fn was_read(&self, name: &str, table: Option<&TableNotes>) {
+        input::say_table(Foreign::of(input::named(name)), table);
+    }
+}
+
 /// What is asked about, and where the answer goes.
 pub(super) struct Job<'a> {
-    pub(super) data: &'a DataArguments,
-    pub(super) x_errors: Option<&'a XErrorArguments>,
+    pub(super) data: &'a dyn Given,
     pub(super) form: Form,
     pub(super) style: Style,
     pub(super) output: Option<&'a str>,
     pub(super) proof: Option<&'a str>,
 }
 
-impl Job<'_> {
+/// What a command adds to an answer, or writes beside it: bytes, and the file that they go to.
+type Beside<'a> = Option<(Vec<u8>, &'a str)>;
+
+impl<'a> Job<'a> {
     /// What is not to be written over, once it is known that the answer may be written where it is to go.
-    pub(super) fn guard(&self, replace: &ReplaceArguments) -> Result<Guard, Failure> {
-        let guard = replace.guard([self.data.path()]);
+    pub(super) fn guard(&self, replace: &ReplaceArguments, beside: &[&str]) -> Result<Guard, Failure> {
+        let guard = replace.guard([self.data.path()].into_iter().chain(beside.iter().copied()));
         guard.check(self.output)?;
         guard.check(self.proof)?;
         proof_file::check(self.proof, self.output)?;
@@ -35,33 +80,39 @@ impl Job<'_> {
 
     /// Reads the data, finds the answer and writes it.
     pub(super) fn run<Q: Ask>(&self, question: &Q, guard: &mut Guard) -> CommandResult {
-        let Job { data, x_errors, form, style, output, proof } = *self;
-        let file = data.file_name();
+        self.run_with(question, guard, |_, _, _| Ok(None))
+    }
+
+    /// As [`Job::run`], with what only this program adds to an answer once it is found.
+    pub(super) fn run_with<Q: Ask>(
+        &self,
+        question: &Q,
+        guard: &mut Guard,
+        add: impl FnOnce(&Q::Problem, &mut Q::Answer, &Origin<'_>) -> Result<Beside<'a>, Failure>,
+    ) -> CommandResult {
+        let Job { data, form, style, output, proof } = *self;
+        let file = Foreign::of(input::named(data.path()));
         let failed = |refusal: Refusal| Failure::of(&refusal, file);
         if !Q::FORMS.contains(&form) {
             return Err(failed(Q::no_form(form)));
         }
-        let opened = data.open();
-        let paper = Paper { origin: opened.origin(), style };
-        let (asked, source) = opened.asked_with(x_errors)?;
-        let shows_data = form.shows_data() || proof.is_some();
-        let problem = question.read(&asked, source, shows_data).map_err(failed)?;
+        let (origin, asked, source) = data.opened()?;
+        let paper = Paper { origin, style };
+        let shows = form.shows().max(if proof.is_some() { Shows::Rows } else { Shows::Nothing });
+        let problem = question.read(&asked, source, shows).map_err(failed)?;
         if !form.has_input() {
-            input::say_table(file, question.measurements(&problem).table());
+            input::say_table(file, question.table(&problem));
         }
-        let answer = while_working(Q::NAME, || question.answer(&problem)).map_err(failed)?;
-        let write = |form, out: &mut dyn Write| question.write(&problem, &answer, form, &paper, out);
-        let written = match proof {
-            Some(proof_file) => {
-                let (mut report, mut text) = (Vec::new(), Vec::new());
-                let written = write(form, &mut report).map_err(failed)?;
-                write(Form::Proof, &mut text).map_err(failed)?;
-                output::write_together(&[(&text, Some(proof_file)), (&report, output)], guard)?;
-                written
-            }
-            None => {
+        let mut answer = while_working(Q::NAME, || question.answer(&problem)).map_err(failed)?;
+        let beside = add(&problem, &mut answer, &paper.origin)?;
+        let write = |form, out: &mut Out<'_>| question.write(&problem, &answer, form, &paper, out);
+        let written = match (proof, &beside) {
+            (None, None) => {
                 let mut stream = Stream { output: Output::open(output, guard)?, stop: None };
-                let written = write(form, &mut stream);
+                // Lines that scroll by on a terminal are progress enough.
+                let is_watched = output.is_none() && io::stdout().is_terminal();
+                let mut all = || write(form, &mut stream);
+                let written = if is_watched { all() } else { while_working(Q::NAME, all) };
                 match (written, stream.stop) {
                     (_, Some(Stop::Closed)) => return Ok(Exit::Answer),
                     (_, Some(Stop::Failed(failure))) => return Err(failure),
@@ -71,6 +122,19 @@ impl Job<'_> {
                         written
                     }
                 }
+            }
+            _ => {
+                let (mut report, mut text) = (Vec::new(), Vec::new());
+                let written = write(form, &mut report).map_err(failed)?;
+                if proof.is_some() {
+                    write(Form::Proof, &mut text).map_err(failed)?;
+                }
+                let proof = proof.map(|file| (text.as_slice(), Some(file)));
+                let beside = beside.as_ref().map(|(bytes, file)| (bytes.as_slice(), Some(*file)));
+                let parts: Vec<_> =
+                    proof.into_iter().chain(beside).chain([(report.as_slice(), output)]).collect();
+                output::write_together(&parts, guard)?;
+                written
             }
         };
         // The answer is written, whether or not somebody reads the summary.

@@ -9,12 +9,11 @@ pub(crate) fn run(arguments: &OutliersArguments) -> CommandResult {
     arguments.threads.set()?;
     let job = Job {
         data: &arguments.data,
-        x_errors: None,
         form: arguments.output.format()?.into(),
         style: arguments.data.table.limits.limited(arguments.output.style()),
         output: arguments.output.file.output.as_deref(),
         proof: arguments.proof.as_deref(),
     };
-    let mut guard = job.guard(&arguments.output.file.replace)?;
+    let mut guard = job.guard(&arguments.output.file.replace, &[])?;
     job.run(&arguments.question(), &mut guard)
 }

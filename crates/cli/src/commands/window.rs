@@ -14,8 +14,9 @@ pub(crate) fn run(
     format: ReportFormat,
     guard: &mut Guard,
 ) -> CommandResult {
-    let form = format.form().filter(|form| <Window as Ask>::FORMS.contains(form));
-    let form =
-        form.ok_or_else(|| Failure::Usage("'--window' and '--window-x' write text, json or csv".to_owned()))?;
+    let form = format.into();
+    if !Window::FORMS.contains(&form) {
+        return Err(Failure::Usage("'--window' and '--window-x' write text, json or csv".to_owned()));
+    }
     arguments.job(form).run(window, guard)
 }

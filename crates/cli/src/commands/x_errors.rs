@@ -1,17 +1,39 @@
 //! `boundfit fit` with errors in x.
 
-use boundfit_ask::{FitXErrors, Form};
+use boundfit_ask::{Ask, Asked, FitXErrors, Form};
+use boundfit_formats::Source;
+use boundfit_report::Origin;
 
-use super::asked::Job;
+use super::asked::{Given, Job};
 use crate::CommandResult;
-use crate::arguments::{FitArguments, ReportFormat};
+use crate::arguments::{DataArguments, FitArguments, ReportFormat, XErrorArguments};
 use crate::exit::Failure;
 use crate::output::Guard;
 
 /// Reads the data, finds the lines that agree with all readings, and writes the report.
 pub(crate) fn run(arguments: &FitArguments, format: ReportFormat, guard: &mut Guard) -> CommandResult {
     let form = check_usage(arguments, format)?;
-    Job { x_errors: Some(&arguments.x_errors), ..arguments.job(form) }.run(&FitXErrors {}, guard)
+    let data = WithXErrors { data: &arguments.data, x_errors: &arguments.x_errors };
+    Job { data: &data, ..arguments.job(form) }.run(&FitXErrors {}, guard)
+}
+
+/// Readings whose x have errors, too.
+struct WithXErrors<'a> {
+    data: &'a DataArguments,
+    x_errors: &'a XErrorArguments,
+}
+
+impl Given for WithXErrors<'_> {
+    fn path(&self) -> &str {
+        self.data.path()
+    }
+
+    fn opened(&self) -> Result<(Origin<'_>, Asked, Source), Failure> {
+        let opened = self.data.open();
+        let origin = opened.origin();
+        let (asked, source) = opened.asked_with(Some(self.x_errors))?;
+        Ok((origin, asked, source))
+    }
 }
 
 /// The form of the answer; refuses what is not there with errors in x.
@@ -31,8 +53,9 @@ fn check_usage(arguments: &FitArguments, format: ReportFormat) -> Result<Form, F
     let asked = options.into_iter().find(|(is_asked, _)| *is_asked).map(|(_, why)| why);
     let no_form =
         "'--format m', 'ine' and 'ext' are about a single set, and '--format json' has the vertices of all";
-    match (asked, format.form()) {
-        (None, Some(form)) => Ok(form),
+    let form = format.into();
+    match (asked, FitXErrors::FORMS.contains(&form)) {
+        (None, true) => Ok(form),
         (why, _) => Err(Failure::Usage(format!(
             "{}: with errors in x ('--x-eps') there may be two, one for each sign of theta1",
             why.unwrap_or(no_form)

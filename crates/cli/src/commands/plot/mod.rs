@@ -5,7 +5,7 @@ mod several;
 use std::io::{self, IsTerminal};
 use std::path::Path;
 
-use boundfit_ask::Refusal;
+use boundfit_ask::{Factors, Refusal};
 use boundfit_estimation::{Family, Problem, fit};
 use boundfit_exact::Foreign;
 use boundfit_figures::{
@@ -15,15 +15,14 @@ use boundfit_figures::{
 use boundfit_questions::{NoOutliers, OutlierLimits, Outliers, XErrorFit, XErrorProblem};
 
 use crate::CommandResult;
-use crate::arguments::{FactorRange, Figures, PlotArguments};
-use crate::commands::fit::SWEEP_OF_FIXED;
+use crate::arguments::{Figures, PlotArguments};
 use crate::commands::pictures::told_by_name;
 use crate::exit::{Exit, Failure};
 use crate::input;
 use crate::memory;
 use crate::output::{self, Guard, Output};
 use crate::progress::while_working;
-use crate::work::{refuse_long_outliers, refuse_long_problem, refuse_long_sweep, times};
+use crate::work::{refuse_long_outliers, refuse_long_problem, times};
 
 /// Where pictures go.
 enum Destination<'a> {
@@ -133,13 +132,12 @@ impl Job<'_> {
     }
 
     /// Draws sets, or their corridors, under growing error bounds, one in another.
-    fn run_with_factors(&self, FactorRange { from, to }: &FactorRange) -> CommandResult {
+    fn run_with_factors(&self, factors: &Factors) -> CommandResult {
         let data = &self.arguments.data;
         let problem = problem(self.arguments, 1)?;
-        if !problem.measurements.are_open() {
-            return Err(Failure::Usage(SWEEP_OF_FIXED.to_owned()));
-        }
-        refuse_long_sweep(data.file_name(), &problem, to, &data.table.limits)?;
+        let checked = factors.check(&problem, data.table.limits.sizes().work);
+        checked.map_err(|refusal| Failure::of(&refusal, data.file_name()))?;
+        let Factors { from, to } = factors;
         let family = while_working("sweeping", || Family::new(&problem, from.clone(), to.clone()));
         let options = options(self.arguments, &problem);
         let draw = || match self.figure {

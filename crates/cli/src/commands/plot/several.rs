@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use boundfit_ask::Groups;
 use boundfit_estimation::{Fit, Problem};
 use boundfit_exact::Foreign;
 use boundfit_figures::{
@@ -12,7 +13,6 @@ use boundfit_figures::{
 use super::{Job, plain_options};
 use crate::CommandResult;
 use crate::arguments::{DataArguments, Figures, PlotArguments};
-use crate::commands::fleet;
 use crate::exit::{Exit, Failure};
 use crate::input;
 use crate::memory;
@@ -159,7 +159,10 @@ fn names(files: &[&str]) -> Vec<String> {
 
 fn run_groups(job: &Job, what: Compared) -> CommandResult {
     let Some(by) = &job.arguments.by else { return Ok(Exit::Answer) };
-    let (asked, fleet) = fleet::read(&job.arguments.data, by)?;
+    let (asked, source) = job.arguments.data.open().asked_with(None)?;
+    let groups = Groups::read(&asked, source, by);
+    let groups = groups.map_err(|refusal| Failure::of(&refusal, job.arguments.data.file_name()))?;
+    let (asked, fleet) = (groups.question(), groups.fleet());
     input::say_table(job.arguments.data.file_name(), fleet.table());
     let drawn = fleet.len().min(MOST_PANELS);
     let mut all = Vec::with_capacity(drawn);

@@ -5,14 +5,13 @@ use std::sync::Arc;
 use boundfit_exact::{Column, Limit, Limits, Rational, Reading, Work};
 use boundfit_formats::{Batch, ColumnSelector, HeldRows, ScanOptions, scan};
 
-use crate::arguments::{DataArguments, number_problem};
-use crate::exit::{Failure, raises};
-use crate::input;
+use crate::asked::Asked;
+use crate::refusal::{Refusal, ValueProblem};
 
 /// The most values of a grid: JSON has 2 kB about each, and nobody types them one by one.
 const MOST_STEPS: usize = 100_000;
 
-/// Values of one option.
+/// Values of one key.
 #[derive(Default)]
 pub(super) struct Values {
     parts: Vec<Part>,
@@ -32,105 +31,91 @@ enum Part {
     },
 }
 
-/// What an option says before any file is read.
-pub(super) enum Asked {
-    Numbers(Vec<[Rational; 2]>),
-    File { path: String, columns: Vec<ColumnSelector> },
-}
-
-/// An option of values.
+/// A key of values.
 #[derive(Clone, Copy)]
-pub(super) struct ValueOption {
-    pub(super) name: &'static str,
+pub(super) struct ValueKey {
+    pub(super) key: &'static str,
     /// How many numbers make a value.
     pub(super) numbers: usize,
     /// What stands beside a single number.
     pub(super) second: i64,
 }
 
-impl ValueOption {
-    /// Reads the text of an option: numbers, or a file and its columns.
-    pub(super) fn parse(self, text: &str, limits: &Limits) -> Result<Asked, Failure> {
+impl ValueKey {
+    /// The values of a text: numbers, or what the columns of a table hold.
+    fn read(self, text: &str, asked: &Asked) -> Result<Part, Refusal> {
         let expected = match self.numbers {
             1 => "expected numbers such as 3.7,9/2, or FILE:COL",
             _ => "expected pairs of numbers such as '1;2,3;4', or FILE:COL;COL2",
         };
-        let refuse = |problem: String| Failure::value(self.name, text, problem);
-        let number = |text: &str| Reading::Decimal.read(text.trim(), limits);
+        let limits = &asked.options.table.limits;
         let numbers = |value: &str| {
             let parts: Vec<&str> = value.split(';').collect();
             if parts.len() != self.numbers {
-                return Err(expected.to_owned());
+                return Err(ValueProblem::Expected(expected));
             }
-            let read = parts.iter().map(|part| number(part));
+            let read = parts.iter().map(|part| Reading::Decimal.read(part.trim(), limits));
             let read = read.collect::<Result<Vec<Rational>, _>>();
-            let mut read = read.map_err(|error| number_problem(&error, expected))?.into_iter();
+            let mut read = read.map_err(|error| ValueProblem::Number { error, expected })?.into_iter();
             let first = read.next().unwrap_or_default();
             Ok([first, read.next().unwrap_or_else(|| Rational::from(self.second))])
         };
-        let all = text.split(',').map(numbers).collect::<Result<Vec<[Rational; 2]>, String>>();
+        let all = text.split(',').map(numbers).collect::<Result<Vec<[Rational; 2]>, ValueProblem>>();
         let problem = match (all, text.rsplit_once(':')) {
-            (Ok(all), _) => return Ok(Asked::Numbers(all)),
+            (Ok(all), _) => return Ok(Part::Given(all)),
             (Err(problem), None) => problem,
-            (Err(_), Some((path, columns))) => {
+            (Err(_), Some((name, columns))) => {
                 let columns: Vec<&str> = columns.split(';').collect();
                 let are_named = columns.iter().all(|column| !column.trim().is_empty());
-                if columns.len() == self.numbers && are_named && !path.is_empty() {
-                    let columns = columns.into_iter().map(ColumnSelector::name_or_number).collect();
-                    return Ok(Asked::File { path: path.to_owned(), columns });
+                if columns.len() == self.numbers && are_named && !name.is_empty() {
+                    let columns: Vec<ColumnSelector> =
+                        columns.into_iter().map(ColumnSelector::name_or_number).collect();
+                    return Ok(Part::Read(read(name, &columns, asked)?));
                 }
-                expected.to_owned()
+                ValueProblem::Expected(expected)
             }
         };
-        Err(refuse(problem))
+        Err(Refusal::Value { key: self.key, text: text.to_owned(), problem })
     }
 }
 
 impl Values {
-    /// No values yet, beside each of which stands this.
-    pub(super) fn beside(second: i64) -> Self {
-        Values { parts: Vec::new(), second: Rational::from(second) }
+    /// The values of texts, each of which is numbers or columns of a table.
+    pub(super) fn read(key: ValueKey, texts: &[String], asked: &Asked) -> Result<Self, Refusal> {
+        let parts = texts.iter().map(|text| key.read(text, asked)).collect::<Result<_, _>>()?;
+        Ok(Values { parts, second: Rational::from(key.second) })
     }
 
-    /// Adds what an option asks for; of a file what its columns hold.
-    pub(super) fn add(&mut self, asked: Asked, data: &DataArguments) -> Result<(), Failure> {
-        self.parts.push(match asked {
-            Asked::Numbers(numbers) => Part::Given(numbers),
-            Asked::File { path, columns } => Part::Read(read(&path, &columns, data)?),
-        });
-        Ok(())
-    }
-
-    /// Adds values in equal steps.
-    pub(super) fn add_grid(&mut self, text: &str, limits: &Limits, most: usize) -> Result<(), Failure> {
+    /// Puts values in equal steps before the others.
+    pub(super) fn with_grid(mut self, text: &str, limits: &Limits, most: usize) -> Result<Self, Refusal> {
         const EXPECTED: &str =
             "expected FROM..TO/N with FROM < TO and N steps between them, such as 0..10/100";
-        let refuse = |problem: String| Failure::value("--grid <FROM..TO/N>", text, problem);
-        let bad = || refuse(EXPECTED.to_owned());
+        let refuse = |problem| Refusal::Value { key: "grid", text: text.to_owned(), problem };
+        let bad = || refuse(ValueProblem::Expected(EXPECTED));
         // The last stroke stands before N: both ends may be fractions.
         let (ends, count) = text.rsplit_once('/').ok_or_else(bad)?;
         let (from, to) = ends.split_once("..").ok_or_else(bad)?;
         let number = |text: &str| {
             let number = Reading::Decimal.read(text.trim(), limits);
-            number.map_err(|error| refuse(format!("{text:?}: {}", number_problem(&error, EXPECTED))))
+            number.map_err(|error| {
+                refuse(ValueProblem::Part { part: text.to_owned(), error, expected: EXPECTED })
+            })
         };
         let (from, to) = (number(from)?, number(to)?);
         let steps: usize = count.trim().parse().map_err(|_| bad())?;
         if steps >= MOST_STEPS && most > MOST_STEPS {
-            let problem =
-                format!("refused: more than {MOST_STEPS} values (expected fewer, or --at FILE:COL)");
-            return Err(refuse(problem));
+            let problem = "refused: more than 100000 values (expected fewer, or FILE:COL)";
+            return Err(refuse(ValueProblem::Expected(problem)));
         }
         if steps >= most {
-            let raises = raises(Limit::Rows);
-            return Err(refuse(format!("refused: more than {most} values (the limit; {raises})")));
+            return Err(refuse(ValueProblem::TooMany { most, limit: Limit::Rows }));
         }
         let step = (&to - &from).checked_div(&Rational::from(steps)).ok_or_else(bad)?;
         if !step.is_positive() {
             return Err(bad());
         }
-        self.parts.push(Part::Grid { from, step, count: steps + 1 });
-        Ok(())
+        self.parts.insert(0, Part::Grid { from, step, count: steps + 1 });
+        Ok(self)
     }
 
     pub(super) fn len(&self) -> usize {
@@ -186,11 +171,11 @@ impl Values {
     }
 }
 
-/// The columns of a file.
-fn read(path: &str, columns: &[ColumnSelector], data: &DataArguments) -> Result<Vec<Vec<Column>>, Failure> {
-    let source = input::open(path).map_err(Failure::refused)?;
-    let name = source.name().to_owned();
-    let options = data.table.scan_options(&source, None)?;
+/// The columns of a table.
+fn read(name: &str, columns: &[ColumnSelector], asked: &Asked) -> Result<Vec<Vec<Column>>, Refusal> {
+    let tables = asked.tables()?;
+    let (source, options) = tables.open(name)?;
+    let file = source.name().to_owned();
     let mut options = ScanOptions { hash: false, list_rows: false, ..options };
     let held: Arc<HeldRows> = HeldRows::limiting(&mut options);
     let mut batches = Vec::new();
@@ -204,8 +189,7 @@ fn read(path: &str, columns: &[ColumnSelector], data: &DataArguments) -> Result<
             batches.push(columns);
         },
     );
-    held.check(name.raw()).map_err(Failure::refused)?;
-    let scanned = scanned.map_err(Failure::refused)?;
-    input::say_table(name.borrowed(), scanned.table.as_ref());
+    held.check(file.raw())?;
+    tables.was_read(name, scanned?.table.as_ref());
     Ok(batches)
 }

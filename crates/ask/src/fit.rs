@@ -1,0 +1,213 @@
+//! The fit of all readings.
+
+use boundfit_estimation::{self as estimation, ErrorBound, Family, Keep, Problem, fit};
+use boundfit_exact::{Limits, Rational, Reading};
+use boundfit_formats::{Source, TableNotes};
+use boundfit_questions::{Guarantee, times};
+use boundfit_report::{
+    Document, InverseLine, active_names, brief_document, fit_csv, fit_document, fit_json, fit_script,
+    guarantee_document, h_representation, proof_json, region_wkt, sweep_document, v_representation,
+    vertices_csv,
+};
+use serde::Deserialize;
+
+use crate::asked::Asked;
+use crate::form::{Form, Paper, Shows, Written};
+use crate::given::Given;
+use crate::misuse::{Misuse, NoProof};
+use crate::question::{Ask, Out, document, put};
+use crate::refusal::{Refusal, ValueProblem};
+
+/// Every parameter pair that agrees with all readings: the set, its intervals and estimates.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Fit {
+    /// Whether to leave out what would take further looks at more readings than are kept in memory.
+    pub no_eui: bool,
+    /// The factors on the error bounds, `FROM..TO`, for which the sets are found too.
+    pub sweep: Option<String>,
+    /// With which confidence it is said which share of further readings lies in the band of ε_min.
+    pub confidence: Option<Given>,
+    /// Whether the report has ten lines only.
+    pub brief: bool,
+    /// Whether the report has the inverse line also where 0 is in the interval of θ1.
+    pub inverse: bool,
+}
+
+/// Factors on the error bounds.
+#[derive(Debug, Clone)]
+pub struct Factors {
+    /// The least.
+    pub from: Rational,
+    /// The largest.
+    pub to: Rational,
+}
+
+/// A problem, and what else is asked of it.
+pub struct Fittable {
+    /// The problem.
+    pub problem: Problem,
+    sweep: Option<Factors>,
+    confidence: Option<Rational>,
+}
+
+/// A fit, with what else was asked.
+pub struct Fitted {
+    /// The fit.
+    pub fit: estimation::Fit,
+    family: Option<Family>,
+    guarantee: Option<Guarantee>,
+    /// What an LP solver makes of the same data, where a surface has one and asked it: a line of the report as text.
+    pub verdict: Option<String>,
+}
+
+impl From<Problem> for Fittable {
+    fn from(problem: Problem) -> Self {
+        Fittable { problem, sweep: None, confidence: None }
+    }
+}
+
+impl Factors {
+    /// Reads `FROM..TO`.
+    ///
+    /// # Errors
+    /// When it is something else.
+    pub fn parse(text: &str, limits: &Limits) -> Result<Self, Refusal> {
+        const EXPECTED: &str = "expected FROM..TO with numbers 0 <= FROM <= TO, such as 0.5..2";
+        let refuse = |problem| Refusal::Value { key: "sweep", text: text.to_owned(), problem };
+        let number = |part: &str| {
+            let number = Reading::Decimal.read(part.trim(), limits);
+            number.map_err(|error| {
+                refuse(ValueProblem::Part { part: part.trim().to_owned(), error, expected: EXPECTED })
+            })
+        };
+        let (from, to) = text.split_once("..").ok_or_else(|| refuse(ValueProblem::Expected(EXPECTED)))?;
+        let factors = Factors { from: number(from)?, to: number(to)? };
+        match factors.from.is_negative() || factors.to < factors.from {
+            true => Err(refuse(ValueProblem::Expected(EXPECTED))),
+            false => Ok(factors),
+        }
+    }
+
+    /// Refuses readings whose bounds are fixed, and sets that would take too much work.
+    ///
+    /// # Errors
+    /// Why it does.
+    pub fn check(&self, problem: &Problem, most_work: u64) -> Result<(), Refusal> {
+        if !problem.measurements.are_open() {
+            return Err(Refusal::Misuse(Misuse::SweepOfFixed));
+        }
+        Ok(problem.work(&[&self.to]).check(times::SWEEP * problem.looks(), most_work)?)
+    }
+}
+
+impl Fit {
+    /// The confidence: more than 0 and less than 1.
+    fn confidence(&self, limits: &Limits) -> Result<Option<Rational>, Refusal> {
+        const EXPECTED: &str = "expected a number between 0 and 1, such as 0.99";
+        /// The closest to 1 that it may be: what is computed with has more than twice as many digits.
+        const LEAST_DOUBT: i64 = -100;
+        let Some(given) = &self.confidence else { return Ok(None) };
+        let confidence = given.exact("confidence", EXPECTED, limits)?;
+        let doubt = Rational::one() - &confidence;
+        let refuse = |problem| Err(given.refused("confidence", ValueProblem::Expected(problem)));
+        if !confidence.is_positive() || !doubt.is_positive() {
+            return refuse(EXPECTED);
+        }
+        if doubt < Rational::scientific(1, LEAST_DOUBT) {
+            return refuse("closer to 1 than 1e-100");
+        }
+        Ok(Some(confidence))
+    }
+
+    fn document(&self, asked: &Fittable, answer: &Fitted, Paper { origin, style }: &Paper<'_>) -> Document {
+        let (problem, fit) = (&asked.problem, &answer.fit);
+        if self.brief {
+            return brief_document(problem, fit, origin, style);
+        }
+        let inverse = if self.inverse { InverseLine::Always } else { InverseLine::default() };
+        let mut document = fit_document(problem, fit, origin, inverse, style);
+        if let Some(verdict) = &answer.verdict {
+            document.add_result("LP solver", verdict);
+        }
+        if let Some(family) = &answer.family {
+            document.append(sweep_document(problem, family, style));
+        }
+        if let Some(guarantee) = &answer.guarantee {
+            document.append(guarantee_document(problem, fit, guarantee, style));
+        }
+        document
+    }
+}
+
+impl Ask for Fit {
+    const NAME: &'static str = "fit";
+    const FORMS: &'static [Form] = &Form::ALL;
+    type Problem = Fittable;
+    type Answer = Fitted;
+
+    fn read(&self, asked: &Asked, source: Source, shows: Shows) -> Result<Fittable, Refusal> {
+        let limits = &asked.options.table.limits;
+        let sweep = self.sweep.as_deref().map(|text| Factors::parse(text, limits)).transpose()?;
+        let confidence = self.confidence(limits)?;
+        // Where the bounds are going to move, those that decide under these are not enough.
+        let keeps_all = sweep.is_some() && !asked.question.columns.are_open();
+        let keep = Keep { eui: !self.no_eui, ..if keeps_all { Keep::EVERY } else { Keep::default() } };
+        let problem = asked.scanned(source, (Asked::ROW_COST, shows), keep)?;
+        if let Some(sweep) = &sweep {
+            sweep.check(&problem, asked.most_work())?;
+        }
+        if confidence.is_some() && matches!(problem.measurements.error_bound(), ErrorBound::Interval { .. }) {
+            return Err(Refusal::Misuse(Misuse::ConfidenceOfIntervals));
+        }
+        Ok(Fittable { problem, sweep, confidence })
+    }
+
+    fn table<'a>(&self, asked: &'a Fittable) -> Option<&'a TableNotes> {
+        asked.problem.measurements.table()
+    }
+
+    fn answer(&self, asked: &Fittable) -> Result<Fitted, Refusal> {
+        let problem = &asked.problem;
+        let family = |Factors { from, to }: &Factors| Family::new(problem, from.clone(), to.clone());
+        let guarantee = |confidence| Guarantee::new(&problem.measurements, confidence);
+        Ok(Fitted {
+            fit: fit(problem),
+            family: asked.sweep.as_ref().map(family),
+            guarantee: asked.confidence.as_ref().and_then(guarantee),
+            verdict: None,
+        })
+    }
+
+    fn write(
+        &self,
+        asked: &Fittable,
+        answer: &Fitted,
+        form: Form,
+        paper: &Paper<'_>,
+        out: &mut Out<'_>,
+    ) -> Result<Written, Refusal> {
+        let (problem, fit, Paper { origin, style }) = (&asked.problem, &answer.fit, paper);
+        let polyhedron = fit.fps.polyhedron();
+        let names = |indices: &[usize]| active_names(fit, indices);
+        let text = match form {
+            Form::Json => {
+                fit_json(problem, fit, answer.family.as_ref(), answer.guarantee.as_ref(), origin, style)
+            }
+            Form::Csv => fit_csv(problem, fit),
+            Form::Vertices => vertices_csv(polyhedron, &names, style),
+            Form::Wkt => region_wkt(polyhedron, style).map_err(Refusal::Wkt)?,
+            Form::M => fit_script(problem, fit, &names),
+            Form::Ine => h_representation(polyhedron),
+            Form::Ext => v_representation(polyhedron),
+            Form::Proof => {
+                let is_reduction = problem.measurements.is_of_reductions();
+                let why = if is_reduction { NoProof::Reduction } else { NoProof::NoText };
+                proof_json(problem, fit, origin.reading).ok_or(Refusal::NoProof(why))?
+            }
+            _ => document(form, || self.document(asked, answer, paper)).ok_or(Self::no_form(form))?,
+        };
+        put(out, text)?;
+        Ok(Written::of_set(fit.is_empty()))
+    }
+}

@@ -1,0 +1,203 @@
+//! The fits of many groups of readings.
+
+use std::ops::Range;
+
+use boundfit_estimation::{GroupFit, Question};
+use boundfit_exact::{Foreign, Rational, Work};
+use boundfit_formats::{ColumnSelector, Source, TableNotes};
+use boundfit_questions::times;
+use boundfit_report::{
+    FleetCsv, FleetSummary, FleetTable, GroupCells, GroupReport, Style, TableJson, table_line,
+    write_group_json,
+};
+use serde::Deserialize;
+
+use crate::asked::Asked;
+use crate::form::{Form, Paper, Shows, Written};
+use crate::misuse::Misuse;
+use crate::question::{Ask, Out, put};
+use crate::refusal::Refusal;
+
+/// The fit of each group of rows with the same text in a column.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Fleet {
+    /// The column.
+    pub by: String,
+}
+
+/// Groups of readings, and what is asked of each.
+pub struct Groups {
+    question: Question,
+    fleet: boundfit_estimation::Fleet,
+}
+
+impl Groups {
+    /// Reads the groups that a column makes, whose numbers are not too long for a fit of each.
+    ///
+    /// # Errors
+    /// When the table cannot be read, or its numbers are too long.
+    pub fn read(asked: &Asked, source: Source, by: &ColumnSelector) -> Result<Self, Refusal> {
+        if asked.x_errors.is_some() {
+            return Err(Refusal::Misuse(Misuse::FleetOfXErrors));
+        }
+        let options = asked.held(asked.options.table.row_cost, Shows::Nothing);
+        let fleet = boundfit_estimation::Fleet::read(source, &asked.question.columns, by, options)?;
+        let groups = Groups { question: asked.question.clone(), fleet };
+        groups.check(asked.most_work())?;
+        Ok(groups)
+    }
+
+    /// The groups.
+    pub fn fleet(&self) -> &boundfit_estimation::Fleet {
+        &self.fleet
+    }
+
+    /// What is asked of each.
+    pub fn question(&self) -> &Question {
+        &self.question
+    }
+
+    /// Refuses groups whose numbers are long. A multiple of the least bound is not looked for: it is work itself.
+    fn check(&self, most_work: u64) -> Result<(), Refusal> {
+        let Groups { question, fleet } = self;
+        if !question.has_long_bound() && !fleet.has_fractions() {
+            return Ok(());
+        }
+        question.work_of_every(fleet.readings()).check(times::FIT, most_work)?;
+        let mut work = Work::default();
+        let problem = |group| question.stated_problem(fleet.measurements(group));
+        (0..fleet.len()).for_each(|group| work.append(problem(group).work(&[])));
+        Ok(work.check(times::FIT, most_work)?)
+    }
+
+    /// What the answers stand and fall with, as a line; nothing where the error bound is given.
+    fn assumption(&self) -> String {
+        let times = |factor: &Rational| match *factor == Rational::one() {
+            true => String::new(),
+            false => format!("{factor} times "),
+        };
+        let factor = self.question.multiple_of_least.as_ref();
+        factor.map_or_else(String::new, |factor| {
+            format!(
+                "Assumed: no error is larger than {}eps_min of its own group, a bound found from these very readings\n",
+                times(factor)
+            )
+        })
+    }
+
+    fn write_json(&self, style: &Style, out: &mut Out<'_>, whole: &mut FleetSummary) -> Result<(), Refusal> {
+        let table = self.fleet.table().map(TableJson::new);
+        let table = table.as_ref();
+        let lines = |groups| {
+            let mut lines = Vec::new();
+            let summary = self.each_whole(groups, |group| write_group_json(&mut lines, &group, table, style));
+            (lines, summary)
+        };
+        self.fleet.in_order(lines, |(lines, summary)| {
+            whole.append(summary);
+            put(out, lines)
+        })
+    }
+
+    fn write_csv(&self, style: &Style, out: &mut Out<'_>, whole: &mut FleetSummary) -> Result<(), Refusal> {
+        let mut header = FleetCsv::new();
+        header.header(self.fleet.is_bounded_per_row());
+        put(out, header.into_bytes())?;
+        let rows = |groups| {
+            let mut rows = FleetCsv::new();
+            let summary = self.each(groups, |key, group| rows.group(key, group, style));
+            (rows.into_bytes(), summary)
+        };
+        self.fleet.in_order(rows, |(rows, summary)| {
+            whole.append(summary);
+            put(out, rows)
+        })
+    }
+
+    fn write_text(&self, style: &Style, out: &mut Out<'_>, whole: &mut FleetSummary) -> Result<(), Refusal> {
+        let mut table = FleetTable::new(self.fleet.is_bounded_per_row());
+        let lines = |groups| {
+            let mut lines = Vec::new();
+            let summary = self.each(groups, |key, group| lines.push(GroupCells::new(key, group, style)));
+            (lines, summary)
+        };
+        self.fleet.in_order(lines, |(lines, summary)| {
+            whole.append(summary);
+            let mut text = String::new();
+            lines.into_iter().for_each(|cells| table.push(cells, &mut text));
+            put(out, text)
+        })?;
+        let mut text = String::new();
+        table.finish(&mut text);
+        let summary = whole.to_text() + &table_line(self.fleet.table()) + &self.assumption();
+        put(out, format!("{text}\n{summary}"))
+    }
+
+    /// Fits groups and shows each as a line.
+    fn each(&self, groups: Range<usize>, mut show: impl FnMut(Foreign<&str>, &GroupFit)) -> FleetSummary {
+        let mut summary = FleetSummary::default();
+        for group in groups {
+            let line = self.question.of_group(&self.fleet, group);
+            summary.add(self.fleet.key(group), &line);
+            show(self.fleet.key(group), &line);
+        }
+        summary
+    }
+
+    /// Fits groups and shows all of each.
+    fn each_whole(&self, groups: Range<usize>, mut show: impl FnMut(GroupReport<'_>)) -> FleetSummary {
+        let mut summary = FleetSummary::default();
+        for group in groups {
+            let problem = self.question.of_measurements(self.fleet.measurements(group));
+            let fit = problem.fit();
+            let line = GroupFit::of(&problem, &fit);
+            summary.add(self.fleet.key(group), &line);
+            show(GroupReport { key: self.fleet.key(group), problem: &problem, fit: &fit, line: &line });
+        }
+        summary
+    }
+}
+
+impl Ask for Fleet {
+    const NAME: &'static str = "fleet";
+    const FORMS: &'static [Form] = &[Form::Text, Form::Json, Form::Csv];
+    type Problem = Groups;
+    /// Groups are written one by one, as they are fitted.
+    type Answer = ();
+
+    fn read(&self, asked: &Asked, source: Source, _: Shows) -> Result<Groups, Refusal> {
+        Groups::read(asked, source, &ColumnSelector::name_or_number(&self.by))
+    }
+
+    fn table<'a>(&self, groups: &'a Groups) -> Option<&'a TableNotes> {
+        groups.fleet.table()
+    }
+
+    fn answer(&self, _: &Groups) -> Result<(), Refusal> {
+        Ok(())
+    }
+
+    fn write(
+        &self,
+        groups: &Groups,
+        (): &(),
+        form: Form,
+        paper: &Paper<'_>,
+        out: &mut Out<'_>,
+    ) -> Result<Written, Refusal> {
+        let write_groups = match form {
+            Form::Text => Groups::write_text,
+            Form::Json => Groups::write_json,
+            Form::Csv => Groups::write_csv,
+            _ => return Err(Self::no_form(form)),
+        };
+        let mut summary = FleetSummary::default();
+        write_groups(groups, &paper.style, out, &mut summary)?;
+        let is_empty = summary.has_empty();
+        // What the text ends with.
+        let is_beside = form != Form::Text;
+        let summary = if is_beside { summary.to_text() + &groups.assumption() } else { String::new() };
+        Ok(Written { is_empty, summary })
+    }
+}

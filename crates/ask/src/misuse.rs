@@ -1,0 +1,136 @@
+//! What excludes or needs each other, and why there is no proof.
+
+use crate::surface::Surface;
+
+macro_rules! misuses {
+    ($($(#[$meaning:meta])* $name:ident: $words:literal),* $(,)?) => {
+        /// What excludes or needs each other.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub enum Misuse {
+            $($(#[$meaning])* $name),*
+        }
+
+        impl Misuse {
+            /// The sentence, in which keys stand in braces.
+            fn sentence(self) -> &'static str {
+                match self { $(Misuse::$name => $words),* }
+            }
+        }
+    };
+}
+
+misuses! {
+    /// Two regressors have no x in whose order readings are taken.
+    OrderOfX: "two regressors have no order of x (expected the order of rows)",
+    /// Two regressors have no x along which a window reaches back.
+    WindowOfX:
+        "{window_x} is about a line: two regressors have no x to look back along; {window} counts readings",
+    /// A window reaches back so many readings, or so far in x.
+    TwoWindows: "{window} and {window_x} both say how far a window reaches back: give one of them",
+    /// It is not said how far a window reaches back.
+    NoWindow: "{window} or {window_x} says how far a window reaches back: give one of them",
+    /// It is said how far a window moves on, and not which.
+    StepAlone: "{step} says how far a window moves on: say which with {window} or {window_x}",
+    /// It is not said how large the errors of x may be.
+    NoXErrors: "{x_eps} is missing: it says how large the errors of x may be",
+    /// Lines agree for every x that errors allow, and x has none.
+    StrongAlone: "{strong} is about errors in x: say how large they may be with {x_eps} or {x_eps_column}",
+    /// Two regressors have no x with errors.
+    XErrorsOfTwoRegressors:
+        "{x_eps} is about a line: with two regressors it is not known how their errors go together",
+    /// A multiple of the least bound is found without errors in x.
+    LeastBesideXErrors: "{eps} asks for a multiple of eps_min, which is found as if every x were exact: beside {x_eps} it is a \
+                 number, and the answer says by which factor all bounds may shrink or have to grow",
+    /// A multiple of the least bound is asked of readings reduced under others.
+    LeastOfFixed: "{eps} asks for a multiple of eps_min, which moves the error bounds, and the data are a reduction under \
+                 bounds that are fixed: fit the table that it was made from",
+    /// Sets under growing bounds are asked of readings reduced under others.
+    SweepOfFixed: "{sweep} moves the error bounds, and the data are a reduction under bounds that are fixed: sweep the table \
+                 that it was made from",
+    /// A share of further readings is asked of intervals.
+    ConfidenceOfIntervals:
+        "{confidence} is about error bounds around y, and intervals are none: a further reading need not have one",
+    /// The groups of a fleet are fitted as if x had no errors.
+    FleetOfXErrors: "{x_eps} is about a single set, and a fleet has one for each group",
+    /// Nothing is to be predicted.
+    NothingToPredict: "nothing is to be predicted: expected {at}, {grid} or {from}",
+    /// Two regressors have no single x that a reading may come from.
+    FromOfTwoRegressors:
+        "{from} is about a line: with two regressors there is no single x (ask {at} for pairs)",
+    /// Two regressors have no single x that goes in steps.
+    GridOfTwoRegressors:
+        "{grid} is about a line: with two regressors there is no single x (ask {at} for pairs)",
+    /// Values of two kinds are no single table.
+    TwoTables: "csv writes one table: ask {at} or {grid}, and {from}, in calls of their own",
+    /// Further readings have bounds of their own, and a law takes its bound from a whole table.
+    NewOfRange: "{new} is about readings with bounds of their own, and a law with range(y) takes them from all of a table: \
+                 give the number that it comes to",
+    /// Further readings are a reduction.
+    NewReduction:
+        "{new} is about every reading, and the file is a reduction: judge the table that it was made from",
+    /// No table is at hand but the first one.
+    NoTables: "no other table is at hand here: give the values themselves",
+    /// It is not said, or said twice, in which columns a calibration is.
+    Response: "expected {y}, or {y} and {direction}, or {up} and {down}",
+    /// Two regressors are no characteristic.
+    LinearityOfTwoRegressors: "linearity is about a line: two regressors have no characteristic",
+}
+
+/// Why there is no proof.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NoProof {
+    /// The readings are not those of plain delimited text.
+    NoText,
+    /// The readings are a reduction.
+    Reduction,
+    /// The data would have to be read once more.
+    ReadOnce,
+    /// Not each row is a point of its own.
+    Points,
+    /// It would take more than this.
+    TooMany {
+        /// How many.
+        most: usize,
+        /// Of what.
+        of: &'static str,
+    },
+}
+
+impl Misuse {
+    pub(crate) fn words(self, surface: &dyn Surface) -> String {
+        in_words(self.sentence(), surface)
+    }
+}
+
+impl NoProof {
+    pub(crate) fn words(self, surface: &dyn Surface) -> String {
+        let sentence = match self {
+            NoProof::NoText => {
+                "a proof is about the rows of plain delimited text, and the data are none that the checkers read: save the table as CSV"
+            }
+            NoProof::Reduction => {
+                "a proof is about every reading, and this is a reduction: prove the answer about the table that it was made from"
+            }
+            NoProof::ReadOnce => "{proof} reads the data once more, and they are read once: give it a file",
+            NoProof::Points => {
+                "{proof} is about the rows of delimited text of which each is a point of its own, with a reading in every column, and \
+                 those of the data are not"
+            }
+            NoProof::TooMany { most, of } => return format!("the proof would take more than {most} {of}"),
+        };
+        in_words(sentence, surface)
+    }
+}
+
+/// A sentence with the keys in braces as the surface names them.
+fn in_words(mut sentence: &str, surface: &dyn Surface) -> String {
+    let mut words = String::new();
+    while let Some((before, (key, after))) =
+        sentence.split_once('{').and_then(|(before, rest)| Some((before, rest.split_once('}')?)))
+    {
+        words.push_str(before);
+        words.push_str(&surface.key(key));
+        sentence = after;
+    }
+    words + sentence
+}

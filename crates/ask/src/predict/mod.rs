@@ -1,0 +1,184 @@
+//! Where the line runs, where further readings lie, and where readings may come from.
+
+mod values;
+
+use std::io::{BufWriter, Write};
+
+use boundfit_estimation::{AskedBound, Fit, Keep, Law, Problem, fit};
+use boundfit_exact::{Limits, Reading};
+use boundfit_formats::{Source, TableNotes};
+use boundfit_questions::{FurtherError, NoFurtherError, times};
+use boundfit_report::{
+    AskedValues, Prediction, prediction_document, prediction_proof, write_prediction_csv,
+    write_prediction_json,
+};
+use serde::Deserialize;
+
+use crate::asked::Asked;
+use crate::form::{Form, Paper, Shows, Written};
+use crate::misuse::{Misuse, NoProof};
+use crate::question::{Ask, Out, document, put};
+use crate::refusal::{Refusal, ValueProblem};
+use values::{ValueKey, Values};
+
+/// Values that a proof may be about.
+const MOST_PROVED: usize = 1_000;
+
+/// Where the line runs at an x, where a further reading lies there, and which x a reading may come from.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Predict {
+    /// At which x: each text is numbers, `3.7,9/2`, or a column of a table, `FILE:COL`; of two regressors pairs, `1;2,3;4`, or
+    /// `FILE:COL;COL2`.
+    pub at: Vec<String>,
+    /// Of which readings it is asked what x they may come from, as in `at`.
+    pub from: Vec<String>,
+    /// Values of x in equal steps, `FROM..TO/N`, before those of `at`.
+    pub grid: Option<String>,
+    /// The error bound of a further reading, where it is not that of the fitted ones: a number, or a law.
+    pub new_eps: Option<String>,
+    /// Whether reports show the readings that prove each end.
+    pub proofs: bool,
+}
+
+/// A problem, and the values that are asked about.
+pub struct Predicted {
+    problem: Problem,
+    error: Result<FurtherError, NoFurtherError>,
+    law: Option<Law>,
+    at: Values,
+    from: Values,
+}
+
+impl Predict {
+    /// What is stated of the error of a further reading.
+    fn law(&self, limits: &Limits, is_line: bool) -> Result<Option<Law>, Refusal> {
+        let Some(text) = &self.new_eps else { return Ok(None) };
+        let refuse = |problem| Refusal::Value { key: "new_eps", text: text.clone(), problem };
+        let law = Law::parse(text, Reading::Decimal, limits);
+        let law = law.map_err(|error| match AskedBound::parse(text, Reading::Decimal, limits) {
+            Ok(AskedBound::TimesLeast(_)) => refuse(ValueProblem::Expected(
+                "a multiple of the least bound says nothing of a further reading (expected a number such as 0.5, or a law)",
+            )),
+            _ => refuse(ValueProblem::Bound(error)),
+        })?;
+        if law.needs_x() && !is_line {
+            let problem = "two regressors have no |x| (expected a law of |y| and range(y))";
+            return Err(refuse(ValueProblem::Expected(problem)));
+        }
+        Ok(Some(law))
+    }
+
+    /// The values, at which it is predicted and where readings come from.
+    fn values(&self, asked: &Asked, is_line: bool) -> Result<[Values; 2], Refusal> {
+        if !is_line && (!self.from.is_empty() || self.grid.is_some()) {
+            let is_grid = self.from.is_empty();
+            let misuse = if is_grid { Misuse::GridOfTwoRegressors } else { Misuse::FromOfTwoRegressors };
+            return Err(Refusal::Misuse(misuse));
+        }
+        if self.at.is_empty() && self.from.is_empty() && self.grid.is_none() {
+            return Err(Refusal::Misuse(Misuse::NothingToPredict));
+        }
+        let at = ValueKey { key: "at", numbers: if is_line { 1 } else { 2 }, second: 1 };
+        let from = ValueKey { key: "from", numbers: 1, second: 0 };
+        let (at, from) = (Values::read(at, &self.at, asked)?, Values::read(from, &self.from, asked)?);
+        let table = &asked.options.table;
+        let at = match &self.grid {
+            Some(grid) => at.with_grid(grid, &table.limits, table.sizes.rows)?,
+            None => at,
+        };
+        Ok([at, from])
+    }
+
+    /// Refuses to ask where a reading comes from of which nothing is known.
+    fn check(&self, error: &Result<FurtherError, NoFurtherError>) -> Result<(), Refusal> {
+        match (error, &self.new_eps) {
+            (Err(reason), Some(text)) => {
+                let problem = ValueProblem::Other(format!("{reason} (expected a number such as 0.5)"));
+                Err(Refusal::Value { key: "new_eps", text: text.clone(), problem })
+            }
+            (Err(reason), None) if !self.from.is_empty() => Err(Refusal::FurtherError(reason.clone())),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Ask for Predict {
+    const NAME: &'static str = "predict";
+    const FORMS: &'static [Form] =
+        &[Form::Text, Form::Latex, Form::Markdown, Form::Json, Form::Csv, Form::Proof];
+    type Problem = Predicted;
+    type Answer = Fit;
+
+    fn read(&self, asked: &Asked, source: Source, shows: Shows) -> Result<Predicted, Refusal> {
+        let is_line = asked.question.columns.second.is_none();
+        let law = self.law(&asked.options.table.limits, is_line)?;
+        let [at, from] = self.values(asked, is_line)?;
+        let keep = Keep { eui: false, ..Keep::default() };
+        let problem = asked.scanned(source, (Asked::ROW_COST, shows), keep)?;
+        let bits = times::bits_of_corner(&problem);
+        for values in [&at, &from] {
+            values.work(bits).check(times::PREDICT, asked.most_work())?;
+        }
+        let error = match &law {
+            None => FurtherError::of(&problem.measurements),
+            Some(law) => FurtherError::by_law(law, &problem.measurements),
+        };
+        self.check(&error)?;
+        Ok(Predicted { problem, error, law, at, from })
+    }
+
+    fn table<'a>(&self, asked: &'a Predicted) -> Option<&'a TableNotes> {
+        asked.problem.measurements.table()
+    }
+
+    fn answer(&self, asked: &Predicted) -> Result<Fit, Refusal> {
+        Ok(fit(&asked.problem))
+    }
+
+    fn write(
+        &self,
+        asked: &Predicted,
+        fit: &Fit,
+        form: Form,
+        paper: &Paper<'_>,
+        out: &mut Out<'_>,
+    ) -> Result<Written, Refusal> {
+        let Predicted { problem, error, law, at, from } = asked;
+        let Paper { origin, style } = paper;
+        let prediction = Prediction {
+            problem,
+            fit,
+            origin: *origin,
+            error: error.clone(),
+            given: law.clone(),
+            at: AskedValues { count: at.len(), values: &|| at.iter() },
+            from: AskedValues { count: from.len(), values: &|| from.iter() },
+        };
+        match form {
+            Form::Csv if at.len() > 0 && from.len() > 0 => return Err(Refusal::Misuse(Misuse::TwoTables)),
+            // There may be a million of them.
+            Form::Csv | Form::Json => {
+                let mut buffer = BufWriter::with_capacity(1 << 16, out);
+                match form {
+                    Form::Csv => write_prediction_csv(&prediction, &mut buffer)?,
+                    _ => write_prediction_json(&prediction, style, &mut buffer)?,
+                }
+                buffer.flush()?;
+            }
+            Form::Proof if at.len() + from.len() > MOST_PROVED => {
+                return Err(Refusal::NoProof(NoProof::TooMany { most: MOST_PROVED, of: "values" }));
+            }
+            Form::Proof => {
+                let is_reduction = problem.measurements.is_of_reductions();
+                let why = if is_reduction { NoProof::Reduction } else { NoProof::NoText };
+                put(out, prediction_proof(&prediction, origin.reading).ok_or(Refusal::NoProof(why))?)?;
+            }
+            _ => {
+                let text = document(form, || prediction_document(&prediction, self.proofs, style));
+                put(out, text.ok_or(Self::no_form(form))?)?;
+            }
+        }
+        Ok(Written::of_set(fit.is_empty()))
+    }
+}

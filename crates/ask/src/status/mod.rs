@@ -1,0 +1,257 @@
+//! What every reading and the set of all, and that of the others, say of each other.
+
+mod looks;
+
+use std::cell::OnceCell;
+
+use boundfit_estimation::{Fit, Keep, Measurement, fit};
+use boundfit_formats::{Source, TableNotes};
+use boundfit_questions::{Deciding, NoRepair, Ranking, Repair, RowStatus, Standing, Statuses, times};
+use boundfit_report::{NewReadings, StatusCsv, StatusJson, StatusReport, status_document, status_proof};
+use serde::Deserialize;
+
+use crate::asked::Asked;
+use crate::form::{Form, Paper, Shows, Written};
+use crate::misuse::NoProof;
+use crate::question::{Ask, Out, document, put};
+use crate::refusal::Refusal;
+pub use looks::Judgeable;
+use looks::Parts;
+
+/// Readings that the text lists where nobody asks for all.
+const MOST_LISTED: usize = 40;
+
+/// Readings that decide of which a proof has a statement each.
+const MOST_PROVED: usize = 1_000;
+
+/// The status of every reading: what it says of the set of all readings, and of that of all others.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Status {
+    /// A table of further readings, in the same columns, which are judged by the set as it is.
+    pub new: Option<String>,
+    /// Whether to find the least total widening of the bounds under which something meets all of them.
+    pub repair: bool,
+    /// Whether reports list every reading.
+    pub all: bool,
+}
+
+/// The set of all readings, and what is found of each.
+pub struct Judgement {
+    fit: Fit,
+    repair: Option<Result<Repair, NoRepair>>,
+    /// Found with the first form that needs them: reports look at every reading at the same time.
+    statuses: OnceCell<Statuses>,
+}
+
+impl Status {
+    fn most_listed(&self) -> usize {
+        if self.all { usize::MAX } else { MOST_LISTED }
+    }
+
+    /// Finds the statuses, where they are not found yet, and for reports what these list.
+    fn judge<'a>(
+        &self,
+        asked: &Judgeable,
+        answer: &'a Judgement,
+        is_ranked: bool,
+    ) -> Result<(&'a Statuses, Ranking), Refusal> {
+        let mut ranking = Ranking::listing(self.most_listed());
+        let found = answer.statuses.get();
+        if let (Some(all), Some(statuses)) = (asked.problem.measurements.all(), found) {
+            for reading in all.iter().filter(|_| is_ranked) {
+                ranking.add(reading.clone(), statuses.status(reading));
+            }
+            return Ok((statuses, ranking));
+        }
+        if let (Some(statuses), false) = (found, is_ranked) {
+            return Ok((statuses, ranking));
+        }
+        let deciding = Deciding::new(&asked.problem, &answer.fit);
+        // The others stand to the set of all as to that of the others.
+        let judge = |readings: &mut dyn Iterator<Item = Measurement>| {
+            let mut ranking = Ranking::listing(self.most_listed());
+            let shown = is_ranked.then_some(readings);
+            for reading in shown.into_iter().flatten() {
+                let all = Standing::against(&reading, deciding.set());
+                ranking.add(reading.clone(), alone(&reading, all));
+            }
+            ranking
+        };
+        let rows: Vec<usize> = deciding.rows().collect();
+        let others = asked.look(&rows, judge, |part| ranking.merge(part))?;
+        let statuses = answer.statuses.get_or_init(|| Statuses::new(deciding.clone(), &others));
+        for reading in deciding.readings().iter().filter(|_| is_ranked) {
+            ranking.add(reading.clone(), statuses.status(reading));
+        }
+        Ok((statuses, ranking))
+    }
+
+    /// Further readings for reports.
+    fn rank_new<'a>(
+        &'a self,
+        asked: &'a Judgeable,
+        statuses: &Statuses,
+    ) -> Result<Option<NewReadings<'a>>, Refusal> {
+        let Some(name) = &self.new else { return Ok(None) };
+        let judge = |readings: &mut dyn Iterator<Item = Measurement>| {
+            let mut ranking = Ranking::listing(self.most_listed());
+            for reading in readings {
+                let all = Standing::against(&reading, statuses.set());
+                ranking.add(reading.clone(), alone(&reading, all));
+            }
+            ranking
+        };
+        let mut ranking = Ranking::listing(self.most_listed());
+        asked.see_new(name, judge, |part| ranking.merge(part))?;
+        Ok(Some(NewReadings { file: asked.tables()?.file(name), ranking }))
+    }
+
+    /// Writes every reading while the data are read once more, or from memory, and then further ones.
+    fn write_rows(
+        &self,
+        asked: &Judgeable,
+        answer: &Judgement,
+        statuses: &Statuses,
+        is_json: bool,
+        paper: &Paper<'_>,
+        out: &mut Out<'_>,
+    ) -> Result<(), Refusal> {
+        let Paper { origin, style } = paper;
+        put(
+            out,
+            match is_json {
+                true => StatusJson::head(&asked.problem, &answer.fit, statuses.deciding(), origin, style),
+                false => StatusCsv::HEADER.to_owned(),
+            },
+        )?;
+        let row = |reading: Measurement| {
+            let status = statuses.status(&reading);
+            if is_json { StatusJson::row(&status, style) } else { StatusCsv::row(&status) }
+        };
+        let new_row = |reading: Measurement| {
+            let standing = Standing::against(&reading, statuses.set());
+            match is_json {
+                true => StatusJson::new_row(reading.row, standing.as_ref(), style),
+                false => StatusCsv::new_row(reading.row, standing.as_ref()),
+            }
+        };
+        let between = if is_json { StatusJson::BETWEEN } else { "" };
+        let made = |readings: &mut dyn Iterator<Item = Measurement>| {
+            readings.map(&row).collect::<Vec<_>>().join(between)
+        };
+        let made_new = |readings: &mut dyn Iterator<Item = Measurement>| {
+            readings.map(&new_row).collect::<Vec<_>>().join(between)
+        };
+        let mut parts = Parts::new(out, between);
+        asked.each(made, |part| parts.take(&part))?;
+        parts.end()?;
+        if is_json {
+            put(out, StatusJson::END_OF_ROWS)?;
+        }
+        if let Some(name) = &self.new {
+            if is_json {
+                put(out, StatusJson::new_head(asked.tables()?.file(name)))?;
+            }
+            let mut parts = Parts::new(out, between);
+            asked.see_new(name, made_new, |part| parts.take(&part))?;
+            parts.end()?;
+            if is_json {
+                put(out, StatusJson::END_OF_NEW)?;
+            }
+        }
+        if let Some(repair) = answer.repair.as_ref().filter(|_| is_json) {
+            put(out, StatusJson::repair(repair, style))?;
+        }
+        if is_json { put(out, StatusJson::TAIL) } else { Ok(()) }
+    }
+}
+
+/// The status of a reading that is no part of the set: the set of all is that of the others.
+fn alone(reading: &Measurement, all: Option<Standing>) -> RowStatus {
+    RowStatus { row: reading.row, without: all.clone(), all }
+}
+
+impl Ask for Status {
+    const NAME: &'static str = "status";
+    const FORMS: &'static [Form] =
+        &[Form::Text, Form::Latex, Form::Markdown, Form::Json, Form::Csv, Form::Proof];
+    type Problem = Judgeable;
+    type Answer = Judgement;
+
+    fn read(&self, asked: &Asked, source: Source, shows: Shows) -> Result<Judgeable, Refusal> {
+        if self.new.is_some() {
+            asked.tables()?;
+        }
+        let (name, again) = (source.name().clone(), source.again());
+        // A repair moves every bound, and what is read once is kept.
+        let keeps_all = self.repair || again.is_none();
+        let keep = Keep { eui: false, ..if keeps_all { Keep::EVERY } else { Keep::default() } };
+        // The hash tells whether the data have changed when they are read once more.
+        let shows_hash = shows.max(Shows::Hash);
+        let problem = asked.scanned(source, (Asked::ROW_COST, shows_hash), keep)?;
+        if problem.measurements.is_of_reductions() {
+            return Err(Refusal::Reduction { ask: Self::NAME });
+        }
+        problem.check_work(times::STATUS, asked.most_work())?;
+        if shows == Shows::Rows {
+            // A proof has the set without each reading that decides.
+            let readings = problem.measurements.kept().len() as u64;
+            problem.work(&[]).of_leaving_out_each(readings).check(times::FIT, asked.most_work())?;
+        }
+        Ok(Judgeable::new(asked, problem, name, again))
+    }
+
+    fn table<'a>(&self, asked: &'a Judgeable) -> Option<&'a TableNotes> {
+        asked.problem.measurements.table()
+    }
+
+    fn answer(&self, asked: &Judgeable) -> Result<Judgement, Refusal> {
+        let problem = &asked.problem;
+        let fit = fit(problem);
+        let repair = self.repair.then(|| Repair::of(problem, &fit));
+        let statuses = OnceCell::new();
+        if let Some(found) = Statuses::of(problem, &fit) {
+            let _ = statuses.set(found);
+        }
+        Ok(Judgement { fit, repair, statuses })
+    }
+
+    fn write(
+        &self,
+        asked: &Judgeable,
+        answer: &Judgement,
+        form: Form,
+        paper: &Paper<'_>,
+        out: &mut Out<'_>,
+    ) -> Result<Written, Refusal> {
+        if !Self::FORMS.contains(&form) {
+            return Err(Self::no_form(form));
+        }
+        let is_document = !matches!(form, Form::Json | Form::Csv | Form::Proof);
+        let (statuses, ranking) = self.judge(asked, answer, is_document)?;
+        let (problem, Paper { origin, style }) = (&asked.problem, paper);
+        match form {
+            Form::Json | Form::Csv => {
+                self.write_rows(asked, answer, statuses, form == Form::Json, paper, out)?;
+            }
+            Form::Proof if statuses.deciding().count() > MOST_PROVED => {
+                return Err(Refusal::NoProof(NoProof::TooMany {
+                    most: MOST_PROVED,
+                    of: "readings that decide",
+                }));
+            }
+            Form::Proof => {
+                let proof = status_proof(problem, statuses, origin.reading);
+                put(out, proof.ok_or(Refusal::NoProof(NoProof::NoText))?)?;
+            }
+            _ => {
+                let (new, repair) = (self.rank_new(asked, statuses)?, answer.repair.clone());
+                let report = StatusReport { problem, fit: &answer.fit, ranking, new, repair };
+                let text = document(form, || status_document(report, origin, style));
+                put(out, text.ok_or(Self::no_form(form))?)?;
+            }
+        }
+        Ok(Written::of_set(answer.fit.is_empty()))
+    }
+}

@@ -1,0 +1,15 @@
+//! How surfaces name what they take.
+
+use boundfit_formats::Way;
+
+/// How a surface names what it takes.
+pub trait Surface {
+    /// A key: an option, a keyword, a key of an object.
+    fn key(&self, key: &str) -> String;
+
+    /// A value of a key, before what is wrong with it.
+    fn value(&self, key: &str, text: &str) -> String;
+
+    /// A way out: a setting, and what it does.
+    fn way(&self, way: &Way) -> String;
+}

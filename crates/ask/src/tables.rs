@@ -1,0 +1,67 @@
+//! Further tables that a question names.
+
+use boundfit_exact::{Foreign, Reading};
+use boundfit_formats::{Again, RowSet, ScanOptions, Source, TableNotes, TableOptions};
+
+use crate::refusal::Refusal;
+
+/// Where further tables are found that a question names: readings to be judged, values to be predicted at.
+pub trait Tables: Send + Sync {
+    /// Opens one, all rows of it, and says how it is read.
+    ///
+    /// # Errors
+    /// When there is none of this name.
+    fn open(&self, name: &str) -> Result<(Source, ScanOptions), Refusal>;
+
+    /// The file that a table is, for reports; nothing of standard input.
+    fn file<'a>(&'a self, name: &'a str) -> Option<Foreign<&'a str>> {
+        (name != "-").then(|| Foreign::of(name))
+    }
+
+    /// Takes note of what one was taken for, after it was read.
+    fn was_read(&self, _name: &str, _table: Option<&TableNotes>) {}
+}
+
+/// Files, by their paths, read as this says but for the rows that it chooses.
+pub struct Files(pub ScanOptions);
+
+impl Tables for Files {
+    fn open(&self, name: &str) -> Result<(Source, ScanOptions), Refusal> {
+        let source = Source::open(name)?;
+        let reading = if source.is_stored() { Reading::Binary64 } else { self.0.table.reading };
+        Ok((source, of_all_rows(&self.0, reading)))
+    }
+}
+
+/// Tables in memory by their names, each with how its numbers are read, beside files.
+pub struct Held {
+    /// The tables.
+    pub tables: Vec<(String, Again, Reading)>,
+    /// What reports call them, if anything.
+    pub shown: Option<&'static str>,
+    /// How all are read, but for their numbers.
+    pub files: Files,
+}
+
+impl Tables for Held {
+    fn open(&self, name: &str) -> Result<(Source, ScanOptions), Refusal> {
+        match self.tables.iter().find(|(own, ..)| own == name) {
+            Some((_, again, reading)) => Ok((again.open()?, of_all_rows(&self.files.0, *reading))),
+            None => self.files.open(name),
+        }
+    }
+
+    fn file<'a>(&'a self, name: &'a str) -> Option<Foreign<&'a str>> {
+        match self.tables.iter().any(|(own, ..)| own == name) {
+            true => self.shown.map(Foreign::of),
+            false => self.files.file(name),
+        }
+    }
+}
+
+/// How a further table is read: as the first one, but all of it.
+fn of_all_rows(options: &ScanOptions, reading: Reading) -> ScanOptions {
+    let table =
+        TableOptions { rows: RowSet::default(), conditions: Vec::new(), reading, ..options.table.clone() };
+    ScanOptions { table, hash: false, list_rows: false, progress: None, ..options.clone() }
+}

@@ -1,0 +1,77 @@
+"""Every question × every form × fits of the fixtures: the package says what the program writes, byte for byte, or both refuse. The list
+is that of the tests in Rust, which hold it equal to the registry."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import boundfit
+import pytest
+from boundfit import _asking, _boundfit
+
+from conftest import ROOT, _program
+
+LIST: dict[str, Any] = json.loads((ROOT / "tests/questions.json").read_text())
+QUESTIONS: dict[str, dict[str, Any]] = LIST["questions"]
+
+# What people call.
+FUNCTIONS = {
+    "fit": boundfit.fit_file,
+    "fit-x-errors": boundfit.fit_file,
+    "fleet": boundfit.fit_groups,
+    "linearity": boundfit.linearity_file,
+    "outliers": boundfit.outliers,
+    "predict": boundfit.predict,
+    "range": boundfit.range,
+    "status": boundfit.status,
+    "window": boundfit.windows,
+}
+
+
+def test_every_question_has_a_function() -> None:
+    assert sorted(FUNCTIONS) == sorted(QUESTIONS)
+
+
+def readings(line: str, question: str) -> _boundfit.Readings:
+    file, *words = line.split(" ")
+    given = {name.removeprefix("--").replace("-", "_"): value for name, value in zip(words[::2], words[1::2], strict=True)}
+    x: Any = given.pop("x").split(",")
+    y, eps = given.pop("y", None), given.pop("eps", None)
+    more: dict[str, Any] = {**given, "x_eps": "1/10"} if question == "fit-x-errors" else dict(given)
+    return _asking.readings_of_file(f"fixtures/{file}", x, y, eps, **more)
+
+
+def written(line: str, command: str, form: str, proof: Path) -> str | None:
+    """What the program writes, where it writes an answer."""
+    file, *words = line.split(" ")
+    if command.startswith("linearity") and "--eps" in words:
+        del words[(at := words.index("--eps")) : at + 2]
+    name, *own = command.split(" ")
+    formats = {"vertices": ["--vertices", "--format", "csv"], "proof": ["--proof", str(proof)]}
+    arguments = [name, f"fixtures/{file}", *words, *own, *formats.get(form, ["--format", form])]
+    done = subprocess.run([_program(), *arguments], capture_output=True, text=True, cwd=ROOT)
+    if done.returncode not in (0, 3):
+        return None
+    return proof.read_text() if form == "proof" else done.stdout
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+def test_the_package_says_what_the_program_writes(question: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    own = QUESTIONS[question]
+    request = json.dumps({"ask": question, **own["request"]})
+    answers = 0
+    for number, line in enumerate(LIST["about"]):
+        for form in own["forms"]:
+            expected = written(line, own["command"], form, tmp_path / f"{number}.json")
+            try:
+                told = _boundfit.ask(readings(line, question), request, form, None)
+            except ValueError as error:
+                assert expected is None, f"{question} as {form} of {line}: {error}"
+                continue
+            assert told == expected, f"{question} as {form} of {line}"
+            answers += 1
+    assert answers > len(own["forms"])
