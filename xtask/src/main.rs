@@ -1,17 +1,40 @@
 //! Tasks of those who change boundfit: `cargo xtask TASK`.
+//!
+//! | task | module | does |
+//! |---|---|---|
+//! | `ci [STEP…]` | `ci` | runs the steps of continuous integration, all of them or those named |
+//!
+//! The crate has no dependencies, so that it is built within two seconds.
+#![expect(clippy::print_stdout, clippy::print_stderr, reason = "a tool for people at a terminal")]
+
+mod ci;
 
 use std::env;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+
+/// The text that explains the tasks.
+const USAGE: &str = "\
+cargo xtask TASK
+
+  ci [STEP…]    run the steps of continuous integration, all or these; `cargo xtask ci --list` explains them";
+
+/// The top of the repository.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().map_or_else(PathBuf::new, Path::to_owned)
+}
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
-    let (task, _options) = match arguments.split_first() {
-        Some((task, options)) => (task.as_str(), options),
-        None => ("", [].as_slice()),
-    };
+    let (task, options) = arguments.split_first().map_or(("", &[][..]), |(task, rest)| (task.as_str(), rest));
     match task {
-        _ => {
-            std::io::Write::write_all(&mut std::io::stderr(), b"cargo xtask TASK\n").unwrap_or_default();
+        "ci" => ci::main(options),
+        "" | "help" | "-h" | "--help" => {
+            println!("{USAGE}");
+            ExitCode::SUCCESS
+        }
+        unknown => {
+            eprintln!("there is no task {unknown:?}\n\n{USAGE}");
             ExitCode::from(2)
         }
     }

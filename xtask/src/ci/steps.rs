@@ -1,0 +1,254 @@
+//! The steps in their order. Programs are installed while the compiler works: steps that need one come after those that do not.
+
+use super::programs::{
+    CBC, CDD, CHROMIUM, CMAKE, CXX, GLPK, LATEX, LIBCLANG, LRS, NODE, OCTAVE, PYTHON, Program, TIKZ, VENV,
+};
+
+/// A step of continuous integration.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Step {
+    /// What people type.
+    pub(super) name: &'static str,
+    /// What holds if the step succeeds.
+    pub(super) holds: &'static str,
+    /// The changes that need the step.
+    pub(super) changes: &'static str,
+    /// The programs that it starts, cargo aside.
+    pub(super) needs: &'static [Program],
+    /// The step that it runs beside, if both run.
+    pub(super) beside: Option<&'static str>,
+    /// Commands of bash, run from the top of the repository; the first that fails ends the step. `$built` is cargo's folder.
+    pub(super) script: &'static str,
+}
+
+/// A step that needs no program and runs after the others.
+const PLAIN: Step = Step { name: "", holds: "", changes: "", needs: &[], beside: None, script: "" };
+
+/// Every step.
+pub(super) static STEPS: &[Step] = &[
+    Step {
+        name: "format",
+        holds: "rustfmt has nothing to change",
+        changes: "every change of Rust",
+        script: "\
+cargo fmt --all --check
+cargo fmt --manifest-path python/Cargo.toml --check
+cargo fmt --manifest-path wasm/Cargo.toml --all --check",
+        ..PLAIN
+    },
+    Step {
+        name: "lints",
+        holds: "clippy finds nothing in the workspace",
+        changes: "every change of Rust",
+        script: "\
+cargo clippy --workspace --all-targets --locked -- -D warnings
+cargo clippy --workspace --test external --locked -- -D warnings",
+        ..PLAIN
+    },
+    Step {
+        name: "docs",
+        holds: "rustdoc finds no broken link and no public item without documentation",
+        changes: "public items and their comments",
+        script: "RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps --locked",
+        ..PLAIN
+    },
+    Step {
+        name: "core",
+        holds: "every crate builds with its fewest features, and the library's core has no thread, file, clock or linear algebra",
+        changes: "dependencies, features and `cfg`",
+        script: "\
+for part in exact geometry estimation lp judge questions check report figures lesson; do
+  cargo check --locked --package \"boundfit-$part\" --no-default-features
+done
+for feature in '' nalgebra files lp judge questions verify report figures tikz lesson lesson,engine lesson,figures; do
+  cargo check --locked --package boundfit --no-default-features --features \"$feature\"
+done
+core=$(cargo tree --locked --package boundfit --no-default-features --features lp,judge --edges normal --prefix none)
+if grep -E '^(rayon|tempfile|web-time|clarabel|microlp|nalgebra|boundfit-formats) ' <<< \"$core\"; then
+  echo 'the core of the library needs threads, files, clocks or linear algebra' >&2; exit 1
+fi",
+        ..PLAIN
+    },
+    Step {
+        name: "package",
+        holds: "every crate has what crates.io asks for",
+        changes: "manifests, and files that a crate includes",
+        script: "cargo package --workspace --exclude tests --exclude xtask --locked --no-verify --allow-dirty --quiet",
+        ..PLAIN
+    },
+    Step {
+        name: "first-command",
+        holds: "the first command of README does its job",
+        changes: "the profile `release`, dependencies of the program, README's beginning",
+        script: "eval \"$(grep '^cargo ' README.md | sed -n 1p)\"",
+        ..PLAIN
+    },
+    Step {
+        name: "tiny-lp",
+        holds: "the answers of the tiny linear programs are proved without boundfit",
+        changes: "fixtures/tiny-lp",
+        needs: &[PYTHON],
+        script: "python3 fixtures/tiny-lp/check.py",
+        ..PLAIN
+    },
+    Step {
+        name: "scripts",
+        holds: "the scripts that compare speed are Python",
+        changes: "benches",
+        needs: &[PYTHON],
+        script: "python3 -m py_compile benches/side-by-side benches/peers/peers.py",
+        ..PLAIN
+    },
+    Step {
+        name: "highs",
+        holds: "HiGHS, the optional solver, gets the verdicts that are stored",
+        changes: "crates lp, check and judge",
+        needs: &[CMAKE, CXX, LIBCLANG],
+        script: "\
+cargo build --workspace --locked --features boundfit-cli/highs,tests/highs --bin bench-solvers
+\"$built/debug/bench-solvers\" fixtures/hard-lp | tee target/conformance.md
+diff fixtures/hard-lp/conformance-with-highs.md target/conformance.md",
+        ..PLAIN
+    },
+    Step {
+        name: "build-tests",
+        holds: "the tests compile",
+        changes: "every change of Rust; `tests` does it too",
+        script: "cargo test --workspace --locked --no-run",
+        ..PLAIN
+    },
+    Step {
+        name: "peers",
+        holds: "lrs, cddlib, GLPK, CBC, HiGHS, Octave, LaTeX and Python read what boundfit writes and answer the same",
+        changes: "exporters, readers of solutions, answers",
+        needs: &[LRS, CDD, GLPK, CBC, OCTAVE, LATEX, TIKZ, PYTHON, VENV],
+        script: "cargo test --workspace --locked --test external",
+        ..PLAIN
+    },
+    Step {
+        name: "differential",
+        holds: "clipping, envelopes, brute force and the exact simplex agree on 20,000 generated sets",
+        changes: "crates exact, geometry, estimation and lp",
+        // `cargo run --package tests` would ask for other features of the crates, and build them all once more.
+        script: "\
+cargo test --workspace --locked --no-run --quiet
+\"$built/debug/deep\" --cases 20000",
+        ..PLAIN
+    },
+    Step {
+        name: "fuzz",
+        holds: "no target of the fuzzer fails on seeds and 50,000 mutations of them",
+        changes: "everything that reads input",
+        script: "FUZZ_CASES=50000 cargo test --workspace --locked --test formats fuzz_smoke",
+        ..PLAIN
+    },
+    Step {
+        name: "small-inputs",
+        holds: "every command ends within two seconds of processor time and 64 MB for any input of 4 kB",
+        changes: "everything that reads input or computes",
+        script: "SMALL_CASES=5000 cargo test --workspace --locked --test cli small_inputs",
+        ..PLAIN
+    },
+    Step {
+        name: "python",
+        holds: "the wheel, as people get it, answers as the program does, and its types are right",
+        changes: "python, and every crate that it shows",
+        needs: &[PYTHON, VENV],
+        script: "\
+python3 -m venv --clear target/python
+target/python/bin/pip install --quiet 'maturin>=1.9,<2' -r python/tests/requirements.txt
+rm -rf target/wheels
+VIRTUAL_ENV=$PWD/target/python target/python/bin/maturin build --release --locked --out target/wheels
+target/python/bin/pip install --quiet target/wheels/*.whl
+CARGO_TARGET_DIR=python/target cargo clippy --manifest-path python/Cargo.toml --locked -- -D warnings
+cargo build --release --locked
+export BOUNDFIT_PROGRAM=$built/release/boundfit
+target/python/bin/python -m pytest --quiet python/tests
+target/python/bin/python -m mypy --strict python/boundfit
+target/python/bin/python -m pyright --pythonpath target/python/bin/python python/boundfit",
+        ..PLAIN
+    },
+    Step {
+        name: "wasm",
+        holds: "the checked-in WebAssembly module answers as the program does",
+        changes: "answers, wasm, crates/lesson/engine",
+        needs: &[NODE],
+        script: "\
+cargo build --release --locked
+BOUNDFIT_PROGRAM=$built/release/boundfit node --test wasm/test.mjs",
+        ..PLAIN
+    },
+    Step {
+        name: "page",
+        holds: "the program writes the page for those who have only a browser, into target/boundfit.html",
+        changes: "crate lesson",
+        script: "\
+cargo run --release --locked -- playground -o target/boundfit.html
+ls -l target/boundfit.html",
+        ..PLAIN
+    },
+    Step {
+        name: "browser",
+        holds: "the lesson works in a real browser, and its scripts have types",
+        changes: "crate lesson, tests/browser",
+        needs: &[NODE, CHROMIUM],
+        script: "\
+cargo build --release --locked
+export BOUNDFIT=$built/release/boundfit
+npm --prefix tests/browser ci
+npm --prefix tests/browser run types
+npm --prefix tests/browser test",
+        ..PLAIN
+    },
+    Step {
+        name: "wasm-source",
+        holds: "the WebAssembly module, built from source, answers as the program does (where Debian's compiler is)",
+        changes: "wasm, answers",
+        needs: &[NODE],
+        // What waits for one program at a time leaves a processor free.
+        beside: Some("python"),
+        script: "\
+if [ \"$(id -u)\" = 0 ] && apt-get install --simulate rustc-web rust-web-src binaryen > target/compiler.log 2>&1; then
+  CARGO_TARGET_DIR=wasm/target cargo clippy --manifest-path wasm/Cargo.toml --workspace --locked -- -D warnings
+  wasm/build.sh target/engine
+  cargo build --release --locked
+  BOUNDFIT_PROGRAM=$built/release/boundfit BOUNDFIT_ENGINE=target/engine node --test wasm/test.mjs
+  ls -l target/engine
+else
+  echo 'not built: there is no Debian compiler for browsers here'; cat target/compiler.log 2>/dev/null || true
+fi",
+    },
+    Step {
+        name: "tests",
+        holds: "the second command of README, all tests that need no other program, passes",
+        changes: "every change",
+        script: "eval \"$(grep '^cargo ' README.md | sed -n 2p)\" 2>&1",
+        ..PLAIN
+    },
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_have_names_of_their_own_and_are_explained() {
+        for (place, step) in STEPS.iter().enumerate() {
+            assert!(
+                !step.holds.is_empty() && !step.changes.is_empty() && !step.script.is_empty(),
+                "{step:?}"
+            );
+            assert!(STEPS[place + 1..].iter().all(|other| other.name != step.name), "{}", step.name);
+            assert!(step.name.len() <= 13, "{} is long to type", step.name);
+        }
+    }
+
+    #[test]
+    fn a_step_runs_beside_an_earlier_one() {
+        let place = |name: &str| STEPS.iter().position(|step| step.name == name);
+        for step in STEPS {
+            let Some(other) = step.beside else { continue };
+            assert!(place(other).expect("a step") < place(step.name).expect("a step"), "{}", step.name);
+        }
+    }
+}
