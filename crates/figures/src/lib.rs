@@ -33,9 +33,12 @@ mod figure;
 mod groups;
 mod labels;
 mod linearity;
+#[cfg_attr(not(feature = "outlines"), path = "no_outlines.rs")]
+mod outlines;
 mod page;
 mod palette;
 mod parameter_plane;
+#[cfg(feature = "outlines")]
 mod pdf;
 mod picture;
 mod render;

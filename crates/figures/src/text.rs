@@ -1,22 +1,14 @@
 //! The embedded font and what may be written in it.
 
-use std::sync::{Arc, LazyLock, Once};
+use std::sync::Once;
 
 use boundfit_exact::Foreign;
 use plotters::style::{FontStyle, register_font};
-use resvg::usvg::fontdb::Database;
 
 /// The family name inside [`FONT`].
 pub(crate) const FAMILY: &str = "Inter";
 /// Inter Regular, a subset; see `fonts/README.md`.
 pub(crate) const FONT: &[u8] = include_bytes!("../fonts/Inter-Regular-subset.otf");
-
-/// The embedded font alone, for the library that makes outlines of letters.
-pub(crate) static FONTS: LazyLock<Arc<Database>> = LazyLock::new(|| {
-    let mut fonts = Database::new();
-    fonts.load_font_data(FONT.to_vec());
-    Arc::new(fonts)
-});
 
 /// Makes the font known to plotters, which measures texts with it.
 pub(crate) fn register() {
@@ -92,8 +84,6 @@ pub(crate) fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use resvg::usvg::{Options, Tree, WriteOptions};
-
     use super::*;
 
     #[test]
@@ -104,8 +94,13 @@ mod tests {
         assert_eq!(escaped("a<b & c"), "a&lt;b &amp; c");
     }
 
+    #[cfg(feature = "outlines")]
     #[test]
     fn no_character_vanishes() {
+        use resvg::usvg::{Options, Tree, WriteOptions};
+
+        use crate::outlines::FONTS;
+
         assert_eq!(drawable("λ ⁻² 温度 \u{1F600}"), "λ ⁻² ◊◊ ◊");
         let blank = |c: char| c.is_whitespace() || matches!(c, '\u{ad}');
         for c in IN_FONT.iter().flat_map(|&(first, last)| first..=last).filter(|&c| !blank(c)) {

@@ -3,20 +3,36 @@
 //! `FUZZ_CASES` sets the number of mutations per target; continuous integration runs more of them.
 
 use std::fs;
+use std::panic::catch_unwind;
 use std::path::{Path, PathBuf};
 
 use boundfit_tests::fuzz_targets::{TARGETS, Target};
+use boundfit_tests::generate::seeded;
 use boundfit_tests::program::root;
-use proptest::collection::vec;
-use proptest::prelude::*;
-use proptest::sample::{Index, select};
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
 
 /// Mutations per target when nothing else is asked for.
 const CASES: u32 = 1_000;
 
+/// A place in bytes of any length, as a part of the length.
+#[derive(Debug, Clone, Copy)]
+struct Index(u32);
+
+impl Index {
+    fn any(rng: &mut ChaCha8Rng) -> Self {
+        Index(rng.random())
+    }
+
+    /// The place in so many bytes; `size` is not 0.
+    fn index(self, size: usize) -> usize {
+        let place = (u64::from(self.0) * u64::try_from(size).unwrap()) >> 32;
+        usize::try_from(place).unwrap()
+    }
+}
+
 /// One change to some bytes.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 enum Mutation {
     Replace(Index, u8),
     Insert(Index, u8),
@@ -85,26 +101,26 @@ const PIECES: &[&str] = &[
     "</c>",
 ];
 
-fn mutation() -> impl Strategy<Value = Mutation> {
-    let place = any::<Index>;
-    prop_oneof![
-        (place(), any::<u8>()).prop_map(|(at, byte)| Mutation::Replace(at, byte)),
-        (place(), any::<u8>()).prop_map(|(at, byte)| Mutation::Insert(at, byte)),
-        place().prop_map(Mutation::Remove),
-        (place(), 0..8_u8).prop_map(|(at, bit)| Mutation::Flip(at, bit)),
-        place().prop_map(Mutation::Truncate),
-        (place(), select(PIECES)).prop_map(|(at, piece)| Mutation::Splice(at, piece)),
-        (place(), place(), place()).prop_map(|(from, to, at)| Mutation::Repeat(from, to, at)),
-        place().prop_map(Mutation::Append),
-    ]
+fn mutation(rng: &mut ChaCha8Rng) -> Mutation {
+    let place = Index::any(rng);
+    match rng.random_range(0..8) {
+        0 => Mutation::Replace(place, rng.random()),
+        1 => Mutation::Insert(place, rng.random()),
+        2 => Mutation::Remove(place),
+        3 => Mutation::Flip(place, rng.random_range(0..8)),
+        4 => Mutation::Truncate(place),
+        5 => Mutation::Splice(place, PIECES[rng.random_range(0..PIECES.len())]),
+        6 => Mutation::Repeat(place, Index::any(rng), Index::any(rng)),
+        _ => Mutation::Append(place),
+    }
 }
 
 /// The longest input: longer ones take time and show no more.
 const LONGEST: usize = 4_096;
 
-fn mutated(seeds: &[Vec<u8>], seed: Index, mutations: Vec<Mutation>) -> Vec<u8> {
+fn mutated(seeds: &[Vec<u8>], seed: Index, mutations: &[Mutation]) -> Vec<u8> {
     let mut bytes = seeds[seed.index(seeds.len())].clone();
-    for mutation in mutations {
+    for &mutation in mutations {
         let at = |place: Index, bytes: &[u8]| place.index(bytes.len().max(1));
         let end = |place: Index, bytes: &[u8]| place.index(bytes.len() + 1);
         match mutation {
@@ -161,17 +177,27 @@ fn smoke(target: Target) {
         std::env::var("FUZZ_CASES").map_or(CASES, |cases| cases.parse().expect("FUZZ_CASES is a number"));
     // Each of these cases is a whole computation.
     let cases = if name == "slow_units" { cases / 20 } else { cases };
-    let config = Config { cases, failure_persistence: None, ..Config::default() };
-    let mut runner = TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
-    let input = (any::<Index>(), vec(mutation(), 0..6));
-    let all = seeds.clone();
-    let bytes = input.prop_map(move |(seed, mutations)| mutated(&all, seed, mutations));
-    let result = runner.run(&bytes, |bytes| {
-        body(&bytes);
-        Ok(())
-    });
-    if let Err(error) = result {
-        panic!("{name}: {error}");
+    let mut rng = seeded(2027);
+    for _ in 0..cases {
+        let seed = Index::any(&mut rng);
+        let count = rng.random_range(0..6);
+        let mut mutations: Vec<Mutation> = (0..count).map(|_| mutation(&mut rng)).collect();
+        let fails = |mutations: &[Mutation]| {
+            let bytes = mutated(&seeds, seed, mutations);
+            catch_unwind(|| body(&bytes)).is_err()
+        };
+        if fails(&mutations) {
+            // Mutations that the failure does not need go.
+            for place in (0..mutations.len()).rev() {
+                let mut fewer = mutations.clone();
+                fewer.remove(place);
+                if fails(&fewer) {
+                    mutations = fewer;
+                }
+            }
+            let bytes = mutated(&seeds, seed, &mutations);
+            panic!("{name} fails on {mutations:?}: {:?}", String::from_utf8_lossy(&bytes));
+        }
     }
 }
 

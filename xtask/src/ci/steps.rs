@@ -40,9 +40,11 @@ cargo fmt --manifest-path wasm/Cargo.toml --all --check",
         name: "lints",
         holds: "clippy finds nothing in the workspace",
         changes: "every change of Rust",
+        // Targets that `cargo test` leaves out, and what only features bring, are named.
         script: "\
 cargo clippy --workspace --all-targets --locked -- -D warnings
-cargo clippy --workspace --test external --locked -- -D warnings",
+cargo clippy --workspace --test external --benches --features tests/arrow,tests/benches \\
+  --locked -- -D warnings",
         ..PLAIN
     },
     Step {
@@ -79,8 +81,22 @@ fi",
     Step {
         name: "first-command",
         holds: "the first command of README does its job",
-        changes: "the profile `release`, dependencies of the program, README's beginning",
+        changes: "the profile `dev`, dependencies of the program, README's beginning",
         script: "eval \"$(grep '^cargo ' README.md | sed -n 1p)\"",
+        ..PLAIN
+    },
+    Step {
+        name: "shipped",
+        holds: "the program as it is installed answers the same, in at most 24 MB",
+        changes: "the profile `release`, dependencies of the program",
+        // Float solvers are not among what the first command builds.
+        script: "\
+cargo build --release --locked
+size=$(stat -c %s \"$built/release/boundfit\")
+echo \"$size bytes\"
+[ \"$size\" -le 24000000 ] || { echo 'more than 24 MB' >&2; exit 1; }
+first=$(grep '^cargo ' README.md | sed -n 1p)
+diff <(eval \"$first\" | grep -v '^LP solver') <(eval \"$built/release/boundfit ${first#* -- }\" | grep -v '^LP solver')",
         ..PLAIN
     },
     Step {
@@ -105,7 +121,7 @@ fi",
         changes: "crates lp, check and judge",
         needs: &[CMAKE, CXX, LIBCLANG],
         script: "\
-cargo build --workspace --locked --features boundfit-cli/highs,tests/highs --bin bench-solvers
+cargo build --profile test --workspace --locked --features boundfit-cli/highs,tests/highs --bin bench-solvers
 \"$built/debug/bench-solvers\" fixtures/hard-lp | tee target/conformance.md
 diff fixtures/hard-lp/conformance-with-highs.md target/conformance.md",
         ..PLAIN
@@ -123,6 +139,14 @@ diff fixtures/hard-lp/conformance-with-highs.md target/conformance.md",
         changes: "exporters, readers of solutions, answers",
         needs: &[LRS, CDD, GLPK, CBC, OCTAVE, LATEX, TIKZ, PYTHON, VENV],
         script: "cargo test --workspace --locked --test external",
+        ..PLAIN
+    },
+    Step {
+        name: "arrow",
+        holds: "Parquet and Arrow files are read as other tables are",
+        changes: "crates formats and estimation, the feature `arrow`",
+        script: "cargo test --workspace --locked --features tests/arrow --test formats --test engine --test cli -- \\
+  arrow parquet packed bombs stored foreign",
         ..PLAIN
     },
     Step {

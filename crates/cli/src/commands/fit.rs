@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use boundfit_ask::Form;
-use boundfit_check::{CheckOptions, check, source_names};
+use boundfit_check::{CheckOptions, EXACT_SIMPLEX, check, source_names};
 use boundfit_estimation::{Measurements, Problem};
 use boundfit_exact::{Rational, Reading};
 use boundfit_report::verdict_line;
@@ -85,9 +85,11 @@ fn check_usage_of_proof(arguments: &FitArguments) -> Result<(), Failure> {
 /// whole program without it.
 const MOST_READINGS_FOR_LP: usize = 50;
 
-/// What the default solver makes of the same data; where they are many, of those that can bound the set.
+/// Asks the default float solver about the same data; where they are many, about those that can bound the set. Returns `None`
+/// in a build without float solvers.
 fn lp_verdict(problem: &Problem, reading: Reading) -> Result<Option<String>, Failure> {
     const MOST: usize = MOST_READINGS_FOR_LP;
+    let Some(solver) = source_names().into_iter().find(|name| name != EXACT_SIMPLEX) else { return Ok(None) };
     let measurements = &problem.measurements;
     let fitted = measurements.fitted();
     let few = (fitted > MOST).then(|| measurements.supporting()).flatten();
@@ -109,7 +111,7 @@ fn lp_verdict(problem: &Problem, reading: Reading) -> Result<Option<String>, Fai
     });
     let problem = few.as_ref().unwrap_or(problem);
     let options = CheckOptions {
-        solvers: source_names().into_iter().take(1).collect(),
+        solvers: vec![solver],
         answers: Vec::new(),
         tolerance: Rational::ratio(1, 1_000_000),
         as_printed: true,
