@@ -127,6 +127,13 @@ diff fixtures/hard-lp/conformance-with-highs.md target/conformance.md",
         ..PLAIN
     },
     Step {
+        name: "prose",
+        holds: "no folder has more long sentences or unclear beginnings than xtask/prose.txt says",
+        changes: "every page and comment",
+        script: "cargo xtask prose",
+        ..PLAIN
+    },
+    Step {
         name: "build-tests",
         holds: "the tests compile",
         changes: "every change of Rust; `tests` does it too",
