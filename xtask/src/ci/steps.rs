@@ -127,6 +127,21 @@ diff fixtures/hard-lp/conformance-with-highs.md target/conformance.md",
         ..PLAIN
     },
     Step {
+        name: "book",
+        holds: "the manual becomes a book, target/book",
+        changes: "docs",
+        // Building mdBook takes three minutes of processor time; this wheel has its program, and its hash is known.
+        needs: &[PYTHON, VENV],
+        script: "\
+if ! command -v mdbook > /dev/null; then
+  python3 -m venv target/mdbook
+  target/mdbook/bin/pip install --quiet --require-hashes --requirement .ci/mdbook.txt
+  PATH=$PWD/target/mdbook/bin:$PATH
+fi
+mdbook build docs",
+        ..PLAIN
+    },
+    Step {
         name: "prose",
         holds: "no folder has more long sentences or unclear beginnings than xtask/prose.txt says",
         changes: "every page and comment",
